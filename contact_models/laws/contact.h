@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+//
+// The vocabulary every contact law shares: what two bodies bring to a contact, and what a law
+// answers. Nothing here or in a law allocates, throws, reads a global or knows a host program.
+//
+// A law is a class over a MaterialPair. It answers one question: two bodies overlap by this much
+// and have this history; what force, what energy? It provides
+//
+//   name         the word a user types
+//   Parameters   a struct of the law's own constants, each with its default
+//   parameters   a table of them: host property, unit, allowed range
+//   State        a struct of doubles, zero for a contact never loaded beyond yield: the extremes
+//                the contact has reached, symmetric in the two bodies
+//   respond(radius_eff, overlap, state)
+//                the Response on the total law; moves `state` when a new extreme is reached, so
+//                that a second call at the same overlap changes nothing
+//
+// SI units throughout.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+namespace plastigran {
+
+constexpr double pi = 3.14159265358979323846;
+
+// One body's bulk constants.
+struct Material {
+  double youngs_modulus = 0;         // E [Pa]
+  double poissons_ratio = 0;         // nu [-]
+  double yield_strength = 0;         // sigma_Y, uniaxial [Pa]
+  double yield_pressure_factor = 0;  // p_y / sigma_Y [-]; 0 asks for the Hertz-von Mises value
+};
+
+// What two bodies bring to any contact between them; the same in either order.
+struct MaterialPair {
+  double youngs_modulus_eff = 0;  // E*: 1/E* = (1-nu1^2)/E1 + (1-nu2^2)/E2 [Pa]
+  double shear_modulus_eff = 0;   // G*: 1/G* = (2-nu1)/G1 + (2-nu2)/G2 [Pa]
+  double yield_pressure = 0;      // p_y, contact pressure at which the weaker body yields [Pa]
+  double yield_strength = 0;      // sigma_Y of the weaker body [Pa]
+  double poissons_ratio = 0;      // nu of the weaker body [-]
+};
+
+// A law's answer. Energies are totals since the contact was virgin.
+struct Response {
+  double force = 0;           // repulsive normal force, never negative [N]
+  double contact_radius = 0;  // [m]
+  double elastic_energy = 0;  // what unloading from here would give back [J]
+  double plastic_work = 0;    // what it will not [J]
+};
+
+// One constant of a law: how users name it and what it may be.
+template <class Parameters>
+struct Parameter {
+  const char* name;              // C++ and Python name
+  const char* property;          // LIGGGHTS `fix property/global ... peratomtypepair` name
+  const char* unit;
+  double Parameters::* value;
+  double lower, upper;           // allowed range, ends included
+  const char* meaning;
+};
+
+// p_y / sigma_Y at which a Hertzian contact first yields (von Mises) below its centre: the inverse
+// of the largest shear over peak pressure on the axis, max over z (depth / contact radius) of
+// 1.5/(1+z^2) - (1+nu)(1 - z atan(1/z)). Johnson, Contact Mechanics (1985), sec. 3.4 and 4.1.
+inline double hertz_yield_pressure_factor(double poissons_ratio) {
+  const auto shear = [=](double z) {
+    return 1.5 / (1 + z * z) - (1 + poissons_ratio) * (1 - z * std::atan2(1.0, z));
+  };
+  const double golden = 0.6180339887498949;
+  double shallow = 0, deep = 2;
+  for (int i = 0; i < 80; ++i) {
+    const double width = golden * (deep - shallow);
+    if (shear(deep - width) > shear(shallow + width))
+      deep = shallow + width;
+    else
+      shallow = deep - width;
+  }
+  return 1 / shear(0.5 * (shallow + deep));
+}
+
+inline double yield_pressure(const Material& body) {
+  const double factor = body.yield_pressure_factor > 0
+                            ? body.yield_pressure_factor
+                            : hertz_yield_pressure_factor(body.poissons_ratio);
+  return factor * body.yield_strength;
+}
+
+inline MaterialPair combine(const Material& a, const Material& b) {
+  const auto plane_compliance = [](const Material& body) {
+    return (1 - body.poissons_ratio * body.poissons_ratio) / body.youngs_modulus;
+  };
+  const auto shear_compliance = [](const Material& body) {
+    return 2 * (2 - body.poissons_ratio) * (1 + body.poissons_ratio) / body.youngs_modulus;
+  };
+  const Material& weaker = yield_pressure(a) <= yield_pressure(b) ? a : b;
+  MaterialPair pair;
+  pair.youngs_modulus_eff = 1 / (plane_compliance(a) + plane_compliance(b));
+  pair.shear_modulus_eff = 1 / (shear_compliance(a) + shear_compliance(b));
+  pair.yield_pressure = yield_pressure(weaker);
+  pair.yield_strength = weaker.yield_strength;
+  pair.poissons_ratio = weaker.poissons_ratio;
+  return pair;
+}
+
+// a_Y / R*: contact radius over effective radius when the peak Hertz pressure reaches p_y.
+inline double yield_radius_ratio(const MaterialPair& pair) {
+  return pi * pair.yield_pressure / (2 * pair.youngs_modulus_eff);
+}
+
+}  // namespace plastigran

@@ -1,0 +1,277 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+//
+// The one adapter between a law and the engine: a normal contact model over any law of laws/.
+// It turns `fix property/global` values into one law object per pair of atom types, keeps the law's
+// state in the engine's contact history, and hands force and tangential stiffness on.
+//
+// History values carry the flag "0": they are scalars, the same seen from either particle. ("1"
+// would flip their sign whenever the pair is stored from the other side.)
+#ifndef PLASTIGRAN_ELASTOPLASTIC_NORMAL_MODEL_H
+#define PLASTIGRAN_ELASTOPLASTIC_NORMAL_MODEL_H
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "atom.h"
+#include "comm.h"
+#include "contact.h"
+#include "error.h"
+#include "fix_mesh_surface.h"
+#include "fix_property_global.h"
+#include "fix_wall_gran.h"
+#include "global_properties.h"
+#include "impact.h"
+#include "modify.h"
+#include "neighbor.h"
+#include "normal_model_base.h"
+#include "pair_gran.h"
+#include "update.h"
+#include "validate.h"
+
+namespace LIGGGHTS {
+namespace ContactModels {
+
+template <class Law>
+class ElastoplasticNormalModel : public NormalModelBase {
+  typedef typename Law::State State;
+  static constexpr std::size_t state_size = Law::state_names.size() * sizeof(double);
+  static_assert(state_size == sizeof(State), "a law's State is its named doubles and nothing else");
+
+ public:
+  ElastoplasticNormalModel(LAMMPS* lmp, IContactHistorySetup* owner, ContactModelBase* contact_model)
+      : NormalModelBase(lmp, owner, contact_model),
+        owner_(owner),
+        is_wall_(contact_model->is_wall()) {
+    for (const char* name : Law::state_names) {
+      const int offset = owner->add_history_value(name, "0");
+      if (history_offset_ < 0) history_offset_ = offset;
+    }
+  }
+
+  void registerSettings(Settings& settings) override {
+    settings.registerOnOff("viscous_damping", viscous_damping_, false);
+    settings.registerOnOff("computeElasticPotential", engine_elastic_potential_, false);
+    settings.registerOnOff("computeDissipatedEnergy", engine_dissipated_energy_, false);
+  }
+
+  void postSettings(IContactHistorySetup*, ContactModelBase*) override {
+    if (engine_elastic_potential_) refuse("computeElasticPotential");
+    if (engine_dissipated_energy_) refuse("computeDissipatedEnergy");
+  }
+
+  // Called by the engine before every run, on all ranks together.
+  void connectToProperties(PropertyRegistry& registry) override {
+#ifdef SUPERQUADRIC_ACTIVE_FLAG
+    if (atom->superquadric_flag) fail("it is for spheres; this atom style is not");
+#endif
+    type_count_ = registry.max_type();
+    build_laws();
+    if (viscous_damping_) {
+      registry.registerProperty("betaeff", &MODEL_PARAMS::createBetaEff);
+      registry.connect("betaeff", damping_, caller().c_str());
+    }
+    smooth_friction_ = tangential_model_is("no_history");
+    // Ask for surfacesClose() just outside contact, where the history is cleared: otherwise a pair
+    // that parts and meets again before the next neighbour build would remember its dent.
+    neighbor->register_contact_dist_factor(1.01);
+    check_time_step();
+  }
+
+  double stressStrainExponent() override { return 1.5; }
+
+  void surfacesIntersect(SurfacesIntersectData& contact, ForceData& i_forces,
+                         ForceData& j_forces) override {
+    if (contact.contact_flags) *contact.contact_flags |= CONTACT_NORMAL_MODEL;
+    const double radius_eff = contact.is_wall
+                                  ? contact.radi
+                                  : contact.radi * contact.radj / (contact.radi + contact.radj);
+    const int pair = index(contact.itype, contact.jtype);
+
+    double* const history = contact.contact_history + history_offset_;
+    State state;
+    std::memcpy(&state, history, state_size);
+    const plastigran::Response response = laws_[pair].respond(radius_eff, contact.deltan, state);
+    if (contact.computeflag && contact.shearupdate) std::memcpy(history, &state, state_size);
+
+    // A residual dent carries no force and so no friction, but a tangential spring needs a
+    // stiffness to be released against: give it the undeformed sphere's.
+    const double contact_radius = response.force > 0 ? response.contact_radius
+                                                     : std::sqrt(radius_eff * contact.deltan);
+    contact.kt = 8 * shear_moduli_[pair] * contact_radius;
+    contact.kn = contact.deltan > 0 ? response.force / contact.deltan : 0;  // secant
+    contact.gamman = contact.gammat = 0;
+    double force = response.force;
+    if (viscous_damping_) {
+      // Tsuji, Tanaka & Ishida 1992 (Powder Technol. 71:239) with the law's own contact radius.
+      const double beta = -1.8257418583505538 * damping_[contact.itype][contact.jtype];  // 2 sqrt(5/6)
+      contact.gamman = beta * std::sqrt(2 * moduli_[pair] * contact_radius * contact.meff);
+      contact.gammat = beta * std::sqrt(contact.kt * contact.meff);
+      force = std::max(0.0, force - contact.gamman * contact.vn);
+    } else if (smooth_friction_) {
+      // Friction without a spring is a viscous force cut at mu F: critical damping of the spring
+      // it stands for makes the cut the rule and creep the exception.
+      contact.gammat = 2 * std::sqrt(contact.kt * contact.meff);
+    }
+    contact.Fn = force;
+
+    const double applied = contact.is_wall ? force * contact.area_ratio : force;
+    for (int axis = 0; axis < 3; ++axis) {
+      i_forces.delta_F[axis] += applied * contact.en[axis];
+      if (!contact.is_wall) j_forces.delta_F[axis] -= applied * contact.en[axis];
+    }
+  }
+
+  void surfacesClose(SurfacesCloseData& contact, ForceData&, ForceData&) override {
+    if (contact.contact_flags) *contact.contact_flags &= ~CONTACT_NORMAL_MODEL;
+    if (contact.contact_history)
+      std::memset(contact.contact_history + history_offset_, 0, state_size);
+  }
+
+  void beginPass(SurfacesIntersectData&, ForceData&, ForceData&) override {}
+  void endPass(SurfacesIntersectData&, ForceData&, ForceData&) override {}
+
+ private:
+  int index(int itype, int jtype) const { return (itype - 1) * type_count_ + jtype - 1; }
+
+  static std::string caller() { return std::string("model ") + Law::name; }
+
+  void fail(const std::string& reason) { error->all(FLERR, (caller() + ": " + reason).c_str()); }
+
+  void refuse(const char* setting) {
+    fail(std::string(setting) + " is not available with this model; leave it off");
+  }
+
+  // The values the deck gives for a property; null when it gives none. Values of the wrong shape
+  // are the engine's error, not a silent default.
+  FixPropertyGlobal* property(const char* name, const char* shape, int rows, int columns) {
+    const auto find = [&](const char* any_shape, int n, int m, bool required) {
+      return static_cast<FixPropertyGlobal*>(modify->find_fix_property(
+          name, "property/global", any_shape, n, m, caller().c_str(), required));
+    };
+    const bool given = find("scalar", 0, 0, false) || find("vector", 0, 0, false) ||
+                       find("matrix", 0, 0, false);
+    return given ? find(shape, rows, columns, true) : nullptr;
+  }
+
+  double per_type(const char* name, int type, const char* unit, double fallback = NAN) {
+    FixPropertyGlobal* values = property(name, "peratomtype", type_count_, 0);
+    if (values) return values->compute_vector(type - 1);
+    if (std::isnan(fallback))
+      fail(std::string(name) + " is missing; give it for every atom type, in " + unit +
+           ": fix ID all property/global " + name + " peratomtype VALUE ...");
+    return fallback;
+  }
+
+  void build_laws() {
+    using plastigran::Material;
+    std::vector<Material> materials(type_count_ + 1);
+    for (int type = 1; type <= type_count_; ++type) {
+      Material& body = materials[type];
+      body.youngs_modulus = per_type("youngsModulus", type, "Pa");
+      body.poissons_ratio = per_type("poissonsRatio", type, "-");
+      body.yield_strength = per_type("yieldStrength", type, "Pa");
+      body.yield_pressure_factor = per_type("yieldPressureFactor", type, "-", 0);
+      check(plastigran::validate(body), type, 0);
+    }
+    laws_.clear(), moduli_.clear(), shear_moduli_.clear();
+    for (int i = 1; i <= type_count_; ++i)
+      for (int j = 1; j <= type_count_; ++j) {
+        typename Law::Parameters constants;
+        for (const auto& parameter : Law::parameters)
+          if (FixPropertyGlobal* values =
+                  property(parameter.property, "peratomtypepair", type_count_, type_count_))
+            constants.*parameter.value = values->compute_array(i - 1, j - 1);
+        check(plastigran::validate<Law>(constants), i, j);
+        const auto pair = plastigran::combine(materials[i], materials[j]);
+        laws_.emplace_back(pair, constants);
+        moduli_.push_back(pair.youngs_modulus_eff);
+        shear_moduli_.push_back(pair.shear_modulus_eff);
+      }
+  }
+
+  void check(const std::string& complaint, int type, int other_type) {
+    if (complaint.empty()) return;
+    std::ostringstream where;
+    where << (other_type ? "atom types " : "atom type ") << type;
+    if (other_type) where << " and " << other_type;
+    fail(complaint + " (" + where.str() + ")");
+  }
+
+  bool tangential_model_is(const char* name) {
+    return is_wall_ ? static_cast<FixWallGran*>(owner_)->contact_match("tangential", name)
+                    : static_cast<PairGran*>(owner_)->contact_match("tangential", name);
+  }
+
+  std::vector<int> partner_types() {
+    std::vector<int> types;
+    if (!is_wall_) {
+      for (int type = 1; type <= type_count_; ++type) types.push_back(type);
+      return types;
+    }
+    FixWallGran* const wall = static_cast<FixWallGran*>(owner_);
+    if (!wall->is_mesh_wall()) return {wall->atom_type_wall()};
+    for (int mesh = 0; mesh < wall->n_meshes(); ++mesh)
+      types.push_back(wall->mesh_list()[mesh]->atomTypeWall());
+    return types;
+  }
+
+  // Unloading is stiffer than the elastic loading other checks know. Take the fastest impact the
+  // present velocities allow between the smallest particles and warn when the step is too long.
+  void check_time_step() {
+    const double unset = 1e300;
+    std::vector<double> radius(type_count_ + 1, unset), mass(radius), slowness(radius);
+    for (int i = 0; i < atom->nlocal; ++i) {
+      const int type = atom->type[i];
+      const double* v = atom->v[i];
+      const double speed = std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+      radius[type] = std::min(radius[type], atom->radius[i]);
+      mass[type] = std::min(mass[type], atom->rmass[i]);
+      slowness[type] = std::min(slowness[type], -speed);
+    }
+    for (std::vector<double>* extreme : {&radius, &mass, &slowness})
+      MPI_Allreduce(MPI_IN_PLACE, extreme->data(), type_count_ + 1, MPI_DOUBLE, MPI_MIN, world);
+
+    double step = unset, speed_at_step = 0;
+    for (int i = 1; i <= type_count_; ++i)
+      for (int j : partner_types()) {
+        if (radius[i] == unset || (!is_wall_ && radius[j] == unset)) continue;
+        const double speed = -slowness[i] - (is_wall_ ? 0 : slowness[j]);
+        if (!(speed > 0)) continue;
+        const auto reduced = [this](double a, double b) { return is_wall_ ? a : a * b / (a + b); };
+        const double recommended = plastigran::recommended_time_step(
+            laws_[index(i, j)], reduced(radius[i], radius[j]),
+            reduced(mass[i], mass[j]), speed);
+        if (recommended < step) step = recommended, speed_at_step = speed;
+      }
+    if (update->dt <= step || comm->me != 0) return;
+    std::ostringstream text;
+    text << caller() << ": the time step " << update->dt << " is too long for rebound from "
+         << (is_wall_ ? "wall " : "") << "impacts at the present speeds (up to " << speed_at_step
+         << "); restitution may be off by more than 0.1 %. Recommended: timestep " << step;
+    error->warning(FLERR, text.str().c_str());
+  }
+
+  IContactHistorySetup* owner_;
+  bool is_wall_;
+  int history_offset_ = -1;
+  bool viscous_damping_ = false;
+  bool engine_elastic_potential_ = false;
+  bool engine_dissipated_energy_ = false;
+  bool smooth_friction_ = false;
+  double** damping_ = nullptr;  // the engine's beta(coefficientRestitution) of each type pair
+
+  int type_count_ = 0;
+  // By index(itype, jtype):
+  std::vector<Law> laws_;
+  std::vector<double> moduli_;        // E*
+  std::vector<double> shear_moduli_;  // G*
+};
+
+}  // namespace ContactModels
+}  // namespace LIGGGHTS
+
+#endif

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+//
+// Binds any law to Python: a class named as in C++, its State, and what the tools say about it.
+#pragma once
+
+#include <nanobind/nanobind.h>
+#include <nanobind/ndarray.h>
+#include <nanobind/stl/map.h>
+#include <nanobind/stl/string.h>
+#include <nanobind/stl/vector.h>
+
+#include <algorithm>
+#include <map>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "contact.h"
+#include "impact.h"
+#include "validate.h"
+
+namespace plastigran {
+
+namespace nb = nanobind;
+using namespace nb::literals;
+
+typedef nb::ndarray<const double, nb::ndim<1>, nb::c_contig, nb::device::cpu> Input;
+typedef nb::ndarray<nb::numpy, double, nb::ndim<1>> Output;
+
+inline void raise_if(const std::string& complaint) {
+  if (!complaint.empty()) throw std::invalid_argument(complaint);
+}
+
+template <class Law>
+typename Law::Parameters parse_constants(const nb::kwargs& given) {
+  typename Law::Parameters constants;
+  for (auto item : given) {
+    const std::string name = nb::cast<std::string>(item.first);
+    const auto known = std::find_if(Law::parameters.begin(), Law::parameters.end(),
+                                    [&](const auto& p) { return name == p.name; });
+    if (known == Law::parameters.end()) {
+      std::string text = std::string(Law::name) + " has no constant '" + name + "'; it takes";
+      for (const auto& p : Law::parameters) text += std::string(" ") + p.name;
+      raise_if(text + (Law::parameters.empty() ? " none" : ""));
+    }
+    constants.*(known->value) = nb::cast<double>(item.second);
+  }
+  raise_if(validate<Law>(constants));
+  return constants;
+}
+
+inline void require_positive(const char* name, double value, const char* unit) {
+  if (!(value > 0 && std::isfinite(value)))
+    raise_if(complaint(name, value, std::string("positive and finite [") + unit + "]"));
+}
+
+// Responses along a path of overlaps, as arrays of the path's length.
+template <class Law>
+std::map<std::string, Output> follow(const Law& law, double radius_eff, Input overlap,
+                                     typename Law::State& state) {
+  require_positive("radius_eff", radius_eff, "m");
+  const std::size_t n = overlap.shape(0);
+  static constexpr const char* names[] = {"force", "contact_radius", "elastic_energy",
+                                          "plastic_work"};
+  static constexpr double Response::* members[] = {&Response::force, &Response::contact_radius,
+                                                   &Response::elastic_energy,
+                                                   &Response::plastic_work};
+  double* columns[4];
+  std::map<std::string, Output> table;
+  for (int c = 0; c < 4; ++c) {
+    columns[c] = new double[n];
+    nb::capsule owner(columns[c], [](void* data) noexcept { delete[] static_cast<double*>(data); });
+    table.emplace(names[c], Output(columns[c], {n}, owner));
+  }
+  for (std::size_t i = 0; i < n; ++i) {
+    const Response response = law.respond(radius_eff, overlap(i), state);
+    for (int c = 0; c < 4; ++c) columns[c][i] = response.*members[c];
+  }
+  return table;
+}
+
+// Laws with more to say (a force-driven form, an iteration count) say it in a specialisation.
+template <class Law>
+void bind_extras(nb::class_<Law>&) {}
+
+template <class Law>
+void bind_law(nb::module_& module, const char* class_name) {
+  typedef typename Law::State State;
+  nb::class_<Law> law(module, class_name);
+
+  nb::class_<State> state(law, "State", "History of one contact: zeros for a virgin one.");
+  state.def(nb::init<>());
+  state.def("copy", [](const State& self) { return State(self); });
+  state.def("values", [](const State& self) {
+    std::vector<double> values(Law::state_names.size());
+    std::copy_n(reinterpret_cast<const double*>(&self), values.size(), values.begin());
+    return values;
+  }, "The state as a list of floats, in the order of `state_names`.");
+
+  law.def("__init__", [](Law* self, const MaterialPair& pair, const nb::kwargs& constants) {
+    new (self) Law(pair, parse_constants<Law>(constants));
+  }, "pair"_a, "constants"_a,
+     "A law between two bodies. Keyword arguments are the law's own constants (see "
+     "`parameters()`).\n\nRaises ValueError naming the property, value and allowed range.");
+  law.def("respond", [](const Law& self, double radius_eff, double overlap, State& history) {
+    require_positive("radius_eff", radius_eff, "m");
+    return self.respond(radius_eff, overlap, history);
+  }, "radius_eff"_a, "overlap"_a, "state"_a,
+     "Response at one overlap [m]; `state` moves on when a new extreme is reached.");
+  law.def("follow", &follow<Law>, "radius_eff"_a, "overlap"_a, "state"_a,
+          "Responses along a path of overlaps, (N,) float64 [m]: a dict of (N,) arrays force [N], "
+          "contact_radius [m], elastic_energy [J], plastic_work [J]. `state` moves along.");
+  law.def("central_impact", [](const Law& self, double radius_eff, double mass_eff, double speed) {
+    require_positive("radius_eff", radius_eff, "m");
+    require_positive("mass_eff", mass_eff, "kg");
+    require_positive("speed", speed, "m/s");
+    return central_impact(self, radius_eff, mass_eff, speed);
+  }, "radius_eff"_a, "mass_eff"_a, "speed"_a,
+     "Central impact at a relative speed [m/s], from the law's energies.");
+  law.def("recommended_time_step",
+          [](const Law& self, double radius_eff, double mass_eff, double speed) {
+    require_positive("radius_eff", radius_eff, "m");
+    require_positive("mass_eff", mass_eff, "kg");
+    require_positive("speed", speed, "m/s");
+    return recommended_time_step(self, radius_eff, mass_eff, speed);
+  }, "radius_eff"_a, "mass_eff"_a, "speed"_a,
+     "Time step [s] that resolves the rebound of such an impact to 1e-3 in restitution.");
+  law.def_static("parameters", [] {
+    nb::list table;
+    const typename Law::Parameters defaults;
+    for (const auto& p : Law::parameters) {
+      nb::dict row;
+      row["name"] = p.name;
+      row["property"] = p.property;
+      row["unit"] = p.unit;
+      row["default"] = defaults.*p.value;
+      row["lower"] = p.lower;
+      row["upper"] = p.upper;
+      row["meaning"] = p.meaning;
+      table.append(row);
+    }
+    return table;
+  }, "The law's own constants: name, LIGGGHTS property, unit, default, range, meaning.");
+  law.attr("name") = Law::name;
+  nb::list names;
+  for (const char* name : Law::state_names) names.append(name);
+  law.attr("state_names") = nb::tuple(names);
+  bind_extras(law);
+}
+
+}  // namespace plastigran

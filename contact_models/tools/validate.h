@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+//
+// Checks of constants before anything runs. Each returns an empty string, or one sentence that
+// names the property, the value and what is allowed.
+#pragma once
+
+#include <cmath>
+#include <sstream>
+#include <string>
+
+#include "contact.h"
+
+namespace plastigran {
+
+inline std::string complaint(const std::string& property, double value, const std::string& allowed) {
+  std::ostringstream text;
+  text << property << " is " << value << "; it must be " << allowed;
+  return text.str();
+}
+
+inline std::string validate(const Material& body) {
+  const auto positive = [](double value) { return value > 0 && std::isfinite(value); };
+  if (!positive(body.youngs_modulus))
+    return complaint("youngsModulus", body.youngs_modulus, "positive and finite [Pa]");
+  if (!(body.poissons_ratio > -1 && body.poissons_ratio < 0.5))
+    return complaint("poissonsRatio", body.poissons_ratio, "between -1 and 0.5, both excluded");
+  if (!positive(body.yield_strength))
+    return complaint("yieldStrength", body.yield_strength, "positive and finite [Pa]");
+  if (!(body.yield_pressure_factor == 0 ||
+        (body.yield_pressure_factor >= 0.5 && body.yield_pressure_factor <= 10)))
+    return complaint("yieldPressureFactor", body.yield_pressure_factor,
+                     "between 0.5 and 10, or 0 for the Hertz-von Mises value");
+  return {};
+}
+
+// A law may add a joint condition on its constants: static bool admissible(const Parameters&) with
+// a sentence `admissibility`.
+template <class Law>
+auto joint_complaint(const typename Law::Parameters& constants, int)
+    -> decltype(Law::admissible(constants), std::string()) {
+  return Law::admissible(constants) ? std::string() : std::string(Law::admissibility);
+}
+template <class Law>
+std::string joint_complaint(const typename Law::Parameters&, long) {
+  return {};
+}
+
+template <class Law>
+std::string validate(const typename Law::Parameters& constants) {
+  for (const auto& parameter : Law::parameters) {
+    const double value = constants.*parameter.value;
+    if (value >= parameter.lower && value <= parameter.upper) continue;
+    std::ostringstream allowed;
+    allowed << "between " << parameter.lower << " and " << parameter.upper << " [" << parameter.unit
+            << "]";
+    return complaint(parameter.property, value, allowed.str());
+  }
+  return joint_complaint<Law>(constants, 0);
+}
+
+}  // namespace plastigran

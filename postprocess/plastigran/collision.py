@@ -1,0 +1,156 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Measure a single collision from the trajectory a collision deck writes."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+import pandas as pd
+
+from plastigran.dumps import read_dump
+
+
+class CollisionError(ValueError):
+    """A trajectory that holds no whole collision."""
+
+
+@dataclass(frozen=True)
+class Collision:
+    """What one collision did.
+
+    Attributes:
+        speed: Closing speed before contact [m/s].
+        coefficient_of_restitution: Parting over closing speed, along the normal [-].
+        force_max: Largest force written [N].
+        overlap_max: Largest overlap [m].
+        overlap_res: Overlap at which the force vanished on the way back [m].
+        loading_time: From first touch to largest overlap [s].
+        contact_time: From first touch to zero force [s].
+        loop: The collision over time, (N,) columns time [s], overlap [m], force [N],
+            speed [m/s] (rate of overlap).
+    """
+
+    speed: float
+    coefficient_of_restitution: float
+    force_max: float
+    overlap_max: float
+    overlap_res: float
+    loading_time: float
+    contact_time: float
+    loop: pd.DataFrame
+
+
+def force_overlap_loop(trajectory: pd.DataFrame) -> pd.DataFrame:
+    """Overlap and force over time, for two spheres or one sphere at the wall x = 0.
+
+    Args:
+        trajectory: Frames of a custom dump with id, radius, x, y, z, vx, vy, vz, fx, fy, fz and
+            time.
+
+    Returns:
+        (N_frames,) columns time, overlap, force, speed; see `Collision.loop`.
+
+    Raises:
+        CollisionError: Columns are missing, or there are more than two spheres.
+    """
+    xyz, vel, frc = ["x", "y", "z"], ["vx", "vy", "vz"], ["fx", "fy", "fz"]
+    missing = {"id", "radius", "time", *xyz, *vel, *frc} - set(trajectory.columns)
+    if missing:
+        raise CollisionError(f"the trajectory has no column {', '.join(sorted(missing))}")
+    bodies = [part.reset_index(drop=True) for _, part in trajectory.groupby("id")]
+    first = bodies[0]
+    if len(bodies) == 1:
+        normal = np.tile([1.0, 0.0, 0.0], (len(first), 1))
+        distance = first["x"].to_numpy()
+        reach = first["radius"].to_numpy()
+        approach = first[vel].to_numpy()
+    elif len(bodies) == 2:
+        second = bodies[1]
+        separation = first[xyz].to_numpy() - second[xyz].to_numpy()
+        distance = np.linalg.norm(separation, axis=1)
+        normal = separation / distance[:, None]
+        reach = (first["radius"] + second["radius"]).to_numpy()
+        approach = first[vel].to_numpy() - second[vel].to_numpy()
+    else:
+        raise CollisionError(f"{len(bodies)} spheres; a collision is between two bodies")
+    along = np.einsum("ij,ij->i", normal, first[frc].to_numpy())
+    return pd.DataFrame(
+        {
+            "time": first["time"].to_numpy(),
+            "overlap": reach - distance,
+            "force": along,
+            "speed": -np.einsum("ij,ij->i", normal, approach),
+        }
+    )
+
+
+def measure(trajectory: str | Path | pd.DataFrame) -> Collision:
+    """Measure the collision in a trajectory.
+
+    Times and extremes between two frames are interpolated: the overlap by the cubic that matches
+    positions and speeds at both ends; the residual overlap from force^(2/3), which the rebound of
+    a sphere makes a straight line.
+
+    Args:
+        trajectory: A custom dump written every step, or the table `read_dump` makes of it.
+
+    Raises:
+        CollisionError: The bodies never touch, or are still in contact at the end.
+    """
+    if not isinstance(trajectory, pd.DataFrame):
+        trajectory = read_dump(trajectory)
+    loop = force_overlap_loop(trajectory)
+    time, overlap, force, speed = (loop[c].to_numpy() for c in ("time", "overlap", "force", "speed"))
+    loaded = np.flatnonzero(force > 0)
+    if loaded.size == 0:
+        raise CollisionError("the bodies never touch")
+    if loaded[-1] == len(loop) - 1 or speed[-1] >= 0:
+        raise CollisionError(
+            f"still in contact at the last frame (t = {time[-1]:g} s); run longer"
+        )
+    start, last = loaded[0], loaded[-1]
+    if start == 0:
+        raise CollisionError("already in contact at the first frame")
+    touch = _crossing(time, overlap, speed, start - 1, 0.0)
+
+    turn = int(np.flatnonzero(speed[start:] < 0)[0]) + start  # first frame on the way back
+    turning_time, overlap_max = _turning_point(time, overlap, speed, turn - 1)
+
+    a, b = last - 1, last
+    root = force[[a, b]] ** (2 / 3)
+    overlap_res = overlap[b] - root[1] * (overlap[a] - overlap[b]) / (root[0] - root[1])
+    if abs(overlap_res) < 1e-6 * overlap_max:
+        overlap_res = 0.0
+    release = time[b] + (overlap[b] - overlap_res) / -speed[b]
+    return Collision(
+        speed=speed[start - 1],
+        coefficient_of_restitution=-speed[-1] / speed[start - 1],
+        force_max=force.max(),
+        overlap_max=overlap_max,
+        overlap_res=overlap_res,
+        loading_time=turning_time - touch,
+        contact_time=release - touch,
+        loop=loop,
+    )
+
+
+def _crossing(time, value, rate, k: int, level: float) -> float:
+    """Time in [time[k], time[k+1]] at which `value` passes `level`, from its value and rate at k."""
+    return time[k] + (level - value[k]) / rate[k]
+
+
+def _turning_point(time, value, rate, k: int) -> tuple[float, float]:
+    """Time and value of the maximum of the cubic through frames k and k+1."""
+    step = time[k + 1] - time[k]
+    fraction = rate[k] / (rate[k] - rate[k + 1])  # where the rate vanishes, to first order
+    h = np.polynomial.Polynomial
+    t = h([0, 1])
+    cubic = (
+        value[k] * (1 - 3 * t**2 + 2 * t**3)
+        + value[k + 1] * (3 * t**2 - 2 * t**3)
+        + step * rate[k] * (t - 2 * t**2 + t**3)
+        + step * rate[k + 1] * (t**3 - t**2)
+    )
+    return time[k] + fraction * step, float(cubic(fraction))

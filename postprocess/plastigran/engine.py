@@ -1,0 +1,112 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Find and run the engine: `liggghts-plastigran` on one rank or under mpirun."""
+
+from __future__ import annotations
+
+import os
+import shutil
+import subprocess
+from collections.abc import Mapping
+from pathlib import Path
+
+PROJECT = Path(__file__).resolve().parents[2]
+
+
+class EngineError(RuntimeError):
+    """The engine is missing or stopped with an error; the message holds what it said."""
+
+
+def inputs_folder() -> Path:
+    """Folder of the input scripts: $PLASTIGRAN_INPUTS, or the project's own."""
+    folder = Path(os.environ.get("PLASTIGRAN_INPUTS", PROJECT / "inputs"))
+    if not (folder / "collision").is_dir():
+        raise EngineError(f"no input scripts in {folder}; set PLASTIGRAN_INPUTS to their folder")
+    return folder
+
+
+def engine_path() -> Path:
+    """The launcher: $PLASTIGRAN_ENGINE, the project's build, or the first on PATH."""
+    if named := os.environ.get("PLASTIGRAN_ENGINE"):
+        candidates = [Path(named)]
+    else:
+        candidates = [PROJECT / "build" / "liggghts-plastigran"]
+        if found := shutil.which("liggghts-plastigran"):
+            candidates.append(Path(found))
+    for path in candidates:
+        if os.access(path, os.X_OK):
+            return path
+    raise EngineError(
+        f"no engine at {candidates[0]}; build it (./run setup) or set PLASTIGRAN_ENGINE"
+    )
+
+
+def command(
+    deck: str | Path, variables: Mapping[str, object], folder: Path, ranks: int = 1
+) -> list[str]:
+    """Command line that runs a deck with its results in `folder`."""
+    line = [str(engine_path()), "-in", str(deck), "-log", str(folder / "log.liggghts")]
+    line += ["-screen", "none"]
+    line += ["-var", "inputs", str(inputs_folder()), "-var", "output", str(folder)]
+    for name, value in variables.items():
+        line += ["-var", name, repr(value) if isinstance(value, float) else str(value)]
+    if ranks > 1:
+        line = ["mpirun", "--oversubscribe", "-np", str(ranks), *line]
+    return line
+
+
+def environment() -> dict[str, str]:
+    """The environment for mpirun: Open MPI refuses root without being told twice."""
+    extra = {}
+    if os.geteuid() == 0:
+        extra = {"OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1"}
+    return {**os.environ, **extra}
+
+
+def run_deck(
+    deck: str | Path,
+    variables: Mapping[str, object],
+    folder: str | Path,
+    ranks: int = 1,
+    timeout: float = 600,
+) -> str:
+    """Run a deck to its end.
+
+    Args:
+        deck: Path of the input script, absolute or relative to `inputs_folder()`.
+        variables: Values for the deck's `variable ... index` settings.
+        folder: Where results go; made when missing.
+        ranks: MPI ranks.
+        timeout: Seconds before the run is stopped.
+
+    Returns:
+        The log.
+
+    Raises:
+        EngineError: The engine stopped with an error (its message is quoted) or took too long.
+    """
+    folder = Path(folder).resolve()
+    folder.mkdir(parents=True, exist_ok=True)
+    deck = inputs_folder() / deck
+    if not deck.is_file():
+        raise EngineError(f"no deck {deck}")
+    try:
+        done = subprocess.run(
+            command(deck, variables, folder, ranks),
+            cwd=folder,
+            env=environment(),
+            capture_output=True,
+            text=True,
+            errors="replace",
+            timeout=timeout,
+            stdin=subprocess.DEVNULL,
+        )
+    except subprocess.TimeoutExpired:
+        raise EngineError(f"{deck.name}: stopped after {timeout:g} s") from None
+    log = folder / "log.liggghts"
+    text = log.read_text(errors="replace") if log.exists() else ""
+    said = text + done.stdout + done.stderr
+    if done.returncode != 0 or "ERROR" in said:
+        errors = [line for line in said.splitlines() if "ERROR" in line]
+        reason = errors[0] if errors else (said.strip().splitlines() or ["no output"])[-1]
+        raise EngineError(f"{deck.name}: {reason} (log: {log})")
+    return text

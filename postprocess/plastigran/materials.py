@@ -1,0 +1,78 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Materials of `inputs/materials`: the input scripts include them, Python reads the same files."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+from pathlib import Path
+
+from plastigran import laws
+from plastigran.engine import inputs_folder
+
+_VARIABLE = re.compile(r"^\s*variable\s+(\w+)\s+index\s+(\S+)")
+
+
+@dataclass(frozen=True)
+class Material:
+    """Bulk constants of one material.
+
+    Attributes:
+        name: The file's stem.
+        youngs_modulus: E [Pa].
+        poissons_ratio: nu [-].
+        density: [kg/m^3].
+        yield_strength: Uniaxial sigma_Y [Pa].
+        yield_pressure_factor: Contact yield pressure over yield strength [-]; 0 stands for the
+            Hertz-von Mises value.
+    """
+
+    name: str
+    youngs_modulus: float
+    poissons_ratio: float
+    density: float
+    yield_strength: float
+    yield_pressure_factor: float
+
+    def body(self) -> laws.Material:
+        """The constants as the laws take them. Raises ValueError when one is out of range."""
+        return laws.Material(
+            self.youngs_modulus,
+            self.poissons_ratio,
+            self.yield_strength,
+            self.yield_pressure_factor,
+        )
+
+
+#: A wall that neither deforms nor yields.
+RIGID = laws.Material(1e30, 0.3, 1e30, 1.61)
+
+
+def names() -> list[str]:
+    """Names of the materials at hand."""
+    return sorted(file.stem for file in (inputs_folder() / "materials").glob("*.in"))
+
+
+def read_material(name: str | Path) -> Material:
+    """Read a material by name, or from a file of the same form.
+
+    Raises:
+        ValueError: No such material, or a constant is missing or not a number.
+    """
+    path = Path(name)
+    if path.suffix != ".in":
+        path = inputs_folder() / "materials" / f"{name}.in"
+    if not path.exists():
+        raise ValueError(f"no material {str(name)!r}; there are {', '.join(names())}")
+    values = {}
+    for line in path.read_text().splitlines():
+        if match := _VARIABLE.match(line):
+            try:
+                values[match[1]] = float(match[2])
+            except ValueError:
+                raise ValueError(f"{path}: {match[1]} is {match[2]!r}, not a number") from None
+    wanted = [field for field in Material.__dataclass_fields__ if field != "name"]
+    missing = [field for field in wanted if field not in values]
+    if missing:
+        raise ValueError(f"{path}: no value for {', '.join(missing)}")
+    return Material(path.stem, **{field: values[field] for field in wanted})
