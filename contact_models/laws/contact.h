@@ -6,7 +6,7 @@
 // A law is a class over a MaterialPair. It answers one question: two bodies overlap by this much
 // and have this history; what force, what energy? It provides
 //
-//   name         the word a user types
+//   name         the word a user types; source, range: where it is from, how far it is good
 //   Parameters   a struct of the law's own constants, each with its default
 //   parameters   a table of them: host property, unit, allowed range
 //   State        a struct of doubles, zero for a contact never loaded beyond yield: the extremes

@@ -15,6 +15,8 @@ namespace plastigran {
 class Hertz {
  public:
   static constexpr const char* name = "hertz";
+  static constexpr const char* source = "Hertz 1881, J. reine angew. Math. 92:156";
+  static constexpr const char* range = "elastic contact, a << R*";
   struct Parameters {};
   static constexpr std::array<Parameter<Parameters>, 0> parameters{};
   struct State {};

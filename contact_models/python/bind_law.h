@@ -142,6 +142,8 @@ void bind_law(nb::module_& module, const char* class_name) {
     return table;
   }, "The law's own constants: name, LIGGGHTS property, unit, default, range, meaning.");
   law.attr("name") = Law::name;
+  law.attr("source") = Law::source;
+  law.attr("range") = Law::range;
   nb::list names;
   for (const char* name : Law::state_names) names.append(name);
   law.attr("state_names") = nb::tuple(names);

@@ -43,9 +43,11 @@ def engine_path() -> Path:
 def command(
     deck: str | Path, variables: Mapping[str, object], folder: Path, ranks: int = 1
 ) -> list[str]:
-    """Command line that runs a deck with its results in `folder`."""
+    """Command line that runs a deck with its results in `folder`.
+
+    Never add `-screen none`: the engine's mesh reader then writes to a null file and crashes.
+    """
     line = [str(engine_path()), "-in", str(deck), "-log", str(folder / "log.liggghts")]
-    line += ["-screen", "none"]
     line += ["-var", "inputs", str(inputs_folder()), "-var", "output", str(folder)]
     for name, value in variables.items():
         line += ["-var", name, repr(value) if isinstance(value, float) else str(value)]

@@ -1,0 +1,219 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""The command `plastigran`: thin faces over functions a notebook can call."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from math import inf
+from pathlib import Path
+
+import numpy as np
+import pandas as pd
+
+from plastigran import laws, materials
+from plastigran.collision import CollisionError
+from plastigran.dumps import DumpError
+from plastigran.engine import PROJECT, EngineError
+from plastigran.impact import GEOMETRIES, Impact, plan, sweep
+
+TABLE = [
+    "material",
+    "law",
+    "speed",
+    "speed_ratio",
+    "coefficient_of_restitution",
+    "coefficient_of_restitution_predicted",
+    "force_max",
+    "overlap_max",
+    "overlap_res",
+    "contact_time",
+]
+SHORT = {
+    "speed": "speed\nm/s",
+    "speed_ratio": "v/v_Y",
+    "coefficient_of_restitution": "COR",
+    "coefficient_of_restitution_predicted": "COR\ntheory",
+    "force_max": "peak force\nN",
+    "overlap_max": "overlap\nmax, m",
+    "overlap_res": "overlap\nresidual, m",
+    "contact_time": "contact\ntime, s",
+}
+
+
+class UsageError(ValueError):
+    """A command line that cannot be carried out."""
+
+
+def positive(text: str) -> float:
+    try:
+        value = float(text)
+    except ValueError:
+        raise argparse.ArgumentTypeError(f"{text!r} is not a number") from None
+    if not 0 < value < inf:
+        raise argparse.ArgumentTypeError(f"{text} is not positive and finite")
+    return value
+
+
+def format_table(table: pd.DataFrame) -> str:
+    """A results table as text: names and units in two head lines, five digits."""
+    columns = [c for c in TABLE if c in table]
+    heads = [(SHORT.get(c, c) + "\n").split("\n")[:2] for c in columns]
+    cells = [
+        [f"{value:.5g}" if isinstance(value, float) else str(value) for value in line]
+        for line in table[columns].itertuples(index=False)
+    ]
+    head_lines = [[head[k] for head in heads] for k in (0, 1)]
+    widths = [max(len(line[k]) for line in [*head_lines, *cells]) for k in range(len(columns))]
+    lines = [
+        "  ".join(cell.rjust(width) for cell, width in zip(line, widths, strict=True))
+        for line in [*head_lines, *cells]
+    ]
+    lines.insert(2, "-" * len(lines[0]))
+    return "\n".join(lines)
+
+
+def law_names(given: list[str]) -> list[str]:
+    """Names from the command line; "all" stands for every law."""
+    names = sorted(laws.LAWS) if "all" in given else list(dict.fromkeys(given))
+    for name in names:
+        if name not in laws.LAWS:
+            raise UsageError(f"no law {name!r}; there are {', '.join(sorted(laws.LAWS))}")
+    return names
+
+
+def fresh_folder(folder: Path, force: bool) -> Path:
+    """A folder for results: never one that holds some, unless forced."""
+    if (folder / "impacts.csv").exists() and not force:
+        raise UsageError(f"{folder} holds results; choose another --output, or add --force")
+    return folder
+
+
+def run_impacts(impacts: list[Impact], folder: Path, jobs: int | None) -> pd.DataFrame:
+    """Sweep, table, figures."""
+    from plastigran import figures  # matplotlib is slow to load
+
+    table, collisions = sweep(impacts, folder, jobs)
+    print(format_table(table))
+    written = [folder / "impacts.csv"]
+    written += figures.save(figures.restitution_figure(table, impacts), folder / "restitution")
+    written += figures.save(figures.loops_figure(collisions), folder / "loops")
+    print("\nwritten: " + "  ".join(str(path) for path in written))
+    return table
+
+
+def impact_command(arguments: argparse.Namespace) -> None:
+    speeds = arguments.speed or np.geomspace(*arguments.speeds, arguments.points)
+    impacts = plan(
+        law_names(arguments.law), speeds, arguments.material, arguments.radius, arguments.geometry
+    )
+    run_impacts(impacts, fresh_folder(arguments.output, arguments.force), arguments.jobs)
+
+
+def laws_command(_: argparse.Namespace) -> None:
+    for name, law in sorted(laws.LAWS.items()):
+        engine_own = " (the engine's own model)" if name == "hertz" else ""
+        print(f"{name}{engine_own}\n  source  {law.source}\n  range   {law.range}")
+        for p in law.parameters():
+            print(
+                f"  {p['property']} [{p['unit']}], default {p['default']:g}, "
+                f"{p['lower']:g} to {p['upper']:g}: {p['meaning']}"
+            )
+        print()
+
+
+def timestep_command(arguments: argparse.Namespace) -> None:
+    material = materials.read_material(arguments.material)
+    for name in law_names(arguments.law):
+        impact = Impact(name, arguments.speed, material, arguments.radius, arguments.geometry)
+        print(f"{name:20s} {impact.time_step():.4g} s")
+
+
+def demo_command(arguments: argparse.Namespace) -> None:
+    """The paper's sphere over four decades of speed; then one impact through every geometry."""
+    folder = arguments.output
+    names = sorted(laws.LAWS)
+    run_impacts(
+        plan(names, [0.0005, 0.001, 0.002, 0.005, 0.01, 0.02, 0.06, 0.1, 0.2],
+             ["aluminium_zv02"], 0.1),
+        folder / "speeds",
+        arguments.jobs,
+    )  # fmt: skip
+    print("\nThe same impact, 0.1 m/s, as a pair, on a primitive wall and on a mesh:")
+    through = [
+        impact
+        for geometry in GEOMETRIES
+        for impact in plan(names, [0.1], ["aluminium_zv02"], 0.1, geometry)
+    ]
+    table, _ = sweep(through, folder / "geometries", arguments.jobs, progress=False)
+    print(table.pivot(index="law", columns="geometry", values="coefficient_of_restitution"))
+    print(f"\nLook at {folder / 'speeds' / 'restitution.png'}")
+
+
+def parser() -> argparse.ArgumentParser:
+    top = argparse.ArgumentParser(
+        prog="plastigran", description="Elasto-plastic contact laws for LIGGGHTS: runs and checks."
+    )
+    commands = top.add_subparsers(dest="command", required=True)
+
+    def common(command: argparse.ArgumentParser) -> None:
+        command.add_argument(
+            "--law", nargs="+", default=["all"], metavar="LAW", help="laws, or all (default)"
+        )
+        command.add_argument("--radius", type=positive, default=0.1, help="m, default 0.1")
+        command.add_argument(
+            "--geometry", choices=list(GEOMETRIES), default="sphere_wall", help="default sphere_wall"
+        )
+
+    impact = commands.add_parser("impact", help="run collisions in the engine, table and figures")
+    common(impact)
+    impact.add_argument("--speed", nargs="+", type=positive, help="impact speeds, m/s")
+    impact.add_argument(
+        "--speeds",
+        nargs=2,
+        type=positive,
+        default=(0.001, 0.2),
+        metavar=("LOW", "HIGH"),
+        help="range of speeds when --speed is not given, m/s, default 0.001 0.2",
+    )
+    impact.add_argument("--points", type=int, default=9, help="speeds in that range, default 9")
+    impact.add_argument(
+        "--material", nargs="+", default=["aluminium_zv02"], help=f"{', '.join(materials.names())}"
+    )
+    impact.add_argument("--jobs", type=int, help="engines at a time, default all cores")
+    impact.add_argument("--output", type=Path, default=Path("results/impact"))
+    impact.add_argument("--force", action="store_true", help="overwrite results")
+    impact.set_defaults(run=impact_command)
+
+    listing = commands.add_parser("laws", help="list the laws, their constants and ranges")
+    listing.set_defaults(run=laws_command)
+
+    timestep = commands.add_parser("timestep", help="recommended time step of an impact")
+    common(timestep)
+    timestep.add_argument("--speed", type=positive, required=True, help="impact speed, m/s")
+    timestep.add_argument("--material", default="aluminium_zv02")
+    timestep.set_defaults(run=timestep_command)
+
+    demo = commands.add_parser("demo", help="the tour: collisions and their figures")
+    demo.add_argument("--output", type=Path, default=PROJECT / "results" / "demo")
+    demo.add_argument("--jobs", type=int)
+    demo.set_defaults(run=demo_command)
+    return top
+
+
+def main(argv: list[str] | None = None) -> int:
+    """Entry point; 0 when all went well, 1 after an error, whose one line goes to stderr."""
+    arguments = parser().parse_args(argv)
+    try:
+        arguments.run(arguments)
+    except (EngineError, CollisionError, DumpError, ValueError) as error:
+        print(f"plastigran: {error}", file=sys.stderr)
+        return 1
+    except KeyboardInterrupt:
+        print("plastigran: stopped; finished impacts are in impacts.csv", file=sys.stderr)
+        return 130
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,168 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Figures of collisions: restitution over impact speed, force over overlap."""
+
+from __future__ import annotations
+
+from importlib.resources import files
+from pathlib import Path
+
+import matplotlib
+import numpy as np
+import pandas as pd
+
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+from plastigran import theory
+from plastigran.collision import Collision
+from plastigran.impact import Impact
+
+STYLE = {
+    "font.size": 10,
+    "axes.spines.top": False,
+    "axes.spines.right": False,
+    "axes.grid": True,
+    "grid.color": "0.92",
+    "legend.frameon": False,
+    "svg.hashsalt": "plastigran",
+}
+# Colours apart for colour-blind eyes (Okabe & Ito), one a law, in alphabetical order.
+COLOURS = ["#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#000000", "#F0E442"]
+MARKERS = "osD^vP*X"
+
+
+def title(name: str) -> str:
+    """A law's or material's name as a person writes it."""
+    names = {"vu_quoc_zhang": "Vu-Quoc–Zhang", "aluminium_zv02": "aluminium"}
+    return names.get(name, name.replace("_", " ").capitalize())
+
+
+def finite_elements() -> pd.DataFrame:
+    """Peak force and restitution from the paper's finite elements; see the file's head."""
+    source = files("plastigran") / "data" / "finite_elements_zv02.csv"
+    with source.open() as file:
+        return pd.read_csv(file, comment="#")
+
+
+def restitution_figure(table: pd.DataFrame, impacts: list[Impact]) -> Figure:
+    """Restitution over impact speed: points from the engine, lines from theory.
+
+    Thornton's line is its closed form; the others' is the energy balance of the law. The paper's
+    finite elements are shown where the table holds their sphere.
+
+    Args:
+        table: Columns material, law, speed [m/s], coefficient_of_restitution.
+        impacts: The impacts the table was made from.
+    """
+    with plt.rc_context(STYLE):
+        figure, axes = plt.subplots(figsize=(6.4, 4.4), layout="constrained")
+        law_names = sorted(table["law"].unique())
+        materials = sorted(table["material"].unique())
+        for (material, law), points in table.groupby(["material", "law"], sort=True):
+            shade = law_names.index(law) % len(COLOURS)
+            colour, marker = COLOURS[shade], MARKERS[shade]
+            dashes = ["-", "--", ":", "-."][materials.index(material) % 4]
+            model = next(i for i in impacts if i.law == law and i.material.name == material)
+            speed = np.geomspace(points["speed"].min() / 1.3, points["speed"].max() * 1.3, 200)
+            axes.plot(speed, _theory(model, speed), dashes, color=colour, lw=1.3)
+            label = title(law) if len(materials) == 1 else f"{title(law)}, {title(material)}"
+            axes.plot(
+                points["speed"],
+                points["coefficient_of_restitution"],
+                marker,
+                color=colour,
+                mfc="white",
+                ms=6,
+                label=label,
+            )
+        if _is_paper_sphere(impacts):
+            paper = finite_elements().dropna()
+            axes.plot(
+                paper["speed"],
+                paper["coefficient_of_restitution"],
+                "x",
+                color="black",
+                ms=8,
+                mew=2,
+                label="finite elements (Zhang & Vu-Quoc 2002)",
+            )
+        _speed_axes(axes, impacts)
+        axes.set_ylabel("coefficient of restitution")
+        axes.set_ylim(0, 1.05)
+        axes.plot([], [], color="0.4", lw=1.3, label="theory")
+        axes.legend(title="points: LIGGGHTS", loc="lower left")
+    return figure
+
+
+def _theory(model: Impact, speeds: np.ndarray) -> np.ndarray:
+    if model.law == "thornton":
+        return theory.thornton_restitution(speeds / model.yield_speed())
+    changed = [
+        Impact(model.law, float(speed), model.material, model.radius, model.geometry)
+        for speed in speeds
+    ]
+    return np.array([impact.predicted().coefficient_of_restitution for impact in changed])
+
+
+def _is_paper_sphere(impacts: list[Impact]) -> bool:
+    return all(i.material.name == "aluminium_zv02" and i.radius == 0.1 for i in impacts)
+
+
+def _speed_axes(axes: Axes, impacts: list[Impact]) -> None:
+    axes.set_xscale("log")
+    axes.set_xlabel("impact speed (m/s)")
+    yield_speeds = {impact.yield_speed() for impact in impacts}
+    if len(yield_speeds) == 1:
+        scale = yield_speeds.pop()
+        upper = axes.secondary_xaxis("top", functions=(lambda v: v / scale, lambda q: q * scale))
+        upper.set_xlabel("impact speed / yield speed")
+        upper.spines["top"].set_visible(True)
+
+
+def loops_figure(collisions: dict[Impact, Collision]) -> Figure:
+    """Force over overlap, one panel a law, one loop a speed: the five fastest, the rest are too
+    small to see beside them."""
+    by_law: dict[str, list[tuple[Impact, Collision]]] = {}
+    for impact, collision in collisions.items():
+        by_law.setdefault(impact.law, []).append((impact, collision))
+    law_names = sorted(by_law)
+    with plt.rc_context(STYLE):
+        figure, panels = plt.subplots(
+            1,
+            len(law_names),
+            figsize=(3.4 * len(law_names) + 0.4, 3.6),
+            sharex=True,
+            sharey=True,
+            squeeze=False,
+            layout="constrained",
+        )
+        for axes, law in zip(panels[0], law_names, strict=True):
+            runs = sorted(by_law[law], key=lambda run: run[0].speed)[-5:]
+            shades = plt.colormaps["viridis"](np.linspace(0.1, 0.85, len(runs)))
+            for (impact, collision), shade in zip(runs, shades, strict=True):
+                touching = collision.loop[collision.loop["overlap"] >= 0]
+                axes.plot(
+                    touching["overlap"] * 1e6,
+                    touching["force"] / 1e3,
+                    color=shade,
+                    label=f"{impact.speed:g} m/s",
+                )
+            axes.set_title(title(law), fontsize=10)
+            axes.set_xlabel("overlap (µm)")
+        panels[0][0].set_ylabel("normal force (kN)")
+        panels[0][-1].legend(loc="upper left", fontsize=8)
+    return figure
+
+
+def save(figure: Figure, path: Path) -> list[Path]:
+    """Write a figure as PNG and SVG beside each other; returns both paths."""
+    path.parent.mkdir(parents=True, exist_ok=True)
+    written = []
+    for suffix in (".png", ".svg"):
+        written.append(path.with_suffix(suffix))
+        metadata = {"Date": None} if suffix == ".svg" else None
+        figure.savefig(written[-1], dpi=160, metadata=metadata)
+    plt.close(figure)
+    return written

@@ -1,0 +1,203 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Collisions over laws, speeds and materials: run in the engine, held against theory."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterable
+from concurrent.futures import ThreadPoolExecutor, as_completed
+from dataclasses import dataclass
+from itertools import product
+from math import pi
+from pathlib import Path
+
+import pandas as pd
+from tqdm import tqdm
+
+from plastigran import laws, theory
+from plastigran.collision import Collision, measure
+from plastigran.engine import run_deck
+from plastigran.materials import RIGID, Material, read_material
+
+#: Decks and whether the other body is an equal sphere (else a rigid wall).
+GEOMETRIES = {"sphere_wall": False, "sphere_mesh": False, "two_spheres": True}
+
+
+@dataclass(frozen=True)
+class Impact:
+    """One central impact to run.
+
+    Attributes:
+        law: Name of the law.
+        speed: Speed of each sphere [m/s].
+        material: Of the spheres.
+        radius: Of the spheres [m].
+        geometry: Deck of `inputs/collision`, one of `GEOMETRIES`.
+    """
+
+    law: str
+    speed: float
+    material: Material
+    radius: float
+    geometry: str = "sphere_wall"
+
+    def __post_init__(self) -> None:
+        if self.law not in laws.LAWS:
+            raise ValueError(f"no law {self.law!r}; there are {', '.join(sorted(laws.LAWS))}")
+        if self.geometry not in GEOMETRIES:
+            raise ValueError(f"no geometry {self.geometry!r}; there are {', '.join(GEOMETRIES)}")
+        for name in ("speed", "radius"):
+            if not 0 < getattr(self, name) < float("inf"):
+                raise ValueError(f"{name} is {getattr(self, name)}; it must be positive and finite")
+
+    @property
+    def bodies(self) -> int:
+        """Spheres that take part; their effective radius and mass are one sphere's over this."""
+        return 2 if GEOMETRIES[self.geometry] else 1
+
+    @property
+    def pair(self) -> laws.MaterialPair:
+        body = self.material.body()
+        return laws.combine(body, body if self.bodies == 2 else RIGID)
+
+    @property
+    def radius_eff(self) -> float:
+        return self.radius / self.bodies
+
+    @property
+    def mass_eff(self) -> float:
+        return 4 / 3 * pi * self.radius**3 * self.material.density / self.bodies
+
+    @property
+    def closing_speed(self) -> float:
+        return self.speed * self.bodies
+
+    def predicted(self) -> laws.Impact:
+        """The impact from the law's energies, without the engine."""
+        return laws.LAWS[self.law](self.pair).central_impact(
+            self.radius_eff, self.mass_eff, self.closing_speed
+        )
+
+    def time_step(self) -> float:
+        """Recommended time step [s]."""
+        return laws.LAWS[self.law](self.pair).recommended_time_step(
+            self.radius_eff, self.mass_eff, self.closing_speed
+        )
+
+    def yield_speed(self) -> float:
+        """Speed of each sphere at which the impact just reaches yield [m/s]."""
+        return theory.yield_speed(self.pair, self.mass_eff, self.radius_eff) / self.bodies
+
+    def run(
+        self, folder: str | Path, time_step: float | None = None, gap: float = 0.0, ranks: int = 1
+    ) -> Collision:
+        """Run the deck in the engine and measure the collision.
+
+        Args:
+            folder: Where the engine writes.
+            time_step: [s]; the recommended one by default.
+            gap: Distance between the surfaces at the start [m].
+            ranks: MPI ranks.
+
+        Raises:
+            EngineError: The engine stopped with an error.
+            CollisionError: The trajectory holds no whole collision.
+        """
+        variables = {
+            "law": self.law,
+            "speed": self.speed,
+            "radius": self.radius,
+            "material": self.material.name,
+            "timestep": self.time_step() if time_step is None else time_step,
+            "gap": gap,
+        }
+        run_deck(f"collision/{self.geometry}.in", variables, folder, ranks=ranks)
+        return measure(Path(folder) / "trajectory.dump")
+
+
+def plan(
+    law_names: Iterable[str],
+    speeds: Iterable[float],
+    materials: Iterable[str],
+    radius: float,
+    geometry: str = "sphere_wall",
+) -> list[Impact]:
+    """Every combination of laws, speeds [m/s] and materials. Raises ValueError on a bad one."""
+    return [
+        Impact(law, float(speed), read_material(material), radius, geometry)
+        for material, law, speed in product(materials, law_names, speeds)
+    ]
+
+
+def row(impact: Impact, collision: Collision) -> dict[str, object]:
+    """One line of the results table; `*_predicted` is the law's energy balance."""
+    predicted = impact.predicted()
+    return {
+        "geometry": impact.geometry,
+        "material": impact.material.name,
+        "law": impact.law,
+        "radius": impact.radius,
+        "speed": impact.speed,
+        "speed_ratio": impact.speed / impact.yield_speed(),
+        "coefficient_of_restitution": collision.coefficient_of_restitution,
+        "coefficient_of_restitution_predicted": predicted.coefficient_of_restitution,
+        "force_max": collision.force_max,
+        "overlap_max": collision.overlap_max,
+        "overlap_res": collision.overlap_res,
+        "loading_time": collision.loading_time,
+        "contact_time": collision.contact_time,
+        "time_step": impact.time_step(),
+        "steps": int(round(collision.contact_time / impact.time_step())),
+    }
+
+
+def sweep(
+    impacts: list[Impact], folder: str | Path, jobs: int | None = None, progress: bool = True
+) -> tuple[pd.DataFrame, dict[Impact, Collision]]:
+    """Run impacts in parallel.
+
+    Every finished one is appended to `impacts.csv` at once, so a run cut short keeps what it has.
+
+    Args:
+        impacts: What to run.
+        folder: Results go to `impacts.csv` here and to one folder an impact under `runs/`.
+        jobs: Engines at a time; all cores by default.
+        progress: Show a progress bar.
+
+    Returns:
+        The table (one row an impact, in the order given; columns of `row`) and the collisions.
+
+    Raises:
+        EngineError, CollisionError: From the first impact that failed; the others' rows are
+            written before it is raised.
+    """
+    folder = Path(folder)
+    folder.mkdir(parents=True, exist_ok=True)
+    table_path = folder / "impacts.csv"
+    table_path.unlink(missing_ok=True)
+
+    def run(impact: Impact) -> Collision:
+        name = f"{impact.geometry}_{impact.material.name}_{impact.law}_{impact.speed:g}"
+        return impact.run(folder / "runs" / name)
+
+    collisions: dict[Impact, Collision] = {}
+    failure: Exception | None = None
+    with ThreadPoolExecutor(jobs or os.cpu_count()) as pool:
+        waiting = {pool.submit(run, impact): impact for impact in impacts}
+        bar = tqdm(total=len(impacts), unit="impact", disable=not progress)
+        for done in as_completed(waiting):
+            impact = waiting[done]
+            bar.update()
+            try:
+                collisions[impact] = done.result()
+            except Exception as error:
+                failure = failure or error
+                continue
+            line = pd.DataFrame([row(impact, collisions[impact])])
+            line.to_csv(table_path, mode="a", header=not table_path.exists(), index=False)
+        bar.close()
+    if failure:
+        raise failure
+    table = pd.DataFrame([row(impact, collisions[impact]) for impact in impacts])
+    table.to_csv(table_path, index=False)
+    return table, {impact: collisions[impact] for impact in impacts}
