@@ -106,8 +106,8 @@ class VuQuocZhang {
   // Root s >= 1 of g(s) = A(s)^2 - x C(s) for x >= 1, from a start at or left of it. For admissible
   // constants g is negative before the root, and rising and convex from it on: once an iterate has
   // passed the root, Newton descends on it monotonically, and before it no step shorter than
-  // doubling is refused, so the iteration always arrives. Three or fewer iterations for the
-  // overlap steps of a simulation.
+  // doubling is refused, so the iteration always arrives: in four iterations or fewer, the last
+  // to see that it has, for the overlap steps of a simulation.
   double elastic_radius(double x, double start, int& iterations) const {
     double s = start;
     for (iterations = 1; iterations <= 200; ++iterations) {

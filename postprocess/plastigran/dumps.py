@@ -148,7 +148,6 @@ def _read(path: str | Path) -> tuple[str, pd.DataFrame]:
             header=None,
             names=columns,
             index_col=False,
-            float_precision="round_trip",
         )
     except (pd.errors.ParserError, ValueError) as error:
         raise DumpError(f"{path}: {error}") from error

@@ -50,7 +50,7 @@ def command(
     line = [str(engine_path()), "-in", str(deck), "-log", str(folder / "log.liggghts")]
     line += ["-var", "inputs", str(inputs_folder()), "-var", "output", str(folder)]
     for name, value in variables.items():
-        line += ["-var", name, repr(value) if isinstance(value, float) else str(value)]
+        line += ["-var", name, repr(float(value)) if isinstance(value, float) else str(value)]
     if ranks > 1:
         line = ["mpirun", "--oversubscribe", "-np", str(ranks), *line]
     return line

@@ -1,0 +1,51 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""What the test folders share: which laws there are, found and never listed."""
+
+from __future__ import annotations
+
+from math import pi
+from pathlib import Path
+
+import pytest
+
+from plastigran import laws
+from plastigran.engine import PROJECT
+from plastigran.materials import RIGID, read_material
+
+# Laws with a model in the engine: one binding header each.
+ENGINE_LAWS = sorted(
+    path.stem.removeprefix("normal_model_")
+    for path in (PROJECT / "contact_models" / "liggghts").glob("normal_model_*.h")
+)
+
+
+def pytest_generate_tests(metafunc: pytest.Metafunc) -> None:
+    """`law_name` runs a test for every law, `engine_law` for every law with an engine model."""
+    if "law_name" in metafunc.fixturenames:
+        metafunc.parametrize("law_name", sorted(laws.LAWS))
+    if "engine_law" in metafunc.fixturenames:
+        metafunc.parametrize("engine_law", ENGINE_LAWS)
+
+
+@pytest.fixture
+def decks() -> Path:
+    """Folder of the conformance decks."""
+    return PROJECT / "tests" / "conformance" / "decks"
+
+
+@pytest.fixture(scope="session")
+def aluminium():
+    """The paper's aluminium."""
+    return read_material("aluminium_zv02")
+
+
+@pytest.fixture(scope="session")
+def paper_pair(aluminium):
+    """The paper's sphere on a rigid plane."""
+    return laws.combine(aluminium.body(), RIGID)
+
+
+@pytest.fixture(scope="session")
+def paper_mass(aluminium) -> float:
+    """Mass of the paper's sphere [kg]."""
+    return 4 / 3 * pi * 0.1**3 * aluminium.density

@@ -1,0 +1,68 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Every row of cases/*.csv: by the law alone, and in the engine through every geometry."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pandas as pd
+import pytest
+
+from plastigran.impact import GEOMETRIES, Impact
+from plastigran.materials import read_material
+
+CASES = {
+    f"{path.stem}-{row.speed:g}": (path.stem, row)
+    for path in sorted((Path(__file__).parent / "cases").glob("*.csv"))
+    for row in pd.read_csv(path).itertuples()
+}
+OUTCOMES = ("coefficient_of_restitution", "force_max", "overlap_max", "overlap_res")
+
+
+def impact(law: str, row, geometry: str = "sphere_wall") -> Impact:
+    return Impact(law, row.speed, read_material(row.material), row.radius, geometry)
+
+
+def test_every_law_has_cases(law_name):
+    assert any(law == law_name for law, _ in CASES.values())
+
+
+@pytest.mark.parametrize("case", CASES)
+def test_law_alone(case):
+    """1e-5: the cases keep six digits."""
+    law, row = CASES[case]
+    predicted = impact(law, row).predicted()
+    for name in OUTCOMES:
+        assert getattr(predicted, name) == pytest.approx(getattr(row, name), rel=1e-5), name
+
+
+@pytest.mark.parametrize("geometry", GEOMETRIES)
+@pytest.mark.parametrize("case", CASES)
+def test_engine_at_the_recommended_step(case, geometry, tmp_path):
+    """What the recommended step promises: restitution to 1e-3, the rest to 2e-3.
+
+    Two equal spheres at +-v are the sphere on the rigid plane: half R* and m*, half E*, twice the
+    closing speed give the same restitution and force, and overlaps twice as large.
+    """
+    law, row = CASES[case]
+    found = impact(law, row, geometry).run(tmp_path)
+    factor = 2 if geometry == "two_spheres" else 1
+    assert found.coefficient_of_restitution == pytest.approx(
+        row.coefficient_of_restitution, rel=1e-3
+    )
+    assert found.force_max == pytest.approx(row.force_max, rel=2e-3)
+    assert found.overlap_max == pytest.approx(factor * row.overlap_max, rel=2e-3)
+    assert found.overlap_res == pytest.approx(factor * row.overlap_res, rel=2e-3, abs=1e-5 * row.overlap_max)
+    if row.contact_time == row.contact_time:  # given
+        assert found.contact_time == pytest.approx(row.contact_time, rel=2e-3)
+
+
+@pytest.mark.parametrize("case", [case for case in CASES if case.endswith("-0.1")])
+def test_engine_at_a_twentieth_of_it(case, tmp_path):
+    """Second order: a 20 times smaller step leaves 1e-5."""
+    law, row = CASES[case]
+    model = impact(law, row)
+    found = model.run(tmp_path, time_step=model.time_step() / 20)
+    predicted = model.predicted()
+    for name in OUTCOMES:
+        assert getattr(found, name) == pytest.approx(getattr(predicted, name), rel=1e-5), name
