@@ -6,6 +6,7 @@
 #include <signal.h>
 
 #include <cctype>
+#include <cstdio>
 #include <cstring>
 #include <fstream>
 #include <iostream>
@@ -88,6 +89,8 @@ int main(int argc, char** argv) {
   action.sa_handler = LAMMPS_NS::SignalHandler::usr1_handler;
   sigaction(SIGUSR1, &action, nullptr);
 
+  // One rank's error ends in MPI_Abort, which would take the buffered message with it.
+  std::setvbuf(stdout, nullptr, _IOLBF, BUFSIZ);
   MPI_Init(&argc, &argv);
   const std::string complaint = check_command_line(argc, argv);
   if (!complaint.empty()) {

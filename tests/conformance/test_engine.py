@@ -1,0 +1,246 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""What every law's model must keep in the engine: history, symmetry, restarts, ranks."""
+
+from __future__ import annotations
+
+import re
+from math import pi
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from plastigran import laws
+from plastigran.collision import force_overlap_loop, measure
+from plastigran.dumps import read_dump
+from plastigran.engine import run_deck
+from plastigran.impact import Impact
+
+DECKS = Path(__file__).parent / "decks"
+GEOMETRIES = ("pair", "plane", "mesh")
+
+
+def run(name: str, folder: Path, ranks: int = 1, **variables) -> str:
+    deck = DECKS / f"{name}.in"
+    if "variable decks" in deck.read_text():
+        variables["decks"] = DECKS
+    return run_deck(deck, variables, folder, ranks=ranks)
+
+
+def turned_pair_forces(law: str, folder: Path) -> np.ndarray:
+    """Force on atom 1 along the line of centres while the pair turns rigidly."""
+    run("rotating_pair", folder, law=law)
+    table = read_dump(folder / "trajectory.dump")
+    table = table[table["step"] > 1100]
+    one, two = (table[table["id"] == k] for k in (1, 2))
+    line = one[["x", "y", "z"]].to_numpy() - two[["x", "y", "z"]].to_numpy()
+    line /= np.linalg.norm(line, axis=1)[:, None]
+    assert line[0, 0] > 0.99 and line[-1, 0] < -0.99, "the pair did not turn"
+    return np.einsum("ij,ij->i", line, one[["fx", "fy", "fz"]].to_numpy())
+
+
+def test_pair_flip(engine_law, tmp_path):
+    """A held, unloading contact turned half around keeps its force through sorts and rebuilds.
+
+    1e-7: the overlap is a difference of positions 2000 times larger than itself, and the unloading
+    curve is steep.
+    """
+    force = turned_pair_forces(engine_law, tmp_path)
+    assert force[0] > 0
+    assert np.abs(force / force[0] - 1).max() < 1e-7
+
+
+def test_pair_flip_catches_a_law_that_flips(tmp_path):
+    """The engine's thornton_ning marks scalars as vectors: the test above must see that."""
+    force = turned_pair_forces("thornton_ning", tmp_path)
+    assert np.abs(force / force[0] - 1).max() > 0.1
+
+
+@pytest.mark.parametrize("rebuild", ["no", "yes"])
+@pytest.mark.parametrize("geometry", GEOMETRIES)
+def test_second_touch_is_a_virgin_contact(engine_law, geometry, rebuild, aluminium, tmp_path):
+    """Both impacts of a bouncing sphere have the restitution of their own speed.
+
+    A contact that remembered the first would return the second, slower one elastically (1 instead
+    of 0.5 to 0.7). 0.02: gravity of 1 m/s^2 over a millisecond of contact, of 0.05 m/s.
+    """
+    log = run("bounce", tmp_path, law=engine_law, geometry=geometry, rebuild=rebuild)
+    builds = int(re.search(r"Neighbor list builds = (\d+)", log)[1])
+    assert (builds > 1000) if rebuild == "yes" else (builds == 0)
+
+    table = read_dump(tmp_path / "trajectory.dump")
+    speed, force = table["vx"].to_numpy(), table["fx"].to_numpy()
+    mass = 4 / 3 * pi * 0.1**3 * aluminium.density
+    weight = mass * 1.0
+    touching = force + weight > 1e-6 * weight
+    edges = np.flatnonzero(np.diff(touching.astype(int)))
+    assert len(edges) >= 4, "fewer than two impacts"
+    # A held sphere is half of an equal pair: R/2, and as heavy as the falling one alone.
+    body = aluminium.body()
+    other = body if geometry == "pair" else laws.Material(1e30, 0.3, 1e30, 1.61)
+    law = laws.LAWS[engine_law](laws.combine(body, other))
+    radius_eff = 0.05 if geometry == "pair" else 0.1
+    speeds_in = []
+    for start, end in (edges[0:2], edges[2:4]):
+        speed_in, speed_out = -speed[start], speed[end + 1]
+        expected = law.central_impact(radius_eff, mass, speed_in).coefficient_of_restitution
+        assert speed_out / speed_in == pytest.approx(expected, abs=0.02)
+        speeds_in.append(speed_in)
+    assert speeds_in[1] < 0.9 * speeds_in[0]
+
+
+@pytest.mark.parametrize("ranks", [1, 2])
+@pytest.mark.parametrize("moment", ["loading", "unloading"])
+@pytest.mark.parametrize("geometry", GEOMETRIES)
+def test_restart_in_mid_contact(engine_law, geometry, moment, ranks, aluminium, tmp_path):
+    """The second half from the file is the second half of the whole run, to every digit written."""
+    course = Impact(engine_law, 0.1, aluminium, 0.1).run(tmp_path / "course")
+    if moment == "loading":
+        time = 0.5 * course.loading_time
+    else:
+        time = course.loading_time + 0.4 * (course.contact_time - course.loading_time)
+    before = round(time / 8e-6)
+    case = {"law": engine_law, "geometry": geometry, "after": 160}
+    run("restart_write", tmp_path / "whole", ranks=ranks, before=before, **case)
+    restart = (tmp_path / "whole" / "middle.restart").resolve()
+    run("restart_read", tmp_path / "rest", ranks=ranks, restart=restart, **case)
+    whole = read_dump(tmp_path / "whole" / "trajectory.dump")
+    rest = read_dump(tmp_path / "rest" / "trajectory.dump")
+    peak = whole["fx"].abs().max()
+    whole = whole[whole["step"] >= before].drop_duplicates(["step", "id"]).reset_index(drop=True)
+    force = whole["fx"].abs().to_numpy()
+    assert 0.1 * peak < force[0] < 0.95 * peak
+    assert (force.max() > 1.05 * force[0]) == (moment == "loading")
+    assert len(rest) == len(whole)
+    assert (rest.to_numpy() == whole.to_numpy()).all()
+
+
+def test_ranks_share_and_hand_over_a_contact(engine_law, tmp_path):
+    """1, 2 and 4 ranks, the contact on one border and crossing another: the same collision.
+
+    1e-9: positions enter sums in another order on the other side of a border.
+    """
+    found = {}
+    for ranks, grid in ((1, "1 1"), (2, "2 1"), (2, "1 2"), (4, "2 2")):
+        folder = tmp_path / grid.replace(" ", "x")
+        run("ranks", folder, ranks=ranks, law=engine_law, grid=grid)
+        table = read_dump(folder / "trajectory.dump")
+        if grid != "1 1":
+            touching = table[table["fy"] != 0]
+            assert touching["proc"].nunique() == ranks, "the contact did not visit every rank"
+        found[grid] = measure(table)
+    one = found.pop("1 1")
+    assert 0 < one.coefficient_of_restitution < 0.99
+    for other in found.values():
+        assert other.coefficient_of_restitution == pytest.approx(
+            one.coefficient_of_restitution, rel=1e-9
+        )
+        assert other.force_max == pytest.approx(one.force_max, rel=1e-9)
+
+
+def test_unequal_bodies_in_either_order(engine_law, tmp_path):
+    """Unequal radii and materials, i and j swapped: the same to rounding, and the softer yields."""
+    loops, runs = [], []
+    for swap in (0, 1):
+        run("two_bodies", tmp_path / str(swap), law=engine_law, swap=swap)
+        table = read_dump(tmp_path / str(swap) / "trajectory.dump")
+        loops.append(force_overlap_loop(table))
+        runs.append(measure(table))
+    assert len(loops[0]) == len(loops[1])
+    # Mirrored sums round differently, 1e-16 of a position, 1e-12 of the overlap.
+    scale = loops[0]["force"].max()
+    assert loops[1]["force"].to_numpy() == pytest.approx(loops[0]["force"].to_numpy(), abs=1e-8 * scale)
+
+    soft, hard = laws.Material(7e10, 0.33, 1e8), laws.Material(2.1e11, 0.28, 9e8)
+    law = laws.LAWS[engine_law](laws.combine(soft, hard))
+    masses = 4 / 3 * pi * 0.01**3 * 2700, 4 / 3 * pi * 0.02**3 * 7850
+    mass_eff = masses[0] * masses[1] / sum(masses)
+    expected = law.central_impact(0.01 * 0.02 / 0.03, mass_eff, 0.2)
+    assert expected.coefficient_of_restitution < 0.9, "the softer body does not yield"
+    for found in runs:
+        assert found.coefficient_of_restitution == pytest.approx(
+            expected.coefficient_of_restitution, rel=1e-3
+        )
+        assert found.overlap_res == pytest.approx(expected.overlap_res, rel=2e-3)
+
+
+def test_wall_is_a_huge_sphere(engine_law, aluminium, tmp_path):
+    """A sphere on one 3000 times larger of the same material as on a wall of that material.
+
+    R* and m* differ by 3e-4, restitution by less; 1e-3 adds the time step's share.
+    """
+    run(
+        "two_bodies_equal_material",
+        tmp_path,
+        law=engine_law,
+        ratio=3000,
+    )
+    found = measure(tmp_path / "trajectory.dump")
+    body = aluminium.body()
+    law = laws.LAWS[engine_law](laws.combine(body, body))
+    mass = 4 / 3 * pi * 0.01**3 * aluminium.density
+    wall = law.central_impact(0.01, mass, 0.2)
+    assert found.coefficient_of_restitution == pytest.approx(
+        wall.coefficient_of_restitution, rel=1e-3
+    )
+    assert found.force_max == pytest.approx(wall.force_max, rel=2e-3)
+
+
+def test_unyielding_model_is_the_engines_hertz(engine_law, tmp_path):
+    """Yield strength to infinity: every step of an oblique, spinning impact as stock hertz, undamped.
+
+    1e-10 after 200 steps: the two write 4/3 E* sqrt(R* d) d in different orders.
+    """
+    for geometry in GEOMETRIES:
+        tables = []
+        for law in ("hertz", engine_law):
+            folder = tmp_path / f"{geometry}_{law}"
+            run("restart_write", folder, law=law, geometry=geometry, yield_strength=1e18)
+            tables.append(read_dump(folder / "trajectory.dump").drop_duplicates(["step", "id"]))
+        for column in tables[0].columns:
+            stock, ours = (table[column].to_numpy() for table in tables)
+            assert ours == pytest.approx(stock, rel=1e-10, abs=1e-10 * np.abs(stock).max()), column
+
+
+@pytest.mark.parametrize("tangential", ["no_history", "history"])
+def test_sliding_friction(engine_law, tangential, aluminium, tmp_path):
+    """A sphere that hits the plane obliquely and slides through leaves with mu times the normal
+    impulse less tangential momentum: d(vy) = -mu (1 + e) v. 2e-3: the first instants, before the
+    tangential force reaches mu F."""
+    table = slide(engine_law, tangential, "off", tmp_path)
+    normal = table["vx"].iloc[-1] - table["vx"].iloc[0]
+    along = table["vy"].iloc[-1] - table["vy"].iloc[0]
+    assert along == pytest.approx(-0.3 * normal, rel=2e-3)
+
+
+@pytest.mark.parametrize("rolling", ["cdt", "epsd2"])
+def test_rolling_friction_takes_the_models_force(engine_law, rolling, tmp_path):
+    """The rolling torque of cdt is mu_r F R* against the spin; epsd2's is bounded by it."""
+    table = slide(engine_law, "history", rolling, tmp_path, spin=-50.0)
+    plain = slide(engine_law, "history", "off", tmp_path / "plain", spin=-50.0)
+    inertia = 0.4 * table["mass"] * table["radius"] ** 2
+    extra = (table["omegaz"] - plain["omegaz"]) * inertia
+    impulse = (table["vx"].iloc[-1] - table["vx"].iloc[0]) * table["mass"].iloc[0]
+    bound = 0.1 * impulse * table["radius"].iloc[0]
+    assert extra.iloc[-1] == pytest.approx(bound, rel=1e-2 if rolling == "cdt" else 0.2)
+
+
+def slide(law: str, tangential: str, rolling: str, folder: Path, spin: float = 0.0):
+    run("slide", folder, law=law, tangential=tangential, rolling=rolling, spin=spin)
+    return read_dump(folder / "trajectory.dump")
+
+
+def test_time_step_warning(engine_law, aluminium, tmp_path):
+    """Too long a step draws a warning with the recommended one; the recommended step none."""
+    model = Impact(engine_law, 0.1, aluminium, 0.1)
+    recommended = model.time_step()
+    variables = {"law": engine_law, "speed": 0.1}
+    log = run_deck(
+        "collision/sphere_wall.in", variables | {"timestep": 3 * recommended}, tmp_path / "long"
+    )
+    said = re.search(r"time step .* is too long .* Recommended: timestep (\S+)", log)
+    assert said and float(said[1]) == pytest.approx(recommended, rel=1e-3)
+    log = run_deck(
+        "collision/sphere_wall.in", variables | {"timestep": 0.999 * recommended}, tmp_path / "good"
+    )
+    assert "too long" not in log

@@ -1,0 +1,235 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""What every law must obey on any loading path; laws are found, not listed.
+
+Overlaps are scaled by the overlap at yield, forces by the force there, so that one set of paths
+reaches every regime of every law for any size and material.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from plastigran import laws
+
+RADIUS = 0.01
+PAIRS = {
+    "aluminium on rigid": laws.combine(
+        laws.Material(7e10, 0.3, 1e8, 1.61), laws.Material(1e30, 0.3, 1e30, 1.61)
+    ),
+    "polymer on steel": laws.combine(
+        laws.Material(2e9, 0.4, 5e7), laws.Material(2.1e11, 0.3, 3e8)
+    ),
+}
+REACH = 500  # overlaps at yield: some 100 forces at yield and more
+
+# Turning points of the overlap over its value at yield, from hardly touching to far beyond.
+turning_points = st.lists(
+    st.one_of(st.floats(0, 2), st.floats(0, REACH), st.floats(-1, 0)), min_size=1, max_size=8
+)
+
+
+@pytest.fixture(params=sorted(PAIRS))
+def pair(request) -> laws.MaterialPair:
+    return PAIRS[request.param]
+
+
+def scales(pair: laws.MaterialPair) -> tuple[float, float]:
+    """Overlap and force at the yield of a Hertzian contact."""
+    overlap = RADIUS * laws.yield_radius_ratio(pair) ** 2
+    force = 4 / 3 * pair.youngs_modulus_eff * np.sqrt(RADIUS) * overlap**1.5
+    return overlap, force
+
+
+def path(turns: list[float], points: int = 60) -> np.ndarray:
+    """A path through turning points, finely enough for its work to be integrated."""
+    legs = [np.linspace(a, b, points) for a, b in zip([0.0, *turns], turns, strict=False)]
+    return np.concatenate(legs)
+
+
+@given(turns=turning_points)
+@settings(max_examples=60, deadline=None)
+def test_force_is_finite_and_never_pulls(law_name, turns):
+    for pair in PAIRS.values():
+        overlap_y, _ = scales(pair)
+        law = laws.LAWS[law_name](pair)
+        answer = law.follow(RADIUS, path(turns) * overlap_y, law.State())
+        for name, values in answer.items():
+            assert np.isfinite(values).all(), name
+        assert (answer["force"] >= 0).all()
+        assert (answer["contact_radius"] >= 0).all()
+        assert (answer["elastic_energy"] >= 0).all()
+        apart = path(turns) <= 0
+        assert (answer["force"][apart] == 0).all()
+
+
+@given(turns=turning_points)
+@settings(max_examples=60, deadline=None)
+def test_plastic_work_never_decreases(law_name, turns):
+    for pair in PAIRS.values():
+        overlap_y, force_y = scales(pair)
+        law = laws.LAWS[law_name](pair)
+        work = law.follow(RADIUS, path(turns) * overlap_y, law.State())["plastic_work"]
+        # Rounding of the virgin work, of which plastic work is a difference.
+        rounding = 1e-13 * max(work.max(), force_y * overlap_y)
+        assert (np.diff(work) >= -rounding).all()
+        assert work.min() >= -rounding
+
+
+@given(turns=turning_points)
+@settings(max_examples=40, deadline=None)
+def test_energies_account_for_the_work_done(law_name, turns):
+    """Work put in = stored + plastic, at every turning point, so no path returns more than it took.
+
+    The work is the integral of the law's own force, by Simpson's rule on 800 intervals a leg;
+    kinks of the force inside a leg limit it to 1e-4 of the largest energy met.
+    """
+    for pair in PAIRS.values():
+        overlap_y, force_y = scales(pair)
+        law = laws.LAWS[law_name](pair)
+        state = law.State()
+        done = largest = 0.0
+        at = 0.0
+        for turn in turns:
+            leg = np.linspace(at, turn, 1601) * overlap_y
+            answer = law.follow(RADIUS, leg, state)
+            force = answer["force"]
+            panels = force[:-2:2] + 4 * force[1:-1:2] + force[2::2]
+            done += float(panels.sum()) * (leg[1] - leg[0]) / 3
+            stored = answer["elastic_energy"][-1] + answer["plastic_work"][-1]
+            largest = max(largest, stored, force_y * overlap_y)
+            assert done == pytest.approx(stored, abs=1e-4 * largest)
+            assert done >= -1e-4 * largest
+            at = turn
+
+
+@given(turns=turning_points, repeats=st.integers(1, 4))
+@settings(max_examples=40, deadline=None)
+def test_answer_does_not_depend_on_how_often_it_is_asked(law_name, turns, repeats):
+    """A total law: neither repeated calls nor stops on the way change it. 1e-11 of the peak force
+    is rounding through the unloading curve's 3/2 power."""
+    for pair in PAIRS.values():
+        overlap_y, _ = scales(pair)
+        law = laws.LAWS[law_name](pair)
+        fine, often, coarse = law.State(), law.State(), law.State()
+        peak = 0.0
+        for overlap in path(turns, 20) * overlap_y:
+            once = law.respond(RADIUS, overlap, fine)
+            for _ in range(repeats):
+                again = law.respond(RADIUS, overlap, often)
+            peak = max(peak, once.force)
+            assert again.force == pytest.approx(once.force, rel=1e-12, abs=1e-11 * peak)
+        for turn in turns:
+            direct = law.respond(RADIUS, turn * overlap_y, coarse)
+        assert direct.force == pytest.approx(once.force, rel=1e-12, abs=1e-11 * peak)
+        assert direct.plastic_work == pytest.approx(once.plastic_work, rel=1e-10, abs=1e-12 * peak * overlap_y)
+
+
+@given(top=st.floats(1e-3, REACH), low=st.floats(0, 1))
+@settings(max_examples=60, deadline=None)
+def test_reloading_retraces_unloading_then_the_virgin_curve(law_name, top, low):
+    for pair in PAIRS.values():
+        overlap_y, _ = scales(pair)
+        law = laws.LAWS[law_name](pair)
+        state = law.State()
+        peak = law.respond(RADIUS, top * overlap_y, state).force
+        down = np.linspace(top, low * top, 30) * overlap_y
+        unloading = law.follow(RADIUS, down, state)["force"]
+        reloading = law.follow(RADIUS, down[::-1].copy(), state)["force"][::-1]
+        assert reloading == pytest.approx(unloading, rel=1e-12, abs=1e-12 * peak)
+        beyond = np.linspace(1.01, 2, 10) * top * overlap_y
+        virgin = law.follow(RADIUS, beyond, law.State())["force"]
+        assert law.follow(RADIUS, beyond, state)["force"] == pytest.approx(virgin, rel=1e-11)
+
+
+def test_force_is_continuous_along_the_virgin_curve(law_name, pair):
+    """No jump anywhere over six decades, apart from those a law declares with their size."""
+    overlap_y, _ = scales(pair)
+    law = laws.LAWS[law_name](pair)
+    x = np.geomspace(1e-3, 1e3, 200_001)  # steps of 7e-5: force moves by 1.5 times that
+    force = law.follow(RADIUS, x * overlap_y, law.State())["force"]
+    jumps = np.diff(np.log(force)) - 1.5 * np.diff(np.log(x))
+    assert np.abs(jumps).max() < 1e-4
+
+
+@pytest.mark.parametrize("top", [1e-3, 0.9, 1.1, 10, 300])
+def test_force_is_continuous_where_unloading_begins_and_ends(law_name, pair, top):
+    overlap_y, _ = scales(pair)
+    law = laws.LAWS[law_name](pair)
+    state = law.State()
+    peak = law.respond(RADIUS, top * overlap_y, state).force
+    just_below = law.respond(RADIUS, top * overlap_y * (1 - 1e-12), state).force
+    assert just_below == pytest.approx(peak, rel=1e-9)
+    way_back = np.linspace(top, 0, 200_001) * overlap_y
+    force = law.follow(RADIUS, way_back, state)["force"]
+    assert np.abs(np.diff(force)).max() < 1e-3 * peak
+
+
+def test_elastic_impact_returns_everything(law_name, pair):
+    overlap_y, _ = scales(pair)
+    law = laws.LAWS[law_name](pair)
+    answer = law.respond(RADIUS, 0.5 * overlap_y, law.State())
+    hertz = laws.Hertz(pair).respond(RADIUS, 0.5 * overlap_y, laws.Hertz.State())
+    assert answer.plastic_work == 0
+    for name in ("force", "contact_radius", "elastic_energy"):
+        assert getattr(answer, name) == pytest.approx(getattr(hertz, name), rel=1e-13), name
+
+
+def test_unyielding_bodies_are_hertzian(law_name):
+    """Yield strength to infinity: Hertz to rounding, for hard impacts too."""
+    strong = laws.combine(laws.Material(7e10, 0.3, 1e20), laws.Material(7e10, 0.3, 1e20))
+    law, state = laws.LAWS[law_name](strong), laws.LAWS[law_name].State()
+    overlap = np.geomspace(1e-12, 1e-3, 50)
+    hertz = laws.Hertz(strong).follow(RADIUS, overlap, laws.Hertz.State())
+    for name, values in law.follow(RADIUS, overlap, state).items():
+        assert values == pytest.approx(hertz[name], rel=1e-14), name
+
+
+@given(speed_ratio=st.floats(1e-3, 300))
+@settings(max_examples=60, deadline=None)
+def test_restitution_lies_between_zero_and_one(law_name, speed_ratio):
+    from plastigran import theory
+
+    for pair in PAIRS.values():
+        law = laws.LAWS[law_name](pair)
+        speed = speed_ratio * theory.yield_speed(pair, 1e-3, RADIUS)
+        found = law.central_impact(RADIUS, 1e-3, speed)
+        assert 0 < found.coefficient_of_restitution <= 1 + 1e-9
+        assert 0 <= found.overlap_res < found.overlap_max
+
+
+def test_pair_is_the_same_in_either_order():
+    soft, hard = laws.Material(7e10, 0.33, 1e8), laws.Material(2.1e11, 0.28, 9e8)
+    one, other = laws.combine(soft, hard), laws.combine(hard, soft)
+    for name in ("youngs_modulus_eff", "shear_modulus_eff", "yield_pressure", "yield_strength"):
+        assert getattr(one, name) == getattr(other, name), name
+    assert one.yield_pressure == 1e8 * laws.hertz_yield_pressure_factor(0.33)
+    assert one.poissons_ratio == 0.33
+
+
+@pytest.mark.parametrize(
+    ("poissons_ratio", "factor"),
+    [(0.25, 1.554347), (0.30, 1.612797), (0.35, 1.674110), (0.40, 1.738481)],
+)
+def test_yield_pressure_factor(poissons_ratio, factor):
+    """Hertz-von Mises onset, by maximising the shear on the axis to seven digits."""
+    assert laws.hertz_yield_pressure_factor(poissons_ratio) == pytest.approx(factor, rel=5e-7)
+
+
+@pytest.mark.parametrize(
+    ("given", "said"),
+    [
+        ({"yield_strength": 0}, r"yieldStrength is 0; it must be positive and finite \[Pa\]"),
+        ({"yield_strength": float("nan")}, r"yieldStrength is nan"),
+        ({"youngs_modulus": -1}, r"youngsModulus is -1"),
+        ({"poissons_ratio": 0.5}, r"poissonsRatio is 0.5; it must be between -1 and 0.5"),
+        ({"poissons_ratio": -1}, r"poissonsRatio is -1"),
+        ({"yield_pressure_factor": -2}, r"yieldPressureFactor is -2; it must be between 0.5 and"),
+    ],
+)
+def test_materials_out_of_range_are_refused(given, said):
+    constants = {"youngs_modulus": 7e10, "poissons_ratio": 0.3, "yield_strength": 1e8} | given
+    with pytest.raises(ValueError, match=said):
+        laws.Material(**constants)
