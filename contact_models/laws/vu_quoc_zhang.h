@@ -70,11 +70,15 @@ class VuQuocZhang {
     const double x = overlap / overlap_y;
     Shape max = shape(std::max(state.elastic_radius_max, 1.0));
     double s = max.s;
-    if (max.curvature * x > max.radius * max.radius) {  // on the virgin curve, beyond yield
+    // Within rounding of the maximum it is the maximum: the second of two equal calls must not
+    // find itself beyond the first.
+    const double reached = max.radius * max.radius;
+    const double ahead = max.curvature * x - reached;
+    if (ahead > 1e-14 * reached) {  // on the virgin curve, beyond yield
       int iterations;
       s = state.elastic_radius_max = elastic_radius(x, max.s, iterations);
       max = shape(s);
-    } else {  // the elastic curve, or unloading: a_e^2 = C R* (overlap - overlap_res)
+    } else if (!(ahead >= -1e-14 * reached)) {  // elastic, or unloading: a_e^2 = C R* (overlap - overlap_res)
       const double plastic = ca_ * max.u * (2 * max.s + ca_ * max.u);
       const double s_squared = max.curvature * x - plastic;
       s = s_squared > 0 && overlap > 0 ? std::sqrt(s_squared) : 0;

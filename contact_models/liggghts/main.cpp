@@ -10,6 +10,7 @@
 #include <cstring>
 #include <fstream>
 #include <iostream>
+#include <map>
 #include <set>
 #include <sstream>
 #include <string>
@@ -23,59 +24,86 @@ namespace {
 
 bool is_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; }
 
+// Whether a deck uses a variable it does not declare: ${name}, $n or v_name.
 bool mentions(const std::string& text, const std::string& name) {
   for (std::size_t at = text.find(name); at != std::string::npos; at = text.find(name, at + 1)) {
     const std::size_t end = at + name.size();
-    const bool starts = at == 0 || !is_word(text[at - 1]) ||
-                        (at > 1 && text[at - 1] == '_' && text[at - 2] == 'v');  // v_name
-    if (starts && (end == text.size() || !is_word(text[end]))) return true;
+    const bool ends = end == text.size() || !is_word(text[end]);
+    const std::string before = text.substr(at < 2 ? 0 : at - 2, at < 2 ? at : 2);
+    if (ends && (before == "${" || before == "v_" || (name.size() == 1 && before.back() == '$')))
+      return true;
   }
   return false;
 }
 
-// What the deck lets one set: its `variable NAME index DEFAULT` lines. Comments are dropped from
-// `text`; `complete` turns false when the deck reads further files, which may use any variable.
-std::vector<std::string> settings(std::istream& deck, std::string& text, bool& complete) {
-  std::vector<std::string> names;
-  for (std::string line; std::getline(deck, line);) {
-    line = line.substr(0, line.find('#'));
-    text += line + '\n';
-    std::istringstream words(line);
-    std::string command, name, style;
-    words >> command >> name >> style;
-    if (command == "variable" && style == "index") names.push_back(name);
-    if (command == "include" || command == "jump") complete = false;
-  }
-  return names;
-}
-
-// The complaint about a -var that the deck does not know, or an empty string.
-std::string unknown_variable(const std::string& path, const std::set<std::string>& given) {
-  std::ifstream deck(path);
-  if (!deck) return {};  // the engine says it better
+// A deck with the files it includes: its text and what it lets one set (`variable NAME index ...`).
+struct Deck {
   std::string text;
-  bool complete = true;
-  const std::vector<std::string> names = settings(deck, text, complete);
+  std::vector<std::string> settings;
+  std::map<std::string, std::string> values;  // of the settings so far: to resolve include paths
+  bool complete = true;                       // false when a file it reads could not be followed
+
+  void read(const std::string& path) {
+    std::ifstream file(path);
+    complete = complete && file;
+    for (std::string line; std::getline(file, line);) {
+      line = substitute(line.substr(0, line.find('#')));
+      text += line + '\n';
+      std::istringstream words(line);
+      std::string command, name, style, value;
+      words >> command >> name >> style >> value;
+      if (command == "variable" && style == "index") {
+        settings.push_back(name);
+        values.emplace(name, value);  // one given on the command line stays
+      } else if (command == "include") {
+        read(name);
+      } else if (command == "jump" && name != "SELF") {
+        complete = false;
+      }
+    }
+  }
+
+  // The line with its known ${name} replaced; the rest is the engine's business.
+  std::string substitute(std::string line) {
+    for (const auto& [name, value] : values) {
+      const std::string reference = "${" + name + "}";
+      if (value.find(reference) != std::string::npos) continue;
+      for (std::size_t at; (at = line.find(reference)) != std::string::npos;) {
+        used.insert(name);
+        line.replace(at, reference.size(), value);
+      }
+    }
+    return line;
+  }
+
+  std::set<std::string> used;
+};
+
+// The complaint about a -var the deck does not know, or an empty string.
+std::string check_command_line(int argc, char** argv) {
+  std::string path;
+  Deck deck;
+  std::vector<std::string> given;
+  for (int i = 1; i + 1 < argc; ++i) {
+    if (!std::strcmp(argv[i], "-in") || !std::strcmp(argv[i], "-i")) path = argv[++i];
+    else if ((!std::strcmp(argv[i], "-var") || !std::strcmp(argv[i], "-v")) && i + 2 < argc) {
+      given.push_back(argv[i + 1]);
+      deck.values[argv[i + 1]] = argv[i + 2];
+      i += 2;
+    }
+  }
+  if (path.empty() || given.empty()) return {};
+  deck.read(path);
+  const std::set<std::string> known(deck.settings.begin(), deck.settings.end());
   for (const std::string& name : given) {
-    if (mentions(text, name)) continue;
-    // A deck that declares settings declares all of them, whatever else it includes.
-    if (!complete && names.empty()) continue;
+    if (known.count(name) || deck.used.count(name) || mentions(deck.text, name)) continue;
+    if (!deck.complete) continue;  // the engine says what it cannot read
     std::string message = "-var " + name + ": " + path + " has no such variable";
-    if (!names.empty()) message += "; it takes";
-    for (const std::string& known : names) message += " " + known;
+    if (!deck.settings.empty()) message += "; it takes";
+    for (const std::string& setting : deck.settings) message += " " + setting;
     return message;
   }
   return {};
-}
-
-std::string check_command_line(int argc, char** argv) {
-  std::string path;
-  std::set<std::string> given;
-  for (int i = 1; i + 1 < argc; ++i) {
-    if (!std::strcmp(argv[i], "-in") || !std::strcmp(argv[i], "-i")) path = argv[++i];
-    else if (!std::strcmp(argv[i], "-var") || !std::strcmp(argv[i], "-v")) given.insert(argv[++i]);
-  }
-  return path.empty() ? std::string() : unknown_variable(path, given);
 }
 
 }  // namespace

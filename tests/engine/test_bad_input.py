@@ -1,0 +1,144 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Bad input stops before the first step, naming what is wrong, its value and what is allowed."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from plastigran.collision import measure
+from plastigran.engine import PROJECT, EngineError, run_deck
+
+DAMPED = "restitution all property/global coefficientRestitution peratomtypepair 2 .8 .8 .8 .8"
+
+DECK = """
+variable output index .
+variable inputs index inputs
+units           si
+atom_style      granular
+boundary        f f f
+newton          off
+communicate     single vel yes
+region          box block -1 1 -1 1 -1 1 units box
+create_box      1 box
+neighbor        0.01 bin
+neigh_modify    delay 0
+fix youngs  all property/global youngsModulus peratomtype {youngs_modulus}
+fix poisson all property/global poissonsRatio peratomtype {poissons_ratio}
+{yield_strength}
+{more}
+create_atoms    1 single 0 0 0
+set group all diameter 0.2 density 2700
+pair_style      gran model {law} {settings}
+pair_coeff      * *
+timestep        1e-6
+fix integrate   all nve/sphere
+run             1
+"""
+GOOD = {
+    "law": "vu_quoc_zhang",
+    "youngs_modulus": "7.0e10",
+    "poissons_ratio": "0.3",
+    "yield_strength": "fix ys all property/global yieldStrength peratomtype 1.0e8",
+    "settings": "tangential off",
+    "more": "",
+}
+
+
+def run(folder: Path, **changes: str) -> str:
+    deck = folder / "deck.in"
+    deck.write_text(DECK.format(**(GOOD | changes)))
+    return run_deck(deck, {}, folder)
+
+
+def strength(value: str) -> str:
+    return f"fix ys all property/global yieldStrength peratomtype {value}"
+
+
+def constant(name: str, value: str, shape: str = "peratomtypepair 1") -> str:
+    return f"fix c all property/global {name} {shape} {value}"
+
+
+def test_good_input_runs(tmp_path, engine_law):
+    assert "ERROR" not in run(tmp_path, law=engine_law)
+
+
+@pytest.mark.parametrize(
+    ("changes", "said"),
+    [
+        ({"yield_strength": ""}, "yieldStrength is missing; give it for every atom type, in Pa"),
+        ({"yield_strength": strength("0")}, "yieldStrength is 0; it must be positive and finite"),
+        ({"yield_strength": strength("-5e7")}, r"yieldStrength is -5e\+07; it must be positive"),
+        ({"yield_strength": strength("nan")}, "Expected floating point parameter"),
+        ({"youngs_modulus": "0"}, "youngsModulus is 0; it must be positive and finite"),
+        ({"youngs_modulus": "-7e10"}, r"youngsModulus is -7e\+10; it must be positive"),
+        ({"youngs_modulus": "nan"}, "Expected floating point parameter"),
+        ({"poissons_ratio": "0.5"}, "poissonsRatio is 0.5; it must be between -1 and 0.5"),
+        ({"poissons_ratio": "-1.2"}, "poissonsRatio is -1.2; it must be between -1 and 0.5"),
+        (
+            {"more": constant("yieldPressureFactor", "100", "peratomtype")},
+            "yieldPressureFactor is 100; it must be between 0.5 and 10",
+        ),
+        ({"settings": "viscous_damping on"}, "coefficientRestitution"),
+        ({"settings": "computeDissipatedEnergy on"}, "computeDissipatedEnergy is not available"),
+        ({"settings": "cohesion sjkr"}, "cohesion off"),
+        ({"settings": "dampnig on"}, "Unknown argument or wrong keyword order: 'dampnig'"),
+    ],
+)
+def test_every_model_refuses(engine_law, changes, said, tmp_path):
+    with pytest.raises(EngineError, match=said) as refusal:
+        run(tmp_path, law=engine_law, **changes)
+    log = (tmp_path / "log.liggghts").read_text(errors="replace")
+    assert "Step" not in log, "it ran"
+    if "it must be" in said:
+        assert f"model {engine_law}: " in str(refusal.value)
+        assert "(atom type 1)" in str(refusal.value)
+
+
+@pytest.mark.parametrize(
+    ("more", "said"),
+    [
+        (constant("contactRadiusCoefficient", "-0.1"), "contactRadiusCoefficient is -0.1; it must"),
+        (constant("curvatureCoefficient", "-0.1"), "curvatureCoefficient is -0.1; it must be"),
+        (constant("curvatureCoefficient", "0.9"), "the contact would create energy"),
+        (constant("curvatureCoefficient", "0.01", "scalar"), "matrix|peratomtypepair"),
+    ],
+)
+def test_vu_quoc_zhang_refuses(more, said, tmp_path):
+    with pytest.raises(EngineError, match=said):
+        run(tmp_path, more=more)
+
+
+def test_unknown_law(tmp_path):
+    with pytest.raises(EngineError, match="Invalid model specified"):
+        run(tmp_path, law="vu_quok_zhang")
+
+
+def test_misspelt_deck_variable(tmp_path):
+    """The launcher names the variable, the deck and what the deck takes."""
+    with pytest.raises(EngineError, match=r"-var sped: .*sphere_wall.in has no such variable") as no:
+        run_deck("collision/sphere_wall.in", {"sped": 0.1}, tmp_path)
+    assert "it takes law speed radius material timestep" in str(no.value)
+
+
+def test_constants_of_an_included_file_may_be_set(tmp_path):
+    """Material constants come from an included file; setting one on the command line is no slip."""
+    log = run_deck("collision/sphere_wall.in", {"yield_strength": 2e8}, tmp_path)
+    assert "ERROR" not in log
+
+
+def test_viscous_damping_is_the_classic_dashpot(engine_law, tmp_path):
+    """Below yield, the model with viscous_damping is the engine's own hertz that never pulls."""
+    stock = (PROJECT / "inputs/collision/two_spheres.in").read_text()
+    found = []
+    for law, settings in ((engine_law, "viscous_damping on"), ("hertz", "limitForce on")):
+        deck = stock.replace("tangential ${tangential}", f"tangential off {settings}")
+        deck = deck.replace("pair_style", f"unfix restitution\nfix {DAMPED}\npair_style", 1)
+        folder = tmp_path / law
+        folder.mkdir()
+        (folder / "deck.in").write_text(deck)
+        run_deck(folder / "deck.in", {"law": law, "speed": 5e-4}, folder)
+        found.append(measure(folder / "trajectory.dump").coefficient_of_restitution)
+    assert 0.75 < found[0] < 0.85
+    assert found[0] == pytest.approx(found[1], rel=1e-9)  # sums in another order

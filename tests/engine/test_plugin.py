@@ -1,0 +1,100 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""The plugin as a shared library: it adds models and changes nothing else."""
+
+from __future__ import annotations
+
+import os
+import re
+import subprocess
+from pathlib import Path
+
+import pytest
+
+from plastigran.collision import measure
+from plastigran.engine import PROJECT, command, environment, inputs_folder, run_deck
+
+PLUGIN = PROJECT / "build" / "libplastigran.so"
+
+
+def stock(folder: Path, preload: Path | None, **variables) -> subprocess.CompletedProcess:
+    """Run sphere_wall.in in the stock `liggghts`."""
+    deck = inputs_folder() / "collision" / "sphere_wall.in"
+    line = ["liggghts", *command(deck, variables, folder)[1:]]
+    extra = {"LD_PRELOAD": str(preload)} if preload else {}
+    return subprocess.run(
+        line, cwd=folder, env=environment() | extra, capture_output=True, text=True, errors="replace"
+    )
+
+
+def test_stock_engine_takes_the_plugin_by_preload(engine_law, tmp_path):
+    done = stock(tmp_path, PLUGIN, law=engine_law)
+    assert done.returncode == 0, done.stdout + done.stderr
+    run_deck("collision/sphere_wall.in", {"law": engine_law}, tmp_path / "launcher")
+    preloaded = measure(tmp_path / "trajectory.dump")
+    launched = measure(tmp_path / "launcher" / "trajectory.dump")
+    assert preloaded.coefficient_of_restitution == launched.coefficient_of_restitution
+
+
+def test_stock_engine_alone_does_not_know_the_models(engine_law, tmp_path):
+    done = stock(tmp_path, None, law=engine_law)
+    assert done.returncode != 0
+    assert "Invalid model specified" in done.stdout + done.stderr
+
+
+def test_plugin_exports_nothing():
+    """An exported template instance would take the place of the engine's own under LD_PRELOAD."""
+    listed = subprocess.run(
+        ["nm", "-D", "--defined-only", PLUGIN], capture_output=True, text=True, check=True
+    )
+    assert listed.stdout.strip() == ""
+
+
+def test_engine_models_are_untouched_by_the_plugin(tmp_path):
+    """Stock hertz gives the same digits with and without the plugin loaded."""
+    for name, preload in (("with", PLUGIN), ("without", None)):
+        (tmp_path / name).mkdir()
+        assert stock(tmp_path / name, preload, law="hertz").returncode == 0
+    loaded, alone = (tmp_path / name / "trajectory.dump" for name in ("with", "without"))
+    assert loaded.read_bytes() == alone.read_bytes()
+
+
+def test_engine_of_another_layout_is_refused(tmp_path):
+    """An engine that exports the superquadric atom style has larger structures: refuse to load.
+
+    A library with just that symbol stands in for such an engine.
+    """
+    source = tmp_path / "superquadric.c"
+    source.write_text("const char _ZTVN9LAMMPS_NS18AtomVecSuperquadricE[1] = {0};\n")
+    library = tmp_path / "libsuperquadric.so"
+    subprocess.run(["cc", "-shared", "-fPIC", "-o", library, source], check=True)
+    done = subprocess.run(
+        [PROJECT / "build" / "liggghts-plastigran", "-h"],
+        env=os.environ | {"LD_PRELOAD": str(library)},
+        capture_output=True,
+        text=True,
+        cwd=tmp_path,
+    )
+    assert done.returncode == 1
+    assert re.search(
+        r"compiled for a LIGGGHTS without superquadric .* this LIGGGHTS was built with them",
+        done.stderr,
+    )
+
+
+def test_engine_of_another_version_is_refused(tmp_path):
+    """The plugin compares the engine's version with the one it was compiled for."""
+    binary = PLUGIN.read_bytes()
+    version = re.search(rb"LIGGGHTS-PUBLIC [0-9.]+", binary)[0]
+    other = tmp_path / "libplastigran.so"
+    other.write_bytes(binary.replace(version, version[:-1] + b"7"))
+    done = stock(tmp_path, other, law="thornton")
+    assert done.returncode != 0
+    assert "Plastigran was compiled for LIGGGHTS-PUBLIC 3.8.7 but this engine is" in done.stdout
+    assert not (tmp_path / "trajectory.dump").exists()
+
+
+@pytest.mark.parametrize("ranks", [1, 2])
+def test_launcher_under_mpirun(ranks, tmp_path):
+    log = run_deck("collision/two_spheres.in", {}, tmp_path, ranks=ranks)
+    assert f"on {ranks} procs" in log
+    assert measure(tmp_path / "trajectory.dump").coefficient_of_restitution < 0.5

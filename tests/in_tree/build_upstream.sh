@@ -1,0 +1,82 @@
+#!/bin/sh
+# SPDX-License-Identifier: GPL-2.0-or-later
+#
+# Builds upstream LIGGGHTS with our models in its source tree, in the folder WORK. The last line on
+# stdout is the path of the binary; all else goes to stderr.
+#
+#   build_upstream.sh WORK
+#
+# What WORK holds already is kept: nothing is done while the binary is newer than our headers, and
+# changed headers are compiled anew, not the engine.
+set -eu
+exec 3>&1 1>&2
+
+fail() { printf 'ERROR: %s\n' "$*"; exit 1; }
+
+[ $# = 1 ] || fail "usage: $0 WORK"
+here=$(cd "$(dirname "$0")" && pwd)
+models=$here/../../contact_models
+mkdir -p "$1"
+work=$(cd "$1" && pwd)
+tree=$work/liggghts
+binary=$work/build/liggghts
+
+# The tarball of Debian's source package, with private lists: no root, no change to the machine.
+fetch() {
+  command -v apt-get >/dev/null || fail "apt-get is needed to download the LIGGGHTS source package"
+  # The mirror this machine uses, as "URI SUITE/COMPONENT"; without package lists, Debian's own.
+  repository=$(LC_ALL=C apt-cache policy liggghts | awk '/ Packages$/ { print $2, $3; exit }')
+  [ -n "$repository" ] ||
+    repository="http://deb.debian.org/debian $(. /etc/os-release && echo "$VERSION_CODENAME")/main"
+  distribution=${repository#* }
+
+  rm -rf "$work/apt"
+  mkdir -p "$work/apt/lists/partial" "$work/apt/cache/archives/partial"
+  printf 'deb-src [signed-by=%s] %s %s %s\n' /usr/share/keyrings/debian-archive-keyring.gpg \
+    "${repository% *}" "${distribution%/*}" "${distribution##*/}" >"$work/apt/sources.list"
+  set -- -q -o "Dir::Etc::sourcelist=$work/apt/sources.list" -o Dir::Etc::sourceparts=- \
+    -o "Dir::State::lists=$work/apt/lists" -o "Dir::Cache=$work/apt/cache"
+  cd "$work"
+  apt-get "$@" update || fail "apt-get update failed; is the network reachable?"
+  apt-get "$@" source --tar-only --download-only liggghts ||
+    fail "apt-get could not download the source of liggghts"
+  rm -rf "$work/apt"
+}
+
+unpack() {
+  [ -n "$(find "$work" -maxdepth 1 -name 'liggghts_*.orig.tar.*')" ] || fetch
+  rm -rf "$tree" "$work/build"
+  mkdir "$tree"
+  tar -x -f "$work"/liggghts_*.orig.tar.* -C "$tree" --strip-components=1
+  cd "$tree/src"
+
+  # Since C++17 `stream() << x` is a temporary, which binds to a reference to const only.
+  sed -i 's/static_cast< std::ostringstream & >/static_cast< const std::ostringstream \& >/' utils.h
+  # A pointer cannot be ordered against 0; "is there a list?" was meant.
+  sed -i 's/numneigh > 0)/numneigh != NULL)/' finish.cpp
+  # The one VTK writer that is compiled even when VTK is absent.
+  rm -f dump_mesh_vtk.cpp dump_mesh_vtk.h
+  # The combinations LIGGGHTS picks for itself; an empty list keeps its own models to the generic
+  # class and saves half a minute at each build. Ours are in the user's list.
+  : >style_contact_model.whitelist
+  touch "$tree/unpacked"
+}
+
+# Superquadrics are on as in LIGGGHTS' `make auto`, and off in Debian's package: between them the
+# plugin and this binary cover both layouts of the engine's contact data.
+build() {
+  [ -e "$work/build/build.ninja" ] ||
+    cmake -S "$tree/src" -B "$work/build" -G Ninja -Wno-dev \
+      -DCMAKE_CXX_FLAGS="-O1 -std=c++17 -w -DSUPERQUADRIC_ACTIVE_FLAG -DNONSPHERICAL_ACTIVE_FLAG" \
+      -DCMAKE_DISABLE_FIND_PACKAGE_VTK=ON -DCMAKE_DISABLE_FIND_PACKAGE_JPEG=ON
+  cmake --build "$work/build" --target liggghts_bin --parallel "$(nproc)"
+  touch "$binary"  # headers that were touched but not changed rebuild nothing
+}
+
+if [ ! -e "$binary" ] ||
+  [ -n "$(find "$models" "$here" \( -name '*.h' -o -name '*.sh' \) -newer "$binary")" ]; then
+  [ "$tree/unpacked" -nt "$here/build_upstream.sh" ] || unpack
+  "$models/in_tree/install.sh" "$tree"
+  build
+fi
+echo "$binary" >&3

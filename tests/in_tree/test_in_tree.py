@@ -1,0 +1,138 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""The in-tree route: the headers in LIGGGHTS' own sources give what the plugin gives."""
+
+import re
+import shutil
+import subprocess
+from pathlib import Path
+
+import pytest
+
+from plastigran.collision import measure
+
+HERE = Path(__file__).parent
+PROJECT = HERE.parents[1]
+INSTALL = PROJECT / "contact_models/in_tree/install.sh"
+PLUGIN = PROJECT / "build/liggghts-plastigran"
+MODELS = {
+    match[2]: match[1]
+    for header in sorted((PROJECT / "contact_models/liggghts").glob("normal_model_*.h"))
+    for match in re.finditer(r"^NORMAL_MODEL\((\w+), *(\w+),", header.read_text(), re.MULTILINE)
+}
+# Both programs compile the same headers, with other optimisation and another layout of the
+# engine's data. Rounding may differ, and some 1e4 steps may add it up to 1e-12; a property, a
+# history value or a combination that went astray changes far earlier digits.
+TOLERANCE = 1e-12
+
+
+@pytest.fixture(scope="session")
+def in_tree():
+    """Upstream LIGGGHTS with our models in its source tree."""
+    if not shutil.which("apt-get"):
+        pytest.skip("the LIGGGHTS source comes from Debian's source package; no apt-get here")
+    command = [HERE / "build_upstream.sh", PROJECT / "build/in-tree"]
+    build = subprocess.run(command, capture_output=True, text=True)
+    assert build.returncode == 0, build.stderr[-10000:]
+    return build.stdout.splitlines()[-1]
+
+
+def collide(program, deck: str, law: str, output: Path):
+    """Run a collision deck; what it did, and its log."""
+    output.mkdir()
+    log = output / "log.liggghts"
+    # No "-screen none": the engine's mesh reader writes to the screen without asking for one.
+    command = [program, "-in", PROJECT / "inputs/collision" / deck, "-log", log]
+    for name, value in {"inputs": PROJECT / "inputs", "output": output, "law": law}.items():
+        command += ["-var", name, value]
+    run = subprocess.run(command, capture_output=True, text=True)
+    assert run.returncode == 0, run.stdout[-3000:] + run.stderr[-3000:]
+    return measure(output / "trajectory.dump"), log.read_text()
+
+
+@pytest.mark.parametrize("deck", ["sphere_wall.in", "two_spheres.in", "sphere_mesh.in"])
+@pytest.mark.parametrize("law", MODELS)
+def test_restitution_is_the_plugins(in_tree, law, deck, tmp_path):
+    ours, log = collide(in_tree, deck, law, tmp_path / "in_tree")
+    plugin, _ = collide(PLUGIN, deck, law, tmp_path / "plugin")
+    assert ours.coefficient_of_restitution == pytest.approx(
+        plugin.coefficient_of_restitution, rel=TOLERANCE, abs=0
+    )
+    assert "not located in any whitelist" not in log  # compiled in, not the generic class
+
+
+@pytest.fixture
+def bare_tree(tmp_path):
+    """A folder that looks like LIGGGHTS' sources to install.sh."""
+    sources = tmp_path / "liggghts/src"
+    sources.mkdir(parents=True)
+    for name in ["Make.sh", "contact_models.h", "normal_model_base.h"]:
+        (sources / name).touch()
+    (sources / "version_liggghts.txt").write_text("3.8.0\n")
+    return sources.parent
+
+
+def install(tree: Path):
+    return subprocess.run([INSTALL, tree], capture_output=True, text=True)
+
+
+def contents(tree: Path):
+    return {p.name: (p.stat().st_mtime_ns, p.read_bytes()) for p in (tree / "src").iterdir()}
+
+
+def test_every_model_is_installed(bare_tree):
+    assert install(bare_tree).returncode == 0
+    headers = {path.name for path in (bare_tree / "src").glob("*.h")}
+    whitelist = (bare_tree / "src/style_contact_model_user.whitelist").read_text()
+    for law, identifier in MODELS.items():
+        assert {f"{law}.h", f"normal_model_{law}.h"} <= headers
+        assert whitelist.count(f"GRAN_MODEL({identifier}, ") == 9
+    assert not {"register_model.h", "plugin.cpp", "main.cpp"} & set(contents(bare_tree))
+
+
+def test_installing_twice_changes_nothing(bare_tree):
+    install(bare_tree)
+    before = contents(bare_tree)
+    assert install(bare_tree).returncode == 0
+    assert contents(bare_tree) == before
+
+
+def test_lines_of_the_user_stay(bare_tree):
+    whitelist = bare_tree / "src/style_contact_model_user.whitelist"
+    theirs = "GRAN_MODEL(HERTZ, TANGENTIAL_OFF, COHESION_OFF, ROLLING_OFF, SURFACE_DEFAULT)"
+    whitelist.write_text(theirs)  # no newline at the end
+    install(bare_tree)
+    assert whitelist.read_text().splitlines()[0] == theirs
+
+
+def test_another_folder_is_refused_by_name(tmp_path):
+    refusal = install(tmp_path)
+    assert refusal.returncode != 0
+    assert f"{tmp_path} is not a LIGGGHTS source tree" in refusal.stderr
+    assert not list(tmp_path.iterdir())
+
+
+def test_files_of_others_are_not_overwritten(bare_tree):
+    (bare_tree / "src/impact.h").write_text("// a fork's own\n")
+    before = contents(bare_tree)
+    refusal = install(bare_tree)
+    assert refusal.returncode != 0
+    assert "impact.h" in refusal.stderr
+    assert contents(bare_tree) == before
+
+
+def test_cmake_component_installs_the_same(bare_tree, tmp_path):
+    install(bare_tree)
+    by_script = {name: data for name, (_, data) in contents(bare_tree).items()}
+    other = tmp_path / "by_cmake"
+    shutil.copytree(bare_tree, other)
+    for header in (other / "src").glob("*.h"):
+        if "plastigran" in header.read_text():
+            header.unlink()
+    (other / "src/style_contact_model_user.whitelist").unlink()
+    subprocess.run(
+        ["cmake", "--install", PROJECT / "build", "--component", "in-tree"]
+        + ["--prefix", other / "src"],
+        check=True,
+        capture_output=True,
+    )
+    assert {name: data for name, (_, data) in contents(other).items()} == by_script

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <cstring>
+#include <random>
+#include <type_traits>
+
+#include "all_laws.h"
+#include "impact.h"
+#include "validate.h"
+
+using namespace plastigran;
+
+namespace {
+const MaterialPair aluminium = combine({7e10, 0.3, 1e8, 1.61}, {1e30, 0.3, 1e30, 1.61});
+}
+
+TEST_CASE_TEMPLATE("a law's state can be stored as plain doubles", Law, ALL_LAWS) {
+  CHECK(std::is_trivially_copyable_v<typename Law::State>);
+  if constexpr (Law::state_names.size() > 0)
+    CHECK(sizeof(typename Law::State) == Law::state_names.size() * sizeof(double));
+}
+
+TEST_CASE_TEMPLATE("a virgin contact's state is zeros", Law, ALL_LAWS) {
+  // The engine hands out zeroed history and zeroes it when a contact ends.
+  if constexpr (Law::state_names.size() > 0) {
+    const typename Law::State state;
+    const unsigned char zeros[sizeof state] = {};
+    CHECK(std::memcmp(&state, zeros, sizeof state) == 0);
+  }
+}
+
+TEST_CASE_TEMPLATE("asking twice changes nothing, bit for bit", Law, ALL_LAWS) {
+  const Law law(aluminium, {});
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> exponent(-9, -3);
+  for (int path = 0; path < 2000; ++path) {
+    typename Law::State state;
+    for (int step = 0; step < 10; ++step) {
+      const double overlap = std::pow(10, exponent(random));
+      law.respond(0.1, overlap, state);
+      typename Law::State before = state;
+      const Response first = law.respond(0.1, overlap, state);
+      const Response second = law.respond(0.1, overlap, state);
+      CHECK(first.force == second.force);
+      if constexpr (Law::state_names.size() > 0)
+        CHECK(std::memcmp(&before, &state, sizeof state) == 0);
+    }
+  }
+}
+
+TEST_CASE_TEMPLATE("defaults are admissible", Law, ALL_LAWS) {
+  CHECK(validate<Law>(typename Law::Parameters{}).empty());
+}
+
+TEST_CASE("Vu-Quoc-Zhang's Newton iteration converges for every admissible constant") {
+  std::mt19937 random(2);
+  std::uniform_real_distribution<double> unit(0, 1);
+  int worst = 0, tried = 0;
+  while (tried < 20000) {
+    VuQuocZhang::Parameters constants;
+    constants.contact_radius_coefficient = std::pow(10, -4 + 5 * unit(random));
+    constants.curvature_coefficient = 0.99 * std::pow(unit(random), 3);
+    if (!validate<VuQuocZhang>(constants).empty()) continue;
+    ++tried;
+    const VuQuocZhang law(aluminium, constants);
+    const double ca = constants.contact_radius_coefficient, kc = constants.curvature_coefficient;
+    // Pick the root, then look for it from anywhere between yield and itself.
+    const double root = 1 + std::pow(10, -6 + 9 * unit(random));
+    const double u = root * root * root - 1, radius = root + ca * u;
+    const double x = radius * radius / (1 + kc * u);
+    const double start = 1 + (root - 1) * unit(random);
+    int iterations = 0;
+    const double found = law.elastic_radius(x, start, iterations);
+    worst = std::max(worst, iterations);
+    REQUIRE(found == doctest::Approx(root).epsilon(1e-12));
+  }
+  CHECK(worst < 40);
+}
+
+TEST_CASE("Vu-Quoc-Zhang's admissible constants never create energy, inadmissible ones are refused") {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> unit(0, 1);
+  const double overlap_y = 0.1 * std::pow(yield_radius_ratio(aluminium), 2);
+  for (int tried = 0; tried < 3000;) {
+    VuQuocZhang::Parameters constants;
+    constants.contact_radius_coefficient = std::pow(10, -3 + 3 * unit(random));
+    constants.curvature_coefficient = 0.99 * std::pow(unit(random), 3);
+    if (!validate<VuQuocZhang>(constants).empty()) continue;
+    ++tried;
+    const VuQuocZhang law(aluminium, constants);
+    VuQuocZhang::State state;
+    double work = 0, force = 0;
+    for (double x = 1; x < 1e4; x *= 1.3) {
+      const Response response = law.respond(0.1, x * overlap_y, state);
+      REQUIRE(response.force > force);
+      REQUIRE(response.plastic_work >= work * (1 - 1e-12));
+      work = response.plastic_work, force = response.force;
+    }
+  }
+  CHECK_FALSE(VuQuocZhang::admissible({0.001, 0.1}));
+  CHECK(VuQuocZhang::admissible({0, 0}));  // Hertz
+}
