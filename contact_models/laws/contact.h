@@ -54,11 +54,11 @@ struct Response {
 // One constant of a law: how users name it and what it may be.
 template <class Parameters>
 struct Parameter {
-  const char* name;              // C++ and Python name
-  const char* property;          // LIGGGHTS `fix property/global ... peratomtypepair` name
+  const char* name;      // C++ and Python name
+  const char* property;  // LIGGGHTS `fix property/global ... peratomtypepair` name
   const char* unit;
-  double Parameters::* value;
-  double lower, upper;           // allowed range, ends included
+  double Parameters::*value;
+  double lower, upper;  // allowed range, ends included
   const char* meaning;
 };
 

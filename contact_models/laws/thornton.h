@@ -29,7 +29,8 @@ class Thornton {
  public:
   static constexpr const char* name = "thornton";
   static constexpr const char* source = "Thornton 1997, J. Appl. Mech. 64:383";
-  static constexpr const char* range = "a << R*; force too low well beyond yield (-43 % at 120 v_Y)";
+  static constexpr const char* range =
+      "a << R*; force too low well beyond yield (-43 % at 120 v_Y)";
   struct Parameters {};
   static constexpr std::array<Parameter<Parameters>, 0> parameters{};
   struct State {

@@ -78,7 +78,9 @@ class VuQuocZhang {
       int iterations;
       s = state.elastic_radius_max = elastic_radius(x, max.s, iterations);
       max = shape(s);
-    } else if (!(ahead >= -1e-14 * reached)) {  // elastic, or unloading: a_e^2 = C R* (overlap - overlap_res)
+    } else if (!(ahead >=
+                 -1e-14 *
+                     reached)) {  // elastic, or unloading: a_e^2 = C R* (overlap - overlap_res)
       const double plastic = ca_ * max.u * (2 * max.s + ca_ * max.u);
       const double s_squared = max.curvature * x - plastic;
       s = s_squared > 0 && overlap > 0 ? std::sqrt(s_squared) : 0;

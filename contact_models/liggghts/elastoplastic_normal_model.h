@@ -42,7 +42,8 @@ class ElastoplasticNormalModel : public NormalModelBase {
   static_assert(state_size == sizeof(State), "a law's State is its named doubles and nothing else");
 
  public:
-  ElastoplasticNormalModel(LAMMPS* lmp, IContactHistorySetup* owner, ContactModelBase* contact_model)
+  ElastoplasticNormalModel(LAMMPS* lmp, IContactHistorySetup* owner,
+                           ContactModelBase* contact_model)
       : NormalModelBase(lmp, owner, contact_model),
         owner_(owner),
         is_wall_(contact_model->is_wall()) {
@@ -99,15 +100,16 @@ class ElastoplasticNormalModel : public NormalModelBase {
 
     // A residual dent carries no force and so no friction, but a tangential spring needs a
     // stiffness to be released against: give it the undeformed sphere's.
-    const double contact_radius = response.force > 0 ? response.contact_radius
-                                                     : std::sqrt(radius_eff * contact.deltan);
+    const double contact_radius =
+        response.force > 0 ? response.contact_radius : std::sqrt(radius_eff * contact.deltan);
     contact.kt = 8 * shear_moduli_[pair] * contact_radius;
     contact.kn = contact.deltan > 0 ? response.force / contact.deltan : 0;  // secant
     contact.gamman = contact.gammat = 0;
     double force = response.force;
     if (viscous_damping_) {
       // Tsuji, Tanaka & Ishida 1992 (Powder Technol. 71:239) with the law's own contact radius.
-      const double beta = -1.8257418583505538 * damping_[contact.itype][contact.jtype];  // 2 sqrt(5/6)
+      const double beta =
+          -1.8257418583505538 * damping_[contact.itype][contact.jtype];  // 2 sqrt(5/6)
       contact.gamman = beta * std::sqrt(2 * moduli_[pair] * contact_radius * contact.meff);
       contact.gammat = beta * std::sqrt(contact.kt * contact.meff);
       force = std::max(0.0, force - contact.gamman * contact.vn);
@@ -152,8 +154,8 @@ class ElastoplasticNormalModel : public NormalModelBase {
       return static_cast<FixPropertyGlobal*>(modify->find_fix_property(
           name, "property/global", any_shape, n, m, caller().c_str(), required));
     };
-    const bool given = find("scalar", 0, 0, false) || find("vector", 0, 0, false) ||
-                       find("matrix", 0, 0, false);
+    const bool given =
+        find("scalar", 0, 0, false) || find("vector", 0, 0, false) || find("matrix", 0, 0, false);
     return given ? find(shape, rows, columns, true) : nullptr;
   }
 
@@ -243,8 +245,7 @@ class ElastoplasticNormalModel : public NormalModelBase {
         if (!(speed > 0)) continue;
         const auto reduced = [this](double a, double b) { return is_wall_ ? a : a * b / (a + b); };
         const double recommended = plastigran::recommended_time_step(
-            laws_[index(i, j)], reduced(radius[i], radius[j]),
-            reduced(mass[i], mass[j]), speed);
+            laws_[index(i, j)], reduced(radius[i], radius[j]), reduced(mass[i], mass[j]), speed);
         if (recommended < step) step = recommended, speed_at_step = speed;
       }
     if (update->dt <= step || comm->me != 0) return;

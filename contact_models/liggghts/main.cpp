@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
 // liggghts-plastigran: stock LIGGGHTS with the contact laws of libplastigran loaded. Same command
-// line as `liggghts`; one check more: a `-var` the deck never mentions is a misspelling, not a no-op.
+// line as `liggghts`; one check more: a `-var` the deck never mentions is a misspelling, not a
+// no-op.
 #include <mpi.h>
 #include <signal.h>
 
@@ -85,7 +86,8 @@ std::string check_command_line(int argc, char** argv) {
   Deck deck;
   std::vector<std::string> given;
   for (int i = 1; i + 1 < argc; ++i) {
-    if (!std::strcmp(argv[i], "-in") || !std::strcmp(argv[i], "-i")) path = argv[++i];
+    if (!std::strcmp(argv[i], "-in") || !std::strcmp(argv[i], "-i"))
+      path = argv[++i];
     else if ((!std::strcmp(argv[i], "-var") || !std::strcmp(argv[i], "-v")) && i + 2 < argc) {
       given.push_back(argv[i + 1]);
       deck.values[argv[i + 1]] = argv[i + 2];

@@ -62,9 +62,9 @@ std::map<std::string, Output> follow(const Law& law, double radius_eff, Input ov
   const std::size_t n = overlap.shape(0);
   static constexpr const char* names[] = {"force", "contact_radius", "elastic_energy",
                                           "plastic_work"};
-  static constexpr double Response::* members[] = {&Response::force, &Response::contact_radius,
-                                                   &Response::elastic_energy,
-                                                   &Response::plastic_work};
+  static constexpr double Response::*members[] = {&Response::force, &Response::contact_radius,
+                                                  &Response::elastic_energy,
+                                                  &Response::plastic_work};
   double* columns[4];
   std::map<std::string, Output> table;
   for (int c = 0; c < 4; ++c) {
@@ -91,56 +91,73 @@ void bind_law(nb::module_& module, const char* class_name) {
   nb::class_<State> state(law, "State", "History of one contact: zeros for a virgin one.");
   state.def(nb::init<>());
   state.def("copy", [](const State& self) { return State(self); });
-  state.def("values", [](const State& self) {
-    std::vector<double> values(Law::state_names.size());
-    std::copy_n(reinterpret_cast<const double*>(&self), values.size(), values.begin());
-    return values;
-  }, "The state as a list of floats, in the order of `state_names`.");
+  state.def(
+      "values",
+      [](const State& self) {
+        std::vector<double> values(Law::state_names.size());
+        std::copy_n(reinterpret_cast<const double*>(&self), values.size(), values.begin());
+        return values;
+      },
+      "The state as a list of floats, in the order of `state_names`.");
 
-  law.def("__init__", [](Law* self, const MaterialPair& pair, const nb::kwargs& constants) {
-    new (self) Law(pair, parse_constants<Law>(constants));
-  }, "pair"_a, "constants"_a,
-     "A law between two bodies. Keyword arguments are the law's own constants (see "
-     "`parameters()`).\n\nRaises ValueError naming the property, value and allowed range.");
-  law.def("respond", [](const Law& self, double radius_eff, double overlap, State& history) {
-    require_positive("radius_eff", radius_eff, "m");
-    return self.respond(radius_eff, overlap, history);
-  }, "radius_eff"_a, "overlap"_a, "state"_a,
-     "Response at one overlap [m]; `state` moves on when a new extreme is reached.");
+  law.def(
+      "__init__",
+      [](Law* self, const MaterialPair& pair, const nb::kwargs& constants) {
+        new (self) Law(pair, parse_constants<Law>(constants));
+      },
+      "pair"_a, "constants"_a,
+      "A law between two bodies. Keyword arguments are the law's own constants (see "
+      "`parameters()`).\n\nRaises ValueError naming the property, value and allowed range.");
+  law.def(
+      "respond",
+      [](const Law& self, double radius_eff, double overlap, State& history) {
+        require_positive("radius_eff", radius_eff, "m");
+        return self.respond(radius_eff, overlap, history);
+      },
+      "radius_eff"_a, "overlap"_a, "state"_a,
+      "Response at one overlap [m]; `state` moves on when a new extreme is reached.");
   law.def("follow", &follow<Law>, "radius_eff"_a, "overlap"_a, "state"_a,
           "Responses along a path of overlaps, (N,) float64 [m]: a dict of (N,) arrays force [N], "
           "contact_radius [m], elastic_energy [J], plastic_work [J]. `state` moves along.");
-  law.def("central_impact", [](const Law& self, double radius_eff, double mass_eff, double speed) {
-    require_positive("radius_eff", radius_eff, "m");
-    require_positive("mass_eff", mass_eff, "kg");
-    require_positive("speed", speed, "m/s");
-    return central_impact(self, radius_eff, mass_eff, speed);
-  }, "radius_eff"_a, "mass_eff"_a, "speed"_a,
-     "Central impact at a relative speed [m/s], from the law's energies.");
-  law.def("recommended_time_step",
-          [](const Law& self, double radius_eff, double mass_eff, double speed) {
-    require_positive("radius_eff", radius_eff, "m");
-    require_positive("mass_eff", mass_eff, "kg");
-    require_positive("speed", speed, "m/s");
-    return recommended_time_step(self, radius_eff, mass_eff, speed);
-  }, "radius_eff"_a, "mass_eff"_a, "speed"_a,
-     "Time step [s] that resolves the rebound of such an impact to 1e-3 in restitution.");
-  law.def_static("parameters", [] {
-    nb::list table;
-    const typename Law::Parameters defaults;
-    for (const auto& p : Law::parameters) {
-      nb::dict row;
-      row["name"] = p.name;
-      row["property"] = p.property;
-      row["unit"] = p.unit;
-      row["default"] = defaults.*p.value;
-      row["lower"] = p.lower;
-      row["upper"] = p.upper;
-      row["meaning"] = p.meaning;
-      table.append(row);
-    }
-    return table;
-  }, "The law's own constants: name, LIGGGHTS property, unit, default, range, meaning.");
+  law.def(
+      "central_impact",
+      [](const Law& self, double radius_eff, double mass_eff, double speed) {
+        require_positive("radius_eff", radius_eff, "m");
+        require_positive("mass_eff", mass_eff, "kg");
+        require_positive("speed", speed, "m/s");
+        return central_impact(self, radius_eff, mass_eff, speed);
+      },
+      "radius_eff"_a, "mass_eff"_a, "speed"_a,
+      "Central impact at a relative speed [m/s], from the law's energies.");
+  law.def(
+      "recommended_time_step",
+      [](const Law& self, double radius_eff, double mass_eff, double speed) {
+        require_positive("radius_eff", radius_eff, "m");
+        require_positive("mass_eff", mass_eff, "kg");
+        require_positive("speed", speed, "m/s");
+        return recommended_time_step(self, radius_eff, mass_eff, speed);
+      },
+      "radius_eff"_a, "mass_eff"_a, "speed"_a,
+      "Time step [s] that resolves the rebound of such an impact to 1e-3 in restitution.");
+  law.def_static(
+      "parameters",
+      [] {
+        nb::list table;
+        const typename Law::Parameters defaults;
+        for (const auto& p : Law::parameters) {
+          nb::dict row;
+          row["name"] = p.name;
+          row["property"] = p.property;
+          row["unit"] = p.unit;
+          row["default"] = defaults.*p.value;
+          row["lower"] = p.lower;
+          row["upper"] = p.upper;
+          row["meaning"] = p.meaning;
+          table.append(row);
+        }
+        return table;
+      },
+      "The law's own constants: name, LIGGGHTS property, unit, default, range, meaning.");
   law.attr("name") = Law::name;
   law.attr("source") = Law::source;
   law.attr("range") = Law::range;

@@ -12,7 +12,8 @@
 
 namespace plastigran {
 
-inline std::string complaint(const std::string& property, double value, const std::string& allowed) {
+inline std::string complaint(const std::string& property, double value,
+                             const std::string& allowed) {
   std::ostringstream text;
   text << property << " is " << value << "; it must be " << allowed;
   return text.str();

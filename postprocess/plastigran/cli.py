@@ -162,7 +162,10 @@ def parser() -> argparse.ArgumentParser:
         )
         command.add_argument("--radius", type=positive, default=0.1, help="m, default 0.1")
         command.add_argument(
-            "--geometry", choices=list(GEOMETRIES), default="sphere_wall", help="default sphere_wall"
+            "--geometry",
+            choices=list(GEOMETRIES),
+            default="sphere_wall",
+            help="default sphere_wall",
         )
 
     impact = commands.add_parser("impact", help="run collisions in the engine, table and figures")

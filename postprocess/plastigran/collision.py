@@ -102,14 +102,14 @@ def measure(trajectory: str | Path | pd.DataFrame) -> Collision:
     if not isinstance(trajectory, pd.DataFrame):
         trajectory = read_dump(trajectory)
     loop = force_overlap_loop(trajectory)
-    time, overlap, force, speed = (loop[c].to_numpy() for c in ("time", "overlap", "force", "speed"))
+    time, overlap, force, speed = (
+        loop[c].to_numpy() for c in ("time", "overlap", "force", "speed")
+    )
     loaded = np.flatnonzero(force > 0)
     if loaded.size == 0:
         raise CollisionError("the bodies never touch")
     if loaded[-1] == len(loop) - 1 or speed[-1] >= 0:
-        raise CollisionError(
-            f"still in contact at the last frame (t = {time[-1]:g} s); run longer"
-        )
+        raise CollisionError(f"still in contact at the last frame (t = {time[-1]:g} s); run longer")
     start, last = loaded[0], loaded[-1]
     if start == 0:
         raise CollisionError("already in contact at the first frame")
@@ -137,7 +137,7 @@ def measure(trajectory: str | Path | pd.DataFrame) -> Collision:
 
 
 def _crossing(time, value, rate, k: int, level: float) -> float:
-    """Time in [time[k], time[k+1]] at which `value` passes `level`, from its value and rate at k."""
+    """Time after time[k] at which `value` passes `level`, from its value and rate at k."""
     return time[k] + (level - value[k]) / rate[k]
 
 

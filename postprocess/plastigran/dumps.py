@@ -204,7 +204,9 @@ def contact_columns(kind: str, fields: list[str], total: int) -> list[str]:
         else:
             names += columns
     if len(names) != total:
-        raise DumpError(f"fields {' '.join(fields)} make {len(names)} columns, the file has {total}")
+        raise DumpError(
+            f"fields {' '.join(fields)} make {len(names)} columns, the file has {total}"
+        )
     return names
 
 

@@ -147,7 +147,7 @@ def row(impact: Impact, collision: Collision) -> dict[str, object]:
         "loading_time": collision.loading_time,
         "contact_time": collision.contact_time,
         "time_step": impact.time_step(),
-        "steps": int(round(collision.contact_time / impact.time_step())),
+        "steps": round(collision.contact_time / impact.time_step()),
     }
 
 
@@ -184,7 +184,7 @@ def sweep(
     failure: Exception | None = None
     with ThreadPoolExecutor(jobs or os.cpu_count()) as pool:
         waiting = {pool.submit(run, impact): impact for impact in impacts}
-        bar = tqdm(total=len(impacts), unit="impact", disable=not progress)
+        bar = tqdm(total=len(impacts), unit="impact", disable=None if progress else True)
         for done in as_completed(waiting):
             impact = waiting[done]
             bar.update()

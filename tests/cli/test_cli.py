@@ -100,7 +100,10 @@ def test_finished_impacts_survive_a_failure(tmp_path, capsys):
 
 def test_console_script():
     done = subprocess.run(
-        [sys.executable, "-m", "plastigran.cli", "--help"], capture_output=True, text=True, check=True
+        [sys.executable, "-m", "plastigran.cli", "--help"],
+        capture_output=True,
+        text=True,
+        check=True,
     )
     for command in ("impact", "laws", "timestep", "demo"):
         assert command in done.stdout

@@ -149,7 +149,9 @@ def test_unequal_bodies_in_either_order(engine_law, tmp_path):
     assert len(loops[0]) == len(loops[1])
     # Mirrored sums round differently, 1e-16 of a position, 1e-12 of the overlap.
     scale = loops[0]["force"].max()
-    assert loops[1]["force"].to_numpy() == pytest.approx(loops[0]["force"].to_numpy(), abs=1e-8 * scale)
+    assert loops[1]["force"].to_numpy() == pytest.approx(
+        loops[0]["force"].to_numpy(), abs=1e-8 * scale
+    )
 
     soft, hard = laws.Material(7e10, 0.33, 1e8), laws.Material(2.1e11, 0.28, 9e8)
     law = laws.LAWS[engine_law](laws.combine(soft, hard))
@@ -187,7 +189,7 @@ def test_wall_is_a_huge_sphere(engine_law, aluminium, tmp_path):
 
 
 def test_unyielding_model_is_the_engines_hertz(engine_law, tmp_path):
-    """Yield strength to infinity: every step of an oblique, spinning impact as stock hertz, undamped.
+    """Yield strength to infinity: every step of an oblique impact as undamped stock hertz.
 
     1e-10 after 200 steps: the two write 4/3 E* sqrt(R* d) d in different orders.
     """

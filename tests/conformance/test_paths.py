@@ -19,9 +19,7 @@ PAIRS = {
     "aluminium on rigid": laws.combine(
         laws.Material(7e10, 0.3, 1e8, 1.61), laws.Material(1e30, 0.3, 1e30, 1.61)
     ),
-    "polymer on steel": laws.combine(
-        laws.Material(2e9, 0.4, 5e7), laws.Material(2.1e11, 0.3, 3e8)
-    ),
+    "polymer on steel": laws.combine(laws.Material(2e9, 0.4, 5e7), laws.Material(2.1e11, 0.3, 3e8)),
 }
 REACH = 500  # overlaps at yield: some 100 forces at yield and more
 
@@ -124,7 +122,9 @@ def test_answer_does_not_depend_on_how_often_it_is_asked(law_name, turns, repeat
         for turn in turns:
             direct = law.respond(RADIUS, turn * overlap_y, coarse)
         assert direct.force == pytest.approx(once.force, rel=1e-12, abs=1e-11 * peak)
-        assert direct.plastic_work == pytest.approx(once.plastic_work, rel=1e-10, abs=1e-12 * peak * overlap_y)
+        assert direct.plastic_work == pytest.approx(
+            once.plastic_work, rel=1e-10, abs=1e-12 * peak * overlap_y
+        )
 
 
 @given(top=st.floats(1e-3, REACH), low=st.floats(0, 1))

@@ -117,7 +117,9 @@ def test_unknown_law(tmp_path):
 
 def test_misspelt_deck_variable(tmp_path):
     """The launcher names the variable, the deck and what the deck takes."""
-    with pytest.raises(EngineError, match=r"-var sped: .*sphere_wall.in has no such variable") as no:
+    with pytest.raises(
+        EngineError, match=r"-var sped: .*sphere_wall.in has no such variable"
+    ) as no:
         run_deck("collision/sphere_wall.in", {"sped": 0.1}, tmp_path)
     assert "it takes law speed radius material timestep" in str(no.value)
 

@@ -22,7 +22,12 @@ def stock(folder: Path, preload: Path | None, **variables) -> subprocess.Complet
     line = ["liggghts", *command(deck, variables, folder)[1:]]
     extra = {"LD_PRELOAD": str(preload)} if preload else {}
     return subprocess.run(
-        line, cwd=folder, env=environment() | extra, capture_output=True, text=True, errors="replace"
+        line,
+        cwd=folder,
+        env=environment() | extra,
+        capture_output=True,
+        text=True,
+        errors="replace",
     )
 
 

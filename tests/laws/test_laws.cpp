@@ -80,7 +80,8 @@ TEST_CASE("Vu-Quoc-Zhang's Newton iteration converges for every admissible const
   CHECK(worst < 40);
 }
 
-TEST_CASE("Vu-Quoc-Zhang's admissible constants never create energy, inadmissible ones are refused") {
+TEST_CASE(
+    "Vu-Quoc-Zhang's admissible constants never create energy, inadmissible ones are refused") {
   std::mt19937 random(3);
   std::uniform_real_distribution<double> unit(0, 1);
   const double overlap_y = 0.1 * std::pow(yield_radius_ratio(aluminium), 2);

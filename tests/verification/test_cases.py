@@ -52,7 +52,9 @@ def test_engine_at_the_recommended_step(case, geometry, tmp_path):
     )
     assert found.force_max == pytest.approx(row.force_max, rel=2e-3)
     assert found.overlap_max == pytest.approx(factor * row.overlap_max, rel=2e-3)
-    assert found.overlap_res == pytest.approx(factor * row.overlap_res, rel=2e-3, abs=1e-5 * row.overlap_max)
+    assert found.overlap_res == pytest.approx(
+        factor * row.overlap_res, rel=2e-3, abs=1e-5 * row.overlap_max
+    )
     if row.contact_time == row.contact_time:  # given
         assert found.contact_time == pytest.approx(row.contact_time, rel=2e-3)
 

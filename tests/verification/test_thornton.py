@@ -33,9 +33,7 @@ def test_slope_is_continuous_at_yield(paper_pair):
 
     def slope(overlap):
         step = 1e-6 * overlap_y
-        force = [
-            law.respond(0.1, overlap + k * step, laws.Thornton.State()).force for k in (-1, 1)
-        ]
+        force = [law.respond(0.1, overlap + k * step, laws.Thornton.State()).force for k in (-1, 1)]
         return (force[1] - force[0]) / (2 * step)
 
     expected = np.pi * paper_pair.yield_pressure * 0.1

@@ -64,7 +64,9 @@ def test_default_constants_are_the_papers():
     """C_a = 2.33e-7 m/N and K_c = 2.69e-4 1/N on this sphere, to the digits kept in the header."""
     yield_radius = elastic_radius(P_Y)
     defaults = {p["name"]: p["default"] for p in laws.VuQuocZhang.parameters()}
-    assert defaults["contact_radius_coefficient"] == pytest.approx(C_A * P_Y / yield_radius, rel=1e-6)
+    assert defaults["contact_radius_coefficient"] == pytest.approx(
+        C_A * P_Y / yield_radius, rel=1e-6
+    )
     assert defaults["curvature_coefficient"] == pytest.approx(K_C * P_Y, rel=1e-6)
 
 
@@ -105,7 +107,9 @@ def test_plastic_work_by_quadrature(law):
         force = ratio * P_Y
         overlap = virgin_overlap(force)
         # Integration by parts keeps the integrand explicit: F d - int d dF.
-        complementary = quad(virgin_overlap, 0, force, points=[P_Y], epsabs=0, epsrel=1e-13, limit=500)
+        complementary = quad(
+            virgin_overlap, 0, force, points=[P_Y], epsabs=0, epsrel=1e-13, limit=500
+        )
         work = force * overlap - complementary[0]
         response = law.respond(RADIUS, overlap, laws.VuQuocZhang.State())
         assert response.elastic_energy + response.plastic_work == pytest.approx(work, rel=1e-6)
