@@ -6,8 +6,8 @@
 #
 #   build_upstream.sh WORK
 #
-# What WORK holds already is kept: nothing is done while the binary is newer than our headers, and
-# changed headers are compiled anew, not the engine.
+# What WORK holds already is kept: nothing is done while our headers are older than the last build,
+# and changed headers are compiled anew, not the engine.
 set -eu
 exec 3>&1 1>&2
 
@@ -19,7 +19,6 @@ models=$here/../../contact_models
 mkdir -p "$1"
 work=$(cd "$1" && pwd)
 tree=$work/liggghts
-binary=$work/build/liggghts
 
 # The tarball of Debian's source package, with private lists: no root, no change to the machine.
 fetch() {
@@ -70,13 +69,15 @@ build() {
       -DCMAKE_CXX_FLAGS="-O1 -std=c++17 -w -DSUPERQUADRIC_ACTIVE_FLAG -DNONSPHERICAL_ACTIVE_FLAG" \
       -DCMAKE_DISABLE_FIND_PACKAGE_VTK=ON -DCMAKE_DISABLE_FIND_PACKAGE_JPEG=ON
   cmake --build "$work/build" --target liggghts_bin --parallel "$(nproc)"
-  touch "$binary"  # headers that were touched but not changed rebuild nothing
 }
 
-if [ ! -e "$binary" ] ||
-  [ -n "$(find "$models" "$here" \( -name '*.h' -o -name '*.sh' \) -newer "$binary")" ]; then
+# The stamp is as old as the start of the build it tells of: an edit during a build is not lost.
+if [ ! -e "$work/built" ] ||
+  [ -n "$(find "$models" "$here" \( -name '*.h' -o -name '*.sh' \) -newer "$work/built")" ]; then
+  touch "$work/begun"
   [ "$tree/unpacked" -nt "$here/build_upstream.sh" ] || unpack
   "$models/in_tree/install.sh" "$tree"
   build
+  mv "$work/begun" "$work/built"
 fi
-echo "$binary" >&3
+echo "$work/build/liggghts" >&3

@@ -129,10 +129,6 @@ def test_cmake_component_installs_the_same(bare_tree, tmp_path):
         if "plastigran" in header.read_text():
             header.unlink()
     (other / "src/style_contact_model_user.whitelist").unlink()
-    subprocess.run(
-        ["cmake", "--install", PROJECT / "build", "--component", "in-tree"]
-        + ["--prefix", other / "src"],
-        check=True,
-        capture_output=True,
-    )
+    component = ["cmake", "--install", PROJECT / "build", "--component", "in-tree"]
+    subprocess.run([*component, "--prefix", other / "src"], check=True, capture_output=True)
     assert {name: data for name, (_, data) in contents(other).items()} == by_script

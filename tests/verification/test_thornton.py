@@ -39,3 +39,16 @@ def test_slope_is_continuous_at_yield(paper_pair):
     expected = np.pi * paper_pair.yield_pressure * 0.1
     assert slope(overlap_y * (1 - 2e-6)) == pytest.approx(expected, rel=1e-5)
     assert slope(overlap_y * (1 + 2e-6)) == pytest.approx(expected, rel=1e-5)
+
+
+def test_contact_radius(paper_pair):
+    """a^2 = R* overlap on the virgin curve; the area at the maximum shrinks linearly to nothing."""
+    law, state = laws.Thornton(paper_pair), laws.Thornton.State()
+    overlap = 30 * 0.1 * laws.yield_radius_ratio(paper_pair) ** 2
+    peak = law.respond(0.1, overlap, state)
+    assert peak.contact_radius == pytest.approx(np.sqrt(0.1 * overlap), rel=1e-13)
+    recovery = 3 * peak.force / (4 * paper_pair.youngs_modulus_eff * peak.contact_radius)
+    for x in (0.9, 0.5, 0.1):
+        found = law.respond(0.1, overlap - (1 - x) * recovery, state)
+        assert found.contact_radius == pytest.approx(peak.contact_radius * np.sqrt(x), rel=1e-9)
+        assert found.force == pytest.approx(peak.force * x**1.5, rel=1e-9)
