@@ -35,11 +35,13 @@ fetch() {
     "${repository% *}" "${distribution%/*}" "${distribution##*/}" >"$work/apt/sources.list"
   set -- -q -o "Dir::Etc::sourcelist=$work/apt/sources.list" -o Dir::Etc::sourceparts=- \
     -o "Dir::State::lists=$work/apt/lists" -o "Dir::Cache=$work/apt/cache"
-  cd "$work"
+  cd "$work/apt"
   apt-get "$@" update || fail "apt-get update failed; is the network reachable?"
   apt-get "$@" source --tar-only --download-only liggghts ||
     fail "apt-get could not download the source of liggghts"
-  rm -rf "$work/apt"
+  mv liggghts_*.orig.tar.* "$work"
+  cd "$work"
+  rm -r apt
 }
 
 unpack() {
@@ -61,6 +63,15 @@ unpack() {
   touch "$tree/unpacked"
 }
 
+# Brings our headers in the tree up to date; a model that left the project leaves the tree too.
+install_models() {
+  for header in $(cd "$tree/src" && grep -l plastigran ./*.h); do
+    [ -n "$(find "$models" -name "${header##*/}")" ] || rm "$tree/src/$header"
+  done
+  rm -f "$tree/src/style_contact_model_user.whitelist"
+  "$models/in_tree/install.sh" "$tree"
+}
+
 # Superquadrics are on as in LIGGGHTS' `make auto`, and off in Debian's package: between them the
 # plugin and this binary cover both layouts of the engine's contact data.
 build() {
@@ -68,6 +79,8 @@ build() {
     cmake -S "$tree/src" -B "$work/build" -G Ninja -Wno-dev \
       -DCMAKE_CXX_FLAGS="-O1 -std=c++17 -w -DSUPERQUADRIC_ACTIVE_FLAG -DNONSPHERICAL_ACTIVE_FLAG" \
       -DCMAKE_DISABLE_FIND_PACKAGE_VTK=ON -DCMAKE_DISABLE_FIND_PACKAGE_JPEG=ON
+  # By themselves first: ninja does not look again at headers that a step of the same run rewrote.
+  cmake --build "$work/build" --target GenerateHeaders
   cmake --build "$work/build" --target liggghts_bin --parallel "$(nproc)"
 }
 
@@ -76,7 +89,7 @@ if [ ! -e "$work/built" ] ||
   [ -n "$(find "$models" "$here" \( -name '*.h' -o -name '*.sh' \) -newer "$work/built")" ]; then
   touch "$work/begun"
   [ "$tree/unpacked" -nt "$here/build_upstream.sh" ] || unpack
-  "$models/in_tree/install.sh" "$tree"
+  install_models
   build
   mv "$work/begun" "$work/built"
 fi

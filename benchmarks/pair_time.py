@@ -1,0 +1,179 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""What a law costs: time of the pair forces over that of LIGGGHTS' own `hertz`.
+
+One bed of 20 000 spheres is made once (bed.in, kept in build/bench) and compressed and half
+released along given paths (pair_time.in), so that every law sees the same contacts at every step.
+It is done with a yield strength at which nearly all contacts are plastic and with one at which none
+is. All laws run once per round, in an order that turns from round to round; a law's ratio is taken
+within each round, so that slow changes of the machine's speed cancel. `hertz` runs twice per round:
+the ratio of the two is the noise.
+
+The reference is stock `hertz` with restitution 0.6, with `tangential history` as everywhere here;
+it computes a viscous damping that the laws do not have.
+
+    .venv/bin/python benchmarks/pair_time.py --repeats 5 --law thornton
+
+Times depend on the machine, ratios far less; only ratios are reported.
+"""
+
+from __future__ import annotations
+
+import argparse
+import re
+from pathlib import Path
+
+import pandas as pd
+from tqdm import tqdm
+
+from plastigran.dumps import read_contacts
+from plastigran.engine import PROJECT, EngineError, engine_path, run_deck
+
+HERE = Path(__file__).resolve().parent
+WORK = PROJECT / "build" / "bench"
+RESULTS = PROJECT / "results" / "bench" / "pair_time.csv"
+
+REFERENCE, CONTROL = "hertz", "hertz again"
+YIELD_STRENGTH = {"plastic": 3.0e8, "elastic": 1.0e13}  # Pa
+PHASES = ("compression", "release")
+
+
+def known_laws() -> list[str]:
+    """Names of the laws in the engine: one per normal_model_<law>.h."""
+    headers = (PROJECT / "contact_models" / "liggghts").glob("normal_model_*.h")
+    return sorted(header.stem.removeprefix("normal_model_") for header in headers)
+
+
+def make_bed() -> Path:
+    """The bed's data file, made when missing or older than its deck."""
+    deck, bed = HERE / "bed.in", WORK / "bed.data"
+    if not bed.exists() or bed.stat().st_mtime < deck.stat().st_mtime:
+        print("making the bed (half a minute, once) ...", flush=True)
+        run_deck(deck, {}, WORK)
+    return bed
+
+
+def run_bed(law: str, state: str, bed: Path, steps: int, count: bool = False) -> str:
+    """Take a law through the bed's path; returns the log."""
+    variables = {
+        "law": law,
+        "yield_strength": YIELD_STRENGTH[state],
+        "steps": steps,
+        "count": int(count),
+        "bed": bed,
+    }
+    return run_deck(HERE / "pair_time.in", variables, WORK / "run")
+
+
+def pair_times(log: str) -> list[float]:
+    """Time in the pair forces of each phase [s], from the engine's own timers."""
+    times = [float(time) for time in re.findall(r"^Pair  time \(%\) = (\S+)", log, re.MULTILINE)]
+    if len(times) != len(PHASES):
+        raise EngineError(f"the log has {len(times)} pair times instead of {len(PHASES)}")
+    return times
+
+
+def count_contacts(law: str, state: str, bed: Path, steps: int) -> dict[str, object]:
+    """Contacts carrying force at full compression, and the share of them that has yielded.
+
+    A law's state is zero until first yield and comes first in the contact history.
+    """
+    run_bed(law, state, bed, steps, count=True)
+    contacts = read_contacts(WORK / "run" / "contacts.dump").query("step == @steps")
+    share = 0.0 if law == REFERENCE else (contacts["history_1"] > 0).mean()
+    return {"state": state, "law": law, "contacts": len(contacts), "plastic_share": share}
+
+
+def measure(laws: list[str], bed: Path, steps: int, repeats: int) -> pd.DataFrame:
+    """Pair times of all laws in all rounds.
+
+    Args:
+        laws: Their names.
+        bed: Data file of the spheres.
+        steps: Time steps of each phase.
+        repeats: Rounds; a round is one run of every law and two of the reference, in both states.
+
+    Returns:
+        One row per run and phase: round, state, law, phase, time [s].
+    """
+    contenders = [REFERENCE, *laws, CONTROL]
+    rows = []
+    runs = tqdm(total=repeats * len(YIELD_STRENGTH) * len(contenders), unit="run")
+    for round_ in range(repeats):
+        for state in YIELD_STRENGTH:
+            turn = round_ % len(contenders)
+            for law in contenders[turn:] + contenders[:turn]:
+                log = run_bed(REFERENCE if law == CONTROL else law, state, bed, steps)
+                for phase, time in zip(PHASES, pair_times(log), strict=True):
+                    rows.append((round_, state, law, phase, time))
+                runs.update()
+    runs.close()
+    return pd.DataFrame(rows, columns=["round", "state", "law", "phase", "time"])
+
+
+def summarize(times: pd.DataFrame) -> pd.DataFrame:
+    """Ratio to the reference of the same round: median and quartiles, by state, law and phase."""
+    both = times.groupby(["round", "state", "law"], as_index=False)["time"].sum()
+    times = pd.concat([times, both.assign(phase="both")])
+    wide = times.pivot(index=["state", "phase", "round"], columns="law", values="time")
+    ratio = wide.div(wide[REFERENCE], axis=0).drop(columns=REFERENCE).stack().rename("ratio")
+    quartiles = ratio.groupby(["state", "law", "phase"]).quantile([0.25, 0.5, 0.75]).unstack()
+    quartiles.columns = ["ratio_q25", "ratio", "ratio_q75"]
+    return quartiles.reset_index()
+
+
+def report(table: pd.DataFrame) -> str:
+    """The table to print: one row per state and law, one column per phase."""
+    text = table.assign(
+        cell=[
+            f"{row.ratio:.2f} ({row.ratio_q25:.2f}-{row.ratio_q75:.2f})"
+            for row in table.itertuples()
+        ]
+    )
+    wide = text.pivot(
+        index=["state", "law", "contacts", "plastic_share"], columns="phase", values="cell"
+    )[["both", *PHASES]].reset_index()
+    wide["plastic_share"] = wide["plastic_share"].map("{:.1%}".format)
+    order = {state: k for k, state in enumerate(YIELD_STRENGTH)}
+    wide = wide.sort_values("state", key=lambda column: column.map(order), kind="stable")
+    return wide.rename_axis(columns=None).to_string(index=False)
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=(__doc__ or "").splitlines()[0])
+    parser.add_argument("--law", nargs="+", default=known_laws(), help="default: all")
+    parser.add_argument("--repeats", type=int, default=12, help="rounds (default: %(default)s)")
+    parser.add_argument(
+        "--steps", type=int, default=200, help="time steps of each phase (default: %(default)s)"
+    )
+    options = parser.parse_args()
+    if options.repeats < 1 or options.steps < 1:
+        parser.error("--repeats and --steps must be at least 1")
+    engine_path()
+
+    bed = make_bed()
+    counts = pd.DataFrame(
+        count_contacts(law, state, bed, options.steps)
+        for state in YIELD_STRENGTH
+        for law in [REFERENCE, *options.law]
+    )
+    again = counts[counts["law"] == REFERENCE].assign(law=CONTROL)
+    table = summarize(measure(options.law, bed, options.steps, options.repeats))
+    table = table.merge(pd.concat([counts, again]), on=["state", "law"])
+    table["repeats"], table["steps"] = options.repeats, options.steps
+
+    RESULTS.parent.mkdir(parents=True, exist_ok=True)
+    table.to_csv(RESULTS, index=False, float_format="%.4f")
+    print(f"\npair time over that of stock {REFERENCE}: median (quartiles) of {options.repeats}\n")
+    print(report(table))
+    control = table.loc[table["law"] == CONTROL, ["ratio_q25", "ratio_q75"]]
+    noise = (control - 1).abs().max(axis=None)
+    print(f"\n'{CONTROL}' over {REFERENCE} should be 1; its quartiles are off by up to {noise:.0%}")
+    print(f"wrote {RESULTS.relative_to(PROJECT)}")
+
+
+if __name__ == "__main__":
+    try:
+        main()
+    except EngineError as error:
+        raise SystemExit(f"ERROR: {error}") from None
