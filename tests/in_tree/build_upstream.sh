@@ -51,7 +51,7 @@ unpack() {
   tar -x -f "$work"/liggghts_*.orig.tar.* -C "$tree" --strip-components=1
   cd "$tree/src"
 
-  # Since C++17 `stream() << x` is a temporary, which binds to a reference to const only.
+  # Since g++ 11 `stream() << x` is a temporary, which binds to a reference to const only.
   sed -i 's/static_cast< std::ostringstream & >/static_cast< const std::ostringstream \& >/' utils.h
   # A pointer cannot be ordered against 0; "is there a list?" was meant.
   sed -i 's/numneigh > 0)/numneigh != NULL)/' finish.cpp
