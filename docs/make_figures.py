@@ -7,13 +7,14 @@ Run it with `./run figures`; the files in docs/figures are its output.
 from __future__ import annotations
 
 import tempfile
+from itertools import pairwise
 from pathlib import Path
 
 import numpy as np
 
 from plastigran import figures, laws, theory
 from plastigran.figures import STYLE, plt, save, title
-from plastigran.impact import plan, sweep
+from plastigran.impact import PAPER_SPEEDS, plan, sweep
 from plastigran.materials import RIGID, read_material
 
 FOLDER = Path(__file__).parent / "figures"
@@ -29,13 +30,12 @@ def law_figure(name: str) -> plt.Figure:
     with plt.rc_context(STYLE):
         figure, (left, right) = plt.subplots(1, 2, figsize=(8.2, 3.4), layout="constrained")
         turns = [0, 12, 9, 20, 0]
-        path = np.concatenate(
-            [np.linspace(a, b, 400) for a, b in zip(turns[:-1], turns[1:], strict=True)]
-        )
+        path = np.concatenate([np.linspace(a, b, 400) for a, b in pairwise(turns)])
         state = law.State()
         force = law.follow(RADIUS, path * overlap_y, state)["force"] / force_y
         hertz = np.linspace(0, 8, 100)
-        left.plot(hertz, hertz**1.5, ":", color="0.5", label="Hertz")
+        if name != "hertz":
+            left.plot(hertz, hertz**1.5, ":", color="0.5", label="Hertz")
         left.plot(path, force, color=figures.COLOURS[0], label=title(name))
         left.set_xlabel("overlap / overlap at yield")
         left.set_ylabel("force / force at yield")
@@ -55,15 +55,11 @@ def law_figure(name: str) -> plt.Figure:
 
 def main() -> None:
     for name in sorted(laws.LAWS):
-        save(law_figure(name), FOLDER / name)
-    speeds = [0.0005, 0.001, 0.002, 0.005, 0.01, 0.02, 0.06, 0.1, 0.2]
-    impacts = plan(sorted(laws.LAWS), speeds, ["aluminium_zv02"], 0.1)
+        save(law_figure(name), FOLDER / name, (".svg",))
+    impacts = plan(sorted(laws.LAWS), PAPER_SPEEDS, ["aluminium_zv02"], 0.1)
     with tempfile.TemporaryDirectory() as folder:
         table, _ = sweep(impacts, folder)
-    save(figures.restitution_figure(table, impacts), FOLDER / "restitution")
-    for png in FOLDER.glob("*.png"):
-        if png.stem != "restitution":
-            png.unlink()  # the pages show the SVG
+    save(figures.restitution_figure(table, impacts), FOLDER / "restitution", (".png",))
 
 
 if __name__ == "__main__":

@@ -21,6 +21,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <tuple>
 
 namespace plastigran {
 
@@ -95,7 +96,11 @@ inline MaterialPair combine(const Material& a, const Material& b) {
   const auto shear_compliance = [](const Material& body) {
     return 2 * (2 - body.poissons_ratio) * (1 + body.poissons_ratio) / body.youngs_modulus;
   };
-  const Material& weaker = yield_pressure(a) <= yield_pressure(b) ? a : b;
+  // The one that yields at the lower pressure; ties are broken so that the order never matters.
+  const auto rank = [](const Material& body) {
+    return std::make_tuple(yield_pressure(body), body.yield_strength, body.poissons_ratio);
+  };
+  const Material& weaker = rank(a) <= rank(b) ? a : b;
   MaterialPair pair;
   pair.youngs_modulus_eff = 1 / (plane_compliance(a) + plane_compliance(b));
   pair.shear_modulus_eff = 1 / (shear_compliance(a) + shear_compliance(b));

@@ -39,7 +39,8 @@ template <class Law>
 class ElastoplasticNormalModel : public NormalModelBase {
   typedef typename Law::State State;
   static constexpr std::size_t state_size = Law::state_names.size() * sizeof(double);
-  static_assert(state_size == sizeof(State), "a law's State is its named doubles and nothing else");
+  static_assert(state_size == 0 || state_size == sizeof(State),
+                "a law's State is its named doubles and nothing else");
 
  public:
   ElastoplasticNormalModel(LAMMPS* lmp, IContactHistorySetup* owner,
@@ -47,9 +48,9 @@ class ElastoplasticNormalModel : public NormalModelBase {
       : NormalModelBase(lmp, owner, contact_model),
         owner_(owner),
         is_wall_(contact_model->is_wall()) {
-    for (const char* name : Law::state_names) {
-      const int offset = owner->add_history_value(name, "0");
-      if (history_offset_ < 0) history_offset_ = offset;
+    for (std::size_t k = 0; k < Law::state_names.size(); ++k) {
+      const int offset = owner->add_history_value(Law::state_names[k], "0");
+      if (k == 0) history_offset_ = offset;
     }
   }
 
@@ -79,7 +80,9 @@ class ElastoplasticNormalModel : public NormalModelBase {
     // Ask for surfacesClose() just outside contact, where the history is cleared: otherwise a pair
     // that parts and meets again before the next neighbour build would remember its dent.
     neighbor->register_contact_dist_factor(1.01);
-    check_time_step();
+    if (!reported_) report_constants();
+    reported_ = true;
+    check_impacts();
   }
 
   double stressStrainExponent() override { return 1.5; }
@@ -106,19 +109,18 @@ class ElastoplasticNormalModel : public NormalModelBase {
         response.force > 0 ? response.contact_radius : std::sqrt(radius_eff * contact.deltan);
     contact.kt = 8 * shear_moduli_[pair] * contact_radius;
     contact.kn = contact.deltan > 0 ? response.force / contact.deltan : 0;  // secant
-    contact.gamman = contact.gammat = 0;
+    contact.gamman = 0;
+    // Friction without a spring is a viscous force cut at mu F: critical damping of the spring it
+    // stands for makes the cut the rule and creep the exception.
+    contact.gammat = smooth_friction_ ? 2 * std::sqrt(contact.kt * contact.meff) : 0;
     double force = response.force;
     if (viscous_damping_) {
       // Tsuji, Tanaka & Ishida 1992 (Powder Technol. 71:239) with the law's own contact radius.
       const double beta =
           -1.8257418583505538 * damping_[contact.itype][contact.jtype];  // 2 sqrt(5/6)
       contact.gamman = beta * std::sqrt(2 * moduli_[pair] * contact_radius * contact.meff);
-      contact.gammat = beta * std::sqrt(contact.kt * contact.meff);
+      if (!smooth_friction_) contact.gammat = beta * std::sqrt(contact.kt * contact.meff);
       force = std::max(0.0, force - contact.gamman * contact.vn);
-    } else if (smooth_friction_) {
-      // Friction without a spring is a viscous force cut at mu F: critical damping of the spring
-      // it stands for makes the cut the rule and creep the exception.
-      contact.gammat = 2 * std::sqrt(contact.kt * contact.meff);
     }
     contact.Fn = force;
 
@@ -149,16 +151,21 @@ class ElastoplasticNormalModel : public NormalModelBase {
     fail(std::string(setting) + " is not available with this model; leave it off");
   }
 
+  FixPropertyGlobal* find(const char* name, const char* shape, int rows, int columns,
+                          bool required) {
+    return static_cast<FixPropertyGlobal*>(modify->find_fix_property(
+        name, "property/global", shape, rows, columns, caller().c_str(), required));
+  }
+
+  bool given(const char* name) {
+    return find(name, "scalar", 0, 0, false) || find(name, "vector", 0, 0, false) ||
+           find(name, "matrix", 0, 0, false);
+  }
+
   // The values the deck gives for a property; null when it gives none. Values of the wrong shape
   // are the engine's error, not a silent default.
   FixPropertyGlobal* property(const char* name, const char* shape, int rows, int columns) {
-    const auto find = [&](const char* any_shape, int n, int m, bool required) {
-      return static_cast<FixPropertyGlobal*>(modify->find_fix_property(
-          name, "property/global", any_shape, n, m, caller().c_str(), required));
-    };
-    const bool given =
-        find("scalar", 0, 0, false) || find("vector", 0, 0, false) || find("matrix", 0, 0, false);
-    return given ? find(shape, rows, columns, true) : nullptr;
+    return given(name) ? find(name, shape, rows, columns, true) : nullptr;
   }
 
   double per_type(const char* name, int type, const char* unit, double fallback = NAN) {
@@ -171,17 +178,16 @@ class ElastoplasticNormalModel : public NormalModelBase {
   }
 
   void build_laws() {
-    using plastigran::Material;
-    std::vector<Material> materials(type_count_ + 1);
+    materials_.assign(type_count_, plastigran::Material());
     for (int type = 1; type <= type_count_; ++type) {
-      Material& body = materials[type];
+      plastigran::Material& body = materials_[type - 1];
       body.youngs_modulus = per_type("youngsModulus", type, "Pa");
       body.poissons_ratio = per_type("poissonsRatio", type, "-");
       body.yield_strength = per_type("yieldStrength", type, "Pa");
       body.yield_pressure_factor = per_type("yieldPressureFactor", type, "-", 0);
       check(plastigran::validate(body), type, 0);
     }
-    laws_.clear(), moduli_.clear(), shear_moduli_.clear();
+    laws_.clear(), constants_.clear(), moduli_.clear(), shear_moduli_.clear();
     for (int i = 1; i <= type_count_; ++i)
       for (int j = 1; j <= type_count_; ++j) {
         typename Law::Parameters constants;
@@ -190,8 +196,9 @@ class ElastoplasticNormalModel : public NormalModelBase {
                   property(parameter.property, "peratomtypepair", type_count_, type_count_))
             constants.*parameter.value = values->compute_array(i - 1, j - 1);
         check(plastigran::validate<Law>(constants), i, j);
-        const auto pair = plastigran::combine(materials[i], materials[j]);
+        const auto pair = plastigran::combine(materials_[i - 1], materials_[j - 1]);
         laws_.emplace_back(pair, constants);
+        constants_.push_back(constants);
         moduli_.push_back(pair.youngs_modulus_eff);
         shear_moduli_.push_back(pair.shear_modulus_eff);
       }
@@ -223,11 +230,32 @@ class ElastoplasticNormalModel : public NormalModelBase {
     return types;
   }
 
-  // Unloading is stiffer than the elastic loading other checks know. Take the fastest impact the
-  // present velocities allow between the smallest particles and warn when the step is too long.
-  void check_time_step() {
+  // What the model was given and what it assumed: a misspelt optional property shows here.
+  void report_constants() {
+    if (comm->me != 0) return;
+    std::ostringstream text;
+    for (int i = 1; i <= type_count_; ++i)
+      for (int j = i; j <= type_count_; ++j) {
+        const auto pair = plastigran::combine(materials_[i - 1], materials_[j - 1]);
+        text << caller() << (is_wall_ ? ", wall" : "") << ", atom types " << i << " and " << j
+             << ": effective modulus " << pair.youngs_modulus_eff << " Pa, yield pressure "
+             << pair.yield_pressure << " Pa";
+        for (const auto& parameter : Law::parameters)
+          text << ", " << parameter.property << ' ' << constants_[index(i, j)].*parameter.value
+               << (given(parameter.property) ? "" : " (default)");
+        text << '\n';
+      }
+    if (screen) fputs(text.str().c_str(), screen);
+    if (logfile) fputs(text.str().c_str(), logfile);
+  }
+
+  // Unloading is stiffer than the elastic loading other checks know, and a law is good for so much
+  // load. Take the fastest impact the present velocities allow between the smallest particles, and
+  // warn when the time step is too long for it or the law is out of its range.
+  void check_impacts() {
     const double unset = 1e300;
     std::vector<double> radius(type_count_ + 1, unset), mass(radius), slowness(radius);
+    std::vector<double> count(type_count_ + 1, 0);
     for (int i = 0; i < atom->nlocal; ++i) {
       const int type = atom->type[i];
       const double* v = atom->v[i];
@@ -235,41 +263,63 @@ class ElastoplasticNormalModel : public NormalModelBase {
       radius[type] = std::min(radius[type], atom->radius[i]);
       mass[type] = std::min(mass[type], atom->rmass[i]);
       slowness[type] = std::min(slowness[type], -speed);
+      ++count[type];
     }
     for (std::vector<double>* extreme : {&radius, &mass, &slowness})
       MPI_Allreduce(MPI_IN_PLACE, extreme->data(), type_count_ + 1, MPI_DOUBLE, MPI_MIN, world);
+    MPI_Allreduce(MPI_IN_PLACE, count.data(), type_count_ + 1, MPI_DOUBLE, MPI_SUM, world);
+    if (comm->me != 0) return;
 
-    double step = unset, speed_at_step = 0;
+    double step = unset, step_speed = 0, outside_speed = 0;
     for (int i = 1; i <= type_count_; ++i)
       for (int j : partner_types()) {
-        if (radius[i] == unset || (!is_wall_ && radius[j] == unset)) continue;
+        if (count[i] == 0 || (!is_wall_ && (count[j] == 0 || (i == j && count[i] < 2)))) continue;
         const double speed = -slowness[i] - (is_wall_ ? 0 : slowness[j]);
         if (!(speed > 0)) continue;
-        const auto reduced = [this](double a, double b) { return is_wall_ ? a : a * b / (a + b); };
-        const double recommended = plastigran::recommended_time_step(
-            laws_[index(i, j)], reduced(radius[i], radius[j]), reduced(mass[i], mass[j]), speed);
-        if (recommended < step) step = recommended, speed_at_step = speed;
+        const auto reduced = [](double a, double b) { return a * b / (a + b); };
+        const Law& law = laws_[index(i, j)];
+        const double radius_eff = is_wall_ ? radius[i] : reduced(radius[i], radius[j]);
+        const double mass_eff = is_wall_ ? mass[i] : reduced(mass[i], mass[j]);
+        const double recommended =
+            plastigran::recommended_time_step(law, radius_eff, mass_eff, speed);
+        if (recommended < step) step = recommended, step_speed = speed;
+        if (!plastigran::central_impact(law, radius_eff, mass_eff, speed).in_range)
+          outside_speed = std::max(outside_speed, speed);
       }
-    if (update->dt <= step || comm->me != 0) return;
+    static double warned_step = unset,
+                  warned_speed = 0;  // once for all walls, unless it gets worse
     std::ostringstream text;
-    text << caller() << ": the time step " << update->dt << " is too long for rebound from "
-         << (is_wall_ ? "wall " : "") << "impacts at the present speeds (up to " << speed_at_step
-         << "); restitution may be off by more than 0.1 %. Recommended: timestep " << step;
-    error->warning(FLERR, text.str().c_str());
+    if (update->dt > step && step < 0.99 * warned_step) {
+      warned_step = step;
+      text << caller() << ": the time step " << update->dt << " is too long for rebound from "
+           << (is_wall_ ? "wall " : "") << "impacts at the present speeds (up to " << step_speed
+           << "); restitution may be off by more than 0.1 %. Recommended: timestep " << step;
+      error->warning(FLERR, text.str().c_str());
+    }
+    if (outside_speed > 1.01 * warned_speed) {
+      warned_speed = outside_speed;
+      text.str("");
+      text << caller() << ": impacts at the present speeds (up to " << outside_speed
+           << ") leave the law's range (" << Law::range << ')';
+      error->warning(FLERR, text.str().c_str());
+    }
   }
 
   IContactHistorySetup* owner_;
   bool is_wall_;
-  int history_offset_ = -1;
+  int history_offset_ = 0;
   bool viscous_damping_ = false;
   bool engine_elastic_potential_ = false;
   bool engine_dissipated_energy_ = false;
   bool smooth_friction_ = false;
   double** damping_ = nullptr;  // the engine's beta(coefficientRestitution) of each type pair
 
+  bool reported_ = false;
   int type_count_ = 0;
+  std::vector<plastigran::Material> materials_;  // by type - 1
   // By index(itype, jtype):
   std::vector<Law> laws_;
+  std::vector<typename Law::Parameters> constants_;
   std::vector<double> moduli_;        // E*
   std::vector<double> shear_moduli_;  // G*
 };

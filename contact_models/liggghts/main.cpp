@@ -53,6 +53,7 @@ struct Deck {
       std::istringstream words(line);
       std::string command, name, style, value;
       words >> command >> name >> style >> value;
+      if (command == "variable" || command == "next") declared.insert(name);
       if (command == "variable" && style == "index") {
         settings.push_back(name);
         values.emplace(name, value);  // one given on the command line stays
@@ -77,7 +78,7 @@ struct Deck {
     return line;
   }
 
-  std::set<std::string> used;
+  std::set<std::string> used, declared;
 };
 
 // The complaint about a -var the deck does not know, or an empty string.
@@ -96,9 +97,8 @@ std::string check_command_line(int argc, char** argv) {
   }
   if (path.empty() || given.empty()) return {};
   deck.read(path);
-  const std::set<std::string> known(deck.settings.begin(), deck.settings.end());
   for (const std::string& name : given) {
-    if (known.count(name) || deck.used.count(name) || mentions(deck.text, name)) continue;
+    if (deck.declared.count(name) || deck.used.count(name) || mentions(deck.text, name)) continue;
     if (!deck.complete) continue;  // the engine says what it cannot read
     std::string message = "-var " + name + ": " + path + " has no such variable";
     if (!deck.settings.empty()) message += "; it takes";

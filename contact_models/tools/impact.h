@@ -15,7 +15,22 @@ struct Impact {
   double overlap_res = 0;                 // overlap at which the rebound's force vanishes [m]
   double coefficient_of_restitution = 0;  // [-]
   double stiffness_max = 0;               // steepest slope of force over overlap [N/m]
+  bool in_range = true;                   // the law is good for that load
 };
+
+// No contact law is good for overlaps of the order of the radius. A law may narrow that:
+// bool in_range(radius_eff, force) const.
+constexpr double overlap_limit = 0.1;  // over R*
+
+template <class Law>
+auto law_in_range(const Law& law, double radius_eff, double force, int)
+    -> decltype(law.in_range(radius_eff, force)) {
+  return law.in_range(radius_eff, force);
+}
+template <class Law>
+bool law_in_range(const Law&, double, double, long) {
+  return true;
+}
 
 // Bodies of effective mass mass_eff [kg] meet at relative speed `speed` [m/s]: 1/2 m* v^2 equals
 // the virgin work at the largest overlap, and what is stored elastically there is given back.
@@ -43,6 +58,8 @@ Impact central_impact(const Law& law, double radius_eff, double mass_eff, double
   typename Law::State state;
   const Response peak = law.respond(radius_eff, impact.overlap_max, state);
   impact.force_max = peak.force;
+  impact.in_range = impact.overlap_max <= overlap_limit * radius_eff &&
+                    law_in_range(law, radius_eff, peak.force, 0);
   impact.coefficient_of_restitution = std::sqrt(peak.elastic_energy / energy);
 
   const auto force = [&](double overlap) {

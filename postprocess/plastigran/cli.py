@@ -15,7 +15,7 @@ from plastigran import laws, materials
 from plastigran.collision import CollisionError
 from plastigran.dumps import DumpError
 from plastigran.engine import PROJECT, EngineError
-from plastigran.impact import GEOMETRIES, Impact, plan, sweep
+from plastigran.impact import GEOMETRIES, PAPER_SPEEDS, Impact, plan, sweep
 
 TABLE = [
     "material",
@@ -52,6 +52,16 @@ def positive(text: str) -> float:
         raise argparse.ArgumentTypeError(f"{text!r} is not a number") from None
     if not 0 < value < inf:
         raise argparse.ArgumentTypeError(f"{text} is not positive and finite")
+    return value
+
+
+def positive_integer(text: str) -> int:
+    try:
+        value = int(text)
+    except ValueError:
+        raise argparse.ArgumentTypeError(f"{text!r} is not a whole number") from None
+    if value < 1:
+        raise argparse.ArgumentTypeError(f"{text} is not 1 or more")
     return value
 
 
@@ -95,6 +105,11 @@ def run_impacts(impacts: list[Impact], folder: Path, jobs: int | None) -> pd.Dat
 
     table, collisions = sweep(impacts, folder, jobs)
     print(format_table(table))
+    outside = table.loc[~table["in_range"], ["law", "speed"]]
+    for law, speeds in outside.groupby("law")["speed"]:
+        print(
+            f"outside the range of {law} ({laws.LAWS[law].range}): {speeds.min():g} m/s and faster"
+        )
     written = [folder / "impacts.csv"]
     written += figures.save(figures.restitution_figure(table, impacts), folder / "restitution")
     written += figures.save(figures.loops_figure(collisions), folder / "loops")
@@ -134,11 +149,10 @@ def demo_command(arguments: argparse.Namespace) -> None:
     folder = arguments.output
     names = sorted(laws.LAWS)
     run_impacts(
-        plan(names, [0.0005, 0.001, 0.002, 0.005, 0.01, 0.02, 0.06, 0.1, 0.2],
-             ["aluminium_zv02"], 0.1),
+        plan(names, PAPER_SPEEDS, ["aluminium_zv02"], 0.1),
         folder / "speeds",
         arguments.jobs,
-    )  # fmt: skip
+    )
     print("\nThe same impact, 0.1 m/s, as a pair, on a primitive wall and on a mesh:")
     through = [
         impact
@@ -146,7 +160,8 @@ def demo_command(arguments: argparse.Namespace) -> None:
         for impact in plan(names, [0.1], ["aluminium_zv02"], 0.1, geometry)
     ]
     table, _ = sweep(through, folder / "geometries", arguments.jobs, progress=False)
-    print(table.pivot(index="law", columns="geometry", values="coefficient_of_restitution"))
+    pivot = table.pivot(index="law", columns="geometry", values="coefficient_of_restitution")
+    print(pivot.rename_axis(index=None, columns=None).to_string(float_format="{:.6f}".format))
     print(f"\nLook at {folder / 'speeds' / 'restitution.png'}")
 
 
@@ -179,11 +194,13 @@ def parser() -> argparse.ArgumentParser:
         metavar=("LOW", "HIGH"),
         help="range of speeds when --speed is not given, m/s, default 0.001 0.2",
     )
-    impact.add_argument("--points", type=int, default=9, help="speeds in that range, default 9")
+    impact.add_argument(
+        "--points", type=positive_integer, default=9, help="speeds in it, default 9"
+    )
     impact.add_argument(
         "--material", nargs="+", default=["aluminium_zv02"], help=f"{', '.join(materials.names())}"
     )
-    impact.add_argument("--jobs", type=int, help="engines at a time, default all cores")
+    impact.add_argument("--jobs", type=positive_integer, help="engines at a time, default: cores")
     impact.add_argument("--output", type=Path, default=Path("results/impact"))
     impact.add_argument("--force", action="store_true", help="overwrite results")
     impact.set_defaults(run=impact_command)
@@ -199,21 +216,29 @@ def parser() -> argparse.ArgumentParser:
 
     demo = commands.add_parser("demo", help="the tour: collisions and their figures")
     demo.add_argument("--output", type=Path, default=PROJECT / "results" / "demo")
-    demo.add_argument("--jobs", type=int)
+    demo.add_argument("--jobs", type=positive_integer)
     demo.set_defaults(run=demo_command)
     return top
 
 
 def main(argv: list[str] | None = None) -> int:
     """Entry point; 0 when all went well, 1 after an error, whose one line goes to stderr."""
-    arguments = parser().parse_args(argv)
+    try:
+        arguments = parser().parse_args(argv)
+    except EngineError as error:  # the materials it lists are not where they should be
+        print(f"plastigran: {error}", file=sys.stderr)
+        return 1
     try:
         arguments.run(arguments)
-    except (EngineError, CollisionError, DumpError, ValueError) as error:
+    except BrokenPipeError:  # the reader of our output has had enough
+        sys.stderr.close()
+    except (EngineError, CollisionError, DumpError, ValueError, OSError) as error:
         print(f"plastigran: {error}", file=sys.stderr)
         return 1
     except KeyboardInterrupt:
-        print("plastigran: stopped; finished impacts are in impacts.csv", file=sys.stderr)
+        output = getattr(arguments, "output", None)
+        kept = f"; what is finished is in {output}" if output else ""
+        print(f"plastigran: stopped{kept}", file=sys.stderr)
         return 130
     return 0
 

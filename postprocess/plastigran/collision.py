@@ -21,7 +21,7 @@ class Collision:
     """What one collision did.
 
     Attributes:
-        speed: Closing speed before contact [m/s].
+        closing_speed: Before contact [m/s].
         coefficient_of_restitution: Parting over closing speed, along the normal [-].
         force_max: Largest force written [N].
         overlap_max: Largest overlap [m].
@@ -32,7 +32,7 @@ class Collision:
             speed [m/s] (rate of overlap).
     """
 
-    speed: float
+    closing_speed: float
     coefficient_of_restitution: float
     force_max: float
     overlap_max: float
@@ -125,7 +125,7 @@ def measure(trajectory: str | Path | pd.DataFrame) -> Collision:
         overlap_res = 0.0
     release = time[b] + (overlap[b] - overlap_res) / -speed[b]
     return Collision(
-        speed=speed[start - 1],
+        closing_speed=speed[start - 1],
         coefficient_of_restitution=-speed[-1] / speed[start - 1],
         force_max=force.max(),
         overlap_max=overlap_max,

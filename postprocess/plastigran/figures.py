@@ -35,7 +35,7 @@ MARKERS = "osD^vP*X"
 
 def title(name: str) -> str:
     """A law's or material's name as a person writes it."""
-    names = {"vu_quoc_zhang": "Vu-Quoc–Zhang", "aluminium_zv02": "aluminium"}
+    names = {"vu_quoc_zhang": "Vu-Quoc–Zhang", "aluminium_zv02": "Aluminium"}
     return names.get(name, name.replace("_", " ").capitalize())
 
 
@@ -73,7 +73,7 @@ def restitution_figure(table: pd.DataFrame, impacts: list[Impact]) -> Figure:
                 points["coefficient_of_restitution"],
                 marker,
                 color=colour,
-                mfc="white",
+                mfc="white" if material == materials[0] else colour,
                 ms=6,
                 label=label,
             )
@@ -122,24 +122,26 @@ def _speed_axes(axes: Axes, impacts: list[Impact]) -> None:
 
 
 def loops_figure(collisions: dict[Impact, Collision]) -> Figure:
-    """Force over overlap, one panel a law, one loop a speed: the five fastest, the rest are too
-    small to see beside them."""
-    by_law: dict[str, list[tuple[Impact, Collision]]] = {}
+    """Force over overlap, one panel a law and material, one loop a speed: the five
+    fastest, the rest are too small to see beside them."""
+    panels_of: dict[tuple[str, str], list[tuple[Impact, Collision]]] = {}
     for impact, collision in collisions.items():
-        by_law.setdefault(impact.law, []).append((impact, collision))
-    law_names = sorted(by_law)
+        key = (impact.law, impact.material.name)
+        panels_of.setdefault(key, []).append((impact, collision))
+    keys = sorted(panels_of)
+    materials = {material for _, material in keys}
     with plt.rc_context(STYLE):
         figure, panels = plt.subplots(
             1,
-            len(law_names),
-            figsize=(3.4 * len(law_names) + 0.4, 3.6),
-            sharex=True,
-            sharey=True,
+            len(keys),
+            figsize=(3.4 * len(keys) + 0.4, 3.6),
+            sharex=len(materials) == 1,
+            sharey=len(materials) == 1,
             squeeze=False,
             layout="constrained",
         )
-        for axes, law in zip(panels[0], law_names, strict=True):
-            runs = sorted(by_law[law], key=lambda run: run[0].speed)[-5:]
+        for axes, (law, material) in zip(panels[0], keys, strict=True):
+            runs = sorted(panels_of[law, material], key=lambda run: run[0].speed)[-5:]
             shades = plt.colormaps["viridis"](np.linspace(0.1, 0.85, len(runs)))
             for (impact, collision), shade in zip(runs, shades, strict=True):
                 touching = collision.loop[collision.loop["overlap"] >= 0]
@@ -147,20 +149,21 @@ def loops_figure(collisions: dict[Impact, Collision]) -> Figure:
                     touching["overlap"] * 1e6,
                     touching["force"] / 1e3,
                     color=shade,
-                    label=f"{impact.speed:g} m/s",
+                    label=f"{impact.speed:.3g} m/s",
                 )
-            axes.set_title(title(law), fontsize=10)
+            named = title(law) if len(materials) == 1 else f"{title(law)}, {title(material)}"
+            axes.set_title(named, fontsize=10)
+            axes.legend(loc="upper left", fontsize=8)
             axes.set_xlabel("overlap (µm)")
         panels[0][0].set_ylabel("normal force (kN)")
-        panels[0][-1].legend(loc="upper left", fontsize=8)
     return figure
 
 
-def save(figure: Figure, path: Path) -> list[Path]:
-    """Write a figure as PNG and SVG beside each other; returns both paths."""
+def save(figure: Figure, path: Path, suffixes: tuple[str, ...] = (".png", ".svg")) -> list[Path]:
+    """Write a figure, as PNG and SVG beside each other unless told otherwise; returns the paths."""
     path.parent.mkdir(parents=True, exist_ok=True)
     written = []
-    for suffix in (".png", ".svg"):
+    for suffix in suffixes:
         written.append(path.with_suffix(suffix))
         metadata = {"Date": None} if suffix == ".svg" else None
         figure.savefig(written[-1], dpi=160, metadata=metadata)

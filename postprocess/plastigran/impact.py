@@ -23,6 +23,13 @@ from plastigran.materials import RIGID, Material, read_material
 GEOMETRIES = {"sphere_wall": False, "sphere_mesh": False, "two_spheres": True}
 
 
+#: Speeds that take the paper's sphere (aluminium_zv02, 0.1 m) to 120 yield speeds [m/s].
+PAPER_SPEEDS = (0.0005, 0.001, 0.002, 0.005, 0.01, 0.02, 0.06, 0.1, 0.2)
+
+#: Largest overlap a run is allowed, over the effective radius.
+OVERLAP_LIMIT = 0.3
+
+
 @dataclass(frozen=True)
 class Impact:
     """One central impact to run.
@@ -49,6 +56,12 @@ class Impact:
         for name in ("speed", "radius"):
             if not 0 < getattr(self, name) < float("inf"):
                 raise ValueError(f"{name} is {getattr(self, name)}; it must be positive and finite")
+        reach = self.predicted().overlap_max / self.radius_eff
+        if reach > OVERLAP_LIMIT:
+            raise ValueError(
+                f"{self.law} at {self.speed:g} m/s would overlap by {reach:.2g} effective radii; "
+                f"no contact law is good beyond {OVERLAP_LIMIT:g}"
+            )
 
     @property
     def bodies(self) -> int:
@@ -107,9 +120,9 @@ class Impact:
             "law": self.law,
             "speed": self.speed,
             "radius": self.radius,
-            "material": self.material.name,
             "timestep": self.time_step() if time_step is None else time_step,
             "gap": gap,
+            **self.material.variables(),  # whatever file it came from
         }
         run_deck(f"collision/{self.geometry}.in", variables, folder, ranks=ranks)
         return measure(Path(folder) / "trajectory.dump")
@@ -122,11 +135,18 @@ def plan(
     radius: float,
     geometry: str = "sphere_wall",
 ) -> list[Impact]:
-    """Every combination of laws, speeds [m/s] and materials. Raises ValueError on a bad one."""
-    return [
-        Impact(law, float(speed), read_material(material), radius, geometry)
-        for material, law, speed in product(materials, law_names, speeds)
-    ]
+    """Every combination of laws, speeds [m/s] and materials (names or paths), each once.
+
+    Raises:
+        ValueError: One of them cannot be run; the message says why.
+    """
+    bodies = [read_material(material) for material in materials]
+    combinations = product(bodies, law_names, (float(speed) for speed in speeds))
+    return list(
+        dict.fromkeys(
+            Impact(law, speed, material, radius, geometry) for material, law, speed in combinations
+        )
+    )
 
 
 def row(impact: Impact, collision: Collision) -> dict[str, object]:
@@ -141,6 +161,7 @@ def row(impact: Impact, collision: Collision) -> dict[str, object]:
         "speed_ratio": impact.speed / impact.yield_speed(),
         "coefficient_of_restitution": collision.coefficient_of_restitution,
         "coefficient_of_restitution_predicted": predicted.coefficient_of_restitution,
+        "in_range": predicted.in_range,
         "force_max": collision.force_max,
         "overlap_max": collision.overlap_max,
         "overlap_res": collision.overlap_res,
@@ -176,15 +197,16 @@ def sweep(
     table_path = folder / "impacts.csv"
     table_path.unlink(missing_ok=True)
 
-    def run(impact: Impact) -> Collision:
-        name = f"{impact.geometry}_{impact.material.name}_{impact.law}_{impact.speed:g}"
+    def run(number: int, impact: Impact) -> Collision:
+        name = f"{number:04d}_{impact.geometry}_{impact.material.name}_{impact.law}"
         return impact.run(folder / "runs" / name)
 
     collisions: dict[Impact, Collision] = {}
     failure: Exception | None = None
-    with ThreadPoolExecutor(jobs or os.cpu_count()) as pool:
-        waiting = {pool.submit(run, impact): impact for impact in impacts}
-        bar = tqdm(total=len(impacts), unit="impact", disable=None if progress else True)
+    pool = ThreadPoolExecutor(jobs or os.cpu_count())
+    waiting = {pool.submit(run, k, impact): impact for k, impact in enumerate(impacts)}
+    bar = tqdm(total=len(impacts), unit="impact", disable=None if progress else True)
+    try:
         for done in as_completed(waiting):
             impact = waiting[done]
             bar.update()
@@ -195,6 +217,8 @@ def sweep(
                 continue
             line = pd.DataFrame([row(impact, collisions[impact])])
             line.to_csv(table_path, mode="a", header=not table_path.exists(), index=False)
+    finally:  # an interrupt starts no further engine
+        pool.shutdown(wait=True, cancel_futures=True)
         bar.close()
     if failure:
         raise failure

@@ -34,6 +34,10 @@ class Material:
     yield_strength: float
     yield_pressure_factor: float
 
+    def variables(self) -> dict[str, float]:
+        """The constants as the decks' variables of the same names."""
+        return {key: value for key, value in vars(self).items() if key != "name"}
+
     def body(self) -> laws.Material:
         """The constants as the laws take them. Raises ValueError when one is out of range."""
         return laws.Material(
@@ -54,10 +58,10 @@ def names() -> list[str]:
 
 
 def read_material(name: str | Path) -> Material:
-    """Read a material by name, or from a file of the same form.
+    """Read a material by name, or from a file of the same form given by its path.
 
     Raises:
-        ValueError: No such material, or a constant is missing or not a number.
+        ValueError: No such material, or a constant is missing, not a number or out of range.
     """
     path = Path(name)
     if path.suffix != ".in":
@@ -68,11 +72,18 @@ def read_material(name: str | Path) -> Material:
     for line in path.read_text().splitlines():
         if match := _VARIABLE.match(line):
             try:
-                values[match[1]] = float(match[2])
+                values.setdefault(match[1], float(match[2]))  # the engine keeps the first too
             except ValueError:
                 raise ValueError(f"{path}: {match[1]} is {match[2]!r}, not a number") from None
     wanted = [field for field in Material.__dataclass_fields__ if field != "name"]
     missing = [field for field in wanted if field not in values]
     if missing:
         raise ValueError(f"{path}: no value for {', '.join(missing)}")
-    return Material(path.stem, **{field: values[field] for field in wanted})
+    material = Material(path.stem, **{field: values[field] for field in wanted})
+    if not 0 < material.density < float("inf"):
+        raise ValueError(f"{path}: density is {material.density:g}; it must be positive [kg/m^3]")
+    try:
+        material.body()
+    except ValueError as error:
+        raise ValueError(f"{path}: {error}") from error
+    return material

@@ -3,14 +3,19 @@
 
 from __future__ import annotations
 
+import os
+import signal
 import subprocess
 import sys
+import time
+from pathlib import Path
 
 import pandas as pd
 import pytest
 
 from plastigran import laws
 from plastigran.cli import main
+from plastigran.engine import inputs_folder
 
 
 def test_impact_writes_table_and_figures(tmp_path, capsys):
@@ -68,6 +73,56 @@ def test_wrong_words_are_named(line, said, capsys):
     assert said in capsys.readouterr().err
 
 
+@pytest.mark.parametrize("line", [["--points", "0"], ["--jobs", "-1"], ["--jobs", "two"]])
+def test_counts_out_of_range_are_named(line, capsys):
+    with pytest.raises(SystemExit):
+        main(["impact", *line])
+    assert line[1] in capsys.readouterr().err
+
+
+def test_impacts_no_law_can_describe_are_refused(tmp_path, capsys):
+    line = ["impact", "--law", "thornton", "--speed", "300", "--output", str(tmp_path / "out")]
+    assert main(line) == 1
+    assert "no contact law is good beyond 0.3" in capsys.readouterr().err
+
+
+def test_leaving_the_range_is_said(tmp_path, capsys):
+    line = ["impact", "--law", "vu_quoc_zhang", "--speed", "0.02", "0.2"]
+    assert main([*line, "--output", str(tmp_path / "out")]) == 0
+    assert "outside the range of vu_quoc_zhang (F <= 41 P_Y" in capsys.readouterr().out
+    assert pd.read_csv(tmp_path / "out" / "impacts.csv")["in_range"].tolist() == [True, False]
+
+
+def test_a_material_of_ones_own(tmp_path):
+    """A file given by its path reaches the engine: the same figures as theory, not a namesake's."""
+    steel = (inputs_folder() / "materials" / "steel.in").read_text()
+    own = tmp_path / "steel.in"
+    own.write_text(steel.replace("3.0e8", "3.0e9"))
+    line = ["impact", "--law", "thornton", "--speed", "0.1", "--material", str(own)]
+    assert main([*line, "--output", str(tmp_path / "out")]) == 0
+    row = pd.read_csv(tmp_path / "out" / "impacts.csv").iloc[0]
+    assert row["coefficient_of_restitution"] == pytest.approx(
+        row["coefficient_of_restitution_predicted"], rel=1e-3
+    )
+
+
+def test_interrupt_stops_and_keeps_what_is_finished(tmp_path):
+    """Ctrl-C: no further engine is started, finished rows stay, the exit code says so."""
+    line = [sys.executable, "-m", "plastigran.cli", "impact", "--law", "thornton"]
+    line += ["--points", "300", "--jobs", "1", "--output", str(tmp_path)]
+    run = subprocess.Popen(line, stderr=subprocess.PIPE, text=True, start_new_session=True)
+    table = tmp_path / "impacts.csv"
+    while not table.exists():
+        assert run.poll() is None
+        time.sleep(0.05)
+    os.killpg(run.pid, signal.SIGINT)
+    _, said = run.communicate(timeout=30)
+    assert run.returncode == 130
+    assert "stopped; what is finished is in" in said
+    assert 1 <= len(pd.read_csv(table)) < 250
+    assert len(list((tmp_path / "runs").iterdir())) < 250
+
+
 @pytest.mark.parametrize("value", ["-1", "0", "fast", "nan", "inf"])
 def test_numbers_out_of_range_are_named(value, capsys):
     with pytest.raises(SystemExit) as stop:
@@ -83,7 +138,7 @@ def test_missing_engine_is_named(tmp_path, monkeypatch, capsys):
 
 
 def test_finished_impacts_survive_a_failure(tmp_path, capsys):
-    """One impact fails (a time step nobody can integrate); the others' rows are written."""
+    """One impact fails; the others' rows are written."""
     from plastigran.impact import Impact, plan, sweep
 
     impacts = plan(["thornton"], [0.05, 0.1], ["aluminium_zv02"], 0.1)
@@ -100,7 +155,7 @@ def test_finished_impacts_survive_a_failure(tmp_path, capsys):
 
 def test_console_script():
     done = subprocess.run(
-        [sys.executable, "-m", "plastigran.cli", "--help"],
+        [Path(sys.executable).parent / "plastigran", "--help"],
         capture_output=True,
         text=True,
         check=True,

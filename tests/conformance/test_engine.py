@@ -216,6 +216,37 @@ def test_sliding_friction(engine_law, tangential, aluminium, tmp_path):
     assert along == pytest.approx(-0.3 * normal, rel=2e-3)
 
 
+def test_tangential_stiffness_is_the_laws(engine_law, paper_pair, tmp_path):
+    """The tangential spring takes 8 G* a with the law's own contact radius, beyond yield too.
+
+    A slow creep along the plane (10 um/s) never slides: the spring force is k_t times the path so
+    far. 1e-3: the path begins within a step of the touch.
+    """
+    run("creep", tmp_path, law=engine_law, tangential="history")
+    table = read_dump(tmp_path / "trajectory.dump")
+    law, state = laws.LAWS[engine_law](paper_pair), laws.LAWS[engine_law].State()
+    radius = law.follow(0.1, (0.1 - table["x"]).to_numpy(), state)["contact_radius"]
+    slip = table["y"].to_numpy() - table["y"].iloc[0]
+    middle = (np.abs(table["fx"]) > 0.5 * np.abs(table["fx"]).max()).to_numpy()
+    assert radius[middle].max() > 2 * 0.1 * laws.yield_radius_ratio(paper_pair)
+    expected = -8 * paper_pair.shear_modulus_eff * radius * slip
+    assert table["fy"].to_numpy()[middle] == pytest.approx(expected[middle], rel=1e-3)
+
+
+@pytest.mark.parametrize("damping", ["off", "on"])
+def test_friction_without_history_is_critically_damped(engine_law, paper_pair, damping, tmp_path):
+    """Creep far below sliding draws 2 sqrt(k_t m*) times its speed, with or without the dashpot."""
+    run("creep", tmp_path, law=engine_law, tangential="no_history", damping=damping)
+    table = read_dump(tmp_path / "trajectory.dump")
+    law, state = laws.LAWS[engine_law](paper_pair), laws.LAWS[engine_law].State()
+    radius = law.follow(0.1, (0.1 - table["x"]).to_numpy(), state)["contact_radius"]
+    middle = (np.abs(table["fx"]) > 0.5 * np.abs(table["fx"]).max()).to_numpy()
+    stiffness = 8 * paper_pair.shear_modulus_eff * radius[middle]
+    speed = table["vy"].to_numpy()[middle]
+    expected = -2 * np.sqrt(stiffness * table["mass"].to_numpy()[middle]) * speed
+    assert table["fy"].to_numpy()[middle] == pytest.approx(expected, rel=1e-6)
+
+
 @pytest.mark.parametrize("rolling", ["cdt", "epsd2"])
 def test_rolling_friction_takes_the_models_force(engine_law, rolling, tmp_path):
     """The rolling torque of cdt is mu_r F R* against the spin; epsd2's is bounded by it."""
