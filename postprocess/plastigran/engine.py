@@ -91,22 +91,27 @@ def run_deck(
     deck = inputs_folder() / deck
     if not deck.is_file():
         raise EngineError(f"no deck {deck}")
+    # The screen goes to a file: on a pipe, a helper process of MPI that outlives an interrupted
+    # engine would keep us waiting. A session of its own lets an engine finish after Ctrl-C; mpirun
+    # stays in ours and stops its ranks.
+    screen = folder / "screen.txt"
     try:
-        done = subprocess.run(
-            command(deck, variables, folder, ranks),
-            cwd=folder,
-            env=environment(),
-            capture_output=True,
-            text=True,
-            errors="replace",
-            timeout=timeout,
-            stdin=subprocess.DEVNULL,
-        )
+        with open(screen, "w") as output:
+            done = subprocess.run(
+                command(deck, variables, folder, ranks),
+                cwd=folder,
+                env=environment(),
+                stdin=subprocess.DEVNULL,
+                stdout=output,
+                stderr=subprocess.STDOUT,
+                timeout=timeout,
+                start_new_session=ranks == 1,
+            )
     except subprocess.TimeoutExpired:
         raise EngineError(f"{deck.name}: stopped after {timeout:g} s") from None
     log = folder / "log.liggghts"
     text = log.read_text(errors="replace") if log.exists() else ""
-    said = text + done.stdout + done.stderr
+    said = text + screen.read_text(errors="replace")
     if done.returncode != 0 or "ERROR" in said:
         errors = [line for line in said.splitlines() if "ERROR" in line]
         reason = errors[0] if errors else (said.strip().splitlines() or ["no output"])[-1]
