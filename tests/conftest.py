@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import re
 from math import pi
 from pathlib import Path
 
@@ -49,3 +50,17 @@ def paper_pair(aluminium):
 def paper_mass(aluminium) -> float:
     """Mass of the paper's sphere [kg]."""
     return 4 / 3 * pi * 0.1**3 * aluminium.density
+
+
+@pytest.fixture(scope="session")
+def declared_jumps() -> dict[str, list[tuple[float, float]]]:
+    """Jumps of the virgin force that each law's source has: `# jump OVERLAP SIZE` lines at the head
+    of its verification cases, in overlaps at yield of the paper's aluminium, and as a share of the
+    force.
+    """
+    jumps = {}
+    for law in laws.LAWS:
+        text = (PROJECT / "tests" / "verification" / "cases" / f"{law}.csv").read_text()
+        found = re.findall(r"^# jump (\S+) (\S+)", text, re.MULTILINE)
+        jumps[law] = [(float(place), float(size)) for place, size in found]
+    return jumps

@@ -9,6 +9,7 @@
 //   name         the word a user types; source, range: where it is from, how far it is good
 //   Parameters   a struct of the law's own constants, each with its default
 //   parameters   a table of them: host property, unit, allowed range
+//   options      a table of the choices its sources leave open
 //   State        a struct of doubles, zero for a contact never loaded beyond yield: the extremes
 //                the contact has reached, symmetric in the two bodies
 //   respond(radius_eff, overlap, state)
@@ -50,6 +51,15 @@ struct Response {
   double contact_radius = 0;  // [m]
   double elastic_energy = 0;  // what unloading from here would give back [J]
   double plastic_work = 0;    // what it will not [J]
+};
+
+// A choice a law leaves to the user, where its sources leave it open: an index into `choices`.
+template <class Parameters>
+struct Option {
+  const char* name;
+  int Parameters::*value;
+  std::array<const char*, 3> choices;  // null where there are fewer
+  const char* meaning;
 };
 
 // One constant of a law: how users name it and what it may be.

@@ -19,6 +19,7 @@ class Hertz {
   static constexpr const char* range = "elastic contact, a << R*";
   struct Parameters {};
   static constexpr std::array<Parameter<Parameters>, 0> parameters{};
+  static constexpr std::array<Option<Parameters>, 0> options{};
   struct State {};
   static constexpr std::array<const char*, 0> state_names{};
 

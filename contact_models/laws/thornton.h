@@ -33,6 +33,7 @@ class Thornton {
       "a << R*; force too low well beyond yield (-43 % at 120 v_Y)";
   struct Parameters {};
   static constexpr std::array<Parameter<Parameters>, 0> parameters{};
+  static constexpr std::array<Option<Parameters>, 0> options{};
   struct State {
     double overlap_max = 0;  // largest overlap beyond yield [m]; 0 while elastic
   };

@@ -41,6 +41,7 @@ class VuQuocZhang {
       {"curvature_coefficient", "curvatureCoefficient", "-", &Parameters::curvature_coefficient, 0,
        0.99, "growth of the contact's radius of curvature with force, K_c P_Y"},
   }};
+  static constexpr std::array<Option<Parameters>, 0> options{};
   struct State {
     double elastic_radius_max = 0;  // largest a_e beyond yield, over a_Y [-]; 0 while elastic
   };
@@ -56,7 +57,7 @@ class VuQuocZhang {
   // Sufficient, and at most a quarter stricter in c_a than necessary, for the virgin curve to rise
   // and for every increment of plastic work to be positive: c_a^(3/2) (2 - k_c) >= 2/5 sqrt(1/5)
   // k_c. Curvature that grows without the contact radius would return more energy than it took.
-  static bool admissible(const Parameters& constants) {
+  static bool admissible(const MaterialPair&, const Parameters& constants) {
     const double ca = constants.contact_radius_coefficient, kc = constants.curvature_coefficient;
     return ca * std::sqrt(ca) * (2 - kc) >= 0.4 * std::sqrt(0.2) * kc;
   }

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <map>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -29,11 +30,24 @@
 #include "neighbor.h"
 #include "normal_model_base.h"
 #include "pair_gran.h"
+#include "settings.h"
 #include "update.h"
 #include "validate.h"
 
 namespace LIGGGHTS {
 namespace ContactModels {
+
+// The engine's Settings offers on/off and numbers to models, and keeps choices among words to
+// itself. Naming a private member in an explicit instantiation is the language's own way in.
+struct EngineSettings {
+  typedef std::map<std::string, Setting*> Settings::*type;
+  friend type reach(EngineSettings);
+};
+template <class Tag, typename Tag::type Member>
+struct Reach {
+  friend typename Tag::type reach(Tag) { return Member; }
+};
+template struct Reach<EngineSettings, &Settings::settings>;
 
 template <class Law>
 class ElastoplasticNormalModel : public NormalModelBase {
@@ -56,6 +70,7 @@ class ElastoplasticNormalModel : public NormalModelBase {
 
   void registerSettings(Settings& settings) override {
     settings.registerOnOff("viscous_damping", viscous_damping_, false);
+    for (const auto& option : Law::options) register_choice(settings, option);
     settings.registerOnOff("computeElasticPotential", engine_elastic_potential_, false);
     settings.registerOnOff("computeDissipatedEnergy", engine_dissipated_energy_, false);
   }
@@ -151,6 +166,16 @@ class ElastoplasticNormalModel : public NormalModelBase {
     fail(std::string(setting) + " is not available with this model; leave it off");
   }
 
+  void register_choice(Settings& settings,
+                       const plastigran::Option<typename Law::Parameters>& option) {
+    EnumSetting<int>* const setting = new EnumSetting<int>(option.name);  // Settings deletes it
+    for (int k = 0; k < static_cast<int>(option.choices.size()) && option.choices[k]; ++k)
+      setting->addOption(option.choices[k], k);
+    setting->setDefault(option.choices[choices_.*option.value]);
+    setting->registerTarget(choices_.*option.value);
+    (settings.*reach(EngineSettings()))[option.name] = setting;
+  }
+
   FixPropertyGlobal* find(const char* name, const char* shape, int rows, int columns,
                           bool required) {
     return static_cast<FixPropertyGlobal*>(modify->find_fix_property(
@@ -190,13 +215,13 @@ class ElastoplasticNormalModel : public NormalModelBase {
     laws_.clear(), constants_.clear(), moduli_.clear(), shear_moduli_.clear();
     for (int i = 1; i <= type_count_; ++i)
       for (int j = 1; j <= type_count_; ++j) {
-        typename Law::Parameters constants;
+        typename Law::Parameters constants = choices_;
         for (const auto& parameter : Law::parameters)
           if (FixPropertyGlobal* values =
                   property(parameter.property, "peratomtypepair", type_count_, type_count_))
             constants.*parameter.value = values->compute_array(i - 1, j - 1);
-        check(plastigran::validate<Law>(constants), i, j);
         const auto pair = plastigran::combine(materials_[i - 1], materials_[j - 1]);
+        check(plastigran::validate<Law>(pair, constants), i, j);
         laws_.emplace_back(pair, constants);
         constants_.push_back(constants);
         moduli_.push_back(pair.youngs_modulus_eff);
@@ -308,6 +333,7 @@ class ElastoplasticNormalModel : public NormalModelBase {
   IContactHistorySetup* owner_;
   bool is_wall_;
   int history_offset_ = 0;
+  typename Law::Parameters choices_;  // the law's options as set; its constants at their defaults
   bool viscous_damping_ = false;
   bool engine_elastic_potential_ = false;
   bool engine_dissipated_energy_ = false;

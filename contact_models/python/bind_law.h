@@ -31,21 +31,39 @@ inline void raise_if(const std::string& complaint) {
   if (!complaint.empty()) throw std::invalid_argument(complaint);
 }
 
+template <class Parameters>
+int parse_choice(const Option<Parameters>& option, const std::string& word) {
+  std::string allowed;
+  for (int k = 0; k < static_cast<int>(option.choices.size()) && option.choices[k]; ++k) {
+    if (word == option.choices[k]) return k;
+    allowed += (k ? ", " : "") + std::string(option.choices[k]);
+  }
+  raise_if(std::string(option.name) + " is '" + word + "'; it must be one of " + allowed);
+  return 0;
+}
+
 template <class Law>
-typename Law::Parameters parse_constants(const nb::kwargs& given) {
+typename Law::Parameters parse_constants(const MaterialPair& pair, const nb::kwargs& given) {
   typename Law::Parameters constants;
   for (auto item : given) {
     const std::string name = nb::cast<std::string>(item.first);
+    const auto option = std::find_if(Law::options.begin(), Law::options.end(),
+                                     [&](const auto& candidate) { return name == candidate.name; });
+    if (option != Law::options.end()) {
+      constants.*(option->value) = parse_choice(*option, nb::cast<std::string>(item.second));
+      continue;
+    }
     const auto known = std::find_if(Law::parameters.begin(), Law::parameters.end(),
                                     [&](const auto& p) { return name == p.name; });
     if (known == Law::parameters.end()) {
       std::string text = std::string(Law::name) + " has no constant '" + name + "'; it takes";
       for (const auto& p : Law::parameters) text += std::string(" ") + p.name;
-      raise_if(text + (Law::parameters.empty() ? " none" : ""));
+      for (const auto& o : Law::options) text += std::string(" ") + o.name;
+      raise_if(text + (Law::parameters.empty() && Law::options.empty() ? " none" : ""));
     }
     constants.*(known->value) = nb::cast<double>(item.second);
   }
-  raise_if(validate<Law>(constants));
+  raise_if(validate<Law>(pair, constants));
   return constants;
 }
 
@@ -103,7 +121,7 @@ void bind_law(nb::module_& module, const char* class_name) {
   law.def(
       "__init__",
       [](Law* self, const MaterialPair& pair, const nb::kwargs& constants) {
-        new (self) Law(pair, parse_constants<Law>(constants));
+        new (self) Law(pair, parse_constants<Law>(pair, constants));
       },
       "pair"_a, "constants"_a,
       "A law between two bodies. Keyword arguments are the law's own constants (see "
@@ -158,6 +176,25 @@ void bind_law(nb::module_& module, const char* class_name) {
         return table;
       },
       "The law's own constants: name, LIGGGHTS property, unit, default, range, meaning.");
+  law.def_static(
+      "options",
+      [] {
+        nb::list table;
+        const typename Law::Parameters defaults;
+        for (const auto& o : Law::options) {
+          nb::list choices;
+          for (const char* choice : o.choices)
+            if (choice) choices.append(choice);
+          nb::dict row;
+          row["name"] = o.name;
+          row["choices"] = choices;
+          row["default"] = o.choices[defaults.*o.value];
+          row["meaning"] = o.meaning;
+          table.append(row);
+        }
+        return table;
+      },
+      "The choices the law leaves open: name, choices, default, meaning.");
   law.attr("name") = Law::name;
   law.attr("source") = Law::source;
   law.attr("range") = Law::range;

@@ -34,20 +34,20 @@ inline std::string validate(const Material& body) {
   return {};
 }
 
-// A law may add a joint condition on its constants: static bool admissible(const Parameters&) with
-// a sentence `admissibility`.
+// A law may add a joint condition on its constants and the pair: static bool admissible(const
+// MaterialPair&, const Parameters&) with a sentence `admissibility`.
 template <class Law>
-auto joint_complaint(const typename Law::Parameters& constants, int)
-    -> decltype(Law::admissible(constants), std::string()) {
-  return Law::admissible(constants) ? std::string() : std::string(Law::admissibility);
+auto joint_complaint(const MaterialPair& pair, const typename Law::Parameters& constants, int)
+    -> decltype(Law::admissible(pair, constants), std::string()) {
+  return Law::admissible(pair, constants) ? std::string() : std::string(Law::admissibility);
 }
 template <class Law>
-std::string joint_complaint(const typename Law::Parameters&, long) {
+std::string joint_complaint(const MaterialPair&, const typename Law::Parameters&, long) {
   return {};
 }
 
 template <class Law>
-std::string validate(const typename Law::Parameters& constants) {
+std::string validate(const MaterialPair& pair, const typename Law::Parameters& constants) {
   for (const auto& parameter : Law::parameters) {
     const double value = constants.*parameter.value;
     if (value >= parameter.lower && value <= parameter.upper) continue;
@@ -56,7 +56,7 @@ std::string validate(const typename Law::Parameters& constants) {
             << "]";
     return complaint(parameter.property, value, allowed.str());
   }
-  return joint_complaint<Law>(constants, 0);
+  return joint_complaint<Law>(pair, constants, 0);
 }
 
 }  // namespace plastigran

@@ -134,6 +134,9 @@ def laws_command(_: argparse.Namespace) -> None:
                 f"  {p['property']} [{p['unit']}], default {p['default']:g}, "
                 f"{p['lower']:g} to {p['upper']:g}: {p['meaning']}"
             )
+        for o in law.options():
+            choices = "|".join(o["choices"])
+            print(f"  {o['name']} {choices}, default {o['default']}: {o['meaning']}")
         print()
 
 

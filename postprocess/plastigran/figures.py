@@ -29,14 +29,15 @@ STYLE = {
     "svg.hashsalt": "plastigran",
 }
 # Colours apart for colour-blind eyes (Okabe & Ito), one a law, in alphabetical order.
-COLOURS = ["#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#000000", "#F0E442"]
-MARKERS = "osD^vP*X"
+COLOURS = ["#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#000000", "#7F7F7F"]
+MARKERS = "osD^vPX<>dph"
 
 
 def title(name: str) -> str:
-    """A law's or material's name as a person writes it."""
+    """A law's or material's name as a person writes it: authors joined by a dash, years apart."""
     names = {"vu_quoc_zhang": "Vu-Quoc–Zhang", "aluminium_zv02": "Aluminium"}
-    return names.get(name, name.replace("_", " ").capitalize())
+    words = "–".join(word.capitalize() for word in name.split("_"))
+    return names.get(name, words.replace("–20", " 20"))
 
 
 def finite_elements() -> pd.DataFrame:
@@ -61,8 +62,8 @@ def restitution_figure(table: pd.DataFrame, impacts: list[Impact]) -> Figure:
         law_names = sorted(table["law"].unique())
         materials = sorted(table["material"].unique())
         for (material, law), points in table.groupby(["material", "law"], sort=True):
-            shade = law_names.index(law) % len(COLOURS)
-            colour, marker = COLOURS[shade], MARKERS[shade]
+            shade = law_names.index(law)
+            colour, marker = COLOURS[shade % len(COLOURS)], MARKERS[shade % len(MARKERS)]
             dashes = ["-", "--", ":", "-."][materials.index(material) % 4]
             model = next(i for i in impacts if i.law == law and i.material.name == material)
             speed = np.geomspace(points["speed"].min() / 1.3, points["speed"].max() * 1.3, 200)
@@ -92,7 +93,9 @@ def restitution_figure(table: pd.DataFrame, impacts: list[Impact]) -> Figure:
         axes.set_ylabel("coefficient of restitution")
         axes.set_ylim(0, 1.05)
         axes.plot([], [], color="0.4", lw=1.3, label="theory")
-        axes.legend(title="points: LIGGGHTS", loc="lower left")
+        axes.legend(
+            title="points: LIGGGHTS", loc="lower left", fontsize=10 if len(law_names) < 6 else 7
+        )
     return figure
 
 

@@ -7,6 +7,7 @@ from pathlib import Path
 
 import pytest
 
+from plastigran import laws
 from plastigran.collision import measure
 from plastigran.engine import PROJECT, EngineError, run_deck
 
@@ -108,6 +109,15 @@ def test_every_model_refuses(engine_law, changes, said, tmp_path):
 def test_vu_quoc_zhang_refuses(more, said, tmp_path):
     with pytest.raises(EngineError, match=said):
         run(tmp_path, more=more)
+
+
+def test_options_are_words(engine_law, tmp_path):
+    """Every choice of every option is taken, any other word refused."""
+    for option in laws.LAWS[engine_law].options():
+        for choice in option["choices"]:
+            run(tmp_path, law=engine_law, settings=f"tangential off {option['name']} {choice}")
+        with pytest.raises(EngineError, match="unknown option or wrong keyword order: 'maybe'"):
+            run(tmp_path, law=engine_law, settings=f"tangential off {option['name']} maybe")
 
 
 def test_unknown_law(tmp_path):

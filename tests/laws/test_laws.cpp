@@ -52,7 +52,7 @@ TEST_CASE_TEMPLATE("asking twice changes nothing, bit for bit", Law, ALL_LAWS) {
 }
 
 TEST_CASE_TEMPLATE("defaults are admissible", Law, ALL_LAWS) {
-  CHECK(validate<Law>(typename Law::Parameters{}).empty());
+  CHECK(validate<Law>(aluminium, typename Law::Parameters{}).empty());
 }
 
 TEST_CASE("Vu-Quoc-Zhang's Newton iteration converges for every admissible constant") {
@@ -63,7 +63,7 @@ TEST_CASE("Vu-Quoc-Zhang's Newton iteration converges for every admissible const
     VuQuocZhang::Parameters constants;
     constants.contact_radius_coefficient = std::pow(10, -4 + 5 * unit(random));
     constants.curvature_coefficient = 0.99 * std::pow(unit(random), 3);
-    if (!validate<VuQuocZhang>(constants).empty()) continue;
+    if (!validate<VuQuocZhang>(aluminium, constants).empty()) continue;
     ++tried;
     const VuQuocZhang law(aluminium, constants);
     const double ca = constants.contact_radius_coefficient, kc = constants.curvature_coefficient;
@@ -89,7 +89,7 @@ TEST_CASE(
     VuQuocZhang::Parameters constants;
     constants.contact_radius_coefficient = std::pow(10, -3 + 3 * unit(random));
     constants.curvature_coefficient = 0.99 * std::pow(unit(random), 3);
-    if (!validate<VuQuocZhang>(constants).empty()) continue;
+    if (!validate<VuQuocZhang>(aluminium, constants).empty()) continue;
     ++tried;
     const VuQuocZhang law(aluminium, constants);
     VuQuocZhang::State state;
@@ -101,6 +101,6 @@ TEST_CASE(
       work = response.plastic_work, force = response.force;
     }
   }
-  CHECK_FALSE(VuQuocZhang::admissible({0.001, 0.1}));
-  CHECK(VuQuocZhang::admissible({0, 0}));  // Hertz
+  CHECK_FALSE(VuQuocZhang::admissible(aluminium, {0.001, 0.1}));
+  CHECK(VuQuocZhang::admissible(aluminium, {0, 0}));  // Hertz
 }

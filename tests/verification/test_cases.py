@@ -14,7 +14,7 @@ from plastigran.materials import read_material
 CASES = {
     f"{path.stem}-{row.speed:g}": (path.stem, row)
     for path in sorted((Path(__file__).parent / "cases").glob("*.csv"))
-    for row in pd.read_csv(path).itertuples()
+    for row in pd.read_csv(path, comment="#").itertuples()
 }
 OUTCOMES = ("coefficient_of_restitution", "force_max", "overlap_max", "overlap_res")
 
@@ -60,12 +60,14 @@ def test_engine_at_the_recommended_step(case, geometry, tmp_path):
 
 
 @pytest.mark.parametrize("case", CASES)
-def test_engine_at_a_twentieth_of_it(case, tmp_path):
-    """Second order: a 20 times smaller step leaves 1e-5."""
+def test_engine_at_a_twentieth_of_it(case, declared_jumps, tmp_path):
+    """Second order: a 20 times smaller step leaves 1e-5. A step across a jump of the force is off
+    by the jump, first order: 1e-4 where the source has one."""
     law, row = CASES[case]
     model = impact(law, row)
     found = model.run(tmp_path, time_step=model.time_step() / 20)
     predicted = model.predicted()
     for name in OUTCOMES:
-        expected = pytest.approx(getattr(predicted, name), rel=1e-5, abs=1e-12)
+        tolerance = 1e-4 if declared_jumps[law] else 1e-5
+        expected = pytest.approx(getattr(predicted, name), rel=tolerance, abs=1e-12)
         assert getattr(found, name) == expected, name

