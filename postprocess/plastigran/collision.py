@@ -8,6 +8,7 @@ from pathlib import Path
 
 import numpy as np
 import pandas as pd
+from scipy.optimize import brentq
 
 from plastigran.dumps import read_dump
 
@@ -90,8 +91,8 @@ def measure(trajectory: str | Path | pd.DataFrame) -> Collision:
     """Measure the collision in a trajectory.
 
     Times and extremes between two frames are interpolated: the overlap by the cubic that matches
-    positions and speeds at both ends; the residual overlap from force^(2/3), which the rebound of
-    a sphere makes a straight line.
+    positions and speeds at both ends; the residual overlap by the power of the way left that the
+    last three loaded frames follow.
 
     Args:
         trajectory: A custom dump written every step, or the table `read_dump` makes of it.
@@ -118,12 +119,11 @@ def measure(trajectory: str | Path | pd.DataFrame) -> Collision:
     turn = int(np.flatnonzero(speed[start:] < 0)[0]) + start  # first frame on the way back
     turning_time, overlap_max = _turning_point(time, overlap, speed, turn - 1)
 
-    a, b = last - 1, last
-    root = force[[a, b]] ** (2 / 3)
-    overlap_res = overlap[b] - root[1] * (overlap[a] - overlap[b]) / (root[0] - root[1])
+    rebound = slice(max(last - 2, turn), last + 1)
+    overlap_res = _residual(overlap[rebound], force[rebound])
     if abs(overlap_res) < 1e-6 * overlap_max:
         overlap_res = 0.0
-    release = time[b] + (overlap[b] - overlap_res) / -speed[b]
+    release = time[last] + (overlap[last] - overlap_res) / -speed[last]
     return Collision(
         closing_speed=speed[start - 1],
         coefficient_of_restitution=-speed[-1] / speed[start - 1],
@@ -139,6 +139,27 @@ def measure(trajectory: str | Path | pd.DataFrame) -> Collision:
 def _crossing(time, value, rate, k: int, level: float) -> float:
     """Time after time[k] at which `value` passes `level`, from its value and rate at k."""
     return time[k] + (level - value[k]) / rate[k]
+
+
+def _residual(overlap, force) -> float:
+    """Overlap at which a force that falls as a power of the way left vanishes.
+
+    Laws unload along (overlap - overlap_res)^n with n near 3/2, and this finds n where three frames
+    allow it: with the right one, force^(1/n) is a straight line.
+    """
+
+    def slopes(n: float):
+        return np.diff(force ** (1 / n)) / np.diff(overlap)
+
+    n = 1.5
+    if len(overlap) == 3:
+
+        def bend(n: float) -> float:
+            return np.subtract(*slopes(n))
+
+        if bend(1.0) * bend(3.0) < 0:
+            n = brentq(bend, 1.0, 3.0, xtol=1e-9)
+    return overlap[-1] - force[-1] ** (1 / n) / slopes(n)[-1]
 
 
 def _turning_point(time, value, rate, k: int) -> tuple[float, float]:

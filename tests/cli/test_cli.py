@@ -63,7 +63,7 @@ def test_timestep(capsys):
 @pytest.mark.parametrize(
     ("line", "said"),
     [
-        (["impact", "--law", "hook"], "no law 'hook'; there are hertz, "),
+        (["impact", "--law", "hook"], "no law 'hook'; there are brake_2012, "),
         (["impact", "--material", "cheese"], "no material 'cheese'; there are aluminium_zv02, "),
         (["timestep", "--speed", "1", "--law", "x"], "no law 'x'"),
     ],

@@ -10,6 +10,9 @@ import pytest
 
 from plastigran.collision import measure
 
+# In parallel runs all of this file on one worker: the engine is built once.
+pytestmark = pytest.mark.xdist_group("in_tree")
+
 HERE = Path(__file__).parent
 PROJECT = HERE.parents[1]
 INSTALL = PROJECT / "contact_models/in_tree/install.sh"

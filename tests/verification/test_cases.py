@@ -41,21 +41,21 @@ def test_law_alone(case):
 def test_engine_at_the_recommended_step(case, geometry, tmp_path):
     """What the recommended step promises: restitution to 1e-3, the rest to 2e-3.
 
-    Two equal spheres at +-v are the sphere on the rigid plane: half R* and m*, half E*, twice the
-    closing speed give the same restitution and force, and overlaps twice as large.
+    Expected is the law's own answer for that geometry, which the test above holds against the case:
+    two spheres are not the sphere on a rigid plane for a law that depends on sigma_Y/E*.
     """
     law, row = CASES[case]
-    found = impact(law, row, geometry).run(tmp_path)
-    factor = 2 if geometry == "two_spheres" else 1
+    model = impact(law, row, geometry)
+    found, expected = model.run(tmp_path), model.predicted()
     assert found.coefficient_of_restitution == pytest.approx(
-        row.coefficient_of_restitution, rel=1e-3
+        expected.coefficient_of_restitution, rel=1e-3
     )
-    assert found.force_max == pytest.approx(row.force_max, rel=2e-3)
-    assert found.overlap_max == pytest.approx(factor * row.overlap_max, rel=2e-3)
+    assert found.force_max == pytest.approx(expected.force_max, rel=2e-3)
+    assert found.overlap_max == pytest.approx(expected.overlap_max, rel=2e-3)
     assert found.overlap_res == pytest.approx(
-        factor * row.overlap_res, rel=2e-3, abs=1e-5 * row.overlap_max
+        expected.overlap_res, rel=2e-3, abs=1e-5 * row.overlap_max
     )
-    if row.contact_time == row.contact_time:  # given
+    if geometry == "sphere_wall" and row.contact_time == row.contact_time:  # given
         assert found.contact_time == pytest.approx(row.contact_time, rel=2e-3)
 
 

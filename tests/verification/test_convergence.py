@@ -14,17 +14,19 @@ def test_order_in_the_time_step(engine_law, aluminium, declared_jumps, tmp_path)
     """Errors of restitution, root mean square over where in a step the contact begins.
 
     One run's error changes sign with that phase, so single runs show no clean order. The slope over
-    a 16-fold step is 2 within 0.25: eight phases leave some scatter. A law whose force jumps is
+    a 16-fold step is 2 within 0.25: six phases leave some scatter. A law whose force jumps is
     integrated across the jump to first order only, so there it is at least 1.
     """
-    model = Impact(engine_law, 0.2, aluminium, 0.1)  # beyond yield for every law
+    # Well beyond yield: elastic impacts are integrated better than to second order.
+    models = (Impact(engine_law, speed, aluminium, 0.1) for speed in (0.2, 0.5, 1.0))
+    model = next(m for m in models if m.predicted().coefficient_of_restitution < 0.8)
     expected = model.predicted().coefficient_of_restitution
-    steps = model.time_step() * np.array([2.0, 1.0, 0.5, 0.25, 0.125])
+    steps = model.time_step() * np.array([2.0, 0.5, 0.125])
     errors = []
     for step in steps:
         phases = [
-            model.run(tmp_path / f"{step:g}_{k}", step, gap=k / 8 * step * model.speed)
-            for k in range(8)
+            model.run(tmp_path / f"{step:g}_{k}", step, gap=k / 6 * step * model.speed)
+            for k in range(6)
         ]
         off = [run.coefficient_of_restitution / expected - 1 for run in phases]
         errors.append(np.sqrt(np.mean(np.square(off))))
@@ -33,7 +35,7 @@ def test_order_in_the_time_step(engine_law, aluminium, declared_jumps, tmp_path)
         assert order > 0.75, errors
     else:
         assert order == pytest.approx(2, abs=0.25), errors
-    assert errors[1] < 1e-3  # at the recommended step
+    assert errors[0] < 4e-3  # twice the recommended step, which promises 1e-3
 
 
 @pytest.mark.parametrize("law", ["hertz"])
@@ -50,13 +52,23 @@ def test_hertz_duration(law, speed, aluminium, tmp_path):
 
 
 def test_geometries_agree(engine_law, aluminium, tmp_path):
-    """Pair, primitive wall and mesh wall run the same numbers; 1e-9 is rounding, grown by the
-    cancellation in two positions' difference."""
+    """Primitive wall and mesh wall run the same numbers; 1e-9 is rounding, grown by the
+    cancellation in two positions' difference. So does a pair of equal spheres, with half of R*, m*
+    and E* and twice the overlap, unless the law depends on sigma_Y/E* beside the yield point.
+    """
+    models = {
+        geometry: Impact(engine_law, 0.1, aluminium, 0.1, geometry) for geometry in GEOMETRIES
+    }
+    expected = {
+        geometry: model.predicted().coefficient_of_restitution for geometry, model in models.items()
+    }
     found = {
-        geometry: Impact(engine_law, 0.1, aluminium, 0.1, geometry).run(tmp_path / geometry, 1e-5)
-        for geometry in GEOMETRIES
+        geometry: model.run(tmp_path / geometry, 1e-5)
+        for geometry, model in models.items()
+        if expected[geometry] == pytest.approx(expected["sphere_wall"], rel=1e-9)
     }
     wall = found["sphere_wall"]
+    assert "sphere_mesh" in found
     for geometry, other in found.items():
         factor = 2 if geometry == "two_spheres" else 1
         assert other.coefficient_of_restitution == pytest.approx(
