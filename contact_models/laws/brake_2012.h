@@ -57,8 +57,10 @@ class Brake2012 : public PowerUnloading<Brake2012Curve> {
     int energy_guard = 1;
   };
   static constexpr std::array<Parameter<Parameters>, 1> parameters{{
-      {"indentation_pressure", "indentationPressure", "Pa", &Parameters::indentation_pressure, 0,
-       1e13, "pressure of a fully plastic indentation; 0 stands for 2.8 times the yield strength"},
+      {"indentation_pressure", "indentationPressure", "Pa", &Parameters::indentation_pressure, 1e5,
+       1e13,
+       "pressure of a fully plastic indentation, 9.80665e6 times a hardness in kgf/mm2; 0 stands "
+       "for 2.8 times the yield strength"},
   }};
   static constexpr std::array<Option<Parameters>, 1> options{{
       energy_guard_option(&Parameters::energy_guard),

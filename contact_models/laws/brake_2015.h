@@ -58,8 +58,10 @@ class Brake2015 : public PowerUnloading<Brake2015Curve> {
     int energy_guard = 1;
   };
   static constexpr std::array<Parameter<Parameters>, 2> parameters{{
-      {"indentation_pressure", "indentationPressure", "Pa", &Parameters::indentation_pressure, 0,
-       1e13, "pressure of a fully plastic indentation; 0 stands for 2.8 times the yield strength"},
+      {"indentation_pressure", "indentationPressure", "Pa", &Parameters::indentation_pressure, 1e5,
+       1e13,
+       "pressure of a fully plastic indentation, 9.80665e6 times a hardness in kgf/mm2; 0 stands "
+       "for 2.8 times the yield strength"},
       {"meyer_index", "meyerIndex", "-", &Parameters::meyer_index, 2, 2.7,
        "Meyer's hardening index; 2 is perfectly plastic"},
   }};

@@ -45,6 +45,11 @@ struct JacksonGreenCurve {
   }
   double exponent(double) const { return 1.5; }
   double contact_radius(double x) const { return std::sqrt(x * std::pow(x / 1.9, area_exponent)); }
+  // Overlap over R* at which a/R* = 0.41, where the fit ends.
+  double overlap_range() const {
+    const double x_scale = 1 / (1.9 * yield_radius_ratio * yield_radius_ratio);
+    return std::pow(0.41 * 0.41 / std::pow(x_scale, area_exponent), 1 / (1 + area_exponent));
+  }
   // H / sigma_Y; the cosine form was fitted up to a/R* = 0.41 and is held at a/R* = 1.
   double hardness_ratio(double x) const {
     const double a = yield_radius_ratio * contact_radius(x);

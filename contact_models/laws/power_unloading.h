@@ -13,6 +13,7 @@
 //   recovery(x)         (overlap_max - overlap_res)/overlap_y after loading to x
 //   exponent(x)         n
 //   contact_radius(x)   a/a_y beyond the first break
+//   overlap_range()     optional: largest overlap over R* the curve is good for
 //
 // Energy guard. Near yield some published curves return more than was put in, and where one jumps
 // up the work lost so far would shrink. With the guard (the default) the work lost never falls:
@@ -21,6 +22,7 @@
 #pragma once
 
 #include <algorithm>
+#include <utility>
 
 #include "contact.h"
 
@@ -46,6 +48,11 @@ class PowerUnloading {
         modulus_(4.0 / 3.0 * pair.youngs_modulus_eff),
         overlap_ratio_(curve.yield_radius_ratio * curve.yield_radius_ratio) {
     if (energy_guard) find_guarded();
+  }
+
+  template <class C = Curve>
+  auto overlap_range() const -> decltype(std::declval<const C&>().overlap_range()) {
+    return curve_.overlap_range();
   }
 
   Response respond(double radius_eff, double overlap, State& state) const {

@@ -106,8 +106,9 @@ class VuQuocZhang {
   }
 
   // The calibration reaches F = 41 P_Y; 2 % for rounded figures.
-  bool in_range(double radius_eff, double force) const {
-    return force <= 42 * yield_force(radius_eff);
+  double overlap_range() const {
+    const Shape at = shape(std::cbrt(42));
+    return at.radius * at.radius / at.curvature * yield_radius_ratio_ * yield_radius_ratio_;
   }
 
   // P_Y [N].

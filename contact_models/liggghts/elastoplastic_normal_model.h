@@ -12,7 +12,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <map>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -20,6 +19,7 @@
 #include "atom.h"
 #include "comm.h"
 #include "contact.h"
+#include "engine_access.h"
 #include "error.h"
 #include "fix_mesh_surface.h"
 #include "fix_property_global.h"
@@ -30,24 +30,13 @@
 #include "neighbor.h"
 #include "normal_model_base.h"
 #include "pair_gran.h"
+#include "range_watch.h"
 #include "settings.h"
 #include "update.h"
 #include "validate.h"
 
 namespace LIGGGHTS {
 namespace ContactModels {
-
-// The engine's Settings offers on/off and numbers to models, and keeps choices among words to
-// itself. Naming a private member in an explicit instantiation is the language's own way in.
-struct EngineSettings {
-  typedef std::map<std::string, Setting*> Settings::*type;
-  friend type reach(EngineSettings);
-};
-template <class Tag, typename Tag::type Member>
-struct Reach {
-  friend typename Tag::type reach(Tag) { return Member; }
-};
-template struct Reach<EngineSettings, &Settings::settings>;
 
 template <class Law>
 class ElastoplasticNormalModel : public NormalModelBase {
@@ -87,6 +76,7 @@ class ElastoplasticNormalModel : public NormalModelBase {
 #endif
     type_count_ = registry.max_type();
     build_laws();
+    excess_ = plastigran::RangeWatch::of(lmp, caller(), Law::range);
     if (viscous_damping_) {
       registry.registerProperty("betaeff", &MODEL_PARAMS::createBetaEff);
       registry.connect("betaeff", damping_, caller().c_str());
@@ -116,7 +106,10 @@ class ElastoplasticNormalModel : public NormalModelBase {
     State state;
     std::memcpy(&state, history, state_size);
     const plastigran::Response response = laws_[pair].respond(radius_eff, contact.deltan, state);
-    if (contact.computeflag && contact.shearupdate) std::memcpy(history, &state, state_size);
+    if (contact.computeflag && contact.shearupdate) {
+      if (contact.deltan > ranges_[pair] * radius_eff) note_excess(contact, pair, radius_eff);
+      std::memcpy(history, &state, state_size);
+    }
 
     // A residual dent carries no force and so no friction, but a tangential spring needs a
     // stiffness to be released against: give it the undeformed sphere's.
@@ -156,6 +149,21 @@ class ElastoplasticNormalModel : public NormalModelBase {
   void endPass(SurfacesIntersectData&, ForceData&, ForceData&) override {}
 
  private:
+  // A contact is counted when it passes the end of its law's range for the first time: when what it
+  // had reached before this step is less than loading to that end makes of it.
+  [[gnu::noinline]] void note_excess(const SurfacesIntersectData& contact, int pair,
+                                     double radius_eff) {
+    const double limit = ranges_[pair] * radius_eff;
+    excess_->furthest = std::max(excess_->furthest, contact.deltan / limit);
+    State before, reached;
+    std::memcpy(&before, contact.contact_history + history_offset_, state_size);
+    reached = before;
+    laws_[pair].respond(radius_eff, limit, reached);
+    if (std::memcmp(&before, &reached, state_size) == 0) return;
+    const bool shared = !contact.is_wall && contact.j >= atom->nlocal;
+    excess_->contacts += shared ? 0.5 : 1;
+  }
+
   int index(int itype, int jtype) const { return (itype - 1) * type_count_ + jtype - 1; }
 
   static std::string caller() { return std::string("model ") + Law::name; }
@@ -173,7 +181,7 @@ class ElastoplasticNormalModel : public NormalModelBase {
       setting->addOption(option.choices[k], k);
     setting->setDefault(option.choices[choices_.*option.value]);
     setting->registerTarget(choices_.*option.value);
-    (settings.*reach(EngineSettings()))[option.name] = setting;
+    (settings.*reach(plastigran::EngineSettings()))[option.name] = setting;
   }
 
   FixPropertyGlobal* find(const char* name, const char* shape, int rows, int columns,
@@ -212,7 +220,7 @@ class ElastoplasticNormalModel : public NormalModelBase {
       body.yield_pressure_factor = per_type("yieldPressureFactor", type, "-", 0);
       check(plastigran::validate(body), type, 0);
     }
-    laws_.clear(), constants_.clear(), moduli_.clear(), shear_moduli_.clear();
+    laws_.clear(), constants_.clear(), ranges_.clear(), moduli_.clear(), shear_moduli_.clear();
     for (int i = 1; i <= type_count_; ++i)
       for (int j = 1; j <= type_count_; ++j) {
         typename Law::Parameters constants = choices_;
@@ -224,6 +232,7 @@ class ElastoplasticNormalModel : public NormalModelBase {
         check(plastigran::validate<Law>(pair, constants), i, j);
         laws_.emplace_back(pair, constants);
         constants_.push_back(constants);
+        ranges_.push_back(plastigran::overlap_range(laws_.back(), 0));
         moduli_.push_back(pair.youngs_modulus_eff);
         shear_moduli_.push_back(pair.shear_modulus_eff);
       }
@@ -340,12 +349,14 @@ class ElastoplasticNormalModel : public NormalModelBase {
   bool smooth_friction_ = false;
   double** damping_ = nullptr;  // the engine's beta(coefficientRestitution) of each type pair
 
+  plastigran::RangeWatch::Excess* excess_ = nullptr;
   bool reported_ = false;
   int type_count_ = 0;
   std::vector<plastigran::Material> materials_;  // by type - 1
   // By index(itype, jtype):
   std::vector<Law> laws_;
   std::vector<typename Law::Parameters> constants_;
+  std::vector<double> ranges_;        // largest overlap the law is good for, over R*
   std::vector<double> moduli_;        // E*
   std::vector<double> shear_moduli_;  // G*
 };

@@ -63,7 +63,8 @@ typename Law::Parameters parse_constants(const MaterialPair& pair, const nb::kwa
     }
     constants.*(known->value) = nb::cast<double>(item.second);
   }
-  raise_if(validate<Law>(pair, constants));
+  const std::string said = validate<Law>(pair, constants);
+  raise_if(said.empty() ? said : std::string(Law::name) + ": " + said);
   return constants;
 }
 

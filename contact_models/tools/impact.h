@@ -3,6 +3,7 @@
 // What any law says about a central impact, by energy: no time integration, no host.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 
 #include "contact.h"
@@ -18,18 +19,17 @@ struct Impact {
   bool in_range = true;                   // the law is good for that load
 };
 
-// No contact law is good for overlaps of the order of the radius. A law may narrow that:
-// bool in_range(radius_eff, force) const.
-constexpr double overlap_limit = 0.1;  // over R*
+// Largest overlap over R* a law is good for. No contact law is good for overlaps of the order of
+// the radius; a law may narrow that: double overlap_range() const.
+constexpr double overlap_limit = 0.1;
 
 template <class Law>
-auto law_in_range(const Law& law, double radius_eff, double force, int)
-    -> decltype(law.in_range(radius_eff, force)) {
-  return law.in_range(radius_eff, force);
+auto overlap_range(const Law& law, int) -> decltype(law.overlap_range()) {
+  return std::min(law.overlap_range(), overlap_limit);
 }
 template <class Law>
-bool law_in_range(const Law&, double, double, long) {
-  return true;
+double overlap_range(const Law&, long) {
+  return overlap_limit;
 }
 
 // Bodies of effective mass mass_eff [kg] meet at relative speed `speed` [m/s]: 1/2 m* v^2 equals
@@ -58,8 +58,7 @@ Impact central_impact(const Law& law, double radius_eff, double mass_eff, double
   typename Law::State state;
   const Response peak = law.respond(radius_eff, impact.overlap_max, state);
   impact.force_max = peak.force;
-  impact.in_range = impact.overlap_max <= overlap_limit * radius_eff &&
-                    law_in_range(law, radius_eff, peak.force, 0);
+  impact.in_range = impact.overlap_max <= overlap_range(law, 0) * radius_eff;
   impact.coefficient_of_restitution = std::sqrt(peak.elastic_energy / energy);
 
   const auto force = [&](double overlap) {

@@ -39,7 +39,12 @@ inline std::string validate(const Material& body) {
 template <class Law>
 auto joint_complaint(const MaterialPair& pair, const typename Law::Parameters& constants, int)
     -> decltype(Law::admissible(pair, constants), std::string()) {
-  return Law::admissible(pair, constants) ? std::string() : std::string(Law::admissibility);
+  if (Law::admissible(pair, constants)) return {};
+  std::ostringstream given;
+  for (const auto& parameter : Law::parameters)
+    given << (given.tellp() > 0 ? ", " : "with ") << parameter.property << ' '
+          << constants.*parameter.value << " [" << parameter.unit << ']';
+  return given.str() + ": " + Law::admissibility;
 }
 template <class Law>
 std::string joint_complaint(const MaterialPair&, const typename Law::Parameters&, long) {
@@ -48,12 +53,14 @@ std::string joint_complaint(const MaterialPair&, const typename Law::Parameters&
 
 template <class Law>
 std::string validate(const MaterialPair& pair, const typename Law::Parameters& constants) {
+  const typename Law::Parameters defaults;
   for (const auto& parameter : Law::parameters) {
     const double value = constants.*parameter.value;
+    if (value == defaults.*parameter.value) continue;
     if (value >= parameter.lower && value <= parameter.upper) continue;
     std::ostringstream allowed;
     allowed << "between " << parameter.lower << " and " << parameter.upper << " [" << parameter.unit
-            << "]";
+            << "]: " << parameter.meaning;
     return complaint(parameter.property, value, allowed.str());
   }
   return joint_complaint<Law>(pair, constants, 0);

@@ -61,6 +61,9 @@ def constant(name: str, value: str, shape: str = "peratomtypepair 1") -> str:
     return f"fix c all property/global {name} {shape} {value}"
 
 
+BRINELL = r"indentationPressure is \d+; it must be between 100000 .* a hardness in kgf/mm2"
+
+
 def test_good_input_runs(tmp_path, engine_law):
     assert "ERROR" not in run(tmp_path, law=engine_law)
 
@@ -87,14 +90,18 @@ def test_good_input_runs(tmp_path, engine_law):
         ({"settings": "dampnig on"}, "Unknown argument or wrong keyword order: 'dampnig'"),
     ],
 )
-def test_every_model_refuses(engine_law, changes, said, tmp_path):
+def test_wrong_input_is_refused(changes, said, tmp_path):
     with pytest.raises(EngineError, match=said) as refusal:
-        run(tmp_path, law=engine_law, **changes)
+        run(tmp_path, **changes)
     log = (tmp_path / "log.liggghts").read_text(errors="replace")
     assert "Step" not in log, "it ran"
     if "it must be" in said:
-        assert f"model {engine_law}: " in str(refusal.value)
         assert "(atom type 1)" in str(refusal.value)
+
+
+def test_every_model_names_itself(engine_law, tmp_path):
+    with pytest.raises(EngineError, match=f"model {engine_law}: yieldStrength is 0; it must be"):
+        run(tmp_path, law=engine_law, yield_strength=strength("0"))
 
 
 @pytest.mark.parametrize(
@@ -109,6 +116,25 @@ def test_every_model_refuses(engine_law, changes, said, tmp_path):
 def test_vu_quoc_zhang_refuses(more, said, tmp_path):
     with pytest.raises(EngineError, match=said):
         run(tmp_path, more=more)
+
+
+@pytest.mark.parametrize(
+    ("law", "more", "said"),
+    [
+        ("brake_2012", constant("indentationPressure", "105"), BRINELL),
+        ("brake_2015", constant("indentationPressure", "327"), BRINELL),
+        ("brake_2015", constant("meyerIndex", "1.9"), "meyerIndex is 1.9; it must be between 2"),
+        ("brake_2015", constant("meyerIndex", "3.1"), "meyerIndex is 3.1; it must be between 2"),
+        (
+            "brake_2015",
+            constant("indentationPressure", "3e7"),
+            r"with indentationPressure 3e\+07 \[Pa\], meyerIndex 2 .*more than a third",
+        ),
+    ],
+)
+def test_brake_refuses(law, more, said, tmp_path):
+    with pytest.raises(EngineError, match=f"model {law}: .*{said}"):
+        run(tmp_path, law=law, more=more)
 
 
 def test_options_are_words(engine_law, tmp_path):

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+//
+// Counts the contacts that leave the range of their law while the engine runs, and says so once at
+// the end of a run. plastigran's adapter adds this fix to the engine by itself; no deck names it.
+#ifndef PLASTIGRAN_RANGE_WATCH_H
+#define PLASTIGRAN_RANGE_WATCH_H
+
+#include <mpi.h>
+
+#include <map>
+#include <sstream>
+#include <string>
+
+#include "comm.h"
+#include "engine_access.h"
+#include "error.h"
+#include "fix.h"
+#include "modify.h"
+
+namespace plastigran {
+
+class RangeWatch : public LAMMPS_NS::Fix {
+ public:
+  struct Excess {
+    const char* range = "";
+    double contacts = 0;   // one seen from both sides of a border counts half on each
+    double furthest = 0;   // largest overlap over the range's
+    double announced = 0;  // contacts, over all ranks, when it was last said
+  };
+
+  RangeWatch(LAMMPS_NS::LAMMPS* engine, int count, char** words) : Fix(engine, count, words) {}
+
+  // What is counted for a model; the watch is made when the first one asks. All ranks together.
+  static Excess* of(LAMMPS_NS::LAMMPS* engine, const std::string& model, const char* range) {
+    LAMMPS_NS::Modify* const modify = engine->modify;
+    char id[] = "plastigran_range", group[] = "all", style[] = "plastigran/range";
+    (*(modify->*reach(EngineFixes())))[style] = [](LAMMPS_NS::LAMMPS* lmp, int n,
+                                                   char** words) -> Fix* {
+      return new RangeWatch(lmp, n, words);
+    };
+    if (modify->find_fix(id) < 0) {
+      char* words[] = {id, group, style};
+      modify->add_fix(3, words);
+    }
+    RangeWatch* const watch = static_cast<RangeWatch*>(modify->fix[modify->find_fix(id)]);
+    Excess& excess = watch->models_[model];
+    excess.range = range;
+    return &excess;
+  }
+
+  int setmask() override { return 0; }
+
+  void post_run() override {
+    for (auto& [model, excess] : models_) {
+      double contacts, furthest;
+      MPI_Reduce(&excess.contacts, &contacts, 1, MPI_DOUBLE, MPI_SUM, 0, world);
+      MPI_Reduce(&excess.furthest, &furthest, 1, MPI_DOUBLE, MPI_MAX, 0, world);
+      if (comm->me != 0 || contacts == excess.announced) continue;
+      excess.announced = contacts;
+      std::ostringstream text;
+      text << model << ": contacts beyond the law's range (" << excess.range
+           << ") so far: " << contacts << ", the furthest at " << furthest
+           << " times its largest overlap";
+      error->warning(FLERR, text.str().c_str());
+    }
+  }
+
+ private:
+  std::map<std::string, Excess> models_;
+};
+
+}  // namespace plastigran
+
+#endif

@@ -1,0 +1,75 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Contacts that leave the range of their law are counted and said once, at the end of a run."""
+
+from __future__ import annotations
+
+import re
+from math import pi
+from pathlib import Path
+
+import pytest
+from scipy.optimize import brentq
+
+from plastigran import laws
+from plastigran.engine import run_deck
+from plastigran.impact import Impact
+
+SAID = r"model (\w+): contacts beyond the law's range \(.*\) so far: (\d+), the furthest at (\S+)"
+
+
+def excess(geometry: str, law: str, speed: float, folder: Path, ranks: int = 1, **more) -> list:
+    variables = {"law": law, "speed": speed, **more}
+    return re.findall(SAID, run_deck(f"collision/{geometry}.in", variables, folder, ranks=ranks))
+
+
+def vu_quoc_zhang_limit(pair: laws.MaterialPair, radius_eff: float) -> float:
+    law = laws.VuQuocZhang(pair)  # calibrated to P = 41 P_Y; 2 % for rounded figures
+    return law.overlap(radius_eff, 42 * law.yield_force(radius_eff), law.State())
+
+
+def kogut_etsion_limit(pair: laws.MaterialPair, radius_eff: float) -> float:
+    hardness = (0.454 + 0.41 * pair.poissons_ratio) * 2.8 * pair.yield_strength
+    return 110 * radius_eff * (pi * hardness / (2 * pair.youngs_modulus_eff)) ** 2
+
+
+def jackson_green_limit(pair: laws.MaterialPair, radius_eff: float) -> float:
+    def beyond(overlap: float) -> float:
+        law = laws.JacksonGreen(pair)
+        return law.respond(radius_eff, overlap, law.State()).contact_radius - 0.41 * radius_eff
+
+    return brentq(beyond, 1e-4 * radius_eff, 0.1 * radius_eff)
+
+
+def smallness_limit(pair: laws.MaterialPair, radius_eff: float) -> float:
+    return 0.1 * radius_eff
+
+
+CASES = [
+    ("vu_quoc_zhang", 0.2, vu_quoc_zhang_limit),
+    ("kogut_etsion", 0.5, kogut_etsion_limit),
+    ("jackson_green", 30.0, jackson_green_limit),
+    ("thornton", 40.0, smallness_limit),
+]
+
+
+@pytest.mark.parametrize(("law", "speed", "limit"), CASES)
+def test_the_range_is_the_published_one(law, speed, limit, aluminium, tmp_path):
+    """The excess is the largest overlap over the range's; 1e-3 for the step's error and for the
+    frames between which the largest overlap lies."""
+    model = Impact(law, speed, aluminium, 0.1)
+    found = excess("sphere_wall", law, speed, tmp_path, timestep=model.time_step())
+    assert [line[:2] for line in found] == [(law, "1")]
+    expected = model.predicted().overlap_max / limit(model.pair, model.radius_eff)
+    assert expected > 1
+    assert float(found[0][2]) == pytest.approx(expected, rel=1e-3)
+
+
+@pytest.mark.parametrize("ranks", [1, 2])
+def test_a_contact_is_counted_once(ranks, tmp_path):
+    """Also where each of two ranks has one of the spheres."""
+    found = excess("two_spheres", "vu_quoc_zhang", 0.2, tmp_path, ranks=ranks)
+    assert [line[1] for line in found] == ["1"]
+
+
+def test_nothing_is_said_within_the_range(tmp_path):
+    assert excess("sphere_wall", "vu_quoc_zhang", 0.02, tmp_path) == []
