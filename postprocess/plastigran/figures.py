@@ -28,9 +28,10 @@ STYLE = {
     "legend.frameon": False,
     "svg.hashsalt": "plastigran",
 }
-# Colours apart for colour-blind eyes (Okabe & Ito), one a law, in alphabetical order.
+# Colours apart for colour-blind eyes (Okabe & Ito, then Tol's muted), one a law, by alphabet.
 COLOURS = ["#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#000000", "#7F7F7F"]
-MARKERS = "osD^vPX<>dph"
+COLOURS += ["#882255", "#999933", "#332288", "#44AA99", "#661100", "#AA4499"]
+MARKERS = "osD^vPX<>dph*8"
 
 
 def title(name: str) -> str:
@@ -58,8 +59,9 @@ def restitution_figure(table: pd.DataFrame, impacts: list[Impact]) -> Figure:
         impacts: The impacts the table was made from.
     """
     with plt.rc_context(STYLE):
-        figure, axes = plt.subplots(figsize=(6.4, 4.4), layout="constrained")
         law_names = sorted(table["law"].unique())
+        crowded = len(law_names) > 6
+        figure, axes = plt.subplots(figsize=(8.6 if crowded else 6.4, 4.6), layout="constrained")
         materials = sorted(table["material"].unique())
         for (material, law), points in table.groupby(["material", "law"], sort=True):
             shade = law_names.index(law)
@@ -93,9 +95,10 @@ def restitution_figure(table: pd.DataFrame, impacts: list[Impact]) -> Figure:
         axes.set_ylabel("coefficient of restitution")
         axes.set_ylim(0, 1.05)
         axes.plot([], [], color="0.4", lw=1.3, label="theory")
-        axes.legend(
-            title="points: LIGGGHTS", loc="lower left", fontsize=10 if len(law_names) < 6 else 7
+        place = (
+            {"loc": "center left", "bbox_to_anchor": (1, 0.5)} if crowded else {"loc": "lower left"}
         )
+        axes.legend(title="points: LIGGGHTS", fontsize="small", **place)
     return figure
 
 
@@ -134,16 +137,20 @@ def loops_figure(collisions: dict[Impact, Collision]) -> Figure:
     keys = sorted(panels_of)
     materials = {material for _, material in keys}
     with plt.rc_context(STYLE):
+        columns = min(len(keys), 4)
+        rows = -(-len(keys) // columns)
         figure, panels = plt.subplots(
-            1,
-            len(keys),
-            figsize=(3.4 * len(keys) + 0.4, 3.6),
+            rows,
+            columns,
+            figsize=(3.4 * columns + 0.4, 3.2 * rows + 0.4),
             sharex=len(materials) == 1,
             sharey=len(materials) == 1,
             squeeze=False,
             layout="constrained",
         )
-        for axes, (law, material) in zip(panels[0], keys, strict=True):
+        for axes in panels.flat[len(keys) :]:
+            axes.set_visible(False)
+        for axes, (law, material) in zip(panels.flat, keys, strict=False):
             runs = sorted(panels_of[law, material], key=lambda run: run[0].speed)[-5:]
             shades = plt.colormaps["viridis"](np.linspace(0.1, 0.85, len(runs)))
             for (impact, collision), shade in zip(runs, shades, strict=True):
@@ -158,7 +165,8 @@ def loops_figure(collisions: dict[Impact, Collision]) -> Figure:
             axes.set_title(named, fontsize=10)
             axes.legend(loc="upper left", fontsize=8)
             axes.set_xlabel("overlap (µm)")
-        panels[0][0].set_ylabel("normal force (kN)")
+        for axes in panels[:, 0]:
+            axes.set_ylabel("normal force (kN)")
     return figure
 
 

@@ -18,6 +18,9 @@ here=$(cd "$(dirname "$0")" && pwd)
 models=$here/../../contact_models
 mkdir -p "$1"
 work=$(cd "$1" && pwd)
+# Test processes side by side: the first builds, the others wait and find it done.
+exec 9>"$work/lock"
+flock 9
 tree=$work/liggghts
 
 # The tarball of Debian's source package, with private lists: no root, no change to the machine.
