@@ -102,7 +102,18 @@ def measure(trajectory: str | Path | pd.DataFrame) -> Collision:
     """
     if not isinstance(trajectory, pd.DataFrame):
         trajectory = read_dump(trajectory)
-    loop = force_overlap_loop(trajectory)
+    return measure_loop(force_overlap_loop(trajectory))
+
+
+def measure_loop(loop: pd.DataFrame) -> Collision:
+    """Measure the collision in its own table, `Collision.loop`; see `measure`.
+
+    The parting speed is that of the first frame without force: what happens to the bodies later is
+    not the contact's doing.
+
+    Raises:
+        CollisionError: The bodies never touch, or are still in contact at the end.
+    """
     time, overlap, force, speed = (
         loop[c].to_numpy() for c in ("time", "overlap", "force", "speed")
     )
@@ -126,7 +137,7 @@ def measure(trajectory: str | Path | pd.DataFrame) -> Collision:
     release = time[last] + (overlap[last] - overlap_res) / -speed[last]
     return Collision(
         closing_speed=speed[start - 1],
-        coefficient_of_restitution=-speed[-1] / speed[start - 1],
+        coefficient_of_restitution=-speed[last + 1] / speed[start - 1],
         force_max=force.max(),
         overlap_max=overlap_max,
         overlap_res=overlap_res,

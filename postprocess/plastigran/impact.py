@@ -10,6 +10,7 @@ from dataclasses import dataclass
 from itertools import product
 from math import pi
 from pathlib import Path
+from typing import Any, Protocol
 
 import pandas as pd
 from tqdm import tqdm
@@ -127,6 +128,45 @@ class Impact:
         run_deck(f"collision/{self.geometry}.in", variables, folder, ranks=ranks)
         return measure(Path(folder) / "trajectory.dump")
 
+    @property
+    def label(self) -> str:
+        """What tells its folder from others."""
+        return f"{self.geometry}_{self.material.name}_{self.law}"
+
+    def row(self, collision: Collision) -> dict[str, object]:
+        """One line of the results table; `*_predicted` is the law's energy balance."""
+        predicted = self.predicted()
+        return {
+            "geometry": self.geometry,
+            "material": self.material.name,
+            "law": self.law,
+            "radius": self.radius,
+            "speed": self.speed,
+            "speed_ratio": self.speed / self.yield_speed(),
+            "coefficient_of_restitution": collision.coefficient_of_restitution,
+            "coefficient_of_restitution_predicted": predicted.coefficient_of_restitution,
+            "in_range": predicted.in_range,
+            "force_max": collision.force_max,
+            "overlap_max": collision.overlap_max,
+            "overlap_res": collision.overlap_res,
+            "loading_time": collision.loading_time,
+            "contact_time": collision.contact_time,
+            "time_step": self.time_step(),
+            "steps": round(collision.contact_time / self.time_step()),
+        }
+
+
+class Case(Protocol):
+    """What `sweep` runs: `Impact` is one. Hashable."""
+
+    label: str
+
+    def run(self, folder: Path) -> Any:
+        """Run the engine in a folder and measure."""
+
+    def row(self, measured: Any) -> dict[str, object]:
+        """One line of the results table."""
+
 
 def plan(
     law_names: Iterable[str],
@@ -149,32 +189,9 @@ def plan(
     )
 
 
-def row(impact: Impact, collision: Collision) -> dict[str, object]:
-    """One line of the results table; `*_predicted` is the law's energy balance."""
-    predicted = impact.predicted()
-    return {
-        "geometry": impact.geometry,
-        "material": impact.material.name,
-        "law": impact.law,
-        "radius": impact.radius,
-        "speed": impact.speed,
-        "speed_ratio": impact.speed / impact.yield_speed(),
-        "coefficient_of_restitution": collision.coefficient_of_restitution,
-        "coefficient_of_restitution_predicted": predicted.coefficient_of_restitution,
-        "in_range": predicted.in_range,
-        "force_max": collision.force_max,
-        "overlap_max": collision.overlap_max,
-        "overlap_res": collision.overlap_res,
-        "loading_time": collision.loading_time,
-        "contact_time": collision.contact_time,
-        "time_step": impact.time_step(),
-        "steps": round(collision.contact_time / impact.time_step()),
-    }
-
-
 def sweep(
-    impacts: list[Impact], folder: str | Path, jobs: int | None = None, progress: bool = True
-) -> tuple[pd.DataFrame, dict[Impact, Collision]]:
+    impacts: list[Case], folder: str | Path, jobs: int | None = None, progress: bool = True
+) -> tuple[pd.DataFrame, dict[Case, Any]]:
     """Run impacts in parallel.
 
     Every finished one is appended to `impacts.csv` at once, so a run cut short keeps what it has.
@@ -186,7 +203,8 @@ def sweep(
         progress: Show a progress bar.
 
     Returns:
-        The table (one row an impact, in the order given; columns of `row`) and the collisions.
+        The table (one row an impact, in the order given; columns of its `row`) and what was
+        measured.
 
     Raises:
         EngineError, CollisionError: From the first impact that failed; the others' rows are
@@ -197,11 +215,10 @@ def sweep(
     table_path = folder / "impacts.csv"
     table_path.unlink(missing_ok=True)
 
-    def run(number: int, impact: Impact) -> Collision:
-        name = f"{number:04d}_{impact.geometry}_{impact.material.name}_{impact.law}"
-        return impact.run(folder / "runs" / name)
+    def run(number: int, impact: Case) -> Any:
+        return impact.run(folder / "runs" / f"{number:04d}_{impact.label}")
 
-    collisions: dict[Impact, Collision] = {}
+    measured: dict[Case, Any] = {}
     failure: Exception | None = None
     pool = ThreadPoolExecutor(jobs or os.cpu_count())
     waiting = {pool.submit(run, k, impact): impact for k, impact in enumerate(impacts)}
@@ -211,17 +228,17 @@ def sweep(
             impact = waiting[done]
             bar.update()
             try:
-                collisions[impact] = done.result()
+                measured[impact] = done.result()
             except Exception as error:
                 failure = failure or error
                 continue
-            line = pd.DataFrame([row(impact, collisions[impact])])
+            line = pd.DataFrame([impact.row(measured[impact])])
             line.to_csv(table_path, mode="a", header=not table_path.exists(), index=False)
     finally:  # an interrupt starts no further engine
         pool.shutdown(wait=True, cancel_futures=True)
         bar.close()
     if failure:
         raise failure
-    table = pd.DataFrame([row(impact, collisions[impact]) for impact in impacts])
+    table = pd.DataFrame([impact.row(measured[impact]) for impact in impacts])
     table.to_csv(table_path, index=False)
-    return table, {impact: collisions[impact] for impact in impacts}
+    return table, {impact: measured[impact] for impact in impacts}
