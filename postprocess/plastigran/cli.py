@@ -11,29 +11,36 @@ from pathlib import Path
 import numpy as np
 import pandas as pd
 
-from plastigran import laws, materials
+from plastigran import laws, materials, rod_runs
 from plastigran.collision import CollisionError
 from plastigran.dumps import DumpError
 from plastigran.engine import PROJECT, EngineError
 from plastigran.impact import GEOMETRIES, PAPER_SPEEDS, Impact, plan, sweep
+from plastigran.rod import PAPER_RODS, Rod
 
 TABLE = [
     "material",
     "law",
+    "angle",
     "speed",
     "speed_ratio",
     "coefficient_of_restitution",
     "coefficient_of_restitution_predicted",
+    "angular_velocity",
+    "angular_velocity_predicted",
     "force_max",
     "overlap_max",
     "overlap_res",
     "contact_time",
 ]
 SHORT = {
+    "angle": "angle\ndeg",
     "speed": "speed\nm/s",
     "speed_ratio": "v/v_Y",
     "coefficient_of_restitution": "COR",
     "coefficient_of_restitution_predicted": "COR\ntheory",
+    "angular_velocity": "rad/s",
+    "angular_velocity_predicted": "rad/s\ntheory",
     "force_max": "peak force\nN",
     "overlap_max": "overlap\nmax, m",
     "overlap_res": "overlap\nresidual, m",
@@ -125,6 +132,40 @@ def impact_command(arguments: argparse.Namespace) -> None:
     run_impacts(impacts, fresh_folder(arguments.output, arguments.force), arguments.jobs)
 
 
+def paper_rod(angle: float, friction: float | None) -> Rod:
+    """The paper's rod at an angle [degrees], with the friction the paper gives for it or another.
+
+    Raises:
+        UsageError: The paper gives none.
+    """
+    if friction is not None:
+        return Rod(angle=angle, friction=friction)
+    for rod in PAPER_RODS:
+        if rod.angle == angle:
+            return rod
+    known = " and ".join(f"{rod.angle:g}" for rod in PAPER_RODS)
+    raise UsageError(f"the paper gives friction at {known} degrees only; add --friction")
+
+
+def rod_command(arguments: argparse.Namespace) -> None:
+    from plastigran import figures, rod_figures  # matplotlib is slow to load
+
+    rods = [paper_rod(angle, arguments.friction) for angle in arguments.angle]
+    runs = rod_runs.plan(law_names(arguments.law), arguments.speed, rods, arguments.tangential)
+    folder = fresh_folder(arguments.output, arguments.force)
+    table, impacts = sweep(runs, folder, arguments.jobs)
+    print(format_table(table))
+    run = rod_figures.closest_to_measured(impacts)
+    written = [folder / "impacts.csv"]
+    for name, figure in (
+        ("outcome", rod_figures.outcome_figure(table)),
+        ("deformation", rod_figures.deformation_figure(table)),
+        ("motion", rod_figures.motion_figure(run, impacts[run])),
+    ):
+        written += figures.save(figure, folder / name)
+    print("\nwritten: " + "  ".join(str(path) for path in written))
+
+
 def laws_command(_: argparse.Namespace) -> None:
     for name, law in sorted(laws.LAWS.items()):
         engine_own = " (the engine's own model)" if name == "hertz" else ""
@@ -207,6 +248,25 @@ def parser() -> argparse.ArgumentParser:
     impact.add_argument("--output", type=Path, default=Path("results/impact"))
     impact.add_argument("--force", action="store_true", help="overwrite results")
     impact.set_defaults(run=impact_command)
+
+    rod = commands.add_parser("rod", help="drop the paper's oblique rod, table and figures")
+    rod.add_argument("--law", nargs="+", default=["all"], metavar="LAW", help="default all")
+    rod.add_argument("--speed", nargs="+", type=positive, default=rod_runs.PAPER_SPEEDS, help="m/s")
+    rod.add_argument(
+        "--angle",
+        nargs="+",
+        type=positive,
+        default=[paper.angle for paper in PAPER_RODS],
+        help="between rod and flat, degrees, default the paper's",
+    )
+    rod.add_argument("--friction", type=positive, help="default the paper's at each angle")
+    rod.add_argument(
+        "--tangential", choices=rod_runs.TANGENTIAL, default="history", help="default history"
+    )
+    rod.add_argument("--jobs", type=positive_integer, help="engines at a time, default: cores")
+    rod.add_argument("--output", type=Path, default=Path("results/rod"))
+    rod.add_argument("--force", action="store_true", help="overwrite results")
+    rod.set_defaults(run=rod_command)
 
     listing = commands.add_parser("laws", help="list the laws, their constants and ranges")
     listing.set_defaults(run=laws_command)

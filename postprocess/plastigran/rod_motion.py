@@ -18,6 +18,9 @@ STICKING_SLIP = 1e-3
 #: grows.
 YIELDING_RATE = 1e3
 
+#: Turning points after which a tip is taken to stay in contact.
+TURNS = 6
+
 #: Rows of a history while loading, and as many while unloading.
 HISTORY_ROWS = 300
 
@@ -135,7 +138,7 @@ def simulate(rod: Rod, law, speed: float, spring: bool = False) -> RodImpact:
         spring: Let the contact give way along the flat before it slides.
 
     Raises:
-        ValueError: The speed is not positive and finite.
+        ValueError: The speed is not positive and finite, or the rod's weight keeps the tip down.
     """
     if not 0 < speed < inf:
         raise ValueError(f"speed is {speed}; it must be positive and finite")
@@ -151,7 +154,7 @@ def simulate(rod: Rod, law, speed: float, spring: bool = False) -> RodImpact:
     turning.direction = released.direction = -1
     time, motion, overlap_max, loading_time, force_max = 0.0, body.start, 0.0, 0.0, 0.0
     rows = []
-    while True:
+    for _ in range(TURNS):
         piece = solve_ivp(
             body.rate,
             (time, time + 1e3 * rod.tip_radius / speed),
@@ -172,6 +175,8 @@ def simulate(rod: Rod, law, speed: float, spring: bool = False) -> RodImpact:
             overlap_max, loading_time = body.overlap(motion), time
             body.turn_back(motion)
             force_max = body.contact(motion).force
+    else:
+        raise ValueError(f"at {speed:g} m/s the rod's weight keeps its tip in contact")
     return RodImpact(
         coefficient_of_restitution=-body.closing_velocity(time, motion) / speed,
         angular_velocity=motion[5],

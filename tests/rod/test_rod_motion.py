@@ -1,0 +1,170 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""The equations of motion of the oblique rod: numbers found independently, closed forms, limits."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pandas as pd
+import pytest
+
+from plastigran import laws
+from plastigran.rod import PAPER_RODS, MeasuredRun, Rod
+from plastigran.rod_motion import _Motion, simulate
+
+STEEP, FLAT = PAPER_RODS
+CASES = list(pd.read_csv(Path(__file__).parent / "rod_gcm15.csv", comment="#").itertuples())
+
+
+@pytest.mark.parametrize("case", CASES, ids=lambda case: f"{case.law}-{case.speed:g}")
+def test_independent_numbers(case):
+    """1e-5: the table keeps six digits. The energy guard, on here, changes none of them."""
+    found = simulate(STEEP, STEEP.law(case.law), case.speed)
+    for name in case._fields[3:]:
+        assert getattr(found, name) == pytest.approx(getattr(case, name), rel=1e-5), name
+
+
+def test_mass_the_tip_feels():
+    """1/m + x_c (x_c - mu y_c)/I by hand, six digits."""
+    assert STEEP.mass_eff == pytest.approx(0.201260, rel=3e-6)
+    assert FLAT.mass_eff == pytest.approx(0.130322, rel=3e-6)
+
+
+@pytest.mark.parametrize("rod", PAPER_RODS, ids=lambda rod: f"{rod.angle:g}")
+def test_frozen_geometry(rod, law_name):
+    """A central impact of that mass: what gravity and the rod's turning during contact add.
+
+    They grow with the time in contact: the softest law is off most (thornton, 45°), by 0.32 % of
+    restitution at 4 m/s and 0.36 % of angular velocity at 0.5 m/s. All others keep to 0.3 %.
+    """
+    for speed in (0.5, 4.0):
+        law = rod.law(law_name)
+        frozen = law.central_impact(rod.tip_radius, rod.mass_eff, speed)
+        spin = rod.angular_velocity(rod.mass_eff * speed * (1 + frozen.coefficient_of_restitution))
+        found = simulate(rod, law, speed)
+        assert found.coefficient_of_restitution == pytest.approx(
+            frozen.coefficient_of_restitution, rel=4e-3
+        )
+        assert found.angular_velocity == pytest.approx(spin, rel=4e-3)
+
+
+def test_energy_balance(law_name):
+    """Kinetic energy lost = plastic work + work of friction (gravity off). 1e-5: the quadrature of
+    the history's 600 rows."""
+    rod = Rod(gravity=0)
+    law = rod.law(law_name)
+    found = simulate(rod, law, 2.0)
+    h = found.history
+    state = law.State()
+    law.respond(rod.tip_radius, found.overlap_max, state)
+    plastic = law.respond(rod.tip_radius, found.overlap_res, state).plastic_work
+    rubbed = -np.trapezoid(h["friction_force"] * h["slip_velocity"], h["time"])
+    last = h.iloc[-1]
+    left = 0.5 * rod.mass * (last["velocity_x"] ** 2 + last["velocity_y"] ** 2)
+    left += 0.5 * rod.inertia * last["angular_velocity"] ** 2
+    given = 0.5 * rod.mass * 2.0**2
+    assert rubbed > 0
+    assert left + plastic + rubbed == pytest.approx(given, rel=1e-5)
+
+
+def test_measured_run():
+    """The paper's velocities before and after are an impulse; it turns the rod at -19.52 rad/s, the
+    paper measured -19.67. Both say e = 0.50 to 0.51, not the 0.43 the paper quotes for 45°."""
+    run = MeasuredRun()
+    impulse = STEEP.mass * (run.velocity_after - run.velocity_before)
+    assert STEEP.angular_velocity(impulse) == pytest.approx(-19.522, abs=1e-3)
+    full = STEEP.mass_eff * -run.velocity_before
+    assert impulse / full - 1 == pytest.approx(0.502, abs=1e-3)
+    by_spin = run.angular_velocity / STEEP.angular_velocity(full) - 1
+    assert by_spin == pytest.approx(0.513, abs=1e-3)
+
+
+def test_the_paper_claims_all_laws_below_experiment_at_17_degrees():
+    """They are not: 0.579 at 0.5 m/s by Kogut and Etsion, against 0.55 measured."""
+    found = simulate(FLAT, FLAT.law("kogut_etsion"), 0.5)
+    assert found.coefficient_of_restitution == pytest.approx(0.579, abs=1e-3)
+
+
+@pytest.mark.parametrize("spring", [False, True])
+def test_upright_rod_is_a_central_impact(spring, law_name):
+    """At 90° the rod falls along its axis: its whole mass, no slip, no turning (gravity off)."""
+    rod = Rod(angle=90, gravity=0)
+    law = rod.law(law_name)
+    found = simulate(rod, law, 1.0, spring)
+    central = law.central_impact(rod.tip_radius, rod.mass, 1.0)
+    assert found.coefficient_of_restitution == pytest.approx(
+        central.coefficient_of_restitution, rel=1e-6
+    )
+    assert found.overlap_max == pytest.approx(central.overlap_max, rel=1e-6)
+    assert abs(found.angular_velocity) < 1e-9
+
+
+def test_friction_holds_a_steep_rod():
+    """At 80° friction of 0.5 is more than sticking needs, r_x r_y/(I/m + r_y^2) F_n = 0.127 F_n."""
+    rod = Rod(angle=80, friction=0.5)
+    h = simulate(rod, rod.law("thornton"), 1.0).history.iloc[1:-1]
+    x_c, y_c = rod.arm
+    ratio = x_c * y_c / (rod.inertia / rod.mass + y_c**2)
+    assert (h["friction_force"] / h["force"]).to_numpy() == pytest.approx(ratio, rel=2e-3)
+    assert h["slip_velocity"].abs().max() < 1e-6
+
+
+def test_the_papers_rods_slide_throughout():
+    for rod in PAPER_RODS:
+        h = simulate(rod, rod.law("ghaednia"), 1.0).history.iloc[1:-1]
+        assert (h["friction_force"] / h["force"]).to_numpy() == pytest.approx(rod.friction)
+        assert (h["slip_velocity"] < 0).all()
+
+
+def test_a_rod_that_stays_down_is_said():
+    """400 times its weight: the tip sinks in and swings, loading and unloading on one curve."""
+    rod = Rod(angle=90, gravity=4e3)
+    with pytest.raises(ValueError, match="keeps its tip in contact"):
+        simulate(rod, rod.law("thornton"), 0.05)
+
+
+def test_reloading_runs_back_to_where_it_left():
+    """Below the largest overlap the force is the same on the way out and on the way back, and
+    trial steps beyond it leave no trace."""
+    rod = Rod(angle=90)
+    body = _Motion(rod, rod.law("thornton"), 0.05, spring=False)
+    down = [0, -2e-5, 0, 0, -0.05, 0, 0]
+    body.turn_back(down)
+    deepest = body.contact(down).force
+    there = [body.contact([0, -depth, 0, 0, 0.01, 0, 0]).force for depth in (1.9e-5, 1.8e-5)]
+    back = [body.contact([0, -depth, 0, 0, -0.01, 0, 0]).force for depth in (1.8e-5, 1.9e-5)]
+    assert there == back[::-1]
+    assert 0 < there[1] < there[0] < deepest == body.contact(down).force
+    assert body.contact([0, -3e-5, 0, 0, -0.01, 0, 0]).force > deepest
+    assert body.contact(down).force == deepest
+
+
+@pytest.mark.parametrize(
+    ("change", "said"),
+    [
+        ({"angle": 0}, "angle is 0"),
+        ({"angle": 91}, "angle is 91"),
+        ({"mass": -1}, "mass is -1"),
+        ({"friction": -0.1}, "friction is -0.1"),
+        ({"tip_radius": 0.2}, "length is 0.3048; it must be more than the tip's diameter"),
+        ({"angle": 17.2, "friction": 5}, "would jam the rod"),
+    ],
+)
+def test_impossible_rods_are_named(change, said):
+    with pytest.raises(ValueError, match=said):
+        Rod(**change)
+
+
+def test_bad_laws_and_speeds_are_named():
+    with pytest.raises(ValueError, match="no law 'cheese'"):
+        STEEP.law("cheese")
+    with pytest.raises(ValueError, match="energy_guard is 'maybe'"):
+        STEEP.law("ghaednia", energy_guard="maybe")
+    with pytest.raises(ValueError, match="speed is 0"):
+        simulate(STEEP, STEEP.law("thornton"), 0)
+
+
+def test_every_law_of_the_paper_has_numbers():
+    """All sphere laws but those the paper does not treat: none may drop out unseen."""
+    assert {case.law for case in CASES} == set(laws.LAWS) - {"hertz", "vu_quoc_zhang"}
