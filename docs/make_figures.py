@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Draw the figures of the docs: one per law, found and never listed, and the README's.
+"""Draw the figures of the docs: one per law, found and never listed, the README's and the rod's.
 
 Run it with `./run figures`; the files in docs/figures are its output.
 """
@@ -12,10 +12,11 @@ from pathlib import Path
 
 import numpy as np
 
-from plastigran import figures, laws, theory
+from plastigran import figures, laws, rod_figures, rod_runs, theory
 from plastigran.figures import STYLE, plt, save, title
 from plastigran.impact import PAPER_SPEEDS, plan, sweep
 from plastigran.materials import RIGID, read_material
+from plastigran.rod import PAPER_RODS
 
 FOLDER = Path(__file__).parent / "figures"
 RADIUS = 0.01  # the figures are dimensionless; any size gives the same
@@ -57,9 +58,12 @@ def main() -> None:
     for name in sorted(laws.LAWS):
         save(law_figure(name), FOLDER / name, (".svg",))
     impacts = plan(sorted(laws.LAWS), PAPER_SPEEDS, ["aluminium_zv02"], 0.1)
+    rods = rod_runs.plan(sorted(laws.LAWS), rod_runs.PAPER_SPEEDS, PAPER_RODS)
     with tempfile.TemporaryDirectory() as folder:
         table, _ = sweep(impacts, folder)
+        rod_table, _ = sweep(rods, folder)
     save(figures.restitution_figure(table, impacts), FOLDER / "restitution", (".png",))
+    save(rod_figures.outcome_figure(rod_table), FOLDER / "rod", (".png",))
 
 
 if __name__ == "__main__":

@@ -106,17 +106,22 @@ def fresh_folder(folder: Path, force: bool) -> Path:
     return folder
 
 
+def print_range(table: pd.DataFrame) -> None:
+    """Say from which speed on a law was used beyond its range."""
+    outside = table.loc[~table["in_range"], ["law", "speed"]]
+    for law, speeds in outside.groupby("law")["speed"]:
+        print(
+            f"outside the range of {law} ({laws.LAWS[law].range}): {speeds.min():g} m/s and faster"
+        )
+
+
 def run_impacts(impacts: list[Impact], folder: Path, jobs: int | None) -> pd.DataFrame:
     """Sweep, table, figures."""
     from plastigran import figures  # matplotlib is slow to load
 
     table, collisions = sweep(impacts, folder, jobs)
     print(format_table(table))
-    outside = table.loc[~table["in_range"], ["law", "speed"]]
-    for law, speeds in outside.groupby("law")["speed"]:
-        print(
-            f"outside the range of {law} ({laws.LAWS[law].range}): {speeds.min():g} m/s and faster"
-        )
+    print_range(table)
     written = [folder / "impacts.csv"]
     written += figures.save(figures.restitution_figure(table, impacts), folder / "restitution")
     written += figures.save(figures.loops_figure(collisions), folder / "loops")
@@ -155,6 +160,7 @@ def rod_command(arguments: argparse.Namespace) -> None:
     folder = fresh_folder(arguments.output, arguments.force)
     table, impacts = sweep(runs, folder, arguments.jobs)
     print(format_table(table))
+    print_range(table)
     run = rod_figures.closest_to_measured(impacts)
     written = [folder / "impacts.csv"]
     for name, figure in (

@@ -78,6 +78,12 @@ class Rod:
         return self.mass * self.length**2 / 12
 
     @property
+    def tip_mass(self) -> float:
+        """Mass of each end of three equal spheres that are the rod [kg]: with the rest of the mass
+        in the middle one they have its inertia, their own included."""
+        return self.mass * (1 / 6 - 0.8 * (self.tip_radius / self.length) ** 2)
+
+    @property
     def arm(self) -> tuple[float, float]:
         """The centre from the point of contact (x_c, y_c) at first touch [m]."""
         half, angle = self.length / 2, radians(self.angle)
@@ -136,6 +142,14 @@ class MeasuredRun:
     velocity_before: float = -2.487
     velocity_after: float = -0.855
     angular_velocity: float = -19.67
+
+    def impulse(self, rod: Rod) -> float:
+        """Normal impulse on the rod [N s], from the change of its centre's velocity."""
+        return rod.mass * (self.velocity_after - self.velocity_before)
+
+    def coefficient_of_restitution(self, rod: Rod) -> float:
+        """What that impulse is of a sliding tip's m_eff v, less 1 [-]."""
+        return self.impulse(rod) / (rod.mass_eff * -self.velocity_before) - 1
 
 
 #: The paper's two set-ups.

@@ -9,7 +9,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from plastigran.figures import COLOURS, MARKERS, STYLE, plt, title
-from plastigran.rod import PAPER_RESTITUTION, MeasuredRun, RodImpact
+from plastigran.rod import PAPER_RESTITUTION, PAPER_RODS, MeasuredRun, RodImpact
 from plastigran.rod_runs import RodRun
 
 MEASURED = MeasuredRun()
@@ -91,6 +91,8 @@ def motion_figure(run: RodRun, measured: RodImpact) -> Figure:
 def outcome_figure(table: pd.DataFrame) -> Figure:
     """Restitution of the tip and angular velocity over impact speed, one column an angle.
 
+    The star is the paper's measured run; its restitution is the one its velocities imply.
+
     Args:
         table: Columns of `RodRun.row`.
     """
@@ -104,9 +106,12 @@ def outcome_figure(table: pd.DataFrame) -> Figure:
             if angle in PAPER_RESTITUTION:
                 column[0].axhline(PAPER_RESTITUTION[angle], color="black", ls=":")
             if angle == MEASURED.angle:
-                column[1].plot(
-                    -MEASURED.velocity_before, MEASURED.angular_velocity, "k*", ms=11, zorder=5
+                outcomes = (
+                    MEASURED.coefficient_of_restitution(PAPER_RODS[0]),
+                    MEASURED.angular_velocity,
                 )
+                for axes, outcome in zip(column, outcomes, strict=True):
+                    axes.plot(-MEASURED.velocity_before, outcome, "k*", ms=11, zorder=5)
         grid[0, 0].set_ylabel("coefficient of restitution")
         grid[1, 0].set_ylabel("angular velocity (rad/s)")
         grid[0, 0].plot([], [], ":k", label="experiments (paper)")

@@ -79,12 +79,11 @@ class RodRun:
         return simulate(rod, rod.law(self.law), self.speed, spring)
 
     def time_step(self) -> float:
-        """Half the recommended step of `frozen` [s]: the engine's own warning knows only the tip's
-        sphere, a sixth of the rod's mass."""
+        """Half the step recommended for the tip's sphere alone [s], a sixth of the rod's mass: the
+        engine's check of the time step knows no more of the rod than that."""
         rod = self.rod
-        return 0.5 * rod.law(self.law).recommended_time_step(
-            rod.tip_radius, rod.mass_eff, self.speed
-        )
+        law = rod.law(self.law)
+        return 0.5 * law.recommended_time_step(rod.tip_radius, rod.tip_mass, self.speed)
 
     @property
     def label(self) -> str:
