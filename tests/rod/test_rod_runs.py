@@ -10,6 +10,7 @@ import pytest
 from plastigran.cli import main
 from plastigran.collision import CollisionError
 from plastigran.dumps import read_dump
+from plastigran.engine import run_deck
 from plastigran.rod import PAPER_RODS, Rod
 from plastigran.rod_motion import simulate
 from plastigran.rod_runs import CENTRE, FAR_END, TIP, RodRun, measure_rod
@@ -48,6 +49,18 @@ def test_engine_without_spring_is_the_papers_friction(rod, speed, tmp_path):
         paper.coefficient_of_restitution, rel=1.6e-2
     )
     assert spring.angular_velocity == pytest.approx(paper.angular_velocity, rel=4e-3)
+
+
+def test_options_reach_the_law(tmp_path):
+    """The deck at its own defaults, but for the law's options: 1e-3 as above."""
+    run_deck(
+        "collision/rod.in", {"law": "stronge", "options": "unloading original_radius"}, tmp_path
+    )
+    found = measure_rod(tmp_path / "trajectory.dump", STEEP.gravity)
+    law = STEEP.law("stronge", unloading="original_radius")
+    expected = simulate(STEEP, law, 1.0, spring=True)
+    for name in ("coefficient_of_restitution", "angular_velocity"):
+        assert getattr(found, name) == pytest.approx(getattr(expected, name), rel=1e-3), name
 
 
 def test_without_friction(tmp_path):
