@@ -16,24 +16,38 @@
 //                the Response on the total law; moves `state` when a new extreme is reached, so
 //                that a second call at the same overlap changes nothing
 //
+// and may say more of itself (each false or true where it is silent):
+//
+//   rate_dependent = true   the force depends on the rate of overlap, too [m/s, closing positive]:
+//                respond(radius_eff, overlap, state, overlap_rate = 0), a total law at rate zero
+//   yields = false          no yield: the yield strength is not asked for
+//
 // SI units throughout.
 #pragma once
 
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <tuple>
+#include <type_traits>
 
 namespace plastigran {
 
 constexpr double pi = 3.14159265358979323846;
 
+// Strength of a body that never yields.
+constexpr double unlimited = std::numeric_limits<double>::infinity();
+
+// Default of a constant that has none and must be given.
+constexpr double required = std::numeric_limits<double>::quiet_NaN();
+
 // One body's bulk constants.
 struct Material {
-  double youngs_modulus = 0;         // E [Pa]
-  double poissons_ratio = 0;         // nu [-]
-  double yield_strength = 0;         // sigma_Y, uniaxial [Pa]
-  double yield_pressure_factor = 0;  // p_y / sigma_Y [-]; 0 asks for the Hertz-von Mises value
+  double youngs_modulus = 0;          // E [Pa]
+  double poissons_ratio = 0;          // nu [-]
+  double yield_strength = unlimited;  // sigma_Y, uniaxial [Pa]
+  double yield_pressure_factor = 0;   // p_y / sigma_Y [-]; 0 asks for the Hertz-von Mises value
 };
 
 // What two bodies bring to any contact between them; the same in either order.
@@ -45,13 +59,38 @@ struct MaterialPair {
   double poissons_ratio = 0;      // nu of the weaker body [-]
 };
 
-// A law's answer. Energies are totals since the contact was virgin.
+// A law's answer. Energies are totals since the contact was virgin. An energy ledger closes with
+// them: while the contact moves at `overlap_rate`, force * overlap_rate is what elastic_energy and
+// plastic_work grow by a second, plus viscous_force * overlap_rate, which is never negative and
+// lost.
 struct Response {
   double force = 0;           // repulsive normal force, never negative [N]
   double contact_radius = 0;  // [m]
   double elastic_energy = 0;  // what unloading from here would give back [J]
   double plastic_work = 0;    // what it will not [J]
+  double viscous_force = 0;   // the rate's share of `force`, negative while parting [N]
 };
+
+template <class Law, class = void>
+struct IsRateDependent : std::false_type {};
+template <class Law>
+struct IsRateDependent<Law, std::void_t<decltype(Law::rate_dependent)>>
+    : std::bool_constant<Law::rate_dependent> {};
+
+template <class Law, class = void>
+struct Yields : std::true_type {};
+template <class Law>
+struct Yields<Law, std::void_t<decltype(Law::yields)>> : std::bool_constant<Law::yields> {};
+
+// Ask any law; one that does not depend on the rate never sees it.
+template <class Law>
+Response respond(const Law& law, double radius_eff, double overlap, typename Law::State& state,
+                 double overlap_rate) {
+  if constexpr (IsRateDependent<Law>::value)
+    return law.respond(radius_eff, overlap, state, overlap_rate);
+  else
+    return law.respond(radius_eff, overlap, state);
+}
 
 // A choice a law leaves to the user, where its sources leave it open: an index into `choices`.
 template <class Parameters>

@@ -105,7 +105,8 @@ class ElastoplasticNormalModel : public NormalModelBase {
     double* const history = contact.contact_history + history_offset_;
     State state;
     std::memcpy(&state, history, state_size);
-    const plastigran::Response response = laws_[pair].respond(radius_eff, contact.deltan, state);
+    const plastigran::Response response =
+        plastigran::respond(laws_[pair], radius_eff, contact.deltan, state, -contact.vn);
     if (contact.computeflag && contact.shearupdate) {
       if (contact.deltan > ranges_[pair] * radius_eff) note_excess(contact, pair, radius_eff);
       std::memcpy(history, &state, state_size);
@@ -216,7 +217,8 @@ class ElastoplasticNormalModel : public NormalModelBase {
       plastigran::Material& body = materials_[type - 1];
       body.youngs_modulus = per_type("youngsModulus", type, "Pa");
       body.poissons_ratio = per_type("poissonsRatio", type, "-");
-      body.yield_strength = per_type("yieldStrength", type, "Pa");
+      body.yield_strength = per_type("yieldStrength", type, "Pa",
+                                     plastigran::Yields<Law>::value ? NAN : plastigran::unlimited);
       body.yield_pressure_factor = per_type("yieldPressureFactor", type, "-", 0);
       check(plastigran::validate(body), type, 0);
     }
@@ -272,8 +274,9 @@ class ElastoplasticNormalModel : public NormalModelBase {
       for (int j = i; j <= type_count_; ++j) {
         const auto pair = plastigran::combine(materials_[i - 1], materials_[j - 1]);
         text << caller() << (is_wall_ ? ", wall" : "") << ", atom types " << i << " and " << j
-             << ": effective modulus " << pair.youngs_modulus_eff << " Pa, yield pressure "
-             << pair.yield_pressure << " Pa";
+             << ": effective modulus " << pair.youngs_modulus_eff << " Pa";
+        if (plastigran::Yields<Law>::value)
+          text << ", yield pressure " << pair.yield_pressure << " Pa";
         for (const auto& parameter : Law::parameters)
           text << ", " << parameter.property << ' ' << constants_[index(i, j)].*parameter.value
                << (given(parameter.property) ? "" : " (default)");

@@ -6,11 +6,13 @@
 #include <nanobind/nanobind.h>
 #include <nanobind/ndarray.h>
 #include <nanobind/stl/map.h>
+#include <nanobind/stl/optional.h>
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/vector.h>
 
 #include <algorithm>
 #include <map>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -73,27 +75,33 @@ inline void require_positive(const char* name, double value, const char* unit) {
     raise_if(complaint(name, value, std::string("positive and finite [") + unit + "]"));
 }
 
-// Responses along a path of overlaps, as arrays of the path's length.
+// Responses along a path of overlaps and their rates, as arrays of the path's length.
 template <class Law>
 std::map<std::string, Output> follow(const Law& law, double radius_eff, Input overlap,
-                                     typename Law::State& state) {
+                                     typename Law::State& state,
+                                     std::optional<Input> overlap_rate) {
   require_positive("radius_eff", radius_eff, "m");
   const std::size_t n = overlap.shape(0);
-  static constexpr const char* names[] = {"force", "contact_radius", "elastic_energy",
-                                          "plastic_work"};
-  static constexpr double Response::*members[] = {&Response::force, &Response::contact_radius,
-                                                  &Response::elastic_energy,
-                                                  &Response::plastic_work};
-  double* columns[4];
+  if (overlap_rate && overlap_rate->shape(0) != n)
+    raise_if(complaint("length of overlap_rate", double(overlap_rate->shape(0)),
+                       std::to_string(n) + ", that of overlap"));
+  constexpr int count = 5;
+  static constexpr const char* names[count] = {"force", "contact_radius", "elastic_energy",
+                                               "plastic_work", "viscous_force"};
+  static constexpr double Response::*members[count] = {
+      &Response::force, &Response::contact_radius, &Response::elastic_energy,
+      &Response::plastic_work, &Response::viscous_force};
+  double* columns[count];
   std::map<std::string, Output> table;
-  for (int c = 0; c < 4; ++c) {
+  for (int c = 0; c < count; ++c) {
     columns[c] = new double[n];
     nb::capsule owner(columns[c], [](void* data) noexcept { delete[] static_cast<double*>(data); });
     table.emplace(names[c], Output(columns[c], {n}, owner));
   }
   for (std::size_t i = 0; i < n; ++i) {
-    const Response response = law.respond(radius_eff, overlap(i), state);
-    for (int c = 0; c < 4; ++c) columns[c][i] = response.*members[c];
+    const double rate = overlap_rate ? (*overlap_rate)(i) : 0;
+    const Response response = respond(law, radius_eff, overlap(i), state, rate);
+    for (int c = 0; c < count; ++c) columns[c][i] = response.*members[c];
   }
   return table;
 }
@@ -129,15 +137,19 @@ void bind_law(nb::module_& module, const char* class_name) {
       "`parameters()`).\n\nRaises ValueError naming the property, value and allowed range.");
   law.def(
       "respond",
-      [](const Law& self, double radius_eff, double overlap, State& history) {
+      [](const Law& self, double radius_eff, double overlap, State& history, double overlap_rate) {
         require_positive("radius_eff", radius_eff, "m");
-        return self.respond(radius_eff, overlap, history);
+        return respond(self, radius_eff, overlap, history, overlap_rate);
       },
-      "radius_eff"_a, "overlap"_a, "state"_a,
-      "Response at one overlap [m]; `state` moves on when a new extreme is reached.");
+      "radius_eff"_a, "overlap"_a, "state"_a, "overlap_rate"_a = 0.0,
+      "Response at one overlap [m]; `state` moves on when a new extreme is reached. The rate of "
+      "overlap [m/s, closing positive] matters to a `rate_dependent` law only.");
   law.def("follow", &follow<Law>, "radius_eff"_a, "overlap"_a, "state"_a,
+          "overlap_rate"_a = nb::none(),
           "Responses along a path of overlaps, (N,) float64 [m]: a dict of (N,) arrays force [N], "
-          "contact_radius [m], elastic_energy [J], plastic_work [J]. `state` moves along.");
+          "contact_radius [m], elastic_energy [J], plastic_work [J], viscous_force [N]. `state` "
+          "moves along. `overlap_rate`, (N,) float64 [m/s, closing positive], none for zero, "
+          "matters to a `rate_dependent` law only.\n\nRaises ValueError when the lengths differ.");
   law.def(
       "central_impact",
       [](const Law& self, double radius_eff, double mass_eff, double speed) {
@@ -147,7 +159,8 @@ void bind_law(nb::module_& module, const char* class_name) {
         return central_impact(self, radius_eff, mass_eff, speed);
       },
       "radius_eff"_a, "mass_eff"_a, "speed"_a,
-      "Central impact at a relative speed [m/s], from the law's energies.");
+      "Central impact at a relative speed [m/s], from the law's energies, or from the equation of "
+      "motion when it is `rate_dependent`.");
   law.def(
       "recommended_time_step",
       [](const Law& self, double radius_eff, double mass_eff, double speed) {
@@ -168,7 +181,9 @@ void bind_law(nb::module_& module, const char* class_name) {
           row["name"] = p.name;
           row["property"] = p.property;
           row["unit"] = p.unit;
-          row["default"] = defaults.*p.value;
+          const double value = defaults.*p.value;
+          row["default"] =
+              std::isnan(value) ? nb::object(nb::none()) : nb::object(nb::float_(value));
           row["lower"] = p.lower;
           row["upper"] = p.upper;
           row["meaning"] = p.meaning;
@@ -176,7 +191,8 @@ void bind_law(nb::module_& module, const char* class_name) {
         }
         return table;
       },
-      "The law's own constants: name, LIGGGHTS property, unit, default, range, meaning.");
+      "The law's own constants: name, LIGGGHTS property, unit, default (None: it must be given), "
+      "range, meaning.");
   law.def_static(
       "options",
       [] {
@@ -199,6 +215,8 @@ void bind_law(nb::module_& module, const char* class_name) {
   law.attr("name") = Law::name;
   law.attr("source") = Law::source;
   law.attr("range") = Law::range;
+  law.attr("rate_dependent") = IsRateDependent<Law>::value;
+  law.attr("yields") = Yields<Law>::value;
   nb::list names;
   for (const char* name : Law::state_names) names.append(name);
   law.attr("state_names") = nb::tuple(names);

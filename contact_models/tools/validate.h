@@ -25,7 +25,7 @@ inline std::string validate(const Material& body) {
     return complaint("youngsModulus", body.youngs_modulus, "positive and finite [Pa]");
   if (!(body.poissons_ratio > -1 && body.poissons_ratio < 0.5))
     return complaint("poissonsRatio", body.poissons_ratio, "between -1 and 0.5, both excluded");
-  if (!positive(body.yield_strength))
+  if (!positive(body.yield_strength) && body.yield_strength != unlimited)
     return complaint("yieldStrength", body.yield_strength, "positive and finite [Pa]");
   if (!(body.yield_pressure_factor == 0 ||
         (body.yield_pressure_factor >= 0.5 && body.yield_pressure_factor <= 10)))
@@ -53,6 +53,9 @@ std::string joint_complaint(const MaterialPair&, const typename Law::Parameters&
 
 template <class Law>
 std::string validate(const MaterialPair& pair, const typename Law::Parameters& constants) {
+  if (Yields<Law>::value && !std::isfinite(pair.yield_strength))
+    return "yieldStrength is missing; one of the bodies at least must have it, positive and finite "
+           "[Pa]";
   const typename Law::Parameters defaults;
   for (const auto& parameter : Law::parameters) {
     const double value = constants.*parameter.value;
@@ -61,6 +64,8 @@ std::string validate(const MaterialPair& pair, const typename Law::Parameters& c
     std::ostringstream allowed;
     allowed << "between " << parameter.lower << " and " << parameter.upper << " [" << parameter.unit
             << "]: " << parameter.meaning;
+    if (std::isnan(value))
+      return std::string(parameter.property) + " is missing; it must be given, " + allowed.str();
     return complaint(parameter.property, value, allowed.str());
   }
   return joint_complaint<Law>(pair, constants, 0);

@@ -87,14 +87,14 @@ class Impact:
         return self.speed * self.bodies
 
     def predicted(self) -> laws.Impact:
-        """The impact from the law's energies, without the engine."""
-        return laws.LAWS[self.law](self.pair).central_impact(
+        """The impact as the law alone has it, without the engine."""
+        return self.material.law(self.law, self.pair).central_impact(
             self.radius_eff, self.mass_eff, self.closing_speed
         )
 
     def time_step(self) -> float:
         """Recommended time step [s]."""
-        return laws.LAWS[self.law](self.pair).recommended_time_step(
+        return self.material.law(self.law, self.pair).recommended_time_step(
             self.radius_eff, self.mass_eff, self.closing_speed
         )
 

@@ -25,6 +25,7 @@ class Material:
         yield_strength: Uniaxial sigma_Y [Pa].
         yield_pressure_factor: Contact yield pressure over yield strength [-]; 0 stands for the
             Hertz-von Mises value.
+        dissipative_constant: Viscous over elastic constants A [s]; None where the file gives none.
     """
 
     name: str
@@ -33,10 +34,25 @@ class Material:
     density: float
     yield_strength: float
     yield_pressure_factor: float
+    dissipative_constant: float | None = None
 
     def variables(self) -> dict[str, float]:
         """The constants as the decks' variables of the same names."""
-        return {key: value for key, value in vars(self).items() if key != "name"}
+        return {k: value for k, value in vars(self).items() if k != "name" and value is not None}
+
+    def law(self, name: str, pair: laws.MaterialPair):
+        """A law for contacts of this material, with those of its constants that have no default.
+
+        Raises:
+            ValueError: The material lacks one; the message names it.
+        """
+        law = laws.LAWS[name]
+        needed = [row["name"] for row in law.parameters() if row["default"] is None]
+        given = {key: getattr(self, key, None) for key in needed}
+        try:
+            return law(pair, **{key: value for key, value in given.items() if value is not None})
+        except ValueError as error:
+            raise ValueError(f"material {self.name}: {error}") from None
 
     def body(self) -> laws.Material:
         """The constants as the laws take them. Raises ValueError when one is out of range."""
@@ -76,10 +92,10 @@ def read_material(name: str | Path) -> Material:
             except ValueError:
                 raise ValueError(f"{path}: {match[1]} is {match[2]!r}, not a number") from None
     wanted = [field for field in Material.__dataclass_fields__ if field != "name"]
-    missing = [field for field in wanted if field not in values]
+    missing = [field for field in wanted if field not in values and not hasattr(Material, field)]
     if missing:
         raise ValueError(f"{path}: no value for {', '.join(missing)}")
-    material = Material(path.stem, **{field: values[field] for field in wanted})
+    material = Material(path.stem, **{key: values[key] for key in wanted if key in values})
     if not 0 < material.density < float("inf"):
         raise ValueError(f"{path}: density is {material.density:g}; it must be positive [kg/m^3]")
     try:
