@@ -16,6 +16,7 @@ from plastigran.collision import CollisionError
 from plastigran.dumps import DumpError
 from plastigran.engine import PROJECT, EngineError
 from plastigran.impact import GEOMETRIES, PAPER_SPEEDS, Impact, plan, sweep
+from plastigran.modes import sphere_modes
 from plastigran.rod import PAPER_RODS, Rod
 
 TABLE = [
@@ -90,9 +91,12 @@ def format_table(table: pd.DataFrame) -> str:
     return "\n".join(lines)
 
 
-def law_names(given: list[str]) -> list[str]:
-    """Names from the command line; "all" stands for every law."""
-    names = sorted(laws.LAWS) if "all" in given else list(dict.fromkeys(given))
+def law_names(given: list[str], material_names: list[str]) -> list[str]:
+    """Names from the command line; "all" stands for every law the materials have constants for."""
+    bodies = [materials.read_material(material) for material in material_names]
+    names = list(dict.fromkeys(given))
+    if "all" in given:
+        names = [n for n in sorted(laws.LAWS) if all(not body.missing(n) for body in bodies)]
     for name in names:
         if name not in laws.LAWS:
             raise UsageError(f"no law {name!r}; there are {', '.join(sorted(laws.LAWS))}")
@@ -132,7 +136,11 @@ def run_impacts(impacts: list[Impact], folder: Path, jobs: int | None) -> pd.Dat
 def impact_command(arguments: argparse.Namespace) -> None:
     speeds = arguments.speed or np.geomspace(*arguments.speeds, arguments.points)
     impacts = plan(
-        law_names(arguments.law), speeds, arguments.material, arguments.radius, arguments.geometry
+        law_names(arguments.law, arguments.material),
+        speeds,
+        arguments.material,
+        arguments.radius,
+        arguments.geometry,
     )
     run_impacts(impacts, fresh_folder(arguments.output, arguments.force), arguments.jobs)
 
@@ -177,8 +185,9 @@ def laws_command(_: argparse.Namespace) -> None:
         engine_own = " (the engine's own model)" if name == "hertz" else ""
         print(f"{name}{engine_own}\n  source  {law.source}\n  range   {law.range}")
         for p in law.parameters():
+            default = "required" if p["default"] is None else f"default {p['default']:g}"
             print(
-                f"  {p['property']} [{p['unit']}], default {p['default']:g}, "
+                f"  {p['property']} [{p['unit']}], {default}, "
                 f"{p['lower']:g} to {p['upper']:g}: {p['meaning']}"
             )
         for o in law.options():
@@ -189,15 +198,29 @@ def laws_command(_: argparse.Namespace) -> None:
 
 def timestep_command(arguments: argparse.Namespace) -> None:
     material = materials.read_material(arguments.material)
-    for name in law_names(arguments.law):
+    for name in law_names(arguments.law, [arguments.material]):
         impact = Impact(name, arguments.speed, material, arguments.radius, arguments.geometry)
         print(f"{name:20s} {impact.time_step():.4g} s")
+
+
+def modes_command(arguments: argparse.Namespace) -> None:
+    material = materials.read_material(arguments.material)
+    table = sphere_modes(
+        material.youngs_modulus,
+        material.poissons_ratio,
+        material.density,
+        arguments.radius,
+        range(arguments.degree + 1),
+        arguments.overtones,
+    )
+    table = table.rename(columns={"frequency": "frequency, Hz"})
+    print(table.to_string(index=False, float_format="{:.6g}".format))
 
 
 def demo_command(arguments: argparse.Namespace) -> None:
     """The paper's sphere over four decades of speed; then one impact through every geometry."""
     folder = arguments.output
-    names = sorted(laws.LAWS)
+    names = law_names(["all"], ["aluminium_zv02"])
     run_impacts(
         plan(names, PAPER_SPEEDS, ["aluminium_zv02"], 0.1),
         folder / "speeds",
@@ -223,7 +246,11 @@ def parser() -> argparse.ArgumentParser:
 
     def common(command: argparse.ArgumentParser) -> None:
         command.add_argument(
-            "--law", nargs="+", default=["all"], metavar="LAW", help="laws, or all (default)"
+            "--law",
+            nargs="+",
+            default=["all"],
+            metavar="LAW",
+            help="laws, or all (default) that the material has the constants for",
         )
         command.add_argument("--radius", type=positive, default=0.1, help="m, default 0.1")
         command.add_argument(
@@ -282,6 +309,20 @@ def parser() -> argparse.ArgumentParser:
     timestep.add_argument("--speed", type=positive, required=True, help="impact speed, m/s")
     timestep.add_argument("--material", default="aluminium_zv02")
     timestep.set_defaults(run=timestep_command)
+
+    modes = commands.add_parser("modes", help="free vibrations of an elastic sphere")
+    modes.add_argument("--material", required=True, help=f"{', '.join(materials.names())}")
+    modes.add_argument("--radius", type=positive, required=True, help="m")
+    modes.add_argument(
+        "--degree", type=positive_integer, default=4, help="highest degree, default 4"
+    )
+    modes.add_argument(
+        "--overtones",
+        type=positive_integer,
+        default=3,
+        help="modes of each kind and degree, default 3",
+    )
+    modes.set_defaults(run=modes_command)
 
     demo = commands.add_parser("demo", help="the tour: collisions and their figures")
     demo.add_argument("--output", type=Path, default=PROJECT / "results" / "demo")

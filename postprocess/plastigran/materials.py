@@ -40,17 +40,19 @@ class Material:
         """The constants as the decks' variables of the same names."""
         return {k: value for k, value in vars(self).items() if k != "name" and value is not None}
 
+    def missing(self, law: str) -> list[str]:
+        """Names of the constants a law must be given and this material does not have."""
+        return [name for name in _needed(law) if getattr(self, name, None) is None]
+
     def law(self, name: str, pair: laws.MaterialPair):
         """A law for contacts of this material, with those of its constants that have no default.
 
         Raises:
-            ValueError: The material lacks one; the message names it.
+            ValueError: The material lacks one, or it is out of range; the message names it.
         """
-        law = laws.LAWS[name]
-        needed = [row["name"] for row in law.parameters() if row["default"] is None]
-        given = {key: getattr(self, key, None) for key in needed}
+        given = {key: getattr(self, key) for key in _needed(name) if key not in self.missing(name)}
         try:
-            return law(pair, **{key: value for key, value in given.items() if value is not None})
+            return laws.LAWS[name](pair, **given)
         except ValueError as error:
             raise ValueError(f"material {self.name}: {error}") from None
 
@@ -62,6 +64,10 @@ class Material:
             self.yield_strength,
             self.yield_pressure_factor,
         )
+
+
+def _needed(law: str) -> list[str]:
+    return [row["name"] for row in laws.LAWS[law].parameters() if row["default"] is None]
 
 
 #: A wall that neither deforms nor yields.

@@ -29,6 +29,63 @@ def hertz_duration(
     return constant * (mass_eff**2 / (stiffness**2 * np.asarray(speed, dtype=float))) ** 0.2
 
 
+def hertz_overlap_max(
+    mass_eff: float, radius_eff: float, youngs_modulus_eff: float, speed: ArrayLike
+) -> np.ndarray:
+    """Largest overlap of an elastic impact [m], (15 m* v^2 / (16 E* sqrt(R*)))^(2/5).
+
+    Arguments and source as for `hertz_duration`.
+    """
+    work = 16 / 15 * youngs_modulus_eff * sqrt(radius_eff)
+    return (mass_eff * np.asarray(speed, dtype=float) ** 2 / work) ** 0.4
+
+
+def hertz_force_max(
+    mass_eff: float, radius_eff: float, youngs_modulus_eff: float, speed: ArrayLike
+) -> np.ndarray:
+    """Largest force of an elastic impact [N], Hertz's at `hertz_overlap_max`."""
+    overlap = hertz_overlap_max(mass_eff, radius_eff, youngs_modulus_eff, speed)
+    return 4 / 3 * youngs_modulus_eff * sqrt(radius_eff) * overlap**1.5
+
+
+def viscoelastic_number(
+    dissipative_constant: float,
+    mass_eff: float,
+    radius_eff: float,
+    youngs_modulus_eff: float,
+    speed: ArrayLike,
+) -> np.ndarray:
+    """v* = (3/2 A)^(1/2) (rho_k/m*)^(1/5) v^(1/10) [-], rho_k = 4/3 E* sqrt(R*).
+
+    All that the restitution of viscoelastic spheres depends on. Falls with the radius like
+    R^(-1/2) for bodies of one material.
+
+    Args:
+        dissipative_constant: A [s].
+        mass_eff: m* [kg].
+        radius_eff: R* [m].
+        youngs_modulus_eff: E* [Pa].
+        speed: Closing speed v [m/s], any shape.
+
+    Source: Schwager & Poschel 2008, Phys. Rev. E 78:051304.
+    """
+    stiffness = 4 / 3 * youngs_modulus_eff * sqrt(radius_eff)
+    scale = sqrt(1.5 * dissipative_constant) * (stiffness / mass_eff) ** 0.2
+    return scale * np.asarray(speed, dtype=float) ** 0.1
+
+
+def viscoelastic_restitution(number: ArrayLike) -> np.ndarray:
+    """Coefficient of restitution of viscoelastic spheres over v* [-], any shape.
+
+    The Pade form of Muller & Poschel 2011, Phys. Rev. E 84:021302. It lies above the equation of
+    motion by 6e-8 at v* = 0.1, 0.14 % at 0.6 and 1.2 % at 1.
+    """
+    x = np.asarray(number, dtype=float)
+    above = np.polynomial.Polynomial([1, 0.501086])
+    below = np.polynomial.Polynomial([1, 0.501086, 1.15345, 0.577977, 0.532178])
+    return above(x) / below(x)
+
+
 def yield_speed(pair: laws.MaterialPair, mass_eff: float, radius_eff: float) -> float:
     """Closing speed at which a central impact just reaches yield [m/s].
 

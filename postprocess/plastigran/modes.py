@@ -1,0 +1,218 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Free vibrations of a homogeneous elastic sphere: when is a contact law's quasi-static view right?
+
+Lamb 1882 (Proc. Lond. Math. Soc. s1-13:189); Love, Mathematical Theory of Elasticity (1927), ch.
+XII. Toroidal modes shear the sphere along its surface; spheroidal ones displace the surface,
+those of degree 0 (radial) evenly. With x = k a and y = h a, the radius a times the wave numbers of
+shear and compression at the mode's frequency, y/x = c_t/c_l depends on Poisson's ratio alone.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from itertools import pairwise
+from math import pi, sqrt
+
+import numpy as np
+import pandas as pd
+from scipy.optimize import brentq
+from scipy.special import spherical_jn
+
+#: Steps of x in which the spheroidal modes are looked for. Modes are some twenty steps apart;
+#: closer ones are told apart by halving.
+STEP = 0.1
+
+Function = Callable[[float], float]
+
+
+def wave_speed_ratio(poissons_ratio: float) -> float:
+    """Shear over compression wave speed c_t/c_l [-]."""
+    return sqrt((1 - 2 * poissons_ratio) / (2 * (1 - poissons_ratio)))
+
+
+def sphere_modes(
+    youngs_modulus: float,
+    poissons_ratio: float,
+    density: float,
+    radius: float,
+    degrees: Iterable[int] = range(5),
+    overtones: int = 3,
+) -> pd.DataFrame:
+    """Free vibrations of an elastic sphere, the gravest of each kind and degree.
+
+    Args:
+        youngs_modulus: E [Pa].
+        poissons_ratio: nu, between -1 and 0.5 [-].
+        density: [kg/m^3].
+        radius: a [m].
+        degrees: Degrees n of the spherical harmonics; 0 has radial modes only.
+        overtones: Modes of each kind and degree.
+
+    Returns:
+        One row a mode, by rising frequency: kind (radial, spheroidal, toroidal), degree,
+        overtone (0 the gravest), ka, ha [-], frequency [Hz].
+
+    Raises:
+        ValueError: A constant is out of its range.
+    """
+    for name, value in {
+        "youngs_modulus": youngs_modulus,
+        "density": density,
+        "radius": radius,
+    }.items():
+        if not 0 < value < float("inf"):
+            raise ValueError(f"{name} is {value:g}; it must be positive and finite")
+    if not -1 < poissons_ratio < 0.5:
+        raise ValueError(f"poissons_ratio is {poissons_ratio:g}; it must be between -1 and 0.5")
+    if overtones < 1:
+        raise ValueError(f"overtones is {overtones}; it must be 1 or more")
+    rows = []
+    ratio = wave_speed_ratio(poissons_ratio)
+    for degree in degrees:
+        if degree < 0:
+            raise ValueError(f"degree is {degree}; it must be 0 or more")
+        if degree == 0:
+            found = {"radial": radial_roots(poissons_ratio, overtones) / ratio}
+        else:
+            found = {
+                "spheroidal": spheroidal_roots(degree, poissons_ratio, overtones),
+                "toroidal": toroidal_roots(degree, overtones),
+            }
+        rows += [
+            (kind, degree, overtone, ka, ka * ratio)
+            for kind, roots in found.items()
+            for overtone, ka in enumerate(roots)
+        ]
+    table = pd.DataFrame(rows, columns=["kind", "degree", "overtone", "ka", "ha"])
+    shear_speed = sqrt(youngs_modulus / (2 * (1 + poissons_ratio) * density))
+    table["frequency"] = table["ka"] * shear_speed / (2 * pi * radius)
+    return table.sort_values("frequency", ignore_index=True)
+
+
+def bessel_zeros(degree: int, count: int) -> np.ndarray:
+    """The first positive zeros of the spherical Bessel function j_n, (count,).
+
+    Those of j_0 are multiples of pi, and one of j_n lies between any two neighbours of j_(n-1).
+    """
+    zeros = pi * np.arange(1, count + degree + 1)
+    for n in range(1, degree + 1):
+        zeros = roots_between(lambda x, n=n: spherical_jn(n, x), zeros)
+    return zeros
+
+
+def roots_between(function: Function, edges: np.ndarray) -> np.ndarray:
+    """The root between each two neighbouring edges, (len(edges) - 1,)."""
+    return np.array([brentq(function, a, b, xtol=1e-14, rtol=1e-15) for a, b in pairwise(edges)])
+
+
+def toroidal(degree: int, x: float) -> float:
+    """No shear stress on the surface: x j_n'(x) - j_n(x); its zeros are the toroidal k a."""
+    return x * spherical_jn(degree, x, derivative=True) - spherical_jn(degree, x)
+
+
+def radial(poissons_ratio: float, y: float) -> float:
+    """No pressure on the surface: y j_0(y) - 4 (c_t/c_l)^2 j_1(y); its zeros are the radial h a."""
+    return y * spherical_jn(0, y) - 4 * wave_speed_ratio(poissons_ratio) ** 2 * spherical_jn(1, y)
+
+
+def toroidal_roots(degree: int, count: int) -> np.ndarray:
+    """The first toroidal k a, (count,).
+
+    x j_n'/j_n falls from n at x = 0 and from +inf to -inf between zeros of j_n, so it is 1 once
+    before each of them. (For n = 1 the first is x = 0, the turning of the whole sphere.)
+    """
+    zeros = bessel_zeros(degree, count + 1)
+    edges = zeros if degree == 1 else np.concatenate([[1e-3 * degree], zeros[:-1]])
+    return roots_between(lambda x: toroidal(degree, x), edges)
+
+
+def radial_roots(poissons_ratio: float, count: int) -> np.ndarray:
+    """The first radial h a, (count,).
+
+    y j_0/j_1 falls from 3 at y = 0 and from +inf to -inf between zeros of j_1, so it takes the
+    value 4 (c_t/c_l)^2 < 3 once before each of them.
+    """
+    edges = np.concatenate([[1e-6], bessel_zeros(1, count)])
+    return roots_between(lambda y: radial(poissons_ratio, y), edges)
+
+
+def surface(degree: int, poissons_ratio: float, x: float) -> tuple[np.ndarray, np.ndarray]:
+    """Displacement and traction on the surface of the two waves a spheroidal mode is made of.
+
+    Column 0 is the compressional wave grad(j_n(h r) Y), column 1 the shear wave
+    curl curl(r j_n(k r) Y). Row 0 is the component along r, row 1 that along grad Y, times
+    sqrt(n(n+1)), so that displacement^T traction is their work over the surface. Each wave is
+    scaled to a displacement of one; lengths by a, stresses by the shear modulus.
+
+    Returns:
+        displacement, traction, (2, 2) each.
+    """
+    y = x * wave_speed_ratio(poissons_ratio)
+    square = degree * (degree + 1)
+    p, p_slope = spherical_jn(degree, y), y * spherical_jn(degree, y, derivative=True)
+    s, s_slope = spherical_jn(degree, x), x * spherical_jn(degree, x, derivative=True)
+    displacement = np.array([[p_slope, square * s], [p, s + s_slope]])
+    traction = np.array(
+        [
+            [(2 * square - x**2) * p - 4 * p_slope, 2 * square * (s_slope - s)],
+            [2 * (p_slope - p), (2 * square - 2 - x**2) * s - 2 * s_slope],
+        ]
+    )
+    for part in (displacement, traction):
+        part[1] *= sqrt(square)
+    size = np.linalg.norm(displacement, axis=0)
+    return displacement / size, traction / size
+
+
+def spheroidal(degree: int, poissons_ratio: float, x: float) -> float:
+    """Determinant of the surface tractions; its zeros are the spheroidal k a."""
+    return float(np.linalg.det(surface(degree, poissons_ratio, x)[1]))
+
+
+def spheroidal_roots(degree: int, poissons_ratio: float, count: int) -> np.ndarray:
+    """The first spheroidal k a of degree 1 or more, (count,).
+
+    The two eigenvalues of the surface's dynamic stiffness, traction over displacement, fall all the
+    way with x, from pole to pole. A mode is where one of them passes zero, so those passed so far
+    are the negative eigenvalues and the poles passed (Wittrick & Williams 1971, Q. J. Mech. Appl.
+    Math. 24:263). An interval with more than one mode is halved until each stands alone between two
+    signs of the determinant.
+    """
+
+    def look(x: float) -> tuple[float, int, float, float]:
+        displacement, traction = surface(degree, poissons_ratio, x)
+        stiffness = np.linalg.solve(displacement.T, traction.T) / x
+        eigenvalues = np.linalg.eigvalsh((stiffness + stiffness.T) / 2)
+        angle = float(np.sum(np.arctan(eigenvalues)))
+        negative = int(np.sum(eigenvalues < 0))
+        return x, negative, angle, float(np.linalg.det(traction))
+
+    def passed(a, b) -> int:
+        """Modes between two looks. Angles fall by pi between poles and jump up by pi there."""
+        poles = int(np.ceil((b[2] - a[2]) / pi - 1e-9))
+        return poles + b[1] - a[1]
+
+    def isolate(a, b, depth: int) -> list[tuple[float, float]]:
+        middle = look((a[0] + b[0]) / 2)
+        if depth == 0:
+            modes = passed(a, b)
+            changes_sign = a[3] * b[3] < 0
+            if modes == changes_sign:
+                return [(a[0], b[0])] if changes_sign else []
+            if b[0] - a[0] < 1e-9:
+                raise ArithmeticError(f"spheroidal modes too close to tell apart at ka = {a[0]:g}")
+        depth = max(depth - 1, 0)
+        return isolate(a, middle, depth) + isolate(middle, b, depth)
+
+    brackets: list[tuple[float, float]] = []
+    last = look(0.02 * degree)
+    while len(brackets) < count:
+        here = look(last[0] + STEP)
+        brackets += isolate(last, here, depth=1)
+        last = here
+    return np.array(
+        [
+            brentq(lambda x: spheroidal(degree, poissons_ratio, x), a, b, xtol=1e-14, rtol=1e-15)
+            for a, b in brackets[:count]
+        ]
+    )
