@@ -97,6 +97,11 @@ def law_names(given: list[str], material_names: list[str]) -> list[str]:
     names = list(dict.fromkeys(given))
     if "all" in given:
         names = [n for n in sorted(laws.LAWS) if all(not body.missing(n) for body in bodies)]
+        if left := sorted(set(laws.LAWS) - set(names)):
+            print(
+                f"left out, for the material lacks their constants: {', '.join(left)}",
+                file=sys.stderr,
+            )
     for name in names:
         if name not in laws.LAWS:
             raise UsageError(f"no law {name!r}; there are {', '.join(sorted(laws.LAWS))}")

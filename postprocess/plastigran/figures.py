@@ -15,7 +15,7 @@ import matplotlib.pyplot as plt
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from plastigran import theory
+from plastigran import laws, theory
 from plastigran.collision import Collision
 from plastigran.impact import Impact
 
@@ -119,7 +119,8 @@ def _is_paper_sphere(impacts: list[Impact]) -> bool:
 def _speed_axes(axes: Axes, impacts: list[Impact]) -> None:
     axes.set_xscale("log")
     axes.set_xlabel("impact speed (m/s)")
-    yield_speeds = {impact.yield_speed() for impact in impacts}
+    yielding = [impact for impact in impacts if laws.LAWS[impact.law].yields]
+    yield_speeds = {impact.yield_speed() for impact in yielding}
     if len(yield_speeds) == 1:
         scale = yield_speeds.pop()
         upper = axes.secondary_xaxis("top", functions=(lambda v: v / scale, lambda q: q * scale))

@@ -50,11 +50,9 @@ class Material:
         Raises:
             ValueError: The material lacks one, or it is out of range; the message names it.
         """
-        given = {key: getattr(self, key) for key in _needed(name) if key not in self.missing(name)}
-        try:
-            return laws.LAWS[name](pair, **given)
-        except ValueError as error:
-            raise ValueError(f"material {self.name}: {error}") from None
+        if missing := self.missing(name):
+            raise ValueError(f"material {self.name} gives no {', '.join(missing)}; {name} needs it")
+        return laws.LAWS[name](pair, **{key: getattr(self, key) for key in _needed(name)})
 
     def body(self) -> laws.Material:
         """The constants as the laws take them. Raises ValueError when one is out of range."""

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import re
+from dataclasses import replace
 from functools import cache
 from math import pi
 from pathlib import Path
@@ -19,10 +20,14 @@ from plastigran.impact import Impact
 
 DECKS = Path(__file__).parent / "decks"
 GEOMETRIES = ("pair", "plane", "mesh")
+# Of the dissipative constant [s], for spheres of 10 mm: as much restitution as the paper's have.
+SMALL = 3e-6
 
 
 def run(name: str, folder: Path, ranks: int = 1, **variables) -> str:
     deck = DECKS / f"{name}.in"
+    # For laws that must have it: restitution near 0.8 for the paper's sphere.
+    variables.setdefault("dissipative_constant", 3e-5)
     if "variable decks" in deck.read_text():
         variables["decks"] = DECKS
     return run_deck(deck, variables, folder, ranks=ranks)
@@ -67,7 +72,7 @@ def test_second_touch_is_a_virgin_contact(engine_law, geometry, rebuild, alumini
     """
     body = aluminium.body()
     other = body if geometry == "pair" else laws.Material(1e30, 0.3, 1e30, 1.61)
-    law = laws.LAWS[engine_law](laws.combine(body, other))
+    law = aluminium.law(engine_law, laws.combine(body, other))
     # A held sphere is half of an equal pair: R/2, and as heavy as the falling one alone.
     radius_eff = 0.05 if geometry == "pair" else 0.1
     mass = 4 / 3 * pi * 0.1**3 * aluminium.density
@@ -155,12 +160,13 @@ def test_ranks_share_and_hand_over_a_contact(engine_law, tmp_path):
         assert other.force_max == pytest.approx(one.force_max, rel=1e-9)
 
 
-def test_unequal_bodies_in_either_order(engine_law, tmp_path):
+def test_unequal_bodies_in_either_order(engine_law, aluminium, tmp_path):
     """Unequal radii and materials, i and j swapped: the same to rounding, and the softer yields."""
     loops, runs = [], []
     for swap in (0, 1):
-        run("two_bodies", tmp_path / str(swap), law=engine_law, swap=swap)
-        table = read_dump(tmp_path / str(swap) / "trajectory.dump")
+        folder = tmp_path / str(swap)
+        run("two_bodies", folder, law=engine_law, swap=swap, dissipative_constant=SMALL)
+        table = read_dump(folder / "trajectory.dump")
         loops.append(force_overlap_loop(table))
         runs.append(measure(table))
     assert len(loops[0]) == len(loops[1])
@@ -171,7 +177,8 @@ def test_unequal_bodies_in_either_order(engine_law, tmp_path):
     )
 
     soft, hard = laws.Material(7e10, 0.33, 1e8), laws.Material(2.1e11, 0.28, 9e8)
-    law = laws.LAWS[engine_law](laws.combine(soft, hard))
+    small = replace(aluminium, dissipative_constant=SMALL)
+    law = small.law(engine_law, laws.combine(soft, hard))
     masses = 4 / 3 * pi * 0.01**3 * 2700, 4 / 3 * pi * 0.02**3 * 7850
     mass_eff = masses[0] * masses[1] / sum(masses)
     expected = law.central_impact(0.01 * 0.02 / 0.03, mass_eff, 0.2)
@@ -180,7 +187,10 @@ def test_unequal_bodies_in_either_order(engine_law, tmp_path):
         assert found.coefficient_of_restitution == pytest.approx(
             expected.coefficient_of_restitution, rel=1e-3
         )
-        assert found.overlap_res == pytest.approx(expected.overlap_res, rel=2e-3)
+        # Where the force of a rate-dependent law vanishes depends on the speed there, too, which
+        # the engine knows of half a step ago.
+        tolerance = 2e-2 if law.rate_dependent else 2e-3
+        assert found.overlap_res == pytest.approx(expected.overlap_res, rel=tolerance)
 
 
 def test_wall_is_a_huge_sphere(engine_law, aluminium, tmp_path):
@@ -193,10 +203,11 @@ def test_wall_is_a_huge_sphere(engine_law, aluminium, tmp_path):
         tmp_path,
         law=engine_law,
         ratio=3000,
+        dissipative_constant=SMALL,
     )
     found = measure(tmp_path / "trajectory.dump")
     body = aluminium.body()
-    law = laws.LAWS[engine_law](laws.combine(body, body))
+    law = replace(aluminium, dissipative_constant=SMALL).law(engine_law, laws.combine(body, body))
     mass = 4 / 3 * pi * 0.01**3 * aluminium.density
     wall = law.central_impact(0.01, mass, 0.2)
     assert found.coefficient_of_restitution == pytest.approx(
@@ -207,19 +218,20 @@ def test_wall_is_a_huge_sphere(engine_law, aluminium, tmp_path):
 
 @pytest.fixture(scope="session")
 def unyielding(tmp_path_factory):
-    """Trajectory of an oblique impact of bodies that never yield."""
+    """Trajectory of an oblique impact of bodies without yield and viscosity."""
 
     @cache
     def collide(law: str, geometry: str):
         folder = tmp_path_factory.mktemp("unyielding")
-        run("restart_write", folder, law=law, geometry=geometry, yield_strength=1e18)
+        elastic = {"yield_strength": 1e18, "dissipative_constant": 1e-30}
+        run("restart_write", folder, law=law, geometry=geometry, **elastic)
         return read_dump(folder / "trajectory.dump").drop_duplicates(["step", "id"])
 
     return collide
 
 
 def test_unyielding_model_is_the_engines_hertz(engine_law, unyielding):
-    """Yield strength to infinity: every step of an oblique impact as undamped stock hertz.
+    """No yield and no viscosity: every step of an oblique impact as undamped stock hertz.
 
     1e-10 after 200 steps: the two write 4/3 E* sqrt(R* d) d in different orders.
     """
@@ -243,7 +255,7 @@ def test_sliding_friction(engine_law, tangential, aluminium, tmp_path):
     assert along == pytest.approx(-0.3 * normal, rel=2e-3)
 
 
-def test_tangential_stiffness_is_the_laws(engine_law, paper_pair, tmp_path):
+def test_tangential_stiffness_is_the_laws(engine_law, aluminium, paper_pair, tmp_path):
     """The tangential spring takes 8 G* a with the law's own contact radius, beyond yield too.
 
     A slow creep along the plane (10 um/s) never slides: the spring force is k_t times the path so
@@ -251,7 +263,7 @@ def test_tangential_stiffness_is_the_laws(engine_law, paper_pair, tmp_path):
     """
     run("creep", tmp_path, law=engine_law, tangential="history")
     table = read_dump(tmp_path / "trajectory.dump")
-    law, state = laws.LAWS[engine_law](paper_pair), laws.LAWS[engine_law].State()
+    law, state = aluminium.law(engine_law, paper_pair), laws.LAWS[engine_law].State()
     radius = law.follow(0.1, (0.1 - table["x"]).to_numpy(), state)["contact_radius"]
     slip = table["y"].to_numpy() - table["y"].iloc[0]
     middle = (np.abs(table["fx"]) > 0.5 * np.abs(table["fx"]).max()).to_numpy()
@@ -261,11 +273,13 @@ def test_tangential_stiffness_is_the_laws(engine_law, paper_pair, tmp_path):
 
 
 @pytest.mark.parametrize("damping", ["off", "on"])
-def test_friction_without_history_is_critically_damped(engine_law, paper_pair, damping, tmp_path):
+def test_friction_without_history_is_critically_damped(
+    engine_law, aluminium, paper_pair, damping, tmp_path
+):
     """Creep far below sliding draws 2 sqrt(k_t m*) times its speed, with or without the dashpot."""
     run("creep", tmp_path, law=engine_law, tangential="no_history", damping=damping)
     table = read_dump(tmp_path / "trajectory.dump")
-    law, state = laws.LAWS[engine_law](paper_pair), laws.LAWS[engine_law].State()
+    law, state = aluminium.law(engine_law, paper_pair), laws.LAWS[engine_law].State()
     radius = law.follow(0.1, (0.1 - table["x"]).to_numpy(), state)["contact_radius"]
     middle = (np.abs(table["fx"]) > 0.5 * np.abs(table["fx"]).max()).to_numpy()
     stiffness = 8 * paper_pair.shear_modulus_eff * radius[middle]
@@ -295,7 +309,7 @@ def test_time_step_warning(engine_law, aluminium, tmp_path):
     """Too long a step draws a warning with the recommended one; the recommended step none."""
     model = Impact(engine_law, 0.1, aluminium, 0.1)
     recommended = model.time_step()
-    variables = {"law": engine_law, "speed": 0.1}
+    variables = {"law": engine_law, "speed": 0.1, "dissipative_constant": 3e-5}
     log = run_deck(
         "collision/sphere_wall.in", variables | {"timestep": 3 * recommended}, tmp_path / "long"
     )

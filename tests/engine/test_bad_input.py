@@ -28,6 +28,7 @@ neigh_modify    delay 0
 fix youngs  all property/global youngsModulus peratomtype {youngs_modulus}
 fix poisson all property/global poissonsRatio peratomtype {poissons_ratio}
 {yield_strength}
+{dissipative_constant}
 {more}
 create_atoms    1 single 0 0 0
 set group all diameter 0.2 density 2700
@@ -42,6 +43,7 @@ GOOD = {
     "youngs_modulus": "7.0e10",
     "poissons_ratio": "0.3",
     "yield_strength": "fix ys all property/global yieldStrength peratomtype 1.0e8",
+    "dissipative_constant": "fix dc all property/global dissipativeConstant peratomtypepair 1 1e-5",
     "settings": "tangential off",
     "more": "",
 }
@@ -137,6 +139,19 @@ def test_brake_refuses(law, more, said, tmp_path):
         run(tmp_path, law=law, more=more)
 
 
+def test_viscoelastic_hertz_asks_for_its_constant_and_no_strength(tmp_path):
+    law = {"law": "viscoelastic_hertz", "yield_strength": ""}
+    assert "yield pressure" not in run(tmp_path, **law)
+    said = r"dissipativeConstant is missing; it must be given, between 0 and 1 \[s\].*types 1 and 1"
+    with pytest.raises(EngineError, match=f"model viscoelastic_hertz: {said}"):
+        run(tmp_path, **law, dissipative_constant="")
+    with pytest.raises(EngineError, match="dissipativeConstant is 2; it must be between 0 and 1"):
+        run(tmp_path, **law, dissipative_constant=constant("dissipativeConstant", "2"))
+    deck = "collision/sphere_wall.in"
+    with pytest.raises(EngineError, match="dissipativeConstant is missing"):
+        run_deck(deck, {"law": "viscoelastic_hertz", "material": "steel"}, tmp_path)
+
+
 def test_options_are_words(engine_law, tmp_path):
     """Every choice of every option is taken, any other word refused."""
     for option in laws.LAWS[engine_law].options():
@@ -176,7 +191,8 @@ def test_viscous_damping_is_the_classic_dashpot(engine_law, tmp_path):
         folder = tmp_path / law
         folder.mkdir()
         (folder / "deck.in").write_text(deck)
-        run_deck(folder / "deck.in", {"law": law, "speed": 5e-4}, folder)
+        variables = {"law": law, "speed": 5e-4, "dissipative_constant": 1e-30}
+        run_deck(folder / "deck.in", variables, folder)
         found.append(measure(folder / "trajectory.dump").coefficient_of_restitution)
     assert 0.75 < found[0] < 0.85
     assert found[0] == pytest.approx(found[1], rel=1e-9)  # sums in another order

@@ -42,7 +42,8 @@ def collide(program, deck: str, law: str, output: Path):
     log = output / "log.liggghts"
     # No "-screen none": the engine's mesh reader writes to the screen without asking for one.
     command = [program, "-in", PROJECT / "inputs/collision" / deck, "-log", log]
-    for name, value in {"inputs": PROJECT / "inputs", "output": output, "law": law}.items():
+    variables = {"inputs": PROJECT / "inputs", "output": output, "law": law}
+    for name, value in {**variables, "dissipative_constant": "3e-5"}.items():
         command += ["-var", name, value]
     run = subprocess.run(command, capture_output=True, text=True, errors="replace")
     assert run.returncode == 0, run.stdout[-3000:] + run.stderr[-3000:]

@@ -15,7 +15,17 @@ using namespace plastigran;
 
 namespace {
 const MaterialPair aluminium = combine({7e10, 0.3, 1e8, 1.61}, {1e30, 0.3, 1e30, 1.61});
+
+// A law's defaults, and small values for the constants that have none.
+template <class Law>
+typename Law::Parameters defaults() {
+  typename Law::Parameters constants;
+  for (const auto& parameter : Law::parameters)
+    if (std::isnan(constants.*parameter.value))
+      constants.*parameter.value = parameter.lower + 1e-6 * (parameter.upper - parameter.lower);
+  return constants;
 }
+}  // namespace
 
 TEST_CASE_TEMPLATE("a law's state can be stored as plain doubles", Law, ALL_LAWS) {
   CHECK(std::is_trivially_copyable_v<typename Law::State>);
@@ -33,7 +43,7 @@ TEST_CASE_TEMPLATE("a virgin contact's state is zeros", Law, ALL_LAWS) {
 }
 
 TEST_CASE_TEMPLATE("asking twice changes nothing, bit for bit", Law, ALL_LAWS) {
-  const Law law(aluminium, {});
+  const Law law(aluminium, defaults<Law>());
   std::mt19937 random(1);
   std::uniform_real_distribution<double> exponent(-9, -3);
   for (int path = 0; path < 2000; ++path) {
@@ -52,7 +62,31 @@ TEST_CASE_TEMPLATE("asking twice changes nothing, bit for bit", Law, ALL_LAWS) {
 }
 
 TEST_CASE_TEMPLATE("defaults are admissible", Law, ALL_LAWS) {
-  CHECK(validate<Law>(aluminium, typename Law::Parameters{}).empty());
+  CHECK(validate<Law>(aluminium, defaults<Law>()).empty());
+}
+
+TEST_CASE_TEMPLATE("a constant without a default must be given", Law, ALL_LAWS) {
+  for (const auto& parameter : Law::parameters) {
+    if (!std::isnan(typename Law::Parameters().*parameter.value)) continue;
+    auto constants = defaults<Law>();
+    constants.*parameter.value = required;
+    const std::string said = validate<Law>(aluminium, constants);
+    CHECK(said.find(std::string(parameter.property) + " is missing") == 0);
+    CHECK(said.find(parameter.unit) != std::string::npos);
+  }
+}
+
+TEST_CASE_TEMPLATE("a law's answer has a viscous force only at a rate it depends on", Law,
+                   ALL_LAWS) {
+  const Law law(aluminium, defaults<Law>());
+  typename Law::State state;
+  const Response still = respond(law, 0.1, 1e-5, state, 0);
+  const Response closing = respond(law, 0.1, 1e-5, state, 0.1);
+  const Response parting = respond(law, 0.1, 1e-5, state, -0.1);
+  CHECK(still.viscous_force == 0);
+  CHECK((closing.viscous_force > 0) == IsRateDependent<Law>::value);
+  CHECK((parting.viscous_force < 0) == IsRateDependent<Law>::value);
+  CHECK((closing.force > still.force) == IsRateDependent<Law>::value);
 }
 
 TEST_CASE("Vu-Quoc-Zhang's Newton iteration converges for every admissible constant") {

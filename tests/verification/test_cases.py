@@ -8,6 +8,7 @@ from pathlib import Path
 import pandas as pd
 import pytest
 
+from plastigran import laws
 from plastigran.impact import GEOMETRIES, Impact
 from plastigran.materials import read_material
 
@@ -41,6 +42,10 @@ def test_law_alone(case):
 def test_engine_at_the_recommended_step(case, geometry, tmp_path):
     """What the recommended step promises: restitution to 1e-3, the rest to 2e-3.
 
+    Where the force depends on the rate, which the engine knows of half a step ago, force and
+    overlap follow to first order: 5e-3, and the overlap at which the force vanishes to 2 % of the
+    largest.
+
     Expected is the law's own answer for that geometry, which the test above holds against the case:
     two spheres are not the sphere on a rigid plane for a law that depends on sigma_Y/E*.
     """
@@ -50,24 +55,29 @@ def test_engine_at_the_recommended_step(case, geometry, tmp_path):
     assert found.coefficient_of_restitution == pytest.approx(
         expected.coefficient_of_restitution, rel=1e-3
     )
-    assert found.force_max == pytest.approx(expected.force_max, rel=2e-3)
-    assert found.overlap_max == pytest.approx(expected.overlap_max, rel=2e-3)
+    late = laws.LAWS[law].rate_dependent
+    rest, end = (5e-3, 2e-2) if late else (2e-3, 1e-5)
+    assert found.force_max == pytest.approx(expected.force_max, rel=rest)
+    assert found.overlap_max == pytest.approx(expected.overlap_max, rel=rest)
     assert found.overlap_res == pytest.approx(
-        expected.overlap_res, rel=2e-3, abs=1e-5 * row.overlap_max
+        expected.overlap_res, rel=2e-3, abs=end * row.overlap_max
     )
     if geometry == "sphere_wall" and row.contact_time == row.contact_time:  # given
-        assert found.contact_time == pytest.approx(row.contact_time, rel=2e-3)
+        assert found.contact_time == pytest.approx(row.contact_time, rel=rest)
 
 
 @pytest.mark.parametrize("case", CASES)
 def test_engine_at_a_twentieth_of_it(case, declared_jumps, tmp_path):
     """Second order: a 20 times smaller step leaves 1e-5. A step across a jump of the force is off
-    by the jump, first order: 1e-4 where the source has one."""
+    by the jump, first order: 1e-4 where the source has one. First order is all a law gets whose
+    force depends on the rate: a twentieth of the bounds above."""
     law, row = CASES[case]
     model = impact(law, row)
     found = model.run(tmp_path, time_step=model.time_step() / 20)
     predicted = model.predicted()
     for name in OUTCOMES:
         tolerance = 1e-4 if declared_jumps[law] else 1e-5
+        if laws.LAWS[law].rate_dependent:
+            tolerance = 1e-3 if name == "overlap_res" else 2.5e-4
         expected = pytest.approx(getattr(predicted, name), rel=tolerance, abs=1e-12)
         assert getattr(found, name) == expected, name

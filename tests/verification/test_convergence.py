@@ -6,7 +6,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from plastigran import theory
+from plastigran import laws, theory
 from plastigran.impact import GEOMETRIES, Impact
 
 
@@ -15,7 +15,8 @@ def test_order_in_the_time_step(engine_law, aluminium, declared_jumps, tmp_path)
 
     One run's error changes sign with that phase, so single runs show no clean order. The slope over
     a 16-fold step is 2 within 0.25: six phases leave some scatter. A law whose force jumps is
-    integrated across the jump to first order only, so there it is at least 1.
+    integrated across the jump to first order only, so there it is at least 1; a force that depends
+    on the rate, which the engine knows of half a step ago, is integrated to first order.
     """
     # Well beyond yield: elastic impacts are integrated better than to second order.
     models = (Impact(engine_law, speed, aluminium, 0.1) for speed in (0.2, 0.5, 1.0))
@@ -31,7 +32,9 @@ def test_order_in_the_time_step(engine_law, aluminium, declared_jumps, tmp_path)
         off = [run.coefficient_of_restitution / expected - 1 for run in phases]
         errors.append(np.sqrt(np.mean(np.square(off))))
     order = np.polyfit(np.log(steps), np.log(errors), 1)[0]
-    if declared_jumps[engine_law]:
+    if laws.LAWS[engine_law].rate_dependent:
+        assert order == pytest.approx(1, abs=0.25), errors
+    elif declared_jumps[engine_law]:
         assert order > 0.75, errors
     else:
         assert order == pytest.approx(2, abs=0.25), errors
