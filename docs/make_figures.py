@@ -94,7 +94,7 @@ def viscoelastic_figure() -> plt.Figure:
         speeds = np.geomspace(1e-5, 1, 60)
         for radius, colour in zip((1e-3, 1e-2, 1e-1), figures.COLOURS, strict=False):
             mass_eff = 4 / 3 * np.pi * radius**3 * ice.density
-            law = laws.ViscoelasticHertz(pair, dissipative_constant=1e-5)
+            law = laws.ViscoelasticHertz(pair, dissipative_constant=2e-6)
             right.semilogx(
                 speeds,
                 [
@@ -105,7 +105,7 @@ def viscoelastic_figure() -> plt.Figure:
                 label=f"R = {1e3 * radius:g} mm",
             )
             number = theory.viscoelastic_number(
-                1e-5, mass_eff, radius, pair.youngs_modulus_eff, speeds
+                2e-6, mass_eff, radius, pair.youngs_modulus_eff, speeds
             )
             pade = theory.viscoelastic_restitution(number)
             right.plot(speeds[::6], pade[::6], "o", color=colour, mfc="white", ms=4)
@@ -113,7 +113,7 @@ def viscoelastic_figure() -> plt.Figure:
         right.set_ylim(0, 1.05)
         right.set_xlabel("impact speed (m/s)")
         right.set_ylabel("coefficient of restitution")
-        right.legend(loc="lower left", title="ice's moduli, A = 10 µs")
+        right.legend(loc="lower left", title="ice's moduli, A = 2 µs")
     return figure
 
 

@@ -20,8 +20,9 @@ from plastigran.impact import Impact
 
 DECKS = Path(__file__).parent / "decks"
 GEOMETRIES = ("pair", "plane", "mesh")
-# Of the dissipative constant [s], for spheres of 10 mm: as much restitution as the paper's have.
-SMALL = 3e-6
+# Of the dissipative constant [s]: for spheres of 10 mm as much restitution as the paper's have, and
+# for less of it.
+SMALL, LARGE = 3e-6, 1e-4
 
 
 def run(name: str, folder: Path, ranks: int = 1, **variables) -> str:
@@ -70,6 +71,7 @@ def test_second_touch_is_a_virgin_contact(engine_law, geometry, rebuild, alumini
     A contact that remembered the first would return the second, slower one elastically (1 instead
     of 0.8 or less). 0.02: gravity of 10/s times the speed, over a millisecond of contact.
     """
+    aluminium = replace(aluminium, dissipative_constant=LARGE)
     body = aluminium.body()
     other = body if geometry == "pair" else laws.Material(1e30, 0.3, 1e30, 1.61)
     law = aluminium.law(engine_law, laws.combine(body, other))
@@ -81,7 +83,8 @@ def test_second_touch_is_a_virgin_contact(engine_law, geometry, rebuild, alumini
         return law.central_impact(radius_eff, mass, speed).coefficient_of_restitution
 
     first = next(speed for speed in (0.1, 0.3, 1.0) if restitution(speed) < 0.8)
-    log = run("bounce", tmp_path, law=engine_law, geometry=geometry, rebuild=rebuild, speed=first)
+    variables = {"law": engine_law, "speed": first, "dissipative_constant": LARGE}
+    log = run("bounce", tmp_path, geometry=geometry, rebuild=rebuild, **variables)
     builds = int(re.search(r"Neighbor list builds = (\d+)", log)[1])
     assert (builds > 1000) if rebuild == "yes" else (builds == 0)
 
@@ -114,7 +117,11 @@ def course(aluminium, tmp_path_factory):
 @pytest.mark.parametrize("moment", ["loading", "unloading"])
 @pytest.mark.parametrize("geometry", GEOMETRIES)
 def test_restart_in_mid_contact(engine_law, geometry, moment, ranks, course, tmp_path):
-    """The second half from the file is the second half of the whole run, to every digit written."""
+    """The second half from the file is the second half of the whole run, to every digit written.
+
+    A run begins with the forces at the speeds of that moment, the one before ended with those at
+    the speeds of half a step earlier: where they matter, the first frame shows other forces.
+    """
     loading_time, contact_time = course(engine_law).loading_time, course(engine_law).contact_time
     if moment == "loading":
         time = 0.5 * loading_time
@@ -133,6 +140,8 @@ def test_restart_in_mid_contact(engine_law, geometry, moment, ranks, course, tmp
     assert 0.1 * peak < force[0] < 0.95 * peak
     assert (force.max() > 1.05 * force[0]) == (moment == "loading")
     assert len(rest) == len(whole)
+    if laws.LAWS[engine_law].rate_dependent:
+        rest, whole = (table[table["step"] > before] for table in (rest, whole))
     assert (rest.to_numpy() == whole.to_numpy()).all()
 
 
