@@ -75,7 +75,7 @@ def positive_integer(text: str) -> int:
 
 def format_table(table: pd.DataFrame) -> str:
     """A results table as text: names and units in two head lines, five digits."""
-    columns = [c for c in TABLE if c in table]
+    columns = [c for c in TABLE if c in table and not table[c].isna().all()]
     heads = [(SHORT.get(c, c) + "\n").split("\n")[:2] for c in columns]
     cells = [
         [f"{value:.5g}" if isinstance(value, float) else str(value) for value in line]

@@ -36,7 +36,11 @@ MARKERS = "osD^vPX<>dph*8"
 
 def title(name: str) -> str:
     """A law's or material's name as a person writes it: authors joined by a dash, years apart."""
-    names = {"vu_quoc_zhang": "Vu-Quoc–Zhang", "aluminium_zv02": "Aluminium"}
+    names = {
+        "vu_quoc_zhang": "Vu-Quoc–Zhang",
+        "viscoelastic_hertz": "Viscoelastic Hertz",
+        "aluminium_zv02": "Aluminium",
+    }
     words = "–".join(word.capitalize() for word in name.split("_"))
     return names.get(name, words.replace("–20", " 20"))
 

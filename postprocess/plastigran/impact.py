@@ -8,7 +8,7 @@ from collections.abc import Iterable
 from concurrent.futures import ThreadPoolExecutor, as_completed
 from dataclasses import dataclass
 from itertools import product
-from math import pi
+from math import nan, pi
 from pathlib import Path
 from typing import Any, Protocol
 
