@@ -169,7 +169,8 @@ def rod_command(arguments: argparse.Namespace) -> None:
     from plastigran import figures, rod_figures  # matplotlib is slow to load
 
     rods = [paper_rod(angle, arguments.friction) for angle in arguments.angle]
-    runs = rod_runs.plan(law_names(arguments.law), arguments.speed, rods, arguments.tangential)
+    names = law_names(arguments.law, [rods[0].material.name])
+    runs = rod_runs.plan(names, arguments.speed, rods, arguments.tangential)
     folder = fresh_folder(arguments.output, arguments.force)
     table, impacts = sweep(runs, folder, arguments.jobs)
     print(format_table(table))

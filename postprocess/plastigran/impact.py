@@ -134,15 +134,15 @@ class Impact:
         return f"{self.geometry}_{self.material.name}_{self.law}"
 
     def row(self, collision: Collision) -> dict[str, object]:
-        """One line of the results table; `*_predicted` is the law's energy balance."""
-        predicted = self.predicted()
+        """One line of the results table; `*_predicted` is the law's own."""
+        predicted, yields = self.predicted(), laws.LAWS[self.law].yields
         return {
             "geometry": self.geometry,
             "material": self.material.name,
             "law": self.law,
             "radius": self.radius,
             "speed": self.speed,
-            "speed_ratio": self.speed / self.yield_speed(),
+            "speed_ratio": self.speed / self.yield_speed() if yields else nan,
             "coefficient_of_restitution": collision.coefficient_of_restitution,
             "coefficient_of_restitution_predicted": predicted.coefficient_of_restitution,
             "in_range": predicted.in_range,
