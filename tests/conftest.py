@@ -22,9 +22,13 @@ ENGINE_LAWS = sorted(
 
 
 def pytest_generate_tests(metafunc: pytest.Metafunc) -> None:
-    """`law_name` runs a test for every law, `engine_law` for every law with an engine model."""
+    """`law_name` runs a test for every law, `engine_law` for every law with an engine
+    model, `rod_law` for those the oblique rod takes."""
     if "law_name" in metafunc.fixturenames:
         metafunc.parametrize("law_name", sorted(laws.LAWS))
+    if "rod_law" in metafunc.fixturenames:  # its equations of motion know no rate of overlap
+        names = [name for name in sorted(laws.LAWS) if not laws.LAWS[name].rate_dependent]
+        metafunc.parametrize("rod_law", names)
     if "engine_law" in metafunc.fixturenames:
         metafunc.parametrize("engine_law", ENGINE_LAWS)
 

@@ -19,11 +19,11 @@ STEEP, FLAT = PAPER_RODS
 
 
 @pytest.mark.parametrize("rod", PAPER_RODS, ids=lambda rod: f"{rod.angle:g}")
-def test_engine_meets_the_equations_of_motion(rod, law_name, tmp_path):
+def test_engine_meets_the_equations_of_motion(rod, rod_law, tmp_path):
     """1e-3, what the time step promises; the residual overlap and the end of contact are
     extrapolated from the last loaded frames: 5e-3. The peak force is not asked: it may lie on
     either side of a law's jump."""
-    run = RodRun(law_name, 1.0, rod)
+    run = RodRun(rod_law, 1.0, rod)
     found, expected = run.run(tmp_path), run.predicted()
     for name in ("coefficient_of_restitution", "angular_velocity"):
         assert getattr(found, name) == pytest.approx(getattr(expected, name), rel=1e-3), name
