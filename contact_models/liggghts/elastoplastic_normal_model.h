@@ -59,6 +59,7 @@ class ElastoplasticNormalModel : public NormalModelBase {
 
   void registerSettings(Settings& settings) override {
     settings.registerOnOff("viscous_damping", viscous_damping_, false);
+    settings.registerOnOff("tangential_damping", tangential_damping_, true);
     for (const auto& option : Law::options) register_choice(settings, option);
     settings.registerOnOff("computeElasticPotential", engine_elastic_potential_, false);
     settings.registerOnOff("computeDissipatedEnergy", engine_dissipated_energy_, false);
@@ -128,7 +129,8 @@ class ElastoplasticNormalModel : public NormalModelBase {
       const double beta =
           -1.8257418583505538 * damping_[contact.itype][contact.jtype];  // 2 sqrt(5/6)
       contact.gamman = beta * std::sqrt(2 * moduli_[pair] * contact_radius * contact.meff);
-      if (!smooth_friction_) contact.gammat = beta * std::sqrt(contact.kt * contact.meff);
+      if (tangential_damping_ && !smooth_friction_)
+        contact.gammat = beta * std::sqrt(contact.kt * contact.meff);
       force = std::max(0.0, force - contact.gamman * contact.vn);
     }
     contact.Fn = force;
@@ -347,6 +349,7 @@ class ElastoplasticNormalModel : public NormalModelBase {
   int history_offset_ = 0;
   typename Law::Parameters choices_;  // the law's options as set; its constants at their defaults
   bool viscous_damping_ = false;
+  bool tangential_damping_ = true;  // the dashpot beside the tangential spring too
   bool engine_elastic_potential_ = false;
   bool engine_dissipated_energy_ = false;
   bool smooth_friction_ = false;

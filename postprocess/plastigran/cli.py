@@ -244,6 +244,30 @@ def demo_command(arguments: argparse.Namespace) -> None:
     print(f"\nLook at {folder / 'speeds' / 'restitution.png'}")
 
 
+def chung_ooi_command(arguments: argparse.Namespace) -> None:
+    """The benchmark impacts of Chung & Ooi: a table and a figure each, and how far off theory."""
+    from plastigran import chung_ooi, chung_ooi_figures, figures  # matplotlib is slow to load
+
+    folder = arguments.output
+    if (folder / "agreement.csv").exists() and not arguments.force:
+        raise UsageError(f"{folder} holds results; choose another --output, or add --force")
+    if arguments.law != "hertz":
+        law_names([arguments.law])
+    chosen = [case for case in chung_ooi.cases() if case.benchmark in arguments.benchmark]
+    table, collisions = chung_ooi.run_cases(
+        chosen, folder / "runs", arguments.law, arguments.steps, arguments.jobs
+    )
+    for number, part in table.groupby("benchmark"):
+        name = folder / f"benchmark_{number}"
+        part.dropna(axis="columns", how="all").to_csv(name.with_suffix(".csv"), index=False)
+        figures.save(chung_ooi_figures.figure(number, table, collisions), name)
+    agreement = chung_ooi.agreement(table)
+    agreement.to_csv(folder / "agreement.csv")
+    print("Largest deviations from theory:\n")
+    print(agreement.to_string(float_format="{:.1e}".format, na_rep=""))
+    print(f"\nwritten: {folder}: agreement.csv, benchmark_*.csv, .png, .svg")
+
+
 def parser() -> argparse.ArgumentParser:
     top = argparse.ArgumentParser(
         prog="plastigran", description="Elasto-plastic contact laws for LIGGGHTS: runs and checks."
@@ -329,6 +353,23 @@ def parser() -> argparse.ArgumentParser:
         help="modes of each kind and degree, default 3",
     )
     modes.set_defaults(run=modes_command)
+
+    benchmarks = commands.add_parser(
+        "chung-ooi", help="the eight benchmark impacts of Chung & Ooi (2011), against theory"
+    )
+    benchmarks.add_argument(
+        "--benchmark", nargs="+", type=int, choices=range(1, 9), default=list(range(1, 9))
+    )
+    benchmarks.add_argument(
+        "--law", default="vu_quoc_zhang", help="any law, unyielding; hertz is the engine's own"
+    )
+    benchmarks.add_argument(
+        "--steps", type=positive_integer, default=1000, help="time steps a contact, default 1000"
+    )
+    benchmarks.add_argument("--jobs", type=positive_integer)
+    benchmarks.add_argument("--output", type=Path, default=Path("results/chung_ooi"))
+    benchmarks.add_argument("--force", action="store_true", help="overwrite results")
+    benchmarks.set_defaults(run=chung_ooi_command)
 
     demo = commands.add_parser("demo", help="the tour: collisions and their figures")
     demo.add_argument("--output", type=Path, default=PROJECT / "results" / "demo")

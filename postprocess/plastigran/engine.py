@@ -4,12 +4,15 @@
 from __future__ import annotations
 
 import os
+import re
 import shutil
 import subprocess
 from collections.abc import Mapping
 from pathlib import Path
 
 PROJECT = Path(__file__).resolve().parents[2]
+
+_INDEX_VARIABLE = re.compile(r'^\s*variable\s+(\w+)\s+index\s+(?:"([^"]*)"|(\S+))', re.MULTILINE)
 
 
 class EngineError(RuntimeError):
@@ -22,6 +25,18 @@ def inputs_folder() -> Path:
     if not (folder / "collision").is_dir():
         raise EngineError(f"no input scripts in {folder}; set PLASTIGRAN_INPUTS to their folder")
     return folder
+
+
+def index_variables(deck: str | Path) -> dict[str, str]:
+    """What a deck's `variable NAME index VALUE` lines say, as text.
+
+    Args:
+        deck: Path of the input script.
+    """
+    values: dict[str, str] = {}
+    for name, quoted, plain in _INDEX_VARIABLE.findall(Path(deck).read_text()):
+        values.setdefault(name, quoted or plain)  # the engine keeps the first too
+    return values
 
 
 def engine_path() -> Path:

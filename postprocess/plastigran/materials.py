@@ -3,14 +3,11 @@
 
 from __future__ import annotations
 
-import re
 from dataclasses import dataclass
 from pathlib import Path
 
 from plastigran import laws
-from plastigran.engine import inputs_folder
-
-_VARIABLE = re.compile(r"^\s*variable\s+(\w+)\s+index\s+(\S+)")
+from plastigran.engine import index_variables, inputs_folder
 
 
 @dataclass(frozen=True)
@@ -89,12 +86,11 @@ def read_material(name: str | Path) -> Material:
     if not path.exists():
         raise ValueError(f"no material {str(name)!r}; there are {', '.join(names())}")
     values = {}
-    for line in path.read_text().splitlines():
-        if match := _VARIABLE.match(line):
-            try:
-                values.setdefault(match[1], float(match[2]))  # the engine keeps the first too
-            except ValueError:
-                raise ValueError(f"{path}: {match[1]} is {match[2]!r}, not a number") from None
+    for variable, text in index_variables(path).items():
+        try:
+            values[variable] = float(text)
+        except ValueError:
+            raise ValueError(f"{path}: {variable} is {text!r}, not a number") from None
     wanted = [field for field in Material.__dataclass_fields__ if field != "name"]
     missing = [field for field in wanted if field not in values and not hasattr(Material, field)]
     if missing:

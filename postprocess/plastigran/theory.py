@@ -7,6 +7,7 @@ from math import gamma, pi, sqrt
 
 import numpy as np
 from numpy.typing import ArrayLike
+from scipy.special import betainc
 
 from plastigran import laws
 
@@ -45,7 +46,7 @@ def hertz_force_max(
 ) -> np.ndarray:
     """Largest force of an elastic impact [N], Hertz's at `hertz_overlap_max`."""
     overlap = hertz_overlap_max(mass_eff, radius_eff, youngs_modulus_eff, speed)
-    return 4 / 3 * youngs_modulus_eff * sqrt(radius_eff) * overlap**1.5
+    return hertz_force(radius_eff, youngs_modulus_eff, overlap)
 
 
 def viscoelastic_number(
@@ -84,6 +85,55 @@ def viscoelastic_restitution(number: ArrayLike) -> np.ndarray:
     above = np.polynomial.Polynomial([1, 0.501086])
     below = np.polynomial.Polynomial([1, 0.501086, 1.15345, 0.577977, 0.532178])
     return above(x) / below(x)
+
+
+def hertz_force(radius_eff: float, youngs_modulus_eff: float, overlap: ArrayLike) -> np.ndarray:
+    """Force of an elastic contact [N], 4/3 E* R*^(1/2) overlap^(3/2); overlap [m], any shape."""
+    return 4 / 3 * youngs_modulus_eff * sqrt(radius_eff) * np.asarray(overlap, dtype=float) ** 1.5
+
+
+def hertz_history(
+    mass_eff: float, radius_eff: float, youngs_modulus_eff: float, speed: float
+) -> tuple[np.ndarray, np.ndarray]:
+    """Time [s] and overlap [m] through an elastic impact, both (401,).
+
+    With d the overlap over its largest, energy gives dt = (d_max/v) dd / (1 - d^(5/2))^(1/2), whose
+    integral is an incomplete beta function of d^(5/2).
+
+    Args and source: as `hertz_duration`.
+    """
+    duration = hertz_duration(mass_eff, radius_eff, youngs_modulus_eff, speed)
+    overlap_max = hertz_overlap_max(mass_eff, radius_eff, youngs_modulus_eff, speed)
+    share = np.sin(np.linspace(0, np.pi / 2, 201)) ** 0.8  # dense where the curve is steep
+    time = 0.5 * duration * betainc(0.4, 0.5, share**2.5)
+    return (
+        np.concatenate([time, duration - time[-2::-1]]),
+        overlap_max * np.concatenate([share, share[-2::-1]]),
+    )
+
+
+def damping_ratio(coefficient_of_restitution: ArrayLike) -> np.ndarray:
+    """Damping ratio of the classic dashpot [-], -ln e / (pi^2 + ln^2 e)^(1/2), any shape.
+
+    With x = overlap^(5/4) and d tau = overlap^(1/4) dt the damped Hertzian contact is the linear
+    oscillator of this damping ratio (Antypov & Elliott 2011, Europhys. Lett. 94:50004).
+    """
+    logarithm = np.log(np.asarray(coefficient_of_restitution, dtype=float))
+    return -logarithm / np.hypot(np.pi, logarithm)
+
+
+def restitution_without_pull(coefficient_of_restitution: ArrayLike) -> np.ndarray:
+    """Restitution of a damped Hertzian contact that ends when its force vanishes [-], any shape.
+
+    The dashpot is set for `coefficient_of_restitution` e, which comes out if it may pull until the
+    overlap is gone. Letting go at zero force gives e^(1 - 2/pi atan(-ln e / pi)).
+
+    In the oscillator of `damping_ratio` sin(a) the force vanishes at the phase pi - 2a, where the
+    speed is exp(-tan(a) (pi - 2a)) of the initial one; e = exp(-pi tan(a)). The linear contact is
+    in Schwager & Poeschel 2007, Granular Matter 9:465.
+    """
+    e = np.asarray(coefficient_of_restitution, dtype=float)
+    return e ** (1 - 2 / np.pi * np.arctan(-np.log(e) / np.pi))
 
 
 def yield_speed(pair: laws.MaterialPair, mass_eff: float, radius_eff: float) -> float:
