@@ -13,7 +13,7 @@ from pathlib import Path
 import numpy as np
 from scipy.integrate import solve_ivp
 
-from plastigran import figures, laws, rod_figures, rod_runs, theory
+from plastigran import chung_ooi, chung_ooi_figures, figures, laws, rod_figures, rod_runs, theory
 from plastigran.figures import STYLE, plt, save, title
 from plastigran.impact import PAPER_SPEEDS, plan, sweep
 from plastigran.materials import RIGID, read_material
@@ -132,8 +132,13 @@ def main() -> None:
     with tempfile.TemporaryDirectory() as folder:
         table, _ = sweep(impacts, folder)
         rod_table, _ = sweep(rods, folder)
+        benchmarks = [case for case in chung_ooi.cases() if case.benchmark in (4, 6)]
+        results = chung_ooi.run_cases(benchmarks, folder)
     save(figures.restitution_figure(table, impacts), FOLDER / "restitution", (".png",))
     save(rod_figures.outcome_figure(rod_table), FOLDER / "rod", (".png",))
+    for number in (4, 6):
+        figure = chung_ooi_figures.figure(number, *results)
+        save(figure, FOLDER / f"chung_ooi_{number}", (".png",))
 
 
 if __name__ == "__main__":

@@ -86,7 +86,7 @@ PANELS = {
 
 def _found(line: pd.Series) -> Motion:
     return Motion(
-        normal=line["coefficient_of_restitution"] * line["speed_normal"],
+        normal=line["coefficient_of_restitution"] * line["closing_speed"],
         along=line["speed_along"],
         spin=line["spin_after"],
         along_other=line["speed_along_other"],
@@ -194,10 +194,10 @@ def _oblique(axes: Axes, panel: tuple[Quantity, Quantity], entries: list, style:
         **style,
     )
     values = [case.value for case, _, _ in entries]
-    swept = [
-        replace(entries[0][0], value=float(value)).impact()
-        for value in np.linspace(min(values), max(values), 60)
-    ]
+    fine = np.union1d(
+        np.geomspace(min(values), max(values), 50), np.linspace(min(values), max(values), 50)
+    )
+    swept = [replace(entries[0][0], value=float(value)).impact() for value in fine]
     after = [(impact, impact.spring_slider()) for impact in swept]
     axes.plot(
         [across.value(*pair) for pair in after],
@@ -216,3 +216,5 @@ def _oblique(axes: Axes, panel: tuple[Quantity, Quantity], entries: list, style:
     axes.set(xlabel=across.label, ylabel=up.label)
     if across is SLIDING_SHARE:
         axes.set_xlim(0, 10)
+    if up is ALONG:  # rounding is all there is; show it on the scale of the impact
+        axes.set_ylim(-impacts[0].before.normal, impacts[0].before.normal)

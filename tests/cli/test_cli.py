@@ -51,6 +51,18 @@ def test_materials_and_geometries(tmp_path, capsys):
     assert table["speed"].tolist()[:3] == pytest.approx([0.01, 0.1, 1])
 
 
+def test_chung_ooi_writes_a_table_and_a_figure_each(tmp_path, capsys):
+    line = ["chung-ooi", "--benchmark", "2", "7", "--steps", "200", "--output", str(tmp_path)]
+    assert main(line) == 0
+    assert pd.read_csv(tmp_path / "agreement.csv")["benchmark"].tolist() == [2, 7]
+    for number, impacts in ((2, 2), (7, 14)):
+        assert len(pd.read_csv(tmp_path / f"benchmark_{number}.csv")) == impacts
+        assert (tmp_path / f"benchmark_{number}.png").read_bytes().startswith(b"\x89PNG")
+    assert "Largest deviations from theory" in capsys.readouterr().out
+    assert main(line) == 1
+    assert "add --force" in capsys.readouterr().err
+
+
 def test_laws_lists_every_law_with_its_constants(capsys):
     assert main(["laws"]) == 0
     said = capsys.readouterr().out
@@ -175,4 +187,6 @@ def test_console_script():
         check=True,
     )
     for command in ("impact", "laws", "timestep", "modes", "demo"):
+
+    for command in ("impact", "laws", "timestep", "chung-ooi", "demo"):
         assert command in done.stdout
