@@ -186,7 +186,5 @@ def test_console_script():
         text=True,
         check=True,
     )
-    for command in ("impact", "laws", "timestep", "modes", "demo"):
-
-    for command in ("impact", "laws", "timestep", "chung-ooi", "demo"):
+    for command in ("impact", "rod", "laws", "timestep", "modes", "chung-ooi", "demo"):
         assert command in done.stdout

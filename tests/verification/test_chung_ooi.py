@@ -10,11 +10,16 @@ import numpy as np
 import pytest
 
 from plastigran import laws, theory
-from plastigran.chung_ooi import Case, cases, motion, run_cases
+from plastigran.chung_ooi import Case, cases, folder, motion, run_cases
+from plastigran.dumps import read_dump
+from plastigran.engine import index_variables, run_deck
 from plastigran.materials import RIGID
 from plastigran.oblique import Motion, ObliqueImpact
 
 LAW = "vu_quoc_zhang"
+
+#: Tests on `tables` share one worker, so that it is made once.
+on_tables = pytest.mark.xdist_group("chung_ooi_tables")
 
 
 def few(number: int) -> list[Case]:
@@ -33,16 +38,23 @@ def few(number: int) -> list[Case]:
 @pytest.fixture(scope="module")
 def tables(tmp_path_factory):
     """Results of a few impacts of each benchmark, run once."""
-    folder = tmp_path_factory.mktemp("chung_ooi")
+    place = tmp_path_factory.mktemp("chung_ooi")
     chosen = [case for number in range(1, 9) for case in few(number)]
-    table, _ = run_cases(chosen, folder, LAW, jobs=2, progress=False)
+    table, _ = run_cases(chosen, place, LAW, jobs=2, progress=False)
     return {number: part for number, part in table.groupby("benchmark")}
 
 
 def test_all_eight_are_there():
-    assert {case.benchmark for case in cases()} == set(range(1, 9))
+    """One deck a benchmark, every deck swept, and all of them with the same dashpot."""
+    decks = {path.stem: index_variables(path) for path in folder().glob("*.in")}
+    assert sorted(int(name[0]) for name in decks) == list(range(1, 9))
+    assert {case.deck for case in cases()} == set(decks)
+    assert {deck["options"] for deck in decks.values()} == {
+        "viscous_damping on tangential_damping off"
+    }
 
 
+@on_tables
 @pytest.mark.parametrize("number", [1, 2])
 def test_elastic_normal_impact_is_hertzian(tables, number):
     """Peak force, overlap and duration of 1000 steps: 2e-6, of second order in the step; the peak
@@ -53,6 +65,7 @@ def test_elastic_normal_impact_is_hertzian(tables, number):
     assert table["coefficient_of_restitution"].to_numpy() == pytest.approx(1, rel=1e-7)
 
 
+@on_tables
 def test_restitution_of_the_dashpot(tables):
     """The closed form of a dashpot that never pulls. 5e-4: the dashpot's force begins with the
     fourth root of the overlap, which 1000 steps see with this error."""
@@ -64,9 +77,6 @@ def test_restitution_of_the_dashpot(tables):
 
 def test_a_dashpot_that_pulls_gives_what_is_asked(tmp_path):
     """The engine's hertz, left to pull until the overlap is gone: e itself. 5e-4: as above."""
-    from plastigran.dumps import read_dump
-    from plastigran.engine import run_deck
-
     for asked in (0.4, 0.8):
         run_deck(
             "collision/chung_ooi/3_restitution.in",
@@ -85,6 +95,7 @@ def test_benchmarks_with_restitution_one_half_have_it():
             assert case.impact().restitution() == pytest.approx(expected, rel=1e-12)
 
 
+@on_tables
 @pytest.mark.parametrize("number", [4, 5, 6, 8])
 def test_oblique_impact_is_spring_and_slider(tables, number):
     """Speed of the surfaces after the impact, over what sliding throughout changes it by.
@@ -98,6 +109,7 @@ def test_oblique_impact_is_spring_and_slider(tables, number):
     assert table["slides"].any()
 
 
+@on_tables
 @pytest.mark.parametrize(("number", "tolerance"), [(4, 2e-3), (5, 1e-2), (6, 2e-2), (8, 2e-2)])
 def test_sliding_is_rigid_body_theory(tables, number, tolerance):
     """Of the speed along the surface, the spin and the surface speed, what friction changes.
@@ -111,6 +123,7 @@ def test_sliding_is_rigid_body_theory(tables, number, tolerance):
         assert (off / table["surface_speed_scale"]).max() < tolerance, name
 
 
+@on_tables
 def test_equal_spheres_spinning_against_each_other_do_not_notice(tables):
     """Their surfaces move alike: spins and lines stay, to rounding."""
     table = tables[7]
@@ -140,11 +153,11 @@ def test_unequal_spheres_keep_momentum(tmp_path):
     assert abs(angular(last) - angular(first)) < 1e-11 * moved * first["radius"].iloc[0]
 
 
-def assert_same_steps(case: Case, law: str, folder, steps_per_contact: int = 300) -> None:
+def assert_same_steps(case: Case, law: str, place, steps_per_contact: int = 300) -> None:
     """Every step of every column as the engine's hertz: 1e-13 of the column's largest value, for
     rounding in another order (1e-15 was found)."""
     ours, stock = (
-        case.run(folder / name, name, steps_per_contact) for name in (law, "hertz")
+        case.run(place / name, name, steps_per_contact) for name in (law, "hertz")
     )  # fmt: skip
     assert len(ours) == len(stock)
     for column in stock.columns:
@@ -165,6 +178,19 @@ def test_every_unyielding_law_is_the_engines_hertz(engine_law, number, tmp_path)
     """On a plane and between spheres, where the tangential spring sticks and slides in turn."""
     knob = 15.0 if number == 4 else 2.0
     assert_same_steps(replace(few(number)[0], value=knob), engine_law, tmp_path)
+
+
+def test_tangential_dashpot_is_the_engines(tmp_path):
+    """Left on, as by default: as in the engine's hertz, which does not hold it to mu F, so that a
+    sliding sphere loses over a tenth more than mu times the normal impulse."""
+    case = replace(few(6)[0], value=5.0)
+    found = {}
+    for law, options in ((LAW, "viscous_damping on"), ("hertz", "limitForce on")):
+        variables = {**case.variables, "law": law, "options": options}
+        run_deck("collision/chung_ooi/6_spin_on_plane.in", variables, tmp_path / law)
+        found[law] = motion(read_dump(tmp_path / law / "trajectory.dump"), -1)
+    assert vars(found[LAW]) == pytest.approx(vars(found["hertz"]), rel=1e-13)
+    assert found[LAW].along / case.impact().rigid_sliding().along > 1.1
 
 
 def test_decks_start_as_theory_takes_them(tmp_path):
