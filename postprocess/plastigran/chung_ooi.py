@@ -158,10 +158,15 @@ def cases() -> list[Case]:
     """Every impact of `points.csv`, in its order."""
     table = pd.read_csv(folder() / "points.csv", comment="#", dtype={"values": str})
     return [
-        Case(line.deck, line.material, line.knob, float(value), ratio)
-        for line in table.itertuples()
-        for ratio in [None if pd.isna(line.modulus_ratio) else float(line.modulus_ratio)]
-        for value in line[table.columns.get_loc("values") + 1].split()
+        Case(
+            sweep["deck"],
+            sweep["material"],
+            sweep["knob"],
+            float(value),
+            None if pd.isna(sweep["modulus_ratio"]) else sweep["modulus_ratio"],
+        )
+        for sweep in table.to_dict("records")
+        for value in sweep["values"].split()
     ]
 
 
