@@ -22,17 +22,27 @@ LAW = "vu_quoc_zhang"
 on_tables = pytest.mark.xdist_group("chung_ooi_tables")
 
 
-def few(number: int) -> list[Case]:
-    """The second, middle and last impact of each sweep of a benchmark."""
-    sweeps: dict[tuple, list[Case]] = {}
+def sweeps(number: int) -> list[list[Case]]:
+    """The impacts of a benchmark, one list a sweep."""
+    found: dict[tuple, list[Case]] = {}
     for case in cases():
         if case.benchmark == number:
-            sweeps.setdefault((case.material, case.modulus_ratio), []).append(case)
-    picked = [
-        sweep[k] for sweep in sweeps.values() for k in sorted({1, len(sweep) // 2, len(sweep) - 1})
-        if k < len(sweep)
-    ]  # fmt: skip
-    return picked or [sweep[0] for sweep in sweeps.values()]
+            found.setdefault((case.material, case.modulus_ratio), []).append(case)
+    return list(found.values())
+
+
+def middles(number: int) -> list[Case]:
+    """One impact of each sweep of a benchmark: the middle of it, where springs stick and slide."""
+    return [sweep[len(sweep) // 2] for sweep in sweeps(number)]
+
+
+def few(number: int) -> list[Case]:
+    """The second, middle and last impact of each sweep of a benchmark, as far as there are."""
+    return [
+        sweep[k]
+        for sweep in sweeps(number)
+        for k in sorted({min(1, len(sweep) - 1), len(sweep) // 2, len(sweep) - 1})
+    ]
 
 
 @pytest.fixture(scope="module")
@@ -153,7 +163,7 @@ def test_unequal_spheres_keep_momentum(tmp_path):
     assert abs(angular(last) - angular(first)) < 1e-11 * moved * first["radius"].iloc[0]
 
 
-def assert_same_steps(case: Case, law: str, place, steps_per_contact: int = 300) -> None:
+def assert_same_steps(case: Case, law: str, place, steps_per_contact: int = 250) -> None:
     """Every step of every column as the engine's hertz: 1e-13 of the column's largest value, for
     rounding in another order (1e-15 was found)."""
     ours, stock = (
@@ -169,7 +179,7 @@ def assert_same_steps(case: Case, law: str, place, steps_per_contact: int = 300)
 @pytest.mark.parametrize("number", range(1, 9))
 def test_unyielding_model_is_the_engines_hertz(number, tmp_path):
     """On planes and between spheres, damped and undamped, sticking and sliding."""
-    for k, case in enumerate(few(number)):
+    for k, case in enumerate(middles(number)):
         assert_same_steps(case, LAW, tmp_path / str(k))
 
 
