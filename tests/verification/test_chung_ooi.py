@@ -5,6 +5,7 @@ unyielding bodies against the engine's own hertz."""
 from __future__ import annotations
 
 from dataclasses import replace
+from functools import cache
 
 import numpy as np
 import pytest
@@ -17,9 +18,6 @@ from plastigran.materials import RIGID
 from plastigran.oblique import Motion, ObliqueImpact
 
 LAW = "vu_quoc_zhang"
-
-#: Tests on `tables` share one worker, so that it is made once.
-on_tables = pytest.mark.xdist_group("chung_ooi_tables")
 
 
 def sweeps(number: int) -> list[list[Case]]:
@@ -45,13 +43,16 @@ def few(number: int) -> list[Case]:
     ]
 
 
-@pytest.fixture(scope="module")
+@pytest.fixture(scope="session")
 def tables(tmp_path_factory):
-    """Results of a few impacts of each benchmark, run once."""
-    place = tmp_path_factory.mktemp("chung_ooi")
-    chosen = [case for number in range(1, 9) for case in few(number)]
-    table, _ = run_cases(chosen, place, LAW, jobs=2, progress=False)
-    return {number: part for number, part in table.groupby("benchmark")}
+    """Results of a few impacts of a benchmark, by its number: run once."""
+
+    @cache
+    def run(number: int):
+        place = tmp_path_factory.mktemp("chung_ooi")
+        return run_cases(few(number), place, LAW, jobs=1, progress=False)[0]
+
+    return run
 
 
 def test_all_eight_are_there():
@@ -64,22 +65,20 @@ def test_all_eight_are_there():
     }
 
 
-@on_tables
 @pytest.mark.parametrize("number", [1, 2])
 def test_elastic_normal_impact_is_hertzian(tables, number):
     """Peak force, overlap and duration of 1000 steps: 2e-6, of second order in the step; the peak
     force is a step's, so up to (pi/2000)^2/2 = 1e-6 below the curve's. Energy is kept to 1e-7."""
-    table = tables[number]
+    table = tables(number)
     for name in ("force_max", "overlap_max", "contact_time"):
         assert table[name].to_numpy() == pytest.approx(table[f"{name}_theory"], rel=2e-6), name
     assert table["coefficient_of_restitution"].to_numpy() == pytest.approx(1, rel=1e-7)
 
 
-@on_tables
 def test_restitution_of_the_dashpot(tables):
     """The closed form of a dashpot that never pulls. 5e-4: the dashpot's force begins with the
     fourth root of the overlap, which 1000 steps see with this error."""
-    table = tables[3]
+    table = tables(3)
     assert table["coefficient_of_restitution"].to_numpy() == pytest.approx(
         table["coefficient_of_restitution_theory"], rel=5e-4
     )
@@ -105,21 +104,19 @@ def test_benchmarks_with_restitution_one_half_have_it():
             assert case.impact().restitution() == pytest.approx(expected, rel=1e-12)
 
 
-@on_tables
 @pytest.mark.parametrize("number", [4, 5, 6, 8])
 def test_oblique_impact_is_spring_and_slider(tables, number):
     """Speed of the surfaces after the impact, over what sliding throughout changes it by.
 
     1e-3 for 1000 steps: where within a step the spring begins to slide is of first order.
     """
-    table = tables[number]
+    table = tables(number)
     off = table["surface_speed"] - table["surface_speed_theory"]
     assert (off.abs() / table["surface_speed_scale"]).max() < 1e-3
     assert not table["slides"].all()
     assert table["slides"].any()
 
 
-@on_tables
 @pytest.mark.parametrize(("number", "tolerance"), [(4, 2e-3), (5, 1e-2), (6, 2e-2), (8, 2e-2)])
 def test_sliding_is_rigid_body_theory(tables, number, tolerance):
     """Of the speed along the surface, the spin and the surface speed, what friction changes.
@@ -127,16 +124,15 @@ def test_sliding_is_rigid_body_theory(tables, number, tolerance):
     The tolerances are what a finite contact differs by: its arm is R - overlap/2, and while a
     dashpot starts the force at once, the spring must be stretched first.
     """
-    table = tables[number][tables[number]["slides"]]
+    table = tables(number).query("slides")
     for name, arm in (("surface_speed", 1), ("speed_along", 1), ("spin_after", table["radius"])):
         off = (table[name] - table[f"{name}_rigid"]).abs() * arm
         assert (off / table["surface_speed_scale"]).max() < tolerance, name
 
 
-@on_tables
 def test_equal_spheres_spinning_against_each_other_do_not_notice(tables):
     """Their surfaces move alike: spins and lines stay, to rounding."""
-    table = tables[7]
+    table = tables(7)
     assert table["spin_after"].to_numpy() == pytest.approx(table["value"], rel=1e-14)
     assert table["spin_after_other"].to_numpy() == pytest.approx(table["value"], rel=1e-14)
     assert table["speed_along"].abs().max() < 1e-15
