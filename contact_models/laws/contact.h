@@ -9,6 +9,7 @@
 //   name         the word a user types; source, range: where it is from, how far it is good
 //   Parameters   a struct of the law's own constants, each with its default
 //   parameters   a table of them: host property, unit, allowed range
+//   geometry     what the bodies are, when not spheres
 //   options      a table of the choices its sources leave open
 //   State        a struct of doubles, zero for a contact never loaded beyond yield: the extremes
 //                the contact has reached, symmetric in the two bodies
@@ -65,7 +66,7 @@ struct MaterialPair {
 // lost.
 struct Response {
   double force = 0;           // repulsive normal force, never negative [N]
-  double contact_radius = 0;  // [m]
+  double contact_radius = 0;  // of a line contact the half-width [m]
   double elastic_energy = 0;  // what unloading from here would give back [J]
   double plastic_work = 0;    // what it will not [J]
   double viscous_force = 0;   // the rate's share of `force`, negative while parting [N]
@@ -101,6 +102,12 @@ struct Option {
   const char* meaning;
 };
 
+// The choice of laws that may return more than was put in as published.
+template <class Parameters>
+constexpr Option<Parameters> energy_guard_option(int Parameters::*value) {
+  return {"energy_guard", value, {"off", "on", nullptr}, "never return more than was put in"};
+}
+
 // One constant of a law: how users name it and what it may be.
 template <class Parameters>
 struct Parameter {
@@ -110,6 +117,9 @@ struct Parameter {
   double Parameters::*value;
   double lower, upper;  // allowed range, ends included
   const char* meaning;
+  // A property of each body instead (peratomtype, without a default): 0 for a body it does not
+  // describe; the pair has the larger of two.
+  bool per_body = false;
 };
 
 // p_y / sigma_Y at which a Hertzian contact first yields (von Mises) below its centre: the inverse
@@ -162,6 +172,36 @@ inline MaterialPair combine(const Material& a, const Material& b) {
 // a_Y / R*: contact radius over effective radius when the peak Hertz pressure reaches p_y.
 inline double yield_radius_ratio(const MaterialPair& pair) {
   return pi * pair.yield_pressure / (2 * pair.youngs_modulus_eff);
+}
+
+// What a law's bodies are: `static constexpr const char* geometry`, spheres where it says nothing.
+template <class Law>
+constexpr auto geometry_of(int) -> decltype(Law::geometry) {
+  return Law::geometry;
+}
+template <class Law>
+constexpr const char* geometry_of(long) {
+  return "sphere";
+}
+template <class Law>
+constexpr const char* geometry = geometry_of<Law>(0);
+
+// Stiffness of the elastic contact with a given contact radius [N/m], for springs and dashpots
+// along and across the normal. A law of other bodies than spheres says its own:
+// elastic_stiffness(contact radius). Spheres: Mindlin 1949; Johnson, Contact Mechanics (1985),
+// sec. 4.2 and 7.2.
+struct Stiffness {
+  double normal, tangential;
+};
+template <class Law>
+auto elastic_stiffness(const Law& law, double, double, double contact_radius, int)
+    -> decltype(law.elastic_stiffness(contact_radius)) {
+  return law.elastic_stiffness(contact_radius);
+}
+template <class Law>
+Stiffness elastic_stiffness(const Law&, double youngs_modulus_eff, double shear_modulus_eff,
+                            double contact_radius, long) {
+  return {2 * youngs_modulus_eff * contact_radius, 8 * shear_modulus_eff * contact_radius};
 }
 
 }  // namespace plastigran

@@ -28,11 +28,6 @@
 
 namespace plastigran {
 
-template <class Parameters>
-constexpr Option<Parameters> energy_guard_option(int Parameters::*value) {
-  return {"energy_guard", value, {"off", "on", nullptr}, "never return more than was put in"};
-}
-
 template <class Curve>
 class PowerUnloading {
  public:

@@ -14,11 +14,13 @@
 #include <cstring>
 #include <sstream>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "atom.h"
 #include "comm.h"
 #include "contact.h"
+#include "domain.h"
 #include "engine_access.h"
 #include "error.h"
 #include "fix_mesh_surface.h"
@@ -75,6 +77,8 @@ class ElastoplasticNormalModel : public NormalModelBase {
 #ifdef SUPERQUADRIC_ACTIVE_FLAG
     if (atom->superquadric_flag) fail("it is for spheres; this atom style is not");
 #endif
+    if (is_cylinder && domain->dimension != 2)
+      fail("it is for cylinders, the discs of a 2D deck (dimension 2); this deck is 3D");
     type_count_ = registry.max_type();
     build_laws();
     excess_ = plastigran::RangeWatch::of(lmp, caller(), Law::range);
@@ -102,6 +106,8 @@ class ElastoplasticNormalModel : public NormalModelBase {
                                   ? contact.radi
                                   : contact.radi * contact.radj / (contact.radi + contact.radj);
     const int pair = index(contact.itype, contact.jtype);
+    if constexpr (takes_bodies)  // particles that came after the check before the run
+      if (!lacking_[pair].empty()) stop_at_touch(pair);
 
     double* const history = contact.contact_history + history_offset_;
     State state;
@@ -117,7 +123,9 @@ class ElastoplasticNormalModel : public NormalModelBase {
     // stiffness to be released against: give it the undeformed sphere's.
     const double contact_radius =
         response.force > 0 ? response.contact_radius : std::sqrt(radius_eff * contact.deltan);
-    contact.kt = 8 * shear_moduli_[pair] * contact_radius;
+    const plastigran::Stiffness elastic = plastigran::elastic_stiffness(
+        laws_[pair], moduli_[pair], shear_moduli_[pair], contact_radius, 0);
+    contact.kt = elastic.tangential;
     contact.kn = contact.deltan > 0 ? response.force / contact.deltan : 0;  // secant
     contact.gamman = 0;
     // Friction without a spring is a viscous force cut at mu F: critical damping of the spring it
@@ -128,7 +136,7 @@ class ElastoplasticNormalModel : public NormalModelBase {
       // Tsuji, Tanaka & Ishida 1992 (Powder Technol. 71:239) with the law's own contact radius.
       const double beta =
           -1.8257418583505538 * damping_[contact.itype][contact.jtype];  // 2 sqrt(5/6)
-      contact.gamman = beta * std::sqrt(2 * moduli_[pair] * contact_radius * contact.meff);
+      contact.gamman = beta * std::sqrt(elastic.normal * contact.meff);
       if (tangential_damping_ && !smooth_friction_)
         contact.gammat = beta * std::sqrt(contact.kt * contact.meff);
       force = std::max(0.0, force - contact.gamman * contact.vn);
@@ -152,6 +160,14 @@ class ElastoplasticNormalModel : public NormalModelBase {
   void endPass(SurfacesIntersectData&, ForceData&, ForceData&) override {}
 
  private:
+  static constexpr bool is_cylinder =
+      std::string_view(plastigran::geometry<Law>) == std::string_view("cylinder");
+  static constexpr bool takes_bodies = [] {
+    for (const auto& parameter : Law::parameters)
+      if (parameter.per_body) return true;
+    return false;
+  }();
+
   // A contact is counted when it passes the end of its law's range for the first time: when what it
   // had reached before this step is less than loading to that end makes of it.
   [[gnu::noinline]] void note_excess(const SurfacesIntersectData& contact, int pair,
@@ -172,6 +188,11 @@ class ElastoplasticNormalModel : public NormalModelBase {
   static std::string caller() { return std::string("model ") + Law::name; }
 
   void fail(const std::string& reason) { error->all(FLERR, (caller() + ": " + reason).c_str()); }
+
+  // On this rank alone: the others are not in the force loop at the same contact.
+  [[gnu::noinline]] void stop_at_touch(int pair) {
+    error->one(FLERR, (caller() + ": " + lacking_[pair]).c_str());
+  }
 
   void refuse(const char* setting) {
     fail(std::string(setting) + " is not available with this model; leave it off");
@@ -225,15 +246,25 @@ class ElastoplasticNormalModel : public NormalModelBase {
       check(plastigran::validate(body), type, 0);
     }
     laws_.clear(), constants_.clear(), ranges_.clear(), moduli_.clear(), shear_moduli_.clear();
+    lacking_.clear();
     for (int i = 1; i <= type_count_; ++i)
       for (int j = 1; j <= type_count_; ++j) {
         typename Law::Parameters constants = choices_;
-        for (const auto& parameter : Law::parameters)
-          if (FixPropertyGlobal* values =
-                  property(parameter.property, "peratomtypepair", type_count_, type_count_))
+        std::string lacking;
+        for (const auto& parameter : Law::parameters) {
+          if (parameter.per_body) {
+            constants.*parameter.value = larger_of_bodies(parameter, i, j);
+            if (lacking.empty() && constants.*parameter.value == 0)
+              lacking = about_types(
+                  plastigran::complaint(parameter, 0) + "; one of the two must have it", i, j);
+          } else if (FixPropertyGlobal* values = property(parameter.property, "peratomtypepair",
+                                                          type_count_, type_count_)) {
             constants.*parameter.value = values->compute_array(i - 1, j - 1);
+          }
+        }
         const auto pair = plastigran::combine(materials_[i - 1], materials_[j - 1]);
-        check(plastigran::validate<Law>(pair, constants), i, j);
+        if (lacking.empty()) check(plastigran::validate<Law>(pair, constants), i, j);
+        lacking_.push_back(lacking);
         laws_.emplace_back(pair, constants);
         constants_.push_back(constants);
         ranges_.push_back(plastigran::overlap_range(laws_.back(), 0));
@@ -242,12 +273,28 @@ class ElastoplasticNormalModel : public NormalModelBase {
       }
   }
 
+  // A pair's value of a property that bodies bring: the larger one; 0 says "not this body".
+  double larger_of_bodies(const plastigran::Parameter<typename Law::Parameters>& parameter,
+                          int type, int other_type) {
+    double larger = 0;
+    for (int each : {type, other_type}) {
+      const double value = per_type(parameter.property, each, parameter.unit);
+      if (value != 0) check(plastigran::complaint(parameter, value), each, 0);
+      larger = std::max(larger, value);
+    }
+    return larger;
+  }
+
+  static std::string about_types(const std::string& complaint, int type, int other_type) {
+    std::ostringstream text;
+    text << complaint << (other_type ? " (atom types " : " (atom type ") << type;
+    if (other_type) text << " and " << other_type;
+    text << ')';
+    return text.str();
+  }
+
   void check(const std::string& complaint, int type, int other_type) {
-    if (complaint.empty()) return;
-    std::ostringstream where;
-    where << (other_type ? "atom types " : "atom type ") << type;
-    if (other_type) where << " and " << other_type;
-    fail(complaint + " (" + where.str() + ")");
+    if (!complaint.empty()) fail(about_types(complaint, type, other_type));
   }
 
   bool tangential_model_is(const char* name) {
@@ -274,6 +321,7 @@ class ElastoplasticNormalModel : public NormalModelBase {
     std::ostringstream text;
     for (int i = 1; i <= type_count_; ++i)
       for (int j = i; j <= type_count_; ++j) {
+        if (!lacking_[index(i, j)].empty()) continue;  // never to meet
         const auto pair = plastigran::combine(materials_[i - 1], materials_[j - 1]);
         text << caller() << (is_wall_ ? ", wall" : "") << ", atom types " << i << " and " << j
              << ": effective modulus " << pair.youngs_modulus_eff << " Pa";
@@ -307,12 +355,18 @@ class ElastoplasticNormalModel : public NormalModelBase {
     for (std::vector<double>* extreme : {&radius, &mass, &slowness})
       MPI_Allreduce(MPI_IN_PLACE, extreme->data(), type_count_ + 1, MPI_DOUBLE, MPI_MIN, world);
     MPI_Allreduce(MPI_IN_PLACE, count.data(), type_count_ + 1, MPI_DOUBLE, MPI_SUM, world);
+    const auto can_meet = [&](int i, int j) {
+      return count[i] > 0 && (is_wall_ || (count[j] > 0 && (i != j || count[i] > 1)));
+    };
+    for (int i = 1; i <= type_count_; ++i)
+      for (int j : partner_types())
+        if (can_meet(i, j) && !lacking_[index(i, j)].empty()) fail(lacking_[index(i, j)]);
     if (comm->me != 0) return;
 
     double step = unset, step_speed = 0, outside_speed = 0;
     for (int i = 1; i <= type_count_; ++i)
       for (int j : partner_types()) {
-        if (count[i] == 0 || (!is_wall_ && (count[j] == 0 || (i == j && count[i] < 2)))) continue;
+        if (!can_meet(i, j)) continue;
         const double speed = -slowness[i] - (is_wall_ ? 0 : slowness[j]);
         if (!(speed > 0)) continue;
         const auto reduced = [](double a, double b) { return a * b / (a + b); };
@@ -365,6 +419,7 @@ class ElastoplasticNormalModel : public NormalModelBase {
   std::vector<double> ranges_;        // largest overlap the law is good for, over R*
   std::vector<double> moduli_;        // E*
   std::vector<double> shear_moduli_;  // G*
+  std::vector<std::string> lacking_;  // what neither body brings; an error once the two can meet
 };
 
 }  // namespace ContactModels

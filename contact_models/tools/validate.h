@@ -51,6 +51,18 @@ std::string joint_complaint(const MaterialPair&, const typename Law::Parameters&
   return {};
 }
 
+// About one constant's value; empty when it is in range.
+template <class Parameters>
+std::string complaint(const Parameter<Parameters>& parameter, double value) {
+  if (value >= parameter.lower && value <= parameter.upper) return {};
+  std::ostringstream allowed;
+  allowed << "between " << parameter.lower << " and " << parameter.upper << " [" << parameter.unit
+          << "]: " << parameter.meaning;
+  if (std::isnan(value))
+    return std::string(parameter.property) + " is missing; it must be given, " + allowed.str();
+  return complaint(parameter.property, value, allowed.str());
+}
+
 template <class Law>
 std::string validate(const MaterialPair& pair, const typename Law::Parameters& constants) {
   if (Yields<Law>::value && !std::isfinite(pair.yield_strength))
@@ -60,13 +72,8 @@ std::string validate(const MaterialPair& pair, const typename Law::Parameters& c
   for (const auto& parameter : Law::parameters) {
     const double value = constants.*parameter.value;
     if (value == defaults.*parameter.value) continue;
-    if (value >= parameter.lower && value <= parameter.upper) continue;
-    std::ostringstream allowed;
-    allowed << "between " << parameter.lower << " and " << parameter.upper << " [" << parameter.unit
-            << "]: " << parameter.meaning;
-    if (std::isnan(value))
-      return std::string(parameter.property) + " is missing; it must be given, " + allowed.str();
-    return complaint(parameter.property, value, allowed.str());
+    const std::string text = complaint(parameter, value);
+    if (!text.empty()) return text;
   }
   return joint_complaint<Law>(pair, constants, 0);
 }

@@ -168,8 +168,9 @@ def _residual(overlap, force) -> float:
         def bend(n: float) -> float:
             return np.subtract(*slopes(n))
 
-        if bend(1.0) * bend(3.0) < 0:
-            n = brentq(bend, 1.0, 3.0, xtol=1e-9)
+        # From below 1: a straight line is one of them.
+        if bend(0.9) * bend(3.0) < 0:
+            n = brentq(bend, 0.9, 3.0, xtol=1e-9)
     return overlap[-1] - force[-1] ** (1 / n) / slopes(n)[-1]
 
 

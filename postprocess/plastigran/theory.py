@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from math import gamma, pi, sqrt
+from math import gamma, log, pi, sqrt
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -144,6 +144,33 @@ def yield_speed(pair: laws.MaterialPair, mass_eff: float, radius_eff: float) -> 
     overlap = radius_eff * laws.yield_radius_ratio(pair) ** 2
     force = 4 / 3 * pair.youngs_modulus_eff * sqrt(radius_eff * overlap) * overlap
     return sqrt(0.8 * force * overlap / mass_eff)
+
+
+def line_yield(
+    pair: laws.MaterialPair, radius_eff: float, cylinder_length: float, body_thickness: float
+) -> tuple[float, float, float]:
+    """Where the elastic line contact of a cylinder yields: mean pressure 1.5 sigma_Y.
+
+    With E' = pi E* and C = 2 ln(body_thickness/R*) + 2 ln(E'/(6 sigma_Y)) - nu/(1-nu):
+    F_Y = 36 sigma_Y^2 R* L/E', overlap_Y = R* (6 sigma_Y/E')^2 C, W_Y = F_Y overlap_Y (2C-1)/(4C).
+
+    Args:
+        pair: The two bodies' materials.
+        radius_eff: R* [m].
+        cylinder_length: L [m].
+        body_thickness: Of the body that yields [m].
+
+    Returns:
+        Force F_Y [N], overlap [m] and work W_Y [J].
+
+    Source: Katta & Polycarpou 2010, J. Tribol. 132; Johnson, Contact Mechanics (1985), sec. 5.6.
+    """
+    ratio = 6 * pair.yield_strength / (pi * pair.youngs_modulus_eff)
+    lateral = pair.poissons_ratio / (1 - pair.poissons_ratio)
+    logarithm = 2 * log(body_thickness / radius_eff) - 2 * log(ratio) - lateral
+    force = 6 * pair.yield_strength * ratio * radius_eff * cylinder_length
+    overlap = radius_eff * ratio**2 * logarithm
+    return force, overlap, force * overlap * (2 * logarithm - 1) / (4 * logarithm)
 
 
 def thornton_restitution(speed_ratio: ArrayLike) -> np.ndarray:

@@ -89,6 +89,14 @@ TEST_CASE_TEMPLATE("a law's answer has a viscous force only at a rate it depends
   CHECK((closing.force > still.force) == IsRateDependent<Law>::value);
 }
 
+TEST_CASE_TEMPLATE("what bodies must bring has no default", Law, ALL_LAWS) {
+  for (const auto& parameter : Law::parameters)
+    if (parameter.per_body) {
+      CHECK(std::isnan(typename Law::Parameters{}.*parameter.value));
+      CHECK(parameter.lower > 0);
+    }
+}
+
 TEST_CASE("Vu-Quoc-Zhang's Newton iteration converges for every admissible constant") {
   std::mt19937 random(2);
   std::uniform_real_distribution<double> unit(0, 1);
@@ -137,4 +145,32 @@ TEST_CASE(
   }
   CHECK_FALSE(VuQuocZhang::admissible(aluminium, {0.001, 0.1}));
   CHECK(VuQuocZhang::admissible(aluminium, {0, 0}));  // Hertz
+}
+
+TEST_CASE("the cylinder laws' Lambert function is the root wherever they ask") {
+  // From 2 - ln 2, where the tangent takes over, to the logarithm of any ratio of doubles. w - ln w
+  // is found again to rounding; its slope there is 1/2 or more, so w is as exact.
+  for (double t = 2 - std::log(2.0); t < 1500; t *= 1.001) {
+    const double w = lambert_root(t);
+    REQUIRE(w > 1);
+    REQUIRE(std::abs(w - std::log(w) - t) <= 4e-16 * w);
+  }
+}
+
+TEST_CASE_TEMPLATE("a cylinder law's work lost grows at any thickness", Law, LimStronge,
+                   KattaPolycarpou) {
+  // The bodies' thickness over the radius sets how much more than was put in the published rebound
+  // returns; the guard must hold from thick bodies to ones far too thin for the law.
+  for (double thickness = 1e-8; thickness < 1e6; thickness *= 10) {
+    const Law law(aluminium, {1, thickness, 1});
+    typename Law::State state;
+    double work = 0, force = 0;
+    for (double overlap = 1e-11; overlap < 1e4; overlap *= 1.01) {
+      const Response response = law.respond(0.01, overlap, state);
+      REQUIRE(response.force > force);
+      REQUIRE(response.plastic_work >=
+              work - 1e-15 * (response.elastic_energy + response.plastic_work));
+      work = response.plastic_work, force = response.force;
+    }
+  }
 }
