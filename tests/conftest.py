@@ -12,6 +12,7 @@ import pytest
 
 from plastigran import laws
 from plastigran.engine import PROJECT
+from plastigran.impact import laws_for
 from plastigran.materials import RIGID, read_material
 
 # Laws with a model in the engine: one binding header each.
@@ -23,14 +24,30 @@ ENGINE_LAWS = sorted(
 
 def pytest_generate_tests(metafunc: pytest.Metafunc) -> None:
     """`law_name` runs a test for every law, `engine_law` for every law with an engine
-    model, `rod_law` for those the oblique rod takes."""
+    model, `sphere_law` for those of them for spheres, `rod_law` for those the oblique rod takes."""
     if "law_name" in metafunc.fixturenames:
         metafunc.parametrize("law_name", sorted(laws.LAWS))
     if "rod_law" in metafunc.fixturenames:  # its equations of motion know no rate of overlap
-        names = [name for name in sorted(laws.LAWS) if not laws.LAWS[name].rate_dependent]
+        names = [name for name in laws_for("sphere") if not laws.LAWS[name].rate_dependent]
         metafunc.parametrize("rod_law", names)
+    if "sphere_law" in metafunc.fixturenames:
+        spheres = [name for name in ENGINE_LAWS if laws.LAWS[name].geometry == "sphere"]
+        metafunc.parametrize("sphere_law", spheres)
     if "engine_law" in metafunc.fixturenames:
         metafunc.parametrize("engine_law", ENGINE_LAWS)
+
+
+@pytest.fixture(scope="session")
+def law_between(aluminium):
+    """Makes a law between two bodies, `law_between(name, pair, length, **options)`: `length` [m] is
+    a cylinder's and its body's thickness, for laws that ask for them.
+    """
+
+    def make(name: str, pair: laws.MaterialPair, length: float = 0.1, **options: str):
+        brought = [p["name"] for p in laws.LAWS[name].parameters() if p["per_body"]]
+        return aluminium.law(name, pair, **dict.fromkeys(brought, length), **options)
+
+    return make
 
 
 @pytest.fixture

@@ -184,6 +184,7 @@ void bind_law(nb::module_& module, const char* class_name) {
           const double value = defaults.*p.value;
           row["default"] =
               std::isnan(value) ? nb::object(nb::none()) : nb::object(nb::float_(value));
+          row["per_body"] = p.per_body;
           row["lower"] = p.lower;
           row["upper"] = p.upper;
           row["meaning"] = p.meaning;
@@ -192,7 +193,7 @@ void bind_law(nb::module_& module, const char* class_name) {
         return table;
       },
       "The law's own constants: name, LIGGGHTS property, unit, default (None: it must be given), "
-      "range, meaning.");
+      "per_body (of each body, a pair has the larger), range, meaning.");
   law.def_static(
       "options",
       [] {

@@ -15,7 +15,7 @@ from plastigran import laws, materials, rod_runs
 from plastigran.collision import CollisionError
 from plastigran.dumps import DumpError
 from plastigran.engine import PROJECT, EngineError
-from plastigran.impact import GEOMETRIES, PAPER_SPEEDS, Impact, plan, sweep
+from plastigran.impact import GEOMETRIES, PAPER_SPEEDS, Impact, laws_for, plan, sweep
 from plastigran.modes import sphere_modes
 from plastigran.rod import PAPER_RODS, Rod
 
@@ -92,12 +92,14 @@ def format_table(table: pd.DataFrame) -> str:
 
 
 def law_names(given: list[str], material_names: list[str]) -> list[str]:
-    """Names from the command line; "all" stands for every law the materials have constants for."""
+    """Names from the command line; "all" stands for every law for spheres the materials have
+    constants for."""
     bodies = [materials.read_material(material) for material in material_names]
     names = list(dict.fromkeys(given))
     if "all" in given:
-        names = [n for n in sorted(laws.LAWS) if all(not body.missing(n) for body in bodies)]
-        if left := sorted(set(laws.LAWS) - set(names)):
+        spheres = laws_for("sphere")
+        names = [n for n in spheres if all(not body.missing(n) for body in bodies)]
+        if left := sorted(set(spheres) - set(names)):
             print(
                 f"left out, for the material lacks their constants: {', '.join(left)}",
                 file=sys.stderr,
@@ -108,9 +110,9 @@ def law_names(given: list[str], material_names: list[str]) -> list[str]:
     return names
 
 
-def fresh_folder(folder: Path, force: bool) -> Path:
+def fresh_folder(folder: Path, force: bool, table: str = "impacts.csv") -> Path:
     """A folder for results: never one that holds some, unless forced."""
-    if (folder / "impacts.csv").exists() and not force:
+    if (folder / table).exists() and not force:
         raise UsageError(f"{folder} holds results; choose another --output, or add --force")
     return folder
 
@@ -189,7 +191,8 @@ def rod_command(arguments: argparse.Namespace) -> None:
 def laws_command(_: argparse.Namespace) -> None:
     for name, law in sorted(laws.LAWS.items()):
         engine_own = " (the engine's own model)" if name == "hertz" else ""
-        print(f"{name}{engine_own}\n  source  {law.source}\n  range   {law.range}")
+        print(f"{name}{engine_own}, for {law.geometry}s")
+        print(f"  source  {law.source}\n  range   {law.range}")
         for p in law.parameters():
             default = "required" if p["default"] is None else f"default {p['default']:g}"
             print(
@@ -221,6 +224,17 @@ def modes_command(arguments: argparse.Namespace) -> None:
     )
     table = table.rename(columns={"frequency": "frequency, Hz"})
     print(table.to_string(index=False, float_format="{:.6g}".format))
+
+
+def cylinder_command(arguments: argparse.Namespace) -> None:
+    """The cylinder study: maps, and the finite elements' impact."""
+    from plastigran import cylinder  # matplotlib is slow to load
+
+    folder = fresh_folder(arguments.output, arguments.force, "comparison.csv")
+    table, written = cylinder.run(folder, arguments.points)
+    print("Cylinder of 10 um, 0.1 mm long, at 1 m/s: laws, engine and finite elements")
+    print(table.T.to_string(float_format="{:.4g}".format, na_rep=""))
+    print("\nwritten: " + "  ".join(str(path) for path in written))
 
 
 def demo_command(arguments: argparse.Namespace) -> None:
@@ -361,9 +375,9 @@ def parser() -> argparse.ArgumentParser:
     benchmarks.add_argument(
         "--law",
         default="vu_quoc_zhang",
-        choices=sorted(laws.LAWS),
+        choices=laws_for("sphere"),
         metavar="LAW",
-        help="any law, unyielding, default vu_quoc_zhang; hertz is the engine's own",
+        help="any law for spheres, unyielding, default vu_quoc_zhang; hertz is the engine's own",
     )
     benchmarks.add_argument(
         "--steps", type=positive_integer, default=1000, help="time steps a contact, default 1000"
@@ -372,6 +386,16 @@ def parser() -> argparse.ArgumentParser:
     benchmarks.add_argument("--output", type=Path, default=Path("results/chung_ooi"))
     benchmarks.add_argument("--force", action="store_true", help="overwrite results")
     benchmarks.set_defaults(run=chung_ooi_command)
+    cylinder = commands.add_parser("cylinder", help="the cylinder study: maps and comparison")
+    cylinder.add_argument(
+        "--points",
+        type=positive_integer,
+        default=30,
+        help="radii and speeds of a map, default 30",
+    )
+    cylinder.add_argument("--output", type=Path, default=Path("results/cylinder"))
+    cylinder.add_argument("--force", action="store_true", help="overwrite results")
+    cylinder.set_defaults(run=cylinder_command)
 
     demo = commands.add_parser("demo", help="the tour: collisions and their figures")
     demo.add_argument("--output", type=Path, default=PROJECT / "results" / "demo")

@@ -41,15 +41,20 @@ class Material:
         """Names of the constants a law must be given and this material does not have."""
         return [name for name in _needed(law) if getattr(self, name, None) is None]
 
-    def law(self, name: str, pair: laws.MaterialPair):
+    def law(self, name: str, pair: laws.MaterialPair, **others: float | str):
         """A law for contacts of this material, with those of its constants that have no default.
+
+        Args:
+            name: Of the law.
+            pair: The two bodies.
+            others: What is not the material's: lengths that bodies bring, options.
 
         Raises:
             ValueError: The material lacks one, or it is out of range; the message names it.
         """
         if missing := self.missing(name):
             raise ValueError(f"material {self.name} gives no {', '.join(missing)}; {name} needs it")
-        return laws.LAWS[name](pair, **{key: getattr(self, key) for key in _needed(name)})
+        return laws.LAWS[name](pair, **{key: getattr(self, key) for key in _needed(name)}, **others)
 
     def body(self) -> laws.Material:
         """The constants as the laws take them. Raises ValueError when one is out of range."""
@@ -62,7 +67,8 @@ class Material:
 
 
 def _needed(law: str) -> list[str]:
-    return [row["name"] for row in laws.LAWS[law].parameters() if row["default"] is None]
+    table = laws.LAWS[law].parameters()
+    return [row["name"] for row in table if row["default"] is None and not row["per_body"]]
 
 
 #: A wall that neither deforms nor yields.

@@ -123,6 +123,8 @@ class Rod:
         if name not in laws.LAWS:
             raise ValueError(f"no law {name!r}; there are {', '.join(sorted(laws.LAWS))}")
         law = laws.LAWS[name]
+        if law.geometry != "sphere":
+            raise ValueError(f"{name} is a law for {law.geometry}s; the rod's tip is a sphere")
         if any(constant["name"] == "indentation_pressure" for constant in law.parameters()):
             options = {"indentation_pressure": self.indentation_pressure, **options}
         return law(self.pair, **options)

@@ -16,6 +16,7 @@ import pytest
 from plastigran import laws
 from plastigran.cli import main
 from plastigran.engine import inputs_folder
+from plastigran.impact import laws_for
 from plastigran.materials import read_material
 
 
@@ -25,7 +26,7 @@ def test_impact_writes_table_and_figures(tmp_path, capsys):
     assert main(line) == 0
     table = pd.read_csv(folder / "impacts.csv")
     aluminium = read_material("aluminium_zv02")
-    possible = [law for law in laws.LAWS if not aluminium.missing(law)]
+    possible = [law for law in laws_for("sphere") if not aluminium.missing(law)]
     assert sorted(table["law"].unique()) == sorted(possible)
     assert len(table) == 2 * len(possible)
     assert "viscoelastic_hertz" not in possible
@@ -92,6 +93,7 @@ def test_timestep(capsys):
         (["impact", "--law", "hook"], "no law 'hook'; there are brake_2012, "),
         (["impact", "--material", "cheese"], "no material 'cheese'; there are aluminium_zv02, "),
         (["timestep", "--speed", "1", "--law", "x"], "no law 'x'"),
+        (["impact", "--law", "lim_stronge"], "lim_stronge is a law for cylinders"),
     ],
 )
 def test_wrong_words_are_named(line, said, capsys):
@@ -186,5 +188,6 @@ def test_console_script():
         text=True,
         check=True,
     )
-    for command in ("impact", "rod", "laws", "timestep", "modes", "chung-ooi", "demo"):
+    listed = ("impact", "rod", "laws", "timestep", "modes", "chung-ooi", "cylinder", "demo")
+    for command in listed:
         assert command in done.stdout

@@ -18,7 +18,7 @@ variable output index .
 variable inputs index inputs
 units           si
 atom_style      granular
-boundary        f f f
+{space}
 newton          off
 communicate     single vel yes
 region          box block -1 1 -1 1 -1 1 units box
@@ -46,12 +46,21 @@ GOOD = {
     "dissipative_constant": "fix dc all property/global dissipativeConstant peratomtypepair 1 1e-5",
     "settings": "tangential off",
     "more": "",
+    "space": "boundary f f f",
 }
+LENGTHS = """
+fix cl all property/global cylinderLength peratomtype 1.0
+fix bt all property/global bodyThickness peratomtype 1.0
+"""
 
 
 def run(folder: Path, **changes: str) -> str:
+    values = GOOD | changes
+    if values["law"] in laws.LAWS and laws.LAWS[values["law"]].geometry == "cylinder":
+        values = {"space": "dimension 2\nboundary f f p", "more": LENGTHS} | changes
+        values = GOOD | values
     deck = folder / "deck.in"
-    deck.write_text(DECK.format(**(GOOD | changes)))
+    deck.write_text(DECK.format(**values))
     return run_deck(deck, {}, folder)
 
 
@@ -181,11 +190,11 @@ def test_constants_of_an_included_file_may_be_set(tmp_path):
     assert "ERROR" not in log
 
 
-def test_viscous_damping_is_the_classic_dashpot(engine_law, tmp_path):
+def test_viscous_damping_is_the_classic_dashpot(sphere_law, tmp_path):
     """Below yield, the model with viscous_damping is the engine's own hertz that never pulls."""
     stock = (PROJECT / "inputs/collision/two_spheres.in").read_text()
     found = []
-    for law, settings in ((engine_law, "viscous_damping on"), ("hertz", "limitForce on")):
+    for law, settings in ((sphere_law, "viscous_damping on"), ("hertz", "limitForce on")):
         deck = stock.replace("tangential ${tangential}", f"tangential off {settings}")
         deck = deck.replace("pair_style", f"unfix restitution\nfix {DAMPED}\npair_style", 1)
         folder = tmp_path / law

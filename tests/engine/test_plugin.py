@@ -10,6 +10,7 @@ from pathlib import Path
 
 import pytest
 
+from plastigran import laws
 from plastigran.collision import measure
 from plastigran.engine import PROJECT, command, environment, inputs_folder, run_deck
 
@@ -17,9 +18,15 @@ PLUGIN = PROJECT / "build" / "libplastigran.so"
 VISCOSITY = {"dissipative_constant": 3e-5}  # for the laws that must have it; others do not look
 
 
+def wall_deck(law: str) -> str:
+    """The deck of a body on a wall for a law, or for one of the engine's own."""
+    shape = laws.LAWS[law].geometry if law in laws.LAWS else "sphere"
+    return f"collision/{shape}_wall.in"
+
+
 def stock(folder: Path, preload: Path | None, **variables) -> subprocess.CompletedProcess:
-    """Run sphere_wall.in in the stock `liggghts`."""
-    deck = inputs_folder() / "collision" / "sphere_wall.in"
+    """Run the wall deck for a law in the stock `liggghts`."""
+    deck = inputs_folder() / wall_deck(variables["law"])
     line = ["liggghts", *command(deck, VISCOSITY | variables, folder)[1:]]
     extra = {"LD_PRELOAD": str(preload)} if preload else {}
     return subprocess.run(
@@ -35,7 +42,7 @@ def stock(folder: Path, preload: Path | None, **variables) -> subprocess.Complet
 def test_stock_engine_takes_the_plugin_by_preload(engine_law, tmp_path):
     done = stock(tmp_path, PLUGIN, law=engine_law)
     assert done.returncode == 0, done.stdout + done.stderr
-    run_deck("collision/sphere_wall.in", VISCOSITY | {"law": engine_law}, tmp_path / "launcher")
+    run_deck(wall_deck(engine_law), VISCOSITY | {"law": engine_law}, tmp_path / "launcher")
     preloaded = measure(tmp_path / "trajectory.dump")
     launched = measure(tmp_path / "launcher" / "trajectory.dump")
     assert preloaded.coefficient_of_restitution == launched.coefficient_of_restitution

@@ -8,7 +8,9 @@ from pathlib import Path
 
 import pytest
 
+from plastigran import laws
 from plastigran.collision import measure
+from plastigran.impact import IMPACTS
 
 HERE = Path(__file__).parent
 PROJECT = HERE.parents[1]
@@ -50,8 +52,10 @@ def collide(program, deck: str, law: str, output: Path):
     return measure(output / "trajectory.dump"), log.read_text()
 
 
-@pytest.mark.parametrize("deck", ["sphere_wall.in", "two_spheres.in", "sphere_mesh.in"])
-@pytest.mark.parametrize("law", MODELS)
+@pytest.mark.parametrize(
+    ("law", "deck"),
+    [(law, f"{deck}.in") for law in MODELS for deck in IMPACTS[laws.LAWS[law].geometry].geometries],
+)
 def test_restitution_is_the_plugins(in_tree, law, deck, tmp_path):
     ours, log = collide(in_tree, deck, law, tmp_path / "in_tree")
     plugin, _ = collide(PLUGIN, deck, law, tmp_path / "plugin")

@@ -7,7 +7,8 @@ import numpy as np
 import pytest
 
 from plastigran import laws, theory
-from plastigran.impact import GEOMETRIES, Impact
+from plastigran.impact import GEOMETRIES, CylinderImpact, Impact
+from plastigran.materials import read_material
 
 
 def test_order_in_the_time_step(engine_law, aluminium, declared_jumps, tmp_path):
@@ -19,7 +20,10 @@ def test_order_in_the_time_step(engine_law, aluminium, declared_jumps, tmp_path)
     on the rate, which the engine knows of half a step ago, is integrated to first order.
     """
     # Well beyond yield: elastic impacts are integrated better than to second order.
-    models = (Impact(engine_law, speed, aluminium, 0.1) for speed in (0.2, 0.5, 1.0))
+    if laws.LAWS[engine_law].geometry == "sphere":
+        models = (Impact(engine_law, speed, aluminium, 0.1) for speed in (0.2, 0.5, 1.0))
+    else:
+        models = [CylinderImpact(engine_law, 2.0, read_material("glass_kp10"), 1e-5)]
     model = next(m for m in models if m.predicted().coefficient_of_restitution < 0.8)
     expected = model.predicted().coefficient_of_restitution
     steps = model.time_step() * np.array([2.0, 0.5, 0.125])
@@ -54,13 +58,13 @@ def test_hertz_duration(law, speed, aluminium, tmp_path):
         assert found.contact_time == pytest.approx(float(duration), rel=1e-3)
 
 
-def test_geometries_agree(engine_law, aluminium, tmp_path):
+def test_geometries_agree(sphere_law, aluminium, tmp_path):
     """Primitive wall and mesh wall run the same numbers; 1e-9 is rounding, grown by the
     cancellation in two positions' difference. So does a pair of equal spheres, with half of R*, m*
     and E* and twice the overlap, unless the law depends on sigma_Y/E* beside the yield point.
     """
     models = {
-        geometry: Impact(engine_law, 0.1, aluminium, 0.1, geometry) for geometry in GEOMETRIES
+        geometry: Impact(sphere_law, 0.1, aluminium, 0.1, geometry) for geometry in GEOMETRIES
     }
     expected = {
         geometry: model.predicted().coefficient_of_restitution for geometry, model in models.items()

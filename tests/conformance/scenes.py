@@ -1,0 +1,109 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""The bodies of the conformance decks: spheres, or for a cylinder law discs in two dimensions."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from math import pi
+from pathlib import Path
+
+import numpy as np
+
+from plastigran import laws
+from plastigran.engine import run_deck
+from plastigran.impact import CylinderImpact, Impact
+from plastigran.materials import RIGID, Material, read_material
+
+DECKS = Path(__file__).parent / "decks"
+LENGTH = 1.0  # of cylinders, and their bodies' thickness: the decks' defaults [m]
+
+
+class Spheres:
+    """Spheres of the paper's aluminium, for one law; radius 0.1 m where a method takes none."""
+
+    material: Material = read_material("aluminium_zv02")
+    inertia: float = 0.4  # over mass times radius squared
+    drift: float = 40.0  # that takes a head-on collision at 0.1 m/s across a border [m/s]
+
+    def __init__(self, law_name: str, dissipative_constant: float) -> None:
+        self.law_name = law_name
+        self.material = replace(self.material, dissipative_constant=dissipative_constant)
+
+    def run(self, deck: str, folder: Path, ranks: int = 1, **variables) -> str:
+        """Run a conformance deck with these bodies and the law, unless another is given."""
+        path = DECKS / f"{deck}.in"
+        variables = {"law": self.law_name, **self.variables(), **variables}
+        if "variable decks" in path.read_text():
+            variables["decks"] = DECKS
+        return run_deck(path, variables, folder, ranks=ranks)
+
+    @property
+    def is_sphere(self) -> bool:
+        return laws.LAWS[self.law_name].geometry == "sphere"
+
+    def variables(self) -> dict[str, object]:
+        return {"dissipative_constant": self.material.dissipative_constant}
+
+    def law(self, pair: laws.MaterialPair):
+        return self.material.law(self.law_name, pair)
+
+    def wall(self) -> laws.MaterialPair:
+        """A body on a rigid wall."""
+        return laws.combine(self.material.body(), RIGID)
+
+    def mass(self, radius: float = 0.1, density: float | None = None) -> float:
+        return 4 / 3 * pi * radius**3 * (density or self.material.density)
+
+    def impact(self, speed: float) -> Impact:
+        return Impact(self.law_name, speed, self.material, 0.1)
+
+    def yield_contact_radius(self) -> float:
+        return 0.1 * laws.yield_radius_ratio(self.wall())
+
+    def tangential_stiffness(self, contact_radius: np.ndarray) -> np.ndarray:
+        return 8 * self.wall().shear_modulus_eff * contact_radius
+
+
+class Cylinders(Spheres):
+    """Discs 1 m long, of an aluminium soft enough to yield at the spheres' speeds."""
+
+    material: Material = replace(read_material("aluminium_zv02"), yield_strength=3e7)
+    inertia: float = 0.5
+    drift: float = 140.0
+
+    def variables(self) -> dict[str, object]:
+        material = {"yield_strength": self.material.yield_strength}
+        return {**super().variables(), "shape": "cylinder", **material}
+
+    def law(self, pair: laws.MaterialPair):
+        return laws.LAWS[self.law_name](pair, cylinder_length=LENGTH, body_thickness=LENGTH)
+
+    def mass(self, radius: float = 0.1, density: float | None = None) -> float:
+        return pi * radius**2 * (density or self.material.density)
+
+    def impact(self, speed: float) -> Impact:
+        return CylinderImpact(
+            self.law_name,
+            speed,
+            self.material,
+            0.1,
+            mass=self.mass(),
+            length_ratio=LENGTH / 0.1,
+            body_thickness=LENGTH,
+        )
+
+    def yield_contact_radius(self) -> float:
+        pair = self.wall()
+        return 12 * pair.yield_strength * 0.1 / (pi * pair.youngs_modulus_eff)
+
+    def tangential_stiffness(self, contact_radius: np.ndarray) -> np.ndarray:
+        pair = self.wall()
+        far = 2 * np.log(2 * LENGTH / contact_radius) + 1 / (1 - pair.poissons_ratio)
+        return pi * pair.youngs_modulus_eff * LENGTH / far
+
+
+def scene(law_name: str, dissipative_constant: float = 3e-5) -> Spheres:
+    """The bodies a law is for; by default, viscous ones have the paper's sphere leave with 0.8 of
+    its speed."""
+    shape = laws.LAWS[law_name].geometry
+    return {"sphere": Spheres, "cylinder": Cylinders}[shape](law_name, dissipative_constant)
