@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Draw the figures of the docs: one per law, found and never listed, the README's and the rod's.
+"""Draw the figures of the docs: one per law, found and never listed, the README's, the rod's and the
+cylinder study's.
 
 Run it with `./run figures`; the files in docs/figures are its output.
 """
@@ -7,15 +8,25 @@ Run it with `./run figures`; the files in docs/figures are its output.
 from __future__ import annotations
 
 import tempfile
+from dataclasses import replace
 from itertools import pairwise
 from pathlib import Path
 
 import numpy as np
 from scipy.integrate import solve_ivp
 
-from plastigran import chung_ooi, chung_ooi_figures, figures, laws, rod_figures, rod_runs, theory
+from plastigran import (
+    chung_ooi,
+    chung_ooi_figures,
+    cylinder,
+    figures,
+    laws,
+    rod_figures,
+    rod_runs,
+    theory,
+)
 from plastigran.figures import STYLE, plt, save, title
-from plastigran.impact import PAPER_SPEEDS, plan, sweep
+from plastigran.impact import PAPER_SPEEDS, laws_for, plan, sweep
 from plastigran.materials import RIGID, read_material
 from plastigran.rod import PAPER_RODS
 
@@ -23,30 +34,48 @@ FOLDER = Path(__file__).parent / "figures"
 RADIUS = 0.01  # the figures are dimensionless; any size gives the same
 
 
-def law_figure(name: str) -> plt.Figure:
-    """A load, partial unload, reload, unload path, and restitution over impact speed."""
+def sphere_law(name: str):
+    """A law for the paper's sphere, its elastic limit, and force and overlap at yield."""
     pair = laws.combine(read_material("aluminium_zv02").body(), RIGID)
-    law = laws.LAWS[name](pair)
     overlap_y = RADIUS * laws.yield_radius_ratio(pair) ** 2
     force_y = 4 / 3 * pair.youngs_modulus_eff * np.sqrt(RADIUS) * overlap_y**1.5
+    yield_speed = theory.yield_speed(pair, 1.0, RADIUS)
+    return laws.LAWS[name](pair), laws.Hertz(pair), force_y, overlap_y, yield_speed
+
+
+def cylinder_law(name: str):
+    """The same for a cylinder ten radii long on a body ten radii thick."""
+    glass = read_material("glass_kp10")
+    pair, strong = (
+        laws.combine(body.body(), RIGID) for body in (glass, replace(glass, yield_strength=1e20))
+    )
+    lengths = {"cylinder_length": 10 * RADIUS, "body_thickness": 10 * RADIUS}
+    law, elastic = (laws.LAWS[name](bodies, **lengths) for bodies in (pair, strong))
+    force_y, overlap_y, work_y = theory.line_yield(pair, RADIUS, *lengths.values())
+    return law, elastic, force_y, overlap_y, np.sqrt(2 * work_y)
+
+
+def law_figure(name: str) -> plt.Figure:
+    """A load, partial unload, reload, unload path, and restitution over impact speed."""
+    setting = {"sphere": sphere_law, "cylinder": cylinder_law}[laws.LAWS[name].geometry]
+    law, hertz, force_y, overlap_y, yield_speed = setting(name)
     with plt.rc_context(STYLE):
         figure, (left, right) = plt.subplots(1, 2, figsize=(8.2, 3.4), layout="constrained")
         turns = [0, 12, 9, 20, 0]
         path = np.concatenate([np.linspace(a, b, 400) for a, b in pairwise(turns)])
-        state = law.State()
-        force = law.follow(RADIUS, path * overlap_y, state)["force"] / force_y
-        hertz = np.linspace(0, 8, 100)
+        force = law.follow(RADIUS, path * overlap_y, law.State())["force"] / force_y
         if name != "hertz":
-            left.plot(hertz, hertz**1.5, ":", color="0.5", label="Hertz")
+            x = np.linspace(0, 8, 100)
+            elastic = hertz.follow(RADIUS, x * overlap_y, hertz.State())["force"] / force_y
+            left.plot(x, elastic, ":", color="0.5", label="Hertz")
         left.plot(path, force, color=figures.COLOURS[0], label=title(name))
         left.set_xlabel("overlap / overlap at yield")
         left.set_ylabel("force / force at yield")
         left.legend(loc="upper left")
-        mass = 1.0
-        scale = theory.yield_speed(pair, mass, RADIUS)
         ratio = np.geomspace(0.3, 120, 120)
         restitution = [
-            law.central_impact(RADIUS, mass, q * scale).coefficient_of_restitution for q in ratio
+            law.central_impact(RADIUS, 1.0, q * yield_speed).coefficient_of_restitution
+            for q in ratio
         ]
         right.semilogx(ratio, restitution, color=figures.COLOURS[0])
         right.set_ylim(0, 1.05)
@@ -125,8 +154,11 @@ def main() -> None:
     for name in sorted(laws.LAWS):
         figure = OWN_FIGURES[name]() if name in OWN_FIGURES else law_figure(name)
         save(figure, FOLDER / name, (".svg",))
+    study = cylinder.study(np.linspace(*cylinder.RADII, 30), np.linspace(1, 30, 30) / 30, 10.0)
+    save(cylinder.maps_figure(study), FOLDER / "cylinder_maps", (".png",))
+    save(cylinder.comparison_figure(), FOLDER / "cylinder_comparison", (".svg",))
     aluminium = read_material("aluminium_zv02")
-    shown = [name for name in sorted(laws.LAWS) if not aluminium.missing(name)]
+    shown = [name for name in laws_for("sphere") if not aluminium.missing(name)]
     impacts = plan(shown, PAPER_SPEEDS, [aluminium.name], 0.1)
     rods = rod_runs.plan(shown, rod_runs.PAPER_SPEEDS, PAPER_RODS)
     with tempfile.TemporaryDirectory() as folder:
