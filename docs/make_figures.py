@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Draw the figures of the docs: one per law, found and never listed, the README's, the rod's and the
-cylinder study's.
+"""Draw the figures of the docs: one per law, found and never listed, and the README's, the rod's
+and the cylinder study's.
 
 Run it with `./run figures`; the files in docs/figures are its output.
 """
