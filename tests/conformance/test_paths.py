@@ -61,6 +61,7 @@ def elastic(law_name: str, pair: laws.MaterialPair, overlap: np.ndarray) -> dict
         "contact_radius": 2 * np.sqrt(load * RADIUS),
         "elastic_energy": stiffness * load**2 * (2 * np.log(reach / load) - 1) / 4,
         "plastic_work": np.zeros_like(load),
+        "viscous_force": np.zeros_like(load),
     }
 
 
