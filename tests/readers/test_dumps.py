@@ -37,7 +37,7 @@ def mesh_run(tmp_path_factory) -> Path:
 
 def test_dump_has_the_columns_the_deck_names(pair_run):
     table = read_dump(pair_run / "trajectory.dump")
-    deck = (inputs_folder() / "collision/parts/run.in").read_text().replace("&\n", " ")
+    deck = (inputs_folder() / "collision/parts/record.in").read_text().replace("&\n", " ")
     named = re.search(r"trajectory\.dump\s+(.*)", deck)[1].split()
     assert list(table.columns) == ["step", *(name.removeprefix("v_") for name in named)]
     assert (table.groupby("step").size() == 2).all()
