@@ -23,8 +23,9 @@ ENGINE_LAWS = sorted(
 
 
 def pytest_generate_tests(metafunc: pytest.Metafunc) -> None:
-    """`law_name` runs a test for every law, `engine_law` for every law with an engine
-    model, `sphere_law` for those of them for spheres, `rod_law` for those the oblique rod takes."""
+    """`law_name` runs a test for every law, `engine_law` for every law with an engine model,
+    `sphere_law` for those of them for spheres, `yielding_law` for those of these that yield,
+    `rod_law` for those the oblique rod takes."""
     if "law_name" in metafunc.fixturenames:
         metafunc.parametrize("law_name", sorted(laws.LAWS))
     if "rod_law" in metafunc.fixturenames:  # its equations of motion know no rate of overlap
@@ -33,6 +34,9 @@ def pytest_generate_tests(metafunc: pytest.Metafunc) -> None:
     if "sphere_law" in metafunc.fixturenames:
         spheres = [name for name in ENGINE_LAWS if laws.LAWS[name].geometry == "sphere"]
         metafunc.parametrize("sphere_law", spheres)
+    if "yielding_law" in metafunc.fixturenames:
+        spheres = [name for name in ENGINE_LAWS if laws.LAWS[name].geometry == "sphere"]
+        metafunc.parametrize("yielding_law", [n for n in spheres if laws.LAWS[n].yields])
     if "engine_law" in metafunc.fixturenames:
         metafunc.parametrize("engine_law", ENGINE_LAWS)
 

@@ -180,10 +180,10 @@ def test_unyielding_model_is_the_engines_hertz(number, tmp_path):
 
 
 @pytest.mark.parametrize("number", [4, 8])
-def test_every_unyielding_law_is_the_engines_hertz(sphere_law, number, tmp_path):
+def test_every_unyielding_law_is_the_engines_hertz(yielding_law, number, tmp_path):
     """On a plane and between spheres, where the tangential spring sticks and slides in turn."""
     knob = 15.0 if number == 4 else 2.0
-    assert_same_steps(replace(few(number)[0], value=knob), sphere_law, tmp_path)
+    assert_same_steps(replace(few(number)[0], value=knob), yielding_law, tmp_path)
 
 
 def test_tangential_dashpot_is_the_engines(tmp_path):
