@@ -1,0 +1,50 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""The command `plastigran`: thin faces over functions a notebook can call."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from importlib import import_module
+from pkgutil import iter_modules
+
+from plastigran.cli import commands
+from plastigran.collision import CollisionError
+from plastigran.dumps import DumpError
+from plastigran.engine import EngineError
+
+
+def parser() -> argparse.ArgumentParser:
+    """One subcommand for each module of `commands`, which brings HELP, add_arguments and run."""
+    top = argparse.ArgumentParser(
+        prog="plastigran", description="Elasto-plastic contact laws for LIGGGHTS: runs and checks."
+    )
+    subcommands = top.add_subparsers(dest="command", required=True, metavar="COMMAND")
+    for found in iter_modules(commands.__path__):
+        module = import_module(f"{commands.__name__}.{found.name}")
+        subcommand = subcommands.add_parser(found.name.replace("_", "-"), help=module.HELP)
+        module.add_arguments(subcommand)
+        subcommand.set_defaults(run=module.run)
+    return top
+
+
+def main(argv: list[str] | None = None) -> int:
+    """Entry point; 0 when all went well, 1 after an error, whose one line goes to stderr."""
+    try:
+        arguments = parser().parse_args(argv)
+    except EngineError as error:  # the materials it lists are not where they should be
+        print(f"plastigran: {error}", file=sys.stderr)
+        return 1
+    try:
+        arguments.run(arguments)
+    except BrokenPipeError:  # the reader of our output has had enough
+        sys.stderr.close()
+    except (EngineError, CollisionError, DumpError, ValueError, OSError) as error:
+        print(f"plastigran: {error}", file=sys.stderr)
+        return 1
+    except KeyboardInterrupt:
+        output = getattr(arguments, "output", None)
+        kept = f"; what is finished is in {output}" if output else ""
+        print(f"plastigran: stopped{kept}", file=sys.stderr)
+        return 130
+    return 0

@@ -1,0 +1,88 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Arguments several subcommands take, and what they mean."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from math import inf
+from pathlib import Path
+
+from plastigran import laws, materials
+from plastigran.impact import GEOMETRIES, laws_for
+
+
+class UsageError(ValueError):
+    """A command line that cannot be carried out."""
+
+
+def positive(text: str) -> float:
+    try:
+        value = float(text)
+    except ValueError:
+        raise argparse.ArgumentTypeError(f"{text!r} is not a number") from None
+    if not 0 < value < inf:
+        raise argparse.ArgumentTypeError(f"{text} is not positive and finite")
+    return value
+
+
+def positive_integer(text: str) -> int:
+    try:
+        value = int(text)
+    except ValueError:
+        raise argparse.ArgumentTypeError(f"{text!r} is not a whole number") from None
+    if value < 1:
+        raise argparse.ArgumentTypeError(f"{text} is not 1 or more")
+    return value
+
+
+def add_law_and_sphere(command: argparse.ArgumentParser) -> None:
+    command.add_argument(
+        "--law",
+        nargs="+",
+        default=["all"],
+        metavar="LAW",
+        help="laws, or all (default) that the material has the constants for",
+    )
+    command.add_argument("--radius", type=positive, default=0.1, help="m, default 0.1")
+    command.add_argument(
+        "--geometry",
+        choices=list(GEOMETRIES),
+        default="sphere_wall",
+        help="default sphere_wall",
+    )
+
+
+def add_jobs(command: argparse.ArgumentParser) -> None:
+    command.add_argument("--jobs", type=positive_integer, help="engines at a time, default: cores")
+
+
+def add_output(command: argparse.ArgumentParser, default: str) -> None:
+    command.add_argument("--output", type=Path, default=Path(default), help=f"default {default}")
+    command.add_argument("--force", action="store_true", help="overwrite results")
+
+
+def law_names(given: list[str], material_names: list[str]) -> list[str]:
+    """Names from the command line; "all" stands for every law for spheres the materials have
+    constants for."""
+    bodies = [materials.read_material(material) for material in material_names]
+    names = list(dict.fromkeys(given))
+    if "all" in given:
+        spheres = laws_for("sphere")
+        names = [n for n in spheres if all(not body.missing(n) for body in bodies)]
+        if left := sorted(set(spheres) - set(names)):
+            print(
+                f"left out, for the material lacks their constants: {', '.join(left)}",
+                file=sys.stderr,
+            )
+    for name in names:
+        if name not in laws.LAWS:
+            raise UsageError(f"no law {name!r}; there are {', '.join(sorted(laws.LAWS))}")
+    return names
+
+
+def fresh_folder(folder: Path, force: bool, table: str = "impacts.csv") -> Path:
+    """A folder for results: never one that holds some, unless forced."""
+    if (folder / table).exists() and not force:
+        raise UsageError(f"{folder} holds results; choose another --output, or add --force")
+    return folder

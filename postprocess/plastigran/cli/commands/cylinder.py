@@ -1,0 +1,31 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""`plastigran cylinder`: the cylinder study."""
+
+from __future__ import annotations
+
+import argparse
+
+from plastigran.cli.arguments import add_output, fresh_folder, positive_integer
+
+HELP = "the cylinder study: maps and comparison"
+
+
+def add_arguments(command: argparse.ArgumentParser) -> None:
+    command.add_argument(
+        "--points",
+        type=positive_integer,
+        default=30,
+        help="radii and speeds of a map, default 30",
+    )
+    add_output(command, "results/cylinder")
+
+
+def run(arguments: argparse.Namespace) -> None:
+    """The cylinder study: maps, and the finite elements' impact."""
+    from plastigran import cylinder  # matplotlib is slow to load
+
+    folder = fresh_folder(arguments.output, arguments.force, "comparison.csv")
+    table, written = cylinder.run(folder, arguments.points)
+    print("Cylinder of 10 um, 0.1 mm long, at 1 m/s: laws, engine and finite elements")
+    print(table.T.to_string(float_format="{:.4g}".format, na_rep=""))
+    print("\nwritten: " + "  ".join(str(path) for path in written))

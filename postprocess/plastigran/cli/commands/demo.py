@@ -1,0 +1,40 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""`plastigran demo`: the tour."""
+
+from __future__ import annotations
+
+import argparse
+from pathlib import Path
+
+from plastigran.cli.arguments import add_jobs, law_names
+from plastigran.cli.commands.impact import run_impacts
+from plastigran.engine import PROJECT
+from plastigran.impact import GEOMETRIES, PAPER_SPEEDS, plan, sweep
+
+HELP = "the tour: collisions and their figures"
+
+
+def add_arguments(command: argparse.ArgumentParser) -> None:
+    command.add_argument("--output", type=Path, default=PROJECT / "results" / "demo")
+    add_jobs(command)
+
+
+def run(arguments: argparse.Namespace) -> None:
+    """The paper's sphere over four decades of speed; then one impact through every geometry."""
+    folder = arguments.output
+    names = law_names(["all"], ["aluminium_zv02"])
+    run_impacts(
+        plan(names, PAPER_SPEEDS, ["aluminium_zv02"], 0.1),
+        folder / "speeds",
+        arguments.jobs,
+    )
+    print("\nThe same impact, 0.1 m/s, as a pair, on a primitive wall and on a mesh:")
+    through = [
+        impact
+        for geometry in GEOMETRIES
+        for impact in plan(names, [0.1], ["aluminium_zv02"], 0.1, geometry)
+    ]
+    table, _ = sweep(through, folder / "geometries", arguments.jobs, progress=False)
+    pivot = table.pivot(index="law", columns="geometry", values="coefficient_of_restitution")
+    print(pivot.rename_axis(index=None, columns=None).to_string(float_format="{:.6f}".format))
+    print(f"\nLook at {folder / 'speeds' / 'restitution.png'}")

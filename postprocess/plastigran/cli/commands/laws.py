@@ -1,0 +1,58 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""`plastigran laws`: which laws there are."""
+
+from __future__ import annotations
+
+import argparse
+
+import pandas as pd
+
+from plastigran import laws
+from plastigran.cli.arguments import law_names
+
+HELP = "list the laws: bodies, range, source, constants, options"
+
+
+def add_arguments(command: argparse.ArgumentParser) -> None:
+    command.add_argument(
+        "law", nargs="*", default=sorted(laws.LAWS), metavar="LAW", help="default all"
+    )
+
+
+def flags(name: str) -> str:
+    """What sets a law apart in use, in words."""
+    law = laws.LAWS[name]
+    options = {option["name"] for option in law.options()}
+    said = {
+        "the engine's own": name == "hertz",
+        "elastic": not law.yields,
+        "rate dependent": law.rate_dependent,
+        "energy guard": "energy_guard" in options,
+    }
+    return ", ".join(word for word, holds in said.items() if holds)
+
+
+def run(arguments: argparse.Namespace) -> None:
+    names = law_names(arguments.law, [])
+    table = pd.DataFrame(
+        {
+            "law": name,
+            "bodies": f"{laws.LAWS[name].geometry}s",
+            "flags": flags(name),
+            "range": laws.LAWS[name].range,
+        }
+        for name in names
+    )
+    print(table.to_string(index=False, justify="left"))
+    for name in names:
+        law = laws.LAWS[name]
+        print(f"\n{name}: {law.source}")
+        for p in law.parameters():
+            default = "required" if p["default"] is None else f"default {p['default']:g}"
+            print(
+                f"  {p['property']} [{p['unit']}], {default}, "
+                f"{p['lower']:g} to {p['upper']:g}: {p['meaning']}"
+            )
+        for o in law.options():
+            choices = "|".join(o["choices"])
+            print(f"  {o['name']} {choices}, default {o['default']}: {o['meaning']}")

@@ -1,0 +1,40 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""`plastigran modes`: how an elastic sphere rings."""
+
+from __future__ import annotations
+
+import argparse
+
+from plastigran import materials
+from plastigran.cli.arguments import positive, positive_integer
+from plastigran.modes import sphere_modes
+
+HELP = "free vibrations of an elastic sphere"
+
+
+def add_arguments(command: argparse.ArgumentParser) -> None:
+    command.add_argument("--material", required=True, help=f"{', '.join(materials.names())}")
+    command.add_argument("--radius", type=positive, required=True, help="m")
+    command.add_argument(
+        "--degree", type=positive_integer, default=4, help="highest degree, default 4"
+    )
+    command.add_argument(
+        "--overtones",
+        type=positive_integer,
+        default=3,
+        help="modes of each kind and degree, default 3",
+    )
+
+
+def run(arguments: argparse.Namespace) -> None:
+    material = materials.read_material(arguments.material)
+    table = sphere_modes(
+        material.youngs_modulus,
+        material.poissons_ratio,
+        material.density,
+        arguments.radius,
+        range(arguments.degree + 1),
+        arguments.overtones,
+    )
+    table = table.rename(columns={"frequency": "frequency, Hz"})
+    print(table.to_string(index=False, float_format="{:.6g}".format))
