@@ -43,7 +43,14 @@ def run(arguments: argparse.Namespace) -> None:
         }
         for name in names
     )
+    for column in table:
+        width = max(table[column].str.len().max(), len(column))
+        table[column] = table[column].str.ljust(width)
     print(table.to_string(index=False, justify="left"))
+    print(
+        "\nAll take youngsModulus [Pa], poissonsRatio [-] and, unless elastic, yieldStrength [Pa] "
+        "and\nyieldPressureFactor [-] (0: Hertz-von Mises) of each body; further:"
+    )
     for name in names:
         law = laws.LAWS[name]
         print(f"\n{name}: {law.source}")
