@@ -28,7 +28,7 @@ from plastigran import (
 from plastigran.figures import STYLE, plt, save, title
 from plastigran.impact import PAPER_SPEEDS, laws_for, plan, sweep
 from plastigran.materials import RIGID, read_material
-from plastigran.rod import PAPER_RODS
+from plastigran.rod import paper_rods
 
 FOLDER = Path(__file__).parent / "figures"
 RADIUS = 0.01  # the figures are dimensionless; any size gives the same
@@ -57,7 +57,7 @@ def cylinder_law(name: str):
 
 def law_figure(name: str) -> plt.Figure:
     """A load, partial unload, reload, unload path, and restitution over impact speed."""
-    setting = {"sphere": sphere_law, "cylinder": cylinder_law}[laws.LAWS[name].geometry]
+    setting = {"sphere": sphere_law, "cylinder": cylinder_law}[laws.LAWS[name].shape]
     law, hertz, force_y, overlap_y, yield_speed = setting(name)
     with plt.rc_context(STYLE):
         figure, (left, right) = plt.subplots(1, 2, figsize=(8.2, 3.4), layout="constrained")
@@ -160,7 +160,7 @@ def main() -> None:
     aluminium = read_material("aluminium_zv02")
     shown = [name for name in laws_for("sphere") if not aluminium.missing(name)]
     impacts = plan(shown, PAPER_SPEEDS, [aluminium.name], 0.1)
-    rods = rod_runs.plan(shown, rod_runs.PAPER_SPEEDS, PAPER_RODS)
+    rods = rod_runs.plan(shown, rod_runs.PAPER_SPEEDS, paper_rods())
     with tempfile.TemporaryDirectory() as folder:
         table, _ = sweep(impacts, folder)
         rod_table, _ = sweep(rods, folder)

@@ -32,10 +32,10 @@ def pytest_generate_tests(metafunc: pytest.Metafunc) -> None:
         names = [name for name in laws_for("sphere") if not laws.LAWS[name].rate_dependent]
         metafunc.parametrize("rod_law", names)
     if "sphere_law" in metafunc.fixturenames:
-        spheres = [name for name in ENGINE_LAWS if laws.LAWS[name].geometry == "sphere"]
+        spheres = [name for name in ENGINE_LAWS if laws.LAWS[name].shape == "sphere"]
         metafunc.parametrize("sphere_law", spheres)
     if "yielding_law" in metafunc.fixturenames:
-        spheres = [name for name in ENGINE_LAWS if laws.LAWS[name].geometry == "sphere"]
+        spheres = [name for name in ENGINE_LAWS if laws.LAWS[name].shape == "sphere"]
         metafunc.parametrize("yielding_law", [n for n in spheres if laws.LAWS[n].yields])
     if "engine_law" in metafunc.fixturenames:
         metafunc.parametrize("engine_law", ENGINE_LAWS)

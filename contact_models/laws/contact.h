@@ -9,7 +9,6 @@
 //   name         the word a user types; source, range: where it is from, how far it is good
 //   Parameters   a struct of the law's own constants, each with its default
 //   parameters   a table of them: host property, unit, allowed range
-//   geometry     what the bodies are, when not spheres
 //   options      a table of the choices its sources leave open
 //   State        a struct of doubles, zero for a contact never loaded beyond yield: the extremes
 //                the contact has reached, symmetric in the two bodies
@@ -17,8 +16,9 @@
 //                the Response on the total law; moves `state` when a new extreme is reached, so
 //                that a second call at the same overlap changes nothing
 //
-// and may say more of itself (each false or true where it is silent):
+// and may say more of itself:
 //
+//   shape = "cylinder"      the bodies are no spheres
 //   rate_dependent = true   the force depends on the rate of overlap, too [m/s, closing positive]:
 //                respond(radius_eff, overlap, state, overlap_rate = 0), a total law at rate zero
 //   yields = false          no yield: the yield strength is not asked for
@@ -105,7 +105,7 @@ struct Option {
 // The choice of laws that may return more than was put in as published.
 template <class Parameters>
 constexpr Option<Parameters> energy_guard_option(int Parameters::*value) {
-  return {"energy_guard", value, {"off", "on", nullptr}, "never return more than was put in"};
+  return {"energy_guard", value, {"off", "on", nullptr}, "the work lost never falls"};
 }
 
 // One constant of a law: how users name it and what it may be.
@@ -174,17 +174,17 @@ inline double yield_radius_ratio(const MaterialPair& pair) {
   return pi * pair.yield_pressure / (2 * pair.youngs_modulus_eff);
 }
 
-// What a law's bodies are: `static constexpr const char* geometry`, spheres where it says nothing.
+// What a law's bodies are: `static constexpr const char* shape`, spheres where it says nothing.
+template <class Law, class = void>
+struct Shape {
+  static constexpr const char* value = "sphere";
+};
 template <class Law>
-constexpr auto geometry_of(int) -> decltype(Law::geometry) {
-  return Law::geometry;
-}
+struct Shape<Law, std::void_t<decltype(Law::shape)>> {
+  static constexpr const char* value = Law::shape;
+};
 template <class Law>
-constexpr const char* geometry_of(long) {
-  return "sphere";
-}
-template <class Law>
-constexpr const char* geometry = geometry_of<Law>(0);
+constexpr const char* shape = Shape<Law>::value;
 
 // Stiffness of the elastic contact with a given contact radius [N/m], for springs and dashpots
 // along and across the normal. A law of other bodies than spheres says its own:
@@ -193,15 +193,18 @@ constexpr const char* geometry = geometry_of<Law>(0);
 struct Stiffness {
   double normal, tangential;
 };
+template <class Law, class = void>
+struct SaysStiffness : std::false_type {};
 template <class Law>
-auto elastic_stiffness(const Law& law, double, double, double contact_radius, int)
-    -> decltype(law.elastic_stiffness(contact_radius)) {
-  return law.elastic_stiffness(contact_radius);
-}
+struct SaysStiffness<Law, std::void_t<decltype(&Law::elastic_stiffness)>> : std::true_type {};
+
 template <class Law>
-Stiffness elastic_stiffness(const Law&, double youngs_modulus_eff, double shear_modulus_eff,
-                            double contact_radius, long) {
-  return {2 * youngs_modulus_eff * contact_radius, 8 * shear_modulus_eff * contact_radius};
+Stiffness elastic_stiffness(const Law& law, double youngs_modulus_eff, double shear_modulus_eff,
+                            double contact_radius) {
+  if constexpr (SaysStiffness<Law>::value)
+    return law.elastic_stiffness(contact_radius);
+  else
+    return {2 * youngs_modulus_eff * contact_radius, 8 * shear_modulus_eff * contact_radius};
 }
 
 }  // namespace plastigran

@@ -30,6 +30,7 @@ struct GhaedniaCurve : JacksonGreenCurve {
            4 * hardness_ratio(x) / pressure_factor * -std::expm1(-std::pow(x, 5.0 / 9) / 78) *
                growth;
   }
+  double overlap_range() const { return 1000 * yield_radius_ratio * yield_radius_ratio; }
   double recovery(double x) const {
     const double t = 6.5 / (x + 5.5);
     return x * (1 - 0.8 * (1 - t * t));
@@ -40,7 +41,8 @@ class Ghaednia : public PowerUnloading<GhaedniaCurve> {
  public:
   static constexpr const char* name = "ghaednia";
   static constexpr const char* source = "Ghaednia, Marghitu & Jackson 2014, J. Tribol. 137:011403";
-  static constexpr const char* range = "fitted to one steel on iron, both deforming";
+  static constexpr const char* range =
+      "overlap <= 1000 times that at yield; one steel on iron, both deforming";
   struct Parameters {
     int loading = GhaedniaCurve::exponent_of_overlap;
     int energy_guard = 1;

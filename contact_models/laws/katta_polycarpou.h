@@ -11,7 +11,7 @@
 // The crater is as wide as what the elastic part of the contact leaves. (The sign in 1/R + 1/R_b is
 // illegible in print; with the other a_el = a_max and there would be no crater.)
 //
-// Range: length >= 10 R*, contact narrower than 0.6 thicknesses.
+// Range: length >= 10 R*, contact narrower than 0.6 thicknesses (nu near 0.25).
 #pragma once
 
 #include "line_contact.h"
@@ -31,15 +31,7 @@ class KattaPolycarpou : public LineContact<CurvedRebound> {
  public:
   static constexpr const char* name = "katta_polycarpou";
   static constexpr const char* source = "Katta & Polycarpou 2010, J. Tribol. 132";
-  static constexpr const char* range = "cylinder 10 radii long or more, contact narrower than body";
-  typedef LineParameters Parameters;
-  static constexpr auto parameters = line_parameters;
-  static constexpr std::array<Option<Parameters>, 1> options{{
-      energy_guard_option(&Parameters::energy_guard),
-  }};
-
-  KattaPolycarpou(const MaterialPair& pair, const Parameters& given)
-      : LineContact(pair, given.cylinder_length, given.body_thickness, given.energy_guard == 1) {}
+  using LineContact::LineContact;
 };
 
 }  // namespace plastigran

@@ -57,7 +57,7 @@ class KogutKomvopoulos : public PowerUnloading<KogutKomvopoulosCurve> {
  public:
   static constexpr const char* name = "kogut_komvopoulos";
   static constexpr const char* source = "Kogut & Komvopoulos 2004, J. Mater. Res. 19:3641";
-  static constexpr const char* range = "well-developed plasticity; overlap < R*";
+  static constexpr const char* range = "well-developed plasticity; overlap <= 0.1 R*";
   struct Parameters {
     int energy_guard = 1;
   };

@@ -12,8 +12,9 @@
 //     |      _/ /
 //     |_____/__/____ overlap
 //
-// Range: length >= 10 R*, contact narrower than 0.6 thicknesses. Below yield the rebound is the
-// elastic curve, above it a straight line: the rebound jumps at yield, the force does not.
+// Range: length >= 10 R*, contact narrower than 0.6 thicknesses (nu near 0.25). Below yield the
+// rebound is the elastic curve, above it a straight line: the rebound jumps at yield, the force
+// does not.
 #pragma once
 
 #include "line_contact.h"
@@ -32,15 +33,7 @@ class LimStronge : public LineContact<StraightRebound> {
  public:
   static constexpr const char* name = "lim_stronge";
   static constexpr const char* source = "Lim & Stronge 1998, Math. Comput. Model. 28:323";
-  static constexpr const char* range = "cylinder 10 radii long or more, contact narrower than body";
-  typedef LineParameters Parameters;
-  static constexpr auto parameters = line_parameters;
-  static constexpr std::array<Option<Parameters>, 1> options{{
-      energy_guard_option(&Parameters::energy_guard),
-  }};
-
-  LimStronge(const MaterialPair& pair, const Parameters& given)
-      : LineContact(pair, given.cylinder_length, given.body_thickness, given.energy_guard == 1) {}
+  using LineContact::LineContact;
 };
 
 }  // namespace plastigran

@@ -16,7 +16,8 @@
 //
 // A line contact, unlike a point contact, has no overlap without a place to measure it from: the
 // far side of the body, D away; hence the logarithm. Its slope falls short as a grows; from
-// ln(4 D^2/a^2) - k = 2 on (a = 0.6 D, out of range) the load follows its tangent instead.
+// ln(4 D^2/a^2) - k = 2 on (a = 0.6 D for nu near 0.25, out of range) the load follows its tangent
+// instead.
 //
 // The laws differ in the rebound. Both return more than was put in just above yield, because the
 // loading beyond it forgets the logarithm (the slope jumps up by about 3). With the energy guard
@@ -66,37 +67,55 @@ class LineCompliance {
   double tangent_from_;
 };
 
+// The constants of both laws.
+struct LineParameters {
+  double cylinder_length = required;  // L [m]
+  double body_thickness = required;   // D [m]
+  int energy_guard = 1;
+};
+constexpr std::array<Parameter<LineParameters>, 2> line_parameters{{
+    {"cylinder_length", "cylinderLength", "m", &LineParameters::cylinder_length, 1e-12, 1e6,
+     "length of the cylinder", true},
+    {"body_thickness", "bodyThickness", "m", &LineParameters::body_thickness, 1e-12, 1e6,
+     "thickness of the body that yields, to where the overlap is measured from", true},
+}};
+
 // A line contact with a Rebound: `recovery(load_y, overlap_y, load, flattening)`, the way back from
 // the largest overlap [m], and `straight`, whether it is a straight line (else the elastic curve of
 // a cylinder of radius R_e, stretched to that length). flattening = R/R_e.
 template <class Rebound>
 class LineContact {
  public:
-  static constexpr const char* geometry = "cylinder";
+  static constexpr const char* shape = "cylinder";
+  static constexpr const char* range = "cylinder 10 radii long or more, contact narrower than body";
+  typedef LineParameters Parameters;
+  static constexpr auto parameters = line_parameters;
+  static constexpr std::array<Option<Parameters>, 1> options{{
+      energy_guard_option(&Parameters::energy_guard),
+  }};
   struct State {
     double overlap_max = 0;  // largest overlap beyond yield [m]; 0 while elastic
   };
   static constexpr std::array<const char*, 1> state_names{"overlap_max"};
 
-  LineContact(const MaterialPair& pair, double cylinder_length, double body_thickness,
-              bool energy_guard)
-      : stiffness_(pi * pair.youngs_modulus_eff * cylinder_length),
+  LineContact(const MaterialPair& pair, const Parameters& given)
+      : stiffness_(pi * pair.youngs_modulus_eff * given.cylinder_length),
         lateral_(pair.poissons_ratio / (1 - pair.poissons_ratio)),
-        reach_(body_thickness * body_thickness * std::exp(-lateral_)),
+        reach_(given.body_thickness * given.body_thickness * std::exp(-lateral_)),
         half_width_ratio_(12 * pair.yield_strength / (pi * pair.youngs_modulus_eff)),
-        energy_guard_(energy_guard) {}
+        energy_guard_(given.energy_guard == 1) {}
 
   Response respond(double radius_eff, double overlap, State& state) const {
-    const LineCompliance hertz(reach_ / radius_eff);
+    const LineCompliance undented(reach_ / radius_eff);
     const double load_y = 0.25 * half_width_ratio_ * half_width_ratio_ * radius_eff;
-    const double overlap_y = hertz.overlap(load_y);
+    const double overlap_y = undented.overlap(load_y);
     Response response;
     if (state.overlap_max == 0 && overlap <= overlap_y) {
-      if (!(overlap > nothing)) return response;
-      const double load = hertz.load(overlap);
+      if (!(overlap > overlap_min)) return response;
+      const double load = undented.load(overlap);
       response.force = stiffness_ * load;
       response.contact_radius = 2 * std::sqrt(load * radius_eff);
-      response.elastic_energy = stiffness_ * hertz.work(load);
+      response.elastic_energy = stiffness_ * undented.work(load);
       return response;
     }
     if (overlap > state.overlap_max) state.overlap_max = overlap;
@@ -106,7 +125,7 @@ class LineContact {
     const double s = std::sqrt(area), log_s = 0.5 * std::log(area);
     const double load_max = load_y * s * std::min(1 + hardening * log_s, pressure_cap);
     const double flattening = load_max / (load_y * area);
-    const double work = hertz.work(load_y) + 4 * load_y * load_y * plastic_share(s, log_s);
+    const double work = undented.work(load_y) + 4 * load_y * load_y * plastic_share(s, log_s);
     const LineCompliance crater(reach_ / radius_eff * flattening);
     const double crater_overlap = crater.overlap(load_max);
     const double fullness =
@@ -136,7 +155,7 @@ class LineContact {
   }
 
  private:
-  static constexpr double nothing = 1e-200;                   // [m] no ratio overflows above it
+  static constexpr double overlap_min = 1e-200;               // [m] no ratio overflows above it
   static constexpr double hardening = 0.38490017945975051;    // (1/sqrt(3))/1.5
   static constexpr double pressure_cap = 1.6;                 // 2.4/1.5
   static constexpr double plastic_from = 4.7533314343482855;  // s there, exp(0.9 sqrt(3))
@@ -163,18 +182,5 @@ class LineContact {
   double half_width_ratio_;  // a_Y/R
   bool energy_guard_;
 };
-
-// The constants of both laws.
-struct LineParameters {
-  double cylinder_length = required;  // L [m]
-  double body_thickness = required;   // D [m]
-  int energy_guard = 1;
-};
-constexpr std::array<Parameter<LineParameters>, 2> line_parameters{{
-    {"cylinder_length", "cylinderLength", "m", &LineParameters::cylinder_length, 1e-12, 1e6,
-     "length of the cylinder", true},
-    {"body_thickness", "bodyThickness", "m", &LineParameters::body_thickness, 1e-12, 1e6,
-     "thickness of the body that yields, to where the overlap is measured from", true},
-}};
 
 }  // namespace plastigran

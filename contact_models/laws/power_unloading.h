@@ -124,7 +124,8 @@ class PowerUnloading {
 
   // Follow the published loss upwards from yield and note where it lies below what it has been:
   // from its last maximum, or from the break at which it jumps, to where it is made good. Between
-  // breaks the curves are smooth; steps of 2 % see every dip.
+  // breaks the curves are smooth; steps of 2 % see every dip. A break starts at most one stretch,
+  // the smooth curve from yield on and beyond the last break one more each.
   void find_guarded() {
     const double reach = 1e3 * curve_.breaks[curve_.breaks.size() - 1];
     std::size_t found = 0;

@@ -71,7 +71,7 @@ class YeKomvopoulos : public PowerUnloading<YeKomvopoulosCurve> {
  public:
   static constexpr const char* name = "ye_komvopoulos";
   static constexpr const char* source = "Ye & Komvopoulos 2003, J. Tribol. 125:685";
-  static constexpr const char* range = "indentation; overlap < R*";
+  static constexpr const char* range = "indentation; overlap <= 0.1 R*";
   struct Parameters {
     int energy_guard = 1;
   };

@@ -26,6 +26,7 @@
 #include "fix_mesh_surface.h"
 #include "fix_property_global.h"
 #include "fix_wall_gran.h"
+#include "force.h"
 #include "global_properties.h"
 #include "impact.h"
 #include "modify.h"
@@ -95,7 +96,8 @@ class ElastoplasticNormalModel : public NormalModelBase {
     check_impacts();
   }
 
-  double stressStrainExponent() override { return 1.5; }
+  // Force as a power of overlap while elastic: Hertz, or the nearly straight line contact.
+  double stressStrainExponent() override { return is_cylinder ? 1 : 1.5; }
 
   // Flattened: only with the law inlined can the compiler drop the energies nobody reads here,
   // among them Vu-Quoc-Zhang's quadrature; without it that law costs half as much again.
@@ -124,7 +126,7 @@ class ElastoplasticNormalModel : public NormalModelBase {
     const double contact_radius =
         response.force > 0 ? response.contact_radius : std::sqrt(radius_eff * contact.deltan);
     const plastigran::Stiffness elastic = plastigran::elastic_stiffness(
-        laws_[pair], moduli_[pair], shear_moduli_[pair], contact_radius, 0);
+        laws_[pair], moduli_[pair], shear_moduli_[pair], contact_radius);
     contact.kt = elastic.tangential;
     contact.kn = contact.deltan > 0 ? response.force / contact.deltan : 0;  // secant
     contact.gamman = 0;
@@ -161,7 +163,7 @@ class ElastoplasticNormalModel : public NormalModelBase {
 
  private:
   static constexpr bool is_cylinder =
-      std::string_view(plastigran::geometry<Law>) == std::string_view("cylinder");
+      std::string_view(plastigran::shape<Law>) == std::string_view("cylinder");
   static constexpr bool takes_bodies = [] {
     for (const auto& parameter : Law::parameters)
       if (parameter.per_body) return true;
@@ -179,7 +181,7 @@ class ElastoplasticNormalModel : public NormalModelBase {
     reached = before;
     laws_[pair].respond(radius_eff, limit, reached);
     if (std::memcmp(&before, &reached, state_size) == 0) return;
-    const bool shared = !contact.is_wall && contact.j >= atom->nlocal;
+    const bool shared = !contact.is_wall && !force->newton_pair && contact.j >= atom->nlocal;
     excess_->contacts += shared ? 0.5 : 1;
   }
 
@@ -249,6 +251,13 @@ class ElastoplasticNormalModel : public NormalModelBase {
     lacking_.clear();
     for (int i = 1; i <= type_count_; ++i)
       for (int j = 1; j <= type_count_; ++j) {
+        if (j < i) {  // as (j, i): the engine takes symmetric properties only
+          const int same = index(j, i);
+          lacking_.push_back(lacking_[same]), constants_.push_back(constants_[same]);
+          laws_.push_back(laws_[same]), ranges_.push_back(ranges_[same]);
+          moduli_.push_back(moduli_[same]), shear_moduli_.push_back(shear_moduli_[same]);
+          continue;
+        }
         typename Law::Parameters constants = choices_;
         std::string lacking;
         for (const auto& parameter : Law::parameters) {
@@ -267,7 +276,7 @@ class ElastoplasticNormalModel : public NormalModelBase {
         lacking_.push_back(lacking);
         laws_.emplace_back(pair, constants);
         constants_.push_back(constants);
-        ranges_.push_back(plastigran::overlap_range(laws_.back(), 0));
+        ranges_.push_back(plastigran::overlap_range(laws_.back()));
         moduli_.push_back(pair.youngs_modulus_eff);
         shear_moduli_.push_back(pair.shear_modulus_eff);
       }
@@ -326,7 +335,8 @@ class ElastoplasticNormalModel : public NormalModelBase {
         text << caller() << (is_wall_ ? ", wall" : "") << ", atom types " << i << " and " << j
              << ": effective modulus " << pair.youngs_modulus_eff << " Pa";
         if (plastigran::Yields<Law>::value)
-          text << ", yield pressure " << pair.yield_pressure << " Pa";
+          text << ", yield strength " << pair.yield_strength << " Pa, yield pressure "
+               << pair.yield_pressure << " Pa";
         for (const auto& parameter : Law::parameters)
           text << ", " << parameter.property << ' ' << constants_[index(i, j)].*parameter.value
                << (given(parameter.property) ? "" : " (default)");

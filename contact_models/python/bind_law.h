@@ -218,7 +218,7 @@ void bind_law(nb::module_& module, const char* class_name) {
   law.attr("range") = Law::range;
   law.attr("rate_dependent") = IsRateDependent<Law>::value;
   law.attr("yields") = Yields<Law>::value;
-  law.attr("geometry") = geometry<Law>;
+  law.attr("shape") = shape<Law>;
   nb::list names;
   for (const char* name : Law::state_names) names.append(name);
   law.attr("state_names") = nb::tuple(names);

@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
+#include <utility>
 
 #include "contact.h"
 
@@ -25,13 +27,18 @@ struct Impact {
 // the radius; a law may narrow that: double overlap_range() const.
 constexpr double overlap_limit = 0.1;
 
+template <class Law, class = void>
+struct SaysRange : std::false_type {};
 template <class Law>
-auto overlap_range(const Law& law, int) -> decltype(law.overlap_range()) {
-  return std::min(law.overlap_range(), overlap_limit);
-}
+struct SaysRange<Law, std::void_t<decltype(std::declval<const Law&>().overlap_range())>>
+    : std::true_type {};
+
 template <class Law>
-double overlap_range(const Law&, long) {
-  return overlap_limit;
+double overlap_range(const Law& law) {
+  if constexpr (SaysRange<Law>::value)
+    return std::min(law.overlap_range(), overlap_limit);
+  else
+    return overlap_limit;
 }
 
 // The central impact of a law that depends on the rate of overlap: m* d^2 overlap/dt^2 = -F, from
@@ -119,7 +126,7 @@ Impact rate_dependent_impact(const Law& law, double radius_eff, double mass_eff,
   impact.coefficient_of_restitution = -now.rate / speed;
   const double overlap_res = now.root > 0 ? now.root * now.root : 0;
   impact.overlap_res = overlap_res < 1e-9 * impact.overlap_max ? 0 : overlap_res;
-  impact.in_range = impact.overlap_max <= overlap_range(law, 0) * radius_eff;
+  impact.in_range = impact.overlap_max <= overlap_range(law) * radius_eff;
 
   const auto at = [&](double overlap, double rate) { return force({std::sqrt(overlap), rate}); };
   const double still = at(impact.overlap_max, 0), less = 1e-4 * impact.overlap_max;
@@ -156,7 +163,7 @@ Impact central_impact(const Law& law, double radius_eff, double mass_eff, double
   typename Law::State state;
   const Response peak = law.respond(radius_eff, impact.overlap_max, state);
   impact.force_max = peak.force;
-  impact.in_range = impact.overlap_max <= overlap_range(law, 0) * radius_eff;
+  impact.in_range = impact.overlap_max <= overlap_range(law) * radius_eff;
   impact.coefficient_of_restitution = std::sqrt(peak.elastic_energy / energy);
 
   const auto force = [&](double overlap) {

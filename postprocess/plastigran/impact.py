@@ -33,7 +33,7 @@ OVERLAP_LIMIT = 0.3
 
 def laws_for(shape: str) -> list[str]:
     """Names of the laws for bodies of a shape, "sphere" or "cylinder"."""
-    return sorted(name for name, law in laws.LAWS.items() if law.geometry == shape)
+    return sorted(name for name, law in laws.LAWS.items() if law.shape == shape)
 
 
 @dataclass(frozen=True)
@@ -62,7 +62,7 @@ class Impact:
     def __post_init__(self) -> None:
         if self.law not in laws.LAWS:
             raise ValueError(f"no law {self.law!r}; there are {', '.join(sorted(laws.LAWS))}")
-        if (meant := laws.LAWS[self.law].geometry) != self.shape:
+        if (meant := laws.LAWS[self.law].shape) != self.shape:
             raise ValueError(
                 f"{self.law} is a law for {meant}s, this is an impact of {self.shape}s; "
                 f"laws for them are {', '.join(laws_for(self.shape))}"

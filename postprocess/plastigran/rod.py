@@ -123,8 +123,8 @@ class Rod:
         if name not in laws.LAWS:
             raise ValueError(f"no law {name!r}; there are {', '.join(sorted(laws.LAWS))}")
         law = laws.LAWS[name]
-        if law.geometry != "sphere":
-            raise ValueError(f"{name} is a law for {law.geometry}s; the rod's tip is a sphere")
+        if law.shape != "sphere":
+            raise ValueError(f"{name} is a law for {law.shape}s; the rod's tip is a sphere")
         if any(constant["name"] == "indentation_pressure" for constant in law.parameters()):
             options = {"indentation_pressure": self.indentation_pressure, **options}
         return law(self.pair, **options)
@@ -154,8 +154,14 @@ class MeasuredRun:
         return self.impulse(rod) / (rod.mass_eff * -self.velocity_before) - 1
 
 
-#: The paper's two set-ups.
-PAPER_RODS = (Rod(angle=45.0, friction=0.13), Rod(angle=17.2, friction=0.20))
+#: Coefficient of friction [-] at the paper's angles [degrees].
+PAPER_FRICTION = {45.0: 0.13, 17.2: 0.20}
+
+
+def paper_rods() -> tuple[Rod, ...]:
+    """The paper's two set-ups."""
+    return tuple(Rod(angle=angle, friction=friction) for angle, friction in PAPER_FRICTION.items())
+
 
 #: About what the paper's experiments show at those angles, at any speed: coefficient of restitution
 #: of the tip's normal velocity [-].

@@ -9,7 +9,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from plastigran.figures import COLOURS, MARKERS, STYLE, plt, title
-from plastigran.rod import PAPER_RESTITUTION, PAPER_RODS, MeasuredRun, RodImpact
+from plastigran.rod import PAPER_RESTITUTION, MeasuredRun, RodImpact, paper_rods
 from plastigran.rod_runs import RodRun
 
 MEASURED = MeasuredRun()
@@ -107,7 +107,7 @@ def outcome_figure(table: pd.DataFrame) -> Figure:
                 column[0].axhline(PAPER_RESTITUTION[angle], color="black", ls=":")
             if angle == MEASURED.angle:
                 outcomes = (
-                    MEASURED.coefficient_of_restitution(PAPER_RODS[0]),
+                    MEASURED.coefficient_of_restitution(paper_rods()[0]),
                     MEASURED.angular_velocity,
                 )
                 for axes, outcome in zip(column, outcomes, strict=True):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The equations of motion of a rod's impact, over any sphere law of `plastigran.laws`."""
+"""The equations of motion of a rod's impact, over laws for spheres that depend on overlap alone."""
 
 from __future__ import annotations
 
@@ -138,8 +138,13 @@ def simulate(rod: Rod, law, speed: float, spring: bool = False) -> RodImpact:
         spring: Let the contact give way along the flat before it slides.
 
     Raises:
-        ValueError: The speed is not positive and finite, or the rod's weight keeps the tip down.
+        ValueError: The law depends on the rate of overlap, which these equations do not follow, the
+            speed is not positive and finite, or the rod's weight keeps the tip down.
     """
+    if law.rate_dependent:
+        raise ValueError(
+            f"{law.name} depends on the rate of overlap; the rod's equations of motion do not"
+        )
     if not 0 < speed < inf:
         raise ValueError(f"speed is {speed}; it must be positive and finite")
     body = _Motion(rod, law, speed, spring)

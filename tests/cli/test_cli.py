@@ -146,7 +146,7 @@ def test_interrupt_stops_and_keeps_what_is_finished(tmp_path):
     os.killpg(run.pid, signal.SIGINT)
     _, said = run.communicate(timeout=30)
     assert run.returncode == 130
-    assert "stopped; what is finished is in" in said
+    assert "stopped; the runs that finished are in" in said
     assert 1 <= len(pd.read_csv(table)) < 250
     assert len(list((tmp_path / "runs").iterdir())) < 250
 
@@ -191,3 +191,12 @@ def test_console_script():
     listed = ("impact", "rod", "laws", "timestep", "modes", "chung-ooi", "cylinder", "demo")
     for command in listed:
         assert command in done.stdout
+
+
+def test_all_is_every_law_or_every_one_beside_the_named(capsys):
+    """`laws all` knows cylinders too; a wrong name beside `all` is still one."""
+    assert main(["laws", "all"]) == 0
+    listed = capsys.readouterr().out
+    assert all(f"\n{name}" in listed for name in laws.LAWS)
+    assert main(["timestep", "--law", "all", "hook", "--speed", "1"]) == 1
+    assert "no law 'hook'" in capsys.readouterr().err

@@ -39,7 +39,7 @@ class Spheres:
 
     @property
     def is_sphere(self) -> bool:
-        return laws.LAWS[self.law_name].geometry == "sphere"
+        return laws.LAWS[self.law_name].shape == "sphere"
 
     def variables(self) -> dict[str, object]:
         return {"dissipative_constant": self.material.dissipative_constant}
@@ -105,5 +105,5 @@ class Cylinders(Spheres):
 def scene(law_name: str, dissipative_constant: float = 3e-5) -> Spheres:
     """The bodies a law is for; by default, viscous ones have the paper's sphere leave with 0.8 of
     its speed."""
-    shape = laws.LAWS[law_name].geometry
+    shape = laws.LAWS[law_name].shape
     return {"sphere": Spheres, "cylinder": Cylinders}[shape](law_name, dissipative_constant)

@@ -41,7 +41,7 @@ def pair(request) -> laws.MaterialPair:
 
 def scales(law_name: str, pair: laws.MaterialPair) -> tuple[float, float]:
     """Overlap and force at the yield of an elastic contact, of spheres or of cylinders."""
-    if laws.LAWS[law_name].geometry == "cylinder":
+    if laws.LAWS[law_name].shape == "cylinder":
         force, overlap, _ = theory.line_yield(pair, RADIUS, LENGTH, LENGTH)
         return overlap, force
     overlap = RADIUS * laws.yield_radius_ratio(pair) ** 2
@@ -51,7 +51,7 @@ def scales(law_name: str, pair: laws.MaterialPair) -> tuple[float, float]:
 
 def elastic(law_name: str, pair: laws.MaterialPair, overlap: np.ndarray) -> dict[str, np.ndarray]:
     """The elastic contact's answer: Hertz's spheres, or a line contact by scipy's Lambert W."""
-    if laws.LAWS[law_name].geometry == "sphere":
+    if laws.LAWS[law_name].shape == "sphere":
         return laws.Hertz(pair).follow(RADIUS, overlap, laws.Hertz.State())
     reach = LENGTH**2 * np.exp(-pair.poissons_ratio / (1 - pair.poissons_ratio)) / RADIUS
     load = overlap / -lambertw(-overlap / reach, -1).real  # F/(pi E* L)
@@ -174,7 +174,7 @@ def test_force_is_continuous_along_the_virgin_curve(law_name, law_between, decla
     Steps of 5e-5: a smooth force moves by twice that or less; a cylinder's, whose slope jumps up by
     5 at yield for this thickness, by six times.
     """
-    largest = 2e-4 if laws.LAWS[law_name].geometry == "sphere" else 3e-4
+    largest = 2e-4 if laws.LAWS[law_name].shape == "sphere" else 3e-4
     pair = PAIRS["aluminium on rigid"]
     overlap_y, _ = scales(law_name, pair)
     law = law_between(law_name, pair)

@@ -56,7 +56,7 @@ fix bt all property/global bodyThickness peratomtype 1.0
 
 def run(folder: Path, **changes: str) -> str:
     values = GOOD | changes
-    if values["law"] in laws.LAWS and laws.LAWS[values["law"]].geometry == "cylinder":
+    if values["law"] in laws.LAWS and laws.LAWS[values["law"]].shape == "cylinder":
         values = {"space": "dimension 2\nboundary f f p", "more": LENGTHS} | changes
         values = GOOD | values
     deck = folder / "deck.in"
@@ -135,7 +135,7 @@ def test_vu_quoc_zhang_refuses(more, said, tmp_path):
         ("brake_2012", constant("indentationPressure", "105"), BRINELL),
         ("brake_2015", constant("indentationPressure", "327"), BRINELL),
         ("brake_2015", constant("meyerIndex", "1.9"), "meyerIndex is 1.9; it must be between 2"),
-        ("brake_2015", constant("meyerIndex", "3.1"), "meyerIndex is 3.1; it must be between 2"),
+        ("brake_2015", constant("meyerIndex", "2.8"), "meyerIndex is 2.8; it must be between 2"),
         (
             "brake_2015",
             constant("indentationPressure", "3e7"),

@@ -20,7 +20,7 @@ VISCOSITY = {"dissipative_constant": 3e-5}  # for the laws that must have it; ot
 
 def wall_deck(law: str) -> str:
     """The deck of a body on a wall for a law, or for one of the engine's own."""
-    shape = laws.LAWS[law].geometry if law in laws.LAWS else "sphere"
+    shape = laws.LAWS[law].shape if law in laws.LAWS else "sphere"
     return f"collision/{shape}_wall.in"
 
 

@@ -54,7 +54,7 @@ def collide(program, deck: str, law: str, output: Path):
 
 @pytest.mark.parametrize(
     ("law", "deck"),
-    [(law, f"{deck}.in") for law in MODELS for deck in IMPACTS[laws.LAWS[law].geometry].geometries],
+    [(law, f"{deck}.in") for law in MODELS for deck in IMPACTS[laws.LAWS[law].shape].geometries],
 )
 def test_restitution_is_the_plugins(in_tree, law, deck, tmp_path):
     ours, log = collide(in_tree, deck, law, tmp_path / "in_tree")

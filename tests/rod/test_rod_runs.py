@@ -11,14 +11,14 @@ from plastigran.cli import main
 from plastigran.collision import CollisionError
 from plastigran.dumps import read_dump
 from plastigran.engine import run_deck
-from plastigran.rod import PAPER_RODS, Rod
+from plastigran.rod import Rod, paper_rods
 from plastigran.rod_motion import simulate
 from plastigran.rod_runs import CENTRE, FAR_END, TIP, RodRun, measure_rod
 
-STEEP, FLAT = PAPER_RODS
+STEEP, FLAT = paper_rods()
 
 
-@pytest.mark.parametrize("rod", PAPER_RODS, ids=lambda rod: f"{rod.angle:g}")
+@pytest.mark.parametrize("rod", paper_rods(), ids=lambda rod: f"{rod.angle:g}")
 def test_engine_meets_the_equations_of_motion(rod, rod_law, tmp_path):
     """1e-3, what the time step promises; the residual overlap and the end of contact are
     extrapolated from the last loaded frames: 5e-3. The peak force is not asked: it may lie on
@@ -35,7 +35,7 @@ def test_engine_meets_the_equations_of_motion(rod, rod_law, tmp_path):
 
 
 @pytest.mark.parametrize("speed", [0.5, 4.0])
-@pytest.mark.parametrize("rod", PAPER_RODS, ids=lambda rod: f"{rod.angle:g}")
+@pytest.mark.parametrize("rod", paper_rods(), ids=lambda rod: f"{rod.angle:g}")
 def test_engine_without_spring_is_the_papers_friction(rod, speed, tmp_path):
     """`no_history` is mu F once the tip slides at all: pure slip to 2e-3; the springs of `history`
     keep the tip at first, 1.5 % of restitution for this law, 0.3 % of angular velocity."""

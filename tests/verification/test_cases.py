@@ -27,13 +27,13 @@ OUTCOMES = ("coefficient_of_restitution", "force_max", "overlap_max", "overlap_r
 RUNS = [
     pytest.param(case, geometry, id=f"{case}-{geometry}")
     for case, (law, _) in CASES.items()
-    for geometry in IMPACTS[laws.LAWS[law].geometry].geometries
+    for geometry in IMPACTS[laws.LAWS[law].shape].geometries
 ]
 
 
 def impact(law: str, row, **geometry: str) -> Impact:
     """The impact of a row; columns beside material, radius and speed are a cylinder's."""
-    kind = IMPACTS[laws.LAWS[law].geometry]
+    kind = IMPACTS[laws.LAWS[law].shape]
     brought = {name: getattr(row, name) for name in kind.positive if hasattr(row, name)}
     return kind(law, material=read_material(row.material), **brought, **geometry)
 

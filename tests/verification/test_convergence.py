@@ -20,7 +20,7 @@ def test_order_in_the_time_step(engine_law, aluminium, declared_jumps, tmp_path)
     on the rate, which the engine knows of half a step ago, is integrated to first order.
     """
     # Well beyond yield: elastic impacts are integrated better than to second order.
-    if laws.LAWS[engine_law].geometry == "sphere":
+    if laws.LAWS[engine_law].shape == "sphere":
         models = (Impact(engine_law, speed, aluminium, 0.1) for speed in (0.2, 0.5, 1.0))
     else:
         models = [CylinderImpact(engine_law, 2.0, read_material("glass_kp10"), 1e-5)]

@@ -32,7 +32,10 @@ def main(argv: list[str] | None = None) -> int:
     """Entry point; 0 when all went well, 1 after an error, whose one line goes to stderr."""
     try:
         arguments = parser().parse_args(argv)
-    except EngineError as error:  # the materials it lists are not where they should be
+    except (
+        EngineError,
+        ValueError,
+    ) as error:  # the materials it lists
         print(f"plastigran: {error}", file=sys.stderr)
         return 1
     try:
@@ -44,7 +47,7 @@ def main(argv: list[str] | None = None) -> int:
         return 1
     except KeyboardInterrupt:
         output = getattr(arguments, "output", None)
-        kept = f"; what is finished is in {output}" if output else ""
+        kept = f"; the runs that finished are in {output}" if output else ""
         print(f"plastigran: stopped{kept}", file=sys.stderr)
         return 130
     return 0

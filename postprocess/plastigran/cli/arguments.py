@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import argparse
 import sys
+from itertools import chain
 from math import inf
 from pathlib import Path
 
@@ -65,20 +66,19 @@ def add_output(command: argparse.ArgumentParser, default: str) -> None:
 def law_names(given: list[str], material_names: list[str]) -> list[str]:
     """Names from the command line; "all" stands for every law for spheres the materials have
     constants for."""
-    bodies = [materials.read_material(material) for material in material_names]
-    names = list(dict.fromkeys(given))
-    if "all" in given:
-        spheres = laws_for("sphere")
-        names = [n for n in spheres if all(not body.missing(n) for body in bodies)]
-        if left := sorted(set(spheres) - set(names)):
-            print(
-                f"left out, for the material lacks their constants: {', '.join(left)}",
-                file=sys.stderr,
-            )
-    for name in names:
-        if name not in laws.LAWS:
+    for name in given:
+        if name not in laws.LAWS and name != "all":
             raise UsageError(f"no law {name!r}; there are {', '.join(sorted(laws.LAWS))}")
-    return names
+    bodies = [materials.read_material(material) for material in material_names]
+    spheres = laws_for("sphere")
+    usable = [name for name in spheres if all(not body.missing(name) for body in bodies)]
+    left = sorted(set(spheres) - set(usable) - set(given))
+    if "all" in given and left:
+        print(
+            f"left out, for the material lacks their constants: {', '.join(left)}", file=sys.stderr
+        )
+    expanded = [usable if name == "all" else [name] for name in given]
+    return list(dict.fromkeys(chain.from_iterable(expanded)))
 
 
 def fresh_folder(folder: Path, force: bool, table: str = "impacts.csv") -> Path:

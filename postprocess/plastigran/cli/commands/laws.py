@@ -14,9 +14,7 @@ HELP = "list the laws: bodies, range, source, constants, options"
 
 
 def add_arguments(command: argparse.ArgumentParser) -> None:
-    command.add_argument(
-        "law", nargs="*", default=sorted(laws.LAWS), metavar="LAW", help="default all"
-    )
+    command.add_argument("law", nargs="*", default=["all"], metavar="LAW", help="default all")
 
 
 def flags(name: str) -> str:
@@ -25,7 +23,7 @@ def flags(name: str) -> str:
     options = {option["name"] for option in law.options()}
     said = {
         "the engine's own": name == "hertz",
-        "elastic": not law.yields,
+        "no yield": not law.yields,
         "rate dependent": law.rate_dependent,
         "energy guard": "energy_guard" in options,
     }
@@ -33,11 +31,11 @@ def flags(name: str) -> str:
 
 
 def run(arguments: argparse.Namespace) -> None:
-    names = law_names(arguments.law, [])
+    names = sorted(laws.LAWS) if "all" in arguments.law else law_names(arguments.law, [])
     table = pd.DataFrame(
         {
             "law": name,
-            "bodies": f"{laws.LAWS[name].geometry}s",
+            "bodies": f"{laws.LAWS[name].shape}s",
             "flags": flags(name),
             "range": laws.LAWS[name].range,
         }
@@ -48,8 +46,8 @@ def run(arguments: argparse.Namespace) -> None:
         table[column] = table[column].str.ljust(width)
     print(table.to_string(index=False, justify="left"))
     print(
-        "\nAll take youngsModulus [Pa], poissonsRatio [-] and, unless elastic, yieldStrength [Pa] "
-        "and\nyieldPressureFactor [-] (0: Hertz-von Mises) of each body; further:"
+        "\nAll take youngsModulus [Pa], poissonsRatio [-] and, where there is yield, yieldStrength "
+        "[Pa] and\nyieldPressureFactor [-] (0: Hertz-von Mises) of each body; further:"
     )
     for name in names:
         law = laws.LAWS[name]

@@ -16,7 +16,7 @@ from plastigran.cli.arguments import (
 )
 from plastigran.cli.tables import format_table, print_range
 from plastigran.impact import sweep
-from plastigran.rod import PAPER_RODS, Rod
+from plastigran.rod import PAPER_FRICTION, Rod
 
 HELP = "drop the paper's oblique rod, table and figures"
 
@@ -30,7 +30,7 @@ def add_arguments(command: argparse.ArgumentParser) -> None:
         "--angle",
         nargs="+",
         type=positive,
-        default=[paper.angle for paper in PAPER_RODS],
+        default=list(PAPER_FRICTION),
         help="between rod and flat, degrees, default the paper's",
     )
     command.add_argument("--friction", type=positive, help="default the paper's at each angle")
@@ -49,10 +49,9 @@ def paper_rod(angle: float, friction: float | None) -> Rod:
     """
     if friction is not None:
         return Rod(angle=angle, friction=friction)
-    for rod in PAPER_RODS:
-        if rod.angle == angle:
-            return rod
-    known = " and ".join(f"{rod.angle:g}" for rod in PAPER_RODS)
+    if angle in PAPER_FRICTION:
+        return Rod(angle=angle, friction=PAPER_FRICTION[angle])
+    known = " and ".join(f"{paper:g}" for paper in PAPER_FRICTION)
     raise UsageError(f"the paper gives friction at {known} degrees only; add --friction")
 
 
@@ -66,12 +65,12 @@ def run(arguments: argparse.Namespace) -> None:
     table, impacts = sweep(runs, folder, arguments.jobs)
     print(format_table(table))
     print_range(table)
-    run = rod_figures.closest_to_measured(impacts)
+    closest = rod_figures.closest_to_measured(impacts)
     written = [folder / "impacts.csv"]
     for name, figure in (
         ("outcome", rod_figures.outcome_figure(table)),
         ("deformation", rod_figures.deformation_figure(table)),
-        ("motion", rod_figures.motion_figure(run, impacts[run])),
+        ("motion", rod_figures.motion_figure(closest, impacts[closest])),
     ):
         written += figures.save(figure, folder / name)
     print("\nwritten: " + "  ".join(str(path) for path in written))
