@@ -58,7 +58,7 @@ def cylinder_law(name: str):
 def law_figure(name: str) -> plt.Figure:
     """A load, partial unload, reload, unload path, and restitution over impact speed."""
     setting = {"sphere": sphere_law, "cylinder": cylinder_law}[laws.LAWS[name].shape]
-    law, hertz, force_y, overlap_y, yield_speed = setting(name)
+    law, unyielding, force_y, overlap_y, yield_speed = setting(name)
     with plt.rc_context(STYLE):
         figure, (left, right) = plt.subplots(1, 2, figsize=(8.2, 3.4), layout="constrained")
         turns = [0, 12, 9, 20, 0]
@@ -66,8 +66,8 @@ def law_figure(name: str) -> plt.Figure:
         force = law.follow(RADIUS, path * overlap_y, law.State())["force"] / force_y
         if name != "hertz":
             x = np.linspace(0, 8, 100)
-            elastic = hertz.follow(RADIUS, x * overlap_y, hertz.State())["force"] / force_y
-            left.plot(x, elastic, ":", color="0.5", label="Hertz")
+            elastic = unyielding.follow(RADIUS, x * overlap_y, unyielding.State())["force"]
+            left.plot(x, elastic / force_y, ":", color="0.5", label="elastic")
         left.plot(path, force, color=figures.COLOURS[0], label=title(name))
         left.set_xlabel("overlap / overlap at yield")
         left.set_ylabel("force / force at yield")
