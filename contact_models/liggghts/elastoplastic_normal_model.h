@@ -21,6 +21,7 @@
 #include "comm.h"
 #include "contact.h"
 #include "domain.h"
+#include "energy_ledger.h"
 #include "engine_access.h"
 #include "error.h"
 #include "fix_mesh_surface.h"
@@ -53,6 +54,7 @@ class ElastoplasticNormalModel : public NormalModelBase {
                            ContactModelBase* contact_model)
       : NormalModelBase(lmp, owner, contact_model),
         owner_(owner),
+        contact_model_(contact_model),
         is_wall_(contact_model->is_wall()) {
     for (std::size_t k = 0; k < Law::state_names.size(); ++k) {
       const int offset = owner->add_history_value(Law::state_names[k], "0");
@@ -83,6 +85,8 @@ class ElastoplasticNormalModel : public NormalModelBase {
     type_count_ = registry.max_type();
     build_laws();
     excess_ = plastigran::RangeWatch::of(lmp, caller(), Law::range);
+    const auto user = dynamic_cast<plastigran::LedgerUser*>(contact_model_);
+    ledger_ = user ? user->ledger : nullptr;
     if (viscous_damping_) {
       registry.registerProperty("betaeff", &MODEL_PARAMS::createBetaEff);
       registry.connect("betaeff", damping_, caller().c_str());
@@ -116,6 +120,7 @@ class ElastoplasticNormalModel : public NormalModelBase {
     std::memcpy(&state, history, state_size);
     const plastigran::Response response =
         plastigran::respond(laws_[pair], radius_eff, contact.deltan, state, -contact.vn);
+    if (ledger_ && contact.computeflag) account(contact, pair, radius_eff);
     if (contact.computeflag && contact.shearupdate) {
       if (contact.deltan > ranges_[pair] * radius_eff) note_excess(contact, pair, radius_eff);
       std::memcpy(history, &state, state_size);
@@ -144,6 +149,8 @@ class ElastoplasticNormalModel : public NormalModelBase {
       force = std::max(0.0, force - contact.gamman * contact.vn);
     }
     contact.Fn = force;
+    if (ledger_ && contact.computeflag)
+      ledger_->add_dashpot(contact, force - response.force + response.viscous_force);
 
     const double applied = contact.is_wall ? force * contact.area_ratio : force;
     for (int axis = 0; axis < 3; ++axis) {
@@ -169,6 +176,17 @@ class ElastoplasticNormalModel : public NormalModelBase {
       if (parameter.per_body) return true;
     return false;
   }();
+
+  // Energies for the ledger, from the state before this step; apart, so that the force is computed
+  // without them. At no overlap a law answers with the plastic work of the state alone.
+  [[gnu::noinline]] void account(const SurfacesIntersectData& contact, int pair,
+                                 double radius_eff) {
+    State state;
+    std::memcpy(&state, contact.contact_history + history_offset_, state_size);
+    const double before = laws_[pair].respond(radius_eff, 0, state).plastic_work;
+    const plastigran::Response now = laws_[pair].respond(radius_eff, contact.deltan, state);
+    ledger_->add_law(contact, now.elastic_energy, now.plastic_work - before);
+  }
 
   // A contact is counted when it passes the end of its law's range for the first time: when what it
   // had reached before this step is less than loading to that end makes of it.
@@ -409,6 +427,7 @@ class ElastoplasticNormalModel : public NormalModelBase {
   }
 
   IContactHistorySetup* owner_;
+  ContactModelBase* contact_model_;
   bool is_wall_;
   int history_offset_ = 0;
   typename Law::Parameters choices_;  // the law's options as set; its constants at their defaults
@@ -420,6 +439,7 @@ class ElastoplasticNormalModel : public NormalModelBase {
   double** damping_ = nullptr;  // the engine's beta(coefficientRestitution) of each type pair
 
   plastigran::RangeWatch::Excess* excess_ = nullptr;
+  plastigran::EnergyLedger* ledger_ = nullptr;
   bool reported_ = false;
   int type_count_ = 0;
   std::vector<plastigran::Material> materials_;  // by type - 1

@@ -9,6 +9,7 @@
 
 #include <string>
 
+#include "accounted_contact.h"
 #include "fix_insert_stream.h"  // granular_styles.h uses it without including it
 #include "granular_styles.h"
 #include "universe.h"
@@ -89,7 +90,7 @@ class RegisterModel {
   template <int Tangential, int Rolling>
   static void with_rolling() {
     typedef GranStyle<Model, Tangential, COHESION_OFF, Rolling, SURFACE_DEFAULT> Style;
-    typedef ContactModel<Style> Contact;
+    typedef AccountedContact<Style> Contact;
     add(Style::HASHCODE,
         &create<PairStyles::Granular<Contact>, PairStyles::IGranularPairStyle, PairGran>,
         &create<Walls::Granular<Contact>, Walls::IGranularWall, FixWallGran>);
