@@ -58,8 +58,8 @@ class EnergyLedger : public LAMMPS_NS::Fix {
     FRICTION,            // taken by tangential and rolling models, springs and dashpots included
     VISCOUS,             // taken by the normal dashpot
     WALL_WORK,           // put in by moving walls
-    BROUGHT_IN,          // came with inserted particles, less what left with deleted ones
-    DRIFT,               // the first six - their sum at the start - wall work - brought in
+    INSERTED,          // came with inserted particles, less what left with deleted ones
+    DRIFT,               // the first six - their sum at the start - wall work - inserted
     TANGENTIAL_SPRINGS,  // the part of friction that tangential springs hold at present
     ENTRIES
   };
@@ -156,7 +156,7 @@ class EnergyLedger : public LAMMPS_NS::Fix {
   // Between two runs a deck may have added, deleted or set particles.
   void setup_pre_exchange() override {
     warn_of_strangers();
-    if (ran_) brought_in_ += mechanical_energy() - before_;
+    if (ran_) inserted_ += mechanical_energy() - before_;
   }
 
   void setup_pre_force(int) override { begin_pass(); }
@@ -170,7 +170,7 @@ class EnergyLedger : public LAMMPS_NS::Fix {
     before_ = mechanical_energy();
   }
 
-  void pre_neighbor() override { brought_in_ += mechanical_energy() - before_; }
+  void pre_neighbor() override { inserted_ += mechanical_energy() - before_; }
 
   // The new forces, and still the velocities at mid-step.
   void pre_final_integrate() override { add_work(); }
@@ -191,7 +191,7 @@ class EnergyLedger : public LAMMPS_NS::Fix {
   void write_restart(FILE* file) override {
     double local[4] = {plastic_work_, friction_, viscous_, wall_work_}, kept[6];
     MPI_Reduce(local, kept, 4, MPI_DOUBLE, MPI_SUM, 0, world);
-    MPI_Reduce(&brought_in_, &kept[4], 1, MPI_DOUBLE, MPI_SUM, 0, world);
+    MPI_Reduce(&inserted_, &kept[4], 1, MPI_DOUBLE, MPI_SUM, 0, world);
     kept[5] = initial_;
     if (comm->me != 0) return;
     const int size = sizeof kept;
@@ -206,7 +206,7 @@ class EnergyLedger : public LAMMPS_NS::Fix {
     started_ = true;
     if (comm->me != 0) return;  // a sum over ranks: the first one has it all
     plastic_work_ = kept[0], friction_ = kept[1], viscous_ = kept[2], wall_work_ = kept[3];
-    brought_in_ = kept[4];
+    inserted_ = kept[4];
   }
 
  private:
@@ -302,11 +302,11 @@ class EnergyLedger : public LAMMPS_NS::Fix {
                                    friction_,
                                    viscous_,
                                    wall_work_,
-                                   brought_in_,
+                                   inserted_,
                                    0,
                                    tangential_springs_};
     MPI_Allreduce(local, sums_, ENTRIES, MPI_DOUBLE, MPI_SUM, world);
-    double total = -sums_[WALL_WORK] - sums_[BROUGHT_IN];
+    double total = -sums_[WALL_WORK] - sums_[INSERTED];
     for (int entry = KINETIC; entry < WALL_WORK; ++entry) total += sums_[entry];
     if (!started_ && update->whichflag) started_ = true, initial_ = total;
     sums_[DRIFT] = started_ ? total - initial_ : 0;
@@ -348,7 +348,7 @@ class EnergyLedger : public LAMMPS_NS::Fix {
   std::vector<Vector> friction_force_, friction_torque_, damping_force_;  // by local particle
 
   // Since the ledger was opened, on this rank.
-  double plastic_work_ = 0, friction_ = 0, viscous_ = 0, wall_work_ = 0, brought_in_ = 0;
+  double plastic_work_ = 0, friction_ = 0, viscous_ = 0, wall_work_ = 0, inserted_ = 0;
   double before_ = 0;  // kinetic and gravitational energy when the particles were last known
   bool ran_ = false;
 
