@@ -267,12 +267,13 @@ class EnergyLedger : public LAMMPS_NS::Fix {
   }
 
   double kinetic_energy() const {
+    const double inertia = domain->dimension == 2 ? 0.5 : 0.4;  // over m R^2: as fix nve/sphere has it
     double energy = 0;
     for (int i = 0; i < atom->nlocal; ++i) {
       const double* const v = atom->v[i];
       const double* const omega = atom->omega[i];
       energy += 0.5 * atom->rmass[i] *
-                (dot(v, v) + 0.4 * atom->radius[i] * atom->radius[i] * dot(omega, omega));
+                (dot(v, v) + inertia * atom->radius[i] * atom->radius[i] * dot(omega, omega));
     }
     return energy;
   }
