@@ -18,7 +18,8 @@ class AccountedContact : public LIGGGHTS::ContactModels::ContactModel<Style>, pu
   typedef LIGGGHTS::ContactModels::SurfacesIntersectData Contact;
   typedef LIGGGHTS::ContactModels::ForceData Load;
 
-  static constexpr bool has_springs = Style::TANGENTIAL == LIGGGHTS::ContactModels::TANGENTIAL_HISTORY;
+  static constexpr bool has_springs =
+      Style::TANGENTIAL == LIGGGHTS::ContactModels::TANGENTIAL_HISTORY;
   static constexpr int rolling_values =
       Style::ROLLING == LIGGGHTS::ContactModels::ROLLING_EPSD2 ? 3 : 0;
 

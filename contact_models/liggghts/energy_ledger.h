@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// The energy ledger: where the energy of the particles is and where it went, as a fix with the fixed
-// ID `energy_ledger`. `energy_ledger on` in the pair_style line adds it, with a second fix that keeps
-// every particle's plastic work (ID `plastic_work`). docs/energy_ledger.md says what is counted.
+// The energy ledger: where the energy of the particles is and where it went, as a fix with the
+// fixed ID `energy_ledger`. `energy_ledger on` in the pair_style line adds it, with a second fix
+// that keeps every particle's plastic work (ID `plastic_work`). docs/energy_ledger.md says what is
+// counted.
 //
 // No entry is the remainder of others. Elastic energy and plastic work are state functions of each
-// contact, from its law. Friction and damping have no such function: their work is summed as velocity
-// Verlet does it, half a step of the old force and half a step of the new one along the displacement
-// between them. Work is linear in the forces, so the forces of each kind are summed by particle first
-// and nothing has to be kept by contact; a sum lives from one force computation to the next step's
-// displacement, and no particle changes its index in between.
+// contact, from its law. Friction and damping have no such function: their work is summed as
+// velocity Verlet does it, half a step of the old force and half a step of the new one along the
+// displacement between them. Work is linear in the forces, so the forces of each kind are summed by
+// particle first and nothing has to be kept by contact; a sum lives from one force computation to
+// the next step's displacement, and no particle changes its index in between.
 #ifndef PLASTIGRAN_ENERGY_LEDGER_H
 #define PLASTIGRAN_ENERGY_LEDGER_H
 
@@ -58,7 +59,7 @@ class EnergyLedger : public LAMMPS_NS::Fix {
     FRICTION,            // taken by tangential and rolling models, springs and dashpots included
     VISCOUS,             // taken by the normal dashpot
     WALL_WORK,           // put in by moving walls
-    INSERTED,          // came with inserted particles, less what left with deleted ones
+    INSERTED,            // came with inserted particles, less what left with deleted ones
     DRIFT,               // the first six - their sum at the start - wall work - inserted
     TANGENTIAL_SPRINGS,  // the part of friction that tangential springs hold at present
     ENTRIES
@@ -132,7 +133,8 @@ class EnergyLedger : public LAMMPS_NS::Fix {
       add(friction_torque_[contact.j], on_j.delta_torque, 1);
       add(damping_force_[contact.j], dashpot_, -1);
     }
-    if (contact.is_wall) walls_.push_back({WallPoint(contact, atom->x[contact.i]), {}, friction, dashpot_});
+    if (contact.is_wall)
+      walls_.push_back({WallPoint(contact, atom->x[contact.i]), {}, friction, dashpot_});
     if (contact.is_wall) add(walls_.back().force, on_i.delta_F, 1);
     tangential_springs_ += local_share(contact) * spring_energy;
     dashpot_ = {0, 0, 0};
@@ -184,7 +186,7 @@ class EnergyLedger : public LAMMPS_NS::Fix {
 
   // All ranks together.
   double compute_vector(int entry) override {
-    if (update->ntimestep != summed_step_) sum();
+    if (!summed_) sum();
     return sums_[entry];
   }
 
@@ -242,6 +244,7 @@ class EnergyLedger : public LAMMPS_NS::Fix {
 
   void begin_pass() {
     elastic_ = unwritten_plastic_work_ = tangential_springs_ = 0;
+    summed_ = false;
     walls_.clear();
     for (std::vector<Vector>* sum : {&friction_force_, &friction_torque_, &damping_force_})
       sum->assign(atom->nlocal, Vector{0, 0, 0});
@@ -260,6 +263,7 @@ class EnergyLedger : public LAMMPS_NS::Fix {
       friction -= dot(friction_force_[i], atom->v[i]) + dot(friction_torque_[i], atom->omega[i]);
       viscous -= dot(damping_force_[i], atom->v[i]);
     }
+    summed_ = false;
     const double half_step = 0.5 * update->dt;
     friction_ += half_step * friction;
     viscous_ += half_step * viscous;
@@ -267,7 +271,8 @@ class EnergyLedger : public LAMMPS_NS::Fix {
   }
 
   double kinetic_energy() const {
-    const double inertia = domain->dimension == 2 ? 0.5 : 0.4;  // over m R^2: as fix nve/sphere has it
+    const double inertia =
+        domain->dimension == 2 ? 0.5 : 0.4;  // over m R^2: as fix nve/sphere has it
     double energy = 0;
     for (int i = 0; i < atom->nlocal; ++i) {
       const double* const v = atom->v[i];
@@ -311,7 +316,7 @@ class EnergyLedger : public LAMMPS_NS::Fix {
     for (int entry = KINETIC; entry < WALL_WORK; ++entry) total += sums_[entry];
     if (!started_ && update->whichflag) started_ = true, initial_ = total;
     sums_[DRIFT] = started_ ? total - initial_ : 0;
-    summed_step_ = update->ntimestep;
+    summed_ = true;
   }
 
   // The sum at the start is taken when all forces of the first set-up are there, walls' too.
@@ -356,7 +361,7 @@ class EnergyLedger : public LAMMPS_NS::Fix {
   double initial_ = 0;  // over all ranks
   bool started_ = false;
   double sums_[ENTRIES] = {};
-  LAMMPS_NS::bigint summed_step_ = -1;
+  bool summed_ = false;  // sums_ are those of the present forces and velocities
 };
 
 // A contact model that may report to the ledger: the way from it to its normal model.

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// The point of a wall that a particle touches, and how fast the wall moves there. A mesh moves by its
-// velocity times the time step, before forces are computed: asked after the move, the velocity is the
-// one of the step under way.
+// The point of a wall that a particle touches, and how fast the wall moves there. A mesh moves by
+// its velocity times the time step, before forces are computed: asked after the move, the velocity
+// is the one of the step under way.
 #ifndef PLASTIGRAN_WALL_POINT_H
 #define PLASTIGRAN_WALL_POINT_H
 
@@ -23,8 +23,8 @@ class WallPoint {
     double delta[3];
     int where;
     if (mesh_)
-      mesh_->resolveTriSphereContactBary(contact.i, triangle_, contact.radi, centre, delta, weights_,
-                                         where);
+      mesh_->resolveTriSphereContactBary(contact.i, triangle_, contact.radi, centre, delta,
+                                         weights_, where);
   }
 
   std::array<double, 3> velocity() const {
