@@ -14,7 +14,8 @@
 //                the contact has reached, symmetric in the two bodies
 //   respond(radius_eff, overlap, state)
 //                the Response on the total law; moves `state` when a new extreme is reached, so
-//                that a second call at the same overlap changes nothing
+//                that a second call at the same overlap changes nothing; at no overlap, the
+//                plastic work of the state alone
 //
 // and may say more of itself:
 //

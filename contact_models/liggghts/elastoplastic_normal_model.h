@@ -181,11 +181,14 @@ class ElastoplasticNormalModel : public NormalModelBase {
   // without them. At no overlap a law answers with the plastic work of the state alone.
   [[gnu::noinline]] void account(const SurfacesIntersectData& contact, int pair,
                                  double radius_eff) {
-    State state;
-    std::memcpy(&state, contact.contact_history + history_offset_, state_size);
-    const double before = laws_[pair].respond(radius_eff, 0, state).plastic_work;
-    const plastigran::Response now = laws_[pair].respond(radius_eff, contact.deltan, state);
-    ledger_->add_law(contact, now.elastic_energy, now.plastic_work - before);
+    State before, reached;
+    std::memcpy(&before, contact.contact_history + history_offset_, state_size);
+    reached = before;
+    const plastigran::Response now = laws_[pair].respond(radius_eff, contact.deltan, reached);
+    double plastic_work = 0;
+    if (std::memcmp(&before, &reached, state_size) != 0)
+      plastic_work = now.plastic_work - laws_[pair].respond(radius_eff, 0, before).plastic_work;
+    ledger_->add_law(contact, now.elastic_energy, plastic_work);
   }
 
   // A contact is counted when it passes the end of its law's range for the first time: when what it

@@ -133,9 +133,10 @@ class EnergyLedger : public LAMMPS_NS::Fix {
       add(friction_torque_[contact.j], on_j.delta_torque, 1);
       add(damping_force_[contact.j], dashpot_, -1);
     }
-    if (contact.is_wall)
-      walls_.push_back({WallPoint(contact, atom->x[contact.i]), {}, friction, dashpot_});
-    if (contact.is_wall) add(walls_.back().force, on_i.delta_F, 1);
+    if (contact.is_wall) {
+      const Vector force{on_i.delta_F[0], on_i.delta_F[1], on_i.delta_F[2]};
+      walls_.push_back({WallPoint(contact, atom->x[contact.i]), force, friction, dashpot_});
+    }
     tangential_springs_ += local_share(contact) * spring_energy;
     dashpot_ = {0, 0, 0};
   }
