@@ -45,7 +45,7 @@ def impact(law: str, folder: Path, refine: int = 1, **variables) -> pd.DataFrame
 
     A cylinder's contact is stiffer against its mass: soft enough to yield, at a shorter step.
     """
-    if laws.LAWS[law].geometry == "cylinder":
+    if laws.LAWS[law].shape == "cylinder":
         variables = {"shape": "cylinder", "yield_strength": 3e7, **variables}
         timestep, steps = 1e-6, 2500
     else:
@@ -99,7 +99,7 @@ def test_plastic_work_is_the_predicted_loss(engine_law, law_between, aluminium, 
     1e-3 of the energy: the time step's error of the restitution.
     """
     table = impact(engine_law, tmp_path, geometry="plane", tangential="off", slip=0.0)
-    cylinder = laws.LAWS[engine_law].geometry == "cylinder"
+    cylinder = laws.LAWS[engine_law].shape == "cylinder"
     body = aluminium.body()
     if cylinder:
         body = laws.Material(body.youngs_modulus, body.poissons_ratio, 3e7)
