@@ -63,8 +63,8 @@ def command(
     Never add `-screen none`: the engine's mesh reader then writes to a null file and crashes.
     """
     line = [str(engine_path()), "-in", str(deck), "-log", str(folder / "log.liggghts")]
-    line += ["-var", "inputs", str(inputs_folder()), "-var", "output", str(folder)]
-    for name, value in variables.items():
+    settings = {"inputs": inputs_folder(), "output": folder, **variables}
+    for name, value in settings.items():
         line += ["-var", name, repr(float(value)) if isinstance(value, float) else str(value)]
     if ranks > 1:
         line = ["mpirun", "--oversubscribe", "-np", str(ranks), *line]
@@ -124,11 +124,25 @@ def run_deck(
             )
     except subprocess.TimeoutExpired:
         raise EngineError(f"{deck.name}: stopped after {timeout:g} s") from None
+    return check_finished(deck.name, done.returncode, folder)
+
+
+def check_finished(name: str, returncode: int, folder: Path) -> str:
+    """The log of a run that has ended.
+
+    Args:
+        name: The deck's.
+        returncode: The engine's or mpirun's.
+        folder: Where it wrote `log.liggghts` and `screen.txt`.
+
+    Raises:
+        EngineError: It ended with an error, which is quoted.
+    """
     log = folder / "log.liggghts"
     text = log.read_text(errors="replace") if log.exists() else ""
-    said = text + screen.read_text(errors="replace")
-    if done.returncode != 0 or "ERROR" in said:
+    said = text + (folder / "screen.txt").read_text(errors="replace")
+    if returncode != 0 or "ERROR" in said:
         errors = [line for line in said.splitlines() if "ERROR" in line]
         reason = errors[0] if errors else (said.strip().splitlines() or ["no output"])[-1]
-        raise EngineError(f"{deck.name}: {reason} (log: {log})")
+        raise EngineError(f"{name}: {reason} (log: {log})")
     return text

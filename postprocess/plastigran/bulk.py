@@ -1,0 +1,195 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Run a bulk deck, check its invariants, draw its figures, leave a folder that tells the whole.
+
+The folder holds `run.json` (deck, every setting, ranks, versions), `deck/` (the deck as it ran,
+with its includes), the logs, numbered checkpoints, and at the end `series.csv`, `checks.csv` and
+`figures/`.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import shutil
+import warnings
+from collections.abc import Mapping
+from dataclasses import asdict
+from importlib.metadata import version
+from pathlib import Path
+
+import pandas as pd
+
+from plastigran.bulk_decks import Analysis, module_of
+from plastigran.checkpoints import PATTERN, newest_checkpoint, step_of
+from plastigran.deck_source import Settings, find_deck, read_deck
+from plastigran.dumps import TruncatedFileWarning, read_thermo
+from plastigran.engine import EngineError, engine_path
+from plastigran.engine_watch import run_watched
+
+RECORD = "run.json"
+#: The log's lines before the checkpoint a run went on from.
+BEFORE = "before.csv"
+#: What a run leaves, for one that may overwrite it.
+LEFT = (
+    RECORD,
+    BEFORE,
+    "log.liggghts",
+    "screen.txt",
+    PATTERN,
+    "restart_forced_*",
+    "series.csv",
+    "checks.csv",
+)
+
+
+class CheckError(ValueError):
+    """A deck ran to its end but broke one of its invariants; the message says which."""
+
+
+def run_bulk(
+    deck: str | Path,
+    values: Mapping[str, str],
+    folder: str | Path,
+    ranks: int = 1,
+    restart: str | Path | None = None,
+    force: bool = False,
+    show: bool = True,
+) -> Analysis | None:
+    """Run a deck from its start or from the newest whole checkpoint of an earlier run.
+
+    Args:
+        deck: Name of a deck of `inputs/bulk`, or path of an input script.
+        values: Settings given another value than the deck's, or with `restart` than the earlier
+            run's.
+        folder: Where results go.
+        ranks: MPI ranks.
+        restart: Folder of the earlier run.
+        force: Overwrite an earlier run in `folder`.
+        show: Show a progress bar.
+
+    Returns:
+        What the deck's module made of it, also written to `folder`; None for a deck without one.
+
+    Raises:
+        EngineError: No such deck, no whole checkpoint, or the engine stopped with an error.
+        ValueError: An unknown setting, or one out of range, or `folder` holds results.
+        CheckError: The deck broke an invariant; everything is written before.
+    """
+    folder, deck = Path(folder).resolve(), find_deck(deck)
+    values, before = dict(values), None
+    if restart is not None:
+        restart = Path(restart).resolve()
+        earlier = read_record(restart)
+        if earlier["deck"] != deck.stem:
+            raise ValueError(f"{restart} is a run of {earlier['deck']}, not of {deck.stem}")
+        if restart == folder:
+            raise ValueError(f"{folder} is the run to go on from; choose another --output")
+        checkpoint = newest_checkpoint(restart)
+        values = earlier["values"] | values | {"start": "checkpoint", "checkpoint": str(checkpoint)}
+        before = read_series(restart).query(
+            "step < @step", local_dict={"step": step_of(checkpoint)}
+        )
+    source, module = read_deck(deck, values, folder), module_of(deck.stem)
+    if module:
+        module.check_settings(source.settings)
+
+    prepare_folder(folder, force)
+    # The engine reads a script as it goes: run one that nobody edits meanwhile.
+    script = source.copy(folder / "deck")
+    record = {
+        "deck": deck.stem,
+        "values": {name: str(value) for name, value in values.items()},
+        "settings": source.settings,
+        "ranks": ranks,
+        "restart": str(restart) if restart else None,
+        "versions": {"plastigran": version("plastigran"), "plugin": _fingerprint()},
+    }
+    write_record(folder, record)
+    if before is not None:
+        before.to_csv(folder / BEFORE, index=False)
+    try:
+        run_watched(script, values | {"inputs": folder / "deck"}, folder, ranks, show)
+    finally:
+        if (log := folder / "log.liggghts").exists():
+            record["versions"]["engine"] = log.read_text(errors="replace").partition("\n")[0]
+            write_record(folder, record)
+    return finish(module.analyse(source.settings, read_series(folder)), folder) if module else None
+
+
+def finish(analysis: Analysis, folder: Path) -> Analysis:
+    """Write table, checks and figures.
+
+    Raises:
+        CheckError: A check failed.
+    """
+    from plastigran import figures  # matplotlib is slow to load
+
+    analysis.table.to_csv(folder / "series.csv", index=False)
+    checks = pd.DataFrame([asdict(c) | {"passed": c.passed} for c in analysis.checks])
+    checks.to_csv(folder / "checks.csv", index=False)
+    for name, figure in analysis.figures.items():
+        figures.save(figure, folder / "figures" / name)
+    if failed := [check for check in analysis.checks if not check.passed]:
+        said = "; ".join(f"{c.name} {c.value:.3g}, at most {c.limit:.3g}" for c in failed)
+        raise CheckError(f"{said} (in {folder})")
+    return analysis
+
+
+def read_series(folder: str | Path) -> pd.DataFrame:
+    """The log of a run from step 0 on, whatever checkpoints it went on from.
+
+    Returns:
+        One row a line: `step`, `time` [s] from step 0, then the deck's columns in SI units.
+
+    Raises:
+        DumpError: The log shows nothing yet.
+    """
+    folder = Path(folder)
+    with warnings.catch_warnings():
+        warnings.simplefilter(
+            "ignore", TruncatedFileWarning
+        )  # the run was stopped: its end is known
+        log = read_thermo(folder / "log.liggghts")
+    series = log[log["run"] == log["run"].max()].drop(columns="run").reset_index(drop=True)
+    series.insert(1, "time", series["step"] * series.pop("timestep"))
+    if (folder / BEFORE).exists():
+        series = pd.concat([pd.read_csv(folder / BEFORE), series], ignore_index=True)
+    return series.rename(columns=lambda name: name.removeprefix("v_"))
+
+
+def read_record(folder: str | Path) -> dict:
+    """What `run.json` says, `settings` as Settings. Raises EngineError when there is none."""
+    path = Path(folder) / RECORD
+    if not path.is_file():
+        raise EngineError(f"{folder} holds no {RECORD}; it is not a run of `plastigran bulk`")
+    record = json.loads(path.read_text())
+    return record | {"settings": Settings(record["settings"])}
+
+
+def write_record(folder: Path, record: dict) -> None:
+    (folder / RECORD).write_text(json.dumps(record, indent=2) + "\n")
+
+
+def prepare_folder(folder: Path, force: bool) -> None:
+    """An empty folder for a run; of one that holds files only a forced run's own are removed.
+
+    Raises:
+        ValueError: It holds files and `force` is not given.
+    """
+    if folder.exists() and any(folder.iterdir()):
+        if not force:
+            raise ValueError(f"{folder} holds results; choose another --output, or add --force")
+        for pattern in LEFT:  # above all checkpoints, which may be newer than ours
+            for file in folder.glob(pattern):
+                file.unlink()
+        for name in ("deck", "figures"):
+            shutil.rmtree(folder / name, ignore_errors=True)
+    folder.mkdir(parents=True, exist_ok=True)
+
+
+def _fingerprint() -> str:
+    """File and SHA-256 of the plugin beside the engine."""
+    plugin = engine_path().parent / "libplastigran.so"
+    if not plugin.exists():
+        return f"none beside {engine_path()}"
+    return f"{plugin.name} sha256 {hashlib.sha256(plugin.read_bytes()).hexdigest()}"

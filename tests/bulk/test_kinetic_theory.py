@@ -1,0 +1,119 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Mean-field cooling against closed forms."""
+
+from __future__ import annotations
+
+from math import exp, pi
+
+import numpy as np
+import pytest
+
+from plastigran.kinetic_theory import Gas, contact_value, cool, haff
+
+RADIUS = 1e-3
+
+
+def constant(e: float):
+    return lambda speed: np.full_like(speed, e)
+
+
+def yielding(speed):
+    """Yields at 1 m/s: 1 - e^2 = (1 - 1/g^2)/2 beyond, so that the mean loss is exp(-1/4T)/2."""
+    return np.sqrt(1 - 0.5 * (1 - 1 / np.maximum(speed, 1) ** 2))
+
+
+@pytest.mark.parametrize("e", [0.0, 0.5, 0.9])
+def test_constant_restitution_is_haffs_law(e):
+    """T0/(1 + t/tau)^2, tau = 6/((1 - e^2) omega0). 1e-5: a hundred times the ODE's tolerance."""
+    gas, start = Gas(RADIUS, 0.2, constant(e), 1000), 3.0
+    rate = float(gas.collision_rate(start))
+    times = np.linspace(0, 300, 40) / rate
+    found = cool(gas, start, times)
+    expected = start / (1 + times * (1 - e**2) * rate / 6) ** 2
+    assert found["temperature"].to_numpy() == pytest.approx(expected, rel=1e-5)
+    assert haff(start, gas.cooling_rate(start), times) == pytest.approx(expected, rel=1e-6)
+    # Impacts so far: the rate goes with T^(1/2), so its integral is a logarithm.
+    tau = 6 / ((1 - e**2) * rate)
+    assert found["collisions"].to_numpy() == pytest.approx(
+        rate * tau * np.log1p(times / tau), rel=1e-5
+    )
+
+
+def test_elastic_gas_keeps_its_energy_and_is_certain():
+    gas = Gas(RADIUS, 0.2, constant(1.0), 1000)
+    found = cool(gas, 3.0, [0.0, 1.0])
+    assert found["temperature"].iloc[-1] == pytest.approx(3.0, rel=1e-12)
+    assert found["temperature_error"].iloc[-1] == 0
+
+
+@pytest.mark.parametrize("temperature", [10.0, 1.0, 0.1, 0.02])
+def test_loss_of_a_yielding_gas(temperature):
+    """Closed form exp(-1/4T)/2. 1e-5: the kink at yield between two nodes."""
+    gas = Gas(RADIUS, 0.1, yielding, 1000)
+    assert gas.loss(temperature) == pytest.approx(0.5 * exp(-1 / (4 * temperature)), rel=1e-5)
+
+
+def test_yielding_gas_stalls():
+    """Impacts that lose anything are exponentially few: T falls with the logarithm of time.
+
+    x = 1/4T grows as x^(1/2) exp(-x), so x - ln(x)/2 grows as ln t; 2 %: the next term, 1/x.
+    """
+    gas = Gas(RADIUS, 0.1, yielding, 1000)
+    early, late = 1 / (4 * cool(gas, 10.0, [0.0, 1.0, 1e4])["temperature"].iloc[1:])
+    grown = late - early - 0.5 * np.log(late / early)
+    assert grown == pytest.approx(np.log(1e4), rel=0.02)
+
+
+def test_collision_rate_in_the_dilute_limit():
+    """Mean speed sqrt(8 T/pi) over mean free path 1/(sqrt(2) pi d^2 n)."""
+    phi, temperature = 1e-9, 2.0
+    number_density = phi / (4 / 3 * pi * RADIUS**3)
+    free_path = 1 / (2**0.5 * pi * (2 * RADIUS) ** 2 * number_density)
+    expected = (8 * temperature / pi) ** 0.5 / free_path
+    found = Gas(RADIUS, phi, constant(1.0), 1000).collision_rate(temperature)
+    assert found == pytest.approx(expected, rel=1e-8)
+
+
+def test_contact_value_has_the_hard_spheres_virial_coefficients():
+    """1 + 5/2 phi + 4.59 phi^2: second and third virial coefficient of hard spheres (exact 4.5904;
+    Carnahan and Starling's rounded 4.5)."""
+    phi = 1e-3
+    assert contact_value(phi) == pytest.approx(1 + 2.5 * phi + 4.5 * phi**2, abs=1e-8)
+
+
+def test_statistical_error_goes_with_the_number_of_grains():
+    """Four times the grains, half the error; and it is that of a random walk of losses at first.
+
+    For e = 0 an impact of N grains takes m T l, l exponential with mean square 2, from 3/2 N m T:
+    after x impacts a grain, var = x/2N (2/3)^2 2.
+    """
+    times = np.linspace(0, 1, 5) * 1e-5
+    errors = [
+        cool(Gas(RADIUS, 0.1, constant(0.0), count), 3.0, times)["temperature_error"].to_numpy()[1:]
+        for count in (1000, 4000)
+    ]
+    assert errors[0] == pytest.approx(2 * errors[1], rel=1e-6)
+    gas = Gas(RADIUS, 0.1, constant(0.0), 1000)
+    impacts = float(gas.collision_rate(3.0)) * times[1:]
+    assert impacts.max() < 0.1
+    # 5 %: cooling has begun to forget the first losses.
+    assert errors[0] ** 2 == pytest.approx(impacts / 1000 * 4 / 9, rel=0.05)
+
+
+@pytest.mark.parametrize(
+    ("change", "said"),
+    [
+        ({"radius": -1.0}, "radius is -1.0 m"),
+        ({"volume_fraction": 0.6}, "volume_fraction is 0.6; it must lie between 0 and 0.494"),
+        ({"count": 1}, "count is 1; a gas takes 2"),
+    ],
+)
+def test_impossible_gases_are_refused(change, said):
+    grains = {"radius": RADIUS, "volume_fraction": 0.1, "restitution": yielding, "count": 10}
+    with pytest.raises(ValueError, match=said):
+        Gas(**grains | change)
+
+
+def test_impossible_temperature_is_refused():
+    with pytest.raises(ValueError, match="temperature is 0"):
+        cool(Gas(RADIUS, 0.1, yielding, 10), 0.0, [0.0, 1.0])

@@ -1,0 +1,209 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""`plastigran bulk`: stopping, going on from checkpoints, and what it leaves."""
+
+from __future__ import annotations
+
+import json
+import os
+import shutil
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import pytest
+
+from plastigran import bulk
+from plastigran.bulk import read_series, run_bulk
+from plastigran.checkpoints import PATTERN, newest_checkpoint, step_of
+from plastigran.cli import main
+from plastigran.deck_source import read_deck
+from plastigran.engine import EngineError, inputs_folder
+from plastigran.engine_watch import LogFollower
+
+#: Short enough for a test to wait for its end, and with many checkpoints.
+SHORT = {"side": 5, "duration": 24, "rows": 24, "checkpoints": 12, "mixing": 1}
+#: Long enough to be stopped on the way.
+LONG = SHORT | {"duration": 20000, "rows": 20000, "checkpoints": 5000}
+
+
+@pytest.fixture(scope="module")
+def whole(tmp_path_factory) -> Path:
+    """Folder of a finished run on one rank."""
+    folder = tmp_path_factory.mktemp("whole") / "run"
+    run_bulk("cooling_gas", SHORT, folder, show=False)
+    return folder
+
+
+def cut(whole: Path, folder: Path, lines: int) -> Path:
+    """A run as it looks when killed that many lines of cooling before its end."""
+    shutil.copytree(whole, folder)
+    log = (folder / "log.liggghts").read_text().partition("Loop time")
+    cooling = log[2].partition("Loop time")[0].rstrip("\n").splitlines(keepends=True)
+    (folder / "log.liggghts").write_text(log[0] + log[1] + "".join(cooling[:-lines])[:-5])
+    return folder
+
+
+def test_folder_tells_the_whole(whole):
+    record = json.loads((whole / "run.json").read_text())
+    assert record["settings"]["side"] == "5" and record["settings"]["youngs_modulus"] == "9.6e10"
+    assert record["versions"]["engine"].startswith("LIGGGHTS (Version LIGGGHTS-PUBLIC 3.8.0")
+    assert "sha256" in record["versions"]["plugin"] and record["versions"]["plastigran"]
+    for file in read_deck("cooling_gas", SHORT, whole).files:
+        kept = whole / "deck" / file.relative_to(inputs_folder())
+        assert kept.read_text() == file.read_text()
+    for name in (
+        "log.liggghts",
+        "screen.txt",
+        "series.csv",
+        "checks.csv",
+        "figures/cooling_gas.svg",
+    ):
+        assert (whole / name).stat().st_size > 0
+
+
+def test_restart_continues_the_same_trajectory(whole, tmp_path):
+    """Killed a third before its end, gone on from the newest checkpoint: every digit the same."""
+    stopped = cut(whole, tmp_path / "stopped", lines=8)
+    run_bulk("cooling_gas", {}, tmp_path / "rest", restart=stopped, show=False)
+    expected, found = read_series(whole), read_series(tmp_path / "rest")
+    first = read_series(tmp_path / "rest").iloc[-1]["step"] - step_of(newest_checkpoint(stopped))
+    assert 0 < first < expected["step"].max()
+    # The drift is rounding, and summed over the grains in another order.
+    columns = ["step", "time", "atoms", "kinetic_energy"]
+    assert (found[columns] == expected[columns]).all(axis=None)
+    assert (tmp_path / "rest" / "checks.csv").exists()
+
+
+def test_checkpoint_cut_short_is_not_the_newest(whole, tmp_path):
+    """A checkpoint the log has not come to was being written: the one before is taken."""
+    stopped = cut(whole, tmp_path / "stopped", lines=8)
+    taken = newest_checkpoint(stopped)
+    later = sorted(stopped.glob(PATTERN), key=step_of)
+    assert later[-1] != taken and step_of(later[-1]) > step_of(taken)
+    for file in later[:-1]:
+        assert step_of(file) <= step_of(taken) or file in later[later.index(taken) :]
+    log = (stopped / "log.liggghts").read_text().splitlines()
+    assert step_of(taken) <= max(int(row.split()[0]) for row in log[-3:-1])
+
+
+def test_no_checkpoint_is_said(tmp_path):
+    (tmp_path / "checkpoint.100.restart").write_bytes(b"half")
+    with pytest.raises(EngineError, match="no whole checkpoint"):
+        newest_checkpoint(tmp_path)
+
+
+def start(folder: Path, ranks: int) -> subprocess.Popen:
+    """A long run by the command line, come as far as its second checkpoint."""
+    line = [sys.executable, "-m", "plastigran.cli", "bulk", "cooling_gas", "--np", str(ranks)]
+    line += ["--output", str(folder), "-v", *(f"{name}={value}" for name, value in LONG.items())]
+    run = subprocess.Popen(line, stderr=subprocess.PIPE, text=True, start_new_session=True)
+    while len(list(folder.glob(PATTERN))) < 2:
+        assert run.poll() is None, run.stderr.read()
+        time.sleep(0.05)
+    return run
+
+
+def engines(folder: Path) -> list[int]:
+    """Process ids of mpirun and engines at work for a folder."""
+    found = []
+    for process in Path("/proc").glob("[0-9]*"):
+        try:
+            words = (process / "cmdline").read_bytes().split(b"\0")
+        except OSError:
+            continue  # it has ended
+        if str(folder / "log.liggghts").encode() in words:
+            found.append(int(process.name))
+    return found
+
+
+@pytest.mark.parametrize("ranks", [1, 2])
+def test_interrupt_stops_every_rank_and_keeps_what_is_written(ranks, tmp_path):
+    run = start(tmp_path / "run", ranks)
+    assert len(engines(tmp_path / "run")) == (1 if ranks == 1 else 3)
+    run.send_signal(signal.SIGINT)
+    _, said = run.communicate(timeout=60)
+    assert run.returncode == 130
+    assert "stopped; what is finished is in" in said
+    assert not engines(tmp_path / "run")
+    assert newest_checkpoint(tmp_path / "run").stat().st_size > 0
+    assert read_series(tmp_path / "run")["atoms"].eq(125).all()
+
+
+def test_killed_engine_is_said_and_goes_on_from_its_newest_checkpoint(tmp_path):
+    run = start(tmp_path / "run", ranks=2)
+    os.kill(max(engines(tmp_path / "run")), signal.SIGKILL)  # a rank: they start after mpirun
+    _, said = run.communicate(timeout=60)
+    assert run.returncode == 1 and "cooling_gas.in" in said
+    assert not engines(tmp_path / "run")
+    before = read_series(tmp_path / "run")
+    checkpoint = newest_checkpoint(tmp_path / "run")
+    # Two lines more: the settings that say where it ends may change.
+    lines = int(before["step"].iloc[1])
+    rows = step_of(checkpoint) // lines + 2
+    values = {"duration": rows, "rows": rows, "checkpoints": 1}
+    rest = tmp_path / "rest"
+    run_bulk("cooling_gas", values, rest, ranks=2, restart=tmp_path / "run", show=False)
+    series = read_series(rest)
+    assert series["step"].is_monotonic_increasing and series["step"].is_unique is not None
+    assert series["step"].iloc[-1] == rows * lines
+    kept = series[series["step"] < step_of(checkpoint)]
+    assert kept["kinetic_energy"].tolist() == before["kinetic_energy"].tolist()[: len(kept)]
+
+
+def test_results_are_not_overwritten_unless_forced(whole, tmp_path, monkeypatch):
+    folder = tmp_path / "run"
+    shutil.copytree(whole, folder)
+    (folder / "notes.txt").write_text("mine")
+    (folder / "checkpoint.999999999.restart").write_bytes(b"of a longer run")
+    assert main(["bulk", "cooling_gas", "--output", str(folder)]) == 1
+    assert (folder / "series.csv").read_bytes() == (whole / "series.csv").read_bytes()
+    monkeypatch.setattr(bulk, "run_watched", lambda *_: (_ for _ in ()).throw(EngineError("stop")))
+    with pytest.raises(EngineError, match="stop"):
+        run_bulk("cooling_gas", SHORT, folder, force=True)
+    assert sorted(file.name for file in folder.iterdir()) == ["deck", "notes.txt", "run.json"]
+
+
+@pytest.mark.parametrize(
+    ("line", "said"),
+    [
+        (["cooling_gass"], "no deck 'cooling_gass'; there are cooling_gas"),
+        (["cooling_gas", "-v", "siide=3"], "has no setting 'siide'; it takes law"),
+        (["cooling_gas", "--restart", "/nowhere"], "holds no run.json"),
+    ],
+)
+def test_wrong_words_are_named(line, said, tmp_path, capsys):
+    assert main(["bulk", *line, "--output", str(tmp_path / "run")]) == 1
+    assert said in capsys.readouterr().err
+
+
+def test_a_setting_without_a_value_is_named(capsys):
+    with pytest.raises(SystemExit):
+        main(["bulk", "cooling_gas", "-v", "side"])
+    assert "'side' is not name=value" in capsys.readouterr().err
+
+
+def test_going_on_in_the_same_folder_is_refused(whole):
+    with pytest.raises(ValueError, match="is the run to go on from"):
+        run_bulk("cooling_gas", {}, whole, restart=whole, force=True)
+    assert newest_checkpoint(whole).exists()
+
+
+def test_progress_is_read_from_whole_lines_only(tmp_path):
+    """Two runs, the second `upto`; a line still being written does not count."""
+    log, follower = tmp_path / "log", LogFollower(tmp_path / "log")
+    assert follower.read().run == 0
+    with open(log, "w") as file:
+
+        def seen(text: str) -> tuple[int, int, int, int]:
+            file.write(text)
+            file.flush()
+            p = follower.read()
+            return p.run, p.first, p.last, p.step
+
+        assert seen("run $(v_n)\nrun 300\nStep Dt Atoms \n 100 2e-6 5\n") == (1, 100, 400, 100)
+        assert seen(" 200 2e-6 5\n 30") == (1, 100, 400, 200)
+        assert seen("0 2e-6 5\nWARNING: 1 2\nLoop time of 3 on 1\n 7 8 9\n") == (1, 100, 400, 300)
+        assert seen("run 900 upto\nStep Dt Atoms\n 300 2e-6 5\n") == (2, 300, 900, 300)
+        assert follower.progress.time_step == 2e-6
