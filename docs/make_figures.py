@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Draw the figures of the docs: one per law, found and never listed, and the README's, the rod's
-and the cylinder study's.
+"""Draw the figures of the docs: one per law, found and never listed, and the README's, the rod's,
+the cylinder study's and the cooling gas's.
 
 Run it with `./run figures`; the files in docs/figures are its output.
 """
@@ -25,6 +25,9 @@ from plastigran import (
     rod_runs,
     theory,
 )
+from plastigran.bulk import read_record, run_bulk
+from plastigran.bulk_decks import cooling_gas
+from plastigran.cooling_figure import cooling_figure
 from plastigran.figures import STYLE, plt, save, title
 from plastigran.impact import PAPER_SPEEDS, laws_for, plan, sweep
 from plastigran.materials import RIGID, read_material
@@ -150,6 +153,26 @@ def viscoelastic_figure() -> plt.Figure:
 OWN_FIGURES = {"viscoelastic_hertz": viscoelastic_figure}
 
 
+def cooling_gases() -> plt.Figure:
+    """A gas that yields beside a viscoelastic one of the same grains: a minute or two each."""
+    runs, cases = {}, {}
+    with tempfile.TemporaryDirectory() as folder:
+        for law, changes in COOLING.items():
+            run = run_bulk("cooling_gas", {"law": law, "side": 10, **changes}, Path(folder) / law)
+            runs[title(law)] = run.table
+            cases[law] = cooling_gas.read_case(read_record(Path(folder) / law)["settings"])
+    yielding = cases["vu_quoc_zhang"]
+    rate = yielding.gas().cooling_rate(yielding.temperature)
+    return cooling_figure(runs, yielding.stall, rate)
+
+
+# Settings of the cooling gas by law; the dissipative constant gives 0.93 at 1 m/s.
+COOLING = {
+    "vu_quoc_zhang": {},
+    "viscoelastic_hertz": {"dissipative_constant": 1e-7, "timestep": 7e-8},
+}
+
+
 def main() -> None:
     for name in sorted(laws.LAWS):
         figure = OWN_FIGURES[name]() if name in OWN_FIGURES else law_figure(name)
@@ -168,6 +191,7 @@ def main() -> None:
         results = chung_ooi.run_cases(benchmarks, folder)
     save(figures.restitution_figure(table, impacts), FOLDER / "restitution", (".png",))
     save(rod_figures.outcome_figure(rod_table), FOLDER / "rod", (".png",))
+    save(cooling_gases(), FOLDER / "cooling_gas", (".png",))
     for number in (4, 6):
         figure = chung_ooi_figures.figure(number, *results)
         save(figure, FOLDER / f"chung_ooi_{number}", (".png",))

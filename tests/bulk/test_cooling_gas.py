@@ -93,7 +93,7 @@ def test_ranks(tmp_path):
 @pytest.mark.parametrize(
     ("change", "said"),
     [
-        ({"law": "hook"}, "no law 'hook'; there are brake_2012"),
+        ({"law": "lim_stronge"}, "no law 'lim_stronge' for spheres; there are brake_2012"),
         ({"volume_fraction": 0.5}, r"volume_fraction is 0.5; it must lie between 0 and 0.494"),
         ({"temperature": -1}, r"temperature is -1; it must lie between 0 and inf \[m\^2/s\^2\]"),
         ({"side": 2}, "side is 2; it must be 3 or more"),
@@ -123,5 +123,5 @@ def test_options_reach_the_theory():
     assert area < 0.9 * book
 
 
-def test_every_law_is_taken(engine_law):
-    check_settings(settings(law=engine_law, material="ice", timestep=1e-6))
+def test_every_law_is_taken(sphere_law):
+    check_settings(settings(law=sphere_law, material="ice", timestep=1e-6))

@@ -188,7 +188,7 @@ def test_console_script():
         text=True,
         check=True,
     )
-    listed = ("impact", "rod", "laws", "timestep", "modes", "chung-ooi", "cylinder", "demo")
+    listed = ("bulk", "impact", "rod", "laws", "timestep", "modes", "chung-ooi", "cylinder", "demo")
     for command in listed:
         assert command in done.stdout
 

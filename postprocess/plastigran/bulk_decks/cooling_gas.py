@@ -13,6 +13,7 @@ from plastigran.bulk_decks import Analysis, Check
 from plastigran.cooling_figure import cooling_figure
 from plastigran.deck_source import Settings
 from plastigran.figures import title
+from plastigran.impact import laws_for
 from plastigran.kinetic_theory import FREEZING, Gas, cool, law_restitution
 from plastigran.materials import Material
 
@@ -73,8 +74,8 @@ class Case:
 def read_case(settings: Settings) -> Case:
     """The case of a deck's settings. Raises ValueError naming one out of range."""
     name = settings["law"]
-    if name not in laws.LAWS:
-        raise ValueError(f"no law {name!r}; there are {', '.join(sorted(laws.LAWS))}")
+    if name not in laws_for("sphere"):
+        raise ValueError(f"no law {name!r} for spheres; there are {', '.join(laws_for('sphere'))}")
     constants = {
         "youngs_modulus": settings.number("youngs_modulus", 0, unit="Pa"),
         "poissons_ratio": settings.number("poissons_ratio", -1, 0.5),

@@ -1,0 +1,70 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""`plastigran bulk`: a deck of many grains, run, checked and drawn."""
+
+from __future__ import annotations
+
+import argparse
+import signal
+from pathlib import Path
+
+from plastigran.cli.arguments import positive_integer
+
+HELP = "run a bulk deck, check its invariants, draw its figures"
+
+
+def setting(text: str) -> tuple[str, str]:
+    name, equals, value = text.partition("=")
+    if not name.isidentifier() or not equals:
+        raise argparse.ArgumentTypeError(f"{text!r} is not name=value")
+    return name, value
+
+
+def add_arguments(command: argparse.ArgumentParser) -> None:
+    command.add_argument("deck", help="name of a deck of inputs/bulk, or path of an input script")
+    command.add_argument("--np", type=positive_integer, default=1, help="MPI ranks, default 1")
+    command.add_argument(
+        "-v",
+        "--variable",
+        dest="settings",
+        type=setting,
+        nargs="+",
+        action="extend",
+        default=[],
+        metavar="name=value",
+        help="another value for a setting of the deck",
+    )
+    command.add_argument(
+        "--restart", type=Path, metavar="DIR", help="go on from the newest checkpoint in DIR"
+    )
+    command.add_argument(
+        "--output", type=Path, help="default results/DECK, or DIR_continued with --restart DIR"
+    )
+    command.add_argument("--force", action="store_true", help="overwrite results")
+
+
+def run(arguments: argparse.Namespace) -> None:
+    from plastigran.bulk import run_bulk  # matplotlib is slow to load
+
+    # A batch system's SIGTERM stops the ranks as Ctrl-C does.
+    signal.signal(signal.SIGTERM, signal.default_int_handler)
+    name, earlier = Path(arguments.deck).stem, arguments.restart
+    if arguments.output is None:
+        arguments.output = (
+            earlier.with_name(f"{earlier.name}_continued") if earlier else Path("results") / name
+        )
+    analysis = run_bulk(
+        arguments.deck,
+        dict(arguments.settings),
+        arguments.output,
+        arguments.np,
+        earlier,
+        arguments.force,
+    )
+    if analysis is None:
+        print(f"{name} has no checks and figures")
+    else:
+        for check in analysis.checks:
+            print(
+                f"ok  {check.name}: {check.value:.3g}, at most {check.limit:.3g} ({check.reason})"
+            )
+    print(f"written: {arguments.output}")
