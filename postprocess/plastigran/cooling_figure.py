@@ -58,6 +58,10 @@ def cooling_figure(
         axes.set_ylabel("granular temperature (m²/s²)")
         axes.legend(title="points: LIGGGHTS", loc="lower left")
         below.axhline(1, color="0.4", lw=0.8)
+        below.fill_between(
+            [], [], [], color="0.5", alpha=0.3, lw=0, label="two standard deviations"
+        )
+        below.legend(loc="lower left", fontsize=8)
         below.set_ylabel("over\nmean field")
         below.set_xlabel("time (ms)")
     return figure

@@ -137,9 +137,11 @@ def run_watched(
 def _show(bar: tqdm, follower: LogFollower) -> None:
     before = follower.progress.run
     progress = follower.read()
+    if not progress.run:
+        return
+    bar.set_postfix_str(f"t = {progress.step * progress.time_step:.3g} s", refresh=False)
     if progress.run != before:
         bar.reset(progress.last - progress.first)
-    bar.set_postfix_str(f"t = {progress.step * progress.time_step:.3g} s", refresh=False)
     bar.update(progress.step - progress.first - bar.n)
 
 
