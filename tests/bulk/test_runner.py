@@ -116,11 +116,11 @@ def engines(folder: Path) -> list[int]:
     return found
 
 
-@pytest.mark.parametrize("ranks", [1, 2])
-def test_interrupt_stops_every_rank_and_keeps_what_is_written(ranks, tmp_path):
+@pytest.mark.parametrize(("ranks", "sent"), [(1, signal.SIGTERM), (2, signal.SIGINT)])
+def test_interrupt_stops_every_rank_and_keeps_what_is_written(ranks, sent, tmp_path):
     run = start(tmp_path / "run", ranks)
     assert len(engines(tmp_path / "run")) == (1 if ranks == 1 else 3)
-    run.send_signal(signal.SIGINT)
+    run.send_signal(sent)
     _, said = run.communicate(timeout=60)
     assert run.returncode == 130
     assert "stopped; what is finished is in" in said
