@@ -63,9 +63,13 @@ class Case:
             return None
         return theory.yield_speed(self.pair, self.mass / 2, self.radius / 2) ** 2
 
+    def contact_law(self):
+        """The law between two grains. Raises ValueError naming a constant it cannot take."""
+        return self.material.law(self.law, self.pair, **self.options)
+
     def gas(self) -> Gas:
         """The grains with the law's restitution, from impacts too slow to matter to the fastest."""
-        law = self.material.law(self.law, self.pair, **self.options)
+        law = self.contact_law()
         thermal = self.temperature**0.5
         restitution = law_restitution(law, self.radius, self.mass, (1e-4 * thermal, 20 * thermal))
         return Gas(self.radius, self.volume_fraction, restitution, self.count)
@@ -94,7 +98,7 @@ def read_case(settings: Settings) -> Case:
         settings.number("temperature", 0, unit="m^2/s^2"),
         settings.whole("side", 3) ** 3,
     )
-    case.gas()  # constants the law cannot take
+    case.contact_law()  # raises for constants it cannot take
     return case
 
 

@@ -45,9 +45,9 @@ def main(argv: list[str] | None = None) -> int:
     except (EngineError, CollisionError, DumpError, ValueError, OSError) as error:
         print(f"plastigran: {error}", file=sys.stderr)
         return 1
-    except KeyboardInterrupt:
+    except KeyboardInterrupt as stop:  # a command may say itself what is left
         output = getattr(arguments, "output", None)
-        kept = f"; the runs that finished are in {output}" if output else ""
-        print(f"plastigran: stopped{kept}", file=sys.stderr)
+        left = str(stop) or (output and f"the runs that finished are in {output}")
+        print(f"plastigran: stopped{f'; {left}' if left else ''}", file=sys.stderr)
         return 130
     return 0

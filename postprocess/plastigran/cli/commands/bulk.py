@@ -52,14 +52,19 @@ def run(arguments: argparse.Namespace) -> None:
         arguments.output = (
             earlier.with_name(f"{earlier.name}_continued") if earlier else Path("results") / name
         )
-    analysis = run_bulk(
-        arguments.deck,
-        dict(arguments.settings),
-        arguments.output,
-        arguments.np,
-        earlier,
-        arguments.force,
-    )
+    try:
+        analysis = run_bulk(
+            arguments.deck,
+            dict(arguments.settings),
+            arguments.output,
+            arguments.np,
+            earlier,
+            arguments.force,
+        )
+    except KeyboardInterrupt:
+        raise KeyboardInterrupt(
+            f"go on from its newest checkpoint with --restart {arguments.output}"
+        ) from None
     if analysis is None:
         print(f"{name} has no checks and figures")
     else:
