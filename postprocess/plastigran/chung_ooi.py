@@ -8,16 +8,12 @@ What a benchmark is stands in its deck in `inputs/collision/chung_ooi`; which im
 
 from __future__ import annotations
 
-import os
-from collections.abc import Iterable
-from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from functools import cached_property
-from math import cos, inf, pi, radians, sin
+from math import cos, inf, nan, pi, radians, sin
 from pathlib import Path
 
 import pandas as pd
-from tqdm import tqdm
 
 from plastigran import laws, theory
 from plastigran.collision import Collision, measure
@@ -48,8 +44,16 @@ def folder() -> Path:
 
 
 @dataclass(frozen=True)
-class Case:
-    """One impact of one benchmark.
+class Outcome:
+    """What an impact did: the bodies' motion after it, and the collision of the first."""
+
+    after: Motion
+    collision: Collision
+
+
+@dataclass(frozen=True)
+class BenchmarkImpact:
+    """One impact of one benchmark; `plastigran.impact.sweep` runs many.
 
     Attributes:
         deck: Name of the deck, without `.in`; it begins with the benchmark's number.
@@ -58,6 +62,8 @@ class Case:
         value: Its value, in the deck's unit.
         modulus_ratio: Young's modulus of the second sphere over the first's; None leaves it to the
             deck.
+        law: The model, or `hertz` for the engine's own.
+        steps_per_contact: Time steps in an undamped contact.
     """
 
     deck: str
@@ -65,6 +71,8 @@ class Case:
     knob: str
     value: float
     modulus_ratio: float | None = None
+    law: str = "vu_quoc_zhang"
+    steps_per_contact: int = 1000
 
     @property
     def benchmark(self) -> int:
@@ -73,7 +81,14 @@ class Case:
     @property
     def variables(self) -> dict[str, object]:
         """What differs from the deck's defaults."""
-        changed = {"material": self.material, self.knob: self.value}
+        changed = {
+            "material": self.material,
+            self.knob: self.value,
+            "law": self.law,
+            "steps_per_contact": self.steps_per_contact,
+        }
+        if self.law == "hertz":
+            changed["options"] = HERTZ_OPTIONS
         if self.modulus_ratio is not None:
             changed["modulus_ratio"] = self.modulus_ratio
         return changed
@@ -131,39 +146,97 @@ class Case:
             mass_other=mass_other,
         )
 
-    def run(
-        self, output: str | Path, law: str = "vu_quoc_zhang", steps_per_contact: int = 1000
-    ) -> pd.DataFrame:
-        """Run the deck in the engine.
+    @property
+    def label(self) -> str:
+        """What tells its folder from others."""
+        return f"{self.deck}_{self.material}"
 
-        Args:
-            output: Where the engine writes.
-            law: The model, or `hertz` for the engine's own.
-            steps_per_contact: Time steps in an undamped contact.
-
-        Returns:
-            The trajectory, every step; see `read_dump`.
+    def trajectory(self, folder: str | Path) -> pd.DataFrame:
+        """Run the deck in the engine, which writes in a folder: every step, see `read_dump`.
 
         Raises:
             EngineError: The engine stopped with an error.
         """
-        variables = {**self.variables, "law": law, "steps_per_contact": steps_per_contact}
-        if law == "hertz":
-            variables["options"] = HERTZ_OPTIONS
-        run_deck(f"collision/chung_ooi/{self.deck}.in", variables, output)
-        return read_dump(Path(output) / "trajectory.dump")
+        run_deck(f"collision/chung_ooi/{self.deck}.in", self.variables, folder)
+        return read_dump(Path(folder) / "trajectory.dump")
+
+    def run(self, folder: str | Path) -> Outcome:
+        """Run the deck in the engine, which writes in a folder, and measure.
+
+        Raises:
+            EngineError: The engine stopped with an error.
+            CollisionError: The trajectory holds no whole collision.
+        """
+        trajectory = self.trajectory(folder)
+        return Outcome(motion(trajectory, -1), measure(trajectory))
+
+    def row(self, outcome: Outcome) -> dict[str, object]:
+        """One line of the results table: what the engine found and what theory says.
+
+        `*_predicted` is the spring and slider (`ObliqueImpact.spring_slider`) with the restitution
+        of a dashpot that never pulls; `*_rigid` is rigid-body sliding. Peaks and duration are
+        predicted, by Hertz, where nothing is damped.
+        """
+        impact, found, collision = self.impact(), outcome.after, outcome.collision
+        expected, rigid = impact.spring_slider(), impact.rigid_sliding()
+        hertz = (
+            impact.mass_eff,
+            impact.radius_eff,
+            impact.pair.youngs_modulus_eff,
+            impact.before.normal,
+        )
+        elastic = impact.coefficient_of_restitution == 1
+        return {
+            "benchmark": self.benchmark,
+            "law": self.law,
+            "material": self.material,
+            "modulus_ratio": self.modulus_ratio,
+            "knob": self.knob,
+            "value": self.value,
+            "radius": impact.radius,
+            "closing_speed": impact.before.normal,
+            "surface_speed_before": impact.surface_speed(impact.before),
+            "slides": impact.slides(),
+            "coefficient_of_restitution_set": impact.coefficient_of_restitution,
+            "coefficient_of_restitution": found.normal / impact.before.normal,
+            "coefficient_of_restitution_predicted": impact.restitution(),
+            "speed_along": found.along,
+            "speed_along_predicted": expected.along,
+            "speed_along_rigid": rigid.along,
+            "spin_after": found.spin,
+            "spin_after_predicted": expected.spin,
+            "spin_after_rigid": rigid.spin,
+            "speed_along_other": found.along_other,
+            "spin_after_other": found.spin_other,
+            "surface_speed": impact.surface_speed(found),
+            "surface_speed_predicted": impact.surface_speed(expected),
+            "surface_speed_rigid": impact.surface_speed(rigid),
+            # What friction does to the surface speed of a body that slides throughout.
+            "surface_speed_scale": 3.5
+            * impact.coefficient_of_friction
+            * (1 + impact.restitution())
+            * impact.before.normal,
+            "force_max": collision.force_max,
+            "force_max_predicted": float(theory.hertz_force_max(*hertz)) if elastic else nan,
+            "overlap_max": collision.overlap_max,
+            "overlap_max_predicted": float(theory.hertz_overlap_max(*hertz)) if elastic else nan,
+            "contact_time": collision.contact_time,
+            "contact_time_predicted": float(theory.hertz_duration(*hertz)) if elastic else nan,
+        }
 
 
-def cases() -> list[Case]:
-    """Every impact of `points.csv`, in its order."""
+def cases(law: str = "vu_quoc_zhang", steps_per_contact: int = 1000) -> list[BenchmarkImpact]:
+    """Every impact of `points.csv`, in its order; law and steps as in `BenchmarkImpact`."""
     table = pd.read_csv(folder() / "points.csv", comment="#", dtype={"values": str})
     return [
-        Case(
+        BenchmarkImpact(
             sweep["deck"],
             sweep["material"],
             sweep["knob"],
             float(value),
             None if pd.isna(sweep["modulus_ratio"]) else sweep["modulus_ratio"],
+            law,
+            steps_per_contact,
         )
         for sweep in table.to_dict("records")
         for value in sweep["values"].split()
@@ -185,113 +258,11 @@ def motion(trajectory: pd.DataFrame, frame: int) -> Motion:
     return Motion(normal, first["vy"], -first["omegaz"], second["vy"], second["omegaz"])
 
 
-def row(case: Case, trajectory: pd.DataFrame) -> tuple[dict[str, object], Collision]:
-    """What the engine found and what theory says, and the collision itself.
-
-    `_theory` is the spring and slider (`ObliqueImpact.spring_slider`) with the restitution of a
-    dashpot that never pulls; `_rigid` is rigid-body sliding. Peaks and duration have a theory,
-    Hertz's, where nothing is damped.
-
-    Raises:
-        CollisionError: The trajectory holds no whole collision.
-    """
-    impact, collision = case.impact(), measure(trajectory)
-    found, expected, rigid = motion(trajectory, -1), impact.spring_slider(), impact.rigid_sliding()
-    hertz = (
-        impact.mass_eff,
-        impact.radius_eff,
-        impact.pair.youngs_modulus_eff,
-        impact.before.normal,
-    )
-    elastic = impact.coefficient_of_restitution == 1
-    overlap_max = float(theory.hertz_overlap_max(*hertz)) if elastic else None
-    return {
-        "benchmark": case.benchmark,
-        "material": case.material,
-        "modulus_ratio": case.modulus_ratio,
-        "knob": case.knob,
-        "value": case.value,
-        "radius": impact.radius,
-        "closing_speed": impact.before.normal,
-        "surface_speed_before": impact.surface_speed(impact.before),
-        "slides": impact.slides(),
-        "coefficient_of_restitution_set": impact.coefficient_of_restitution,
-        "coefficient_of_restitution": found.normal / impact.before.normal,
-        "coefficient_of_restitution_theory": impact.restitution(),
-        "speed_along": found.along,
-        "speed_along_theory": expected.along,
-        "speed_along_rigid": rigid.along,
-        "spin_after": found.spin,
-        "spin_after_theory": expected.spin,
-        "spin_after_rigid": rigid.spin,
-        "speed_along_other": found.along_other,
-        "spin_after_other": found.spin_other,
-        "surface_speed": impact.surface_speed(found),
-        "surface_speed_theory": impact.surface_speed(expected),
-        "surface_speed_rigid": impact.surface_speed(rigid),
-        # What friction does to the surface speed of a body that slides throughout.
-        "surface_speed_scale": 3.5
-        * impact.coefficient_of_friction
-        * (1 + impact.restitution())
-        * impact.before.normal,
-        "force_max": collision.force_max,
-        "force_max_theory": float(theory.hertz_force(*hertz[1:3], overlap_max))
-        if elastic
-        else None,
-        "overlap_max": collision.overlap_max,
-        "overlap_max_theory": overlap_max,
-        "contact_time": collision.contact_time,
-        "contact_time_theory": float(theory.hertz_duration(*hertz)) if elastic else None,
-    }, collision
-
-
-def run_cases(
-    chosen: Iterable[Case],
-    output: str | Path,
-    law: str = "vu_quoc_zhang",
-    steps_per_contact: int = 1000,
-    jobs: int | None = None,
-    progress: bool = True,
-) -> tuple[pd.DataFrame, dict[Case, Collision]]:
-    """Run impacts in parallel.
-
-    Args:
-        chosen: What to run, such as `cases()`.
-        output: One folder a benchmark with the engine's files is made here.
-        law, steps_per_contact: As `Case.run`.
-        jobs: Engines at a time; all cores by default.
-        progress: Show a progress bar.
-
-    Returns:
-        The table (one row an impact, in the order given; columns of `row`) and the collisions.
-
-    Raises:
-        EngineError, CollisionError: From the first impact that failed.
-    """
-    chosen = list(chosen)
-
-    def one(number: int) -> tuple[dict[str, object], Collision]:
-        case = chosen[number]
-        place = Path(output) / case.deck / f"{number:03d}_{case.material}"
-        return row(case, case.run(place, law, steps_per_contact))
-
-    pool = ThreadPoolExecutor(jobs or os.cpu_count())
-    try:
-        waiting = pool.map(one, range(len(chosen)))
-        done = list(
-            tqdm(waiting, total=len(chosen), unit="impact", disable=None if progress else True)
-        )
-    finally:  # an interrupt starts no further engine
-        pool.shutdown(wait=True, cancel_futures=True)
-    table = pd.DataFrame([line for line, _ in done])
-    return table, {case: collision for case, (_, collision) in zip(chosen, done, strict=True)}
-
-
 def agreement(table: pd.DataFrame) -> pd.DataFrame:
     """Largest deviations from theory by benchmark.
 
     Args:
-        table: As `run_cases` returns it.
+        table: As `plastigran.impact.sweep` of `cases` returns it.
 
     Returns:
         One row a benchmark: `impacts`; relative deviations of `coefficient_of_restitution` and,
@@ -301,7 +272,7 @@ def agreement(table: pd.DataFrame) -> pd.DataFrame:
     """
 
     def worst(part: pd.DataFrame, name: str) -> float:
-        return (part[name] / part[f"{name}_theory"] - 1).abs().max()
+        return (part[name] / part[f"{name}_predicted"] - 1).abs().max()
 
     def surface(part: pd.DataFrame, against: str) -> float:
         off = (part["surface_speed"] - part[f"surface_speed_{against}"]).abs()
@@ -320,7 +291,7 @@ def agreement(table: pd.DataFrame) -> pd.DataFrame:
                     "contact_time",
                 )
             },
-            "spring_slider": surface(part, "theory"),
+            "spring_slider": surface(part, "predicted"),
             "rigid": surface(part[part["slides"]], "rigid"),
         }
     return pd.DataFrame.from_dict(lines, orient="index").rename_axis("benchmark")

@@ -8,15 +8,15 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 
 import numpy as np
-import pandas as pd
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from plastigran import theory
-from plastigran.chung_ooi import TITLES, Case
-from plastigran.collision import Collision
+from plastigran.chung_ooi import TITLES, BenchmarkImpact, Outcome
 from plastigran.figures import COLOURS, MARKERS, STYLE, plt
 from plastigran.oblique import Motion, ObliqueImpact
+
+Entry = tuple[BenchmarkImpact, Outcome]
 
 
 @dataclass(frozen=True)
@@ -84,43 +84,29 @@ PANELS = {
 }
 
 
-def _found(line: pd.Series) -> Motion:
-    return Motion(
-        normal=line["coefficient_of_restitution"] * line["closing_speed"],
-        along=line["speed_along"],
-        spin=line["spin_after"],
-        along_other=line["speed_along_other"],
-        spin_other=line["spin_after_other"],
-    )
-
-
-def _label(case: Case) -> str:
+def _label(case: BenchmarkImpact) -> str:
     name = case.material.replace("_", " ")
     if case.modulus_ratio is None:
         return name
     return f"{name}, $E_2/E_1$ = {case.modulus_ratio:g}"
 
 
-def figure(number: int, table: pd.DataFrame, collisions: dict[Case, Collision]) -> Figure:
+def figure(number: int, outcomes: dict[BenchmarkImpact, Outcome]) -> Figure:
     """The page of one benchmark.
 
     Args:
         number: 1 to 8.
-        table, collisions: As `run_cases` returns them, of any benchmarks in any number.
+        outcomes: As `plastigran.impact.sweep` returns them, of any benchmarks in any number.
 
     Raises:
         ValueError: There are no impacts of that benchmark.
     """
-    chosen = [
-        (case, line, collision)
-        for (case, collision), (_, line) in zip(collisions.items(), table.iterrows(), strict=True)
-        if case.benchmark == number
-    ]
-    if not chosen:
+    series: dict[str, list[Entry]] = {}
+    for case, outcome in outcomes.items():
+        if case.benchmark == number:
+            series.setdefault(_label(case), []).append((case, outcome))
+    if not series:
         raise ValueError(f"no impacts of benchmark {number}")
-    series: dict[str, list[tuple[Case, pd.Series, Collision]]] = {}
-    for entry in chosen:
-        series.setdefault(_label(entry[0]), []).append(entry)
     columns = len(PANELS.get(number, [0, 0] if number < 3 else [0]))
     with plt.rc_context(STYLE):
         page, panels = plt.subplots(
@@ -138,16 +124,17 @@ def figure(number: int, table: pd.DataFrame, collisions: dict[Case, Collision]) 
                     _oblique(axes, panel, entries, style)
         first = panels[0][0]
         first.plot([], [], color="0.3", lw=1.3, label="theory")
-        if any(abs(line["surface_speed_rigid"]) > 0 for _, line, _ in chosen) and number in PANELS:
+        shown = (case for entries in series.values() for case, _ in entries)
+        if number in PANELS and any(case.impact().slides() for case in shown):
             first.plot([], [], ":", color="0.3", lw=1.3, label="rigid bodies, sliding")
         first.legend(title="points: LIGGGHTS", fontsize=8, title_fontsize=8)
     return page
 
 
-def _loops(panels: np.ndarray, entries: list, style: dict) -> None:
+def _loops(panels: np.ndarray, entries: list[Entry], style: dict) -> None:
     """Force over overlap and over time, with Hertz's curves."""
-    for case, _, collision in entries:
-        impact = case.impact()
+    for case, outcome in entries:
+        impact, collision = case.impact(), outcome.collision
         pair = impact.pair
         loop = collision.loop[collision.loop["overlap"] >= 0]
         every = max(1, len(loop) // 24)
@@ -169,9 +156,13 @@ def _loops(panels: np.ndarray, entries: list, style: dict) -> None:
         panels[1].set(xlabel="time (µs)", ylabel="force (kN)")
 
 
-def _restitutions(axes: Axes, entries: list, style: dict, last: bool) -> None:
-    asked = [line["coefficient_of_restitution_set"] for _, line, _ in entries]
-    found = [line["coefficient_of_restitution"] for _, line, _ in entries]
+def _restitutions(axes: Axes, entries: list[Entry], style: dict, last: bool) -> None:
+    impacts = [case.impact() for case, _ in entries]
+    asked = [impact.coefficient_of_restitution for impact in impacts]
+    found = [
+        outcome.after.normal / impact.before.normal
+        for impact, (_, outcome) in zip(impacts, entries, strict=True)
+    ]
     if last:
         fine = np.linspace(0.02, 1, 200)
         axes.plot(fine, theory.restitution_without_pull(fine), color="0.3", lw=1.3)
@@ -181,10 +172,12 @@ def _restitutions(axes: Axes, entries: list, style: dict, last: bool) -> None:
     axes.set_ylim(0, 1.03)
 
 
-def _oblique(axes: Axes, panel: tuple[Quantity, Quantity], entries: list, style: dict) -> None:
+def _oblique(
+    axes: Axes, panel: tuple[Quantity, Quantity], entries: list[Entry], style: dict
+) -> None:
     across, up = panel
-    impacts = [case.impact() for case, _, _ in entries]
-    found = [_found(line) for _, line, _ in entries]
+    impacts = [case.impact() for case, _ in entries]
+    found = [outcome.after for _, outcome in entries]
     axes.plot(
         [across.value(i, m) for i, m in zip(impacts, found, strict=True)],
         [up.value(i, m) for i, m in zip(impacts, found, strict=True)],
@@ -193,7 +186,7 @@ def _oblique(axes: Axes, panel: tuple[Quantity, Quantity], entries: list, style:
         ms=5,
         **style,
     )
-    values = [case.value for case, _, _ in entries]
+    values = [case.value for case, _ in entries]
     fine = np.union1d(
         np.geomspace(min(values), max(values), 50), np.linspace(min(values), max(values), 50)
     )

@@ -68,7 +68,7 @@ def viscoelastic_number(
         youngs_modulus_eff: E* [Pa].
         speed: Closing speed v [m/s], any shape.
 
-    Source: Schwager & Poschel 2008, Phys. Rev. E 78:051304.
+    Source: Schwager & Pöschel 2008, Phys. Rev. E 78:051304.
     """
     stiffness = 4 / 3 * youngs_modulus_eff * sqrt(radius_eff)
     scale = sqrt(1.5 * dissipative_constant) * (stiffness / mass_eff) ** 0.2
@@ -78,7 +78,7 @@ def viscoelastic_number(
 def viscoelastic_restitution(number: ArrayLike) -> np.ndarray:
     """Coefficient of restitution of viscoelastic spheres over v* [-], any shape.
 
-    The Pade form of Muller & Poschel 2011, Phys. Rev. E 84:021302. It lies above the equation of
+    The Padé form of Müller & Pöschel 2011, Phys. Rev. E 84:021302. It lies above the equation of
     motion by 6e-8 at v* = 0.1, 0.14 % at 0.6 and 1.2 % at 1.
     """
     x = np.asarray(number, dtype=float)
@@ -130,7 +130,7 @@ def restitution_without_pull(coefficient_of_restitution: ArrayLike) -> np.ndarra
 
     In the oscillator of `damping_ratio` sin(a) the force vanishes at the phase pi - 2a, where the
     speed is exp(-tan(a) (pi - 2a)) of the initial one; e = exp(-pi tan(a)). The linear contact is
-    in Schwager & Poeschel 2007, Granular Matter 9:465.
+    in Schwager & Pöschel 2007, Granular Matter 9:465.
     """
     e = np.asarray(coefficient_of_restitution, dtype=float)
     return e ** (1 - 2 / np.pi * np.arctan(-np.log(e) / np.pi))

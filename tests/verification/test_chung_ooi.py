@@ -11,30 +11,31 @@ import numpy as np
 import pytest
 
 from plastigran import laws, theory
-from plastigran.chung_ooi import Case, cases, folder, motion, run_cases
+from plastigran.chung_ooi import BenchmarkImpact, cases, folder, motion
 from plastigran.dumps import read_dump
 from plastigran.engine import index_variables, run_deck
+from plastigran.impact import sweep
 from plastigran.materials import RIGID
 from plastigran.oblique import Motion, ObliqueImpact
 
 LAW = "vu_quoc_zhang"
 
 
-def sweeps(number: int) -> list[list[Case]]:
+def sweeps(number: int) -> list[list[BenchmarkImpact]]:
     """The impacts of a benchmark, one list a sweep."""
-    found: dict[tuple, list[Case]] = {}
+    found: dict[tuple, list[BenchmarkImpact]] = {}
     for case in cases():
         if case.benchmark == number:
             found.setdefault((case.material, case.modulus_ratio), []).append(case)
     return list(found.values())
 
 
-def middles(number: int) -> list[Case]:
+def middles(number: int) -> list[BenchmarkImpact]:
     """One impact of each sweep of a benchmark: the middle of it, where springs stick and slide."""
     return [sweep[len(sweep) // 2] for sweep in sweeps(number)]
 
 
-def few(number: int) -> list[Case]:
+def few(number: int) -> list[BenchmarkImpact]:
     """The second, middle and last impact of each sweep of a benchmark, as far as there are."""
     return [
         sweep[k]
@@ -50,7 +51,7 @@ def tables(tmp_path_factory):
     @cache
     def run(number: int):
         place = tmp_path_factory.mktemp("chung_ooi")
-        return run_cases(few(number), place, LAW, jobs=1, progress=False)[0]
+        return sweep(few(number), place, jobs=1, progress=False)[0]
 
     return run
 
@@ -71,7 +72,7 @@ def test_elastic_normal_impact_is_hertzian(tables, number):
     force is a step's, so up to (pi/2000)^2/2 = 1e-6 below the curve's. Energy is kept to 1e-7."""
     table = tables(number)
     for name in ("force_max", "overlap_max", "contact_time"):
-        assert table[name].to_numpy() == pytest.approx(table[f"{name}_theory"], rel=2e-6), name
+        assert table[name].to_numpy() == pytest.approx(table[f"{name}_predicted"], rel=2e-6), name
     assert table["coefficient_of_restitution"].to_numpy() == pytest.approx(1, rel=1e-7)
 
 
@@ -80,7 +81,7 @@ def test_restitution_of_the_dashpot(tables):
     fourth root of the overlap, which 1000 steps see with this error."""
     table = tables(3)
     assert table["coefficient_of_restitution"].to_numpy() == pytest.approx(
-        table["coefficient_of_restitution_theory"], rel=5e-4
+        table["coefficient_of_restitution_predicted"], rel=5e-4
     )
 
 
@@ -111,7 +112,7 @@ def test_oblique_impact_is_spring_and_slider(tables, number):
     1e-3 for 1000 steps: where within a step the spring begins to slide is of first order.
     """
     table = tables(number)
-    off = table["surface_speed"] - table["surface_speed_theory"]
+    off = table["surface_speed"] - table["surface_speed_predicted"]
     assert (off.abs() / table["surface_speed_scale"]).max() < 1e-3
     assert not table["slides"].all()
     assert table["slides"].any()
@@ -142,7 +143,7 @@ def test_unequal_spheres_keep_momentum(tmp_path):
     """Momentum along y, and angular momentum about z, of the pair: rounding, over what friction
     moves. The arms of the friction add up to the distance of the centres, so both are kept."""
     case = replace(few(8)[0], value=5.0)
-    trajectory = case.run(tmp_path)
+    trajectory = case.trajectory(tmp_path)
     step = trajectory["step"]
     first, last = (trajectory[step == step.iloc[k]] for k in (0, -1))
 
@@ -159,12 +160,13 @@ def test_unequal_spheres_keep_momentum(tmp_path):
     assert abs(angular(last) - angular(first)) < 1e-11 * moved * first["radius"].iloc[0]
 
 
-def assert_same_steps(case: Case, law: str, place, steps_per_contact: int = 250) -> None:
+def assert_same_steps(case: BenchmarkImpact, law: str, place, steps_per_contact: int = 250) -> None:
     """Every step of every column as the engine's hertz: 1e-13 of the column's largest value, for
     rounding in another order (1e-15 was found)."""
     ours, stock = (
-        case.run(place / name, name, steps_per_contact) for name in (law, "hertz")
-    )  # fmt: skip
+        replace(case, law=name, steps_per_contact=steps_per_contact).trajectory(place / name)
+        for name in (law, "hertz")
+    )
     assert len(ours) == len(stock)
     for column in stock.columns:
         scale = np.abs(stock[column].to_numpy()).max()
@@ -203,7 +205,7 @@ def test_decks_start_as_theory_takes_them(tmp_path):
     """The motion in the first frame is the case's, and so are radius and mass."""
     for number in range(1, 9):
         case = few(number)[0]
-        trajectory = case.run(tmp_path / case.deck)
+        trajectory = case.trajectory(tmp_path / case.deck)
         first, impact = trajectory.iloc[0], case.impact()
         assert vars(motion(trajectory, 0)) == pytest.approx(vars(impact.before), rel=1e-14)
         assert (first["radius"], first["mass"]) == pytest.approx((impact.radius, impact.mass))
@@ -219,13 +221,22 @@ def test_spring_and_slider_without_friction_or_slip():
     assert after.normal == pytest.approx(theory.restitution_without_pull(0.7), rel=1e-8)
 
 
-def test_sticking_never_gains_energy():
-    """A spring that hardly slides loses only what shrinking contact takes from it."""
-    pair = laws.combine(laws.Material(7e10, 0.3, 1e30, 1.61), RIGID)
+@pytest.mark.parametrize(("poissons_ratio", "gained"), [(0.1, 0.030), (0.23, 0.004), (0.3, -0.030)])
+def test_sticking_spring_keeps_no_energy_of_its_own(poissons_ratio, gained):
+    """A spring that hardly slides: energy along the surface gained by the impact, over what it had.
+
+    The force is k_t(a) times the path, not the sum of its increments: its work depends on when the
+    path was made, for the stiffness grows as the contact does and shrinks with it. Whether the
+    spring pays back more than was put in depends on how many of its swings fit in the contact, thus
+    on k_t over the normal stiffness, 2 (1 - nu)/(2 - nu): it gains for small nu, loses for 0.3.
+
+    5e-4 for the digits given, which are the equations' own.
+    """
+    pair = laws.combine(laws.Material(7e10, poissons_ratio, 1e30, 1.61), RIGID)
     impact = ObliqueImpact(pair, 0.01, 1.0, 50.0, 1.0, Motion(normal=1.0, along=0.3, spin=0.0))
     after = impact.spring_slider()
     energy = 0.5 * after.along**2 + 0.5 * 0.4 * (0.01 * after.spin) ** 2
-    assert energy <= 0.5 * 0.3**2 * (1 + 1e-6)
+    assert energy / (0.5 * 0.3**2) - 1 == pytest.approx(gained, abs=5e-4)
     # What friction gives to spin it takes from the motion along, at the arm R - overlap/2.
     assert after.spin * 0.01 == pytest.approx(2.5 * (after.along - 0.3), rel=0.02)
 

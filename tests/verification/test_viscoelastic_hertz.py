@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Viscoelastic spheres against their Pade form, their equation of motion and their energy."""
+"""Viscoelastic spheres against their Padé form, their equation of motion and their energy."""
 
 from __future__ import annotations
 
+from dataclasses import replace
 from math import pi, sqrt
 
 import numpy as np
@@ -70,13 +71,13 @@ def test_impact_is_the_equation_of_motion(number):
     ],
 )
 def test_pade_form_is_as_good_as_it_is(number, off, digit):
-    """The Pade form lies above the equation of motion by what docs/laws state."""
+    """The Padé form lies above the equation of motion by what docs/laws state."""
     found = float(theory.viscoelastic_restitution(number)) / restitution(number) - 1
     assert found == pytest.approx(off, abs=digit)
 
 
 def test_series_at_low_speed():
-    """1 - e = 1.15345 v*^2 for v* to 0 (Schwager & Poschel 2008); next comes order v*^4."""
+    """1 - e = 1.15345 v*^2 for v* to 0 (Schwager & Pöschel 2008); next comes order v*^4."""
     for number in (0.003, 0.01, 0.03):
         lost = 1 - restitution(number)
         assert lost == pytest.approx(1.15345 * number**2, rel=2 * number**2 + 1e-6)
@@ -189,9 +190,8 @@ def test_laws_that_yield_need_a_strength_and_the_others_do_not():
 @pytest.mark.parametrize("geometry", GEOMETRIES)
 @pytest.mark.parametrize("number", [0.1, 0.3, 0.6])
 def test_engine_gives_the_pade_form(number, geometry, tmp_path):
-    """At the recommended step, to its 1e-3 and what the Pade form itself is off by."""
-    ice = read_material("ice")
-    ice = type(ice)(**(vars(ice) | {"dissipative_constant": constant(number)}))
+    """At the recommended step, to its 1e-3 and what the Padé form itself is off by."""
+    ice = replace(read_material("ice"), dissipative_constant=constant(number))
     found = Impact("viscoelastic_hertz", SPEED, ice, RADIUS, geometry).run(tmp_path)
     expected = float(theory.viscoelastic_restitution(number))
     off = expected / restitution(number) - 1

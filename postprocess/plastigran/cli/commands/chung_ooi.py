@@ -6,7 +6,7 @@ from __future__ import annotations
 import argparse
 
 from plastigran.cli.arguments import add_jobs, add_output, fresh_folder, positive_integer
-from plastigran.impact import laws_for
+from plastigran.impact import laws_for, sweep
 
 HELP = "the eight benchmark impacts of Chung & Ooi (2011), against theory"
 
@@ -33,17 +33,19 @@ def run(arguments: argparse.Namespace) -> None:
     """The benchmark impacts of Chung & Ooi: a table and a figure each, and how far off theory."""
     from plastigran import chung_ooi, chung_ooi_figures, figures  # matplotlib is slow to load
 
-    folder = fresh_folder(arguments.output, arguments.force, "agreement.csv")
-    chosen = [case for case in chung_ooi.cases() if case.benchmark in arguments.benchmark]
-    table, collisions = chung_ooi.run_cases(
-        chosen, folder / "runs", arguments.law, arguments.steps, arguments.jobs
-    )
+    folder = fresh_folder(arguments.output, arguments.force)
+    cases = [
+        case
+        for case in chung_ooi.cases(arguments.law, arguments.steps)
+        if case.benchmark in arguments.benchmark
+    ]
+    table, outcomes = sweep(cases, folder, arguments.jobs)
     for number, part in table.groupby("benchmark"):
         name = folder / f"benchmark_{number}"
         part.dropna(axis="columns", how="all").to_csv(name.with_suffix(".csv"), index=False)
-        figures.save(chung_ooi_figures.figure(number, table, collisions), name)
+        figures.save(chung_ooi_figures.figure(number, outcomes), name)
     agreement = chung_ooi.agreement(table)
     agreement.to_csv(folder / "agreement.csv")
     print("Largest deviations from theory:\n")
     print(agreement.to_string(float_format="{:.1e}".format, na_rep=""))
-    print(f"\nwritten: {folder}: agreement.csv, benchmark_*.csv, .png, .svg")
+    print(f"\nwritten: {folder}: impacts.csv, agreement.csv, benchmark_*.csv, .png, .svg")
