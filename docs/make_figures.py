@@ -19,6 +19,7 @@ from plastigran import (
     chung_ooi,
     chung_ooi_figures,
     cylinder,
+    cylinder_figures,
     figures,
     laws,
     rod_figures,
@@ -178,8 +179,8 @@ def main() -> None:
         figure = OWN_FIGURES[name]() if name in OWN_FIGURES else law_figure(name)
         save(figure, FOLDER / name, (".svg",))
     study = cylinder.study(np.linspace(*cylinder.RADII, 30), np.linspace(1, 30, 30) / 30, 10.0)
-    save(cylinder.maps_figure(study), FOLDER / "cylinder_maps", (".png",))
-    save(cylinder.comparison_figure(), FOLDER / "cylinder_comparison", (".svg",))
+    save(cylinder_figures.maps_figure(study), FOLDER / "cylinder_maps", (".png",))
+    save(cylinder_figures.comparison_figure(), FOLDER / "cylinder_comparison", (".svg",))
     aluminium = read_material("aluminium_zv02")
     shown = [name for name in laws_for("sphere") if not aluminium.missing(name)]
     impacts = plan(shown, PAPER_SPEEDS, [aluminium.name], 0.1)

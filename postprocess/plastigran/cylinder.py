@@ -7,19 +7,14 @@ without the energy guard; the restitution is cut off at 1, as the source does.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
 import pandas as pd
-from matplotlib.axes import Axes
-from matplotlib.colors import BoundaryNorm
-from matplotlib.figure import Figure
 from numpy.typing import ArrayLike
 from scipy.special import roots_legendre
 from tqdm import tqdm
 
-from plastigran.figures import COLOURS, STYLE, plt, save, title
 from plastigran.impact import CylinderImpact, laws_for
 from plastigran.materials import read_material
 
@@ -29,22 +24,12 @@ LENGTH_RATIOS = {10.0: 1.0, 100.0: 5.0}
 RADII = (1e-6, 1e-5)  # from, to [m]
 
 #: Finite elements of the source: cylinder of 10 um, length ratio 10, 1 m/s; residual overlap [m],
-#: and the time its run took to the end of the contact [s].
+#: and the time its whole run took, an upper bound of the contact's [s].
 FINITE_ELEMENTS = {"radius": 1e-5, "length_ratio": 10.0, "speed": 1.0}
 FINITE_ELEMENTS_OVERLAP_RES = 0.12e-6
-FINITE_ELEMENTS_TIME = 3e-6
+FINITE_ELEMENTS_TIME_BOUND = 3e-6
 
 _NODES, _WEIGHTS = roots_legendre(200)
-
-
-@dataclass(frozen=True)
-class Panel:
-    """One map: column of the table, factor to its unit, title, and the edges of its shades."""
-
-    column: str
-    factor: float
-    title: str
-    levels: tuple[float, ...]
 
 
 def contact_time(law, radius_eff: float, mass_eff: float, speed: float) -> tuple[float, float]:
@@ -141,123 +126,48 @@ def study(
     return pd.DataFrame(outcome(i, i.contact_law(energy_guard="off")) for i in bar)
 
 
-def maps_figure(table: pd.DataFrame) -> Figure:
-    """Contours over speed and radius of one length ratio's `study`."""
-    curved, straight = "katta_polycarpou", "lim_stronge"
-    pressures, shares = tuple(np.arange(13) / 5), tuple(0.2 + np.arange(17) / 20)
-    times = (0, 0.4, 0.5, 0.6, 0.8, 1, 1.25, 1.5, 1.75, 2, 2.5, 3, 4, 5, 6, 8)
-    depths = (0, 0.02, 0.05, 0.1, 0.2, 0.3, 0.4, 0.5, 0.7, 1, 1.5, 2, 3)
-    panels = [
-        (curved, Panel("overlap_max", 1e6, "largest overlap (µm)", depths)),
-        (curved, Panel("pressure_ratio", 1, "mean pressure / yield strength", pressures)),
-        (curved, Panel("contact_time", 1e6, "contact time (µs)", times)),
-        (curved, Panel("overlap_res", 1e6, "residual overlap (µm)", depths)),
-        (straight, Panel("overlap_res", 1e6, "residual overlap (µm)", depths)),
-        (curved, Panel("coefficient_of_restitution", 1, "coefficient of restitution", shares)),
-    ]
-    both = {"overlap_max", "pressure_ratio"}  # loading is the same in both laws
-    with plt.rc_context(STYLE | {"axes.grid": False}):
-        figure, grid = plt.subplots(
-            2, 3, figsize=(11, 6.6), sharex=True, sharey=True, layout="constrained"
-        )
-        for axes, (law, panel) in zip(grid.flat, panels, strict=True):
-            _contours(axes, table[table["law"] == law], panel)
-            whose = "both laws" if panel.column in both else title(law)
-            axes.set_title(f"{panel.title}\n{whose}", fontsize=10)
-        for axes in grid[1]:
-            axes.set_xlabel("impact speed (m/s)")
-        for axes in grid[:, 0]:
-            axes.set_ylabel("radius (µm)")
-        ratio = table["length_ratio"].iloc[0]
-        figure.suptitle(
-            f"length = {ratio:g} radii; dashed: yield; blank: overlap beyond the radius",
-            fontsize=11,
-        )
-    return figure
-
-
-def _contours(axes: Axes, table: pd.DataFrame, panel: Panel) -> None:
-    def field(column: str) -> np.ndarray:
-        return table.pivot(index="radius", columns="speed", values=column).to_numpy()
-
-    speed, radius = np.unique(table["speed"]), np.unique(table["radius"]) * 1e6
-    deep = field("overlap_max") / (radius[:, None] * 1e-6)
-    # The top level's own value, 1 or 2.4, is met to rounding: keep it inside.
-    value = np.minimum(field(panel.column) * panel.factor, panel.levels[-1] * (1 - 1e-9))
-    shown = value[deep <= 1]
-    edges = np.asarray(panel.levels)
-    levels = edges[np.searchsorted(edges, shown.min(), "right") - 1 :]
-    levels = levels[: np.searchsorted(levels, shown.max()) + 1]
-    colours = BoundaryNorm(levels, plt.get_cmap("viridis").N)
-    shades = axes.contourf(speed, radius, value, levels, cmap="viridis", norm=colours)
-    axes.figure.colorbar(shades, ax=axes, shrink=0.9, ticks=levels, format="%g")
-    axes.contour(speed, radius, field("speed_ratio"), [1.0], colors="white", linestyles="--")
-    axes.contourf(speed, radius, deep, [1, np.inf], colors=["white"])
-
-
 def comparison() -> pd.DataFrame:
     """The impact the source's finite elements were run for, by each law.
 
     Returns:
-        (3,) rows by law and for the finite elements: overlap_res [m], its error over the finite
-        elements', contact_time [s] and coefficient_of_restitution [-].
+        (3,) rows by law and for the finite elements: overlap_res [m] and its error over the finite
+        elements'; contact_time [s], of the finite elements only contact_time_bound, which it is
+        shorter than; coefficient_of_restitution [-] of the laws.
     """
     at = FINITE_ELEMENTS
     table = study([at["radius"]], [at["speed"]], at["length_ratio"]).set_index("law")
     columns = ["overlap_res", "contact_time", "coefficient_of_restitution"]
     table = table[columns].reindex([*table.index, "finite elements"])
     table.loc["finite elements", "overlap_res"] = FINITE_ELEMENTS_OVERLAP_RES
-    table.loc["finite elements", "contact_time"] = FINITE_ELEMENTS_TIME
+    table.loc["finite elements", "contact_time_bound"] = FINITE_ELEMENTS_TIME_BOUND
     table["overlap_res_error"] = table["overlap_res"] / FINITE_ELEMENTS_OVERLAP_RES - 1
     return table
 
 
-def comparison_figure() -> Figure:
-    """Residual overlap and restitution over speed by both laws, with the finite elements' point."""
-    at = FINITE_ELEMENTS
-    table = study([at["radius"]], np.linspace(0.01, 1.2, 120) * at["speed"], at["length_ratio"])
-    with plt.rc_context(STYLE):
-        figure, (left, right) = plt.subplots(1, 2, figsize=(8.2, 3.4), layout="constrained")
-        for colour, (law, rows) in zip(COLOURS, table.groupby("law"), strict=False):
-            left.plot(rows["speed"], rows["overlap_res"] * 1e6, color=colour, label=title(law))
-            right.plot(rows["speed"], rows["coefficient_of_restitution"], color=colour)
-        left.plot(
-            at["speed"],
-            FINITE_ELEMENTS_OVERLAP_RES * 1e6,
-            "kx",
-            ms=8,
-            mew=2,
-            label="finite elements (2010)",
-        )
-        left.set_ylabel("residual overlap (µm)")
-        left.legend(loc="upper left")
-        right.set_ylabel("coefficient of restitution")
-        right.set_ylim(0, 1.05)
-        for axes in (left, right):
-            axes.set_xlabel("impact speed (m/s)")
-            axes.set_xlim(left=0)
-    return figure
-
-
-def run(folder: str | Path, points: int) -> tuple[pd.DataFrame, list[Path]]:
+def run(folder: str | Path, points: int) -> tuple[pd.DataFrame, pd.DataFrame]:
     """The whole study: maps, and the impact of the finite elements by law and in the engine.
 
+    Each table is written as soon as it is whole.
+
     Args:
-        folder: Where `maps.csv`, `comparison.csv` and the figures go; made when missing.
+        folder: Where `maps.csv`, `comparison.csv` and the engine's `runs` go; made when missing.
         points: Radii and speeds along each axis of a map.
 
     Returns:
-        The comparison, with the engine's `*_engine` columns, and the files written.
+        The maps, as `study` has them, of every length ratio; and the comparison, with the engine's
+        `*_engine` columns.
     """
     folder = Path(folder)
     folder.mkdir(parents=True, exist_ok=True)
     radii = np.linspace(*RADII, points)
-    written, tables = [], []
-    for length_ratio, fastest in LENGTH_RATIOS.items():
-        speeds = np.linspace(fastest / points, fastest, points)
-        tables.append(study(radii, speeds, length_ratio, progress=True))
-        written += save(maps_figure(tables[-1]), folder / f"maps_{length_ratio:g}", (".png",))
-    written += save(comparison_figure(), folder / "comparison", (".png",))
+    maps = pd.concat(
+        [
+            study(radii, np.linspace(fastest / points, fastest, points), ratio, progress=True)
+            for ratio, fastest in LENGTH_RATIOS.items()
+        ],
+        ignore_index=True,
+    )
+    maps.to_csv(folder / "maps.csv", index=False)
 
     table, at = comparison(), FINITE_ELEMENTS
     for name in laws_for("cylinder"):
@@ -265,7 +175,5 @@ def run(folder: str | Path, points: int) -> tuple[pd.DataFrame, list[Path]]:
         found = impact.run(folder / "runs" / name)
         for column in ("overlap_res", "contact_time", "coefficient_of_restitution"):
             table.loc[name, f"{column}_engine"] = getattr(found, column)
-    for name, content in (("maps", pd.concat(tables, ignore_index=True)), ("comparison", table)):
-        written.append(folder / f"{name}.csv")
-        content.to_csv(written[-1], index=name == "comparison")
-    return table, written
+    table.to_csv(folder / "comparison.csv")
+    return maps, table
