@@ -222,7 +222,7 @@ def test_spring_and_slider_without_friction_or_slip():
 
 
 @pytest.mark.parametrize(("poissons_ratio", "gained"), [(0.1, 0.030), (0.23, 0.004), (0.3, -0.030)])
-def test_sticking_spring_keeps_no_energy_of_its_own(poissons_ratio, gained):
+def test_sticking_spring_gains_or_loses_energy(poissons_ratio, gained):
     """A spring that hardly slides: energy along the surface gained by the impact, over what it had.
 
     The force is k_t(a) times the path, not the sum of its increments: its work depends on when the
@@ -237,8 +237,9 @@ def test_sticking_spring_keeps_no_energy_of_its_own(poissons_ratio, gained):
     after = impact.spring_slider()
     energy = 0.5 * after.along**2 + 0.5 * 0.4 * (0.01 * after.spin) ** 2
     assert energy / (0.5 * 0.3**2) - 1 == pytest.approx(gained, abs=5e-4)
-    # What friction gives to spin it takes from the motion along, at the arm R - overlap/2.
-    assert after.spin * 0.01 == pytest.approx(2.5 * (after.along - 0.3), rel=0.02)
+    # What friction gives to spin it takes from the motion along, at the arm R - overlap/2: up to
+    # 0.55 % short of R while 2.5 * 0.17 m/s go to and fro.
+    assert after.spin * 0.01 == pytest.approx(2.5 * (after.along - 0.3), abs=2.5e-3)
 
 
 @pytest.mark.parametrize(
