@@ -43,7 +43,7 @@ def sphere_law(name: str):
     pair = laws.combine(read_material("aluminium_zv02").body(), RIGID)
     overlap_y = RADIUS * laws.yield_radius_ratio(pair) ** 2
     force_y = 4 / 3 * pair.youngs_modulus_eff * np.sqrt(RADIUS) * overlap_y**1.5
-    yield_speed = theory.yield_speed(pair, 1.0, RADIUS)
+    yield_speed = theory.yield_speed(pair, RADIUS, 1.0)
     return laws.LAWS[name](pair), laws.Hertz(pair), force_y, overlap_y, yield_speed
 
 
@@ -93,7 +93,7 @@ def viscoelastic_figure() -> plt.Figure:
     ice, speed = read_material("ice"), 0.01
     pair = laws.combine(ice.body(), RIGID)
     mass = 4 / 3 * np.pi * RADIUS**3 * ice.density
-    bodies = mass, RADIUS, pair.youngs_modulus_eff
+    bodies = RADIUS, mass, pair.youngs_modulus_eff
     with plt.rc_context(STYLE):
         figure, (left, right) = plt.subplots(1, 2, figsize=(8.2, 3.4), layout="constrained")
         overlap_max = theory.hertz_overlap_max(*bodies, speed)
@@ -138,7 +138,7 @@ def viscoelastic_figure() -> plt.Figure:
                 label=f"R = {1e3 * radius:g} mm",
             )
             number = theory.viscoelastic_number(
-                2e-6, mass_eff, radius, pair.youngs_modulus_eff, speeds
+                2e-6, radius, mass_eff, pair.youngs_modulus_eff, speeds
             )
             pade = theory.viscoelastic_restitution(number)
             right.plot(speeds[::6], pade[::6], "o", color=colour, mfc="white", ms=4)

@@ -180,8 +180,8 @@ class BenchmarkImpact:
         impact, found, collision = self.impact(), outcome.after, outcome.collision
         expected, rigid = impact.spring_slider(), impact.rigid_sliding()
         hertz = (
-            impact.mass_eff,
             impact.radius_eff,
+            impact.mass_eff,
             impact.pair.youngs_modulus_eff,
             impact.before.normal,
         )

@@ -146,7 +146,7 @@ def _loops(panels: np.ndarray, entries: list[Entry], style: dict) -> None:
         )
         panels[0].set(xlabel="overlap (µm)", ylabel="force (kN)")
         time, rise = theory.hertz_history(
-            impact.mass_eff, impact.radius_eff, pair.youngs_modulus_eff, impact.before.normal
+            impact.radius_eff, impact.mass_eff, pair.youngs_modulus_eff, impact.before.normal
         )
         curve = theory.hertz_force(impact.radius_eff, pair.youngs_modulus_eff, rise)
         panels[1].plot(time * 1e6, curve / 1e3, color=style["color"], lw=1.3)

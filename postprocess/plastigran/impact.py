@@ -119,7 +119,7 @@ class Impact:
 
     def yield_speed(self) -> float:
         """Speed of each sphere at which the impact just reaches yield [m/s]."""
-        return theory.yield_speed(self.pair, self.mass_eff, self.radius_eff) / self.bodies
+        return theory.yield_speed(self.pair, self.radius_eff, self.mass_eff) / self.bodies
 
     def variables(self) -> dict[str, object]:
         """The impact as the deck's variables of the same names."""

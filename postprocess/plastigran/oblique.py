@@ -158,7 +158,7 @@ class _SpringSlider:
         self.impact = impact
         pair, speed = impact.pair, impact.before.normal
         overlap = theory.hertz_overlap_max(
-            impact.mass_eff, impact.radius_eff, pair.youngs_modulus_eff, speed
+            impact.radius_eff, impact.mass_eff, pair.youngs_modulus_eff, speed
         )
         self.friction = impact.coefficient_of_friction
         self.damping = float(theory.damping_ratio(impact.coefficient_of_restitution))

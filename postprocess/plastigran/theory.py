@@ -13,13 +13,13 @@ from plastigran import laws
 
 
 def hertz_duration(
-    mass_eff: float, radius_eff: float, youngs_modulus_eff: float, speed: ArrayLike
+    radius_eff: float, mass_eff: float, youngs_modulus_eff: float, speed: ArrayLike
 ) -> np.ndarray:
     """Duration of an elastic impact [s], 2.868 (m*^2 / (R* E*^2 v))^(1/5).
 
     Args:
-        mass_eff: m* [kg].
         radius_eff: R* [m].
+        mass_eff: m* [kg].
         youngs_modulus_eff: E* [Pa].
         speed: Closing speed v [m/s], any shape.
 
@@ -31,7 +31,7 @@ def hertz_duration(
 
 
 def hertz_overlap_max(
-    mass_eff: float, radius_eff: float, youngs_modulus_eff: float, speed: ArrayLike
+    radius_eff: float, mass_eff: float, youngs_modulus_eff: float, speed: ArrayLike
 ) -> np.ndarray:
     """Largest overlap of an elastic impact [m], (15 m* v^2 / (16 E* sqrt(R*)))^(2/5).
 
@@ -42,17 +42,17 @@ def hertz_overlap_max(
 
 
 def hertz_force_max(
-    mass_eff: float, radius_eff: float, youngs_modulus_eff: float, speed: ArrayLike
+    radius_eff: float, mass_eff: float, youngs_modulus_eff: float, speed: ArrayLike
 ) -> np.ndarray:
     """Largest force of an elastic impact [N], Hertz's at `hertz_overlap_max`."""
-    overlap = hertz_overlap_max(mass_eff, radius_eff, youngs_modulus_eff, speed)
+    overlap = hertz_overlap_max(radius_eff, mass_eff, youngs_modulus_eff, speed)
     return hertz_force(radius_eff, youngs_modulus_eff, overlap)
 
 
 def viscoelastic_number(
     dissipative_constant: float,
-    mass_eff: float,
     radius_eff: float,
+    mass_eff: float,
     youngs_modulus_eff: float,
     speed: ArrayLike,
 ) -> np.ndarray:
@@ -63,8 +63,8 @@ def viscoelastic_number(
 
     Args:
         dissipative_constant: A [s].
-        mass_eff: m* [kg].
         radius_eff: R* [m].
+        mass_eff: m* [kg].
         youngs_modulus_eff: E* [Pa].
         speed: Closing speed v [m/s], any shape.
 
@@ -93,7 +93,7 @@ def hertz_force(radius_eff: float, youngs_modulus_eff: float, overlap: ArrayLike
 
 
 def hertz_history(
-    mass_eff: float, radius_eff: float, youngs_modulus_eff: float, speed: float
+    radius_eff: float, mass_eff: float, youngs_modulus_eff: float, speed: float
 ) -> tuple[np.ndarray, np.ndarray]:
     """Time [s] and overlap [m] through an elastic impact, both (401,).
 
@@ -102,8 +102,8 @@ def hertz_history(
 
     Args and source: as `hertz_duration`.
     """
-    duration = hertz_duration(mass_eff, radius_eff, youngs_modulus_eff, speed)
-    overlap_max = hertz_overlap_max(mass_eff, radius_eff, youngs_modulus_eff, speed)
+    duration = hertz_duration(radius_eff, mass_eff, youngs_modulus_eff, speed)
+    overlap_max = hertz_overlap_max(radius_eff, mass_eff, youngs_modulus_eff, speed)
     share = np.sin(np.linspace(0, np.pi / 2, 201)) ** 0.8  # dense where the curve is steep
     time = 0.5 * duration * betainc(0.4, 0.5, share**2.5)
     return (
@@ -136,7 +136,7 @@ def restitution_without_pull(coefficient_of_restitution: ArrayLike) -> np.ndarra
     return e ** (1 - 2 / np.pi * np.arctan(-np.log(e) / np.pi))
 
 
-def yield_speed(pair: laws.MaterialPair, mass_eff: float, radius_eff: float) -> float:
+def yield_speed(pair: laws.MaterialPair, radius_eff: float, mass_eff: float) -> float:
     """Closing speed at which a central impact just reaches yield [m/s].
 
     From 1/2 m* v_y^2 = 2/5 F_y overlap_y; Thornton 1997, J. Appl. Mech. 64:383, eq. 22.

@@ -53,7 +53,7 @@ def test_hertz_duration(law, speed, aluminium, tmp_path):
         model = Impact(law, speed, aluminium, 0.1, geometry)
         found = model.run(tmp_path / geometry, model.time_step() / 4)
         duration = theory.hertz_duration(
-            model.mass_eff, model.radius_eff, model.pair.youngs_modulus_eff, model.closing_speed
+            model.radius_eff, model.mass_eff, model.pair.youngs_modulus_eff, model.closing_speed
         )
         assert found.contact_time == pytest.approx(float(duration), rel=1e-3)
 

@@ -172,8 +172,8 @@ def test_hertzian_collision_of_the_ice_sphere(geometry, tmp_path):
     model = Impact("hertz", 0.1, read_material("ice"), 0.01, geometry)
     found = model.run(tmp_path, model.time_step() / 10)
     bodies = (
-        model.mass_eff,
         model.radius_eff,
+        model.mass_eff,
         model.pair.youngs_modulus_eff,
         model.closing_speed,
     )
@@ -188,7 +188,7 @@ def test_duration_is_the_plane_walls_closed_form():
     ice = read_material("ice")
     model = Impact("hertz", 0.1, ice, 0.01)
     found = theory.hertz_duration(
-        model.mass_eff, model.radius_eff, model.pair.youngs_modulus_eff, model.closing_speed
+        model.radius_eff, model.mass_eff, model.pair.youngs_modulus_eff, model.closing_speed
     )
     group = 1.25 * pi * ice.density * (1 - ice.poissons_ratio**2) / ice.youngs_modulus
     assert found == pytest.approx(2.943275 * 0.01 * 0.1**-0.2 * group**0.4, rel=1e-6)

@@ -22,7 +22,7 @@ PAIR = laws.combine(laws.Material(9.3e9, 0.25), RIGID)
 def constant(number: float, speed: float = SPEED) -> float:
     """The dissipative constant [s] that gives the sphere of this file a v* at a speed."""
     return (
-        number / theory.viscoelastic_number(1.0, MASS, RADIUS, PAIR.youngs_modulus_eff, speed)
+        number / theory.viscoelastic_number(1.0, RADIUS, MASS, PAIR.youngs_modulus_eff, speed)
     ) ** 2
 
 
@@ -103,7 +103,7 @@ def test_restitution_falls_with_speed_and_grows_with_radius():
 def test_only_the_number_matters():
     """Spheres of other size, speed, stiffness, mass at one v*: one restitution."""
     steel = laws.combine(laws.Material(2.1e11, 0.3), laws.Material(7e10, 0.33))
-    scale = float(theory.viscoelastic_number(1.0, 3.0, 0.2, steel.youngs_modulus_eff, 5.0))
+    scale = float(theory.viscoelastic_number(1.0, 0.2, 3.0, steel.youngs_modulus_eff, 5.0))
     other = laws.ViscoelasticHertz(steel, dissipative_constant=(0.7 / scale) ** 2)
     found = other.central_impact(0.2, 3.0, 5.0).coefficient_of_restitution
     assert found == pytest.approx(restitution(0.7), rel=1e-9)

@@ -166,7 +166,7 @@ def test_size_and_material_drop_out(radius, youngs_modulus, density, yield_stren
     pair = laws.combine(body, body)
     mass = 0.5 * 4 / 3 * np.pi * radius**3 * density
     law = laws.VuQuocZhang(pair)
-    scale = theory.yield_speed(pair, mass, radius / 2)
+    scale = theory.yield_speed(pair, radius / 2, mass)
     found = [
         law.central_impact(radius / 2, mass, ratio * scale).coefficient_of_restitution
         for ratio in (12, 36, 60, 120)
