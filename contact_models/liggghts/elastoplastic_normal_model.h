@@ -252,8 +252,8 @@ class ElastoplasticNormalModel : public NormalModelBase {
     FixPropertyGlobal* values = property(name, "peratomtype", type_count_, 0);
     if (values) return values->compute_vector(type - 1);
     if (std::isnan(fallback))
-      fail(std::string(name) + " is missing; give it for every atom type, in " + unit +
-           ": fix ID all property/global " + name + " peratomtype VALUE ...");
+      fail(std::string(name) + " is missing; give it for every atom type [" + unit +
+           "]: fix ID all property/global " + name + " peratomtype VALUE ...");
     return fallback;
   }
 
@@ -361,6 +361,8 @@ class ElastoplasticNormalModel : public NormalModelBase {
         for (const auto& parameter : Law::parameters)
           text << ", " << parameter.property << ' ' << constants_[index(i, j)].*parameter.value
                << (given(parameter.property) ? "" : " (default)");
+        for (const auto& option : Law::options)
+          text << ", " << option.name << ' ' << option.choices[choices_.*option.value];
         text << '\n';
       }
     if (screen) fputs(text.str().c_str(), screen);

@@ -52,7 +52,8 @@ typename Law::Parameters parse_constants(const MaterialPair& pair, const nb::kwa
     const auto option = std::find_if(Law::options.begin(), Law::options.end(),
                                      [&](const auto& candidate) { return name == candidate.name; });
     if (option != Law::options.end()) {
-      constants.*(option->value) = parse_choice(*option, nb::cast<std::string>(item.second));
+      const std::string word = nb::cast<std::string>(nb::str(item.second));
+      constants.*(option->value) = parse_choice(*option, word);
       continue;
     }
     const auto known = std::find_if(Law::parameters.begin(), Law::parameters.end(),

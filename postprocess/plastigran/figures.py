@@ -182,6 +182,7 @@ def save(figure: Figure, path: Path, suffixes: tuple[str, ...] = (".png", ".svg"
     for suffix in suffixes:
         written.append(path.with_suffix(suffix))
         metadata = {"Date": None} if suffix == ".svg" else None
-        figure.savefig(written[-1], dpi=160, metadata=metadata)
+        with plt.rc_context(STYLE):  # its salt makes the same figure the same file
+            figure.savefig(written[-1], dpi=160, metadata=metadata)
     plt.close(figure)
     return written

@@ -30,7 +30,7 @@ class Material:
     poissons_ratio: float
     density: float
     yield_strength: float
-    yield_pressure_factor: float
+    yield_pressure_factor: float = 0.0
     dissipative_constant: float | None = None
 
     def variables(self) -> dict[str, float]:

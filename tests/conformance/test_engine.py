@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import re
 from functools import cache
+from math import ceil
 from pathlib import Path
 
 import numpy as np
@@ -136,15 +137,16 @@ def test_restart_in_mid_contact(engine_law, geometry, moment, ranks, course, tmp
     assert (rest.to_numpy() == whole.to_numpy()).all()
 
 
-def test_ranks_share_and_hand_over_a_contact(engine_law, tmp_path):
+def test_ranks_share_and_hand_over_a_contact(engine_law, course, tmp_path):
     """1, 2 and 4 ranks, the contact on one border and crossing another: the same collision.
 
     1e-9: positions enter sums in another order on the other side of a border.
     """
     bodies, found = scene(engine_law), {}
+    steps = ceil(1.3 * course(engine_law).contact_time / 4e-6)
     for ranks, grid in ((1, "1 1"), (2, "2 1"), (2, "1 2"), (4, "2 2")):
         folder = tmp_path / grid.replace(" ", "x")
-        log = bodies.run("ranks", folder, ranks=ranks, grid=grid, drift=bodies.drift)
+        log = bodies.run("ranks", folder, ranks=ranks, grid=grid, drift=bodies.drift, steps=steps)
         assert f"{grid.replace(' ', ' by ')} by 1 MPI processor grid" in log
         table = read_dump(folder / "trajectory.dump")
         x, y = (table.loc[table["fy"] != 0, axis] for axis in "xy")

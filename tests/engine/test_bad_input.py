@@ -82,7 +82,7 @@ def test_good_input_runs(tmp_path, engine_law):
 @pytest.mark.parametrize(
     ("changes", "said"),
     [
-        ({"yield_strength": ""}, "yieldStrength is missing; give it for every atom type, in Pa"),
+        ({"yield_strength": ""}, "yieldStrength is missing; give it for every atom type \\[Pa\\]"),
         ({"yield_strength": strength("0")}, "yieldStrength is 0; it must be positive and finite"),
         ({"yield_strength": strength("-5e7")}, r"yieldStrength is -5e\+07; it must be positive"),
         ({"yield_strength": strength("nan")}, "Expected floating point parameter"),

@@ -35,18 +35,20 @@ def test_mass_the_tip_feels():
 def test_frozen_geometry(rod, rod_law):
     """A central impact of that mass: what gravity and the rod's turning during contact add.
 
-    They grow with the time in contact: the softest law is off most (thornton, 45°), by 0.32 % of
-    restitution at 4 m/s and 0.36 % of angular velocity at 0.5 m/s. All others keep to 0.3 %.
+    To first order no more than the rod's turn and the share of its speed that gravity adds while in
+    contact: some 0.6 % for the softest laws, which are off by half of that, less for all others.
     """
     for speed in (0.5, 4.0):
         law = rod.law(rod_law)
         frozen = law.central_impact(rod.tip_radius, rod.mass_eff, speed)
         spin = rod.angular_velocity(rod.mass_eff * speed * (1 + frozen.coefficient_of_restitution))
         found = simulate(rod, law, speed)
+        added = (abs(spin) + rod.gravity / speed) * found.contact_time
+        assert added < 0.01
         assert found.coefficient_of_restitution == pytest.approx(
-            frozen.coefficient_of_restitution, rel=4e-3
+            frozen.coefficient_of_restitution, rel=added
         )
-        assert found.angular_velocity == pytest.approx(spin, rel=4e-3)
+        assert found.angular_velocity == pytest.approx(spin, rel=added)
 
 
 def test_energy_balance(rod_law):
