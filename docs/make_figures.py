@@ -7,6 +7,7 @@ Run it with `./run figures`; the files in docs/figures are its output.
 
 from __future__ import annotations
 
+import sys
 import tempfile
 from dataclasses import replace
 from itertools import pairwise
@@ -174,10 +175,13 @@ COOLING = {
 }
 
 
-def main() -> None:
-    for name in sorted(laws.LAWS):
+def draw_laws(names: list[str]) -> None:
+    for name in names:
         figure = OWN_FIGURES[name]() if name in OWN_FIGURES else law_figure(name)
         save(figure, FOLDER / name, (".svg",))
+
+
+def draw_studies() -> None:
     study = cylinder.study(np.linspace(*cylinder.RADII, 30), np.linspace(1, 30, 30) / 30, 10.0)
     save(cylinder_figures.maps_figure(study), FOLDER / "cylinder_maps", (".png",))
     save(cylinder_figures.comparison_figure(), FOLDER / "cylinder_comparison", (".svg",))
@@ -199,4 +203,6 @@ def main() -> None:
 
 
 if __name__ == "__main__":
-    main()
+    draw_laws(sys.argv[1:] or sorted(laws.LAWS))
+    if len(sys.argv) == 1:
+        draw_studies()
