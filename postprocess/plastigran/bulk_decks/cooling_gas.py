@@ -61,7 +61,7 @@ class Case:
         """v_Y^2 [m^2/s^2], v_Y the yield speed of two grains; None for a law without yield."""
         if not laws.LAWS[self.law].yields or self.law == "hertz":
             return None
-        return theory.yield_speed(self.pair, self.mass / 2, self.radius / 2) ** 2
+        return theory.yield_speed(self.pair, self.radius / 2, self.mass / 2) ** 2
 
     def contact_law(self):
         """The law between two grains. Raises ValueError naming a constant it cannot take."""
@@ -185,6 +185,6 @@ def stored_share(case: Case, gas: Gas) -> float:
     it or so: in the mean s/6, with a standard deviation of s^(1/2)/(3 N^(1/2)).
     """
     modulus, speed = case.pair.youngs_modulus_eff, (pi * case.temperature) ** 0.5
-    duration = theory.hertz_duration(case.mass / 2, case.radius / 2, modulus, speed)
+    duration = theory.hertz_duration(case.radius / 2, case.mass / 2, modulus, speed)
     touching = float(duration * gas.collision_rate(case.temperature))
     return touching / 6 + DEVIATIONS * (touching / case.count) ** 0.5 / 3
