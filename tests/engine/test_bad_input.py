@@ -161,6 +161,12 @@ def test_viscoelastic_hertz_asks_for_its_constant_and_no_strength(tmp_path):
         run_deck(deck, {"law": "viscoelastic_hertz", "material": "steel"}, tmp_path)
 
 
+@pytest.mark.parametrize("name", ["radius", "mass", "speed", "cylinder_length", "body_thickness"])
+def test_cylinder_deck_names_what_must_be_positive(name, tmp_path):
+    with pytest.raises(EngineError, match=rf"{name} is -1e-05; it must be positive"):
+        run_deck("collision/cylinder_wall.in", {name: -1e-5}, tmp_path)
+
+
 def test_options_are_words(engine_law, tmp_path):
     """Every choice of every option is taken, any other word refused."""
     for option in laws.LAWS[engine_law].options():
