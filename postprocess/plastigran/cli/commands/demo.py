@@ -11,7 +11,7 @@ from plastigran.cli.commands.impact import run_impacts
 from plastigran.engine import PROJECT
 from plastigran.impact import GEOMETRIES, PAPER_SPEEDS, plan, sweep
 
-HELP = "the tour: collisions and their figures"
+HELP = "the tour: collisions and a gas of 512 grains, with figures"
 
 
 def add_arguments(command: argparse.ArgumentParser) -> None:
@@ -20,7 +20,10 @@ def add_arguments(command: argparse.ArgumentParser) -> None:
 
 
 def run(arguments: argparse.Namespace) -> None:
-    """The paper's sphere over four decades of speed; then one impact through every geometry."""
+    """The paper's sphere over four decades of speed; one impact through every geometry; a gas that
+    cools by such impacts."""
+    from plastigran.bulk import run_bulk  # matplotlib is slow to load
+
     folder = arguments.output
     names = law_names(["all"], ["aluminium_zv02"])
     run_impacts(
@@ -37,4 +40,8 @@ def run(arguments: argparse.Namespace) -> None:
     table, _ = sweep(through, folder / "geometries", arguments.jobs, progress=False)
     pivot = table.pivot(index="law", columns="geometry", values="coefficient_of_restitution")
     print(pivot.rename_axis(index=None, columns=None).to_string(float_format="{:.6f}".format))
-    print(f"\nLook at {folder / 'speeds' / 'restitution.png'}")
+    print("\nA freely cooling gas of 512 grains, on two ranks:")
+    gas = folder / "cooling_gas"
+    run_bulk("cooling_gas", {"side": "8"}, gas, ranks=2, force=True)
+    figures = [folder / "speeds" / "restitution.png", gas / "figures" / "cooling_gas.png"]
+    print("\nLook at " + " and ".join(str(figure) for figure in figures))
