@@ -172,6 +172,8 @@ def loops_figure(collisions: dict[Impact, Collision]) -> Figure:
             axes.set_xlabel("overlap (µm)")
         for axes in panels[:, 0]:
             axes.set_ylabel("normal force (kN)")
+        for axes in panels.flat[max(len(keys) - columns, 0) : len(keys)]:  # the lowest of a column
+            axes.tick_params(labelbottom=True)
     return figure
 
 
