@@ -23,8 +23,6 @@ from plastigran import (
     cylinder_figures,
     figures,
     laws,
-    rod_figures,
-    rod_runs,
     theory,
 )
 from plastigran.bulk import read_record, run_bulk
@@ -33,7 +31,9 @@ from plastigran.cooling_figure import cooling_figure
 from plastigran.figures import STYLE, plt, save, title
 from plastigran.impact import PAPER_SPEEDS, laws_for, plan, sweep
 from plastigran.materials import RIGID, read_material
+from plastigran.rod import figures as rod_figures
 from plastigran.rod import paper_rods
+from plastigran.rod import runs as rod_runs
 
 FOLDER = Path(__file__).parent / "figures"
 RADIUS = 0.01  # the figures are dimensionless; any size gives the same

@@ -11,7 +11,7 @@ import pytest
 
 from plastigran.impact import laws_for
 from plastigran.rod import MeasuredRun, Rod, paper_rods
-from plastigran.rod_motion import _Motion, simulate
+from plastigran.rod.motion import _Motion, simulate
 
 STEEP, FLAT = paper_rods()
 CASES = list(pd.read_csv(Path(__file__).parent / "rod_gcm15.csv", comment="#").itertuples())

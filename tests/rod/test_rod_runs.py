@@ -12,8 +12,8 @@ from plastigran.collision import CollisionError
 from plastigran.dumps import read_dump
 from plastigran.engine import run_deck
 from plastigran.rod import Rod, paper_rods
-from plastigran.rod_motion import simulate
-from plastigran.rod_runs import CENTRE, FAR_END, TIP, RodRun, measure_rod
+from plastigran.rod.motion import simulate
+from plastigran.rod.runs import CENTRE, FAR_END, TIP, RodRun, measure_rod
 
 STEEP, FLAT = paper_rods()
 

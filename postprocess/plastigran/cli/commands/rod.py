@@ -5,7 +5,6 @@ from __future__ import annotations
 
 import argparse
 
-from plastigran import rod_runs
 from plastigran.cli.arguments import (
     UsageError,
     add_jobs,
@@ -17,6 +16,7 @@ from plastigran.cli.arguments import (
 from plastigran.cli.tables import format_table, print_range
 from plastigran.impact import sweep
 from plastigran.rod import PAPER_FRICTION, Rod
+from plastigran.rod import runs as rod_runs
 
 HELP = "drop the paper's oblique rod, table and figures"
 
@@ -56,7 +56,8 @@ def paper_rod(angle: float, friction: float | None) -> Rod:
 
 
 def run(arguments: argparse.Namespace) -> None:
-    from plastigran import figures, rod_figures  # matplotlib is slow to load
+    from plastigran import figures
+    from plastigran.rod import figures as rod_figures  # matplotlib is slow to load
 
     rods = [paper_rod(angle, arguments.friction) for angle in arguments.angle]
     names = law_names(arguments.law, [rods[0].material.name])

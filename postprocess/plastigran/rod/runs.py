@@ -16,8 +16,8 @@ from plastigran.collision import CollisionError, measure_loop
 from plastigran.dumps import read_dump
 from plastigran.engine import run_deck
 from plastigran.impact import OVERLAP_LIMIT
-from plastigran.rod import Rod, RodImpact
-from plastigran.rod_motion import simulate
+from plastigran.rod.body import Rod, RodImpact
+from plastigran.rod.motion import simulate
 
 #: The deck's spheres.
 TIP, CENTRE, FAR_END = 1, 2, 3

@@ -4,7 +4,7 @@
 The planar rigid body of Ghaednia, Cermik & Marghitu 2015 (Int. J. Impact Eng. 86:307). x is along
 the flat, y its normal and the flat is y = 0; the rod leans by `angle`, its centre to the right of
 its tip. Angular velocities count counterclockwise: a tip that is hit turns the rod with a negative
-one. `plastigran.rod_motion` integrates its equations of motion, `plastigran.rod_runs` runs it in
+one. `plastigran.rod.motion` integrates its equations of motion, `plastigran.rod.runs` runs it in
 the engine.
 """
 

@@ -9,7 +9,7 @@ import numpy as np
 import pandas as pd
 from scipy.integrate import solve_ivp
 
-from plastigran.rod import Rod, RodImpact
+from plastigran.rod.body import Rod, RodImpact
 
 #: Below this share of the impact speed the tip's slip counts as none.
 STICKING_SLIP = 1e-3

@@ -9,8 +9,8 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from plastigran.figures import COLOURS, MARKERS, STYLE, plt, title
-from plastigran.rod import PAPER_RESTITUTION, MeasuredRun, RodImpact, paper_rods
-from plastigran.rod_runs import RodRun
+from plastigran.rod.body import PAPER_RESTITUTION, MeasuredRun, RodImpact, paper_rods
+from plastigran.rod.runs import RodRun
 
 MEASURED = MeasuredRun()
 #: Engine points drawn of a motion.
