@@ -9,6 +9,7 @@ import shutil
 import subprocess
 from collections.abc import Mapping
 from pathlib import Path
+from typing import TextIO
 
 PROJECT = Path(__file__).resolve().parents[2]
 
@@ -79,6 +80,17 @@ def environment() -> dict[str, str]:
     return {**os.environ, **extra}
 
 
+def surroundings(folder: Path, screen: TextIO) -> dict[str, object]:
+    """Keywords of `subprocess` for any engine: where it runs and where its screen goes."""
+    return {
+        "cwd": folder,
+        "env": environment(),
+        "stdin": subprocess.DEVNULL,
+        "stdout": screen,
+        "stderr": subprocess.STDOUT,
+    }
+
+
 def run_deck(
     deck: str | Path,
     variables: Mapping[str, object],
@@ -114,11 +126,7 @@ def run_deck(
         with open(screen, "w") as output:
             done = subprocess.run(
                 command(deck, variables, folder, ranks),
-                cwd=folder,
-                env=environment(),
-                stdin=subprocess.DEVNULL,
-                stdout=output,
-                stderr=subprocess.STDOUT,
+                **surroundings(folder, output),
                 timeout=timeout,
                 start_new_session=ranks == 1,
             )

@@ -11,7 +11,7 @@ from pathlib import Path
 
 from tqdm import tqdm
 
-from plastigran.engine import check_finished, command, environment
+from plastigran.engine import check_finished, command, surroundings
 
 #: Seconds an engine has to finish its step and close its files when asked to stop.
 GRACE = 10.0
@@ -113,11 +113,7 @@ def run_watched(
     with open(folder / "screen.txt", "w") as screen:
         engine = subprocess.Popen(
             command(deck, variables, folder, ranks),
-            cwd=folder,
-            env=environment(),
-            stdin=subprocess.DEVNULL,
-            stdout=screen,
-            stderr=subprocess.STDOUT,
+            **surroundings(folder, screen),
             start_new_session=True,
         )
     try:
