@@ -13,6 +13,7 @@
 // energy guard sees to it. Range: as good as the P0 given; P0 above 2/3 p_y.
 #pragma once
 
+#include "indentation_pressure.h"
 #include "power_unloading.h"
 
 namespace plastigran {
@@ -25,7 +26,7 @@ struct Brake2012Curve {
 
   Brake2012Curve(const MaterialPair& pair, double pressure)
       : yield_radius_ratio(plastigran::yield_radius_ratio(pair)),
-        alpha(1.5 * (pressure > 0 ? pressure : 2.8 * pair.yield_strength) / pair.yield_pressure),
+        alpha(1.5 * indentation_pressure(pair, pressure) / pair.yield_pressure),
         breaks{1, alpha * alpha} {}
 
   // The cubic through (1, value) with slope, and (x_p, value_p) with slope_p.
@@ -57,10 +58,7 @@ class Brake2012 : public PowerUnloading<Brake2012Curve> {
     int energy_guard = 1;
   };
   static constexpr std::array<Parameter<Parameters>, 1> parameters{{
-      {"indentation_pressure", "indentationPressure", "Pa", &Parameters::indentation_pressure, 1e5,
-       1e13,
-       "pressure of a fully plastic indentation, 9.80665e6 times a hardness in kgf/mm2; 0 stands "
-       "for 2.8 times the yield strength"},
+      indentation_pressure_parameter(&Parameters::indentation_pressure),
   }};
   static constexpr std::array<Option<Parameters>, 1> options{{
       energy_guard_option(&Parameters::energy_guard),

@@ -15,6 +15,7 @@
 // overlap.
 #pragma once
 
+#include "indentation_pressure.h"
 #include "power_unloading.h"
 
 namespace plastigran {
@@ -28,8 +29,7 @@ struct Brake2015Curve {
 
   Brake2015Curve(const MaterialPair& pair, double pressure, double index)
       : yield_radius_ratio(plastigran::yield_radius_ratio(pair)), meyer(index) {
-    const double root =
-        3 * (pressure > 0 ? pressure : 2.8 * pair.yield_strength) / pair.yield_pressure;
+    const double root = 3 * indentation_pressure(pair, pressure) / pair.yield_pressure;
     plastic = root * root;
   }
 
@@ -58,10 +58,7 @@ class Brake2015 : public PowerUnloading<Brake2015Curve> {
     int energy_guard = 1;
   };
   static constexpr std::array<Parameter<Parameters>, 2> parameters{{
-      {"indentation_pressure", "indentationPressure", "Pa", &Parameters::indentation_pressure, 1e5,
-       1e13,
-       "pressure of a fully plastic indentation, 9.80665e6 times a hardness in kgf/mm2; 0 stands "
-       "for 2.8 times the yield strength"},
+      indentation_pressure_parameter(&Parameters::indentation_pressure),
       {"meyer_index", "meyerIndex", "-", &Parameters::meyer_index, 2, 2.7,
        "Meyer's hardening index; 2 is perfectly plastic"},
   }};

@@ -34,6 +34,8 @@
 #include <tuple>
 #include <type_traits>
 
+#include "numerics.h"
+
 namespace plastigran {
 
 constexpr double pi = 3.14159265358979323846;
@@ -130,16 +132,7 @@ inline double hertz_yield_pressure_factor(double poissons_ratio) {
   const auto shear = [=](double z) {
     return 1.5 / (1 + z * z) - (1 + poissons_ratio) * (1 - z * std::atan2(1.0, z));
   };
-  const double golden = 0.6180339887498949;
-  double shallow = 0, deep = 2;
-  for (int i = 0; i < 80; ++i) {
-    const double width = golden * (deep - shallow);
-    if (shear(deep - width) > shear(shallow + width))
-      deep = shallow + width;
-    else
-      shallow = deep - width;
-  }
-  return 1 / shear(0.5 * (shallow + deep));
+  return 1 / shear(golden_section(shear, 0, 2, 80));
 }
 
 inline double yield_pressure(const Material& body) {

@@ -89,21 +89,13 @@ class PowerUnloading {
   // Work of the virgin curve up to x, over F_y overlap_y: Gauss-Legendre between the breaks on
   // panels that double in length.
   double virgin_work(double x) const {
-    static constexpr double node[6] = {0.1252334085114689, 0.3678314989981802, 0.5873179542866175,
-                                       0.7699026741943047, 0.9041172563704749, 0.9815606342467192};
-    static constexpr double weight[6] = {0.2491470458134028, 0.2334925365383548,
-                                         0.2031674267230659, 0.1600783285433462,
-                                         0.1069393259953184, 0.0471753363865118};
     double left = std::min(x, curve_.breaks[0]);
     double work = 0.4 * left * left * std::sqrt(left);
     while (left < x) {
       double right = std::min(2 * left, x);
       for (double edge : curve_.breaks)
         if (edge > left) right = std::min(right, edge);
-      const double half = 0.5 * (right - left), middle = left + half;
-      for (int i = 0; i < 6; ++i)
-        work += half * weight[i] *
-                (curve_.force(middle - half * node[i]) + curve_.force(middle + half * node[i]));
+      work += gauss_legendre([this](double at) { return curve_.force(at); }, left, right);
       left = right;
     }
     return work;
@@ -128,13 +120,14 @@ class PowerUnloading {
   // the smooth curve from yield on and beyond the last break one more each.
   void find_guarded() {
     const double reach = 1e3 * curve_.breaks[curve_.breaks.size() - 1];
+    const auto loss_at = [this](double x) { return published_plastic_work(x); };
     std::size_t found = 0;
     double earlier = curve_.breaks[0], previous = earlier, lost = 0;
     for (double x = next(previous); x < reach && found < guarded_.size();) {
       const double loss = published_plastic_work(x);
       if (loss < lost) {
         const bool jump = x < previous * (1 + 3 * close);
-        const double begin = jump ? previous : maximum(earlier, x);
+        const double begin = jump ? previous : golden_section(loss_at, earlier, x, 50);
         if (!jump) lost = published_plastic_work(begin);
         do {
           previous = x;
@@ -161,19 +154,6 @@ class PowerUnloading {
       if (x < edge * (1 + close) && 1.02 * x > edge)
         return x < edge * (1 - close) ? edge * (1 - close) : edge * (1 + close);
     return 1.02 * x;
-  }
-
-  // Where the published loss is largest between two points: golden section.
-  double maximum(double left, double right) const {
-    const double golden = 0.6180339887498949;
-    for (int i = 0; i < 50; ++i) {
-      const double width = golden * (right - left);
-      if (published_plastic_work(right - width) > published_plastic_work(left + width))
-        right = left + width;
-      else
-        left = right - width;
-    }
-    return 0.5 * (left + right);
   }
 
   static constexpr double close = 1e-9;

@@ -153,22 +153,13 @@ class VuQuocZhang {
   // a fixed number of panel lengths away, so 12 points per panel leave less than 1e-12.
   double plastic_work(const Shape& max) const {
     if (!(max.u > 0)) return 0;
-    static constexpr double node[6] = {0.1252334085114689, 0.3678314989981802, 0.5873179542866175,
-                                       0.7699026741943047, 0.9041172563704749, 0.9815606342467192};
-    static constexpr double weight[6] = {0.2491470458134028, 0.2334925365383548,
-                                         0.2031674267230659, 0.1600783285433462,
-                                         0.1069393259953184, 0.0471753363865118};
     const auto integrand = [this](double s) {  // overlap/overlap_Y d(F/P_Y)/ds
       const Shape at = shape(s);
       return 3 * s * s * at.radius * at.radius / at.curvature;
     };
     double complementary = 0;
-    for (double left = 1; left < max.s; left *= 2) {
-      const double half = 0.5 * (std::min(2 * left, max.s) - left), middle = left + half;
-      for (int i = 0; i < 6; ++i)
-        complementary += half * weight[i] *
-                         (integrand(middle - half * node[i]) + integrand(middle + half * node[i]));
-    }
+    for (double left = 1; left < max.s; left *= 2)
+      complementary += gauss_legendre(integrand, left, std::min(2 * left, max.s));
     const double force = max.u + 1;
     const double virgin_work =
         0.4 + force * max.radius * max.radius / max.curvature - 1 - complementary;

@@ -100,16 +100,7 @@ Impact rate_dependent_impact(const Law& law, double radius_eff, double mass_eff,
     }
     if (!back(now)) {  // the force is largest while closing; golden section finds it in a step
       const auto along = [&](double part) { return force(step(now, part * h)); };
-      const double golden = 0.6180339887498949;
-      double left = 0, right = 1;
-      while (right - left > 1e-6) {
-        const double width = golden * (right - left);
-        if (along(right - width) > along(left + width))
-          right = left + width;
-        else
-          left = right - width;
-      }
-      impact.force_max = std::max(impact.force_max, along(0.5 * (left + right)));
+      impact.force_max = std::max(impact.force_max, along(golden_section(along, 0, 1, 30)));
     }
     if (back(next) && !back(now)) {
       const Point top = turn(now, h, back);

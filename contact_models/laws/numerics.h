@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+//
+// Integrals and maxima that several laws need.
+#pragma once
+
+namespace plastigran {
+
+// Integral of f from left to right by Gauss-Legendre on 12 points.
+template <class Function>
+double gauss_legendre(const Function& f, double left, double right) {
+  constexpr double node[6] = {0.1252334085114689, 0.3678314989981802, 0.5873179542866175,
+                              0.7699026741943047, 0.9041172563704749, 0.9815606342467192};
+  constexpr double weight[6] = {0.2491470458134028, 0.2334925365383548, 0.2031674267230659,
+                                0.1600783285433462, 0.1069393259953184, 0.0471753363865118};
+  const double half = 0.5 * (right - left), middle = left + half;
+  double sum = 0;
+  for (int i = 0; i < 6; ++i)
+    sum += half * weight[i] * (f(middle - half * node[i]) + f(middle + half * node[i]));
+  return sum;
+}
+
+// Where f, with one maximum between left and right, is largest: golden section, which narrows the
+// stretch by 0.618 a step.
+template <class Function>
+double golden_section(const Function& f, double left, double right, int steps) {
+  const double golden = 0.6180339887498949;
+  for (int i = 0; i < steps; ++i) {
+    const double width = golden * (right - left);
+    if (f(right - width) > f(left + width))
+      right = left + width;
+    else
+      left = right - width;
+  }
+  return 0.5 * (left + right);
+}
+
+}  // namespace plastigran
