@@ -9,13 +9,13 @@ from math import inf, pi
 import pandas as pd
 
 from plastigran import laws, theory
+from plastigran.bulk_checks import count_check
 from plastigran.bulk_decks import Analysis, Check
 from plastigran.cooling_figure import cooling_figure
 from plastigran.deck_source import Settings
 from plastigran.figures import title
-from plastigran.impact import laws_for
+from plastigran.grains import Grains, check_rows, read_grains, read_options
 from plastigran.kinetic_theory import FREEZING, Gas, cool, law_restitution
-from plastigran.materials import Material
 
 #: What mean field itself may be off by: up to 7 % was found (docs/decks/cooling_gas.md).
 MEAN_FIELD = 0.08
@@ -30,96 +30,47 @@ class Case:
     """A run's grains and what theory needs of them.
 
     Attributes:
-        law: Name of the law.
-        options: Of the law, by name.
-        material: Of the grains.
-        radius: [m].
+        grains: Size, material and law.
         volume_fraction: [-].
         temperature: Granular temperature at step 0 [m^2/s^2].
         count: Grains.
     """
 
-    law: str
-    options: dict[str, str]
-    material: Material
-    radius: float
+    grains: Grains
     volume_fraction: float
     temperature: float
     count: int
 
     @property
-    def mass(self) -> float:
-        """Of a grain [kg]."""
-        return 4 / 3 * pi * self.radius**3 * self.material.density
-
-    @property
-    def pair(self) -> laws.MaterialPair:
-        return laws.combine(self.material.body(), self.material.body())
-
-    @property
     def stall(self) -> float | None:
         """v_Y^2 [m^2/s^2], v_Y the yield speed of two grains; None for a law without yield."""
-        if not laws.LAWS[self.law].yields or self.law == "hertz":
-            return None
-        return theory.yield_speed(self.pair, self.radius / 2, self.mass / 2) ** 2
-
-    def contact_law(self):
-        """The law between two grains. Raises ValueError naming a constant it cannot take."""
-        return self.material.law(self.law, self.pair, **self.options)
+        speed = self.grains.yield_speed
+        return None if speed is None else speed**2
 
     def gas(self) -> Gas:
         """The grains with the law's restitution, from impacts too slow to matter to the fastest."""
-        law = self.contact_law()
-        thermal = self.temperature**0.5
-        restitution = law_restitution(law, self.radius, self.mass, (1e-4 * thermal, 20 * thermal))
-        return Gas(self.radius, self.volume_fraction, restitution, self.count)
+        grains, thermal = self.grains, self.temperature**0.5
+        speeds = (1e-4 * thermal, 20 * thermal)
+        restitution = law_restitution(grains.contact_law(), grains.radius, grains.mass, speeds)
+        return Gas(grains.radius, self.volume_fraction, restitution, self.count)
 
 
 def read_case(settings: Settings) -> Case:
     """The case of a deck's settings. Raises ValueError naming one out of range."""
-    name = settings["law"]
-    if name not in laws_for("sphere"):
-        raise ValueError(f"no law {name!r} for spheres; there are {', '.join(laws_for('sphere'))}")
-    constants = {
-        "youngs_modulus": settings.number("youngs_modulus", 0, unit="Pa"),
-        "poissons_ratio": settings.number("poissons_ratio", -1, 0.5),
-        "density": settings.number("density", 0, unit="kg/m^3"),
-        "yield_strength": settings.number("yield_strength", 0, unit="Pa"),
-        "yield_pressure_factor": settings.number("yield_pressure_factor", -inf),
-    }
-    if settings["dissipative_constant"] != "0":
-        constants["dissipative_constant"] = settings.number("dissipative_constant", 0, unit="s")
-    case = Case(
-        name,
-        law_options(name, settings["options"]),
-        Material(settings["material"], **constants),
-        settings.number("radius", 0, unit="m"),
+    grains = read_grains(settings)
+    for name, choice in read_options(settings).items():
+        if name not in grains.options and name not in HARMLESS and choice != "off":
+            known = sorted({*(o["name"] for o in laws.LAWS[grains.law].options()), *HARMLESS})
+            raise ValueError(
+                f"options: {name} {choice} changes the restitution or is unknown; {grains.law} "
+                f"takes {', '.join(known)}"
+            )
+    return Case(
+        grains,
         settings.number("volume_fraction", 0, FREEZING),
         settings.number("temperature", 0, unit="m^2/s^2"),
         settings.whole("side", 3) ** 3,
     )
-    case.contact_law()  # raises for constants it cannot take
-    return case
-
-
-def law_options(law: str, text: str) -> dict[str, str]:
-    """A law's options among those of a pair_style line, "NAME CHOICE ...".
-
-    Raises:
-        ValueError: One that changes restitution in a way the law does not know of.
-    """
-    words = text.split()
-    if len(words) % 2:
-        raise ValueError(f"options is {text!r}; it must be pairs, NAME CHOICE")
-    given = dict(zip(words[::2], words[1::2], strict=False))
-    known = {option["name"] for option in laws.LAWS[law].options()}
-    for name, choice in given.items():
-        if name not in known and name not in HARMLESS and choice != "off":
-            raise ValueError(
-                f"options: {name} {choice} changes the restitution or is unknown; {law} takes "
-                f"{', '.join(sorted(known | set(HARMLESS)))}"
-            )
-    return {name: choice for name, choice in given.items() if name in known}
 
 
 def check_settings(settings: Settings) -> None:
@@ -128,15 +79,13 @@ def check_settings(settings: Settings) -> None:
     settings.number("mixing", 0)
     settings.number("duration", 0)
     settings.number("seed", -inf)
-    rows, checkpoints = settings.whole("rows", 1), settings.whole("checkpoints", 1)
-    if rows % checkpoints:
-        raise ValueError(f"checkpoints is {checkpoints}; it must divide rows, {rows}")
+    check_rows(settings)
 
 
 def analyse(settings: Settings, series: pd.DataFrame) -> Analysis:
     case = read_case(settings)
     # Without drift N grains have 3(N - 1) free velocities.
-    scale = 2 / (3 * (case.count - 1) * case.mass)
+    scale = 2 / (3 * (case.count - 1) * case.grains.mass)
     series = series.assign(temperature=scale * series["kinetic_energy"])
     gas = case.gas()
     predicted = cool(gas, case.temperature, series["time"])
@@ -149,7 +98,7 @@ def analyse(settings: Settings, series: pd.DataFrame) -> Analysis:
     stored = stored_share(case, gas)
     tolerance = stored + (not elastic) * MEAN_FIELD + DEVIATIONS * series["temperature_error"]
     checks = [
-        Check("grains lost", abs(series["atoms"] - case.count).max(), 0, "the box is periodic"),
+        count_check(series, case.count),
         Check(
             "drift of the gas over its thermal speed",
             (series["drift"] / series["temperature"] ** 0.5).max(),
@@ -173,7 +122,7 @@ def analyse(settings: Settings, series: pd.DataFrame) -> Analysis:
     return Analysis(
         series,
         checks,
-        {"cooling_gas": cooling_figure({title(case.law): series}, case.stall, cooling_rate)},
+        {"cooling_gas": cooling_figure({title(case.grains.law): series}, case.stall, cooling_rate)},
     )
 
 
@@ -184,7 +133,8 @@ def stored_share(case: Case, gas: Gas) -> float:
     impact. Each took m g^2/4 of 3/2 N m T, exponentially distributed about m T, and stores half of
     it or so: in the mean s/6, with a standard deviation of s^(1/2)/(3 N^(1/2)).
     """
-    modulus, speed = case.pair.youngs_modulus_eff, (pi * case.temperature) ** 0.5
-    duration = theory.hertz_duration(case.radius / 2, case.mass / 2, modulus, speed)
+    grains = case.grains
+    modulus, speed = grains.pair.youngs_modulus_eff, (pi * case.temperature) ** 0.5
+    duration = theory.hertz_duration(grains.radius / 2, grains.mass / 2, modulus, speed)
     touching = float(duration * gas.collision_rate(case.temperature))
     return touching / 6 + DEVIATIONS * (touching / case.count) ** 0.5 / 3

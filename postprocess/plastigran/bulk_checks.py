@@ -1,0 +1,60 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Invariants that bulk decks share."""
+
+from __future__ import annotations
+
+import pandas as pd
+
+from plastigran.bulk_decks import Check
+
+#: Drift of the energy ledger over the energy that came in: what a run may be off by.
+LEDGER = 1e-3
+
+#: Where energy is or went, as inputs/energy_ledger.in names it: all but gravity's.
+TAKEN = ["kinetic", "elastic", "plastic", "friction", "viscous"]
+
+
+def energy_input(series: pd.DataFrame) -> float:
+    """The energy that came in, by gravity, walls, inserted grains and motion at the start [J].
+
+    It is now motion, stored in contacts, or dissipated: the most there was of them together.
+
+    Args:
+        series: The entries of inputs/energy_ledger.in [J], one row a line of the log.
+    """
+    return float(series[TAKEN].sum(axis="columns").max())
+
+
+def ledger_checks(series: pd.DataFrame) -> list[Check]:
+    """The ledger closes, and plastic work only grows.
+
+    Args:
+        series: The entries of inputs/energy_ledger.in [J], one row a line of the log.
+    """
+    came_in = energy_input(series)
+    plastic = series["plastic"]
+    return [
+        Check(
+            "drift of the energy ledger, over the energy that came in",
+            series["drift"].abs().max() / came_in,
+            LEDGER,
+            "the integrator's error at a sound time step",
+        ),
+        Check(
+            "plastic work lost, over the energy that came in",
+            (plastic.cummax() - plastic).max() / came_in,
+            1e-12,
+            "plastic work only grows, to rounding of its sum over ranks",
+        ),
+    ]
+
+
+def count_check(series: pd.DataFrame, count: int) -> Check:
+    """No grain is lost or gained.
+
+    Args:
+        series: Column `atoms`, one row a line of the log.
+        count: Grains there must be.
+    """
+    lost = (series["atoms"] - count).abs().max()
+    return Check("grains lost or gained", lost, 0, "walls and periodic sides keep them all")
