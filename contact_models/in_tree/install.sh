@@ -23,8 +23,8 @@ version=$(cat "$tree/src/version_liggghts.txt")
 # The set: the laws, what is built on them, the adapter and the models.
 models=$(dirname "$0")/..
 set -- "$models"/laws/*.h "$models"/tools/*.h \
-  "$models"/liggghts/elastoplastic_normal_model.h "$models"/liggghts/range_watch.h \
-  "$models"/liggghts/energy_ledger.h "$models"/liggghts/wall_point.h \
+  "$models"/liggghts/elastoplastic_normal_model.h "$models"/liggghts/energy_ledger.h \
+  "$models"/liggghts/wall_point.h "$models"/liggghts/*_watch.h "$models"/liggghts/own_fix.h \
   "$models"/liggghts/engine_access.h "$models"/liggghts/normal_model_*.h
 
 # A fork may have a file of the same name. All of ours name our namespace.

@@ -44,7 +44,7 @@ class AccountedContact : public LIGGGHTS::ContactModels::ContactModel<Style>, pu
   }
 
   void connectToProperties(PropertyRegistry& registry) {
-    ledger = asked_ ? EnergyLedger::find(engine_) : nullptr;
+    ledger = asked_ ? find_own_fix<EnergyLedger>(engine_) : nullptr;
     if (asked_ && !ledger)
       engine_->error->all(FLERR, "energy_ledger on: the pair_style line must have it too");
     if (ledger) ledger->attach(owner_);

@@ -21,6 +21,7 @@
 #include "comm.h"
 #include "contact.h"
 #include "domain.h"
+#include "elastic_times.h"
 #include "energy_ledger.h"
 #include "engine_access.h"
 #include "error.h"
@@ -31,12 +32,13 @@
 #include "global_properties.h"
 #include "impact.h"
 #include "modify.h"
+#include "motion_watch.h"
 #include "neighbor.h"
 #include "normal_model_base.h"
 #include "pair_gran.h"
 #include "range_watch.h"
 #include "settings.h"
-#include "update.h"
+#include "step_watch.h"
 #include "validate.h"
 
 namespace LIGGGHTS {
@@ -65,6 +67,7 @@ class ElastoplasticNormalModel : public NormalModelBase {
   void registerSettings(Settings& settings) override {
     settings.registerOnOff("viscous_damping", viscous_damping_, false);
     settings.registerOnOff("tangential_damping", tangential_damping_, true);
+    settings.registerDoubleSetting("overlap_limit", overlap_limit_, 0.5);
     for (const auto& option : Law::options) register_choice(settings, option);
     settings.registerOnOff("computeElasticPotential", engine_elastic_potential_, false);
     settings.registerOnOff("computeDissipatedEnergy", engine_dissipated_energy_, false);
@@ -85,6 +88,8 @@ class ElastoplasticNormalModel : public NormalModelBase {
     type_count_ = registry.max_type();
     build_laws();
     excess_ = plastigran::RangeWatch::of(lmp, caller(), Law::range);
+    step_watch_ = plastigran::own_fix<plastigran::StepWatch>(lmp);
+    plastigran::own_fix<plastigran::MotionWatch>(lmp);
     const auto user = dynamic_cast<plastigran::LedgerUser*>(contact_model_);
     ledger_ = user ? user->ledger : nullptr;
     if (viscous_damping_) {
@@ -122,7 +127,7 @@ class ElastoplasticNormalModel : public NormalModelBase {
         plastigran::respond(laws_[pair], radius_eff, contact.deltan, state, -contact.vn);
     if (ledger_ && contact.computeflag) account(contact, pair, radius_eff);
     if (contact.computeflag && contact.shearupdate) {
-      if (contact.deltan > ranges_[pair] * radius_eff) note_excess(contact, pair, radius_eff);
+      if (contact.deltan > watched_[pair] * radius_eff) note_depth(contact, pair, radius_eff);
       std::memcpy(history, &state, state_size);
     }
 
@@ -189,6 +194,44 @@ class ElastoplasticNormalModel : public NormalModelBase {
     if (std::memcmp(&before, &reached, state_size) != 0)
       plastic_work = now.plastic_work - laws_[pair].respond(radius_eff, 0, before).plastic_work;
     ledger_->add_law(contact, now.elastic_energy, plastic_work);
+  }
+
+  // A contact deeper than what was noted of its pair of types on this rank: by a tenth, so that few
+  // are; and all beyond the law's range, or near the limit.
+  [[gnu::noinline]] void note_depth(const SurfacesIntersectData& contact, int pair,
+                                    double radius_eff) {
+    const double smaller = contact.is_wall ? contact.radi : std::min(contact.radi, contact.radj);
+    if (contact.deltan > overlap_limit_ * smaller) stop_overlap(contact, smaller);
+    if (contact.deltan > ranges_[pair] * radius_eff) note_excess(contact, pair, radius_eff);
+    const double depth = contact.deltan / radius_eff;
+    if (depth <= noted_[pair]) return;
+    noted_[pair] = 1.1 * depth;
+    watched_[pair] = std::min({noted_[pair], ranges_[pair], overlap_limit_});  // R* <= smaller
+    typename Law::State state;
+    const plastigran::Response virgin = laws_[pair].respond(radius_eff, contact.deltan, state);
+    const double energy = virgin.elastic_energy + virgin.plastic_work;
+    const double speed = std::sqrt(2 * energy / contact.meff);
+    const double* const x = atom->x[contact.i];
+    step_watch_->met(
+        {plastigran::recommended_time_step(laws_[pair], radius_eff, contact.meff, speed),
+         speed,
+         {x[0], x[1], x[2]},
+         atom->tag[contact.i],
+         contact.is_wall ? 0 : atom->tag[contact.j]});
+  }
+
+  // On this rank alone.
+  [[gnu::noinline]] void stop_overlap(const SurfacesIntersectData& contact, double smaller) {
+    std::ostringstream text;
+    text << caller() << ": " << plastigran::describe(atom, contact.i) << " overlaps ";
+    if (contact.is_wall)
+      text << "a wall";
+    else
+      text << plastigran::describe(atom, contact.j);
+    text << " by " << contact.deltan / smaller << " of the smaller radius, more than overlap_limit "
+         << overlap_limit_ << ". Look for particles inserted into each other or in a wall, a time "
+         << "step that is too long, or bodies too soft for their load";
+    error->one(FLERR, text.str().c_str());
   }
 
   // A contact is counted when it passes the end of its law's range for the first time: when what it
@@ -270,6 +313,8 @@ class ElastoplasticNormalModel : public NormalModelBase {
     }
     laws_.clear(), constants_.clear(), ranges_.clear(), moduli_.clear(), shear_moduli_.clear();
     lacking_.clear();
+    noted_.assign(type_count_ * type_count_, 0);
+    watched_ = noted_;
     for (int i = 1; i <= type_count_; ++i)
       for (int j = 1; j <= type_count_; ++j) {
         if (j < i) {  // as (j, i): the engine takes symmetric properties only
@@ -370,8 +415,8 @@ class ElastoplasticNormalModel : public NormalModelBase {
   }
 
   // Unloading is stiffer than the elastic loading other checks know, and a law is good for so much
-  // load. Take the fastest impact the present velocities allow between the smallest particles, and
-  // warn when the time step is too long for it or the law is out of its range.
+  // load. Take the fastest impact the present velocities allow between the smallest particles: the
+  // step watch compares the time step with it, and a law out of its range is warned of here.
   void check_impacts() {
     const double unset = 1e300;
     std::vector<double> radius(type_count_ + 1, unset), mass(radius), slowness(radius);
@@ -396,35 +441,41 @@ class ElastoplasticNormalModel : public NormalModelBase {
         if (can_meet(i, j) && !lacking_[index(i, j)].empty()) fail(lacking_[index(i, j)]);
     if (comm->me != 0) return;
 
-    double step = unset, step_speed = 0, outside_speed = 0;
-    for (int i = 1; i <= type_count_; ++i)
+    plastigran::StepWatch::Recommended fastest;
+    fastest.wall = is_wall_;
+    double hertz = unset, rayleigh = unset, outside_speed = 0;
+    for (int i = 1; i <= type_count_; ++i) {
+      if (count[i] > 0 && !is_cylinder) {
+        const plastigran::Material& body = materials_[i - 1];
+        const double volume = 4.1887902047863910 * std::pow(radius[i], 3);  // 4/3 pi
+        rayleigh =
+            std::min(rayleigh, plastigran::rayleigh_time(radius[i], mass[i] / volume,
+                                                         body.youngs_modulus, body.poissons_ratio));
+      }
       for (int j : partner_types()) {
         if (!can_meet(i, j)) continue;
         const double speed = -slowness[i] - (is_wall_ ? 0 : slowness[j]);
         if (!(speed > 0)) continue;
         const auto reduced = [](double a, double b) { return a * b / (a + b); };
-        const Law& law = laws_[index(i, j)];
+        const int pair = index(i, j);
+        const Law& law = laws_[pair];
         const double radius_eff = is_wall_ ? radius[i] : reduced(radius[i], radius[j]);
         const double mass_eff = is_wall_ ? mass[i] : reduced(mass[i], mass[j]);
         const double recommended =
             plastigran::recommended_time_step(law, radius_eff, mass_eff, speed);
-        if (recommended < step) step = recommended, step_speed = speed;
+        if (recommended < fastest.step) fastest.step = recommended, fastest.speed = speed;
+        if (!is_cylinder)
+          hertz = std::min(hertz,
+                           plastigran::hertz_duration(radius_eff, mass_eff, moduli_[pair], speed));
         if (!plastigran::central_impact(law, radius_eff, mass_eff, speed).in_range)
           outside_speed = std::max(outside_speed, speed);
       }
-    static double warned_step = unset,
-                  warned_speed = 0;  // once for all walls, unless it gets worse
-    std::ostringstream text;
-    if (update->dt > step && step < 0.99 * warned_step) {
-      warned_step = step;
-      text << caller() << ": the time step " << update->dt << " is too long for rebound from "
-           << (is_wall_ ? "wall " : "") << "impacts at the present speeds (up to " << step_speed
-           << "); restitution may be off by more than 0.1 %. Recommended: timestep " << step;
-      error->warning(FLERR, text.str().c_str());
     }
+    step_watch_->expect(caller(), fastest, rayleigh, hertz);
+    static double warned_speed = 0;  // once for all walls, unless it gets worse
+    std::ostringstream text;
     if (outside_speed > 1.01 * warned_speed) {
       warned_speed = outside_speed;
-      text.str("");
       text << caller() << ": impacts at the present speeds (up to " << outside_speed
            << ") leave the law's range (" << Law::range << ')';
       error->warning(FLERR, text.str().c_str());
@@ -438,12 +489,14 @@ class ElastoplasticNormalModel : public NormalModelBase {
   typename Law::Parameters choices_;  // the law's options as set; its constants at their defaults
   bool viscous_damping_ = false;
   bool tangential_damping_ = true;  // the dashpot beside the tangential spring too
+  double overlap_limit_ = 0.5;      // of the smaller radius; beyond it the run is stopped
   bool engine_elastic_potential_ = false;
   bool engine_dissipated_energy_ = false;
   bool smooth_friction_ = false;
   double** damping_ = nullptr;  // the engine's beta(coefficientRestitution) of each type pair
 
   plastigran::RangeWatch::Excess* excess_ = nullptr;
+  plastigran::StepWatch* step_watch_ = nullptr;
   plastigran::EnergyLedger* ledger_ = nullptr;
   bool reported_ = false;
   int type_count_ = 0;
@@ -452,6 +505,8 @@ class ElastoplasticNormalModel : public NormalModelBase {
   std::vector<Law> laws_;
   std::vector<typename Law::Parameters> constants_;
   std::vector<double> ranges_;        // largest overlap the law is good for, over R*
+  std::vector<double> noted_;         // overlap over R* up to which contacts were looked at
+  std::vector<double> watched_;       // where to look at them again
   std::vector<double> moduli_;        // E*
   std::vector<double> shear_moduli_;  // G*
   std::vector<std::string> lacking_;  // what neither body brings; an error once the two can meet

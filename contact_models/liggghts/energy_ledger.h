@@ -27,12 +27,12 @@
 #include "comm.h"
 #include "contact_interface.h"
 #include "domain.h"
-#include "engine_access.h"
 #include "error.h"
 #include "fix.h"
 #include "fix_gravity.h"
 #include "fix_property_atom.h"
 #include "modify.h"
+#include "own_fix.h"
 #include "update.h"
 #include "wall_point.h"
 
@@ -73,25 +73,18 @@ class EnergyLedger : public LAMMPS_NS::Fix {
     restart_global = 1;
   }
 
-  // The ledger of an engine, null when there is none.
-  static EnergyLedger* find(LAMMPS_NS::LAMMPS* engine) {
-    return static_cast<EnergyLedger*>(engine->modify->find_fix_id_style(id(), style()));
-  }
+  static const char* id() { return "energy_ledger"; }
+  static const char* style() { return "plastigran/energy_ledger"; }
 
   // Adds the ledger unless there is one. All ranks together.
   static void open(LAMMPS_NS::LAMMPS* engine) {
-    LAMMPS_NS::Modify* const modify = engine->modify;
     if (!engine->domain->box_exist)
       engine->error->all(FLERR, "energy_ledger on: give the pair_style line after create_box");
-    if (find(engine)) return;
-    (*(modify->*reach(EngineFixes())))[style()] = [](LAMMPS_NS::LAMMPS* lmp, int count,
-                                                     char** words) -> Fix* {
-      return new EnergyLedger(lmp, count, words);
-    };
-    add_fix(modify, {id(), "all", style()});
+    if (find_own_fix<EnergyLedger>(engine)) return;
+    own_fix<EnergyLedger>(engine);
     // Restarts with the particles, needs no values on ghosts, and starts at zero.
-    add_fix(modify, {"plastic_work", "all", "property/atom", "plastic_work", "scalar", "yes", "no",
-                     "no", "0.0"});
+    add_fix(engine->modify, {"plastic_work", "all", "property/atom", "plastic_work", "scalar",
+                             "yes", "no", "no", "0.0"});
   }
 
   // The pair style or wall `owner` reports to the ledger.
@@ -219,15 +212,6 @@ class EnergyLedger : public LAMMPS_NS::Fix {
     WallPoint point;
     Vector force, friction, dashpot;
   };
-
-  static const char* id() { return "energy_ledger"; }
-  static const char* style() { return "plastigran/energy_ledger"; }
-
-  static void add_fix(LAMMPS_NS::Modify* modify, std::vector<std::string> words) {
-    std::vector<char*> pointers;
-    for (std::string& word : words) pointers.push_back(word.data());
-    modify->add_fix(pointers.size(), pointers.data());
-  }
 
   template <class Term>
   static void add(Vector& sum, const Term& term, double sign) {

@@ -11,6 +11,7 @@
 #include "fix.h"
 #include "modify.h"
 #include "settings.h"
+#include "thermo.h"
 
 namespace plastigran {
 
@@ -28,12 +29,19 @@ struct EngineFixes {
   friend type reach(EngineFixes);
 };
 
+// What the engine does about lost particles.
+struct EngineThermoLost {
+  typedef int LAMMPS_NS::Thermo::*type;
+  friend type reach(EngineThermoLost);
+};
+
 template <class Tag, typename Tag::type Member>
 struct Reach {
   friend typename Tag::type reach(Tag) { return Member; }
 };
 template struct Reach<EngineSettings, &Settings::settings>;
 template struct Reach<EngineFixes, &LAMMPS_NS::Modify::fix_map>;
+template struct Reach<EngineThermoLost, &LAMMPS_NS::Thermo::lostflag>;
 
 }  // namespace plastigran
 

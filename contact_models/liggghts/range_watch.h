@@ -12,10 +12,9 @@
 #include <string>
 
 #include "comm.h"
-#include "engine_access.h"
 #include "error.h"
 #include "fix.h"
-#include "modify.h"
+#include "own_fix.h"
 
 namespace plastigran {
 
@@ -29,20 +28,12 @@ class RangeWatch : public LAMMPS_NS::Fix {
   };
 
   RangeWatch(LAMMPS_NS::LAMMPS* engine, int count, char** words) : Fix(engine, count, words) {}
+  static const char* id() { return "plastigran_range"; }
+  static const char* style() { return "plastigran/range"; }
 
   // What is counted for a model; the watch is made when the first one asks. All ranks together.
   static Excess* of(LAMMPS_NS::LAMMPS* engine, const std::string& model, const char* range) {
-    LAMMPS_NS::Modify* const modify = engine->modify;
-    char id[] = "plastigran_range", group[] = "all", style[] = "plastigran/range";
-    (*(modify->*reach(EngineFixes())))[style] = [](LAMMPS_NS::LAMMPS* lmp, int n,
-                                                   char** words) -> Fix* {
-      return new RangeWatch(lmp, n, words);
-    };
-    if (modify->find_fix(id) < 0) {
-      char* words[] = {id, group, style};
-      modify->add_fix(3, words);
-    }
-    RangeWatch* const watch = static_cast<RangeWatch*>(modify->fix[modify->find_fix(id)]);
+    RangeWatch* const watch = own_fix<RangeWatch>(engine);
     Excess& excess = watch->models_[model];
     excess.range = range;
     return &excess;

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+//
+// Times of an elastic sphere that time steps are usually held against.
+#ifndef PLASTIGRAN_ELASTIC_TIMES_H
+#define PLASTIGRAN_ELASTIC_TIMES_H
+
+#include <cmath>
+
+namespace plastigran {
+
+// Duration of an elastic impact [s] (Hertz 1881; Johnson, Contact Mechanics, 1985, sec. 11.4).
+inline double hertz_duration(double radius_eff, double mass_eff, double youngs_modulus_eff,
+                             double speed) {
+  return 2.868266 * std::pow(mass_eff * mass_eff /
+                                 (radius_eff * youngs_modulus_eff * youngs_modulus_eff * speed),
+                             0.2);
+}
+
+// Time a surface wave takes from pole to pole [s]; its speed in Bergmann's approximation
+// (0.8766 + 0.1631 nu) of the shear wave's.
+inline double rayleigh_time(double radius, double density, double youngs_modulus,
+                            double poissons_ratio) {
+  const double shear_modulus = 0.5 * youngs_modulus / (1 + poissons_ratio);
+  const double pi = 3.14159265358979323846;
+  return pi * radius * std::sqrt(density / shear_modulus) / (0.8766 + 0.1631 * poissons_ratio);
+}
+
+}  // namespace plastigran
+
+#endif

@@ -1,0 +1,151 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""A run that goes wrong stops and says which particle, where, and what to try; a time step that is
+too long is said before the run, or when a contact shows it."""
+
+from __future__ import annotations
+
+import re
+from math import pi, sqrt
+from pathlib import Path
+
+import pytest
+
+from plastigran import laws, theory
+from plastigran.engine import EngineError, run_deck
+
+RADIUS, GAP = 0.0025, 0.01
+BODY = laws.Material(youngs_modulus=5e6, poissons_ratio=0.3, yield_strength=1e5)
+DENSITY = 1500
+MASS = 4 / 3 * pi * RADIUS**3 * DENSITY
+
+DECK = """
+variable output index .
+variable inputs index inputs
+units           si
+atom_style      granular
+boundary        f f f
+newton          off
+communicate     single vel yes
+region          box block -0.1 0.1 -0.1 0.1 -0.1 0.1 units box
+create_box      1 box
+neighbor        0.001 bin
+neigh_modify    delay 0
+fix youngs   all property/global youngsModulus peratomtype 5e6
+fix poisson  all property/global poissonsRatio peratomtype 0.3
+fix strength all property/global yieldStrength peratomtype 1e5
+pair_style      gran model thornton tangential off {settings}
+pair_coeff      * *
+{grains}
+set group all diameter 0.005 density 1500
+fix floor all wall/gran model thornton tangential off primitive type 1 zplane 0.0 {settings}
+fix integrate   all nve/sphere
+timestep        {timestep}
+thermo          100
+{more}
+run             {steps}
+"""
+
+
+def run(folder: Path, grains: list[tuple], ranks: int = 1, **changes) -> str:
+    values = {"timestep": 1e-5, "settings": "", "more": "", "steps": 2000} | changes
+    lines = "\n".join(f"create_atoms 1 single {x} {y} {z}" for x, y, z in grains)
+    (folder / "deck.in").write_text(DECK.format(grains=lines, **values))
+    return run_deck(folder / "deck.in", {}, folder, ranks=ranks)
+
+
+def stopped(folder: Path, grains: list[tuple], **changes) -> str:
+    with pytest.raises(EngineError) as error:
+        run(folder, grains, **changes)
+    return str(error.value)
+
+
+@pytest.mark.parametrize("ranks", [1, 2])
+def test_force_that_is_no_number(ranks, tmp_path):
+    """A grain whose centre lies in the wall: the contact has no normal."""
+    said = stopped(tmp_path, [(0.05, 0.01, 0.05), (0.04, 0.02, 0)], ranks=ranks)
+    assert "particle 2 at (0.04 0.02 0) has a force that is no number. Look for particles" in said
+
+
+def test_velocity_that_is_no_number(tmp_path):
+    """A force beyond all bounds half-way: the place is the one of before."""
+    more = "variable wild equal 1e300*(step>500)\nfix wild all addforce v_wild 0 0"
+    said = stopped(tmp_path, [(0, 0, 0.05)], more=more)
+    assert "particle 1 at (0 0 0.05) has a velocity that is no number" in said
+
+
+@pytest.mark.parametrize("ranks", [1, 2])
+def test_overlap(ranks, tmp_path):
+    """By 0.6 of the radius, across the border of two ranks; allowed when the deck says so."""
+    grains = [(0, -0.7 * RADIUS, 0.05), (0, 0.7 * RADIUS, 0.05)]
+    said = stopped(tmp_path, grains, ranks=ranks)
+    assert re.search(r"particle [12] at \(0 \S+ 0.05\) overlaps particle [12] at", said)
+    assert re.search(r"by 0\.(59|6)\d* of the smaller radius, more than overlap_limit 0.5", said)
+    run(tmp_path, grains, ranks=ranks, settings="overlap_limit 0.7", steps=1)
+
+
+def test_overlap_with_a_wall(tmp_path):
+    said = stopped(tmp_path, [(0, 0, 0.3 * RADIUS)])
+    assert "particle 1 at (0 0 0.00075" in said and "overlaps a wall by 0.69" in said
+
+
+def test_particle_that_outruns_its_contacts(tmp_path):
+    said = stopped(tmp_path, [(0, 0, 0.05)], more=f"velocity all set {1.5 * RADIUS / 1e-5} 0 0")
+    assert "particle 1 at (0.00375 0 0.05) moves 1.5 of its radius in a step" in said
+    assert "timestep" in said
+
+
+@pytest.mark.parametrize("ranks", [1, 2])
+def test_lost_particle(ranks, tmp_path):
+    """It stops a run that may lose none; the engine's default is to let it go."""
+    grains = [(0, 0, 0.05), (-0.09, 0.03, 0.05)]
+    away = "velocity all set -100 0 0\n"
+    changes = {"ranks": ranks, "steps": 100}
+    said = stopped(tmp_path, grains, more=away + "thermo_modify lost error", **changes)
+    assert re.search(
+        r"particle 2 at \(-0\.1\S* 0.03 0.05\) leaves the box at its lower x side", said
+    )
+    assert "thermo_modify lost ignore" in said
+    run(tmp_path, grains, more=away, **changes)
+
+
+def test_step_is_compared_with_known_times(tmp_path):
+    """In one line, to its two digits: Rayleigh's time, Hertz' duration, and the law's own step.
+
+    Rayleigh: pi R/c, c = (0.8766 + 0.1631 nu) (G/rho)^(1/2), Bergmann's approximation, within 0.2 %
+    of the root of Rayleigh's equation, c = 0.9274 (G/rho)^(1/2) for nu = 0.3.
+    """
+    speed, step = 0.3, 1e-6
+    text = run(tmp_path, [(0, 0, GAP)], more=f"velocity all set 0 0 -{speed}", timestep=step)
+    pair = laws.combine(BODY, BODY)
+    rayleigh = pi * RADIUS / 0.9274 * sqrt(DENSITY * 2 * 1.3 / 5e6)
+    hertz = theory.hertz_duration(RADIUS, MASS, pair.youngs_modulus_eff, speed)
+    law = laws.Thornton(pair).recommended_time_step(RADIUS, MASS, speed)
+    found = re.search(
+        r"time step 1e-06: (\S+) of the Rayleigh time, (\S+) of the shortest Hertz impact at the "
+        r"present speeds, (\S+) of the recommended step for those\n",
+        text,
+    )
+    shares = [float(share) for share in found.groups()]
+    assert shares == pytest.approx([step / rayleigh, step / hertz, step / law], rel=0.06)
+
+
+@pytest.mark.parametrize("ranks", [1, 2])
+def test_contact_shows_that_the_step_is_too_long(ranks, tmp_path):
+    """A grain falls from rest: nothing to warn of before; once it has hit, the law's own step for
+    that speed is recommended. Depths are looked at by tenths: a step longer by at most 5 %."""
+    speed = 0.5
+    law = laws.Thornton(laws.combine(BODY, BODY))
+    expected = law.recommended_time_step(RADIUS, MASS, speed)
+    gravity = f"fix gravity all gravity {speed**2 / 2 / (GAP - RADIUS)} vector 0 0 -1"
+    changes = {"more": gravity, "steps": 4000, "ranks": ranks}
+    text = run(tmp_path, [(0, 0, GAP)], timestep=2 * expected, **changes)
+    assert "impacts at the present speeds" not in text
+    found = re.findall(
+        r"too long for the contact of particle 1 with a wall at \(0 0 0.002\d+\), loaded as by an "
+        r"impact at (\S+); .* Recommended: timestep (\S+)",
+        text,
+    )
+    assert len(found) == 1
+    assert float(found[0][0]) == pytest.approx(speed, rel=0.1)
+    assert float(found[0][1]) == pytest.approx(expected, rel=0.05)
+    assert "WARNING" not in run(tmp_path, [(0, 0, GAP)], timestep=0.9 * expected, **changes)
