@@ -182,7 +182,7 @@ def prepare_folder(folder: Path, force: bool) -> None:
         for pattern in LEFT:  # above all checkpoints, which may be newer than ours
             for file in folder.glob(pattern):
                 file.unlink()
-        for name in ("deck", "figures"):
+        for name in ("deck", "figures", "frames"):
             shutil.rmtree(folder / name, ignore_errors=True)
     folder.mkdir(parents=True, exist_ok=True)
 

@@ -6,6 +6,7 @@ from __future__ import annotations
 import pandas as pd
 
 from plastigran.bulk_decks import Check
+from plastigran.deck_source import Settings
 
 #: Drift of the energy ledger over the energy that came in: what a run may be off by.
 LEDGER = 1e-3
@@ -25,12 +26,15 @@ def energy_input(series: pd.DataFrame) -> float:
     return float(series[TAKEN].sum(axis="columns").max())
 
 
-def ledger_checks(series: pd.DataFrame) -> list[Check]:
-    """The ledger closes, and plastic work only grows.
+def ledger_checks(settings: Settings, series: pd.DataFrame) -> list[Check]:
+    """The ledger closes, and plastic work only grows; nothing is checked of a run without one.
 
     Args:
+        settings: Of the deck, with `ledger`.
         series: The entries of inputs/energy_ledger.in [J], one row a line of the log.
     """
+    if settings["ledger"] == "off":
+        return []
     came_in = energy_input(series)
     plastic = series["plastic"]
     return [

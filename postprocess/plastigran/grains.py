@@ -94,18 +94,24 @@ def check_contact(settings: Settings) -> None:
     """The settings of inputs/bulk/parts/friction.in.
 
     Raises:
-        ValueError: One is out of range, or the ledger is asked of the engine's own hertz.
+        ValueError: One is out of range; the message names it.
     """
     for name, choices in {
         "tangential": ("off", "no_history", "history"),
         "rolling_friction": ("off", "cdt", "epsd2"),
-        "ledger": ("on", "off"),
     }.items():
         if settings[name] not in choices:
             raise ValueError(f"{name} is {settings[name]!r}; it must be {', '.join(choices)}")
     for name in ("coefficient_of_friction", "coefficient_of_rolling_friction"):
         settings.number(name, -1e-300)
     settings.number("coefficient_of_restitution", 0.05, 1 + 1e-12)
+    check_ledger(settings)
+
+
+def check_ledger(settings: Settings) -> None:
+    """The setting `ledger`. Raises ValueError when it is asked of the engine's own hertz."""
+    if settings["ledger"] not in ("on", "off"):
+        raise ValueError(f"ledger is {settings['ledger']!r}; it must be on, off")
     if settings["law"] == "hertz" and settings["ledger"] == "on":
         raise ValueError("ledger is on; the engine's own hertz keeps none: set ledger=off")
 

@@ -50,6 +50,15 @@ def test_viscoelastic_gas(tmp_path):
     assert table["temperature"].iloc[-1] < 0.8 * table["temperature"].iloc[0]
 
 
+def test_ledger_tells_where_the_energy_went(yielding_gas):
+    """What the gas has lost is plastic work, to the drift the checks allow."""
+    series = pd.read_csv(yielding_gas / "series.csv")
+    first, last = series.iloc[0], series.iloc[-1]
+    lost = first["kinetic"] + first["elastic"] - last["kinetic"] - last["elastic"]
+    assert last["plastic"] - first["plastic"] == pytest.approx(lost, rel=2e-3)
+    assert lost > 0.5 * first["kinetic"]
+
+
 def test_another_yield_strength_is_noticed(yielding_gas, tmp_path):
     """The check fails for the same run held against bodies half as strong again."""
     harder = read_record(yielding_gas)["settings"] | {"yield_strength": "2.85e9"}
@@ -74,7 +83,7 @@ def test_unyielding_gas_is_the_engines_hertz(tmp_path):
     """
     runs = {}
     for law in ("hertz", "vu_quoc_zhang"):
-        values = {"law": law, "yield_strength": 1e18, "mixing": 0.1, "side": 5}
+        values = {"law": law, "yield_strength": 1e18, "mixing": 0.1, "side": 5, "ledger": "off"}
         values |= {"duration": 10, "rows": 20, "checkpoints": 1}
         run_bulk("cooling_gas", values, tmp_path / law, show=False)  # its checks: energy stays
         runs[law] = read_series(tmp_path / law)["kinetic_energy"].to_numpy()
@@ -119,6 +128,7 @@ def test_ranks(tmp_path):
         ({"law": "viscoelastic_hertz"}, "dissipative_constant"),
         ({"rows": 10, "checkpoints": 3}, "checkpoints is 3; it must divide rows, 10"),
         ({"options": "viscous_damping on"}, "viscous_damping on changes the restitution"),
+        ({"law": "hertz"}, "ledger is on; the engine's own hertz keeps none"),
         ({"options": "viscous"}, "options is 'viscous'; it must be pairs"),
         ({"colour": "red"}, "has no setting 'colour'; it takes law options side"),
     ],

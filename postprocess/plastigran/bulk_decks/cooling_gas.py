@@ -9,12 +9,12 @@ from math import inf, pi
 import pandas as pd
 
 from plastigran import laws, theory
-from plastigran.bulk_checks import count_check
+from plastigran.bulk_checks import count_check, ledger_checks
 from plastigran.bulk_decks import Analysis, Check
 from plastigran.cooling_figure import cooling_figure
 from plastigran.deck_source import Settings
 from plastigran.figures import title
-from plastigran.grains import Grains, check_rows, read_grains, read_options
+from plastigran.grains import Grains, check_ledger, check_rows, read_grains, read_options
 from plastigran.kinetic_theory import FREEZING, Gas, cool, law_restitution
 
 #: What mean field itself may be off by: up to 7 % was found (docs/decks/cooling_gas.md).
@@ -80,6 +80,7 @@ def check_settings(settings: Settings) -> None:
     settings.number("duration", 0)
     settings.number("seed", -inf)
     check_rows(settings)
+    check_ledger(settings)
 
 
 def analyse(settings: Settings, series: pd.DataFrame) -> Analysis:
@@ -100,8 +101,8 @@ def analyse(settings: Settings, series: pd.DataFrame) -> Analysis:
     checks = [
         count_check(series, case.count),
         Check(
-            "drift of the gas over its thermal speed",
-            (series["drift"] / series["temperature"] ** 0.5).max(),
+            "mean velocity of the gas over its thermal speed",
+            (series["flow"] / series["temperature"] ** 0.5).max(),
             1e-9,
             "impacts conserve momentum, to rounding",
         ),
@@ -118,12 +119,10 @@ def analyse(settings: Settings, series: pd.DataFrame) -> Analysis:
             f"{MEAN_FIELD:g} for mean field, {DEVIATIONS} standard deviations of {case.count} "
             "grains",
         ),
+        *ledger_checks(settings, series),
     ]
-    return Analysis(
-        series,
-        checks,
-        {"cooling_gas": cooling_figure({title(case.grains.law): series}, case.stall, cooling_rate)},
-    )
+    gas_figure = cooling_figure({title(case.grains.law): series}, case.stall, cooling_rate)
+    return Analysis(series, checks, {"cooling_gas": gas_figure})
 
 
 def stored_share(case: Case, gas: Gas) -> float:

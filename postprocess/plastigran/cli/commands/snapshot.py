@@ -1,0 +1,33 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""`plastigran snapshot`: a picture of a bulk run's grains or force chains."""
+
+from __future__ import annotations
+
+import argparse
+from pathlib import Path
+
+from plastigran.snapshot import COLOURS, VIEWS, SnapshotError, draw, read_frames
+
+HELP = "a picture of a bulk run's grains or force chains"
+
+
+def add_arguments(command: argparse.ArgumentParser) -> None:
+    command.add_argument("folder", type=Path, help="of a run with frames (-v frames=10)")
+    command.add_argument("--step", type=int, help="of the engine; default: the last frame")
+    command.add_argument("--contacts", action="store_true", help="force chains instead of grains")
+    command.add_argument("--colour", choices=list(COLOURS), default="plastic_work")
+    command.add_argument("--view", choices=list(VIEWS), default="corner", help="default corner")
+    command.add_argument("--output", type=Path, help="default FOLDER/figures/NAME_STEP.png")
+
+
+def run(arguments: argparse.Namespace) -> None:
+    frames = {frame.step: frame for frame in read_frames(arguments.folder)}
+    step = max(frames) if arguments.step is None else arguments.step
+    if step not in frames:
+        steps = ", ".join(str(known) for known in frames)
+        raise SnapshotError(f"no frame of step {step} in {arguments.folder}; there are {steps}")
+    name = "contacts" if arguments.contacts else arguments.colour
+    picture = arguments.output or arguments.folder / "figures" / f"{name}_{step}.png"
+    picture.parent.mkdir(parents=True, exist_ok=True)
+    draw(frames[step], picture, arguments.colour, arguments.contacts, arguments.view)
+    print(f"written: {picture}")

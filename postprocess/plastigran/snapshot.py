@@ -1,0 +1,193 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Pictures of a run's VTK frames: grains, force chains and meshes, drawn without a screen.
+
+Needs the optional dependency pyvista: `pip install plastigran[snapshot]`.
+"""
+
+from __future__ import annotations
+
+import os
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+if TYPE_CHECKING:
+    import pyvista
+
+#: What grains can be coloured by, with the name and unit on the bar.
+COLOURS = {
+    "plastic_work": "plastic work (J)",
+    "speed": "speed (m/s)",
+    "height": "height (m)",
+    "radius": "radius (m)",
+}
+#: Directions to look from: the camera's side and what is up.
+VIEWS = {
+    "front": ((0, -1, 0), (0, 0, 1)),
+    "side": ((1, 0, 0), (0, 0, 1)),
+    "top": ((0, 0, 1), (0, 1, 0)),
+    "corner": ((0.5, -1, 0.45), (0, 0, 1)),
+}
+
+
+class SnapshotError(ValueError):
+    """There is nothing to draw, or nothing to draw with; the message says which."""
+
+
+@dataclass(frozen=True)
+class Frame:
+    """The VTK files of one step of a run; those it does not have are None.
+
+    Attributes:
+        step: Of the engine.
+        grains: Points with radius, velocity and plastic work.
+        contacts: Lines between the centres of grains that touch, with force and overlap.
+        mesh: Triangles of the walls.
+    """
+
+    step: int
+    grains: Path
+    contacts: Path | None
+    mesh: Path | None
+
+
+def read_frames(folder: str | Path) -> list[Frame]:
+    """The frames of a run, by step.
+
+    Args:
+        folder: Of the run, or its `frames`.
+
+    Raises:
+        SnapshotError: There are none.
+    """
+    folder = Path(folder)
+    if (folder / "frames").is_dir():
+        folder = folder / "frames"
+
+    def at(kind: str) -> dict[int, Path]:
+        found = folder.glob(f"{kind}_[0-9]*.vtk")  # others are boxes around the grains
+        return {int(path.stem.removeprefix(f"{kind}_")): path for path in found}
+
+    grains, contacts, mesh = at("grains"), at("contacts"), at("mesh")
+    if not grains:
+        raise SnapshotError(
+            f"no frames (grains_STEP.vtk) in {folder}; run the deck with -v frames=10 or so"
+        )
+    return [Frame(s, grains[s], contacts.get(s), mesh.get(s)) for s in sorted(grains)]
+
+
+def draw(
+    frame: Frame,
+    path: str | Path,
+    colour: str = "plastic_work",
+    contacts: bool = False,
+    view: str = "corner",
+    size: tuple[int, int] = (1200, 900),
+) -> None:
+    """Draw a frame into a PNG file.
+
+    Args:
+        frame: What to draw.
+        path: The file.
+        colour: What colours grains, of `COLOURS`.
+        contacts: Draw force chains instead, tubes whose thickness and colour are the force.
+        view: Where from, of `VIEWS`.
+        size: Pixels along x and y.
+
+    Raises:
+        SnapshotError: An unknown colour or view, no such data, or pyvista is not installed.
+    """
+    if colour not in COLOURS:
+        raise SnapshotError(f"colour is {colour!r}; it must be one of {', '.join(COLOURS)}")
+    if view not in VIEWS:
+        raise SnapshotError(f"view is {view!r}; it must be one of {', '.join(VIEWS)}")
+    plotter = _load().Plotter(off_screen=True, window_size=size)
+    bar = {
+        "vertical": True,
+        "position_x": 0.88,
+        "position_y": 0.25,
+        "height": 0.5,
+        "fmt": "%.2g",
+        "color": "black",
+        "title_font_size": 22,
+        "label_font_size": 20,
+    }
+    if contacts:
+        _add_contacts(plotter, frame, bar)
+    else:
+        _add_grains(plotter, frame, colour, bar)
+    if frame.mesh:
+        plotter.add_mesh(_load().read(frame.mesh), color="grey", opacity=0.25, show_edges=False)
+    side, up = VIEWS[view]
+    plotter.set_background("white")
+    plotter.view_vector(side, viewup=up)
+    plotter.enable_parallel_projection()
+    plotter.camera.SetWindowCenter(0.15, 0)  # room for the scale
+    plotter.enable_anti_aliasing("ssaa")
+    plotter.screenshot(str(path))
+    plotter.close()
+
+
+def _load():
+    """pyvista, told which window to use where there is no screen."""
+    if not os.environ.get("DISPLAY"):
+        os.environ.setdefault("VTK_DEFAULT_OPENGL_WINDOW", "vtkEGLRenderWindow")
+    try:
+        import pyvista
+    except ImportError:
+        raise SnapshotError("snapshots need pyvista: pip install plastigran[snapshot]") from None
+    return pyvista
+
+
+def _add_grains(plotter: pyvista.Plotter, frame: Frame, colour: str, bar: dict) -> None:
+    pyvista = _load()
+    grains = pyvista.read(frame.grains)
+    columns = {
+        "plastic_work": lambda: grains["f_plastic_work"],
+        "speed": lambda: np.linalg.norm(grains["v"], axis=1),
+        "height": lambda: grains.points[:, 2],
+        "radius": lambda: grains["radius"],
+    }
+    try:
+        grains[COLOURS[colour]] = columns[colour]()
+    except KeyError:
+        raise SnapshotError(f"{frame.grains} has no {colour}; choose another colour") from None
+    facets = 24 if grains.n_points < 10_000 else 10
+    sphere = pyvista.Sphere(radius=1, theta_resolution=facets, phi_resolution=facets)
+    balls = grains.glyph(geom=sphere, scale="radius", orient=False)
+    plotter.add_mesh(
+        balls, scalars=COLOURS[colour], cmap="viridis", smooth_shading=True, scalar_bar_args=bar
+    )
+
+
+def _add_contacts(plotter: pyvista.Plotter, frame: Frame, bar: dict) -> None:
+    pyvista = _load()
+    if frame.contacts is None:
+        raise SnapshotError(f"{frame.grains.parent} has no contacts_{frame.step}.vtk")
+    lines = pyvista.read(frame.contacts)
+    force = np.linalg.norm(lines["force"], axis=1) if lines.n_cells else np.zeros(0)
+    # A contact through a periodic side would cross the whole box.
+    ends = lines.points.reshape(-1, 2, 3)
+    lengths = np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1)
+    radius = float(pyvista.read(frame.grains)["radius"].max())
+    shown = np.flatnonzero((force > 0) & (lengths < 2 * radius))
+    if not len(shown):
+        raise SnapshotError(f"nothing touches in {frame.contacts}")
+    name = "contact force (N)"
+    chains = pyvista.PolyData(
+        ends[shown].reshape(-1, 3), lines=np.insert(np.arange(2 * len(shown)), slice(0, None, 2), 2)
+    )
+    chains[name] = np.repeat(force[shown], 2)
+    # Sections as the forces: the thickest tube is a third as wide as a grain.
+    chains["thickness"] = radius / 3 * np.sqrt(chains[name] / force.max())
+    tubes = chains.tube(scalars="thickness", absolute=True, n_sides=8, capping=True)
+    plotter.add_mesh(
+        tubes,
+        scalars=name,
+        clim=(0, force.max()),
+        cmap="inferno_r",
+        smooth_shading=True,
+        scalar_bar_args=bar,
+    )

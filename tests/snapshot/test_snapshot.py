@@ -1,0 +1,125 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Pictures of a run: VTK frames from the engine, drawn without a screen."""
+
+from __future__ import annotations
+
+import re
+from contextlib import suppress
+from math import pi
+from pathlib import Path
+
+import numpy as np
+import pytest
+from matplotlib.image import imread
+
+from plastigran.cli import main
+from plastigran.engine import run_deck
+from plastigran.snapshot import SnapshotError, draw, read_frames
+
+#: Two pairs of grains side by side, radii 2 and 1 mm, pressed together by a tenth of a millimetre.
+DECK = """
+variable inputs index inputs
+variable output index .
+variable frames index 2
+variable frame_every index 50
+units           si
+atom_style      granular
+atom_modify     map array
+boundary        f f f
+newton          off
+communicate     single vel yes
+region          box block -0.02 0.02 -0.02 0.02 -0.02 0.02 units box
+create_box      1 box
+neighbor        0.001 bin
+neigh_modify    delay 0
+variable law index thornton
+variable options index ""
+include         ${inputs}/materials/soft_granules.in
+include         ${inputs}/bulk/parts/friction.in
+include         ${inputs}/bulk/parts/contact.in
+create_atoms 1 single -0.008 0 0
+create_atoms 1 single -0.008 0 0.0039
+create_atoms 1 single 0.008 0 0
+create_atoms 1 single 0.008 0 0.0019
+set group all diameter 0.002 density 1500
+group large id 1 2
+set group large diameter 0.004 density 1500
+fix integrate all nve/sphere
+fix plate all mesh/surface file ${inputs}/meshes/plate.stl type 1 scale 0.001 move -0.012 0 0
+fix wall all wall/gran model ${law} tangential ${tangential} rolling_friction ${rolling_friction} &
+  mesh n_meshes 1 meshes plate ${options} ${accounting}
+timestep 1.0e-7
+include ${inputs}/bulk/parts/frames.in
+include ${inputs}/bulk/parts/mesh_frames.in
+run 100
+"""
+
+
+@pytest.fixture(scope="module")
+def run(tmp_path_factory) -> Path:
+    """Folder of a run with three frames."""
+    folder = tmp_path_factory.mktemp("run")
+    (folder / "deck.in").write_text(DECK)
+    run_deck(folder / "deck.in", {}, folder)
+    return folder
+
+
+def drawn(path: Path) -> np.ndarray:
+    """Where a picture of 1000 times 800 pixels is not white, left of the scale."""
+    return (imread(path)[220:, :870, :3] < 0.97).any(axis=2)
+
+
+def halves(shown: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Left and right of the widest gap between columns."""
+    columns = np.flatnonzero(shown.any(axis=0))
+    middle = columns[np.argmax(np.diff(columns))] + 1
+    return shown[:, :middle], shown[:, middle:]
+
+
+def test_frames_are_found_by_step(run):
+    frames = read_frames(run)
+    assert [frame.step for frame in frames] == [0, 50, 100]
+    assert frames[-1].contacts.name == "contacts_100.vtk"
+    assert frames[-1].mesh.name == "mesh_100.vtk"
+
+
+def test_grains_have_their_size(run, tmp_path):
+    """Seen from above each pair is one disc: areas as 4 to 1. 3 % for facets and pixels."""
+    draw(read_frames(run)[-1], tmp_path / "top.png", colour="height", view="top", size=(1000, 800))
+    large, small = halves(drawn(tmp_path / "top.png"))
+    width = np.flatnonzero(large.any(axis=0)).size
+    assert large.sum() == pytest.approx(4 * small.sum(), rel=0.03)
+    assert large.sum() == pytest.approx(pi / 4 * width**2, rel=0.03)
+
+
+def test_force_chains_are_where_grains_touch(run, tmp_path):
+    """One tube a pair, from centre to centre, its section as the force: the engine's forces at the
+    same overlap are 0.049 and 0.024 N. Some pixels' error."""
+    draw(read_frames(run)[-1], tmp_path / "c.png", contacts=True, view="front", size=(1000, 800))
+    large, small = halves(drawn(tmp_path / "c.png"))
+    high, low = (np.flatnonzero(tube.any(axis=1)).size for tube in (large, small))
+    assert high == pytest.approx(3.9 / 1.9 * low, rel=0.05)
+    assert large.sum() / high == pytest.approx(2**0.5 * small.sum() / low, rel=0.1)
+
+
+@pytest.mark.parametrize(
+    ("line", "said"),
+    [
+        (["--step", "70"], "no frame of step 70 in .*; there are 0, 50, 100"),
+        (["--colour", "red"], "invalid choice: 'red'"),
+    ],
+)
+def test_wrong_words_are_named(run, line, said, capsys):
+    with suppress(SystemExit):  # argparse's own refusal
+        assert main(["snapshot", str(run), *line]) == 1
+    assert re.search(said, capsys.readouterr().err)
+
+
+def test_no_frames_is_said(tmp_path):
+    with pytest.raises(SnapshotError, match=r"no frames .* -v frames=10"):
+        read_frames(tmp_path)
+
+
+def test_command_writes_into_the_run(run, capsys):
+    assert main(["snapshot", str(run), "--colour", "speed", "--view", "front"]) == 0
+    assert drawn(run / "figures" / "speed_100.png").any()
