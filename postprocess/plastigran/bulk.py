@@ -22,7 +22,7 @@ import pandas as pd
 from plastigran.bulk_decks import Analysis, module_of
 from plastigran.checkpoints import PATTERN, newest_checkpoint, step_of
 from plastigran.deck_source import Settings, find_deck, read_deck
-from plastigran.dumps import TruncatedFileWarning, read_thermo
+from plastigran.dumps import DumpError, TruncatedFileWarning, read_thermo
 from plastigran.engine import EngineError, engine_path
 from plastigran.engine_watch import run_watched
 
@@ -32,6 +32,7 @@ BEFORE = "before.csv"
 #: What a run leaves, for one that may overwrite it.
 LEFT = (
     RECORD,
+    f"{RECORD}.new",
     BEFORE,
     "log.liggghts",
     "screen.txt",
@@ -84,7 +85,7 @@ def run_bulk(
             raise ValueError(f"{restart} is a run of {earlier['deck']}, not of {deck.stem}")
         if restart == folder:
             raise ValueError(f"{folder} is the run to go on from; choose another --output")
-        checkpoint = newest_checkpoint(restart)
+        checkpoint = restart_point(restart, earlier)
         values = earlier["values"] | values | {"start": "checkpoint", "checkpoint": str(checkpoint)}
         before = read_series(restart).query(
             "step < @step", local_dict={"step": step_of(checkpoint)}
@@ -104,9 +105,9 @@ def run_bulk(
         "restart": str(restart) if restart else None,
         "versions": {"plastigran": version("plastigran"), "plugin": _fingerprint()},
     }
-    write_record(folder, record)
     if before is not None:
         before.to_csv(folder / BEFORE, index=False)
+    write_record(folder, record)  # last: a folder with a record can be gone on from
     try:
         run_watched(script, values | {"inputs": folder / "deck"}, folder, ranks, show)
     finally:
@@ -135,6 +136,21 @@ def finish(analysis: Analysis, folder: Path) -> Analysis:
     return analysis
 
 
+def restart_point(folder: Path, record: dict) -> Path:
+    """The newest whole checkpoint of a run; of one stopped before its first, where it began.
+
+    Raises:
+        EngineError: There is none.
+    """
+    try:
+        return newest_checkpoint(folder)
+    except EngineError:
+        began = Path(record["values"].get("checkpoint", "none"))
+        if not began.is_file():
+            raise
+        return began
+
+
 def read_series(folder: str | Path) -> pd.DataFrame:
     """The log of a run from step 0 on, whatever checkpoints it went on from.
 
@@ -145,15 +161,22 @@ def read_series(folder: str | Path) -> pd.DataFrame:
         DumpError: The log shows nothing yet.
     """
     folder = Path(folder)
+    parts = [pd.read_csv(folder / BEFORE)] if (folder / BEFORE).exists() else []
+    try:
+        parts.append(_read_log(folder))
+    except (DumpError, FileNotFoundError):
+        if not parts:  # else the run was stopped before its first line
+            raise
+    return pd.concat(parts, ignore_index=True)
+
+
+def _read_log(folder: Path) -> pd.DataFrame:
     with warnings.catch_warnings():
-        warnings.simplefilter(
-            "ignore", TruncatedFileWarning
-        )  # the run was stopped: its end is known
+        # The run was stopped: its end is known.
+        warnings.simplefilter("ignore", TruncatedFileWarning)
         log = read_thermo(folder / "log.liggghts")
     series = log[log["run"] == log["run"].max()].drop(columns="run").reset_index(drop=True)
     series.insert(1, "time", series["step"] * series.pop("timestep"))
-    if (folder / BEFORE).exists():
-        series = pd.concat([pd.read_csv(folder / BEFORE), series], ignore_index=True)
     return series.rename(columns=lambda name: name.removeprefix("v_"))
 
 
@@ -167,7 +190,10 @@ def read_record(folder: str | Path) -> dict:
 
 
 def write_record(folder: Path, record: dict) -> None:
-    (folder / RECORD).write_text(json.dumps(record, indent=2) + "\n")
+    """Write `run.json`, whole or not at all."""
+    draft = folder / f"{RECORD}.new"
+    draft.write_text(json.dumps(record, indent=2) + "\n")
+    draft.replace(folder / RECORD)
 
 
 def prepare_folder(folder: Path, force: bool) -> None:

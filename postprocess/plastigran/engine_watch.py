@@ -3,7 +3,9 @@
 
 from __future__ import annotations
 
+import ctypes
 import re
+import signal
 import subprocess
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -115,6 +117,7 @@ def run_watched(
             command(deck, variables, folder, ranks),
             **surroundings(folder, screen),
             start_new_session=True,
+            preexec_fn=_end_with_parent,
         )
     try:
         while True:
@@ -128,6 +131,11 @@ def run_watched(
         bar.close()
         stop(engine)
     check_finished(deck.name, returncode, folder)
+
+
+def _end_with_parent() -> None:
+    """In the engine's process, before it starts: SIGTERM when Python is killed (Linux' prctl)."""
+    ctypes.CDLL(None).prctl(1, signal.SIGTERM)  # PR_SET_PDEATHSIG
 
 
 def _show(bar: tqdm, follower: LogFollower) -> None:

@@ -150,6 +150,29 @@ def test_killed_engine_is_said_and_goes_on_from_its_newest_checkpoint(tmp_path):
     assert kept["kinetic_energy"].tolist() == before["kinetic_energy"].tolist()[: len(kept)]
 
 
+def test_killed_python_takes_the_engine_along(tmp_path):
+    run = start(tmp_path / "run", ranks=2)
+    run.kill()
+    run.communicate(timeout=60)
+    deadline = time.monotonic() + 30
+    while engines(tmp_path / "run"):
+        assert time.monotonic() < deadline, "the engine runs on"
+        time.sleep(0.05)
+
+
+def test_killed_before_its_first_checkpoint_goes_on_from_where_it_began(whole, tmp_path):
+    """A run stopped twice, the second time at once: nothing of the first is lost."""
+    first = cut(whole, tmp_path / "first", lines=8)
+    second = tmp_path / "second"
+    run_bulk("cooling_gas", {}, second, restart=first, show=False)
+    for file in second.glob(PATTERN):
+        file.unlink()
+    (second / "log.liggghts").write_text("LIGGGHTS\n")
+    run_bulk("cooling_gas", {}, tmp_path / "third", restart=second, show=False)
+    expected, found = read_series(whole), read_series(tmp_path / "third")
+    assert (found["kinetic_energy"] == expected["kinetic_energy"]).all()
+
+
 def test_results_are_not_overwritten_unless_forced(whole, tmp_path, monkeypatch):
     folder = tmp_path / "run"
     shutil.copytree(whole, folder)

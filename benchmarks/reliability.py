@@ -1,0 +1,309 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""What bulk runs can be trusted with: kills, restarts, ranks, the energy ledger, and size.
+
+    ./run reliability                    # everything; about half an hour on two cores
+    ./run reliability kills restarts     # some of it
+
+The table of docs/reliability.md is written anew, the rows of what was run; so is
+results/reliability. Nothing here is random but by --seed.
+"""
+
+from __future__ import annotations
+
+import argparse
+import os
+import random
+import re
+import resource
+import shutil
+import signal
+import time
+from collections.abc import Callable, Iterator
+from contextlib import suppress
+from multiprocessing import get_context
+from pathlib import Path
+
+import numpy as np
+import pandas as pd
+from tqdm import tqdm
+
+from plastigran import laws
+from plastigran.bulk import read_record, read_series, restart_point, run_bulk
+from plastigran.bulk_checks import energy_input
+from plastigran.checkpoints import PATTERN, step_of
+from plastigran.dumps import read_dump
+from plastigran.engine import PROJECT, EngineError, run_deck
+from plastigran.engine_watch import LogFollower
+
+WORK = PROJECT / "results" / "reliability"
+PAGE = PROJECT / "docs" / "reliability.md"
+#: A gas that takes some seconds, with a checkpoint every tenth of one.
+SMALL = {"side": "5", "duration": "100", "rows": "200", "checkpoints": "50", "mixing": "1"}
+
+Row = tuple[str, str, str]  # what, found, allowed
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__.partition("\n")[0])
+    parser.add_argument("parts", nargs="*", metavar="PART", help=", ".join(PARTS))
+    parser.add_argument("--count", type=int, default=100, help="kills, and restarts; default 100")
+    parser.add_argument("--seed", type=int, default=1)
+    arguments = parser.parse_args()
+    if unknown := set(arguments.parts) - set(PARTS):
+        parser.error(f"no part {unknown.pop()!r}; there are {', '.join(PARTS)}")
+    shutil.rmtree(WORK, ignore_errors=True)
+    for part in arguments.parts or PARTS:
+        random.seed(arguments.seed)
+        folder = WORK / part
+        folder.mkdir(parents=True)
+        rows = list(PARTS[part](folder, arguments.count))
+        for row in rows:
+            print(" | ".join(row))
+        write_rows(part, rows)
+
+
+def write_rows(part: str, rows: list[Row]) -> None:
+    """Replace a part's rows in the page's table, which stand between comments of its name."""
+    text = PAGE.read_text()
+    table = "".join(f"| {' | '.join(row)} |\n" for row in rows)
+    head = "| | measured | allowed |\n|---|---|---|\n"
+    PAGE.write_text(
+        re.sub(
+            rf"<!-- {part} -->\n.*?<!-- end -->\n",
+            lambda _: f"<!-- {part} -->\n{head}{table}<!-- end -->\n",
+            text,
+            flags=re.DOTALL,
+        )
+    )
+
+
+# Kills.
+
+
+def kills(folder: Path, count: int) -> Iterator[Row]:
+    """SIGKILL to mpirun and every rank at random moments; on from the newest checkpoint."""
+    for ranks in (1, 2):
+        words = f"{ranks} rank{'s' * (ranks > 1)}"
+        whole = folder / f"whole_{ranks}"
+        run_bulk("cooling_gas", SMALL, whole, ranks, show=False)
+        killed, losses, ends = 0, [], []
+        with tqdm(total=count // 2, desc=f"kills, {words}") as bar:
+            while killed < count // 2:
+                lost, end = kill_until_done(folder / f"{ranks}_{len(ends)}", ranks, whole)
+                killed += len(lost)
+                losses += lost
+                ends.append(same_end(whole, end))
+                bar.update(len(lost))
+        yield f"{words}: {killed} kills over {len(ends)} runs of 125 grains; runs lost", "0", "0"
+        interval = f"{checkpoint_interval(whole)}, between two checkpoints"
+        yield f"{words}: most steps lost to a kill", f"{max(losses)}", interval
+        if ranks == 1:
+            same = f"{sum(ends)} of {len(ends)}"
+            yield f"{words}: ends that are that of a run without kills, to every digit", same, "all"
+
+
+def kill_until_done(work: Path, ranks: int, whole: Path) -> tuple[list[int], Path]:
+    """A run from its start, killed and continued until it ends.
+
+    Args:
+        work: Folder for the parts of the run.
+        ranks: MPI ranks.
+        whole: Folder of the same run without kills.
+
+    Returns:
+        Steps each kill cost, and the folder of the last part.
+
+    Raises:
+        SystemExit: A part could not go on from the one before.
+    """
+    last, at, earlier, losses = read_series(whole)["step"].iloc[-1], 0, None, []
+    while True:
+        folder = work / str(len(losses))
+        process = get_context("fork").Process(target=_run_part, args=(folder, ranks, earlier))
+        process.start()
+        log, until = LogFollower(folder / "log.liggghts"), at + random.uniform(0, 0.15) * last
+        # A fresh run counts the steps of its mixing first.
+        while process.is_alive() and (log.read().step < until or log.progress.run < 1 + (at == 0)):
+            time.sleep(0.002)
+        time.sleep(random.uniform(0, 0.02))
+        for engine in engines(folder):
+            with suppress(ProcessLookupError):  # gone with another
+                os.kill(engine, signal.SIGKILL)
+        process.join(60)
+        if process.exitcode == 0:
+            return losses, folder
+        if (folder / "error.txt").exists():
+            raise SystemExit(f"a run was lost: {(folder / 'error.txt').read_text()}")
+        at = step_of(restart_point(folder, read_record(folder)))
+        losses.append(log.read().step - at)
+        earlier = folder
+
+
+def _run_part(folder: Path, ranks: int, earlier: Path | None) -> None:
+    try:
+        run_bulk("cooling_gas", {} if earlier else SMALL, folder, ranks, earlier, show=False)
+    except EngineError:
+        os._exit(1)  # the engine was killed
+    except Exception as error:
+        (folder.parent / folder.name / "error.txt").write_text(repr(error))
+        os._exit(1)
+
+
+def engines(folder: Path) -> list[int]:
+    """Process ids of mpirun and engines at work for a folder."""
+    log, found = str(folder / "log.liggghts").encode(), []
+    for process in Path("/proc").glob("[0-9]*"):
+        try:
+            words = (process / "cmdline").read_bytes().split(b"\0")
+        except OSError:
+            continue  # it has ended
+        if log in words:
+            found.append(int(process.name))
+    return found
+
+
+def checkpoint_interval(folder: Path) -> int:
+    steps = sorted(step_of(file) for file in folder.glob(PATTERN))
+    return int(np.diff(steps).max())
+
+
+def same_end(one: Path, other: Path) -> bool:
+    columns = ["step", "kinetic_energy", "plastic"]
+    return bool((read_series(one)[columns].iloc[-1] == read_series(other)[columns].iloc[-1]).all())
+
+
+# Restarts in mid-contact.
+
+
+def restarts(folder: Path, count: int) -> Iterator[Row]:
+    """Oblique collisions cut at random steps while bodies touch, through pair, plane and mesh."""
+    decks = PROJECT / "tests" / "conformance" / "decks"
+    names = [
+        name
+        for name, law in laws.LAWS.items()
+        if law.shape == "sphere" and not law.rate_dependent and name != "hertz"
+    ]
+    different = done = 0
+    with tqdm(total=count, desc="restarts") as bar:
+        while done < count:
+            law, geometry = random.choice(names), random.choice(["pair", "plane", "mesh"])
+            before = random.randint(5, 110)
+            case = {"law": law, "geometry": geometry, "decks": decks, "after": 150}
+            run_deck(decks / "restart_write.in", case | {"before": before}, folder / "whole")
+            whole = read_dump(folder / "whole" / "trajectory.dump")
+            whole = whole[whole["step"] >= before].drop_duplicates(["step", "id"])
+            if whole["fx"].iloc[0] == 0:
+                continue  # they have parted before
+            # A run's first forces are those at the speeds of that moment, not of half a step ago:
+            # friction may differ in its last digit, and nothing after it does.
+            whole = whole[whole["step"] > before]
+            case["restart"] = folder / "whole" / "middle.restart"
+            run_deck(decks / "restart_read.in", case, folder / "rest")
+            rest = read_dump(folder / "rest" / "trajectory.dump")
+            rest = rest[rest["step"] > before]
+            different += not np.array_equal(rest.to_numpy(), whole.to_numpy())
+            done += 1
+            bar.update()
+    yield (
+        f"{count} collisions of random laws and geometries continued from a restart file at a "
+        "random step of the contact: other than the whole run in any digit",
+        str(different),
+        "0",
+    )
+
+
+# Ranks.
+
+
+def ranks(folder: Path, _: int) -> Iterator[Row]:
+    """One gas on 1, 2 and 4 ranks."""
+    values = {"side": "8", "mixing": "0.1", "duration": "60", "rows": "240", "checkpoints": "1"}
+    runs = {}
+    for count in (1, 2, 4):
+        run_bulk("cooling_gas", values, folder / str(count), count, show=False)
+        runs[count] = pd.read_csv(folder / str(count) / "series.csv")
+    one = runs.pop(1)
+    for count, other in runs.items():
+        ratio = (other["kinetic_energy"] / one["kinetic_energy"] - 1).abs()
+        # Rounding grows tenfold an impact: six impacts are 1e-10.
+        early = one["collisions"] < 1
+        yield (
+            f"kinetic energy of 512 grains, {count} ranks against one: over each grain's first "
+            "collision",
+            f"{ratio[early].max():.1e}",
+            "1e-9",
+        )
+        yield (
+            f"the same to the end, after {one['collisions'].iloc[-1]:.0f} collisions, in standard "
+            "deviations of two gases",
+            f"{(ratio / (2**0.5 * one['temperature_error'])).iloc[-1]:.1f}",
+            "4",
+        )
+
+
+# Ledger.
+
+
+def ledger(folder: Path, _: int) -> Iterator[Row]:
+    """Every bulk deck at its default size, on two ranks."""
+    for deck in sorted(file.stem for file in (PROJECT / "inputs" / "bulk").glob("*.in")):
+        began = time.monotonic()
+        run_bulk(deck, {}, folder / deck, ranks=2)
+        seconds = time.monotonic() - began
+        series = read_series(folder / deck)
+        came_in = energy_input(series)
+        plastic = series["plastic"]
+        grains, steps = int(series["atoms"].max()), int(series["step"].iloc[-1])
+        yield (
+            f"`{deck}`: {grains} grains, {steps} steps, {seconds:.0f} s; "
+            f"{plastic.iloc[-1] / came_in:.0%} plastic work; drift of the ledger over the energy "
+            "that came in",
+            f"{series['drift'].abs().max() / came_in:.1e}",
+            "1e-3",
+        )
+        yield (
+            f"`{deck}`: plastic work ever lost, over that energy",
+            f"{(plastic.cummax() - plastic).max() / came_in:.1e}",
+            "1e-12",
+        )
+
+
+# Size.
+
+
+def size(folder: Path, _: int) -> Iterator[Row]:
+    """A gas of more than 200 000 grains for 20 000 steps, on two ranks."""
+    log = folder / "log.liggghts"
+    values = {"side": "59", "mixing": "0.1", "duration": "1e9", "rows": "1000000000"}
+    values |= {"checkpoints": "1"}
+    # The deck counts in collision times; this run counts steps.
+    deck = PROJECT / "inputs" / "bulk" / "cooling_gas.in"
+    text = deck.read_text()
+    text = text.partition("variable per_row")[0] + (
+        "thermo 1000\nrestart 20000 ${output}/checkpoint.*.restart\nrun 20000 upto\n"
+    )
+    (folder / "cooling_gas.in").write_text(text)
+    run_deck(folder / "cooling_gas.in", values, folder, ranks=2, timeout=7200)
+    said = log.read_text()
+    loop = re.findall(r"Loop time of (\S+) on 2 procs for 20000 steps with (\d+) atoms", said)[-1]
+    seconds, grains = float(loop[0]), int(loop[1])
+    # The largest of this process' children: one of the two ranks, which share the grains alike.
+    peak = 2 * 1024 * resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss
+    written = max(file.stat().st_size for file in folder.glob(PATTERN))
+    yield (
+        f"`cooling_gas`, {grains} grains, 20 000 steps on two ranks: seconds",
+        f"{seconds:.0f}",
+        "",
+    )
+    yield ("grains · steps per second", f"{grains * 20000 / seconds:.2g}", "")
+    yield ("bytes per grain, both ranks, libraries included", f"{peak / grains:.0f}", "24 GiB")
+    yield ("bytes per grain of a checkpoint", f"{written / grains:.0f}", "")
+
+
+PARTS: dict[str, Callable[[Path, int], Iterator[Row]]] = {
+    part.__name__: part for part in (kills, restarts, ranks, ledger, size)
+}
+
+if __name__ == "__main__":
+    main()
