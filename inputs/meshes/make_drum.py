@@ -1,0 +1,52 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Write drum.stl beside this file: the shell of a drum about the y axis, of radius and length 1,
+its middle in the origin. Decks scale it."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+
+#: A grain of a tenth of the radius sees 48 facets as round to a fiftieth of its diameter.
+FACETS = 48
+
+
+def shell(facets: int) -> np.ndarray:
+    """Triangles of a prism inscribed in the cylinder.
+
+    Args:
+        facets: Sides of the prism, two triangles each.
+
+    Returns:
+        (2 * facets, 3, 3) corners; normals point to the axis.
+    """
+    angle = 2 * np.pi * np.arange(facets + 1) / facets
+    ring = np.column_stack([np.sin(angle), np.zeros(facets + 1), -np.cos(angle)])
+    ring[-1] = ring[0]
+    along = np.array([0, 0.5, 0])
+    near, far = ring - along, ring + along
+    lower = np.stack([near[:-1], far[1:], far[:-1]], axis=1)
+    upper = np.stack([near[:-1], near[1:], far[1:]], axis=1)
+    return np.stack([lower, upper], axis=1).reshape(-1, 3, 3)
+
+
+def stl(name: str, triangles: np.ndarray) -> str:
+    """Triangles, (N, 3, 3) corners, as the text of an ASCII STL file."""
+    lines = [f"solid {name}"]
+    for corners in triangles:
+        normal = np.cross(corners[1] - corners[0], corners[2] - corners[0])
+        normal /= np.linalg.norm(normal)
+        lines += [f"  facet normal {_words(normal)}", "    outer loop"]
+        lines += [f"      vertex {_words(corner)}" for corner in corners]
+        lines += ["    endloop", "  endfacet"]
+    return "\n".join([*lines, f"endsolid {name}", ""])
+
+
+def _words(vector: np.ndarray) -> str:
+    return " ".join(f"{value:.9g}" for value in np.where(np.abs(vector) < 1e-12, 0.0, vector))
+
+
+if __name__ == "__main__":
+    Path(__file__).with_name("drum.stl").write_text(stl("drum", shell(FACETS)))

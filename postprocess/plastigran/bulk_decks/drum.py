@@ -1,0 +1,172 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""The rotating drum: its angle of repose, and the wall's work against the weight's lever arm."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from math import inf, pi
+from pathlib import Path
+
+import numpy as np
+import pandas as pd
+from scipy.integrate import cumulative_trapezoid
+
+from plastigran.bulk_checks import count_check, ledger_checks
+from plastigran.bulk_decks import Analysis, Check
+from plastigran.deck_source import Settings
+from plastigran.drum_figure import drum_figure
+from plastigran.dumps import read_dump
+from plastigran.grains import Grains, check_contact, check_rows, read_grains
+from plastigran.ledger_figure import ledger_figure
+
+#: Internal friction of spheres without friction [degrees]: Peyneau & Roux 2008, PRE 78:011307.
+FRICTIONLESS = 5.76
+#: Share of the wall's work it may differ from the lever arm's by; the log shows every 400th step.
+LEVER_ARM = 5e-3
+#: Share of it that the bed may keep, as potential energy above all, while it swings.
+STEADY = 0.05
+
+
+@dataclass(frozen=True)
+class Case:
+    """A run's drum.
+
+    Attributes:
+        grains: Size, material and law.
+        radius: Of the drum [m].
+        length: Of the drum [m].
+        angular_velocity: [1/s].
+        gravitational_acceleration: [m/s^2].
+        settling: Time before angle and power are taken [s].
+    """
+
+    grains: Grains
+    radius: float
+    length: float
+    angular_velocity: float
+    gravitational_acceleration: float
+    settling: float
+
+    @property
+    def period(self) -> float:
+        """Of a revolution [s]."""
+        return 2 * pi / self.angular_velocity
+
+
+def read_case(settings: Settings) -> Case:
+    """The case of a deck's settings. Raises ValueError naming one out of range."""
+    grains = read_grains(settings)
+    spread = settings.number("size_spread", -1e-300, 0.5)
+    largest = (1 + spread) * grains.radius
+    radius = settings.number("drum_radius", 4 * largest, unit="m")
+    gravity = settings.number("gravitational_acceleration", 0, unit="m/s^2")
+    # From 1 on weight does not bring the grains back from the top.
+    angular_velocity = (settings.number("froude", 0, 1) * gravity / radius) ** 0.5
+    duration = settings.number("duration", 0, unit="revolutions")
+    settling = settings.number("settling", -1e-300, duration, unit="revolutions")
+    return Case(
+        grains,
+        radius,
+        settings.number("length", 4 * largest, unit="m"),
+        angular_velocity,
+        gravity,
+        2 * pi / angular_velocity * settling,
+    )
+
+
+def check_settings(settings: Settings) -> None:
+    read_case(settings)
+    check_contact(settings)
+    check_rows(settings)
+    settings.number("bed_height", -0.8, 0.8, unit="drum radii")
+    settings.number("volume_fraction", 0, 0.64)
+    settings.number("temperature", 0, unit="m^2/s^2")
+    settings.number("seed", -inf)
+    settings.number("timestep", 0, unit="s")
+    settings.whole("frames", 0)
+
+
+def analyse(settings: Settings, series: pd.DataFrame) -> Analysis:
+    case = read_case(settings)
+    series = add_mechanics(series, case)
+    steady = series[series["time"] >= case.settling]
+    checks = [count_check(series, series["atoms"].iloc[0]), angle_check(settings, steady)]
+    figures = {"drum": drum_figure(series, last_grains(settings), case.radius, case.settling)}
+    if settings["ledger"] == "on":
+        checks += [*ledger_checks(series), *power_checks(series, steady)]
+        figures["ledger"] = ledger_figure(series)
+    return Analysis(series, checks, figures)
+
+
+def add_mechanics(series: pd.DataFrame, case: Case) -> pd.DataFrame:
+    """What the centre of mass says of the bed.
+
+    Args:
+        series: Columns time [s], mass [kg], x, z [m] of its centre, and momentum, the angular one
+            about the axis [kg m^2/s].
+        case: The drum.
+
+    Returns:
+        The series with `revolutions`; `angle`, the lean of the bed [degrees]: that of the line from
+        the axis to the centre of mass, which is normal to a segment's chord; and
+        `wallwork_predicted` [J]: the wall has the torque of the weight about the axis, and changes
+        the bed's angular momentum, and its work is the torque's at the drum's angular velocity.
+    """
+    torque = case.gravitational_acceleration * series["mass"] * series["x"]
+    impulse = cumulative_trapezoid(torque, series["time"], initial=0)
+    momentum = series["momentum"] - series["momentum"].iloc[0]
+    return series.assign(
+        revolutions=series["time"] / case.period,
+        angle=np.degrees(np.arctan2(series["x"], -series["z"])),
+        wallwork_predicted=case.angular_velocity * (impulse + momentum),
+    )
+
+
+def angle_check(settings: Settings, steady: pd.DataFrame) -> Check:
+    """The mean angle lies between nothing and what friction can hold.
+
+    Args:
+        settings: The deck's.
+        steady: Column angle [degrees], after settling.
+    """
+    # Grains that slide with friction over the dense packing's humps, which hold FRICTIONLESS alone.
+    friction = float(settings["coefficient_of_friction"])
+    most = np.degrees(np.arctan(friction)) + FRICTIONLESS
+    return Check(
+        "angle of repose off the middle of 0 and its bound, in halves of the bound",
+        abs(steady["angle"].mean() / (most / 2) - 1),
+        1,
+        f"friction angle and {FRICTIONLESS:g} degrees of spheres without friction: {most:.3g}",
+    )
+
+
+def power_checks(series: pd.DataFrame, steady: pd.DataFrame) -> list[Check]:
+    """The wall's work against the weight's lever arm, and against what the bed dissipates.
+
+    Args:
+        series: Columns wallwork, wallwork_predicted [J].
+        steady: Rows after settling, with plastic, friction and viscous [J] too.
+    """
+    work = series["wallwork"].abs().max()
+    gained = steady.iloc[-1] - steady.iloc[0]
+    taken = gained["plastic"] + gained["friction"] + gained["viscous"]
+    return [
+        Check(
+            "wall work off the weight's lever arm, over the wall work",
+            (series["wallwork"] - series["wallwork_predicted"]).abs().max() / work,
+            LEVER_ARM,
+            "m g x omega and the change of angular momentum, integrated over lines of the log",
+        ),
+        Check(
+            "wall work off what the bed dissipates, over the wall work",
+            abs(taken / gained["wallwork"] - 1),
+            STEADY,
+            "the bed swings about a steady state",
+        ),
+    ]
+
+
+def last_grains(settings: Settings) -> pd.DataFrame:
+    """Grains at the end: columns x, y, z, radius [m], vx, vy, vz [m/s]."""
+    dump = read_dump(Path(settings["output"]) / "grains.dump")
+    return dump[dump["step"] == dump["step"].max()]
