@@ -30,7 +30,7 @@ def drum_figure(
     angle = steady["angle"].mean()
     with plt.rc_context(STYLE):
         figure, panels = plt.subplot_mosaic(
-            [["bed", "angle"], ["bed", "power"]], figsize=(9.6, 4.8), layout="constrained"
+            [["bed", "angle"], ["bed", "power"]], figsize=(9.6, 4.2), layout="constrained"
         )
         _draw_bed(figure, panels["bed"], grains, drum_radius, angle)
         axes = panels["angle"]
@@ -81,7 +81,7 @@ def _draw_bed(figure, axes, grains, drum_radius, angle) -> None:
 
 def _draw_powers(axes, series) -> None:
     spacing = series["revolutions"].iloc[1] - series["revolutions"].iloc[0]
-    lines = max(1, round(WINDOW / spacing))
+    lines = max(1, min(round(WINDOW / spacing), len(series) // 4))
 
     def power(work: pd.Series) -> pd.Series:
         return (work - work.shift(lines)) / (series["time"] - series["time"].shift(lines)) * 1e3
