@@ -1,0 +1,94 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Figure of a chute flow: its grains, its profile, and weight's power against dissipation."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+import pandas as pd
+from matplotlib.collections import EllipseCollection
+from matplotlib.figure import Figure
+
+from plastigran.figures import COLOURS, STYLE, plt
+
+if TYPE_CHECKING:
+    from plastigran.bulk_decks.chute import Profile
+
+#: Lines of the log over which powers are averaged.
+WINDOW = 24
+
+
+def chute_figure(
+    series: pd.DataFrame, grains: pd.DataFrame, profile: Profile, settling: float
+) -> Figure:
+    """The last grains coloured by speed; mean speed over height; powers over time.
+
+    Args:
+        series: Columns time [s], weight_power [W], plastic, friction and viscous [J].
+        grains: Frames: columns step, x, y, z, radius [m], vx, vy, vz [m/s].
+        profile: Of the frames.
+        settling: Time before profile and powers are taken [s].
+    """
+    with plt.rc_context(STYLE):
+        figure, (bed, speeds, powers) = plt.subplots(
+            1, 3, figsize=(11.5, 3.8), width_ratios=(1, 0.8, 1.2), layout="constrained"
+        )
+        _draw_grains(figure, bed, grains[grains["step"] == grains["step"].max()])
+        _draw_profile(speeds, profile)
+        _draw_powers(powers, series, settling)
+    return figure
+
+
+def _draw_grains(figure, axes, grains) -> None:
+    shown = grains.sort_values("y", ascending=False)  # seen along +y, the near ones last
+    held = (shown[["vx", "vy", "vz"]] == 0).all(axis="columns")
+    common = {"units": "xy", "transOffset": axes.transData, "edgecolor": "white", "lw": 0.3}
+    for part, colour in (
+        (shown[held], {"facecolor": "0.6"}),
+        (shown[~held], {"array": shown[~held]["vx"], "cmap": "viridis"}),
+    ):
+        size = 2 * part["radius"]
+        discs = EllipseCollection(
+            size, size, np.zeros(len(part)), offsets=part[["x", "z"]], **common, **colour
+        )
+        axes.add_collection(discs)
+    axes.set_xlim(grains["x"].min() - 0.005, grains["x"].max() + 0.005)
+    axes.set_ylim((grains["z"] - grains["radius"]).min(), (grains["z"] + grains["radius"]).max())
+    axes.set_aspect("equal")
+    axes.set_axis_off()
+    figure.colorbar(discs, ax=axes, label="speed (m/s)", location="bottom", shrink=0.7)
+
+
+def _draw_profile(axes, profile) -> None:
+    table = profile.table
+    axes.plot(table["speed"], table["height"] * 1e3, "o", color=COLOURS[0], mfc="white", ms=5)
+    height = np.linspace(0, profile.depth, 100)
+    lack = profile.depth**1.5 - (profile.depth - height) ** 1.5
+    axes.plot(
+        profile.slip + profile.rate * lack, height * 1e3, color=COLOURS[0], lw=1.3, label="Bagnold"
+    )
+    axes.set_xlim(0, None)
+    axes.set_xlabel("mean speed (m/s)")
+    axes.set_ylabel("height above the base (mm)")
+    axes.legend(loc="upper left")
+
+
+def _draw_powers(axes, series, settling) -> None:
+    dissipated = series["plastic"] + series["friction"] + series["viscous"]
+    lines = max(1, min(WINDOW, len(series) // 4))
+
+    def power(work: pd.Series) -> pd.Series:
+        return (work - work.shift(lines)) / (series["time"] - series["time"].shift(lines)) * 1e3
+
+    middle = (series["time"] + series["time"].shift(lines)) / 2
+    axes.plot(
+        series["time"], series["weight_power"] * 1e3, color=COLOURS[0], label="weight, $m g v$ sin"
+    )
+    axes.plot(middle, power(dissipated), color=COLOURS[1], lw=1, label="taken by the flow")
+    axes.plot(middle, power(series["plastic"]), ":", color=COLOURS[1], lw=1, label="by yielding")
+    axes.axvline(settling, color="0.4", ls=":")
+    axes.set_ylim(0, 1.5 * series["weight_power"].max() * 1e3)
+    axes.set_ylabel("power (mW)")
+    axes.set_xlabel("time (s)")
+    axes.legend(loc="upper right", ncols=2, fontsize="small")
