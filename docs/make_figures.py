@@ -168,6 +168,13 @@ def cooling_gases() -> plt.Figure:
     return cooling_figure(runs, yielding.stall, rate)
 
 
+def draw_bulk(deck: str) -> None:
+    """The figure of a bulk deck at its defaults, about a minute each."""
+    with tempfile.TemporaryDirectory() as folder:
+        analysis = run_bulk(deck, {}, Path(folder) / deck)
+        save(analysis.figures[deck], FOLDER / deck, (".png",))
+
+
 # Settings of the cooling gas by law; the dissipative constant gives 0.93 at 1 m/s.
 COOLING = {
     "vu_quoc_zhang": {},
@@ -197,6 +204,8 @@ def draw_studies() -> None:
     save(figures.restitution_figure(table, impacts), FOLDER / "restitution", (".png",))
     save(rod_figures.outcome_figure(rod_table), FOLDER / "rod", (".png",))
     save(cooling_gases(), FOLDER / "cooling_gas", (".png",))
+    for deck in ("drum", "chute"):
+        draw_bulk(deck)
     for number in (4, 6):
         figure = chung_ooi_figures.figure(number, *results)
         save(figure, FOLDER / f"chung_ooi_{number}", (".png",))

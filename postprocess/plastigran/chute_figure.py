@@ -32,7 +32,7 @@ def chute_figure(
     """
     with plt.rc_context(STYLE):
         figure, (bed, speeds, powers) = plt.subplots(
-            1, 3, figsize=(11.5, 3.8), width_ratios=(1, 0.8, 1.2), layout="constrained"
+            1, 3, figsize=(11.5, 3.6), width_ratios=(1.1, 0.8, 1.2), layout="constrained"
         )
         _draw_grains(figure, bed, grains[grains["step"] == grains["step"].max()])
         _draw_profile(speeds, profile)
@@ -57,7 +57,7 @@ def _draw_grains(figure, axes, grains) -> None:
     axes.set_ylim((grains["z"] - grains["radius"]).min(), (grains["z"] + grains["radius"]).max())
     axes.set_aspect("equal")
     axes.set_axis_off()
-    figure.colorbar(discs, ax=axes, label="speed (m/s)", location="bottom", shrink=0.7)
+    figure.colorbar(discs, ax=axes, label="speed (m/s)", shrink=0.8)
 
 
 def _draw_profile(axes, profile) -> None:
@@ -82,9 +82,7 @@ def _draw_powers(axes, series, settling) -> None:
         return (work - work.shift(lines)) / (series["time"] - series["time"].shift(lines)) * 1e3
 
     middle = (series["time"] + series["time"].shift(lines)) / 2
-    axes.plot(
-        series["time"], series["weight_power"] * 1e3, color=COLOURS[0], label="weight, $m g v$ sin"
-    )
+    axes.plot(series["time"], series["weight_power"] * 1e3, color=COLOURS[0], label="weight")
     axes.plot(middle, power(dissipated), color=COLOURS[1], lw=1, label="taken by the flow")
     axes.plot(middle, power(series["plastic"]), ":", color=COLOURS[1], lw=1, label="by yielding")
     axes.axvline(settling, color="0.4", ls=":")

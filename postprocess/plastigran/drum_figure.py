@@ -32,7 +32,7 @@ def drum_figure(
         figure, panels = plt.subplot_mosaic(
             [["bed", "angle"], ["bed", "power"]], figsize=(9.6, 4.2), layout="constrained"
         )
-        _draw_bed(figure, panels["bed"], grains, drum_radius, angle)
+        _draw_bed(panels["bed"], grains, drum_radius, angle)
         axes = panels["angle"]
         axes.plot(series["revolutions"], series["angle"], color=COLOURS[0], lw=1)
         axes.plot(
@@ -51,7 +51,7 @@ def drum_figure(
     return figure
 
 
-def _draw_bed(figure, axes, grains, drum_radius, angle) -> None:
+def _draw_bed(axes, grains, drum_radius, angle) -> None:
     speed = np.hypot(grains["vx"], grains["vz"])
     order = np.argsort(grains["y"].to_numpy())[::-1]  # seen along +y, the near ones last
     shown = grains.iloc[order]
@@ -76,7 +76,8 @@ def _draw_bed(figure, axes, grains, drum_radius, angle) -> None:
     axes.set_ylim(-1.05 * drum_radius, 1.05 * drum_radius)
     axes.set_aspect("equal")
     axes.set_axis_off()
-    figure.colorbar(discs, ax=axes, label="speed (m/s)", location="bottom", shrink=0.7)
+    scale = axes.inset_axes((0.3, 0.82, 0.4, 0.03))  # where the drum is empty
+    axes.figure.colorbar(discs, cax=scale, label="speed (m/s)", orientation="horizontal")
 
 
 def _draw_powers(axes, series) -> None:

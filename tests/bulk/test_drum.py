@@ -11,7 +11,7 @@ import pandas as pd
 import pytest
 
 from plastigran.bulk import CheckError, finish, read_record, read_series, run_bulk
-from plastigran.bulk_decks.drum import analyse, power_checks
+from plastigran.bulk_decks.drum import analyse, power_checks, read_case
 from plastigran.checkpoints import newest_checkpoint, step_of
 from plastigran.deck_source import Settings
 from plastigran.engine import inputs_folder
@@ -64,8 +64,9 @@ def test_another_weight_or_speed_is_noticed(change, turned, tmp_path):
 def test_missing_dissipation_is_noticed(turned):
     """Without the plastic work the bed takes less than the wall gives."""
     series = pd.read_csv(turned / "series.csv").query("revolutions > 0.3")
-    assert all(check.passed for check in power_checks(series, series))
-    lever, taken = power_checks(series, series.assign(plastic=0.0))
+    case = read_case(settings(turned))
+    assert all(check.passed for check in power_checks(case, series, series))
+    lever, taken = power_checks(case, series, series.assign(plastic=0.0))
     assert lever.passed and not taken.passed
 
 

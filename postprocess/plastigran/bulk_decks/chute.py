@@ -20,7 +20,7 @@ from plastigran.dumps import read_dump
 from plastigran.grains import Grains, check_contact, check_rows, read_grains
 from plastigran.ledger_figure import ledger_figure
 
-#: Share of the weight's work it may differ from the centre of mass's; a line of the log is 250 steps.
+#: Share of the weight's work it may be off the centre of mass's; a line of the log is 250 steps.
 WEIGHT = 2e-3
 #: Share of the weight's power that the flow may keep, as motion above all.
 STEADY = 0.1
@@ -117,7 +117,7 @@ def analyse(settings: Settings, series: pd.DataFrame) -> Analysis:
     checks = [count_check(series, case.count), *flow_checks(steady, profile)]
     figures = {"chute": chute_figure(series, grains, profile, case.settling)}
     if settings["ledger"] == "on":
-        checks += [*ledger_checks(series), *power_checks(series, steady)]
+        checks += [*ledger_checks(settings, series), *power_checks(series, steady)]
         figures["ledger"] = ledger_figure(series)
     return Analysis(series, checks, figures)
 

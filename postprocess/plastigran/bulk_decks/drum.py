@@ -39,6 +39,7 @@ class Case:
         angular_velocity: [1/s].
         gravitational_acceleration: [m/s^2].
         settling: Time before angle and power are taken [s].
+        rolling_friction: Coefficient, 0 without [-].
     """
 
     grains: Grains
@@ -47,6 +48,7 @@ class Case:
     angular_velocity: float
     gravitational_acceleration: float
     settling: float
+    rolling_friction: float
 
     @property
     def period(self) -> float:
@@ -64,6 +66,7 @@ def read_case(settings: Settings) -> Case:
     # From 1 on weight does not bring the grains back from the top.
     angular_velocity = (settings.number("froude", 0, 1) * gravity / radius) ** 0.5
     duration = settings.number("duration", 0, unit="revolutions")
+    rolls = settings["rolling_friction"] != "off"
     settling = settings.number("settling", -1e-300, duration, unit="revolutions")
     return Case(
         grains,
@@ -72,6 +75,7 @@ def read_case(settings: Settings) -> Case:
         angular_velocity,
         gravity,
         2 * pi / angular_velocity * settling,
+        settings.number("coefficient_of_rolling_friction", -1e-300) if rolls else 0.0,
     )
 
 
@@ -94,7 +98,7 @@ def analyse(settings: Settings, series: pd.DataFrame) -> Analysis:
     checks = [count_check(series, series["atoms"].iloc[0]), *angle_checks(settings, steady)]
     figures = {"drum": drum_figure(series, last_grains(settings), case.radius, case.settling)}
     if settings["ledger"] == "on":
-        checks += [*ledger_checks(series), *power_checks(series, steady)]
+        checks += [*ledger_checks(settings, series), *power_checks(case, series, steady)]
         figures["ledger"] = ledger_figure(series)
     return Analysis(series, checks, figures)
 
@@ -143,13 +147,18 @@ def angle_checks(settings: Settings, steady: pd.DataFrame) -> list[Check]:
     ]
 
 
-def power_checks(series: pd.DataFrame, steady: pd.DataFrame) -> list[Check]:
+def power_checks(case: Case, series: pd.DataFrame, steady: pd.DataFrame) -> list[Check]:
     """The wall's work against the weight's lever arm, and against what the bed dissipates.
 
     Args:
+        case: The drum.
         series: Columns wallwork, wallwork_predicted [J].
-        steady: Rows after settling, with plastic, friction and viscous [J] too.
+        steady: Rows after settling, with x [m], plastic, friction and viscous [J] too.
     """
+    # LIGGGHTS takes a wall's rolling friction as of a wall that does not turn: a couple of up to
+    # mu_r r N on the grains without any work of the wall, N the shell's normal forces. They are
+    # somewhat more than the weight.
+    couples = 1.5 * case.rolling_friction * case.grains.radius / abs(steady["x"].mean())
     work = series["wallwork"].abs().max()
     taken = steady["plastic"] + steady["friction"] + steady["viscous"]
     share = linregress(steady["wallwork"], taken).slope
@@ -157,8 +166,9 @@ def power_checks(series: pd.DataFrame, steady: pd.DataFrame) -> list[Check]:
         Check(
             "wall work off the weight's lever arm, over the wall work",
             (series["wallwork"] - series["wallwork_predicted"]).abs().max() / work,
-            LEVER_ARM,
-            "m g x omega and the change of angular momentum, integrated over lines of the log",
+            LEVER_ARM + couples,
+            "m g x omega and the change of angular momentum, integrated over lines of the log; "
+            f"{couples:.2g} for rolling friction at the wall",
         ),
         Check(
             "power of the wall off what the bed dissipates, over the power",
