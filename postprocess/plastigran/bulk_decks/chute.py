@@ -23,7 +23,7 @@ from plastigran.ledger_figure import ledger_figure
 #: Share of the weight's work it may be off the centre of mass's; a line of the log is 250 steps.
 WEIGHT = 2e-3
 #: Share of the weight's power that the flow may keep, as motion above all.
-STEADY = 0.1
+STEADY = 0.05
 #: Root mean square of what Bagnold's profile leaves over, over the speed at the surface.
 PROFILE = 0.05
 #: Shares of the depth between which the profile is held against Bagnold's: layers at the base slip,
