@@ -32,7 +32,7 @@ def chute_figure(
     """
     with plt.rc_context(STYLE):
         figure, (bed, speeds, powers) = plt.subplots(
-            1, 3, figsize=(11.5, 3.6), width_ratios=(1.1, 0.8, 1.2), layout="constrained"
+            1, 3, figsize=(10.5, 3.8), width_ratios=(0.6, 0.9, 1.2), layout="constrained"
         )
         _draw_grains(figure, bed, grains[grains["step"] == grains["step"].max()])
         _draw_profile(speeds, profile)
@@ -79,14 +79,14 @@ def _draw_powers(axes, series, settling) -> None:
     lines = max(1, min(WINDOW, len(series) // 4))
 
     def power(work: pd.Series) -> pd.Series:
-        return (work - work.shift(lines)) / (series["time"] - series["time"].shift(lines)) * 1e3
+        return (work - work.shift(lines)) / (series["time"] - series["time"].shift(lines))
 
     middle = (series["time"] + series["time"].shift(lines)) / 2
-    axes.plot(series["time"], series["weight_power"] * 1e3, color=COLOURS[0], label="weight")
+    axes.plot(series["time"], series["weight_power"], color=COLOURS[0], label="weight")
     axes.plot(middle, power(dissipated), color=COLOURS[1], lw=1, label="taken by the flow")
     axes.plot(middle, power(series["plastic"]), ":", color=COLOURS[1], lw=1, label="by yielding")
     axes.axvline(settling, color="0.4", ls=":")
-    axes.set_ylim(0, 1.5 * series["weight_power"].max() * 1e3)
-    axes.set_ylabel("power (mW)")
+    axes.set_ylim(0, 1.2 * series["weight_power"].max())
+    axes.set_ylabel("power (W)")
     axes.set_xlabel("time (s)")
-    axes.legend(loc="upper right", ncols=2, fontsize="small")
+    axes.legend(loc="center right")
