@@ -71,7 +71,7 @@ def read_case(settings: Settings) -> Case:
     return Case(
         grains,
         radius,
-        settings.number("length", 4 * largest, unit="m"),
+        settings.number("length", 4 * largest, radius, unit="m"),  # the shell's is the radius
         angular_velocity,
         gravity,
         2 * pi / angular_velocity * settling,
