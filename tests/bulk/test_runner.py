@@ -189,7 +189,7 @@ def test_results_are_not_overwritten_unless_forced(whole, tmp_path, monkeypatch)
 @pytest.mark.parametrize(
     ("line", "said"),
     [
-        (["cooling_gass"], "no deck 'cooling_gass'; there are cooling_gas"),
+        (["cooling_gass"], "no deck 'cooling_gass'; there are "),
         (["cooling_gas", "-v", "siide=3"], "has no setting 'siide'; it takes law"),
         (["cooling_gas", "--restart", "/nowhere"], "holds no run.json"),
     ],
