@@ -30,6 +30,7 @@
 #include "fix_wall_gran.h"
 #include "force.h"
 #include "global_properties.h"
+#include "history_keeper.h"
 #include "impact.h"
 #include "modify.h"
 #include "motion_watch.h"
@@ -90,6 +91,7 @@ class ElastoplasticNormalModel : public NormalModelBase {
     excess_ = plastigran::RangeWatch::of(lmp, caller(), Law::range);
     step_watch_ = plastigran::own_fix<plastigran::StepWatch>(lmp);
     plastigran::own_fix<plastigran::MotionWatch>(lmp);
+    plastigran::own_fix<plastigran::HistoryKeeper>(lmp);
     const auto user = dynamic_cast<plastigran::LedgerUser*>(contact_model_);
     ledger_ = user ? user->ledger : nullptr;
     if (viscous_damping_) {

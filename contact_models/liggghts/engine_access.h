@@ -10,6 +10,7 @@
 
 #include "fix.h"
 #include "modify.h"
+#include "output.h"
 #include "settings.h"
 #include "thermo.h"
 
@@ -35,12 +36,19 @@ struct EngineThermoLost {
   friend type reach(EngineThermoLost);
 };
 
+// The step of the next restart file.
+struct EngineNextRestart {
+  typedef LAMMPS_NS::bigint LAMMPS_NS::Output::*type;
+  friend type reach(EngineNextRestart);
+};
+
 template <class Tag, typename Tag::type Member>
 struct Reach {
   friend typename Tag::type reach(Tag) { return Member; }
 };
 template struct Reach<EngineSettings, &Settings::settings>;
 template struct Reach<EngineFixes, &LAMMPS_NS::Modify::fix_map>;
+template struct Reach<EngineNextRestart, &LAMMPS_NS::Output::next_restart>;
 template struct Reach<EngineThermoLost, &LAMMPS_NS::Thermo::lostflag>;
 
 }  // namespace plastigran
