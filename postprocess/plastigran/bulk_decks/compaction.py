@@ -1,0 +1,103 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Die compaction: the pressure-density loop, the punch's work, Heckel's line."""
+
+from __future__ import annotations
+
+from math import inf, pi
+
+import numpy as np
+import pandas as pd
+
+from plastigran.bulk_checks import count_check, ledger_checks
+from plastigran.bulk_decks import Analysis, Check
+from plastigran.compaction import TOUCH, measure_loop, punch_work, since_first
+from plastigran.compaction_figure import compaction_figure
+from plastigran.deck_source import Settings
+from plastigran.figures import title
+from plastigran.grains import check_contact, check_rows, read_grains
+from plastigran.ledger_figure import ledger_figure
+
+#: Entries of the ledger that count what has passed; they begin with the stroke.
+FLOWS = ["plastic", "friction", "viscous", "wallwork", "inserted", "drift"]
+#: What the sum over the log's rows may miss of the punch's work.
+ROWS = 2e-3
+#: Kinetic over elastic energy of a quasi-static stroke, at most.
+SLOW = 0.02
+#: Share of the peak pressure above which the grains are a loaded bed.
+LOADED = 0.1
+
+
+def check_settings(settings: Settings) -> None:
+    grains = read_grains(settings)
+    check_contact(settings)
+    check_rows(settings)
+    settings.number("die_radius", 4 * grains.radius, unit="m")
+    settings.whole("layers", 3)
+    # Spheres stand at 0.5236 on the lattice; pressed flat they fill the die.
+    settings.number("relative_density", 0.5236, 1)
+    settings.number("release", 0, 1 + 1e-12)
+    for name in ("duration", "timestep", "filling"):
+        settings.number(name, 0, unit="s")
+    settings.number("seed", -inf)
+    settings.whole("frames", 0)
+
+
+def analyse(settings: Settings, series: pd.DataFrame) -> Analysis:
+    table = stroke(settings, series)
+    loop = measure_loop(table["relative_density"], table["pressure"])
+    loaded = table[table["pressure"] > LOADED * loop.pressure]
+    peak_work = table["wallwork"].max()
+    checks = [
+        count_check(table, poured(settings)),
+        *ledger_checks(table),
+        Check(
+            "work of the punch against its force times travel, relative",
+            (table["wallwork"] - table["punch_work"]).abs().max() / peak_work,
+            ROWS,
+            f"trapezia between {settings['rows']} rows",
+        ),
+        Check(
+            "kinetic over elastic energy under load",
+            (loaded["kinetic"] / loaded["elastic"]).max(),
+            SLOW,
+            "slow enough to be quasi-static",
+        ),
+        Check(
+            "pressure left at the end, over its peak",
+            table["pressure"].iloc[-1] / loop.pressure,
+            TOUCH,
+            "the punch has left the grains; raise release",
+        ),
+    ]
+    runs = {title(settings["law"]): table}
+    strength = settings.number("yield_strength", 0, unit="Pa")
+    return Analysis(
+        table,
+        checks,
+        {"compaction": compaction_figure(runs, [strength]), "energy_ledger": ledger_figure(table)},
+    )
+
+
+def poured(settings: Settings) -> int:
+    """Grains of the lattice that find place in the die."""
+    radius, die_radius = float(settings["radius"]), float(settings["die_radius"])
+    spacing = 2.04 * radius
+    reach = int(die_radius / spacing) + 1
+    x, y = np.meshgrid(*[(np.arange(-reach, reach) + 0.5) * spacing] * 2)
+    return int(np.sum(np.hypot(x, y) <= die_radius - radius)) * int(settings["layers"])
+
+
+def stroke(settings: Settings, series: pd.DataFrame) -> pd.DataFrame:
+    """The log of the stroke, with what is measured of it.
+
+    Returns:
+        The log with `time` [s] and the ledger from the stroke's start, and relative_density [-],
+        pressure [Pa], punch_work [J], and heckel, ln(1/(1 - relative density)) [-].
+    """
+    radius, die_radius = float(settings["radius"]), float(settings["die_radius"])
+    table = since_first(series, [*FLOWS, "time"])
+    area, solid = pi * die_radius**2, table["atoms"] * 4 / 3 * pi * radius**3
+    table["relative_density"] = solid / (area * table["height"])
+    table["pressure"] = table["force"] / area
+    table["punch_work"] = punch_work(table["height"], table["force"])
+    return table
