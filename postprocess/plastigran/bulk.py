@@ -27,7 +27,7 @@ from plastigran.engine import EngineError, engine_path
 from plastigran.engine_watch import run_watched
 
 RECORD = "run.json"
-#: The log's lines before the checkpoint a run went on from.
+#: The log's lines up to the checkpoint a run went on from.
 BEFORE = "before.csv"
 #: What a run leaves, for one that may overwrite it.
 LEFT = (
@@ -88,7 +88,7 @@ def run_bulk(
         checkpoint = restart_point(restart, earlier)
         values = earlier["values"] | values | {"start": "checkpoint", "checkpoint": str(checkpoint)}
         before = read_series(restart).query(
-            "step < @step", local_dict={"step": step_of(checkpoint)}
+            "step <= @step", local_dict={"step": step_of(checkpoint)}
         )
     source, module = read_deck(deck, values, folder), module_of(deck.stem)
     if module:
@@ -167,7 +167,8 @@ def read_series(folder: str | Path) -> pd.DataFrame:
     except (DumpError, FileNotFoundError):
         if not parts:  # else the run was stopped before its first line
             raise
-    return pd.concat(parts, ignore_index=True)
+    # The checkpoint's line is the earlier log's: while setting up, meshes know no forces.
+    return pd.concat(parts, ignore_index=True).drop_duplicates("step", ignore_index=True)
 
 
 def _read_log(folder: Path) -> pd.DataFrame:

@@ -10,7 +10,7 @@ import pandas as pd
 
 from plastigran.bulk_checks import count_check, ledger_checks
 from plastigran.bulk_decks import Analysis, Check
-from plastigran.compaction import TOUCH, measure_loop, punch_work, since_first
+from plastigran.compaction import TOUCH, Loop, measure_loop, punch_work, since_first
 from plastigran.compaction_figure import compaction_figure
 from plastigran.deck_source import Settings
 from plastigran.figures import title
@@ -24,7 +24,7 @@ ROWS = 2e-3
 #: Kinetic over elastic energy of a quasi-static stroke, at most.
 SLOW = 0.02
 #: Share of the peak pressure above which the grains are a loaded bed.
-LOADED = 0.1
+LOADED = 0.2
 
 
 def check_settings(settings: Settings) -> None:
@@ -45,23 +45,8 @@ def check_settings(settings: Settings) -> None:
 def analyse(settings: Settings, series: pd.DataFrame) -> Analysis:
     table = stroke(settings, series)
     loop = measure_loop(table["relative_density"], table["pressure"])
-    loaded = table[table["pressure"] > LOADED * loop.pressure]
-    peak_work = table["wallwork"].max()
     checks = [
         count_check(table, poured(settings)),
-        *ledger_checks(table),
-        Check(
-            "work of the punch against its force times travel, relative",
-            (table["wallwork"] - table["punch_work"]).abs().max() / peak_work,
-            ROWS,
-            f"trapezia between {settings['rows']} rows",
-        ),
-        Check(
-            "kinetic over elastic energy under load",
-            (loaded["kinetic"] / loaded["elastic"]).max(),
-            SLOW,
-            "slow enough to be quasi-static",
-        ),
         Check(
             "pressure left at the end, over its peak",
             table["pressure"].iloc[-1] / loop.pressure,
@@ -69,13 +54,32 @@ def analyse(settings: Settings, series: pd.DataFrame) -> Analysis:
             "the punch has left the grains; raise release",
         ),
     ]
-    runs = {title(settings["law"]): table}
     strength = settings.number("yield_strength", 0, unit="Pa")
-    return Analysis(
-        table,
-        checks,
-        {"compaction": compaction_figure(runs, [strength]), "energy_ledger": ledger_figure(table)},
-    )
+    figures = {"compaction": compaction_figure({title(settings["law"]): table}, [strength])}
+    if settings["ledger"] == "on":
+        checks += [*ledger_checks(table), *energy_checks(table, loop)]
+        figures["energy_ledger"] = ledger_figure(table)
+    return Analysis(table, checks, figures)
+
+
+def energy_checks(table: pd.DataFrame, loop: Loop) -> list[Check]:
+    """The punch's work is what the ledger says walls put in, and it is done slowly."""
+    loaded = table[table["pressure"] > LOADED * loop.pressure]
+    missed = (table["wallwork"] - table["punch_work"]).abs().max() / table["wallwork"].max()
+    return [
+        Check(
+            "work of the punch against its force times travel, relative",
+            missed,
+            ROWS,
+            f"trapezia between {len(table)} rows",
+        ),
+        Check(
+            "kinetic over elastic energy under load",
+            (loaded["kinetic"] / loaded["elastic"]).max(),
+            SLOW,
+            "slow enough to be quasi-static",
+        ),
+    ]
 
 
 def poured(settings: Settings) -> int:
