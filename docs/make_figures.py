@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Draw the figures of the docs: one per law, found and never listed, and the README's, the rod's,
-the cylinder study's and the cooling gas's.
+the cylinder study's and the bulk decks'.
 
 Run it with `./run figures`; the files in docs/figures are its output.
 """
@@ -27,6 +27,7 @@ from plastigran import (
 )
 from plastigran.bulk import read_record, run_bulk
 from plastigran.bulk_decks import cooling_gas
+from plastigran.compaction_figure import compaction_figure
 from plastigran.cooling_figure import cooling_figure
 from plastigran.figures import STYLE, plt, save, title
 from plastigran.impact import PAPER_SPEEDS, laws_for, plan, sweep
@@ -175,6 +176,23 @@ def draw_bulk(deck: str) -> None:
         save(analysis.figures[deck], FOLDER / deck, (".png",))
 
 
+def compactions() -> plt.Figure:
+    """Grains of three strengths pressed to the same density: a minute each."""
+    settings = {"die_radius": 0.0075, "layers": 9, "release": 0.3}
+    with tempfile.TemporaryDirectory() as folder:
+        runs = {
+            f"$\\sigma_Y$ = {strength / 1e3:g} kPa": run_bulk(
+                "compaction", settings | {"yield_strength": strength}, Path(folder) / str(strength)
+            ).table
+            for strength in STRENGTHS
+        }
+    return compaction_figure(runs, STRENGTHS)
+
+
+# Yield strengths of the compacted grains [Pa].
+STRENGTHS = [5e4, 1e5, 2e5]
+
+
 # Settings of the cooling gas by law; the dissipative constant gives 0.93 at 1 m/s.
 COOLING = {
     "vu_quoc_zhang": {},
@@ -206,6 +224,7 @@ def draw_studies() -> None:
     save(cooling_gases(), FOLDER / "cooling_gas", (".png",))
     for deck in ("drum", "chute"):
         draw_bulk(deck)
+    save(compactions(), FOLDER / "compaction", (".png",))
     for number in (4, 6):
         figure = chung_ooi_figures.figure(number, *results)
         save(figure, FOLDER / f"chung_ooi_{number}", (".png",))
