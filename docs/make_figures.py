@@ -178,7 +178,7 @@ def draw_bulk(deck: str) -> None:
 
 def compactions() -> plt.Figure:
     """Grains of three strengths pressed to the same density: a minute each."""
-    settings = {"die_radius": 0.0075, "layers": 9, "release": 0.3}
+    settings = {"die_radius": 0.0075, "layers": 9, "relative_density": 0.7, "release": 0.3}
     with tempfile.TemporaryDirectory() as folder:
         runs = {
             f"$\\sigma_Y$ = {strength / 1e3:g} kPa": run_bulk(

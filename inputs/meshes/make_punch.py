@@ -1,9 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Writes punch.stl: one triangle at z = 0 around the circle of radius 1.
-
-One, for where two triangles meet, a restart file of LIGGGHTS 3.8.0 may lack a grain's contact with
-them.
-"""
+"""Writes punch.stl: one triangle at z = 0 around the circle of radius 1, a punch once scaled."""
 
 from pathlib import Path
 

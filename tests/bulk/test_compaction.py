@@ -18,7 +18,7 @@ from plastigran.engine import inputs_folder
 
 #: Sixty grains, in a die ten radii wide.
 SMALL = {"layers": 5, "die_radius": 0.005, "duration": 0.15, "filling": 0.1}
-SMALL |= {"rows": 100, "checkpoints": 10, "release": 0.25}
+SMALL |= {"rows": 100, "checkpoints": 10, "relative_density": 0.7, "release": 0.25}
 
 
 def run(folder, ranks: int = 1, **changes) -> pd.DataFrame:
