@@ -1,0 +1,141 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Shot on a plate, held against the law's own central impact, or on a bed."""
+
+from __future__ import annotations
+
+from math import floor, inf
+from pathlib import Path
+
+import numpy as np
+import pandas as pd
+
+from plastigran.bed_impact import (
+    measure_shots,
+    plastic_work_by_depth,
+    predicted_rebound,
+    read_grains_dump,
+)
+from plastigran.bed_impact_figure import bed_figure, plate_figure
+from plastigran.bulk_checks import count_check, ledger_checks
+from plastigran.bulk_decks import Analysis, Check
+from plastigran.deck_source import Settings
+from plastigran.grains import Grains, check_contact, check_rows, read_grains, read_options
+from plastigran.ledger_figure import ledger_figure
+
+#: Error of the integrator at a sound time step: restitution, rebound speed and plastic work.
+INTEGRATOR = 1e-3
+#: Rounding of a sum over grains that ranks and steps took in another order.
+ROUNDING = 1e-9
+#: Entries of the ledger that count what has passed; they begin with the shot.
+FLOWS = ["plastic", "friction", "viscous", "wallwork", "inserted", "drift", "time"]
+
+
+def check_settings(settings: Settings) -> None:
+    grains = read_grains(settings)
+    check_contact(settings)
+    check_rows(settings)
+    if settings["ledger"] != "on":
+        raise ValueError("ledger is off; the plastic work of grains is part of it: set ledger=on")
+    settings.whole("side", 2)
+    settings.whole("shot_layers", 1)
+    slowest = settings.number("slowest", 0, unit="m/s")
+    settings.number("fastest", slowest, unit="m/s")
+    for name in ("duration", "timestep"):
+        settings.number(name, 0, unit="s")
+    settings.number("seed", -inf)
+    settings.whole("frames", 0)
+    if settings["target"] == "plate":
+        check_plate(settings, grains)
+    else:
+        settings.whole("bed_layers", 1)
+        settings.number("filling", 0, unit="s")
+        settings.number("field", 0, unit="m/s^2")
+
+
+def check_plate(settings: Settings, grains: Grains) -> None:
+    """What the closed form takes. Raises ValueError for what it does not."""
+    for name, needed in {"shot_layers": 1, "field": 0, "bed_layers": 0, "filling": 0}.items():
+        if settings.number(name, -inf) != needed:
+            raise ValueError(f"{name} is {settings[name]}; it must be {needed} for target plate")
+    for name, choice in read_options(settings).items():
+        if name not in grains.options and choice != "off":
+            raise ValueError(f"options: {name} {choice} changes the restitution or is unknown")
+
+
+def analyse(settings: Settings, series: pd.DataFrame) -> Analysis:
+    grains = read_grains(settings)
+    table = series.assign(**{name: series[name] - series[name].iloc[0] for name in FLOWS})
+    everything = read_grains_dump(Path(settings["output"]) / "grains.dump")
+    bed = bed_count(settings)
+    gravity = float(settings["field"])
+    shot = measure_shots(everything.iloc[bed:], grains.radius, gravity)
+    shot["rebound_predicted"] = predicted_rebound(
+        grains.contact_law(), grains.radius, grains.mass, shot["impact_speed"]
+    )
+    of_grains, in_all = everything["plastic_work"].sum(), series["plastic"].iloc[-1]
+    checks = [
+        count_check(table, bed + int(settings["side"]) ** 2 * int(settings["shot_layers"])),
+        *ledger_checks(table),
+        Check(
+            "plastic work of the grains against the ledger's, relative",
+            abs(of_grains - in_all) / max(in_all, 1e-300),
+            ROUNDING,
+            "the same work, summed by grain and in all",
+        ),
+    ]
+    if settings["target"] == "plate":
+        checks += plate_checks(shot, grains.mass)
+        figure = plate_figure(shot)
+    else:
+        surface = everything["z_before"].iloc[bed:].min() - 2 * grains.radius
+        by_depth = plastic_work_by_depth(everything, surface, 2 * grains.radius)
+        figure = bed_figure(shot, by_depth, 2 * grains.radius)
+    return Analysis(table, checks, {"bed_impact": figure, "energy_ledger": ledger_figure(table)})
+
+
+def bed_count(settings: Settings) -> int:
+    """Grains of the bed, which were there before the shot: 0 for a plate."""
+    if settings["target"] == "plate":
+        return 0
+    # In radii; the deck rounds the same quotient.
+    across = floor(3 * int(settings["side"]) / 2.04)
+    return across**2 * int(settings["bed_layers"])
+
+
+def plate_checks(shot: pd.DataFrame, mass: float) -> list[Check]:
+    """Every shot against its own central impact, and all of them together.
+
+    Args:
+        shot: Columns of `measure_shots`, and `rebound_predicted` [m/s].
+        mass: Of a shot [kg].
+    """
+    predicted, impact = shot["rebound_predicted"], shot["impact_speed"]
+    quantiles = np.sort(shot["rebound_speed"]) - np.sort(predicted)
+    lost = 0.5 * mass * (impact**2 - predicted**2).sum()
+    reason = "the integrator's error at a sound time step"
+    return [
+        Check(
+            "shots that have not left the plate",
+            (shot["rebound_speed"] <= 0).sum(),
+            0,
+            "all hit and rebound in time; else raise duration",
+        ),
+        Check(
+            "restitution of a shot against the law's, relative",
+            (shot["rebound_speed"] / predicted - 1).abs().max(),
+            INTEGRATOR,
+            reason,
+        ),
+        Check(
+            "quantiles of rebound speed against the image of the impacts', over the fastest",
+            abs(quantiles).max() / impact.max(),
+            INTEGRATOR,
+            reason,
+        ),
+        Check(
+            "plastic work against what the law's impacts lose, over the energy of impact",
+            abs(shot["plastic_work"].sum() - lost) / (0.5 * mass * (impact**2).sum()),
+            INTEGRATOR,
+            reason,
+        ),
+    ]
