@@ -189,6 +189,17 @@ def compactions() -> plt.Figure:
     return compaction_figure(runs, STRENGTHS)
 
 
+def shot_figures() -> dict[str, plt.Figure]:
+    """Shot on a plate and on a bed, at the deck's defaults: a minute or two each."""
+    with tempfile.TemporaryDirectory() as folder:
+        return {
+            f"bed_impact_{target}": run_bulk(
+                "bed_impact", {"target": target}, Path(folder) / target
+            ).figures["bed_impact"]
+            for target in ("plate", "bed")
+        }
+
+
 # Yield strengths of the compacted grains [Pa].
 STRENGTHS = [5e4, 1e5, 2e5]
 
@@ -225,6 +236,8 @@ def draw_studies() -> None:
     for deck in ("drum", "chute"):
         draw_bulk(deck)
     save(compactions(), FOLDER / "compaction", (".png",))
+    for name, figure in shot_figures().items():
+        save(figure, FOLDER / name, (".png",))
     for number in (4, 6):
         figure = chung_ooi_figures.figure(number, *results)
         save(figure, FOLDER / f"chung_ooi_{number}", (".png",))

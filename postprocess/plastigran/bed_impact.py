@@ -10,15 +10,15 @@ import pandas as pd
 
 from plastigran.dumps import read_dump
 
-_NAMES = {"before[1]": "vz_before", "before[2]": "z_before", "before[3]": "plastic_work_before"}
+_NAMES = {"before[1]": "vz_before", "before[2]": "z_before"}
 
 
 def read_grains_dump(path: str | Path) -> pd.DataFrame:
     """The last frame of the deck's `grains.dump`.
 
     Returns:
-        One row a grain: `id`, `z` [m], `vz` [m/s], `plastic_work` [J], and `z_before`, `vz_before`,
-        `plastic_work_before`, the same before the shot.
+        One row a grain: `id`, `z` [m], `vz` [m/s], `z_before` and `vz_before`, the same before the
+        shot, and `plastic_work` since then [J].
 
     Raises:
         DumpError: The file is not a dump.
@@ -52,7 +52,7 @@ def measure_shots(shot: pd.DataFrame, radius: float, gravity: float) -> pd.DataF
         {
             "impact_speed": np.sqrt(shot["vz_before"] ** 2 + fall),
             "rebound_speed": speed.where(come_back, 0.0),
-            "plastic_work": shot["plastic_work"] - shot["plastic_work_before"],
+            "plastic_work": shot["plastic_work"],
         }
     )
 
@@ -69,7 +69,7 @@ def plastic_work_by_depth(grains: pd.DataFrame, surface: float, diameter: float)
         One row a layer: `depth` of its middle below the surface [m], `plastic_work` [J].
     """
     layer = np.floor((surface - grains["z"]) / diameter).clip(lower=0)
-    work = (grains["plastic_work"] - grains["plastic_work_before"]).groupby(layer).sum()
+    work = grains["plastic_work"].groupby(layer).sum()
     return pd.DataFrame({"depth": (work.index + 0.5) * diameter, "plastic_work": work.to_numpy()})
 
 

@@ -10,6 +10,9 @@ from matplotlib.figure import Figure
 
 from plastigran.figures import COLOURS, STYLE, plt
 
+#: Shots drawn one by one where all lie on a curve.
+SHOWN = 30
+
 
 def plate_figure(shot: pd.DataFrame) -> Figure:
     """Restitution shot by shot on the law's curve; distributions of impact and rebound speed.
@@ -19,14 +22,15 @@ def plate_figure(shot: pd.DataFrame) -> Figure:
     """
     with plt.rc_context(STYLE):
         figure, (left, right) = plt.subplots(1, 2, figsize=(9.2, 3.8), layout="constrained")
-        _restitution(left, shot)
+        ordered = shot.sort_values("impact_speed")
+        shown = np.unique(np.linspace(0, len(shot) - 1, SHOWN).astype(int))
+        _restitution(left, ordered, ordered.iloc[shown])
         left.set_ylim(top=1.01)
         share = (np.arange(len(shot)) + 0.5) / len(shot)
         right.plot(np.sort(shot["impact_speed"]), share, color="0.5", lw=1.3, label="impact")
         right.plot(
             np.sort(shot["rebound_predicted"]), share, color=COLOURS[0], lw=1.3, label="$v\\,e(v)$"
         )
-        shown = np.unique(np.linspace(0, len(shot) - 1, 30).astype(int))
         right.plot(
             np.sort(shot["rebound_speed"])[shown],
             share[shown],
@@ -52,7 +56,7 @@ def bed_figure(shot: pd.DataFrame, by_depth: pd.DataFrame, diameter: float) -> F
     """
     with plt.rc_context(STYLE):
         figure, (left, right) = plt.subplots(1, 2, figsize=(9.2, 3.8), layout="constrained")
-        _restitution(left, shot)
+        _restitution(left, shot.sort_values("impact_speed"), shot)
         left.set_ylim(-0.02, 1)
         total = by_depth["plastic_work"].sum()
         right.barh(
@@ -68,19 +72,18 @@ def bed_figure(shot: pd.DataFrame, by_depth: pd.DataFrame, diameter: float) -> F
     return figure
 
 
-def _restitution(axes: Axes, shot: pd.DataFrame) -> None:
-    speed = shot["impact_speed"]
+def _restitution(axes: Axes, ordered: pd.DataFrame, shown: pd.DataFrame) -> None:
+    """Points of the shot shown; the law's line over all of it, ordered by impact speed."""
     axes.plot(
-        speed,
-        shot["rebound_speed"] / speed,
+        shown["impact_speed"],
+        shown["rebound_speed"] / shown["impact_speed"],
         "o",
         color=COLOURS[1],
         mfc="none",
-        ms=4,
-        alpha=0.6,
+        ms=5,
+        alpha=0.8,
         label="shot",
     )
-    ordered = shot.sort_values("impact_speed")
     axes.plot(
         ordered["impact_speed"],
         ordered["rebound_predicted"] / ordered["impact_speed"],
