@@ -75,7 +75,7 @@ def analyse(settings: Settings, series: pd.DataFrame) -> Analysis:
     of_grains, in_all = everything["plastic_work"].sum(), table["plastic"].iloc[-1]
     checks = [
         count_check(table, bed + int(settings["side"]) ** 2 * int(settings["shot_layers"])),
-        *ledger_checks(table),
+        *ledger_checks(settings, table),
         Check(
             "plastic work of the grains against the ledger's, relative",
             abs(of_grains - in_all) / max(in_all, 1e-300),

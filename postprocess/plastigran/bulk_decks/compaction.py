@@ -57,7 +57,7 @@ def analyse(settings: Settings, series: pd.DataFrame) -> Analysis:
     strength = settings.number("yield_strength", 0, unit="Pa")
     figures = {"compaction": compaction_figure({title(settings["law"]): table}, [strength])}
     if settings["ledger"] == "on":
-        checks += [*ledger_checks(table), *energy_checks(table, loop)]
+        checks += [*ledger_checks(settings, table), *energy_checks(table, loop)]
         figures["energy_ledger"] = ledger_figure(table)
     return Analysis(table, checks, figures)
 
