@@ -76,7 +76,9 @@ def test_another_yield_strength_is_noticed(plate, tmp_path):
 
 def test_shot_that_is_late_is_noticed(tmp_path):
     with pytest.raises(CheckError, match=r"shots that have not left the plate [1-9]"):
-        run_bulk("bed_impact", PLATE | {"duration": 0.004}, tmp_path / "run", show=False)
+        values = PLATE | {"duration": 0.004, "frames": 1}
+        run_bulk("bed_impact", values, tmp_path / "run", show=False)
+    assert list((tmp_path / "run" / "frames").glob("contacts_*.vtk"))
 
 
 def test_bed_takes_what_the_plate_gives_back(bed):
