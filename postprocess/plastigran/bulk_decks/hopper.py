@@ -3,7 +3,8 @@
 
 from __future__ import annotations
 
-from math import inf, pi
+from dataclasses import dataclass
+from math import inf
 
 import pandas as pd
 
@@ -12,9 +13,37 @@ from plastigran.bulk_checks import ledger_checks
 from plastigran.bulk_decks import Analysis, Check
 from plastigran.deck_source import Settings
 from plastigran.engine import inputs_folder
+from plastigran.grains import Grains, check_contact, check_rows, read_grains
 from plastigran.hopper_figure import discharge_figure
-from plastigran.impact import laws_for
 from plastigran.ledger_figure import ledger_figure
+
+#: Layers of the lattice that stand in the barrel.
+LAYERS = 20
+
+
+@dataclass(frozen=True)
+class Case:
+    """A run's hopper.
+
+    Attributes:
+        grains: Size, material and law.
+        orifice: Its diameter [m].
+        gravitational_acceleration: [m/s^2].
+    """
+
+    grains: Grains
+    orifice: float
+    gravitational_acceleration: float
+
+    def discharge(self, series: pd.DataFrame) -> Discharge | None:
+        """The steady discharge of a series that begins when the orifice opens; None without one."""
+        return measure_discharge(
+            series,
+            self.orifice,
+            2 * self.grains.radius,
+            self.grains.material.density,
+            self.gravitational_acceleration,
+        )
 
 
 def orifices() -> list[str]:
@@ -23,49 +52,39 @@ def orifices() -> list[str]:
     return sorted((name.removeprefix("hopper_") for name in names), key=float)
 
 
-def grain_mass(settings: Settings) -> float:
-    """Of a grain [kg]."""
-    return 4 / 3 * pi * float(settings["radius"]) ** 3 * float(settings["density"])
-
-
-def discharge_of(settings: Settings, series: pd.DataFrame) -> Discharge | None:
-    """The steady discharge of a run; None where it has none."""
-    diameter = 2 * float(settings["radius"])
-    orifice = float(settings["orifice"]) * diameter
-    return measure_discharge(series, orifice, diameter, float(settings["density"]))
-
-
-def check_settings(settings: Settings) -> None:
-    if settings["law"] not in (known := laws_for("sphere")):
-        raise ValueError(f"no law {settings['law']!r} for spheres; there are {', '.join(known)}")
-    if settings["ledger"] not in ("on", "off"):
-        raise ValueError(f"ledger is {settings['ledger']!r}; it must be on or off")
-    if settings["law"] == "hertz" and settings["ledger"] == "on":
-        raise ValueError("ledger is on; law hertz is the engine's own and needs ledger=off")
+def read_case(settings: Settings) -> Case:
+    """The case of a deck's settings. Raises ValueError naming one out of range."""
+    grains = read_grains(settings)
     if settings["orifice"] not in orifices():
         raise ValueError(
             f"orifice is {settings['orifice']}; there are hoppers of {', '.join(orifices())} "
             "(inputs/meshes/make_hopper.py makes others)"
         )
-    settings.whole("layers", 1)
-    settings.number("layers", 0, 21)  # the lattice stands in the barrel
-    settings.number("radius", 0, unit="m")
-    settings.number("density", 0, unit="kg/m^3")
-    settings.number("coefficient_of_friction", -1e-300)
-    settings.number("coefficient_of_restitution", 0, 1 + 1e-12)
+    return Case(
+        grains,
+        float(settings["orifice"]) * 2 * grains.radius,
+        settings.number("gravitational_acceleration", 0, unit="m/s^2"),
+    )
+
+
+def check_settings(settings: Settings) -> None:
+    read_case(settings)
+    check_contact(settings)
+    check_rows(settings)
+    if settings.whole("layers", 1) > LAYERS:
+        raise ValueError(f"layers is {settings['layers']}; the barrel takes {LAYERS}")
     settings.number("timestep", 0, unit="s")
     settings.number("temperature", 0, unit="m^2/s^2")
     settings.number("settling", 0, unit="s")
     settings.number("duration", 0)
     settings.number("seed", -inf)
     settings.whole("frames", 0)
-    rows, checkpoints = settings.whole("rows", 1), settings.whole("checkpoints", 1)
-    if rows % checkpoints:
-        raise ValueError(f"checkpoints is {checkpoints}; it must divide rows, {rows}")
 
 
 def analyse(settings: Settings, series: pd.DataFrame) -> Analysis:
-    discharge = discharge_of(settings, series)
+    case = read_case(settings)
+    series = since_opening(series)
+    discharge = case.discharge(series)
     missing = series["held"] + series["counted"] - series["atoms"].iloc[0]
     checks = [
         Check(
@@ -75,7 +94,7 @@ def analyse(settings: Settings, series: pd.DataFrame) -> Analysis:
             "the mesh keeps those that do not pass the orifice",
         )
     ]
-    figures = {"hopper": discharge_figure(series, discharge, grain_mass(settings))}
+    figures = {"hopper": discharge_figure(series, discharge, case.grains.mass)}
     if settings["ledger"] == "on":
         checks += ledger_checks(series)
         figures["ledger"] = ledger_figure(series)
@@ -90,3 +109,8 @@ def analyse(settings: Settings, series: pd.DataFrame) -> Analysis:
             )
         )
     return Analysis(series, checks, figures)
+
+
+def since_opening(series: pd.DataFrame) -> pd.DataFrame:
+    """A run's series with its time counted from the first row, when the orifice opened."""
+    return series.assign(time=series["time"] - series["time"].iloc[0])
