@@ -14,10 +14,13 @@ from pathlib import Path
 import numpy as np
 
 #: Diameters of the orifice, in N of `hopper_N.stl`.
-ORIFICES = (5, 6, 7, 8, 10)
-BARREL = 20.0  # diameter
-HEIGHT = 30.0  # of the whole
-SLOPE = np.radians(30.0)  # of the cone, from the horizontal
+ORIFICES = (5, 6, 7, 8)
+#: Of the barrel. Two and a half orifices or more: a narrower one adds to the discharge.
+BARREL = 20.0
+#: Of the whole.
+HEIGHT = 30.0
+#: Of the cone, from the horizontal: flatter than flow within the grains, steep enough to empty.
+SLOPE = np.radians(30.0)
 SEGMENTS = 24
 
 
