@@ -92,11 +92,11 @@ def analyse(settings: Settings, series: pd.DataFrame) -> Analysis:
             missing.abs().max(),
             0,
             "the mesh keeps those that do not pass the orifice",
-        )
+        ),
+        *ledger_checks(settings, series),
     ]
     figures = {"hopper": discharge_figure(series, discharge, case.grains.mass)}
     if settings["ledger"] == "on":
-        checks += ledger_checks(series)
         figures["ledger"] = ledger_figure(series)
     if discharge:
         low, high = discharge.band
