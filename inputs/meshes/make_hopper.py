@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Makes the hoppers of inputs/bulk/hopper.in, `hopper_N.stl` beside this file.
 
-    python inputs/meshes/make_hopper.py
+    python inputs/meshes/make_hopper.py            # those committed
+    python inputs/meshes/make_hopper.py 6.5 12     # others
 
 A barrel on a cone that ends in a round orifice at z = 0, along z, open at both ends. Lengths in
 diameters of a grain: the deck scales them.
@@ -9,6 +10,7 @@ diameters of a grain: the deck scales them.
 
 from __future__ import annotations
 
+import sys
 from pathlib import Path
 
 import numpy as np
@@ -56,6 +58,6 @@ def stl(name: str, surface: np.ndarray) -> str:
 
 
 if __name__ == "__main__":
-    for size in ORIFICES:
+    for size in sys.argv[1:] or map(str, ORIFICES):
         name = f"hopper_{size}"
-        (Path(__file__).parent / f"{name}.stl").write_text(stl(name, triangles(size)))
+        (Path(__file__).parent / f"{name}.stl").write_text(stl(name, triangles(float(size))))
