@@ -27,14 +27,18 @@ def discharge_figure(series: pd.DataFrame, discharge: Discharge | None, mass: fl
     """
     with plt.rc_context(STYLE):
         figure, axes = plt.subplots(figsize=(6.4, 4.4), layout="constrained")
-        draw_course(axes, series, discharge, mass, COLOURS[0], "grains out")
+        draw_course(
+            axes, series, discharge, mass, COLOURS[0], "discharge, thick where its rate is taken"
+        )
         if discharge:
             time = np.array([discharge.start, discharge.stop])
             begin = mass * np.interp(discharge.start, series["time"], series["counted"])
             low, high = (begin + edge * (time - time[0]) for edge in discharge.band)
-            axes.fill_between(time, low, high, color="0.85", lw=0, label="its scatter, C and k")
+            axes.fill_between(
+                time, low, high, color="0.85", lw=0, label="with the scatter of C and k"
+            )
             law = begin + discharge.predicted * (time - time[0])
-            axes.plot(time, law, "--", color="0.4", label="Beverloo")
+            axes.plot(time, law, "--", color="0.4", label="Beverloo's law")
             axes.set_title(
                 f"{discharge.rate:.3g} ± {discharge.rate_error:.1g} kg/s, "
                 f"{discharge.rate / discharge.predicted:.2f} of Beverloo's",
@@ -76,8 +80,8 @@ def orifices_figure(runs: list[tuple[pd.DataFrame, Discharge, float]]) -> Figure
             slope * (width - constants.empty_annulus),
             color="0.2",
             lw=1.3,
-            label=f"fit: C = {constants.coefficient:.2f} ± {constants.coefficient_error:.2f}, "
-            f"k = {constants.empty_annulus:.1f} ± {constants.empty_annulus_error:.1f}",
+            label=f"fit: C = {constants.coefficient:.3f} ± {constants.coefficient_error:.3f}, "
+            f"k = {constants.empty_annulus:.2f} ± {constants.empty_annulus_error:.2f}",
         )
         right.plot(
             width,
