@@ -23,13 +23,20 @@ BARREL = 20.0
 HEIGHT = 30.0
 #: Of the cone, from the horizontal: flatter than flow within the grains, steep enough to empty.
 SLOPE = np.radians(30.0)
-SEGMENTS = 24
+SEGMENTS = 36
 
 
 def rings(orifice: float) -> np.ndarray:
-    """Diameter and height of the circles the surface is spanned between: shape (n, 2)."""
+    """Diameter and height of the circles the surface is spanned between: shape (n, 2).
+
+    The engine takes neighbouring triangles for one smooth surface below an angle that must be less
+    than any corner's, so none may be slender: rings of the cone grow with its radius.
+    """
     top = (BARREL - orifice) / 2 * np.tan(SLOPE)
-    return np.array([(orifice, 0), (BARREL, top), (BARREL, (top + HEIGHT) / 2), (BARREL, HEIGHT)])
+    cone = np.geomspace(orifice, BARREL, 1 + int(np.ceil(np.log(BARREL / orifice) / np.log(1.6))))
+    barrel = np.linspace(top, HEIGHT, 5)[1:]
+    heights = [*(cone - orifice) / 2 * np.tan(SLOPE), *barrel]
+    return np.column_stack([[*cone, *np.full(len(barrel), BARREL)], heights])
 
 
 def triangles(orifice: float) -> np.ndarray:
