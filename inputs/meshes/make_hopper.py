@@ -2,7 +2,7 @@
 """Makes the hoppers of inputs/bulk/hopper.in, `hopper_N.stl` beside this file.
 
     python inputs/meshes/make_hopper.py            # those committed
-    python inputs/meshes/make_hopper.py 6.5 12     # others
+    python inputs/meshes/make_hopper.py 5.5 6.5    # others
 
 A barrel on a cone that ends in a round orifice at z = 0, along z, open at both ends. Lengths in
 diameters of a grain: the deck scales them.
@@ -21,7 +21,7 @@ ORIFICES = (5, 6, 7, 8)
 BARREL = 20.0
 #: Of the whole.
 HEIGHT = 30.0
-#: Of the cone, from the horizontal: flatter than flow within the grains, steep enough to empty.
+#: Of the cone, from the horizontal: flatter than the flow in the grains, steeper than friction holds.
 SLOPE = np.radians(30.0)
 SEGMENTS = 36
 

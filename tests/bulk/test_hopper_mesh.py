@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import re
 from collections import Counter
 from importlib.util import module_from_spec, spec_from_file_location
 from math import pi
@@ -41,3 +42,18 @@ def test_surface_has_two_openings_only(size):
         rim = [edge for edge in rims if np.allclose(edge[:, 2], height)]
         area = sum(abs(np.linalg.det(edge[:, :2])) / 2 for edge in rim)
         assert area == pytest.approx(pi / 4 * diameter**2, rel=1e-8)
+
+
+@pytest.mark.parametrize("size", make_hopper.ORIFICES)
+def test_facets_are_smooth_to_the_engine(size):
+    """It hands a contact's dent on where facets meet at less than `curvature`, which it wants below
+    every corner: otherwise a yielding grain that rests on such an edge is a source of energy."""
+    deck = (PROJECT / "inputs" / "bulk" / "hopper" / "grains.in").read_text()
+    curvature = float(re.search(r"hopper_\S+ .* curvature (\S+)", deck)[1])
+    assert curvature > 360 / make_hopper.SEGMENTS  # of the barrel; the cone's are smaller
+    corners = make_hopper.triangles(size)
+    for k in range(3):
+        a, b = corners[:, k - 1] - corners[:, k], corners[:, k - 2] - corners[:, k]
+        lengths = np.linalg.norm(a, axis=1) * np.linalg.norm(b, axis=1)
+        angles = np.degrees(np.arccos((a * b).sum(axis=1) / lengths))
+        assert angles.min() > curvature
