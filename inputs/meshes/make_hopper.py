@@ -21,7 +21,7 @@ ORIFICES = (5, 6, 7, 8)
 BARREL = 20.0
 #: Of the whole.
 HEIGHT = 30.0
-#: Of the cone, from the horizontal: flatter than the flow in the grains, steeper than friction holds.
+#: Of the cone, from the horizontal: flatter than the flow within the grains.
 SLOPE = np.radians(30.0)
 SEGMENTS = 36
 

@@ -105,7 +105,7 @@ def analyse(settings: Settings, series: pd.DataFrame) -> Analysis:
                 "discharge rate beyond Beverloo's law, over the nearer edge of its band",
                 max(low / discharge.rate, discharge.rate / high),
                 1,
-                "experiments with spheres scatter: C 0.55 to 0.65, k 1 to 2",
+                "experiments scatter: C 0.55 to 0.65, k 1 to 2",
             )
         )
     return Analysis(series, checks, figures)
