@@ -18,8 +18,8 @@ from scipy.optimize import curve_fit
 #: For spheres, Beverloo et al. 1961.
 COEFFICIENT = 0.58
 EMPTY_ANNULUS = 1.4
-#: What experiments with spheres and other grains scatter between: C and k of Nedderman, Tuzun, Savage & Houlsby 1982, Chem. Eng.
-#: Sci. 37:1597, and Mankoc et al. 2007, Granular Matter 9:407.
+#: What experiments scatter between, spheres and other grains: C and k of Nedderman, Tuzun, Savage &
+#: Houlsby 1982, Chem. Eng. Sci. 37:1597, and Mankoc et al. 2007, Granular Matter 9:407.
 COEFFICIENTS = (0.55, 0.65)
 EMPTY_ANNULI = (1.0, 2.0)
 
