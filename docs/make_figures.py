@@ -26,10 +26,11 @@ from plastigran import (
     theory,
 )
 from plastigran.bulk import read_record, run_bulk
-from plastigran.bulk_decks import cooling_gas
+from plastigran.bulk_decks import cooling_gas, hopper
 from plastigran.compaction_figure import compaction_figure
 from plastigran.cooling_figure import cooling_figure
 from plastigran.figures import STYLE, plt, save, title
+from plastigran.hopper_figure import orifices_figure
 from plastigran.impact import PAPER_SPEEDS, laws_for, plan, sweep
 from plastigran.materials import RIGID, read_material
 from plastigran.rod import figures as rod_figures
@@ -211,6 +212,18 @@ COOLING = {
 }
 
 
+def hoppers() -> plt.Figure:
+    """The same bed run out of every orifice: one to four minutes each, narrow ones the longest."""
+    runs = []
+    with tempfile.TemporaryDirectory() as folder:
+        for orifice in hopper.orifices():
+            place = Path(folder) / orifice
+            run = run_bulk("hopper", {"orifice": orifice}, place)
+            case = hopper.read_case(read_record(place)["settings"])
+            runs.append((run.table, case.discharge(run.table), case.grains.mass))
+    return orifices_figure(runs)
+
+
 def draw_laws(names: list[str]) -> None:
     for name in names:
         figure = OWN_FIGURES[name]() if name in OWN_FIGURES else law_figure(name)
@@ -238,6 +251,7 @@ def draw_studies() -> None:
     save(compactions(), FOLDER / "compaction", (".png",))
     for name, figure in shot_figures().items():
         save(figure, FOLDER / name, (".png",))
+    save(hoppers(), FOLDER / "hopper", (".png",))
     for number in (4, 6):
         figure = chung_ooi_figures.figure(number, *results)
         save(figure, FOLDER / f"chung_ooi_{number}", (".png",))

@@ -1,0 +1,70 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Makes the hoppers of inputs/bulk/hopper.in, `hopper_N.stl` beside this file.
+
+    python inputs/meshes/make_hopper.py            # those committed
+    python inputs/meshes/make_hopper.py 5.5 6.5    # others
+
+A barrel on a cone that ends in a round orifice at z = 0, along z, open at both ends. Lengths in
+diameters of a grain: the deck scales them.
+"""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+
+import numpy as np
+
+#: Diameters of the orifice, in N of `hopper_N.stl`.
+ORIFICES = (5, 6, 7, 8)
+#: Of the barrel. Two and a half orifices or more: a narrower one adds to the discharge.
+BARREL = 20.0
+#: Of the whole.
+HEIGHT = 30.0
+#: Of the cone, from the horizontal: flatter than the flow within the grains.
+SLOPE = np.radians(30.0)
+SEGMENTS = 36
+
+
+def rings(orifice: float) -> np.ndarray:
+    """Diameter and height of the circles the surface is spanned between: shape (n, 2).
+
+    The engine takes neighbouring triangles for one smooth surface below an angle that must be less
+    than any corner's, so none may be slender: rings of the cone grow with its radius.
+    """
+    top = (BARREL - orifice) / 2 * np.tan(SLOPE)
+    cone = np.geomspace(orifice, BARREL, 1 + int(np.ceil(np.log(BARREL / orifice) / np.log(1.6))))
+    barrel = np.linspace(top, HEIGHT, 5)[1:]
+    heights = [*(cone - orifice) / 2 * np.tan(SLOPE), *barrel]
+    return np.column_stack([[*cone, *np.full(len(barrel), BARREL)], heights])
+
+
+def triangles(orifice: float) -> np.ndarray:
+    """The surface: shape (n, 3 corners, 3). Its polygons have the areas of their circles."""
+    angle = 2 * np.pi / SEGMENTS * np.arange(SEGMENTS + 1)
+    radius = np.sqrt(2 * np.pi / SEGMENTS / np.sin(2 * np.pi / SEGMENTS)) / 2
+    circle = radius * np.column_stack([np.cos(angle), np.sin(angle)])
+    circle[-1] = circle[0]
+    nodes = np.array(
+        [np.column_stack([d * circle, np.full(len(circle), z)]) for d, z in rings(orifice)]
+    )
+    a, b, c, d = nodes[:-1, :-1], nodes[:-1, 1:], nodes[1:, 1:], nodes[1:, :-1]
+    faces = np.stack([np.stack([a, b, c], axis=2), np.stack([a, c, d], axis=2)], axis=2)
+    return faces.reshape(-1, 3, 3)
+
+
+def stl(name: str, surface: np.ndarray) -> str:
+    """Triangles of shape (n, 3 corners, 3) as ASCII STL."""
+    lines = [f"solid {name}"]
+    for corners in surface:
+        normal = np.cross(corners[1] - corners[0], corners[2] - corners[0])
+        lines += ["facet normal {:.6f} {:.6f} {:.6f}".format(*normal / np.linalg.norm(normal))]
+        lines += ["outer loop", *("vertex {:.6f} {:.6f} {:.6f}".format(*v) for v in corners)]
+        lines += ["endloop", "endfacet"]
+    return "\n".join([*lines, f"endsolid {name}", ""]).replace("-0.000000", "0.000000")
+
+
+if __name__ == "__main__":
+    for size in sys.argv[1:] or map(str, ORIFICES):
+        name = f"hopper_{size}"
+        (Path(__file__).parent / f"{name}.stl").write_text(stl(name, triangles(float(size))))

@@ -1,0 +1,59 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""The hoppers: committed as their script makes them, whole, and of the sizes they claim."""
+
+from __future__ import annotations
+
+import re
+from collections import Counter
+from importlib.util import module_from_spec, spec_from_file_location
+from math import pi
+
+import numpy as np
+import pytest
+
+from plastigran.bulk_decks.hopper import orifices
+from plastigran.engine import PROJECT
+
+FOLDER = PROJECT / "inputs" / "meshes"
+SPEC = spec_from_file_location("make_hopper", FOLDER / "make_hopper.py")
+make_hopper = module_from_spec(SPEC)
+SPEC.loader.exec_module(make_hopper)
+
+
+def test_committed_files_are_the_scripts():
+    assert orifices() == [str(size) for size in make_hopper.ORIFICES]
+    for size in make_hopper.ORIFICES:
+        text = make_hopper.stl(f"hopper_{size}", make_hopper.triangles(size))
+        assert (FOLDER / f"hopper_{size}.stl").read_text() == text
+
+
+@pytest.mark.parametrize("size", make_hopper.ORIFICES)
+def test_surface_has_two_openings_only(size):
+    """Every edge has two triangles but those of orifice and top, whose areas are a circle's."""
+    corners = np.round(make_hopper.triangles(size), 9)
+    edges = Counter(
+        frozenset(map(tuple, (triangle[k], triangle[k - 1])))
+        for triangle in corners
+        for k in range(3)
+    )
+    rims = [np.array(list(edge)) for edge, count in edges.items() if count == 1]
+    assert set(edges.values()) == {1, 2} and len(rims) == 2 * make_hopper.SEGMENTS
+    for height, diameter in ((0, size), (make_hopper.HEIGHT, make_hopper.BARREL)):
+        rim = [edge for edge in rims if np.allclose(edge[:, 2], height)]
+        area = sum(abs(np.linalg.det(edge[:, :2])) / 2 for edge in rim)
+        assert area == pytest.approx(pi / 4 * diameter**2, rel=1e-8)
+
+
+@pytest.mark.parametrize("size", make_hopper.ORIFICES)
+def test_facets_are_smooth_to_the_engine(size):
+    """It hands a contact's dent on where facets meet at less than `curvature`, which it wants below
+    every corner: otherwise a yielding grain that rests on such an edge is a source of energy."""
+    deck = (PROJECT / "inputs" / "bulk" / "hopper" / "grains.in").read_text()
+    curvature = float(re.search(r"hopper_\S+ .* curvature (\S+)", deck)[1])
+    assert curvature > 360 / make_hopper.SEGMENTS  # of the barrel; the cone's are smaller
+    corners = make_hopper.triangles(size)
+    for k in range(3):
+        a, b = corners[:, k - 1] - corners[:, k], corners[:, k - 2] - corners[:, k]
+        lengths = np.linalg.norm(a, axis=1) * np.linalg.norm(b, axis=1)
+        angles = np.degrees(np.arccos((a * b).sum(axis=1) / lengths))
+        assert angles.min() > curvature
