@@ -127,15 +127,20 @@ def kill_until_done(work: Path, ranks: int, whole: Path) -> tuple[list[int], Pat
         while process.is_alive() and (log.read().step < until or log.progress.run < 1 + (at == 0)):
             time.sleep(0.002)
         time.sleep(random.uniform(0, 0.02))
+        by_itself = not process.is_alive()
         for engine in engines(folder):
             with suppress(ProcessLookupError):  # gone with another
                 os.kill(engine, signal.SIGKILL)
         process.join(60)
         if process.exitcode == 0:
             return losses, folder
-        if (folder / "error.txt").exists():
+        if by_itself:
             raise SystemExit(f"a run was lost: {(folder / 'error.txt').read_text()}")
-        at = step_of(restart_point(folder, read_record(folder)))
+        try:
+            at = step_of(restart_point(folder, read_record(folder)))
+        except EngineError:  # killed before it had written anything: it begins again
+            shutil.rmtree(folder)
+            continue
         losses.append(log.read().step - at)
         earlier = folder
 
@@ -143,10 +148,8 @@ def kill_until_done(work: Path, ranks: int, whole: Path) -> tuple[list[int], Pat
 def _run_part(folder: Path, ranks: int, earlier: Path | None) -> None:
     try:
         run_bulk("cooling_gas", {} if earlier else SMALL, folder, ranks, earlier, show=False)
-    except EngineError:
-        os._exit(1)  # the engine was killed
-    except Exception as error:
-        (folder.parent / folder.name / "error.txt").write_text(repr(error))
+    except Exception as error:  # killed, or lost
+        (folder / "error.txt").write_text(repr(error))
         os._exit(1)
 
 
