@@ -77,6 +77,9 @@ class ElastoplasticNormalModel : public NormalModelBase {
   void postSettings(IContactHistorySetup*, ContactModelBase*) override {
     if (engine_elastic_potential_) refuse("computeElasticPotential");
     if (engine_dissipated_energy_) refuse("computeDissipatedEnergy");
+    if (!(overlap_limit_ > 0 && overlap_limit_ <= 2))
+      fail("overlap_limit is " + std::to_string(overlap_limit_) +
+           "; it must be above 0 and at most 2, of the smaller radius");
   }
 
   // Called by the engine before every run, on all ranks together.
@@ -90,6 +93,7 @@ class ElastoplasticNormalModel : public NormalModelBase {
     build_laws();
     excess_ = plastigran::RangeWatch::of(lmp, caller(), Law::range);
     step_watch_ = plastigran::own_fix<plastigran::StepWatch>(lmp);
+    step_watch_->forget();  // the laws were built anew: contacts are looked at again
     plastigran::own_fix<plastigran::MotionWatch>(lmp);
     plastigran::own_fix<plastigran::HistoryKeeper>(lmp);
     const auto user = dynamic_cast<plastigran::LedgerUser*>(contact_model_);
@@ -128,9 +132,9 @@ class ElastoplasticNormalModel : public NormalModelBase {
     const plastigran::Response response =
         plastigran::respond(laws_[pair], radius_eff, contact.deltan, state, -contact.vn);
     if (ledger_ && contact.computeflag) account(contact, pair, radius_eff);
-    if (contact.computeflag && contact.shearupdate) {
+    if (contact.computeflag) {
       if (contact.deltan > watched_[pair] * radius_eff) note_depth(contact, pair, radius_eff);
-      std::memcpy(history, &state, state_size);
+      if (contact.shearupdate) std::memcpy(history, &state, state_size);
     }
 
     // A residual dent carries no force and so no friction, but a tangential spring needs a
@@ -204,7 +208,8 @@ class ElastoplasticNormalModel : public NormalModelBase {
                                     double radius_eff) {
     const double smaller = contact.is_wall ? contact.radi : std::min(contact.radi, contact.radj);
     if (contact.deltan > overlap_limit_ * smaller) stop_overlap(contact, smaller);
-    if (contact.deltan > ranges_[pair] * radius_eff) note_excess(contact, pair, radius_eff);
+    if (contact.shearupdate && contact.deltan > ranges_[pair] * radius_eff)
+      note_excess(contact, pair, radius_eff);
     const double depth = contact.deltan / radius_eff;
     if (depth <= noted_[pair]) return;
     noted_[pair] = 1.1 * depth;
@@ -449,7 +454,7 @@ class ElastoplasticNormalModel : public NormalModelBase {
     for (int i = 1; i <= type_count_; ++i) {
       if (count[i] > 0 && !is_cylinder) {
         const plastigran::Material& body = materials_[i - 1];
-        const double volume = 4.1887902047863910 * std::pow(radius[i], 3);  // 4/3 pi
+        const double volume = 4.0 / 3 * plastigran::pi * std::pow(radius[i], 3);
         rayleigh =
             std::min(rayleigh, plastigran::rayleigh_time(radius[i], mass[i] / volume,
                                                          body.youngs_modulus, body.poissons_ratio));

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
 // Is the time step short enough? A fix that gathers what the models know: before a run the Rayleigh
-// and Hertz times and the rebound of the fastest impact the present velocities allow, during a run
-// the stiffest unloading branch that contacts have come to. It says so in one line as a run starts,
-// and warns when the time step is too long, also in the middle of a run.
+// and Hertz times and the rebound of the fastest impact the present velocities allow, and from then
+// on the stiffest unloading branch that contacts have come to. It says so in one line as a run
+// starts, and warns when the time step is too long, also in the middle of a run.
 #ifndef PLASTIGRAN_STEP_WATCH_H
 #define PLASTIGRAN_STEP_WATCH_H
 
@@ -52,6 +52,9 @@ class StepWatch : public LAMMPS_NS::Fix {
     hertz_ = std::min(hertz_, hertz);
     if (impact.step < impact_.step) impact_ = impact, model_ = model;
   }
+
+  // Before a run: contacts of the one before may be gone, their bodies other ones.
+  void forget() { stiffest_.step = unknown; }
 
   // From a model, during a run, on the rank that has the contact.
   void met(const Place& place) {
@@ -111,7 +114,7 @@ class StepWatch : public LAMMPS_NS::Fix {
     ratio(rayleigh_, "the Rayleigh time");
     ratio(hertz_, "the shortest Hertz impact at the present speeds");
     ratio(impact_.step, "the recommended step for those");
-    ratio(stiffest_.step, "that for the stiffest contact so far");
+    ratio(stiffest_.step, "that for the stiffest contact");
     std::string line = text.str();
     line.back() = '\n';
     if (screen) fputs(line.c_str(), screen);
@@ -125,7 +128,7 @@ class StepWatch : public LAMMPS_NS::Fix {
   Recommended impact_;
   std::string model_;
   double rayleigh_ = unknown, hertz_ = unknown;
-  Place stiffest_{unknown, 0, {0, 0, 0}, 0, 0};
+  Place stiffest_{unknown, 0, {0, 0, 0}, 0, 0};  // of this run
   double warned_impact_ = unknown, warned_contact_ = unknown;
 };
 

@@ -16,12 +16,12 @@ inline double hertz_duration(double radius_eff, double mass_eff, double youngs_m
                              0.2);
 }
 
-// Time a surface wave takes from pole to pole [s]; its speed in Bergmann's approximation
-// (0.8766 + 0.1631 nu) of the shear wave's.
+// Time a surface wave takes from pole to pole [s]; its speed over the shear wave's is 0.8766 +
+// 0.1631 nu, the linear fit to the root of Rayleigh's equation that time steps of DEM are usually
+// given by (Li, Xu & Thornton 2005, Powder Technol. 160:219).
 inline double rayleigh_time(double radius, double density, double youngs_modulus,
                             double poissons_ratio) {
   const double shear_modulus = 0.5 * youngs_modulus / (1 + poissons_ratio);
-  const double pi = 3.14159265358979323846;
   return pi * radius * std::sqrt(density / shear_modulus) / (0.8766 + 0.1631 * poissons_ratio);
 }
 

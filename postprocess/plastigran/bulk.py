@@ -16,6 +16,7 @@ from collections.abc import Mapping
 from dataclasses import asdict
 from importlib.metadata import version
 from pathlib import Path
+from types import ModuleType
 
 import pandas as pd
 
@@ -29,6 +30,13 @@ from plastigran.engine_watch import run_watched
 RECORD = "run.json"
 #: The log's lines up to the checkpoint a run went on from.
 BEFORE = "before.csv"
+SERIES = "series.csv"
+#: Frames of the grains, which decks append to.
+DUMP = "grains.dump"
+#: Settings a run that goes on may change; a deck's module may name more of them, CONTINUABLE.
+CONTINUABLE = frozenset({"checkpoints", "frames"})
+#: Where a run's files are and begin, which is never the same.
+PLACES = frozenset({"start", "checkpoint", "inputs", "output", "materials"})
 #: What a run leaves, for one that may overwrite it.
 LEFT = (
     RECORD,
@@ -38,7 +46,8 @@ LEFT = (
     "screen.txt",
     PATTERN,
     "restart_forced_*",
-    "series.csv",
+    DUMP,
+    SERIES,
     "checks.csv",
 )
 
@@ -92,6 +101,8 @@ def run_bulk(
         )
     source, module = read_deck(deck, values, folder), module_of(deck.stem)
     if module:
+        if before is not None:
+            check_continued(source.settings, earlier["settings"], module)
         module.check_settings(source.settings)
 
     prepare_folder(folder, force)
@@ -107,6 +118,7 @@ def run_bulk(
     }
     if before is not None:
         before.to_csv(folder / BEFORE, index=False)
+        carry_dump(restart, folder, step_of(checkpoint))
     write_record(folder, record)  # last: a folder with a record can be gone on from
     try:
         run_watched(script, values | {"inputs": folder / "deck"}, folder, ranks, show)
@@ -114,7 +126,9 @@ def run_bulk(
         if (log := folder / "log.liggghts").exists():
             record["versions"]["engine"] = log.read_text(errors="replace").partition("\n")[0]
             write_record(folder, record)
-    return finish(module.analyse(source.settings, read_series(folder)), folder) if module else None
+    series = read_series(folder)
+    series.to_csv(folder / SERIES, index=False)  # whatever comes of its analysis
+    return finish(module.analyse(source.settings, series), folder) if module else None
 
 
 def finish(analysis: Analysis, folder: Path) -> Analysis:
@@ -125,7 +139,7 @@ def finish(analysis: Analysis, folder: Path) -> Analysis:
     """
     from plastigran import figures  # matplotlib is slow to load
 
-    analysis.table.to_csv(folder / "series.csv", index=False)
+    analysis.table.to_csv(folder / SERIES, index=False)
     checks = pd.DataFrame([asdict(c) | {"passed": c.passed} for c in analysis.checks])
     checks.to_csv(folder / "checks.csv", index=False)
     for name, figure in analysis.figures.items():
@@ -134,6 +148,32 @@ def finish(analysis: Analysis, folder: Path) -> Analysis:
         said = "; ".join(f"{c.name} {c.value:.3g}, at most {c.limit:.3g}" for c in failed)
         raise CheckError(f"{said} (in {folder})")
     return analysis
+
+
+def check_continued(settings: Settings, earlier: Settings, module: ModuleType) -> None:
+    """A run that goes on is the same run: grains and course are in the checkpoint.
+
+    Raises:
+        ValueError: A setting has changed that may not; the message names it.
+    """
+    allowed = CONTINUABLE | getattr(module, "CONTINUABLE", frozenset())
+    for name in settings.keys() - allowed - PLACES:
+        if settings[name] != earlier.get(name, settings[name]):
+            raise ValueError(
+                f"{name} is {settings[name]} and was {earlier[name]}; a run that goes on may "
+                f"change {', '.join(sorted(allowed))} only"
+            )
+
+
+def carry_dump(earlier: Path, folder: Path, last: int) -> None:
+    """Copy the frames of an earlier run before a step, for the engine to append to."""
+    mark = "ITEM: TIMESTEP\n"
+    if not (earlier / DUMP).exists():
+        return
+    with open(folder / DUMP, "w") as kept:
+        for frame in (earlier / DUMP).read_text().split(mark)[1:]:
+            if int(frame.partition("\n")[0]) < last:
+                kept.write(mark + frame)
 
 
 def restart_point(folder: Path, record: dict) -> Path:
@@ -198,14 +238,16 @@ def write_record(folder: Path, record: dict) -> None:
 
 
 def prepare_folder(folder: Path, force: bool) -> None:
-    """An empty folder for a run; of one that holds files only a forced run's own are removed.
+    """An empty folder for a run; of one that holds a run only that run's own files are removed.
 
     Raises:
-        ValueError: It holds files and `force` is not given.
+        ValueError: It holds files and `force` is not given, or they are not those of a run.
     """
     if folder.exists() and any(folder.iterdir()):
         if not force:
             raise ValueError(f"{folder} holds results; choose another --output, or add --force")
+        if not (folder / RECORD).is_file():
+            raise ValueError(f"{folder} holds files but no {RECORD}; --force overwrites runs only")
         for pattern in LEFT:  # above all checkpoints, which may be newer than ours
             for file in folder.glob(pattern):
                 file.unlink()

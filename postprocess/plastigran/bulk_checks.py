@@ -11,6 +11,12 @@ from plastigran.deck_source import Settings
 #: Drift of the energy ledger over the energy that came in: what a run may be off by.
 LEDGER = 1e-3
 
+#: Names of the ledger's checks.
+LEDGER_CHECKS = (
+    "drift of the energy ledger, over the energy that came in",
+    "plastic work lost, over the energy that came in",
+)
+
 #: Where energy is or went, as inputs/energy_ledger.in names it: all but gravity's.
 TAKEN = ["kinetic", "elastic", "plastic", "friction", "viscous"]
 
@@ -39,13 +45,13 @@ def ledger_checks(settings: Settings, series: pd.DataFrame) -> list[Check]:
     plastic = series["plastic"]
     return [
         Check(
-            "drift of the energy ledger, over the energy that came in",
+            LEDGER_CHECKS[0],
             series["drift"].abs().max() / came_in,
             LEDGER,
             "the integrator's error at a sound time step",
         ),
         Check(
-            "plastic work lost, over the energy that came in",
+            LEDGER_CHECKS[1],
             (plastic.cummax() - plastic).max() / came_in,
             1e-12,
             "plastic work only grows, to rounding of its sum over ranks",

@@ -20,8 +20,10 @@ _REFERENCE = re.compile(r"\$\{(\w+)\}")
 class Settings(dict[str, str]):
     """Values of a deck's `variable NAME index VALUE` lines, as text."""
 
-    def number(self, name: str, lower: float, upper: float = inf, unit: str = "-") -> float:
-        """A setting strictly between two bounds.
+    def number(
+        self, name: str, lower: float, upper: float = inf, unit: str = "-", closed: bool = False
+    ) -> float:
+        """A setting between two bounds, which are allowed themselves when `closed`.
 
         Raises:
             ValueError: It is no number or out of range; the message names it and the range.
@@ -30,10 +32,9 @@ class Settings(dict[str, str]):
             value = float(self[name])
         except ValueError:
             raise ValueError(f"{name} is {self[name]!r}, not a number [{unit}]") from None
-        if not lower < value < upper:
-            raise ValueError(
-                f"{name} is {self[name]}; it must lie between {lower:g} and {upper:g} [{unit}]"
-            )
+        if not (lower < value < upper or (closed and value in (lower, upper) and value < inf)):
+            bounds = f"{lower:g} and {upper:g}" + ", or be one of them" * closed
+            raise ValueError(f"{name} is {self[name]}; it must lie between {bounds} [{unit}]")
         return value
 
     def whole(self, name: str, lowest: int) -> int:

@@ -65,8 +65,9 @@ def read_grains(settings: Settings) -> Grains:
         "yield_strength": settings.number("yield_strength", 0, unit="Pa"),
         "yield_pressure_factor": settings.number("yield_pressure_factor", -inf),
     }
-    if float(settings["dissipative_constant"]) != 0:
-        constants["dissipative_constant"] = settings.number("dissipative_constant", 0, unit="s")
+    dissipative_constant = settings.number("dissipative_constant", 0, unit="s", closed=True)
+    if dissipative_constant:
+        constants["dissipative_constant"] = dissipative_constant
     known = {option["name"] for option in laws.LAWS[law].options()}
     grains = Grains(
         law,
@@ -103,8 +104,8 @@ def check_contact(settings: Settings) -> None:
         if settings[name] not in choices:
             raise ValueError(f"{name} is {settings[name]!r}; it must be {', '.join(choices)}")
     for name in ("coefficient_of_friction", "coefficient_of_rolling_friction"):
-        settings.number(name, -1e-300)
-    settings.number("coefficient_of_restitution", 0.05, 1 + 1e-12)
+        settings.number(name, 0, closed=True)
+    settings.number("coefficient_of_restitution", 0.05, 1, closed=True)
     check_ledger(settings)
 
 

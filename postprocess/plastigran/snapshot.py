@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Pictures of a run's VTK frames: grains, force chains and meshes, drawn without a screen.
 
-Needs the optional dependency pyvista: `pip install plastigran[snapshot]`.
+Needs pyvista, an optional dependency: `pip install pyvista`.
 """
 
 from __future__ import annotations
@@ -137,7 +137,7 @@ def _load():
     try:
         import pyvista
     except ImportError:
-        raise SnapshotError("snapshots need pyvista: pip install plastigran[snapshot]") from None
+        raise SnapshotError("snapshots need pyvista: pip install pyvista") from None
     return pyvista
 
 

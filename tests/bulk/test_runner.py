@@ -15,7 +15,7 @@ from pathlib import Path
 import pytest
 
 from plastigran import bulk
-from plastigran.bulk import read_series, run_bulk
+from plastigran.bulk import carry_dump, read_series, run_bulk
 from plastigran.checkpoints import PATTERN, newest_checkpoint, step_of
 from plastigran.cli import main
 from plastigran.deck_source import read_deck
@@ -84,6 +84,22 @@ def test_checkpoint_cut_short_is_not_the_newest(whole, tmp_path):
     # 25 lines, the last whole one is number 15; there is a checkpoint every other line.
     assert step_of(taken) == lines[14]
     assert (stopped / f"checkpoint.{lines[16]}.restart").exists()
+
+
+def test_going_on_with_another_time_step_is_refused(whole, tmp_path):
+    with pytest.raises(ValueError, match=r"timestep is 4e-08 and was 8.0e-8; .* may change check"):
+        run_bulk("cooling_gas", {"timestep": 4e-8}, tmp_path / "rest", restart=whole)
+    assert not (tmp_path / "rest").exists()
+
+
+def test_frames_up_to_the_checkpoint_are_carried_along(tmp_path):
+    """Whole frames before its step; the engine adds that step's own."""
+    frames = [f"ITEM: TIMESTEP\n{step}\nITEM: ATOMS id x\n1 0.{step}\n" for step in (0, 50, 100)]
+    for name in ("earlier", "rest"):
+        (tmp_path / name).mkdir()
+    (tmp_path / "earlier" / "grains.dump").write_text("".join(frames) + "ITEM: TIME")
+    carry_dump(tmp_path / "earlier", tmp_path / "rest", last=100)
+    assert (tmp_path / "rest" / "grains.dump").read_text() == "".join(frames[:2])
 
 
 def test_no_checkpoint_is_said(tmp_path):
@@ -174,6 +190,9 @@ def test_killed_before_its_first_checkpoint_goes_on_from_where_it_began(whole, t
 
 
 def test_results_are_not_overwritten_unless_forced(whole, tmp_path, monkeypatch):
+    (tmp_path / "papers" / "figures").mkdir(parents=True)
+    with pytest.raises(ValueError, match=r"holds files but no run.json; --force overwrites runs"):
+        run_bulk("cooling_gas", SHORT, tmp_path / "papers", force=True)
     folder = tmp_path / "run"
     shutil.copytree(whole, folder)
     (folder / "notes.txt").write_text("mine")

@@ -83,6 +83,12 @@ def test_overlap(ranks, tmp_path):
     run(tmp_path, grains, ranks=ranks, settings="overlap_limit 0.7", steps=1)
 
 
+@pytest.mark.parametrize("limit", ["0", "-0.5", "3"])
+def test_overlap_limit_out_of_range(limit, tmp_path):
+    said = stopped(tmp_path, [(0, 0, 0.05)], settings=f"overlap_limit {limit}")
+    assert "overlap_limit is" in said and "must be above 0 and at most 2" in said
+
+
 def test_overlap_with_a_wall(tmp_path):
     said = stopped(tmp_path, [(0, 0, 0.3 * RADIUS)])
     assert "particle 1 at (0 0 0.00075" in said and "overlaps a wall by 0.69" in said
@@ -127,6 +133,17 @@ def test_step_is_compared_with_known_times(tmp_path):
     )
     shares = [float(share) for share in found.groups()]
     assert shares == pytest.approx([step / rayleigh, step / hertz, step / law], rel=0.06)
+
+
+def test_contacts_there_are_count_as_a_run_starts(tmp_path):
+    """A grain that begins in a wall, at rest: the step of the impact that loads it as deeply."""
+    overlap, step = 0.2 * RADIUS, 1e-7
+    text = run(tmp_path, [(0, 0, RADIUS - overlap)], timestep=step, steps=1)
+    law = laws.Thornton(laws.combine(BODY, BODY))
+    virgin = law.respond(RADIUS, overlap, law.State())
+    speed = sqrt(2 * (virgin.elastic_energy + virgin.plastic_work) / MASS)
+    share = float(re.search(r" (\S+) of that for the stiffest contact\n", text)[1])
+    assert share == pytest.approx(step / law.recommended_time_step(RADIUS, MASS, speed), rel=0.06)
 
 
 @pytest.mark.parametrize("ranks", [1, 2])

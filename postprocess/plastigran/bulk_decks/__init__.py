@@ -7,6 +7,9 @@ A module has two functions; both raise ValueError for what they cannot take.
         Before anything runs: settings out of range are named.
     analyse(settings: Settings, series: pd.DataFrame) -> Analysis
         After the run: `series` is the log from step 0, whatever checkpoints it went on from.
+
+and may have CONTINUABLE, names of settings that `--restart` may change beside frames and
+checkpoints.
 """
 
 from __future__ import annotations

@@ -21,8 +21,10 @@ from plastigran.kinetic_theory import FREEZING, Gas, cool, law_restitution
 MEAN_FIELD = 0.08
 #: Statistical standard deviations allowed.
 DEVIATIONS = 4
+#: They say when it ends, and nothing is taken from that but where lines of the log are.
+CONTINUABLE = frozenset({"duration", "rows"})
 #: The model's settings that leave the restitution alone, beside the law's options.
-HARMLESS = ("tangential_damping", "energy_ledger")
+HARMLESS = ("tangential_damping", "energy_ledger", "overlap_limit")
 
 
 @dataclass(frozen=True)
@@ -79,6 +81,7 @@ def check_settings(settings: Settings) -> None:
     settings.number("mixing", 0)
     settings.number("duration", 0)
     settings.number("seed", -inf)
+    settings.whole("frames", 0)
     check_rows(settings)
     check_ledger(settings)
 
