@@ -61,7 +61,7 @@ def stopped(folder: Path, grains: list[tuple], **changes) -> str:
 
 @pytest.mark.parametrize("ranks", [1, 2])
 def test_force_that_is_no_number(ranks, tmp_path):
-    """A grain whose centre lies in the wall, where such overlaps are allowed: there is no normal."""
+    """A grain whose centre lies in the wall, where such overlaps are allowed: no normal."""
     grains = [(0.05, 0.01, 0.05), (0.04, 0.02, 0)]
     said = stopped(tmp_path, grains, ranks=ranks, settings="overlap_limit 2")
     assert "particle 2 at (0.04 0.02 0) has a force that is no number. Look for particles" in said
