@@ -11,7 +11,7 @@ from plastigran.cli.commands.impact import run_impacts
 from plastigran.engine import PROJECT
 from plastigran.impact import GEOMETRIES, PAPER_SPEEDS, plan, sweep
 
-HELP = "the tour: collisions and a gas of 512 grains, with figures"
+HELP = "the tour: collisions, a gas that cools and a hopper, with figures"
 
 
 def add_arguments(command: argparse.ArgumentParser) -> None:
@@ -21,8 +21,9 @@ def add_arguments(command: argparse.ArgumentParser) -> None:
 
 def run(arguments: argparse.Namespace) -> None:
     """The paper's sphere over four decades of speed; one impact through every geometry; a gas that
-    cools by such impacts."""
+    cools by such impacts; a hopper of yielding grains."""
     from plastigran.bulk import run_bulk  # matplotlib is slow to load
+    from plastigran.snapshot import draw, read_frames
 
     folder = arguments.output
     names = law_names(["all"], ["aluminium_zv02"])
@@ -43,5 +44,16 @@ def run(arguments: argparse.Namespace) -> None:
     print("\nA freely cooling gas of 512 grains, on two ranks:")
     gas = folder / "cooling_gas"
     run_bulk("cooling_gas", {"side": "8"}, gas, ranks=2, force=True)
-    figures = [folder / "speeds" / "restitution.png", gas / "figures" / "cooling_gas.png"]
-    print("\nLook at " + " and ".join(str(figure) for figure in figures))
+    print("\nA hopper of 2080 yielding grains runs out, on two ranks:")
+    hopper = folder / "hopper"
+    run_bulk("hopper", {"layers": "10", "frames": "8"}, hopper, ranks=2, force=True)
+    picture = hopper / "figures" / "grains.png"
+    frames = read_frames(hopper)
+    draw(frames[len(frames) // 2], picture, view="front")
+    figures = [
+        folder / "speeds" / "restitution.png",
+        gas / "figures" / "cooling_gas.png",
+        hopper / "figures" / "hopper.png",
+        picture,
+    ]
+    print("\nLook at\n" + "\n".join(f"  {figure}" for figure in figures))
