@@ -9,9 +9,13 @@ import numpy as np
 import pandas as pd
 import pytest
 
-from plastigran.bed_impact import measure_shots, plastic_work_by_depth, read_grains_dump
 from plastigran.bulk import CheckError, finish, read_record, read_series, run_bulk
 from plastigran.bulk_decks.bed_impact import analyse, bed_count, check_settings
+from plastigran.bulk_decks.bed_impact.measurement import (
+    measure_shots,
+    plastic_work_by_depth,
+    read_grains_dump,
+)
 from plastigran.checkpoints import PATTERN, step_of
 from plastigran.deck_source import Settings, read_deck
 

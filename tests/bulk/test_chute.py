@@ -8,7 +8,8 @@ import pandas as pd
 import pytest
 
 from plastigran.bulk import CheckError, finish, read_record, read_series, run_bulk
-from plastigran.bulk_decks.chute import analyse, fit_profile, power_checks
+from plastigran.bulk_decks.chute import analyse, power_checks
+from plastigran.bulk_decks.chute.profile import fit_profile
 from plastigran.checkpoints import newest_checkpoint, step_of
 from plastigran.deck_source import Settings
 

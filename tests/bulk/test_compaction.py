@@ -12,8 +12,8 @@ import pytest
 
 from plastigran.bulk import CheckError, finish, read_record, read_series, run_bulk
 from plastigran.bulk_decks.compaction import analyse, stroke
+from plastigran.bulk_decks.compaction.measurement import Loop, heckel_line, measure_loop, punch_work
 from plastigran.checkpoints import PATTERN, step_of
-from plastigran.compaction import Loop, heckel_line, measure_loop, punch_work
 from plastigran.engine import inputs_folder
 
 #: Sixty grains, in a die ten radii wide.

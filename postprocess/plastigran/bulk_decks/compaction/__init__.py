@@ -10,8 +10,14 @@ import pandas as pd
 
 from plastigran.bulk_checks import count_check, ledger_checks
 from plastigran.bulk_decks import Analysis, Check
-from plastigran.compaction import TOUCH, Loop, measure_loop, punch_work, since_first
-from plastigran.compaction_figure import compaction_figure
+from plastigran.bulk_decks.compaction.figure import compaction_figure
+from plastigran.bulk_decks.compaction.measurement import (
+    TOUCH,
+    Loop,
+    measure_loop,
+    punch_work,
+    since_first,
+)
 from plastigran.deck_source import Settings
 from plastigran.figures import title
 from plastigran.grains import check_contact, check_rows, read_grains

@@ -9,15 +9,15 @@ from pathlib import Path
 import numpy as np
 import pandas as pd
 
-from plastigran.bed_impact import (
+from plastigran.bulk_checks import count_check, ledger_checks
+from plastigran.bulk_decks import Analysis, Check
+from plastigran.bulk_decks.bed_impact.figure import bed_figure, plate_figure
+from plastigran.bulk_decks.bed_impact.measurement import (
     measure_shots,
     plastic_work_by_depth,
     predicted_rebound,
     read_grains_dump,
 )
-from plastigran.bed_impact_figure import bed_figure, plate_figure
-from plastigran.bulk_checks import count_check, ledger_checks
-from plastigran.bulk_decks import Analysis, Check
 from plastigran.deck_source import Settings
 from plastigran.grains import Grains, check_contact, check_rows, read_grains, read_options
 from plastigran.ledger_figure import ledger_figure

@@ -14,8 +14,8 @@ from scipy.stats import linregress
 
 from plastigran.bulk_checks import count_check, ledger_checks
 from plastigran.bulk_decks import Analysis, Check
+from plastigran.bulk_decks.drum.figure import drum_figure
 from plastigran.deck_source import Settings
-from plastigran.drum_figure import drum_figure
 from plastigran.dumps import read_dump
 from plastigran.grains import Grains, check_contact, check_rows, read_grains
 from plastigran.ledger_figure import ledger_figure

@@ -3,17 +3,13 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 import numpy as np
 import pandas as pd
 from matplotlib.collections import EllipseCollection
 from matplotlib.figure import Figure
 
+from plastigran.bulk_decks.chute.profile import Profile
 from plastigran.figures import COLOURS, STYLE, plt
-
-if TYPE_CHECKING:
-    from plastigran.bulk_decks.chute import Profile
 
 #: Lines of the log over which powers are averaged.
 WINDOW = 24
