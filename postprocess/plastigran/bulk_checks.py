@@ -13,6 +13,10 @@ LEDGER = 1e-3
 
 #: Where energy is or went, as inputs/energy_ledger.in names it: all but gravity's.
 TAKEN = ["kinetic", "elastic", "plastic", "friction", "viscous"]
+#: What contacts took that nothing gives back.
+DISSIPATED = ["plastic", "friction", "viscous"]
+#: Its entries that count what has passed.
+FLOWS = [*DISSIPATED, "wallwork", "inserted", "drift"]
 
 
 def energy_input(series: pd.DataFrame) -> float:
@@ -24,6 +28,21 @@ def energy_input(series: pd.DataFrame) -> float:
         series: The entries of inputs/energy_ledger.in [J], one row a line of the log.
     """
     return float(series[TAKEN].sum(axis="columns").max())
+
+
+def dissipated(series: pd.DataFrame) -> pd.Series:
+    """What contacts have taken so far, by yielding, friction and viscosity [J].
+
+    Args:
+        series: Those entries of inputs/energy_ledger.in [J].
+    """
+    return series[DISSIPATED].sum(axis="columns")
+
+
+def since_first(series: pd.DataFrame) -> pd.DataFrame:
+    """The same log with time [s] and what the ledger counts [J] from its first row on."""
+    counted = [*FLOWS, "time"]
+    return series.assign(**{name: series[name] - series[name].iloc[0] for name in counted})
 
 
 def ledger_checks(settings: Settings, series: pd.DataFrame) -> list[Check]:

@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 import pandas as pd
 
-from plastigran.bulk_checks import count_check, ledger_checks
+from plastigran.bulk_checks import count_check, ledger_checks, since_first
 from plastigran.bulk_decks import Analysis, Check
 from plastigran.bulk_decks.bed_impact.figure import bed_figure, plate_figure
 from plastigran.bulk_decks.bed_impact.measurement import (
@@ -26,8 +26,6 @@ from plastigran.ledger_figure import ledger_figure
 INTEGRATOR = 1e-3
 #: Plastic work of a last step of pouring, over that of the shot.
 STEP = 1e-4
-#: Entries of the ledger that count what has passed; they begin with the shot.
-FLOWS = ["plastic", "friction", "viscous", "wallwork", "inserted", "drift", "time"]
 
 
 def check_settings(settings: Settings) -> None:
@@ -64,7 +62,7 @@ def check_plate(settings: Settings, grains: Grains) -> None:
 
 def analyse(settings: Settings, series: pd.DataFrame) -> Analysis:
     grains = read_grains(settings)
-    table = series.assign(**{name: series[name] - series[name].iloc[0] for name in FLOWS})
+    table = since_first(series)  # which is when the shot begins
     everything = read_grains_dump(Path(settings["output"]) / "grains.dump")
     bed = bed_count(settings)
     gravity = float(settings["field"])
@@ -90,7 +88,7 @@ def analyse(settings: Settings, series: pd.DataFrame) -> Analysis:
         surface = everything["z_before"].iloc[bed:].min() - 2 * grains.radius
         by_depth = plastic_work_by_depth(everything, surface, 2 * grains.radius)
         figure = bed_figure(shot, by_depth, 2 * grains.radius)
-    return Analysis(table, checks, {"bed_impact": figure, "energy_ledger": ledger_figure(table)})
+    return Analysis(table, checks, {"bed_impact": figure, "ledger": ledger_figure(table)})
 
 
 def bed_count(settings: Settings) -> int:

@@ -11,7 +11,7 @@ import pandas as pd
 from scipy.integrate import cumulative_trapezoid
 from scipy.stats import linregress
 
-from plastigran.bulk_checks import count_check, ledger_checks
+from plastigran.bulk_checks import count_check, dissipated, ledger_checks
 from plastigran.bulk_decks import Analysis, Check
 from plastigran.bulk_decks.chute.figure import chute_figure
 from plastigran.bulk_decks.chute.profile import Profile, fit_profile
@@ -36,7 +36,6 @@ class Case:
         grains: Size, material and law.
         angle: Of the chute [rad].
         gravitational_acceleration: [m/s^2].
-        area: Of the base [m^2].
         count: Grains, glued ones too.
         settling: Time before profile and powers are taken [s].
     """
@@ -44,7 +43,6 @@ class Case:
     grains: Grains
     angle: float
     gravitational_acceleration: float
-    area: float
     count: int
     settling: float
 
@@ -53,14 +51,11 @@ def read_case(settings: Settings) -> Case:
     """The case of a deck's settings. Raises ValueError naming one out of range."""
     grains = read_grains(settings)
     cells = [settings.whole(name, 3) for name in ("length", "width", "depth")]
-    fraction = settings.number("volume_fraction", 0, 0.64)
-    cell = (2 * grains.mass / grains.material.density / fraction) ** (1 / 3)
     duration = settings.number("duration", 0, unit="s")
     return Case(
         grains,
         radians(settings.number("angle", 0, 90, unit="degrees")),
         settings.number("gravitational_acceleration", 0, unit="m/s^2"),
-        cells[0] * cells[1] * cell**2,
         2 * cells[0] * cells[1] * (cells[2] + 1),
         settings.number("settling", -1e-300, duration, unit="s"),
     )
@@ -70,6 +65,7 @@ def check_settings(settings: Settings) -> None:
     read_case(settings)
     check_contact(settings)
     check_rows(settings)
+    settings.number("volume_fraction", 0, 0.64)
     settings.number("size_spread", -1e-300, 0.3)
     settings.number("start_speed", -1e-300, unit="m/s")
     settings.number("temperature", 0, unit="m^2/s^2")
@@ -145,8 +141,7 @@ def power_checks(series: pd.DataFrame, steady: pd.DataFrame) -> list[Check]:
             [J].
     """
     given = series["gravity"].iloc[0] - series["gravity"]
-    taken = steady["plastic"] + steady["friction"] + steady["viscous"]
-    power = linregress(steady["time"], taken).slope
+    power = linregress(steady["time"], dissipated(steady)).slope
     return [
         Check(
             "weight's work off that of the centre of mass, over the work",

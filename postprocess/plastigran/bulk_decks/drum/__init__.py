@@ -12,7 +12,7 @@ import pandas as pd
 from scipy.integrate import cumulative_trapezoid
 from scipy.stats import linregress
 
-from plastigran.bulk_checks import count_check, ledger_checks
+from plastigran.bulk_checks import count_check, dissipated, ledger_checks
 from plastigran.bulk_decks import Analysis, Check
 from plastigran.bulk_decks.drum.figure import drum_figure
 from plastigran.deck_source import Settings
@@ -35,7 +35,6 @@ class Case:
     Attributes:
         grains: Size, material and law.
         radius: Of the drum [m].
-        length: Of the drum [m].
         angular_velocity: [1/s].
         gravitational_acceleration: [m/s^2].
         settling: Time before angle and power are taken [s].
@@ -44,7 +43,6 @@ class Case:
 
     grains: Grains
     radius: float
-    length: float
     angular_velocity: float
     gravitational_acceleration: float
     settling: float
@@ -63,6 +61,7 @@ def read_case(settings: Settings) -> Case:
     largest = (1 + spread) * grains.radius
     radius = settings.number("drum_radius", 4 * largest, unit="m")
     gravity = settings.number("gravitational_acceleration", 0, unit="m/s^2")
+    settings.number("length", 4 * largest, radius, unit="m")  # the shell's is the radius
     # From 1 on weight does not bring the grains back from the top.
     angular_velocity = (settings.number("froude", 0, 1) * gravity / radius) ** 0.5
     duration = settings.number("duration", 0, unit="revolutions")
@@ -71,7 +70,6 @@ def read_case(settings: Settings) -> Case:
     return Case(
         grains,
         radius,
-        settings.number("length", 4 * largest, radius, unit="m"),  # the shell's is the radius
         angular_velocity,
         gravity,
         2 * pi / angular_velocity * settling,
@@ -160,8 +158,7 @@ def power_checks(case: Case, series: pd.DataFrame, steady: pd.DataFrame) -> list
     # somewhat more than the weight.
     couples = 1.5 * case.rolling_friction * case.grains.radius / abs(steady["x"].mean())
     work = series["wallwork"].abs().max()
-    taken = steady["plastic"] + steady["friction"] + steady["viscous"]
-    share = linregress(steady["wallwork"], taken).slope
+    share = linregress(steady["wallwork"], dissipated(steady)).slope
     return [
         Check(
             "wall work off the weight's lever arm, over the wall work",
