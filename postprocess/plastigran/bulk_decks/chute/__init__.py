@@ -11,7 +11,13 @@ import pandas as pd
 from scipy.integrate import cumulative_trapezoid
 from scipy.stats import linregress
 
-from plastigran.bulk_checks import count_check, dissipated, ledger_checks
+from plastigran.bulk_checks import (
+    count_check,
+    dissipated,
+    ledger_checks,
+    read_settling,
+    trapezia_factor,
+)
 from plastigran.bulk_decks import Analysis, Check
 from plastigran.bulk_decks.chute.figure import chute_figure
 from plastigran.bulk_decks.chute.profile import Profile, fit_profile
@@ -20,7 +26,7 @@ from plastigran.dumps import read_dump
 from plastigran.grains import Grains, check_contact, check_rows, read_grains
 from plastigran.ledger_figure import ledger_figure
 
-#: Share of the weight's work it may be off the centre of mass's; a line of the log is 250 steps.
+#: Share of the weight's work it may be off the centre of mass's, with rows as close as FINE_ROWS.
 WEIGHT = 2e-3
 #: Share of the weight's power that the flow may keep, as motion above all.
 STEADY = 0.05
@@ -51,13 +57,12 @@ def read_case(settings: Settings) -> Case:
     """The case of a deck's settings. Raises ValueError naming one out of range."""
     grains = read_grains(settings)
     cells = [settings.whole(name, 3) for name in ("length", "width", "depth")]
-    duration = settings.number("duration", 0, unit="s")
     return Case(
         grains,
         radians(settings.number("angle", 0, 90, unit="degrees")),
         settings.number("gravitational_acceleration", 0, unit="m/s^2"),
         2 * cells[0] * cells[1] * (cells[2] + 1),
-        settings.number("settling", -1e-300, duration, unit="s"),
+        read_settling(settings, "s"),
     )
 
 
@@ -84,7 +89,7 @@ def analyse(settings: Settings, series: pd.DataFrame) -> Analysis:
     checks = [count_check(series, case.count), *flow_checks(steady, profile)]
     figures = {"chute": chute_figure(series, grains, profile, case.settling)}
     if settings["ledger"] == "on":
-        checks += [*ledger_checks(settings, series), *power_checks(series, steady)]
+        checks += [*ledger_checks(settings, series), *power_checks(case, series, steady)]
         figures["ledger"] = ledger_figure(series)
     return Analysis(series, checks, figures)
 
@@ -132,21 +137,25 @@ def flow_checks(steady: pd.DataFrame, profile: Profile) -> list[Check]:
     ]
 
 
-def power_checks(series: pd.DataFrame, steady: pd.DataFrame) -> list[Check]:
+def power_checks(case: Case, series: pd.DataFrame, steady: pd.DataFrame) -> list[Check]:
     """Weight's work against speed and height, and its power against what the flow dissipates.
 
     Args:
-        series: Columns gravity and gravity_predicted [J].
+        case: The chute.
+        series: Columns time [s], gravity and gravity_predicted [J].
         steady: Rows after settling, with time [s], weight_power [W], plastic, friction and viscous
             [J].
     """
+    trapezia = trapezia_factor(
+        series["time"], 2 * case.grains.radius, case.gravitational_acceleration
+    )
     given = series["gravity"].iloc[0] - series["gravity"]
     power = linregress(steady["time"], dissipated(steady)).slope
     return [
         Check(
             "weight's work off that of the centre of mass, over the work",
             (given + series["gravity_predicted"]).abs().max() / given.abs().max(),
-            WEIGHT,
+            WEIGHT * trapezia,
             "m g (v sin(angle) t - z cos(angle)), integrated over lines of the log",
         ),
         Check(
