@@ -147,7 +147,10 @@ def test_ranks(plate, tmp_path):
         ({"law": "lim_stronge"}, "no law 'lim_stronge' for spheres"),
         ({"fastest": 0.01}, r"fastest is 0.01; it must lie between 0.05 and inf \[m/s\]"),
         ({"shot_layers": 2}, "shot_layers is 2; it must be 1 for target plate"),
-        ({"field": 9.81}, "field is 9.81; it must be 0 for target plate"),
+        (
+            {"gravitational_acceleration": 9.81},
+            "gravitational_acceleration is 9.81; it must be 0 for target plate",
+        ),
         ({"ledger": "off"}, "ledger is off"),
         ({"side": 1}, "side is 1; it must be 2 or more"),
         ({"options": "viscous_damping on"}, "viscous_damping on changes the restitution"),

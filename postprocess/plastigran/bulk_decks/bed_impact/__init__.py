@@ -47,12 +47,17 @@ def check_settings(settings: Settings) -> None:
     else:
         settings.whole("bed_layers", 1)
         settings.number("filling", 0, unit="s")
-        settings.number("field", 0, unit="m/s^2")
+        settings.number("gravitational_acceleration", 0, unit="m/s^2")
 
 
 def check_plate(settings: Settings, grains: Grains) -> None:
     """What the closed form takes. Raises ValueError for what it does not."""
-    for name, needed in {"shot_layers": 1, "field": 0, "bed_layers": 0, "filling": 0}.items():
+    for name, needed in {
+        "shot_layers": 1,
+        "gravitational_acceleration": 0,
+        "bed_layers": 0,
+        "filling": 0,
+    }.items():
         if settings.number(name, -inf) != needed:
             raise ValueError(f"{name} is {settings[name]}; it must be {needed} for target plate")
     for name, choice in read_options(settings).items():
@@ -65,8 +70,8 @@ def analyse(settings: Settings, series: pd.DataFrame) -> Analysis:
     table = since_first(series)  # which is when the shot begins
     everything = read_grains_dump(Path(settings["output"]) / "grains.dump")
     bed = bed_count(settings)
-    gravity = float(settings["field"])
-    shot = measure_shots(everything.iloc[bed:], grains.radius, gravity)
+    gravitational_acceleration = float(settings["gravitational_acceleration"])
+    shot = measure_shots(everything.iloc[bed:], grains.radius, gravitational_acceleration)
     shot["rebound_predicted"] = predicted_rebound(
         grains.contact_law(), grains.radius, grains.mass, shot["impact_speed"]
     )

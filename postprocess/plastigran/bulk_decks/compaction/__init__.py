@@ -42,6 +42,7 @@ def check_settings(settings: Settings) -> None:
     settings.number("release", 0, 1 + 1e-12)
     for name in ("duration", "timestep", "filling"):
         settings.number(name, 0, unit="s")
+    settings.number("gravitational_acceleration", 0, unit="m/s^2")
     settings.number("seed", -inf)
     settings.whole("frames", 0)
 

@@ -67,15 +67,17 @@ def read_case(settings: Settings) -> Case:
     spread = settings.number("size_spread", -1e-300, 0.5)
     largest = (1 + spread) * grains.radius
     radius = settings.number("drum_radius", 4 * largest, unit="m")
-    gravity = settings.number("gravitational_acceleration", 0, unit="m/s^2")
+    gravitational_acceleration = settings.number("gravitational_acceleration", 0, unit="m/s^2")
     settings.number("length", 4 * largest, radius, unit="m")  # the shell's is the radius
     # From 1 on weight does not bring the grains back from the top.
-    angular_velocity = (settings.number("froude", 0, 1) * gravity / radius) ** 0.5
+    angular_velocity = (
+        settings.number("froude", 0, 1) * gravitational_acceleration / radius
+    ) ** 0.5
     return Case(
         grains,
         radius,
         angular_velocity,
-        gravity,
+        gravitational_acceleration,
         2 * pi / angular_velocity * read_settling(settings, "revolutions"),
         settings["rolling_friction"] != "off",
     )

@@ -75,7 +75,7 @@ def check_settings(settings: Settings) -> None:
         raise ValueError(f"layers is {settings['layers']}; the barrel takes {LAYERS}")
     settings.number("timestep", 0, unit="s")
     settings.number("temperature", 0, unit="m^2/s^2")
-    settings.number("settling", 0, unit="s")
+    settings.number("filling", 0, unit="s")
     settings.number("duration", 0)
     settings.number("seed", -inf)
     settings.whole("frames", 0)
