@@ -27,10 +27,10 @@ from plastigran import (
 )
 from plastigran.bulk import read_record, run_bulk
 from plastigran.bulk_decks import cooling_gas, hopper
-from plastigran.compaction_figure import compaction_figure
-from plastigran.cooling_figure import cooling_figure
+from plastigran.bulk_decks.compaction.figure import compaction_figure
+from plastigran.bulk_decks.cooling_gas.figure import cooling_figure
+from plastigran.bulk_decks.hopper.figure import orifices_figure
 from plastigran.figures import STYLE, plt, save, title
-from plastigran.hopper_figure import orifices_figure
 from plastigran.impact import PAPER_SPEEDS, laws_for, plan, sweep
 from plastigran.materials import RIGID, read_material
 from plastigran.rod import figures as rod_figures

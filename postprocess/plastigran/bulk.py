@@ -20,6 +20,7 @@ from types import ModuleType
 
 import pandas as pd
 
+from plastigran import figures
 from plastigran.bulk_decks import Analysis, module_of
 from plastigran.checkpoints import PATTERN, newest_checkpoint, step_of
 from plastigran.deck_source import Settings, find_deck, read_deck
@@ -137,8 +138,6 @@ def finish(analysis: Analysis, folder: Path) -> Analysis:
     Raises:
         CheckError: A check failed.
     """
-    from plastigran import figures  # matplotlib is slow to load
-
     analysis.table.to_csv(folder / SERIES, index=False)
     checks = pd.DataFrame([asdict(c) | {"passed": c.passed} for c in analysis.checks])
     checks.to_csv(folder / "checks.csv", index=False)

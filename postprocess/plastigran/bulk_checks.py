@@ -16,9 +16,18 @@ LEDGER_CHECKS = (
     "drift of the energy ledger, over the energy that came in",
     "plastic work lost, over the energy that came in",
 )
+#: Rows of the log a steady part has at least: a line goes through them.
+STEADY_ROWS = 10
+#: Spacing of rows up to which trapezia over them miss next to nothing, in times a grain needs to
+#: move by its size under its weight, sqrt(d/g).
+FINE_ROWS = 0.25
 
 #: Where energy is or went, as inputs/energy_ledger.in names it: all but gravity's.
 TAKEN = ["kinetic", "elastic", "plastic", "friction", "viscous"]
+#: What contacts took that nothing gives back.
+DISSIPATED = ["plastic", "friction", "viscous"]
+#: Its entries that count what has passed.
+FLOWS = [*DISSIPATED, "wallwork", "inserted", "drift"]
 
 
 def energy_input(series: pd.DataFrame) -> float:
@@ -30,6 +39,21 @@ def energy_input(series: pd.DataFrame) -> float:
         series: The entries of inputs/energy_ledger.in [J], one row a line of the log.
     """
     return float(series[TAKEN].sum(axis="columns").max())
+
+
+def dissipated(series: pd.DataFrame) -> pd.Series:
+    """What contacts have taken so far, by yielding, friction and viscosity [J].
+
+    Args:
+        series: Those entries of inputs/energy_ledger.in [J].
+    """
+    return series[DISSIPATED].sum(axis="columns")
+
+
+def since_first(series: pd.DataFrame) -> pd.DataFrame:
+    """The same log with time [s] and what the ledger counts [J] from its first row on."""
+    counted = [*FLOWS, "time"]
+    return series.assign(**{name: series[name] - series[name].iloc[0] for name in counted})
 
 
 def ledger_checks(settings: Settings, series: pd.DataFrame) -> list[Check]:
@@ -57,6 +81,42 @@ def ledger_checks(settings: Settings, series: pd.DataFrame) -> list[Check]:
             "plastic work only grows, to rounding of its sum over ranks",
         ),
     ]
+
+
+def read_settling(settings: Settings, unit: str) -> float:
+    """The setting `settling`, after which `duration` goes on for ten rows of the log or more.
+
+    Args:
+        settings: Of the deck, with `duration`, `settling` and `rows`.
+        unit: Of `duration` and `settling`.
+
+    Raises:
+        ValueError: One is out of range, or fewer rows are left.
+    """
+    duration = settings.number("duration", 0, unit=unit)
+    settling = settings.number("settling", -1e-300, duration, unit=unit)
+    rows = settings.whole("rows", STEADY_ROWS)
+    latest = duration * (1 - STEADY_ROWS / rows)
+    if settling > latest * (1 + 1e-12):
+        raise ValueError(
+            f"settling is {settings['settling']}; it must be {latest:g} [{unit}] or less, so that "
+            f"{STEADY_ROWS} of {rows} rows are left"
+        )
+    return settling
+
+
+def trapezia_factor(time: pd.Series, diameter: float, gravitational_acceleration: float) -> float:
+    """How much more trapezia over rows of the log miss than over `FINE_ROWS` [-], 1 at least.
+
+    It grows with the square of the spacing.
+
+    Args:
+        time: Evenly spaced [s].
+        diameter: Of a grain [m].
+        gravitational_acceleration: [m/s^2].
+    """
+    fine = FINE_ROWS * (diameter / gravitational_acceleration) ** 0.5
+    return max(1.0, (time.iloc[1] - time.iloc[0]) / fine) ** 2
 
 
 def count_check(series: pd.DataFrame, count: int) -> Check:

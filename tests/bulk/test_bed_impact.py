@@ -9,9 +9,13 @@ import numpy as np
 import pandas as pd
 import pytest
 
-from plastigran.bed_impact import measure_shots, plastic_work_by_depth, read_grains_dump
 from plastigran.bulk import CheckError, finish, read_record, read_series, run_bulk
 from plastigran.bulk_decks.bed_impact import analyse, bed_count, check_settings
+from plastigran.bulk_decks.bed_impact.measurement import (
+    measure_shots,
+    plastic_work_by_depth,
+    read_grains_dump,
+)
 from plastigran.checkpoints import PATTERN, step_of
 from plastigran.deck_source import Settings, read_deck
 
@@ -143,7 +147,10 @@ def test_ranks(plate, tmp_path):
         ({"law": "lim_stronge"}, "no law 'lim_stronge' for spheres"),
         ({"fastest": 0.01}, r"fastest is 0.01; it must lie between 0.05 and inf \[m/s\]"),
         ({"shot_layers": 2}, "shot_layers is 2; it must be 1 for target plate"),
-        ({"field": 9.81}, "field is 9.81; it must be 0 for target plate"),
+        (
+            {"gravitational_acceleration": 9.81},
+            "gravitational_acceleration is 9.81; it must be 0 for target plate",
+        ),
         ({"ledger": "off"}, "ledger is off"),
         ({"side": 1}, "side is 1; it must be 2 or more"),
         ({"options": "viscous_damping on"}, "viscous_damping on changes the restitution"),

@@ -9,7 +9,12 @@ import numpy as np
 import pandas as pd
 import pytest
 
-from plastigran.beverloo import Discharge, discharge_rate, fit_constants, measure_discharge
+from plastigran.bulk_decks.hopper.beverloo import (
+    Discharge,
+    discharge_rate,
+    fit_constants,
+    measure_discharge,
+)
 
 DIAMETER, DENSITY, GRAVITY = 0.01, 1500.0, 9.81
 MASS = pi / 6 * DIAMETER**3 * DENSITY

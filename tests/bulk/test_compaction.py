@@ -12,8 +12,8 @@ import pytest
 
 from plastigran.bulk import CheckError, finish, read_record, read_series, run_bulk
 from plastigran.bulk_decks.compaction import analyse, stroke
+from plastigran.bulk_decks.compaction.measurement import Loop, heckel_line, measure_loop, punch_work
 from plastigran.checkpoints import PATTERN, step_of
-from plastigran.compaction import Loop, heckel_line, measure_loop, punch_work
 from plastigran.engine import inputs_folder
 
 #: Sixty grains, in a die ten radii wide.
@@ -155,6 +155,7 @@ def test_ranks(table, tmp_path):
         ({"relative_density": 1}, "relative_density is 1; it must lie between 0.5236 and 1"),
         ({"release": 0}, "release is 0; it must lie between 0 and 1"),
         ({"duration": -1}, r"duration is -1; it must lie between 0 and inf \[s\]"),
+        ({"gravitational_acceleration": 0}, "gravitational_acceleration is 0; it must lie between"),
         ({"rows": 10, "checkpoints": 3}, "checkpoints is 3; it must divide rows, 10"),
         ({"tangential": "on"}, "tangential is 'on'; it must be off, no_history, history"),
         ({"speed": 1}, "has no setting 'speed'; it takes law"),

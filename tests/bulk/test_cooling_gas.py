@@ -38,6 +38,8 @@ def test_follows_mean_field(yielding_gas):
     series = pd.read_csv(yielding_gas / "series.csv")
     assert series["temperature"].iloc[-1] < 0.4 * series["temperature"].iloc[0]
     assert series["collisions"].iloc[-1] > 15
+    for name in ("cooling_gas", "ledger"):
+        assert (yielding_gas / "figures" / f"{name}.png").read_bytes().startswith(b"\x89PNG")
     assert (yielding_gas / "figures" / "cooling_gas.png").read_bytes().startswith(b"\x89PNG")
 
 

@@ -19,10 +19,10 @@ from plastigran.engine import run_deck
 
 #: 2080 grains, half of them out in half a second.
 SMALL = {"orifice": 8, "layers": 10, "timestep": 1.5e-5, "duration": 0.7, "rows": 150}
-SMALL |= {"settling": 0.2, "checkpoints": 1}
+SMALL |= {"filling": 0.2, "checkpoints": 1}
 #: 416 grains, for what needs no steady discharge.
 FEW = {"orifice": 8, "layers": 2, "timestep": 2e-5, "duration": 0.5, "rows": 24}
-FEW |= {"settling": 0.12, "checkpoints": 6}
+FEW |= {"filling": 0.12, "checkpoints": 6}
 
 
 @pytest.fixture(scope="module")
@@ -80,7 +80,7 @@ def test_a_grain_through_the_mesh_is_noticed(discharged, tmp_path):
 
 def filling(folder, ranks: int = 1, **changes) -> pd.DataFrame:
     """The log of the first 30 ms of 416 grains: impacts between all of them and on the cone."""
-    values = FEW | {"settling": 0.03, "duration": 0.01, "rows": 4, "checkpoints": 1} | changes
+    values = FEW | {"filling": 0.03, "duration": 0.01, "rows": 4, "checkpoints": 1} | changes
     run_deck("bulk/hopper.in", values, folder, ranks)
     log = read_thermo(folder / "log.liggghts")
     return log[log["run"] == log["run"].min()].set_index("step")
@@ -162,7 +162,7 @@ def test_restart_with_friction(restarted):
         ({"law": "hertz"}, "ledger is on; .*ledger=off"),
         ({"law": "lim_stronge"}, "no law 'lim_stronge' for spheres"),
         ({"gravitational_acceleration": 0}, "gravitational_acceleration is 0; it must lie between"),
-        ({"settling": 0}, r"settling is 0; it must lie between 0 and inf \[s\]"),
+        ({"filling": 0}, r"filling is 0; it must lie between 0 and inf \[s\]"),
         ({"duration": -1}, "duration is -1; it must lie between 0 and inf"),
         ({"coefficient_of_friction": -0.1}, "coefficient_of_friction is -0.1"),
         ({"rows": 10, "checkpoints": 3}, "checkpoints is 3; it must divide rows, 10"),

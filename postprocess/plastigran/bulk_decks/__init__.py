@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""What to check and draw of each bulk deck: one module a deck, of the deck's name.
+"""What to check and draw of each bulk deck: one module or package a deck, of the deck's name.
 
-A module has two functions; both raise ValueError for what they cannot take.
+It has two functions; both raise ValueError for what they cannot take.
 
     check_settings(settings: Settings) -> None
         Before anything runs: settings out of range are named.
@@ -16,7 +16,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 from importlib import import_module
-from pathlib import Path
+from pkgutil import iter_modules
 from types import ModuleType
 
 import pandas as pd
@@ -60,6 +60,6 @@ class Analysis:
 
 
 def module_of(deck: str) -> ModuleType | None:
-    """The module of a deck's name; None for a deck that has none."""
-    found = {file.stem for file in Path(__file__).parent.glob("[!_]*.py")}
+    """The module or package of a deck's name; None for a deck that has none."""
+    found = {module.name for module in iter_modules(__path__)}
     return import_module(f"{__name__}.{deck}") if deck in found else None

@@ -7,8 +7,8 @@ import numpy as np
 import pandas as pd
 from matplotlib.figure import Figure
 
+from plastigran.bulk_decks.cooling_gas.kinetic_theory import haff
 from plastigran.figures import COLOURS, MARKERS, STYLE, plt
-from plastigran.kinetic_theory import haff
 
 
 def cooling_figure(

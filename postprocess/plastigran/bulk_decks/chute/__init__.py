@@ -7,28 +7,31 @@ from dataclasses import dataclass
 from math import cos, inf, radians, sin
 from pathlib import Path
 
-import numpy as np
 import pandas as pd
 from scipy.integrate import cumulative_trapezoid
 from scipy.stats import linregress
 
-from plastigran.bulk_checks import count_check, ledger_checks
+from plastigran.bulk_checks import (
+    count_check,
+    dissipated,
+    ledger_checks,
+    read_settling,
+    trapezia_factor,
+)
 from plastigran.bulk_decks import Analysis, Check
-from plastigran.chute_figure import chute_figure
+from plastigran.bulk_decks.chute.figure import chute_figure
+from plastigran.bulk_decks.chute.profile import Profile, fit_profile
 from plastigran.deck_source import Settings
 from plastigran.dumps import read_dump
 from plastigran.grains import Grains, check_contact, check_rows, read_grains
 from plastigran.ledger_figure import ledger_figure
 
-#: Share of the weight's work it may be off the centre of mass's; a line of the log is 250 steps.
+#: Share of the weight's work it may be off the centre of mass's, with rows as close as FINE_ROWS.
 WEIGHT = 2e-3
 #: Share of the weight's power that the flow may keep, as motion above all.
 STEADY = 0.05
 #: Root mean square of what Bagnold's profile leaves over, over the speed at the surface.
 PROFILE = 0.05
-#: Shares of the depth between which the profile is held against Bagnold's: layers at the base slip,
-#: and at the surface grains hop.
-FITTED = (0.15, 0.95)
 
 
 @dataclass(frozen=True)
@@ -39,7 +42,6 @@ class Case:
         grains: Size, material and law.
         angle: Of the chute [rad].
         gravitational_acceleration: [m/s^2].
-        area: Of the base [m^2].
         count: Grains, glued ones too.
         settling: Time before profile and powers are taken [s].
     """
@@ -47,51 +49,20 @@ class Case:
     grains: Grains
     angle: float
     gravitational_acceleration: float
-    area: float
     count: int
     settling: float
-
-
-@dataclass(frozen=True)
-class Profile:
-    """Speed over height, and Bagnold's profile v = slip + rate (h^(3/2) - (h - z)^(3/2)) in it.
-
-    Attributes:
-        table: Columns height [m] above the base, speed [m/s], speed_predicted [m/s] and count, one
-            row a bin.
-        depth: h [m], twice the height of the centre of mass.
-        slip: Speed at the base [m/s].
-        rate: [m^(-1/2)/s].
-        residual: Root mean square of speed - speed_predicted over the fitted bins, over the speed
-            at the surface [-].
-    """
-
-    table: pd.DataFrame
-    depth: float
-    slip: float
-    rate: float
-    residual: float
-
-    @property
-    def surface_speed(self) -> float:
-        """Of the fitted profile [m/s]."""
-        return self.slip + self.rate * self.depth**1.5
 
 
 def read_case(settings: Settings) -> Case:
     """The case of a deck's settings. Raises ValueError naming one out of range."""
     grains = read_grains(settings)
     cells = [settings.whole(name, 3) for name in ("length", "width", "depth")]
-    fraction = settings.number("volume_fraction", 0, 0.64)
-    cell = (2 * grains.mass / grains.material.density / fraction) ** (1 / 3)
-    duration = settings.number("duration", 0, unit="s")
     return Case(
         grains,
         radians(settings.number("angle", 0, 90, unit="degrees")),
         settings.number("gravitational_acceleration", 0, unit="m/s^2"),
-        cells[0] * cells[1] * cell**2,
         2 * cells[0] * cells[1] * (cells[2] + 1),
-        settings.number("settling", -1e-300, duration, unit="s"),
+        read_settling(settings, "s"),
     )
 
 
@@ -99,6 +70,7 @@ def check_settings(settings: Settings) -> None:
     read_case(settings)
     check_contact(settings)
     check_rows(settings)
+    settings.number("volume_fraction", 0, 0.64)
     settings.number("size_spread", -1e-300, 0.3)
     settings.number("start_speed", -1e-300, unit="m/s")
     settings.number("temperature", 0, unit="m^2/s^2")
@@ -117,7 +89,7 @@ def analyse(settings: Settings, series: pd.DataFrame) -> Analysis:
     checks = [count_check(series, case.count), *flow_checks(steady, profile)]
     figures = {"chute": chute_figure(series, grains, profile, case.settling)}
     if settings["ledger"] == "on":
-        checks += [*ledger_checks(settings, series), *power_checks(series, steady)]
+        checks += [*ledger_checks(settings, series), *power_checks(case, series, steady)]
         figures["ledger"] = ledger_figure(series)
     return Analysis(series, checks, figures)
 
@@ -140,35 +112,6 @@ def add_mechanics(series: pd.DataFrame, case: Case) -> pd.DataFrame:
         gravity_predicted=weight * (cos(case.angle) * up - sin(case.angle) * along),
         weight_power=weight * sin(case.angle) * series["speed"],
     )
-
-
-def fit_profile(grains: pd.DataFrame, diameter: float) -> Profile:
-    """Mean speed in bins half a grain thick, and Bagnold's profile fitted to it.
-
-    Args:
-        grains: Frames of glued and flowing grains: columns id, z, radius [m], vx, vy, vz [m/s].
-        diameter: Of a grain in the mean [m].
-    """
-    held = (grains[["vx", "vy", "vz"]] == 0).all(axis="columns")
-    base = grains[held]
-    upper = base["z"] > base["z"].median()  # of its two layers
-    flow = grains[~held].assign(
-        height=lambda row: row["z"] - base.loc[upper, "z"].mean(),
-        volume=lambda row: row["radius"] ** 3,
-    )
-    depth = 2 * np.average(flow["height"], weights=flow["volume"])
-    bins = (flow["height"] / (diameter / 2)).round().astype(int)
-    table = flow.groupby(bins).agg(speed=("vx", "mean"), count=("vx", "size"))
-    table = table[table["count"] > 0.1 * table["count"].median()]
-    table.insert(0, "height", table.index * diameter / 2)
-    shape = depth**1.5 - (depth - table["height"]).clip(lower=0) ** 1.5
-    fitted = table["height"].between(*(share * depth for share in FITTED))
-    line = linregress(shape[fitted], table["speed"][fitted])
-    table["speed_predicted"] = line.intercept + line.slope * shape
-    left = (table["speed"] - table["speed_predicted"])[fitted]
-    surface = line.intercept + line.slope * depth**1.5
-    residual = float((left**2).mean() ** 0.5 / abs(surface))
-    return Profile(table.reset_index(drop=True), depth, line.intercept, line.slope, residual)
 
 
 def flow_checks(steady: pd.DataFrame, profile: Profile) -> list[Check]:
@@ -194,22 +137,25 @@ def flow_checks(steady: pd.DataFrame, profile: Profile) -> list[Check]:
     ]
 
 
-def power_checks(series: pd.DataFrame, steady: pd.DataFrame) -> list[Check]:
+def power_checks(case: Case, series: pd.DataFrame, steady: pd.DataFrame) -> list[Check]:
     """Weight's work against speed and height, and its power against what the flow dissipates.
 
     Args:
-        series: Columns gravity and gravity_predicted [J].
+        case: The chute.
+        series: Columns time [s], gravity and gravity_predicted [J].
         steady: Rows after settling, with time [s], weight_power [W], plastic, friction and viscous
             [J].
     """
+    trapezia = trapezia_factor(
+        series["time"], 2 * case.grains.radius, case.gravitational_acceleration
+    )
     given = series["gravity"].iloc[0] - series["gravity"]
-    taken = steady["plastic"] + steady["friction"] + steady["viscous"]
-    power = linregress(steady["time"], taken).slope
+    power = linregress(steady["time"], dissipated(steady)).slope
     return [
         Check(
             "weight's work off that of the centre of mass, over the work",
             (given + series["gravity_predicted"]).abs().max() / given.abs().max(),
-            WEIGHT,
+            WEIGHT * trapezia,
             "m g (v sin(angle) t - z cos(angle)), integrated over lines of the log",
         ),
         Check(

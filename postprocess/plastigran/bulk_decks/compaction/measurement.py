@@ -6,7 +6,6 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-import pandas as pd
 from numpy.typing import ArrayLike
 from scipy.stats import linregress
 
@@ -118,8 +117,3 @@ def punch_work(height: ArrayLike, force: ArrayLike) -> np.ndarray:
     """
     height, force = np.asarray(height, dtype=float), np.asarray(force, dtype=float)
     return -np.append(0, np.cumsum((force[1:] + force[:-1]) / 2 * np.diff(height)))
-
-
-def since_first(series: pd.DataFrame, flows: list[str]) -> pd.DataFrame:
-    """The same table with columns that count from its first row."""
-    return series.assign(**{name: series[name] - series[name].iloc[0] for name in flows})

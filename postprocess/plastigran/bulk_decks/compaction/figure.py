@@ -7,7 +7,7 @@ import numpy as np
 import pandas as pd
 from matplotlib.figure import Figure
 
-from plastigran.compaction import STRAIGHT, heckel_line
+from plastigran.bulk_decks.compaction.measurement import STRAIGHT, heckel_line
 from plastigran.figures import COLOURS, STYLE, plt
 
 

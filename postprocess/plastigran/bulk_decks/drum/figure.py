@@ -5,10 +5,11 @@ from __future__ import annotations
 
 import numpy as np
 import pandas as pd
-from matplotlib.collections import EllipseCollection
 from matplotlib.figure import Figure
 
+from plastigran.bulk_checks import dissipated
 from plastigran.figures import COLOURS, STYLE, plt
+from plastigran.grain_figure import draw_grains, mean_power
 
 #: Revolutions over which powers are averaged: avalanches come and go within less.
 WINDOW = 0.05
@@ -22,7 +23,7 @@ def drum_figure(
     Args:
         series: Columns time [s], revolutions, angle [degrees], and works [J]: wallwork,
             wallwork_predicted, plastic, friction, viscous.
-        grains: Columns x, z, radius [m], vx, vz [m/s] of one moment.
+        grains: Columns x, y, z, radius [m], vx, vz [m/s] of one moment.
         drum_radius: [m].
         settling: Time before angle and power are taken [s].
     """
@@ -53,55 +54,40 @@ def drum_figure(
 
 def _draw_bed(axes, grains, drum_radius, angle) -> None:
     speed = np.hypot(grains["vx"], grains["vz"])
-    order = np.argsort(grains["y"].to_numpy())[::-1]  # seen along +y, the near ones last
-    shown = grains.iloc[order]
-    discs = EllipseCollection(
-        2 * shown["radius"],
-        2 * shown["radius"],
-        np.zeros(len(shown)),
-        units="xy",
-        offsets=shown[["x", "z"]],
-        transOffset=axes.transData,
-        array=speed.iloc[order],
-        cmap="viridis",
-        edgecolor="white",
-        lw=0.3,
-    )
-    axes.add_collection(discs)
+    discs = draw_grains(axes, grains.assign(speed=speed), "speed")
     axes.add_patch(plt.Circle((0, 0), drum_radius, fill=False, color="0.3", lw=1.5))
     lean = np.radians(angle)
     half_chord = drum_radius * np.array([-1, 1])
     axes.plot(half_chord * np.cos(lean), half_chord * np.sin(lean), "--", color="0.2", lw=1)
     axes.set_xlim(-1.05 * drum_radius, 1.05 * drum_radius)
     axes.set_ylim(-1.05 * drum_radius, 1.05 * drum_radius)
-    axes.set_aspect("equal")
-    axes.set_axis_off()
     scale = axes.inset_axes((0.3, 0.82, 0.4, 0.03))  # where the drum is empty
     axes.figure.colorbar(discs, cax=scale, label="speed (m/s)", orientation="horizontal")
 
 
 def _draw_powers(axes, series) -> None:
-    spacing = series["revolutions"].iloc[1] - series["revolutions"].iloc[0]
-    lines = max(1, min(round(WINDOW / spacing), len(series) // 4))
+    period = series["time"].iloc[-1] / series["revolutions"].iloc[-1]
 
     def power(work: pd.Series) -> pd.Series:
-        return (work - work.shift(lines)) / (series["time"] - series["time"].shift(lines)) * 1e3
+        return mean_power(work, series["time"], WINDOW * period) * 1e3
 
-    dissipated = series["plastic"] + series["friction"] + series["viscous"]
-    middle = series["revolutions"] - lines * spacing / 2
-    axes.plot(middle, power(series["wallwork"]), color=COLOURS[0], label="wall")
+    wall, lever = power(series["wallwork"]), power(series["wallwork_predicted"])
+    taken, yielding = power(dissipated(series)), power(series["plastic"])
+    revolutions = wall.index / period
+    points = slice(None, None, max(1, round(WINDOW / 2 / series["revolutions"].iloc[1])))
+    axes.plot(revolutions, wall, color=COLOURS[0], label="wall")
     axes.plot(
-        middle[:: lines // 2 or 1],
-        power(series["wallwork_predicted"])[:: lines // 2 or 1],
+        revolutions[points],
+        lever.iloc[points],
         "o",
         color=COLOURS[0],
         mfc="white",
         ms=4,
         label="weight's lever arm",
     )
-    axes.plot(middle, power(dissipated), color=COLOURS[1], lw=1, label="taken by the bed")
-    axes.plot(middle, power(series["plastic"]), color=COLOURS[1], lw=1, ls=":", label="by yielding")
-    axes.set_ylim(0, 2.2 * power(series["wallwork"]).max())
+    axes.plot(revolutions, taken, color=COLOURS[1], lw=1, label="taken by the bed")
+    axes.plot(revolutions, yielding, color=COLOURS[1], lw=1, ls=":", label="by yielding")
+    axes.set_ylim(0, 2.2 * wall.max())
     axes.set_ylabel("power (mW)")
     axes.set_xlabel("revolutions")
     axes.legend(loc="upper right", ncols=2, fontsize="small")

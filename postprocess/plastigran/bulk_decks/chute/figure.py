@@ -3,20 +3,17 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 import numpy as np
 import pandas as pd
-from matplotlib.collections import EllipseCollection
 from matplotlib.figure import Figure
 
+from plastigran.bulk_checks import dissipated
+from plastigran.bulk_decks.chute.profile import Profile
 from plastigran.figures import COLOURS, STYLE, plt
+from plastigran.grain_figure import draw_grains, mean_power
 
-if TYPE_CHECKING:
-    from plastigran.bulk_decks.chute import Profile
-
-#: Lines of the log over which powers are averaged.
-WINDOW = 24
+#: Time over which powers are averaged [s].
+WINDOW = 0.12
 
 
 def chute_figure(
@@ -41,22 +38,11 @@ def chute_figure(
 
 
 def _draw_grains(figure, axes, grains) -> None:
-    shown = grains.sort_values("y", ascending=False)  # seen along +y, the near ones last
-    held = (shown[["vx", "vy", "vz"]] == 0).all(axis="columns")
-    common = {"units": "xy", "transOffset": axes.transData, "edgecolor": "white", "lw": 0.3}
-    for part, colour in (
-        (shown[held], {"facecolor": "0.6"}),
-        (shown[~held], {"array": shown[~held]["vx"], "cmap": "viridis"}),
-    ):
-        size = 2 * part["radius"]
-        discs = EllipseCollection(
-            size, size, np.zeros(len(part)), offsets=part[["x", "z"]], **common, **colour
-        )
-        axes.add_collection(discs)
+    held = (grains[["vx", "vy", "vz"]] == 0).all(axis="columns")
+    draw_grains(axes, grains[held])
+    discs = draw_grains(axes, grains[~held], "vx")
     axes.set_xlim(grains["x"].min() - 0.005, grains["x"].max() + 0.005)
     axes.set_ylim((grains["z"] - grains["radius"]).min(), (grains["z"] + grains["radius"]).max())
-    axes.set_aspect("equal")
-    axes.set_axis_off()
     figure.colorbar(discs, ax=axes, label="speed (m/s)", shrink=0.8)
 
 
@@ -75,16 +61,11 @@ def _draw_profile(axes, profile) -> None:
 
 
 def _draw_powers(axes, series, settling) -> None:
-    dissipated = series["plastic"] + series["friction"] + series["viscous"]
-    lines = max(1, min(WINDOW, len(series) // 4))
-
-    def power(work: pd.Series) -> pd.Series:
-        return (work - work.shift(lines)) / (series["time"] - series["time"].shift(lines))
-
-    middle = (series["time"] + series["time"].shift(lines)) / 2
+    taken = mean_power(dissipated(series), series["time"], WINDOW)
+    yielding = mean_power(series["plastic"], series["time"], WINDOW)
     axes.plot(series["time"], series["weight_power"], color=COLOURS[0], label="weight")
-    axes.plot(middle, power(dissipated), color=COLOURS[1], lw=1, label="taken by the flow")
-    axes.plot(middle, power(series["plastic"]), ":", color=COLOURS[1], lw=1, label="by yielding")
+    axes.plot(taken.index, taken, color=COLOURS[1], lw=1, label="taken by the flow")
+    axes.plot(yielding.index, yielding, ":", color=COLOURS[1], lw=1, label="by yielding")
     axes.axvline(settling, color="0.4", ls=":")
     axes.set_ylim(0, 1.2 * series["weight_power"].max())
     axes.set_ylabel("power (W)")

@@ -28,7 +28,9 @@ def read_grains_dump(path: str | Path) -> pd.DataFrame:
     return last.drop(columns="step").rename(columns=_NAMES).reset_index(drop=True)
 
 
-def measure_shots(shot: pd.DataFrame, radius: float, gravity: float) -> pd.DataFrame:
+def measure_shots(
+    shot: pd.DataFrame, radius: float, gravitational_acceleration: float
+) -> pd.DataFrame:
     """Speeds at which each shot meets and leaves the target's surface.
 
     The lowest shot starts a radius above it. Between the surface and where a shot is, it flies
@@ -37,17 +39,17 @@ def measure_shots(shot: pd.DataFrame, radius: float, gravity: float) -> pd.DataF
     Args:
         shot: Rows of `read_grains_dump`, of the shot alone.
         radius: Of the shot [m].
-        gravity: g, downwards [m/s^2].
+        gravitational_acceleration: g, downwards [m/s^2].
 
     Returns:
         One row a shot: `impact_speed` and `rebound_speed` [m/s], 0 for one that has not come back
         above the surface; `plastic_work` since the start [J].
     """
     surface = shot["z_before"].min() - radius  # where a touching shot's centre is
-    fall = 2 * gravity * (shot["z_before"] - surface)
-    rise = 2 * gravity * (shot["z"] - surface)
+    fall = 2 * gravitational_acceleration * (shot["z_before"] - surface)
+    rise = 2 * gravitational_acceleration * (shot["z"] - surface)
     speed = np.sqrt(shot["vz"] ** 2 + rise.clip(lower=0))
-    come_back = (shot["z"] > surface) & ((shot["vz"] > 0) | (gravity > 0))
+    come_back = (shot["z"] > surface) & ((shot["vz"] > 0) | (gravitational_acceleration > 0))
     return pd.DataFrame(
         {
             "impact_speed": np.sqrt(shot["vz_before"] ** 2 + fall),

@@ -35,7 +35,7 @@ def discharge_rate(
     orifice: float,
     diameter: float,
     bulk_density: float,
-    gravity: float,
+    gravitational_acceleration: float,
     coefficient: float = COEFFICIENT,
     empty_annulus: float = EMPTY_ANNULUS,
 ) -> float:
@@ -45,7 +45,7 @@ def discharge_rate(
         orifice: Diameter of the orifice [m].
         diameter: Of a grain [m].
         bulk_density: Of the bed at rest [kg/m^3].
-        gravity: [m/s^2].
+        gravitational_acceleration: [m/s^2].
         coefficient: C [-].
         empty_annulus: k [-]; no grain's centre passes within k/2 diameters of the rim.
 
@@ -58,7 +58,7 @@ def discharge_rate(
             f"orifice is {orifice:g} m; Beverloo's law needs more than {empty_annulus:g} grains of "
             f"{diameter:g} m"
         )
-    return coefficient * bulk_density * gravity**0.5 * effective**2.5
+    return coefficient * bulk_density * gravitational_acceleration**0.5 * effective**2.5
 
 
 @dataclass(frozen=True)
@@ -69,7 +69,7 @@ class Discharge:
         orifice: Diameter of the orifice [m].
         diameter: Of a grain [m].
         bulk_density: Of the bed before the orifice opened [kg/m^3].
-        gravity: [m/s^2].
+        gravitational_acceleration: [m/s^2].
         rate: Of discharge [kg/s].
         rate_error: One standard deviation of it, from its blocks [kg/s].
         start: Of the steady part [s].
@@ -79,7 +79,7 @@ class Discharge:
     orifice: float
     diameter: float
     bulk_density: float
-    gravity: float
+    gravitational_acceleration: float
     rate: float
     rate_error: float
     start: float
@@ -88,12 +88,14 @@ class Discharge:
     @property
     def predicted(self) -> float:
         """Beverloo's law with C and k for spheres [kg/s]."""
-        return discharge_rate(self.orifice, self.diameter, self.bulk_density, self.gravity)
+        return discharge_rate(
+            self.orifice, self.diameter, self.bulk_density, self.gravitational_acceleration
+        )
 
     @property
     def band(self) -> tuple[float, float]:
         """Least and greatest rate within the scatter of C and k [kg/s]."""
-        of_bed = self.orifice, self.diameter, self.bulk_density, self.gravity
+        of_bed = self.orifice, self.diameter, self.bulk_density, self.gravitational_acceleration
         return (
             discharge_rate(*of_bed, min(COEFFICIENTS), max(EMPTY_ANNULI)),
             discharge_rate(*of_bed, max(COEFFICIENTS), min(EMPTY_ANNULI)),
@@ -102,11 +104,15 @@ class Discharge:
     @property
     def reduced(self) -> float:
         """(W/(rho_b sqrt(g)))^(2/5) [m], a straight line over the orifice by Beverloo's law."""
-        return (self.rate / (self.bulk_density * self.gravity**0.5)) ** 0.4
+        return (self.rate / (self.bulk_density * self.gravitational_acceleration**0.5)) ** 0.4
 
 
 def measure_discharge(
-    series: pd.DataFrame, orifice: float, diameter: float, density: float, gravity: float
+    series: pd.DataFrame,
+    orifice: float,
+    diameter: float,
+    density: float,
+    gravitational_acceleration: float,
 ) -> Discharge | None:
     """The rate of the steady part of a discharge: a line through the grains out over time.
 
@@ -120,13 +126,13 @@ def measure_discharge(
         orifice: Diameter of the orifice [m].
         diameter: Of a grain [m].
         density: Of a grain [kg/m^3].
-        gravity: [m/s^2].
+        gravitational_acceleration: [m/s^2].
 
     Returns:
         None where the run ended before, has not two rows a block, or its bed was too shallow.
     """
     grains, out = series["atoms"].iloc[0], series["counted"]
-    early = series["time"] < (2 * orifice / gravity) ** 0.5
+    early = series["time"] < (2 * orifice / gravitational_acceleration) ** 0.5
     late = out > STEADY_SHARE * grains
     steady = series[~early & ~late]
     packing = float(series["packing"].iloc[0])
@@ -140,7 +146,7 @@ def measure_discharge(
         orifice,
         diameter,
         packing * density,
-        gravity,
+        gravitational_acceleration,
         mass * float(np.polyfit(time, counted, 1)[0]),
         mass * float(rates.std(ddof=1)) / BLOCKS**0.5,
         float(time[0]),

@@ -8,13 +8,13 @@ from math import inf
 
 import pandas as pd
 
-from plastigran.beverloo import Discharge, measure_discharge
 from plastigran.bulk_checks import ledger_checks
 from plastigran.bulk_decks import Analysis, Check
+from plastigran.bulk_decks.hopper.beverloo import Discharge, measure_discharge
+from plastigran.bulk_decks.hopper.figure import discharge_figure
 from plastigran.deck_source import Settings
 from plastigran.engine import inputs_folder
 from plastigran.grains import Grains, check_contact, check_rows, read_grains
-from plastigran.hopper_figure import discharge_figure
 from plastigran.ledger_figure import ledger_figure
 
 #: Layers of the lattice that stand in the barrel.
@@ -75,7 +75,7 @@ def check_settings(settings: Settings) -> None:
         raise ValueError(f"layers is {settings['layers']}; the barrel takes {LAYERS}")
     settings.number("timestep", 0, unit="s")
     settings.number("temperature", 0, unit="m^2/s^2")
-    settings.number("settling", 0, unit="s")
+    settings.number("filling", 0, unit="s")
     settings.number("duration", 0)
     settings.number("seed", -inf)
     settings.whole("frames", 0)

@@ -8,17 +8,20 @@ from math import inf, pi
 import numpy as np
 import pandas as pd
 
-from plastigran.bulk_checks import count_check, ledger_checks
+from plastigran.bulk_checks import count_check, ledger_checks, since_first
 from plastigran.bulk_decks import Analysis, Check
-from plastigran.compaction import TOUCH, Loop, measure_loop, punch_work, since_first
-from plastigran.compaction_figure import compaction_figure
+from plastigran.bulk_decks.compaction.figure import compaction_figure
+from plastigran.bulk_decks.compaction.measurement import (
+    TOUCH,
+    Loop,
+    measure_loop,
+    punch_work,
+)
 from plastigran.deck_source import Settings
 from plastigran.figures import title
 from plastigran.grains import check_contact, check_rows, read_grains
 from plastigran.ledger_figure import ledger_figure
 
-#: Entries of the ledger that count what has passed; they begin with the stroke.
-FLOWS = ["plastic", "friction", "viscous", "wallwork", "inserted", "drift"]
 #: What the sum over a hundred rows of the log may miss of the punch's work; trapezia of half the
 #: width miss a quarter.
 HUNDRED_ROWS = 2e-3
@@ -39,6 +42,7 @@ def check_settings(settings: Settings) -> None:
     settings.number("release", 0, 1 + 1e-12)
     for name in ("duration", "timestep", "filling"):
         settings.number(name, 0, unit="s")
+    settings.number("gravitational_acceleration", 0, unit="m/s^2")
     settings.number("seed", -inf)
     settings.whole("frames", 0)
 
@@ -59,7 +63,7 @@ def analyse(settings: Settings, series: pd.DataFrame) -> Analysis:
     figures = {"compaction": compaction_figure({title(settings["law"]): table}, [strength])}
     if settings["ledger"] == "on":
         checks += [*ledger_checks(settings, table), *energy_checks(table, loop)]
-        figures["energy_ledger"] = ledger_figure(table)
+        figures["ledger"] = ledger_figure(table)
     return Analysis(table, checks, figures)
 
 
@@ -100,7 +104,7 @@ def stroke(settings: Settings, series: pd.DataFrame) -> pd.DataFrame:
         pressure [Pa], punch_work [J], and heckel, ln(1/(1 - relative density)) [-].
     """
     radius, die_radius = float(settings["radius"]), float(settings["die_radius"])
-    table = since_first(series, [*FLOWS, "time"])
+    table = since_first(series)
     area, solid = pi * die_radius**2, table["atoms"] * 4 / 3 * pi * radius**3
     table["relative_density"] = solid / (area * table["height"])
     table["pressure"] = table["force"] / area

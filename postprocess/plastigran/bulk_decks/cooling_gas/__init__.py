@@ -11,11 +11,12 @@ import pandas as pd
 from plastigran import laws, theory
 from plastigran.bulk_checks import count_check, ledger_checks
 from plastigran.bulk_decks import Analysis, Check
-from plastigran.cooling_figure import cooling_figure
+from plastigran.bulk_decks.cooling_gas.figure import cooling_figure
+from plastigran.bulk_decks.cooling_gas.kinetic_theory import FREEZING, Gas, cool, law_restitution
 from plastigran.deck_source import Settings
 from plastigran.figures import title
 from plastigran.grains import Grains, check_ledger, check_rows, read_grains, read_options
-from plastigran.kinetic_theory import FREEZING, Gas, cool, law_restitution
+from plastigran.ledger_figure import ledger_figure
 
 #: What mean field itself may be off by: up to 7 % was found (docs/decks/cooling_gas.md).
 MEAN_FIELD = 0.08
@@ -124,8 +125,11 @@ def analyse(settings: Settings, series: pd.DataFrame) -> Analysis:
         ),
         *ledger_checks(settings, series),
     ]
-    gas_figure = cooling_figure({title(case.grains.law): series}, case.stall, cooling_rate)
-    return Analysis(series, checks, {"cooling_gas": gas_figure})
+    course = cooling_figure({title(case.grains.law): series}, case.stall, cooling_rate)
+    figures = {"cooling_gas": course}
+    if settings["ledger"] == "on":
+        figures["ledger"] = ledger_figure(series)
+    return Analysis(series, checks, figures)
 
 
 def stored_share(case: Case, gas: Gas) -> float:

@@ -8,7 +8,7 @@ import pandas as pd
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from plastigran.beverloo import (
+from plastigran.bulk_decks.hopper.beverloo import (
     COEFFICIENT,
     EMPTY_ANNULUS,
     Discharge,

@@ -9,15 +9,15 @@ from pathlib import Path
 import numpy as np
 import pandas as pd
 
-from plastigran.bed_impact import (
+from plastigran.bulk_checks import count_check, ledger_checks, since_first
+from plastigran.bulk_decks import Analysis, Check
+from plastigran.bulk_decks.bed_impact.figure import bed_figure, plate_figure
+from plastigran.bulk_decks.bed_impact.measurement import (
     measure_shots,
     plastic_work_by_depth,
     predicted_rebound,
     read_grains_dump,
 )
-from plastigran.bed_impact_figure import bed_figure, plate_figure
-from plastigran.bulk_checks import count_check, ledger_checks
-from plastigran.bulk_decks import Analysis, Check
 from plastigran.deck_source import Settings
 from plastigran.grains import Grains, check_contact, check_rows, read_grains, read_options
 from plastigran.ledger_figure import ledger_figure
@@ -26,8 +26,6 @@ from plastigran.ledger_figure import ledger_figure
 INTEGRATOR = 1e-3
 #: Plastic work of a last step of pouring, over that of the shot.
 STEP = 1e-4
-#: Entries of the ledger that count what has passed; they begin with the shot.
-FLOWS = ["plastic", "friction", "viscous", "wallwork", "inserted", "drift", "time"]
 
 
 def check_settings(settings: Settings) -> None:
@@ -49,12 +47,17 @@ def check_settings(settings: Settings) -> None:
     else:
         settings.whole("bed_layers", 1)
         settings.number("filling", 0, unit="s")
-        settings.number("field", 0, unit="m/s^2")
+        settings.number("gravitational_acceleration", 0, unit="m/s^2")
 
 
 def check_plate(settings: Settings, grains: Grains) -> None:
     """What the closed form takes. Raises ValueError for what it does not."""
-    for name, needed in {"shot_layers": 1, "field": 0, "bed_layers": 0, "filling": 0}.items():
+    for name, needed in {
+        "shot_layers": 1,
+        "gravitational_acceleration": 0,
+        "bed_layers": 0,
+        "filling": 0,
+    }.items():
         if settings.number(name, -inf) != needed:
             raise ValueError(f"{name} is {settings[name]}; it must be {needed} for target plate")
     for name, choice in read_options(settings).items():
@@ -64,11 +67,11 @@ def check_plate(settings: Settings, grains: Grains) -> None:
 
 def analyse(settings: Settings, series: pd.DataFrame) -> Analysis:
     grains = read_grains(settings)
-    table = series.assign(**{name: series[name] - series[name].iloc[0] for name in FLOWS})
+    table = since_first(series)  # which is when the shot begins
     everything = read_grains_dump(Path(settings["output"]) / "grains.dump")
     bed = bed_count(settings)
-    gravity = float(settings["field"])
-    shot = measure_shots(everything.iloc[bed:], grains.radius, gravity)
+    gravitational_acceleration = float(settings["gravitational_acceleration"])
+    shot = measure_shots(everything.iloc[bed:], grains.radius, gravitational_acceleration)
     shot["rebound_predicted"] = predicted_rebound(
         grains.contact_law(), grains.radius, grains.mass, shot["impact_speed"]
     )
@@ -90,7 +93,7 @@ def analyse(settings: Settings, series: pd.DataFrame) -> Analysis:
         surface = everything["z_before"].iloc[bed:].min() - 2 * grains.radius
         by_depth = plastic_work_by_depth(everything, surface, 2 * grains.radius)
         figure = bed_figure(shot, by_depth, 2 * grains.radius)
-    return Analysis(table, checks, {"bed_impact": figure, "energy_ledger": ledger_figure(table)})
+    return Analysis(table, checks, {"bed_impact": figure, "ledger": ledger_figure(table)})
 
 
 def bed_count(settings: Settings) -> int:

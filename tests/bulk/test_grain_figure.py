@@ -1,0 +1,21 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Powers from works."""
+
+from __future__ import annotations
+
+import numpy as np
+import pandas as pd
+import pytest
+
+from plastigran.grain_figure import mean_power
+
+
+@pytest.mark.parametrize(("window", "rows"), [(0.4, 4), (1e-9, 1), (100.0, 25)])
+def test_mean_power_is_that_of_the_windows_middle(window, rows):
+    """Work 3 t^2: its mean power over any window is 6 t of the middle; and no window is longer than
+    a quarter of the rows."""
+    time = pd.Series(np.arange(100) * 0.1)
+    power = mean_power(3 * time**2, time, window)
+    assert len(power) == 100 - rows
+    assert power.index[0] == pytest.approx(rows * 0.05)
+    assert power.to_numpy() == pytest.approx(6 * power.index)
