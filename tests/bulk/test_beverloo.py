@@ -46,6 +46,19 @@ def test_steady_rate_is_found():
     assert found.bulk_density == pytest.approx(900)
 
 
+def test_change_of_the_rate_is_told_from_scatter():
+    """A rate that falls by a tenth half way: the halves' scatter does not hold the change."""
+    series = course(800.0)
+    # It runs from 51 grains out to 500.
+    half = series["counted"].between(275, 500)
+    series.loc[half, "counted"] = 275 + 0.9 * (series.loc[half, "counted"] - 275)
+    found = measure_discharge(series, 0.08, DIAMETER, DENSITY, GRAVITY)
+    assert found.change == pytest.approx(-80 * MASS, rel=0.05)  # a row off the middle
+    assert abs(found.change) > 4 * found.change_error
+    steady = measure_discharge(course(800.0), 0.08, DIAMETER, DENSITY, GRAVITY)
+    assert abs(steady.change) < 1e-9 * steady.rate
+
+
 def test_scatter_is_in_the_error():
     """Grains that leave one by one, independently: the error of 500 is near 500^(-1/2)."""
     rng = np.random.default_rng(7)
@@ -73,7 +86,7 @@ def discharges(coefficient: float, annulus: float) -> list[Discharge]:
     found = []
     for orifice in (0.05, 0.06, 0.08, 0.1):
         bed = orifice, DIAMETER, 900.0, GRAVITY
-        found.append(Discharge(*bed, discharge_rate(*bed, coefficient, annulus), 0.0, 0.1, 0.5))
+        found.append(Discharge(*bed, discharge_rate(*bed, coefficient, annulus), *[0.0] * 5))
     return found
 
 

@@ -11,7 +11,7 @@ import pytest
 
 from plastigran.bulk import CheckError, finish, read_record, read_series, run_bulk
 from plastigran.bulk_checks import energy_input
-from plastigran.bulk_decks.hopper import analyse, orifices, read_case
+from plastigran.bulk_decks.hopper import analyse, orifices, read_case, since_opening
 from plastigran.checkpoints import newest_checkpoint, step_of
 from plastigran.deck_source import Settings, read_deck
 from plastigran.dumps import read_thermo
@@ -41,7 +41,7 @@ def test_discharge_follows_beverloo(discharged):
     """The ledger over filling and discharge, grains counted, and the rate are within their bounds,
     and the discharge is steady: its rate is known to 5 %."""
     checks = pd.read_csv(discharged / "checks.csv").set_index("name")
-    assert checks["passed"].all() and len(checks) == 4
+    assert checks["passed"].all() and len(checks) == 5
     assert any("Beverloo" in name for name in checks.index)
     series = pd.read_csv(discharged / "series.csv")
     found = read_case(settings_of(discharged)).discharge(series)
@@ -63,12 +63,33 @@ def test_deleted_grains_leave_the_ledger(discharged):
     assert 0 < -series["inserted"].iloc[-1] / gone / weight < case.orifice
 
 
-@pytest.mark.parametrize("change", [{"orifice": "6"}, {"gravitational_acceleration": "2"}])
+@pytest.mark.parametrize(
+    "change",
+    [
+        {"orifice": "6"},
+        {"gravitational_acceleration": "3.5"},
+        {"gravitational_acceleration": "16"},
+    ],
+)
 def test_another_hopper_is_noticed(change, discharged, tmp_path):
-    """The check fails for the run held against a narrower orifice or less weight."""
+    """The check fails for the run held against an orifice two grains narrower, 2.8 times less
+    weight or 1.6 times more: near the edges of its band."""
     analysis = analyse(settings_of(discharged, **change), read_series(discharged))
     with pytest.raises(CheckError, match="discharge rate beyond Beverloo's law"):
         finish(analysis, tmp_path)
+
+
+def test_a_rate_that_falls_is_noticed(discharged, tmp_path):
+    """1.6 times as fast until 0.37 of the grains are out, about half of the steady part: the rate
+    in the mean is still in Beverloo's band."""
+    series = since_opening(read_series(discharged))
+    time, counted = series["time"], series["counted"]
+    turn = time[counted < 0.37 * series["atoms"].iloc[0]].iloc[-1]
+    then = np.where(time < turn / 1.6, 1.6 * time, time + turn - turn / 1.6)
+    faster = np.interp(then, time, counted).round()
+    changed = series.assign(counted=faster, held=series["atoms"].iloc[0] - faster)
+    with pytest.raises(CheckError, match=r"^change of the rate from half to half [^;]*$"):
+        finish(analyse(settings_of(discharged), changed), tmp_path)
 
 
 def test_a_grain_through_the_mesh_is_noticed(discharged, tmp_path):

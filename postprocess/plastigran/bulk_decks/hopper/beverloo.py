@@ -27,7 +27,7 @@ EMPTY_ANNULI = (1.0, 2.0)
 LOOSEST = 0.5
 #: The steady part ends when this share of the grains is out: the level nears the cone.
 STEADY_SHARE = 0.5
-#: Blocks of equal time the steady part is cut into, for the error of its rate.
+#: Blocks of equal time the steady part is cut into, for the error of its rate; an even number.
 BLOCKS = 10
 
 
@@ -72,6 +72,8 @@ class Discharge:
         gravitational_acceleration: [m/s^2].
         rate: Of discharge [kg/s].
         rate_error: One standard deviation of it, from its blocks [kg/s].
+        change: Of the rate from the first half of the steady part to the second [kg/s].
+        change_error: One standard deviation of it, from the blocks of each half [kg/s].
         start: Of the steady part [s].
         stop: Of the steady part [s].
     """
@@ -82,6 +84,8 @@ class Discharge:
     gravitational_acceleration: float
     rate: float
     rate_error: float
+    change: float
+    change_error: float
     start: float
     stop: float
 
@@ -141,14 +145,17 @@ def measure_discharge(
     mass = pi / 6 * diameter**3 * density
     time, counted = steady["time"].to_numpy(), steady["counted"].to_numpy()
     edges = np.linspace(0, len(time) - 1, BLOCKS + 1).astype(int)
-    rates = np.diff(counted[edges]) / np.diff(time[edges])
+    rates = mass * np.diff(counted[edges]) / np.diff(time[edges])
+    halves = rates.reshape(2, -1)
     return Discharge(
         orifice,
         diameter,
         packing * density,
         gravitational_acceleration,
         mass * float(np.polyfit(time, counted, 1)[0]),
-        mass * float(rates.std(ddof=1)) / BLOCKS**0.5,
+        float(rates.std(ddof=1)) / BLOCKS**0.5,
+        float(np.diff(halves.mean(axis=1))[0]),
+        float(np.hypot(*halves.std(axis=1, ddof=1))) / (BLOCKS / 2) ** 0.5,
         float(time[0]),
         float(time[-1]),
     )
