@@ -165,13 +165,14 @@ def test_impossible_settings_are_refused_before_anything_runs(change, said, tmp_
 
 
 def test_free_flight_is_taken_back():
-    """A shot thrown up at 2 m/s from the surface, seen 0.1 m above it, left at 2 m/s."""
-    shot = pd.DataFrame({"z": [0.101, 0.0005], "vz": [(4 - 0.2 * 9.81) ** 0.5, 0.0]})
-    shot = shot.assign(z_before=0.002, vz_before=-1.0, plastic_work=3.0)
+    """A shot thrown up at 2 m/s from the surface, seen 0.1 m above it, left at 2 m/s; one below the
+    surface, and one that lies on another, have not come back."""
+    shot = pd.DataFrame({"z": [0.101, 0.0005, 0.003], "vz": [(4 - 0.2 * 9.81) ** 0.5, 0.0, 0.0]})
+    shot = shot.assign(z_before=0.002, vz_before=-1.0, plastic_work=3.0, touching=[0, 1, 1])
     found = measure_shots(shot, 1e-3, 9.81)
-    assert found["rebound_speed"].tolist() == pytest.approx([2, 0])
-    assert found["impact_speed"].tolist() == pytest.approx([(1 + 0.002 * 9.81) ** 0.5] * 2)
-    assert found["plastic_work"].tolist() == [3, 3]
+    assert found["rebound_speed"].tolist() == pytest.approx([2, 0, 0])
+    assert found["impact_speed"].tolist() == pytest.approx([(1 + 0.002 * 9.81) ** 0.5] * 3)
+    assert found["plastic_work"].tolist() == [3, 3, 3]
 
 
 def test_every_law_is_taken(sphere_law):

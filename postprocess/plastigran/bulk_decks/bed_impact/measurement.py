@@ -17,8 +17,8 @@ def read_grains_dump(path: str | Path) -> pd.DataFrame:
     """The last frame of the deck's `grains.dump`.
 
     Returns:
-        One row a grain: `id`, `z` [m], `vz` [m/s], `z_before` and `vz_before`, the same before the
-        shot, and `plastic_work` since then [J].
+        One row a grain: `id`, `z` [m], `vz` [m/s], `touching`, how many others, `z_before` and
+        `vz_before`, before the shot, and `plastic_work` since then [J].
 
     Raises:
         DumpError: The file is not a dump.
@@ -42,14 +42,15 @@ def measure_shots(
         gravitational_acceleration: g, downwards [m/s^2].
 
     Returns:
-        One row a shot: `impact_speed` and `rebound_speed` [m/s], 0 for one that has not come back
-        above the surface; `plastic_work` since the start [J].
+        One row a shot: `impact_speed` and `rebound_speed` [m/s], 0 for one that does not fly above
+        the surface; `plastic_work` since the start [J].
     """
     surface = shot["z_before"].min() - radius  # where a touching shot's centre is
     fall = 2 * gravitational_acceleration * (shot["z_before"] - surface)
     rise = 2 * gravitational_acceleration * (shot["z"] - surface)
     speed = np.sqrt(shot["vz"] ** 2 + rise.clip(lower=0))
-    come_back = (shot["z"] > surface) & ((shot["vz"] > 0) | (gravitational_acceleration > 0))
+    come_back = (shot["z"] > surface) & (shot["touching"] == 0)
+    come_back &= (shot["vz"] > 0) | (gravitational_acceleration > 0)
     return pd.DataFrame(
         {
             "impact_speed": np.sqrt(shot["vz_before"] ** 2 + fall),
