@@ -36,6 +36,7 @@ from plastigran.materials import RIGID, read_material
 from plastigran.rod import figures as rod_figures
 from plastigran.rod import paper_rods
 from plastigran.rod import runs as rod_runs
+from plastigran.snapshot import draw, read_frames
 
 FOLDER = Path(__file__).parent / "figures"
 RADIUS = 0.01  # the figures are dimensionless; any size gives the same
@@ -224,6 +225,14 @@ def hoppers() -> plt.Figure:
     return orifices_figure(runs)
 
 
+def draw_hopper_grains() -> None:
+    """Grains of the demo's hopper half-way, by plastic work: a minute."""
+    with tempfile.TemporaryDirectory() as folder:
+        run_bulk("hopper", {"layers": "10", "frames": "8"}, Path(folder) / "run")
+        frames = read_frames(Path(folder) / "run")
+        draw(frames[len(frames) // 2], FOLDER / "hopper_grains.png", view="front")
+
+
 def draw_laws(names: list[str]) -> None:
     for name in names:
         figure = OWN_FIGURES[name]() if name in OWN_FIGURES else law_figure(name)
@@ -252,6 +261,7 @@ def draw_studies() -> None:
     for name, figure in shot_figures().items():
         save(figure, FOLDER / name, (".png",))
     save(hoppers(), FOLDER / "hopper", (".png",))
+    draw_hopper_grains()
     for number in (4, 6):
         figure = chung_ooi_figures.figure(number, *results)
         save(figure, FOLDER / f"chung_ooi_{number}", (".png",))
