@@ -8,6 +8,7 @@ from __future__ import annotations
 from pathlib import Path
 
 import numpy as np
+from stl import write
 
 #: Few, for the sake of energy: LIGGGHTS hands a grain from a facet to the next where its centre
 #: crosses the normal of their edge. The next one's force begins there, with a jump when the overlap
@@ -34,21 +35,5 @@ def shell(facets: int) -> np.ndarray:
     return np.stack([lower, upper], axis=1).reshape(-1, 3, 3)
 
 
-def stl(name: str, triangles: np.ndarray) -> str:
-    """Triangles, (N, 3, 3) corners, as the text of an ASCII STL file."""
-    lines = [f"solid {name}"]
-    for corners in triangles:
-        normal = np.cross(corners[1] - corners[0], corners[2] - corners[0])
-        normal /= np.linalg.norm(normal)
-        lines += [f"  facet normal {_words(normal)}", "    outer loop"]
-        lines += [f"      vertex {_words(corner)}" for corner in corners]
-        lines += ["    endloop", "  endfacet"]
-    return "\n".join([*lines, f"endsolid {name}", ""])
-
-
-def _words(vector: np.ndarray) -> str:
-    return " ".join(f"{value:.9g}" for value in np.where(np.abs(vector) < 1e-12, 0.0, vector))
-
-
 if __name__ == "__main__":
-    Path(__file__).with_name("drum.stl").write_text(stl("drum", shell(FACETS)))
+    write(Path(__file__).with_name("drum.stl"), shell(FACETS))

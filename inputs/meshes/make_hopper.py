@@ -14,6 +14,7 @@ import sys
 from pathlib import Path
 
 import numpy as np
+from stl import write
 
 #: Diameters of the orifice, in N of `hopper_N.stl`.
 ORIFICES = (5, 6, 7, 8)
@@ -53,18 +54,18 @@ def triangles(orifice: float) -> np.ndarray:
     return faces.reshape(-1, 3, 3)
 
 
-def stl(name: str, surface: np.ndarray) -> str:
-    """Triangles of shape (n, 3 corners, 3) as ASCII STL."""
-    lines = [f"solid {name}"]
-    for corners in surface:
-        normal = np.cross(corners[1] - corners[0], corners[2] - corners[0])
-        lines += ["facet normal {:.6f} {:.6f} {:.6f}".format(*normal / np.linalg.norm(normal))]
-        lines += ["outer loop", *("vertex {:.6f} {:.6f} {:.6f}".format(*v) for v in corners)]
-        lines += ["endloop", "endfacet"]
-    return "\n".join([*lines, f"endsolid {name}", ""]).replace("-0.000000", "0.000000")
+def check(orifice: str) -> float:
+    """An orifice a hopper can have. Raises SystemExit for another."""
+    widest = BARREL / 2.5
+    try:
+        size = float(orifice)
+    except ValueError:
+        size = np.nan
+    if not 1.4 < size <= widest:
+        raise SystemExit(f"orifice {orifice}: it must be a number above 1.4, at most {widest:g}")
+    return size
 
 
 if __name__ == "__main__":
-    for size in sys.argv[1:] or map(str, ORIFICES):
-        name = f"hopper_{size}"
-        (Path(__file__).parent / f"{name}.stl").write_text(stl(name, triangles(float(size))))
+    for orifice in sys.argv[1:] or ORIFICES:
+        write(Path(__file__).with_name(f"hopper_{orifice}.stl"), triangles(check(orifice)))

@@ -35,7 +35,7 @@ SERIES = "series.csv"
 #: Frames of the grains, which decks append to.
 DUMP = "grains.dump"
 #: Settings a run that goes on may change; a deck's module may name more of them, CONTINUABLE.
-CONTINUABLE = frozenset({"checkpoints", "frames"})
+CONTINUABLE = frozenset({"frames"})
 #: Where a run's files are and begin, which is never the same.
 PLACES = frozenset({"start", "checkpoint", "inputs", "output", "materials"})
 #: What a run leaves, for one that may overwrite it.

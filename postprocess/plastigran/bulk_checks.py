@@ -94,7 +94,7 @@ def read_settling(settings: Settings, unit: str) -> float:
         ValueError: One is out of range, or fewer rows are left.
     """
     duration = settings.number("duration", 0, unit=unit)
-    settling = settings.number("settling", -1e-300, duration, unit=unit)
+    settling = settings.number("settling", 0, duration, unit=unit, closed=True)
     rows = settings.whole("rows", STEADY_ROWS)
     latest = duration * (1 - STEADY_ROWS / rows)
     if settling > latest * (1 + 1e-12):

@@ -3,9 +3,9 @@
 
 from __future__ import annotations
 
-import runpy
 import shutil
 
+import make_punch
 import numpy as np
 import pandas as pd
 import pytest
@@ -14,7 +14,6 @@ from plastigran.bulk import CheckError, finish, read_record, read_series, run_bu
 from plastigran.bulk_decks.compaction import analyse, stroke
 from plastigran.bulk_decks.compaction.measurement import Loop, heckel_line, measure_loop, punch_work
 from plastigran.checkpoints import PATTERN, step_of
-from plastigran.engine import inputs_folder
 
 #: Sixty grains, in a die ten radii wide.
 SMALL = {"layers": 5, "die_radius": 0.005, "duration": 0.15, "filling": 0.1}
@@ -195,12 +194,9 @@ def test_punch_work_of_a_spring():
     assert work[-1] == pytest.approx(0, abs=1e-12)
 
 
-def test_mesh_is_what_its_script_makes():
-    meshes = inputs_folder() / "meshes"
-    script = runpy.run_path(str(meshes / "make_punch.py"))
-    assert script["stl"]([script["triangle"]()], "punch") == (meshes / "punch.stl").read_text()
-    corners = script["triangle"]()
-    # The unit circle touches the middle of every side.
+def test_punch_covers_the_die():
+    """Its sides touch the circle it is scaled to: the die's rim lies on or within the triangle."""
+    corners = make_punch.triangle()
     assert np.linalg.norm((corners + np.roll(corners, 1, axis=0)) / 2, axis=1) == pytest.approx(1)
 
 

@@ -4,8 +4,6 @@
 from __future__ import annotations
 
 import shutil
-import subprocess
-import sys
 from dataclasses import replace
 
 import pandas as pd
@@ -15,7 +13,6 @@ from plastigran.bulk import CheckError, finish, read_record, read_series, run_bu
 from plastigran.bulk_decks.drum import LEVER_ARM, analyse, power_checks, read_case
 from plastigran.checkpoints import newest_checkpoint, step_of
 from plastigran.deck_source import Settings
-from plastigran.engine import inputs_folder
 
 #: A drum ten grains wide with some hundred of them, turning fast: so it flows evenly.
 SMALL = {"drum_radius": 0.05, "length": 0.03, "froude": 0.05, "duration": 0.9, "settling": 0.3}
@@ -125,13 +122,6 @@ def test_ranks(begun, tmp_path):
     assert two["atoms"].tolist() == one["atoms"].tolist()
     for name in ("kinetic", "gravity"):
         assert two[name].to_numpy() == pytest.approx(one[name].to_numpy(), rel=1e-9)
-
-
-def test_committed_shell_is_what_its_script_makes(tmp_path):
-    meshes = inputs_folder() / "meshes"
-    shutil.copy(meshes / "make_drum.py", tmp_path)
-    subprocess.run([sys.executable, tmp_path / "make_drum.py"], check=True)
-    assert (tmp_path / "drum.stl").read_text() == (meshes / "drum.stl").read_text()
 
 
 @pytest.mark.parametrize(

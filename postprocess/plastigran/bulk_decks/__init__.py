@@ -8,8 +8,8 @@ It has two functions; both raise ValueError for what they cannot take.
     analyse(settings: Settings, series: pd.DataFrame) -> Analysis
         After the run: `series` is the log from step 0, whatever checkpoints it went on from.
 
-and may have CONTINUABLE, names of settings that `--restart` may change beside frames and
-checkpoints.
+and may have CONTINUABLE, names of settings that `--restart` may change beside `frames`: those that
+leave steps before the checkpoint and the restored grains what they were.
 """
 
 from __future__ import annotations

@@ -22,8 +22,8 @@ from plastigran.ledger_figure import ledger_figure
 MEAN_FIELD = 0.08
 #: Statistical standard deviations allowed.
 DEVIATIONS = 4
-#: They say when it ends, and nothing is taken from that but where lines of the log are.
-CONTINUABLE = frozenset({"duration", "rows"})
+#: They say when it ends and where lines of the log and checkpoints are.
+CONTINUABLE = frozenset({"duration", "rows", "checkpoints"})
 #: The model's settings that leave the restitution alone, beside the law's options.
 HARMLESS = ("tangential_damping", "energy_ledger", "overlap_limit")
 

@@ -64,7 +64,7 @@ class Case:
 def read_case(settings: Settings) -> Case:
     """The case of a deck's settings. Raises ValueError naming one out of range."""
     grains = read_grains(settings)
-    spread = settings.number("size_spread", -1e-300, 0.5)
+    spread = settings.number("size_spread", 0, 0.5, closed=True)
     largest = (1 + spread) * grains.radius
     radius = settings.number("drum_radius", 4 * largest, unit="m")
     gravitational_acceleration = settings.number("gravitational_acceleration", 0, unit="m/s^2")
