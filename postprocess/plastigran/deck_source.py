@@ -96,6 +96,8 @@ def find_deck(deck: str | Path) -> Path:
     folder = inputs_folder() / "bulk"
     path = Path(deck) if Path(deck).suffix == ".in" else folder / f"{deck}.in"
     if not path.is_file():
+        if path.parent != folder:
+            raise EngineError(f"no input script {path}")
         names = sorted(file.stem for file in folder.glob("*.in"))
         raise EngineError(f"no deck {str(deck)!r}; there are {', '.join(names)}")
     return path.resolve()

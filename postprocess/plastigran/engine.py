@@ -6,6 +6,7 @@ from __future__ import annotations
 import os
 import re
 import shutil
+import signal
 import subprocess
 from collections.abc import Mapping
 from pathlib import Path
@@ -18,6 +19,10 @@ _INDEX_VARIABLE = re.compile(r'^\s*variable\s+(\w+)\s+index\s+(?:"([^"]*)"|(\S+)
 
 class EngineError(RuntimeError):
     """The engine is missing or stopped with an error; the message holds what it said."""
+
+
+class EngineStopped(EngineError):
+    """The engine began and ended with an error, or was ended."""
 
 
 def inputs_folder() -> Path:
@@ -144,13 +149,19 @@ def check_finished(name: str, returncode: int, folder: Path) -> str:
         folder: Where it wrote `log.liggghts` and `screen.txt`.
 
     Raises:
-        EngineError: It ended with an error, which is quoted.
+        EngineStopped: It ended with an error, which is quoted.
     """
     log = folder / "log.liggghts"
     text = log.read_text(errors="replace") if log.exists() else ""
     said = text + (folder / "screen.txt").read_text(errors="replace")
     if returncode != 0 or "ERROR" in said:
         errors = [line for line in said.splitlines() if "ERROR" in line]
-        reason = errors[0] if errors else (said.strip().splitlines() or ["no output"])[-1]
-        raise EngineError(f"{name}: {reason} (log: {log})")
+        killer = -returncode if returncode < 0 else returncode - 128  # as mpirun reports a rank's
+        if errors:
+            reason = errors[0]
+        elif killer in set(signal.Signals):
+            reason = f"the engine was ended by {signal.Signals(killer).name}"
+        else:
+            reason = (said.strip().splitlines() or ["no output"])[-1]
+        raise EngineStopped(f"{name}: {reason} (log: {log})")
     return text

@@ -21,7 +21,7 @@ def ledger_figure(series: pd.DataFrame) -> Figure:
         figure, (axes, below) = plt.subplots(
             2, 1, figsize=(6.4, 5.4), sharex=True, height_ratios=(3, 1), layout="constrained"
         )
-        shown = [entry for entry in reversed(TAKEN) if series[entry].abs().max() > 1e-6 * came_in]
+        shown = [entry for entry in reversed(TAKEN) if series[entry].abs().max() > 2e-3 * came_in]
         axes.stackplot(
             series["time"],
             [series[entry].clip(lower=0) / came_in for entry in shown],
@@ -30,6 +30,7 @@ def ledger_figure(series: pd.DataFrame) -> Figure:
             alpha=0.75,
             lw=0,
         )
+        axes.set_axisbelow(True)
         axes.set_ylabel(f"energy, of the {came_in:.3g} J that came in")
         handles, labels = axes.get_legend_handles_labels()
         axes.legend(handles[::-1], labels[::-1], loc="upper left")

@@ -158,7 +158,11 @@ def _add_grains(plotter: pyvista.Plotter, frame: Frame, colour: str, bar: dict) 
     sphere = pyvista.Sphere(radius=1, theta_resolution=facets, phi_resolution=facets)
     balls = grains.glyph(geom=sphere, scale="radius", orient=False)
     plotter.add_mesh(
-        balls, scalars=COLOURS[colour], cmap="viridis", smooth_shading=True, scalar_bar_args=bar
+        balls,
+        scalars=COLOURS[colour],
+        cmap="viridis",
+        smooth_shading=True,
+        scalar_bar_args=bar | {"title": f"{COLOURS[colour]}\n"},
     )
 
 
@@ -189,5 +193,5 @@ def _add_contacts(plotter: pyvista.Plotter, frame: Frame, bar: dict) -> None:
         clim=(0, force.max()),
         cmap="inferno_r",
         smooth_shading=True,
-        scalar_bar_args=bar,
+        scalar_bar_args=bar | {"title": f"{name}\n"},
     )

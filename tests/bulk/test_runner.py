@@ -152,6 +152,8 @@ def test_killed_engine_is_said_and_goes_on_from_its_newest_checkpoint(tmp_path):
     os.kill(max(engines(tmp_path / "run")), signal.SIGKILL)  # a rank: they start after mpirun
     _, said = run.communicate(timeout=60)
     assert run.returncode == 1 and "cooling_gas.in" in said
+    assert "the engine was ended by SIGKILL" in said
+    assert f"go on from its newest checkpoint with --restart {tmp_path}" in said
     assert not engines(tmp_path / "run")
     before = read_series(tmp_path / "run")
     checkpoint = newest_checkpoint(tmp_path / "run")

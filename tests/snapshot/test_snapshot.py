@@ -122,4 +122,4 @@ def test_no_frames_is_said(tmp_path):
 
 def test_command_writes_into_the_run(run, capsys):
     assert main(["snapshot", str(run), "--colour", "speed", "--view", "front"]) == 0
-    assert drawn(run / "figures" / "speed_100.png").any()
+    assert drawn(run / "figures" / "speed_front_100.png").any()

@@ -4,12 +4,19 @@
 from __future__ import annotations
 
 import argparse
+import re
 import signal
 from pathlib import Path
 
+from plastigran.checkpoints import newest_checkpoint
 from plastigran.cli.arguments import positive_integer
+from plastigran.engine import EngineError, EngineStopped
 
 HELP = "run a bulk deck, check its invariants, draw its figures"
+
+
+#: What our models warn of, without the place in the source.
+_WARNING = re.compile(r"^WARNING: ((?:model|the time step) .*?)(?: \(\S+:\d+\))?$", re.MULTILINE)
 
 
 def setting(text: str) -> tuple[str, str]:
@@ -43,7 +50,7 @@ def add_arguments(command: argparse.ArgumentParser) -> None:
 
 
 def run(arguments: argparse.Namespace) -> None:
-    from plastigran.bulk import run_bulk  # matplotlib is slow to load
+    from plastigran.bulk import CheckError, run_bulk  # matplotlib is slow to load
 
     # A batch system's SIGTERM stops the ranks as Ctrl-C does.
     signal.signal(signal.SIGTERM, signal.default_int_handler)
@@ -62,14 +69,35 @@ def run(arguments: argparse.Namespace) -> None:
             arguments.force,
         )
     except KeyboardInterrupt:
-        raise KeyboardInterrupt(
-            f"go on from its newest checkpoint with --restart {arguments.output}"
-        ) from None
+        raise KeyboardInterrupt(how_to_go_on(arguments.output)) from None
+    except EngineStopped as error:
+        raise EngineError(f"{error}; {how_to_go_on(arguments.output)}") from None
+    except CheckError:
+        report(arguments.output)
+        raise
     if analysis is None:
         print(f"{name} has no checks and figures")
     else:
-        for check in analysis.checks:
-            print(
-                f"ok  {check.name}: {check.value:.3g}, at most {check.limit:.3g} ({check.reason})"
-            )
+        report(arguments.output)
     print(f"written: {arguments.output}")
+
+
+def how_to_go_on(folder: Path) -> str:
+    try:
+        newest_checkpoint(folder)
+    except EngineError:
+        return "it has left no checkpoint to go on from"
+    return f"go on from its newest checkpoint with --restart {folder}"
+
+
+def report(folder: Path) -> None:
+    """Print every check of a run, and what the models warned of."""
+    import pandas as pd  # slow to load
+
+    for check in pd.read_csv(folder / "checks.csv").itertuples():
+        word = "ok" if check.passed else "NO"
+        print(
+            f"{word}  {check.name}: {check.value:.3g}, at most {check.limit:.3g} ({check.reason})"
+        )
+    for warning in dict.fromkeys(_WARNING.findall((folder / "log.liggghts").read_text())):
+        print(f"the engine warned: {warning}")

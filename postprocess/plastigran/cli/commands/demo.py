@@ -7,6 +7,7 @@ import argparse
 from pathlib import Path
 
 from plastigran.cli.arguments import add_jobs, law_names
+from plastigran.cli.commands.bulk import report
 from plastigran.cli.commands.impact import run_impacts
 from plastigran.engine import PROJECT
 from plastigran.impact import GEOMETRIES, PAPER_SPEEDS, plan, sweep
@@ -44,9 +45,11 @@ def run(arguments: argparse.Namespace) -> None:
     print("\nA freely cooling gas of 512 grains, on two ranks:")
     gas = folder / "cooling_gas"
     run_bulk("cooling_gas", {"side": "8"}, gas, ranks=2, force=True)
+    report(gas)
     print("\nA hopper of 2080 yielding grains runs out, on two ranks:")
     hopper = folder / "hopper"
     run_bulk("hopper", {"layers": "10", "frames": "8"}, hopper, ranks=2, force=True)
+    report(hopper)
     picture = hopper / "figures" / "grains.png"
     frames = read_frames(hopper)
     draw(frames[len(frames) // 2], picture, view="front")
@@ -54,6 +57,7 @@ def run(arguments: argparse.Namespace) -> None:
         folder / "speeds" / "restitution.png",
         gas / "figures" / "cooling_gas.png",
         hopper / "figures" / "hopper.png",
+        hopper / "figures" / "ledger.png",
         picture,
     ]
     print("\nLook at\n" + "\n".join(f"  {figure}" for figure in figures))

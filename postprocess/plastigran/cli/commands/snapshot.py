@@ -17,7 +17,7 @@ def add_arguments(command: argparse.ArgumentParser) -> None:
     command.add_argument("--contacts", action="store_true", help="force chains instead of grains")
     command.add_argument("--colour", choices=list(COLOURS), default="plastic_work")
     command.add_argument("--view", choices=list(VIEWS), default="corner", help="default corner")
-    command.add_argument("--output", type=Path, help="default FOLDER/figures/NAME_STEP.png")
+    command.add_argument("--output", type=Path, help="default FOLDER/figures/NAME_VIEW_STEP.png")
 
 
 def run(arguments: argparse.Namespace) -> None:
@@ -27,7 +27,9 @@ def run(arguments: argparse.Namespace) -> None:
         steps = ", ".join(str(known) for known in frames)
         raise SnapshotError(f"no frame of step {step} in {arguments.folder}; there are {steps}")
     name = "contacts" if arguments.contacts else arguments.colour
-    picture = arguments.output or arguments.folder / "figures" / f"{name}_{step}.png"
+    picture = (
+        arguments.output or arguments.folder / "figures" / f"{name}_{arguments.view}_{step}.png"
+    )
     picture.parent.mkdir(parents=True, exist_ok=True)
     draw(frames[step], picture, arguments.colour, arguments.contacts, arguments.view)
     print(f"written: {picture}")
