@@ -68,7 +68,7 @@ class ElastoplasticNormalModel : public NormalModelBase {
   void registerSettings(Settings& settings) override {
     settings.registerOnOff("viscous_damping", viscous_damping_, false);
     settings.registerOnOff("tangential_damping", tangential_damping_, true);
-    settings.registerDoubleSetting("overlap_limit", overlap_limit_, 0.9);
+    settings.registerDoubleSetting("overlap_limit", overlap_limit_, 1.0);
     for (const auto& option : Law::options) register_choice(settings, option);
     settings.registerOnOff("computeElasticPotential", engine_elastic_potential_, false);
     settings.registerOnOff("computeDissipatedEnergy", engine_dissipated_energy_, false);
@@ -496,7 +496,7 @@ class ElastoplasticNormalModel : public NormalModelBase {
   typename Law::Parameters choices_;  // the law's options as set; its constants at their defaults
   bool viscous_damping_ = false;
   bool tangential_damping_ = true;  // the dashpot beside the tangential spring too
-  double overlap_limit_ = 0.9;      // of the smaller radius; beyond it the run is stopped
+  double overlap_limit_ = 1.0;      // of the smaller radius; beyond it the run is stopped
   bool engine_elastic_potential_ = false;
   bool engine_dissipated_energy_ = false;
   bool smooth_friction_ = false;

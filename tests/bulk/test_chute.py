@@ -110,7 +110,7 @@ def test_profile_is_told_from_others(power, fits):
 
 def test_restart_continues_the_flow(tmp_path):
     """Gone on from the second checkpoint of four: grains and ledger to rounding
-    of sums: grains come out of the file in another order."""
+    of sums: grains come out of the file in another order. 1e-10: the bed multiplies it."""
     expected = begin(tmp_path / "whole")
     for _ in range(2):
         newest_checkpoint(tmp_path / "whole").unlink()
@@ -122,7 +122,7 @@ def test_restart_continues_the_flow(tmp_path):
     assert 0 < first < expected["step"].iloc[-1]
     # These two are what rounding leaves of the sums.
     difference = (found - expected).drop(columns=["drift", "inserted"]).abs()
-    assert (difference <= 1e-12 * expected.abs().max()[difference.columns]).all(axis=None)
+    assert (difference <= 1e-10 * expected.abs().max()[difference.columns]).all(axis=None)
 
 
 def test_ranks_and_glued_base(tmp_path):

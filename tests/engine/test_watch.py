@@ -76,12 +76,12 @@ def test_velocity_that_is_no_number(tmp_path):
 
 @pytest.mark.parametrize("ranks", [1, 2])
 def test_overlap(ranks, tmp_path):
-    """By 0.94 of the radius, across the border of two ranks; allowed when the deck says so."""
-    grains = [(0, -0.53 * RADIUS, 0.05), (0, 0.53 * RADIUS, 0.05)]
+    """By 1.04 of the radius, across the border of two ranks; allowed when the deck says so."""
+    grains = [(0, -0.48 * RADIUS, 0.05), (0, 0.48 * RADIUS, 0.05)]
     said = stopped(tmp_path, grains, ranks=ranks)
     assert re.search(r"particle [12] at \(0 \S+ 0.05\) overlaps particle [12] at", said)
-    assert "by 0.94 of the smaller radius, more than overlap_limit 0.9" in said
-    run(tmp_path, grains, ranks=ranks, settings="overlap_limit 0.97", steps=1)
+    assert "by 1.04 of the smaller radius, more than overlap_limit 1." in said
+    run(tmp_path, grains, ranks=ranks, settings="overlap_limit 1.2", steps=1)
 
 
 @pytest.mark.parametrize("limit", ["0", "-0.5", "3"])
@@ -91,7 +91,7 @@ def test_overlap_limit_out_of_range(limit, tmp_path):
 
 
 def test_overlap_with_a_wall(tmp_path):
-    said = stopped(tmp_path, [(0, 0, 0.06 * RADIUS)])
+    said = stopped(tmp_path, [(0, 0, 0.06 * RADIUS)], settings="overlap_limit 0.9")
     assert "particle 1 at (0 0 0.00015) overlaps a wall by 0.94 of the smaller radius" in said
 
 
