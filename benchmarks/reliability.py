@@ -62,8 +62,8 @@ class Row:
         return self.limit is None or bool(self.value <= self.limit)
 
     def cells(self) -> str:
-        limit = "" if self.limit is None else f"{self.limit:.3g}"
-        return f"{self.what} | {self.value:.3g} | {limit}"
+        limit = "" if self.limit is None else f"{self.limit:.4g}"
+        return f"{self.what} | {self.value:.4g} | {limit}"
 
 
 class RunLost(RuntimeError):
