@@ -35,7 +35,7 @@ from plastigran.bulk_checks import LEDGER_CHECKS, energy_input
 from plastigran.checkpoints import PATTERN, step_of
 from plastigran.dumps import read_dump
 from plastigran.engine import PROJECT, EngineError, run_deck
-from plastigran.engine_watch import LogFollower
+from plastigran.engine_watch import LogFollower, engines
 
 WORK = PROJECT / "results" / "reliability"
 PAGE = PROJECT / "docs" / "reliability.md"
@@ -188,19 +188,6 @@ def _run_part(folder: Path, ranks: int, earlier: Path | None) -> None:
     except Exception as error:  # killed, or lost
         (folder / "error.txt").write_text(repr(error))
         os._exit(1)
-
-
-def engines(folder: Path) -> list[int]:
-    """Process ids of mpirun and engines at work for a folder."""
-    log, found = str(folder / "log.liggghts").encode(), []
-    for process in Path("/proc").glob("[0-9]*"):
-        try:
-            words = (process / "cmdline").read_bytes().split(b"\0")
-        except OSError:
-            continue  # it has ended
-        if log in words:
-            found.append(int(process.name))
-    return found
 
 
 def checkpoint_interval(folder: Path) -> int:

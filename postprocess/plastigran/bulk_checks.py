@@ -16,8 +16,6 @@ LEDGER_CHECKS = (
     "drift of the energy ledger, over the energy that came in",
     "plastic work lost, over the energy that came in",
 )
-#: Rows of the log a steady part has at least: a line goes through them.
-STEADY_ROWS = 10
 #: Spacing of rows up to which trapezia over them miss next to nothing, in times a grain needs to
 #: move by its size under its weight, sqrt(d/g).
 FINE_ROWS = 0.25
@@ -81,28 +79,6 @@ def ledger_checks(settings: Settings, series: pd.DataFrame) -> list[Check]:
             "plastic work only grows, to rounding of its sum over ranks",
         ),
     ]
-
-
-def read_settling(settings: Settings, unit: str) -> float:
-    """The setting `settling`, after which `duration` goes on for ten rows of the log or more.
-
-    Args:
-        settings: Of the deck, with `duration`, `settling` and `rows`.
-        unit: Of `duration` and `settling`.
-
-    Raises:
-        ValueError: One is out of range, or fewer rows are left.
-    """
-    duration = settings.number("duration", 0, unit=unit)
-    settling = settings.number("settling", 0, duration, unit=unit, closed=True)
-    rows = settings.whole("rows", STEADY_ROWS)
-    latest = duration * (1 - STEADY_ROWS / rows)
-    if settling > latest * (1 + 1e-12):
-        raise ValueError(
-            f"settling is {settings['settling']}; it must be {latest:g} [{unit}] or less, so that "
-            f"{STEADY_ROWS} of {rows} rows are left"
-        )
-    return settling
 
 
 def trapezia_factor(time: pd.Series, diameter: float, gravitational_acceleration: float) -> float:

@@ -149,6 +149,19 @@ def _show(bar: tqdm, follower: LogFollower) -> None:
     bar.update(progress.step - progress.first - bar.n)
 
 
+def engines(folder: Path) -> list[int]:
+    """Process ids of mpirun and the engines at work for a folder, on this machine."""
+    log, found = str(folder / "log.liggghts").encode(), []
+    for process in Path("/proc").glob("[0-9]*"):
+        try:
+            words = (process / "cmdline").read_bytes().split(b"\0")
+        except OSError:
+            continue  # it has ended
+        if log in words:
+            found.append(int(process.name))
+    return found
+
+
 def stop(engine: subprocess.Popen) -> None:
     """Ask an engine, or mpirun and through it every rank, to stop; kill it after `GRACE`."""
     if engine.poll() is not None:

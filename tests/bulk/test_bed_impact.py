@@ -3,8 +3,6 @@
 
 from __future__ import annotations
 
-import shutil
-
 import numpy as np
 import pandas as pd
 import pytest
@@ -16,7 +14,6 @@ from plastigran.bulk_decks.bed_impact.measurement import (
     plastic_work_by_depth,
     read_grains_dump,
 )
-from plastigran.checkpoints import PATTERN, step_of
 from plastigran.deck_source import Settings, read_deck
 
 #: Thirty-six shots on a plate, fast enough to be back soon.
@@ -102,21 +99,14 @@ def test_bed_takes_what_the_plate_gives_back(bed):
 
 
 @pytest.mark.parametrize("target", ["plate", "bed"])
-def test_restart(target, plate, bed, tmp_path, request):
+def test_restart(target, plate, bed, gone_on, tmp_path, request):
     """Gone on from a checkpoint; where the shot was and how fast comes along.
 
     On the plate to every digit. In the bed forces on a grain are summed in another order, which it
     multiplies: 1e-6 of the shot's speed and of the work.
     """
     whole = request.getfixturevalue(target)
-    stopped = tmp_path / "stopped"
-    shutil.copytree(whole, stopped)
-    checkpoints = sorted(stopped.glob(PATTERN), key=step_of)
-    for file in checkpoints[2:]:
-        file.unlink()
-    run_bulk("bed_impact", {}, tmp_path / "rest", restart=stopped, show=False)
-    expected, found = read_series(whole), read_series(tmp_path / "rest")
-    assert found["step"].tolist() == expected["step"].tolist()
+    expected, found, _ = gone_on(whole, kept=2)
     before = read_grains_dump(whole / "grains.dump")
     after = read_grains_dump(tmp_path / "rest" / "grains.dump")
     if target == "plate":

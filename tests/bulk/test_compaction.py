@@ -3,8 +3,6 @@
 
 from __future__ import annotations
 
-import shutil
-
 import make_punch
 import numpy as np
 import pandas as pd
@@ -13,7 +11,6 @@ import pytest
 from plastigran.bulk import CheckError, finish, read_record, read_series, run_bulk
 from plastigran.bulk_decks.compaction import analyse, stroke
 from plastigran.bulk_decks.compaction.measurement import Loop, heckel_line, measure_loop, punch_work
-from plastigran.checkpoints import PATTERN, step_of
 
 #: Sixty grains, in a die ten radii wide.
 SMALL = {"layers": 5, "die_radius": 0.005, "duration": 0.15, "filling": 0.1}
@@ -110,21 +107,13 @@ def test_punch_that_stays_is_noticed(pressed, tmp_path):
         finish(analyse(read_record(pressed)["settings"], loaded), tmp_path)
 
 
-def test_restart(pressed, tmp_path):
+def test_restart(pressed, gone_on, tmp_path):
     """Gone on from half way: the punch to every digit, bed and ledger to rounding.
 
     1e-8: forces on a grain are summed in another order, and the bed multiplies that a thousandfold.
     """
-    stopped = tmp_path / "stopped"
-    shutil.copytree(pressed, stopped)
-    checkpoints = sorted(stopped.glob(PATTERN), key=step_of)
-    for file in checkpoints[6:]:
-        file.unlink()
-    run_bulk("compaction", {}, tmp_path / "rest", restart=stopped, show=False)
-    expected, found = read_series(pressed), read_series(tmp_path / "rest")
-    after = expected["step"] > step_of(checkpoints[5])
-    assert 20 < after.sum() < 80
-    assert found["step"].tolist() == expected["step"].tolist()
+    expected, found, step = gone_on(pressed, kept=6)
+    assert 20 < (expected["step"] > step).sum() < 80
     scale = expected.abs().max().clip(lower=expected["wallwork"].max())
     assert ((found - expected).abs() <= 1e-8 * scale).all(axis=None)
     assert found["height"].tolist() == expected["height"].tolist()

@@ -20,7 +20,7 @@ from plastigran.checkpoints import PATTERN, newest_checkpoint, step_of
 from plastigran.cli import main
 from plastigran.deck_source import read_deck
 from plastigran.engine import EngineError, inputs_folder
-from plastigran.engine_watch import LogFollower
+from plastigran.engine_watch import LogFollower, engines
 
 #: Short enough for a test to wait for its end, and with many checkpoints.
 SHORT = {"side": 5, "duration": 24, "rows": 24, "checkpoints": 12, "mixing": 1}
@@ -119,19 +119,6 @@ def start(folder: Path, ranks: int) -> subprocess.Popen:
         assert run.poll() is None, run.stderr.read()
         time.sleep(0.05)
     return run
-
-
-def engines(folder: Path) -> list[int]:
-    """Process ids of mpirun and engines at work for a folder."""
-    found = []
-    for process in Path("/proc").glob("[0-9]*"):
-        try:
-            words = (process / "cmdline").read_bytes().split(b"\0")
-        except OSError:
-            continue  # it has ended
-        if str(folder / "log.liggghts").encode() in words:
-            found.append(int(process.name))
-    return found
 
 
 @pytest.mark.parametrize(("ranks", "sent"), [(1, signal.SIGTERM), (2, signal.SIGINT)])

@@ -18,8 +18,9 @@ from plastigran.bulk_decks.bed_impact.measurement import (
     predicted_rebound,
     read_grains_dump,
 )
+from plastigran.bulk_settings import check_contact, check_course
 from plastigran.deck_source import Settings
-from plastigran.grains import Grains, check_contact, check_rows, read_grains, read_options
+from plastigran.grains import Grains, read_grains, read_options
 from plastigran.ledger_figure import ledger_figure
 
 #: Error of the integrator at a sound time step: restitution, rebound speed and plastic work.
@@ -31,17 +32,14 @@ STEP = 1e-4
 def check_settings(settings: Settings) -> None:
     grains = read_grains(settings)
     check_contact(settings)
-    check_rows(settings)
+    check_course(settings)
     if settings["ledger"] != "on":
         raise ValueError("ledger is off; the plastic work of grains is part of it: set ledger=on")
     settings.whole("side", 2)
     settings.whole("shot_layers", 1)
     slowest = settings.number("slowest", 0, unit="m/s")
     settings.number("fastest", slowest, unit="m/s")
-    for name in ("duration", "timestep"):
-        settings.number(name, 0, unit="s")
-    settings.number("seed", -inf)
-    settings.whole("frames", 0)
+    settings.number("duration", 0, unit="s")
     if settings["target"] == "plate":
         check_plate(settings, grains)
     else:

@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from math import cos, inf, radians, sin
+from math import cos, radians, sin
 from pathlib import Path
 
 import pandas as pd
@@ -15,15 +15,15 @@ from plastigran.bulk_checks import (
     count_check,
     dissipated,
     ledger_checks,
-    read_settling,
     trapezia_factor,
 )
 from plastigran.bulk_decks import Analysis, Check
 from plastigran.bulk_decks.chute.figure import chute_figure
 from plastigran.bulk_decks.chute.profile import Profile, fit_profile
+from plastigran.bulk_settings import check_contact, check_course, read_settling
 from plastigran.deck_source import Settings
 from plastigran.dumps import read_dump
-from plastigran.grains import Grains, check_contact, check_rows, read_grains
+from plastigran.grains import Grains, read_grains
 from plastigran.ledger_figure import ledger_figure
 
 #: Share of the weight's work it may be off the centre of mass's, with rows as close as FINE_ROWS.
@@ -69,14 +69,11 @@ def read_case(settings: Settings) -> Case:
 def check_settings(settings: Settings) -> None:
     read_case(settings)
     check_contact(settings)
-    check_rows(settings)
+    check_course(settings)
     settings.number("volume_fraction", 0, 0.64)
     settings.number("size_spread", 0, 0.3, closed=True)
     settings.number("start_speed", 0, unit="m/s", closed=True)
     settings.number("temperature", 0, unit="m^2/s^2")
-    settings.number("seed", -inf)
-    settings.number("timestep", 0, unit="s")
-    settings.whole("frames", 0)
 
 
 def analyse(settings: Settings, series: pd.DataFrame) -> Analysis:

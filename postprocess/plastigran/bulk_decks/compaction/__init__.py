@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from math import inf, pi
+from math import pi
 
 import numpy as np
 import pandas as pd
@@ -17,9 +17,10 @@ from plastigran.bulk_decks.compaction.measurement import (
     measure_loop,
     punch_work,
 )
+from plastigran.bulk_settings import check_contact, check_course
 from plastigran.deck_source import Settings
 from plastigran.figures import title
-from plastigran.grains import check_contact, check_rows, read_grains
+from plastigran.grains import read_grains
 from plastigran.ledger_figure import ledger_figure
 
 #: What the sum over a hundred rows of the log may miss of the punch's work; trapezia of half the
@@ -34,17 +35,15 @@ LOADED = 0.2
 def check_settings(settings: Settings) -> None:
     grains = read_grains(settings)
     check_contact(settings)
-    check_rows(settings)
+    check_course(settings)
     settings.number("die_radius", 4 * grains.radius, unit="m")
     settings.whole("layers", 3)
     # Spheres stand at 0.5236 on the lattice; pressed flat they fill the die.
     settings.number("relative_density", 0.5236, 1)
     settings.number("release", 0, 1 + 1e-12)
-    for name in ("duration", "timestep", "filling"):
+    for name in ("duration", "filling"):
         settings.number(name, 0, unit="s")
     settings.number("gravitational_acceleration", 0, unit="m/s^2")
-    settings.number("seed", -inf)
-    settings.whole("frames", 0)
 
 
 def analyse(settings: Settings, series: pd.DataFrame) -> Analysis:

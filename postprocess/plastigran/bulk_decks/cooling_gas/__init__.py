@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from math import inf, pi
+from math import pi
 
 import pandas as pd
 
@@ -13,9 +13,10 @@ from plastigran.bulk_checks import count_check, ledger_checks
 from plastigran.bulk_decks import Analysis, Check
 from plastigran.bulk_decks.cooling_gas.figure import cooling_figure
 from plastigran.bulk_decks.cooling_gas.kinetic_theory import FREEZING, Gas, cool, law_restitution
+from plastigran.bulk_settings import check_course
 from plastigran.deck_source import Settings
 from plastigran.figures import title
-from plastigran.grains import Grains, check_ledger, check_rows, read_grains, read_options
+from plastigran.grains import Grains, read_grains, read_options
 from plastigran.ledger_figure import ledger_figure
 
 #: What mean field itself may be off by: up to 7 % was found (docs/decks/cooling_gas.md).
@@ -78,13 +79,9 @@ def read_case(settings: Settings) -> Case:
 
 def check_settings(settings: Settings) -> None:
     read_case(settings)
-    settings.number("timestep", 0, unit="s")
     settings.number("mixing", 0)
     settings.number("duration", 0)
-    settings.number("seed", -inf)
-    settings.whole("frames", 0)
-    check_rows(settings)
-    check_ledger(settings)
+    check_course(settings)
 
 
 def analyse(settings: Settings, series: pd.DataFrame) -> Analysis:

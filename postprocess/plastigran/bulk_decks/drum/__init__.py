@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from math import atan, degrees, inf, pi
+from math import atan, degrees, pi
 from pathlib import Path
 
 import numpy as np
@@ -16,14 +16,14 @@ from plastigran.bulk_checks import (
     count_check,
     dissipated,
     ledger_checks,
-    read_settling,
     trapezia_factor,
 )
 from plastigran.bulk_decks import Analysis, Check
 from plastigran.bulk_decks.drum.figure import drum_figure
+from plastigran.bulk_settings import check_contact, check_course, read_settling
 from plastigran.deck_source import Settings
 from plastigran.dumps import read_dump
-from plastigran.grains import Grains, check_contact, check_rows, read_grains
+from plastigran.grains import Grains, read_grains
 from plastigran.ledger_figure import ledger_figure
 
 #: Angle at which a sphere without friction slides out of the hollow between three others [degrees].
@@ -86,13 +86,10 @@ def read_case(settings: Settings) -> Case:
 def check_settings(settings: Settings) -> None:
     read_case(settings)
     check_contact(settings)
-    check_rows(settings)
+    check_course(settings)
     settings.number("bed_height", -0.8, 0.8, unit="drum radii")
     settings.number("volume_fraction", 0, 0.64)
     settings.number("temperature", 0, unit="m^2/s^2")
-    settings.number("seed", -inf)
-    settings.number("timestep", 0, unit="s")
-    settings.whole("frames", 0)
 
 
 def analyse(settings: Settings, series: pd.DataFrame) -> Analysis:

@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from math import inf
 
 import pandas as pd
 
@@ -12,9 +11,10 @@ from plastigran.bulk_checks import ledger_checks
 from plastigran.bulk_decks import Analysis, Check
 from plastigran.bulk_decks.hopper.beverloo import Discharge, measure_discharge
 from plastigran.bulk_decks.hopper.figure import discharge_figure
+from plastigran.bulk_settings import check_contact, check_course
 from plastigran.deck_source import Settings
 from plastigran.engine import inputs_folder
-from plastigran.grains import Grains, check_contact, check_rows, read_grains
+from plastigran.grains import Grains, read_grains
 from plastigran.ledger_figure import ledger_figure
 
 #: Standard deviations by which the rates of two halves may differ.
@@ -75,15 +75,12 @@ def read_case(settings: Settings) -> Case:
 def check_settings(settings: Settings) -> None:
     read_case(settings)
     check_contact(settings)
-    check_rows(settings)
+    check_course(settings)
     if settings.whole("layers", 1) > LAYERS:
         raise ValueError(f"layers is {settings['layers']}; the barrel takes {LAYERS}")
-    settings.number("timestep", 0, unit="s")
     settings.number("temperature", 0, unit="m^2/s^2")
     settings.number("filling", 0, unit="s")
     settings.number("duration", 0)
-    settings.number("seed", -inf)
-    settings.whole("frames", 0)
 
 
 def analyse(settings: Settings, series: pd.DataFrame) -> Analysis:
