@@ -26,8 +26,8 @@ from pathlib import Path
 import pandas as pd
 from tqdm import tqdm
 
-from plastigran.dumps import read_contacts
-from plastigran.engine import PROJECT, EngineError, engine_path, run_deck
+from plastigran.engine.dumps import read_contacts
+from plastigran.engine.process import PROJECT, EngineError, engine_path, run_deck
 
 HERE = Path(__file__).resolve().parent
 WORK = PROJECT / "build" / "bench"

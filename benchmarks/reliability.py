@@ -30,12 +30,12 @@ import pandas as pd
 from tqdm import tqdm
 
 from plastigran import laws
-from plastigran.bulk import read_record, read_series, restart_point, run_bulk
-from plastigran.bulk_checks import LEDGER_CHECKS, energy_input
-from plastigran.checkpoints import PATTERN, step_of
-from plastigran.dumps import read_dump
-from plastigran.engine import PROJECT, EngineError, run_deck
-from plastigran.engine_watch import LogFollower, engines
+from plastigran.bulk.checks import LEDGER_CHECKS, energy_input
+from plastigran.bulk.run import read_record, read_series, restart_point, run_bulk
+from plastigran.engine.checkpoints import PATTERN, step_of
+from plastigran.engine.dumps import read_dump
+from plastigran.engine.process import PROJECT, EngineError, run_deck
+from plastigran.engine.watch import LogFollower, engines
 
 WORK = PROJECT / "results" / "reliability"
 PAGE = PROJECT / "docs" / "reliability.md"

@@ -16,27 +16,27 @@ from pathlib import Path
 import numpy as np
 from scipy.integrate import solve_ivp
 
-from plastigran import (
+from plastigran import laws
+from plastigran.bulk.decks import cooling_gas, hopper
+from plastigran.bulk.decks.compaction.figure import compaction_figure
+from plastigran.bulk.decks.cooling_gas.figure import cooling_figure
+from plastigran.bulk.decks.hopper.figure import orifices_figure
+from plastigran.bulk.run import read_record, run_bulk
+from plastigran.experiments import (
+    central_figures,
     chung_ooi,
     chung_ooi_figures,
     cylinder,
     cylinder_figures,
-    figures,
-    laws,
-    theory,
 )
-from plastigran.bulk import read_record, run_bulk
-from plastigran.bulk_decks import cooling_gas, hopper
-from plastigran.bulk_decks.compaction.figure import compaction_figure
-from plastigran.bulk_decks.cooling_gas.figure import cooling_figure
-from plastigran.bulk_decks.hopper.figure import orifices_figure
-from plastigran.figures import STYLE, plt, save, title
-from plastigran.impact import PAPER_SPEEDS, laws_for, plan, sweep
+from plastigran.experiments.central import PAPER_SPEEDS, laws_for, plan, sweep
+from plastigran.experiments.rod import figures as rod_figures
+from plastigran.experiments.rod import paper_rods
+from plastigran.experiments.rod import runs as rod_runs
 from plastigran.materials import RIGID, read_material
-from plastigran.rod import figures as rod_figures
-from plastigran.rod import paper_rods
-from plastigran.rod import runs as rod_runs
-from plastigran.snapshot import draw, read_frames
+from plastigran.physics import central
+from plastigran.plot.snapshot import draw, read_frames
+from plastigran.plot.style import COLOURS, STYLE, plt, save, title
 
 FOLDER = Path(__file__).parent / "figures"
 RADIUS = 0.01  # the figures are dimensionless; any size gives the same
@@ -47,7 +47,7 @@ def sphere_law(name: str):
     pair = laws.combine(read_material("aluminium_zv02").body(), RIGID)
     overlap_y = RADIUS * laws.yield_radius_ratio(pair) ** 2
     force_y = 4 / 3 * pair.youngs_modulus_eff * np.sqrt(RADIUS) * overlap_y**1.5
-    yield_speed = theory.yield_speed(pair, RADIUS, 1.0)
+    yield_speed = central.yield_speed(pair, RADIUS, 1.0)
     return laws.LAWS[name](pair), laws.Hertz(pair), force_y, overlap_y, yield_speed
 
 
@@ -59,7 +59,7 @@ def cylinder_law(name: str):
     )
     lengths = {"cylinder_length": 10 * RADIUS, "body_thickness": 10 * RADIUS}
     law, elastic = (laws.LAWS[name](bodies, **lengths) for bodies in (pair, strong))
-    force_y, overlap_y, work_y = theory.line_yield(pair, RADIUS, *lengths.values())
+    force_y, overlap_y, work_y = central.line_yield(pair, RADIUS, *lengths.values())
     return law, elastic, force_y, overlap_y, np.sqrt(2 * work_y)
 
 
@@ -76,7 +76,7 @@ def law_figure(name: str) -> plt.Figure:
             x = np.linspace(0, 8, 100)
             elastic = unyielding.follow(RADIUS, x * overlap_y, unyielding.State())["force"]
             left.plot(x, elastic / force_y, ":", color="0.5", label="elastic")
-        left.plot(path, force, color=figures.COLOURS[0], label=title(name))
+        left.plot(path, force, color=COLOURS[0], label=title(name))
         left.set_xlabel("overlap / overlap at yield")
         left.set_ylabel("force / force at yield")
         left.legend(loc="upper left")
@@ -85,7 +85,7 @@ def law_figure(name: str) -> plt.Figure:
             law.central_impact(RADIUS, 1.0, q * yield_speed).coefficient_of_restitution
             for q in ratio
         ]
-        right.semilogx(ratio, restitution, color=figures.COLOURS[0])
+        right.semilogx(ratio, restitution, color=COLOURS[0])
         right.set_ylim(0, 1.05)
         right.set_xlabel("impact speed / yield speed")
         right.set_ylabel("coefficient of restitution")
@@ -100,10 +100,10 @@ def viscoelastic_figure() -> plt.Figure:
     bodies = RADIUS, mass, pair.youngs_modulus_eff
     with plt.rc_context(STYLE):
         figure, (left, right) = plt.subplots(1, 2, figsize=(8.2, 3.4), layout="constrained")
-        overlap_max = theory.hertz_overlap_max(*bodies, speed)
-        force_max = theory.hertz_force_max(*bodies, speed)
-        for number, colour in zip((0, 0.3, 0.6, 1.0), ["0.5", *figures.COLOURS], strict=False):
-            unit = theory.viscoelastic_number(1.0, *bodies, speed)
+        overlap_max = central.hertz_overlap_max(*bodies, speed)
+        force_max = central.hertz_force_max(*bodies, speed)
+        for number, colour in zip((0, 0.3, 0.6, 1.0), ["0.5", *COLOURS], strict=False):
+            unit = central.viscoelastic_number(1.0, *bodies, speed)
             law = laws.ViscoelasticHertz(pair, dissipative_constant=(number / unit) ** 2)
 
             def motion(_, y, law=law):
@@ -129,7 +129,7 @@ def viscoelastic_figure() -> plt.Figure:
         left.set_ylabel("force / largest of Hertz")
         left.legend(loc="upper left")
         speeds = np.geomspace(1e-5, 1, 60)
-        for radius, colour in zip((1e-3, 1e-2, 1e-1), figures.COLOURS, strict=False):
+        for radius, colour in zip((1e-3, 1e-2, 1e-1), COLOURS, strict=False):
             mass_eff = 4 / 3 * np.pi * radius**3 * ice.density
             law = laws.ViscoelasticHertz(pair, dissipative_constant=2e-6)
             right.semilogx(
@@ -141,10 +141,10 @@ def viscoelastic_figure() -> plt.Figure:
                 color=colour,
                 label=f"R = {1e3 * radius:g} mm",
             )
-            number = theory.viscoelastic_number(
+            number = central.viscoelastic_number(
                 2e-6, radius, mass_eff, pair.youngs_modulus_eff, speeds
             )
-            pade = theory.viscoelastic_restitution(number)
+            pade = central.viscoelastic_restitution(number)
             right.plot(speeds[::6], pade[::6], "o", color=colour, mfc="white", ms=4)
         right.plot([], [], "o", color="0.4", mfc="white", ms=4, label="Padé form")
         right.set_ylim(0, 1.05)
@@ -252,7 +252,7 @@ def draw_studies() -> None:
         rod_table, _ = sweep(rods, folder)
         benchmarks = [case for case in chung_ooi.cases() if case.benchmark in (4, 6)]
         results = chung_ooi.run_cases(benchmarks, folder)
-    save(figures.restitution_figure(table, impacts), FOLDER / "restitution", (".png",))
+    save(central_figures.restitution_figure(table, impacts), FOLDER / "restitution", (".png",))
     save(rod_figures.outcome_figure(rod_table), FOLDER / "rod", (".png",))
     save(cooling_gases(), FOLDER / "cooling_gas", (".png",))
     for deck in ("drum", "chute"):

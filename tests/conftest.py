@@ -11,8 +11,8 @@ from pathlib import Path
 import pytest
 
 from plastigran import laws
-from plastigran.engine import PROJECT
-from plastigran.impact import laws_for
+from plastigran.engine.process import PROJECT
+from plastigran.experiments.central import laws_for
 from plastigran.materials import RIGID, read_material
 
 # Laws with a model in the engine: one binding header each.

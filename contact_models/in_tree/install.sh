@@ -1,8 +1,8 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-2.0-or-later
 #
-# Adds every model to a LIGGGHTS source tree: the headers go flat into src/, the combinations to
-# compile into src/style_contact_model_user.whitelist. Running it again brings both up to date and
+# Adds every model to a LIGGGHTS source tree: the laws go into src/plastigran/, the models flat into
+# src/, the combinations to compile into src/style_contact_model_user.whitelist. Running it again brings both up to date and
 # leaves alone what already is.
 #
 #   install.sh DIR      DIR is the tree's top folder, the one that holds src/
@@ -20,10 +20,9 @@ version=$(cat "$tree/src/version_liggghts.txt")
 [ "$version" = 3.8.0 ] ||
   printf 'WARNING: %s is LIGGGHTS %s; the models are tested with 3.8.0\n' "$tree" "$version" >&2
 
-# The set: the laws, what is built on them, the adapter and the models.
+# The set: the adapter and the models; the laws and what is built on them keep their folders.
 models=$(dirname "$0")/..
-set -- "$models"/laws/*.h "$models"/tools/*.h \
-  "$models"/liggghts/elastoplastic_normal_model.h "$models"/liggghts/energy_ledger.h \
+set -- "$models"/liggghts/elastoplastic_normal_model.h "$models"/liggghts/energy_ledger.h \
   "$models"/liggghts/wall_point.h "$models"/liggghts/*_watch.h "$models"/liggghts/own_fix.h \
   "$models"/liggghts/history_keeper.h \
   "$models"/liggghts/engine_access.h "$models"/liggghts/normal_model_*.h
@@ -40,6 +39,14 @@ done
 for header; do
   target=$tree/src/${header##*/}
   cmp -s "$header" "$target" || cp "$header" "$target"
+done
+
+for folder in laws shared impact; do
+  mkdir -p "$tree/src/plastigran/$folder"
+  for header in "$models/plastigran/$folder"/*.h; do
+    target=$tree/src/plastigran/$folder/${header##*/}
+    cmp -s "$header" "$target" || cp "$header" "$target"
+  done
 done
 
 # The engine compiles combinations of low model ids by itself and runs the others through its slow

@@ -19,9 +19,9 @@
 
 #include "atom.h"
 #include "comm.h"
-#include "contact.h"
+#include "plastigran/shared/contact.h"
 #include "domain.h"
-#include "elastic_times.h"
+#include "plastigran/impact/elastic_times.h"
 #include "energy_ledger.h"
 #include "engine_access.h"
 #include "error.h"
@@ -31,7 +31,7 @@
 #include "force.h"
 #include "global_properties.h"
 #include "history_keeper.h"
-#include "impact.h"
+#include "plastigran/impact/central_impact.h"
 #include "modify.h"
 #include "motion_watch.h"
 #include "neighbor.h"
@@ -40,7 +40,7 @@
 #include "range_watch.h"
 #include "settings.h"
 #include "step_watch.h"
-#include "validate.h"
+#include "plastigran/impact/validate.h"
 
 namespace LIGGGHTS {
 namespace ContactModels {

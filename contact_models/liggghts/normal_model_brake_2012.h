@@ -5,7 +5,7 @@ NORMAL_MODEL(BRAKE_2012, brake_2012, 40)
 #ifndef NORMAL_MODEL_BRAKE_2012_H
 #define NORMAL_MODEL_BRAKE_2012_H
 
-#include "brake_2012.h"
+#include "plastigran/laws/brake_2012.h"
 #include "elastoplastic_normal_model.h"
 
 namespace LIGGGHTS {

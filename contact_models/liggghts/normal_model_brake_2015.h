@@ -5,7 +5,7 @@ NORMAL_MODEL(BRAKE_2015, brake_2015, 41)
 #ifndef NORMAL_MODEL_BRAKE_2015_H
 #define NORMAL_MODEL_BRAKE_2015_H
 
-#include "brake_2015.h"
+#include "plastigran/laws/brake_2015.h"
 #include "elastoplastic_normal_model.h"
 
 namespace LIGGGHTS {

@@ -5,7 +5,7 @@ NORMAL_MODEL(GHAEDNIA, ghaednia, 36)
 #ifndef NORMAL_MODEL_GHAEDNIA_H
 #define NORMAL_MODEL_GHAEDNIA_H
 
-#include "ghaednia.h"
+#include "plastigran/laws/ghaednia.h"
 #include "elastoplastic_normal_model.h"
 
 namespace LIGGGHTS {

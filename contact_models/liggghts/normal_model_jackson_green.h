@@ -5,7 +5,7 @@ NORMAL_MODEL(JACKSON_GREEN, jackson_green, 35)
 #ifndef NORMAL_MODEL_JACKSON_GREEN_H
 #define NORMAL_MODEL_JACKSON_GREEN_H
 
-#include "jackson_green.h"
+#include "plastigran/laws/jackson_green.h"
 #include "elastoplastic_normal_model.h"
 
 namespace LIGGGHTS {

@@ -5,7 +5,7 @@ NORMAL_MODEL(KATTA_POLYCARPOU, katta_polycarpou, 43)
 #ifndef NORMAL_MODEL_KATTA_POLYCARPOU_H
 #define NORMAL_MODEL_KATTA_POLYCARPOU_H
 
-#include "katta_polycarpou.h"
+#include "plastigran/laws/katta_polycarpou.h"
 #include "elastoplastic_normal_model.h"
 
 namespace LIGGGHTS {

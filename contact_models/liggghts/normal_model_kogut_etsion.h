@@ -5,7 +5,7 @@ NORMAL_MODEL(KOGUT_ETSION, kogut_etsion, 37)
 #ifndef NORMAL_MODEL_KOGUT_ETSION_H
 #define NORMAL_MODEL_KOGUT_ETSION_H
 
-#include "kogut_etsion.h"
+#include "plastigran/laws/kogut_etsion.h"
 #include "elastoplastic_normal_model.h"
 
 namespace LIGGGHTS {

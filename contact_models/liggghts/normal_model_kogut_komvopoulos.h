@@ -5,7 +5,7 @@ NORMAL_MODEL(KOGUT_KOMVOPOULOS, kogut_komvopoulos, 38)
 #ifndef NORMAL_MODEL_KOGUT_KOMVOPOULOS_H
 #define NORMAL_MODEL_KOGUT_KOMVOPOULOS_H
 
-#include "kogut_komvopoulos.h"
+#include "plastigran/laws/kogut_komvopoulos.h"
 #include "elastoplastic_normal_model.h"
 
 namespace LIGGGHTS {

@@ -5,7 +5,7 @@ NORMAL_MODEL(LIM_STRONGE, lim_stronge, 42)
 #ifndef NORMAL_MODEL_LIM_STRONGE_H
 #define NORMAL_MODEL_LIM_STRONGE_H
 
-#include "lim_stronge.h"
+#include "plastigran/laws/lim_stronge.h"
 #include "elastoplastic_normal_model.h"
 
 namespace LIGGGHTS {

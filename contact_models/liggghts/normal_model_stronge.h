@@ -5,7 +5,7 @@ NORMAL_MODEL(STRONGE, stronge, 34)
 #ifndef NORMAL_MODEL_STRONGE_H
 #define NORMAL_MODEL_STRONGE_H
 
-#include "stronge.h"
+#include "plastigran/laws/stronge.h"
 #include "elastoplastic_normal_model.h"
 
 namespace LIGGGHTS {

@@ -5,7 +5,7 @@ NORMAL_MODEL(THORNTON, thornton, 33)
 #ifndef NORMAL_MODEL_THORNTON_H
 #define NORMAL_MODEL_THORNTON_H
 
-#include "thornton.h"
+#include "plastigran/laws/thornton.h"
 #include "elastoplastic_normal_model.h"
 
 namespace LIGGGHTS {

@@ -5,7 +5,7 @@ NORMAL_MODEL(VISCOELASTIC_HERTZ, viscoelastic_hertz, 44)
 #ifndef NORMAL_MODEL_VISCOELASTIC_HERTZ_H
 #define NORMAL_MODEL_VISCOELASTIC_HERTZ_H
 
-#include "viscoelastic_hertz.h"
+#include "plastigran/laws/viscoelastic_hertz.h"
 #include "elastoplastic_normal_model.h"
 
 namespace LIGGGHTS {

@@ -5,7 +5,7 @@ NORMAL_MODEL(VU_QUOC_ZHANG, vu_quoc_zhang, 32)
 #ifndef NORMAL_MODEL_VU_QUOC_ZHANG_H
 #define NORMAL_MODEL_VU_QUOC_ZHANG_H
 
-#include "vu_quoc_zhang.h"
+#include "plastigran/laws/vu_quoc_zhang.h"
 #include "elastoplastic_normal_model.h"
 
 namespace LIGGGHTS {

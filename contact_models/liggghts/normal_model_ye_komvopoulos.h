@@ -5,7 +5,7 @@ NORMAL_MODEL(YE_KOMVOPOULOS, ye_komvopoulos, 39)
 #ifndef NORMAL_MODEL_YE_KOMVOPOULOS_H
 #define NORMAL_MODEL_YE_KOMVOPOULOS_H
 
-#include "ye_komvopoulos.h"
+#include "plastigran/laws/ye_komvopoulos.h"
 #include "elastoplastic_normal_model.h"
 
 namespace LIGGGHTS {

@@ -17,9 +17,9 @@
 #include <string>
 #include <vector>
 
-#include "contact.h"
-#include "impact.h"
-#include "validate.h"
+#include "plastigran/shared/contact.h"
+#include "plastigran/impact/central_impact.h"
+#include "plastigran/impact/validate.h"
 
 namespace plastigran {
 

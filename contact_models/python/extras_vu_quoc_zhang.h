@@ -2,7 +2,7 @@
 #pragma once
 
 #include "bind_law.h"
-#include "vu_quoc_zhang.h"
+#include "plastigran/laws/vu_quoc_zhang.h"
 
 namespace plastigran {
 

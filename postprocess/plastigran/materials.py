@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from plastigran import laws
-from plastigran.engine import index_variables, inputs_folder
+from plastigran.engine.process import index_variables, inputs_folder
 
 
 @dataclass(frozen=True)

@@ -10,8 +10,8 @@ from pathlib import Path
 import pandas as pd
 import pytest
 
-from plastigran.bulk import CheckError, read_record, read_series, run_bulk
-from plastigran.checkpoints import PATTERN, step_of
+from plastigran.bulk.run import CheckError, read_record, read_series, run_bulk
+from plastigran.engine.checkpoints import PATTERN, step_of
 
 
 @pytest.fixture

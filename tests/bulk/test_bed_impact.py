@@ -7,14 +7,14 @@ import numpy as np
 import pandas as pd
 import pytest
 
-from plastigran.bulk import CheckError, finish, read_record, read_series, run_bulk
-from plastigran.bulk_decks.bed_impact import analyse, bed_count, check_settings
-from plastigran.bulk_decks.bed_impact.measurement import (
+from plastigran.bulk.decks.bed_impact import analyse, bed_count, check_settings
+from plastigran.bulk.decks.bed_impact.measurement import (
     measure_shots,
     plastic_work_by_depth,
     read_grains_dump,
 )
-from plastigran.deck_source import Settings, read_deck
+from plastigran.bulk.run import CheckError, finish, read_record, read_series, run_bulk
+from plastigran.engine.deck import Settings, read_deck
 
 #: Thirty-six shots on a plate, fast enough to be back soon.
 PLATE = {"side": 6, "slowest": 0.1, "duration": 0.02, "rows": 40}

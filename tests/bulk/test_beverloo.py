@@ -9,7 +9,7 @@ import numpy as np
 import pandas as pd
 import pytest
 
-from plastigran.bulk_decks.hopper.beverloo import (
+from plastigran.physics.beverloo import (
     Discharge,
     discharge_rate,
     fit_constants,

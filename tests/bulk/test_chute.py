@@ -7,10 +7,10 @@ import numpy as np
 import pandas as pd
 import pytest
 
-from plastigran.bulk import CheckError, finish, read_record, read_series, run_bulk
-from plastigran.bulk_decks.chute import WEIGHT, analyse, power_checks, read_case
-from plastigran.bulk_decks.chute.profile import fit_profile
-from plastigran.deck_source import Settings
+from plastigran.bulk.decks.chute import WEIGHT, analyse, power_checks, read_case
+from plastigran.bulk.run import CheckError, finish, read_record, read_series, run_bulk
+from plastigran.engine.deck import Settings
+from plastigran.physics.bagnold import fit_profile
 
 #: Some hundred grains, six cells deep, for as long as it takes to show a mean.
 SMALL = {

@@ -8,9 +8,9 @@ import numpy as np
 import pandas as pd
 import pytest
 
-from plastigran.bulk import CheckError, finish, read_record, read_series, run_bulk
-from plastigran.bulk_decks.compaction import analyse, stroke
-from plastigran.bulk_decks.compaction.measurement import Loop, heckel_line, measure_loop, punch_work
+from plastigran.bulk.decks.compaction import analyse, stroke
+from plastigran.bulk.run import CheckError, finish, read_record, read_series, run_bulk
+from plastigran.physics.heckel import Loop, heckel_line, measure_loop, punch_work
 
 #: Sixty grains, in a die ten radii wide.
 SMALL = {"layers": 5, "die_radius": 0.005, "duration": 0.15, "filling": 0.1}

@@ -7,14 +7,14 @@ import numpy as np
 import pandas as pd
 import pytest
 
-from plastigran.bulk import CheckError, finish, read_record, read_series, run_bulk
-from plastigran.bulk_decks.cooling_gas import (
+from plastigran.bulk.decks.cooling_gas import (
     analyse,
     check_settings,
     read_case,
     stored_share,
 )
-from plastigran.deck_source import Settings, read_deck
+from plastigran.bulk.run import CheckError, finish, read_record, read_series, run_bulk
+from plastigran.engine.deck import Settings, read_deck
 
 SMALL = {"side": 6, "duration": 40, "rows": 40, "checkpoints": 4}
 

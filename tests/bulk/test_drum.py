@@ -8,9 +8,9 @@ from dataclasses import replace
 import pandas as pd
 import pytest
 
-from plastigran.bulk import CheckError, finish, read_record, read_series, run_bulk
-from plastigran.bulk_decks.drum import LEVER_ARM, analyse, power_checks, read_case
-from plastigran.deck_source import Settings
+from plastigran.bulk.decks.drum import LEVER_ARM, analyse, power_checks, read_case
+from plastigran.bulk.run import CheckError, finish, read_record, read_series, run_bulk
+from plastigran.engine.deck import Settings
 
 #: A drum ten grains wide with some hundred of them, turning fast: so it flows evenly.
 SMALL = {"drum_radius": 0.05, "length": 0.03, "froude": 0.05, "duration": 0.9, "settling": 0.3}

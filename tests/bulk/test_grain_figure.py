@@ -7,7 +7,7 @@ import numpy as np
 import pandas as pd
 import pytest
 
-from plastigran.grain_figure import mean_power
+from plastigran.plot.grains import mean_power
 
 
 @pytest.mark.parametrize(("window", "rows"), [(0.4, 4), (1e-9, 1), (100.0, 25)])

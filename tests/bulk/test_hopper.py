@@ -9,13 +9,13 @@ import numpy as np
 import pandas as pd
 import pytest
 
-from plastigran.bulk import CheckError, finish, read_record, read_series, run_bulk
-from plastigran.bulk_checks import energy_input
-from plastigran.bulk_decks.hopper import analyse, orifices, read_case, since_opening
-from plastigran.checkpoints import newest_checkpoint, step_of
-from plastigran.deck_source import Settings, read_deck
-from plastigran.dumps import read_thermo
-from plastigran.engine import run_deck
+from plastigran.bulk.checks import energy_input
+from plastigran.bulk.decks.hopper import analyse, orifices, read_case, since_opening
+from plastigran.bulk.run import CheckError, finish, read_record, read_series, run_bulk
+from plastigran.engine.checkpoints import newest_checkpoint, step_of
+from plastigran.engine.deck import Settings, read_deck
+from plastigran.engine.dumps import read_thermo
+from plastigran.engine.process import run_deck
 
 #: 2080 grains, half of them out in half a second.
 SMALL = {"orifice": 8, "layers": 10, "timestep": 1.5e-5, "duration": 0.7, "rows": 150}

@@ -11,7 +11,7 @@ import make_hopper
 import numpy as np
 import pytest
 
-from plastigran.engine import PROJECT
+from plastigran.engine.process import PROJECT
 
 
 @pytest.mark.parametrize("size", make_hopper.ORIFICES)

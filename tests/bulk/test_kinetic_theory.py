@@ -8,7 +8,7 @@ from math import exp, pi
 import numpy as np
 import pytest
 
-from plastigran.bulk_decks.cooling_gas.kinetic_theory import Gas, contact_value, cool, haff
+from plastigran.physics.kinetic_theory import Gas, contact_value, cool, haff
 
 RADIUS = 1e-3
 

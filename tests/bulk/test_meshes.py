@@ -9,7 +9,7 @@ import sys
 
 import pytest
 
-from plastigran.engine import inputs_folder
+from plastigran.engine.process import inputs_folder
 
 FOLDER = inputs_folder() / "meshes"
 SCRIPTS = sorted(FOLDER.glob("make_*.py"))

@@ -14,13 +14,12 @@ from pathlib import Path
 
 import pytest
 
-from plastigran import bulk
-from plastigran.bulk import carry_dump, read_series, run_bulk
-from plastigran.checkpoints import PATTERN, newest_checkpoint, step_of
+from plastigran.bulk.run import carry_dump, read_series, run_bulk
 from plastigran.cli import main
-from plastigran.deck_source import read_deck
-from plastigran.engine import EngineError, inputs_folder
-from plastigran.engine_watch import LogFollower, engines
+from plastigran.engine.checkpoints import PATTERN, newest_checkpoint, step_of
+from plastigran.engine.deck import read_deck
+from plastigran.engine.process import EngineError, inputs_folder
+from plastigran.engine.watch import LogFollower, engines
 
 #: Short enough for a test to wait for its end, and with many checkpoints.
 SHORT = {"side": 5, "duration": 24, "rows": 24, "checkpoints": 12, "mixing": 1}
@@ -190,7 +189,9 @@ def test_results_are_not_overwritten_unless_forced(whole, tmp_path, monkeypatch)
     (folder / "checkpoint.999999999.restart").write_bytes(b"of a longer run")
     assert main(["bulk", "cooling_gas", "--output", str(folder)]) == 1
     assert (folder / "series.csv").read_bytes() == (whole / "series.csv").read_bytes()
-    monkeypatch.setattr(bulk, "run_watched", lambda *_: (_ for _ in ()).throw(EngineError("stop")))
+    monkeypatch.setattr(
+        "plastigran.bulk.run.run_watched", lambda *_: (_ for _ in ()).throw(EngineError("stop"))
+    )
     with pytest.raises(EngineError, match="stop"):
         run_bulk("cooling_gas", SHORT, folder, force=True)
     assert sorted(file.name for file in folder.iterdir()) == ["deck", "notes.txt", "run.json"]

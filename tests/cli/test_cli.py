@@ -15,8 +15,8 @@ import pytest
 
 from plastigran import laws
 from plastigran.cli import main
-from plastigran.engine import inputs_folder
-from plastigran.impact import laws_for
+from plastigran.engine.process import inputs_folder
+from plastigran.experiments.central import laws_for
 from plastigran.materials import read_material
 
 
@@ -167,7 +167,7 @@ def test_missing_engine_is_named(tmp_path, monkeypatch, capsys):
 
 def test_finished_impacts_survive_a_failure(tmp_path, capsys):
     """One impact fails; the others' rows are written."""
-    from plastigran.impact import Impact, plan, sweep
+    from plastigran.experiments.central import Impact, plan, sweep
 
     impacts = plan(["thornton"], [0.05, 0.1], ["aluminium_zv02"], 0.1)
 

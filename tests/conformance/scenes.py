@@ -10,8 +10,8 @@ from pathlib import Path
 import numpy as np
 
 from plastigran import laws
-from plastigran.engine import run_deck
-from plastigran.impact import CylinderImpact, Impact
+from plastigran.engine.process import run_deck
+from plastigran.experiments.central import CylinderImpact, Impact
 from plastigran.materials import RIGID, Material, read_material
 
 DECKS = Path(__file__).parent / "decks"

@@ -15,9 +15,9 @@ from scenes import scene
 from scipy.special import lambertw
 
 from plastigran import laws
-from plastigran.collision import force_overlap_loop, measure
-from plastigran.dumps import read_dump
-from plastigran.engine import run_deck
+from plastigran.engine.dumps import read_dump
+from plastigran.engine.process import run_deck
+from plastigran.experiments.collision import force_overlap_loop, measure
 from plastigran.materials import RIGID
 
 GEOMETRIES = ("pair", "plane", "mesh")

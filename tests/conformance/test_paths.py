@@ -16,7 +16,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy.special import lambertw
 
-from plastigran import laws, theory
+from plastigran import laws
+from plastigran.physics import central
 
 RADIUS = 0.01
 LENGTH = 0.1  # of cylinders, and their bodies' thickness; the default of law_between
@@ -42,7 +43,7 @@ def pair(request) -> laws.MaterialPair:
 def scales(law_name: str, pair: laws.MaterialPair) -> tuple[float, float]:
     """Overlap and force at the yield of an elastic contact, of spheres or of cylinders."""
     if laws.LAWS[law_name].shape == "cylinder":
-        force, overlap, _ = theory.line_yield(pair, RADIUS, LENGTH, LENGTH)
+        force, overlap, _ = central.line_yield(pair, RADIUS, LENGTH, LENGTH)
         return overlap, force
     overlap = RADIUS * laws.yield_radius_ratio(pair) ** 2
     force = 4 / 3 * pair.youngs_modulus_eff * np.sqrt(RADIUS) * overlap**1.5
@@ -240,7 +241,7 @@ def test_restitution_lies_between_zero_and_one(law_name, law_between, speed_rati
 def test_energy_guard_is_what_keeps_restitution_below_one():
     """Without it Stronge's law, as published, returns up to 6 % more speed than it took."""
     pair = PAIRS["aluminium on rigid"]
-    speed = 1.5 * theory.yield_speed(pair, RADIUS, 1e-3)
+    speed = 1.5 * central.yield_speed(pair, RADIUS, 1e-3)
     kept = laws.Stronge(pair).central_impact(RADIUS, 1e-3, speed)
     published = laws.Stronge(pair, energy_guard="off").central_impact(RADIUS, 1e-3, speed)
     assert published.coefficient_of_restitution == pytest.approx(1.0597, abs=2e-3)

@@ -8,8 +8,8 @@ from pathlib import Path
 import pytest
 
 from plastigran import laws
-from plastigran.collision import measure
-from plastigran.engine import PROJECT, EngineError, run_deck
+from plastigran.engine.process import PROJECT, EngineError, run_deck
+from plastigran.experiments.collision import measure
 
 DAMPED = "restitution all property/global coefficientRestitution peratomtypepair 2 .8 .8 .8 .8"
 

@@ -11,8 +11,8 @@ from pathlib import Path
 import pytest
 
 from plastigran import laws
-from plastigran.collision import measure
-from plastigran.engine import PROJECT, command, environment, inputs_folder, run_deck
+from plastigran.engine.process import PROJECT, command, environment, inputs_folder, run_deck
+from plastigran.experiments.collision import measure
 
 PLUGIN = PROJECT / "build" / "libplastigran.so"
 VISCOSITY = {"dissipative_constant": 3e-5}  # for the laws that must have it; others do not look

@@ -11,8 +11,8 @@ import pytest
 from scipy.optimize import brentq
 
 from plastigran import laws
-from plastigran.engine import run_deck
-from plastigran.impact import Impact
+from plastigran.engine.process import run_deck
+from plastigran.experiments.central import Impact
 
 SAID = r"model (\w+): contacts beyond the law's range \(.*\) so far: (\d+), the furthest at (\S+)"
 

@@ -10,8 +10,8 @@ import numpy as np
 import pytest
 
 from plastigran import laws
-from plastigran.dumps import read_dump, read_thermo
-from plastigran.engine import run_deck
+from plastigran.engine.dumps import read_dump, read_thermo
+from plastigran.engine.process import run_deck
 
 #: Two spheres, pressed together and let go half-way, are held; all others are traffic.
 DECK = """

@@ -10,8 +10,9 @@ from pathlib import Path
 
 import pytest
 
-from plastigran import laws, theory
-from plastigran.engine import EngineError, run_deck
+from plastigran import laws
+from plastigran.engine.process import EngineError, run_deck
+from plastigran.physics import central
 
 RADIUS, GAP = 0.0025, 0.01
 BODY = laws.Material(youngs_modulus=5e6, poissons_ratio=0.3, yield_strength=1e5)
@@ -125,7 +126,7 @@ def test_step_is_compared_with_known_times(tmp_path):
     text = run(tmp_path, [(0, 0, GAP)], more=f"velocity all set 0 0 -{speed}", timestep=step)
     pair = laws.combine(BODY, BODY)
     rayleigh = pi * RADIUS / 0.9274 * sqrt(DENSITY * 2 * 1.3 / 5e6)
-    hertz = theory.hertz_duration(RADIUS, MASS, pair.youngs_modulus_eff, speed)
+    hertz = central.hertz_duration(RADIUS, MASS, pair.youngs_modulus_eff, speed)
     law = laws.Thornton(pair).recommended_time_step(RADIUS, MASS, speed)
     found = re.search(
         r"time step 1e-06: (\S+) of the Rayleigh time, (\S+) of the shortest Hertz impact at the "

@@ -9,8 +9,8 @@ from pathlib import Path
 import pytest
 
 from plastigran import laws
-from plastigran.collision import measure
-from plastigran.impact import IMPACTS
+from plastigran.experiments.central import IMPACTS
+from plastigran.experiments.collision import measure
 
 HERE = Path(__file__).parent
 PROJECT = HERE.parents[1]

@@ -8,8 +8,8 @@
 #include <type_traits>
 
 #include "all_laws.h"
-#include "impact.h"
-#include "validate.h"
+#include "plastigran/impact/central_impact.h"
+#include "plastigran/impact/validate.h"
 
 using namespace plastigran;
 

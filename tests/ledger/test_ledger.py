@@ -11,8 +11,8 @@ import pandas as pd
 import pytest
 
 from plastigran import laws
-from plastigran.dumps import read_dump, read_thermo
-from plastigran.engine import EngineError, run_deck
+from plastigran.engine.dumps import read_dump, read_thermo
+from plastigran.engine.process import EngineError, run_deck
 from plastigran.materials import RIGID
 
 DECKS = Path(__file__).parent / "decks"

@@ -9,8 +9,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from plastigran.collision import CollisionError, measure
-from plastigran.dumps import (
+from plastigran.engine.dumps import (
     DumpError,
     TruncatedFileWarning,
     contact_columns,
@@ -18,7 +17,8 @@ from plastigran.dumps import (
     read_dump,
     read_thermo,
 )
-from plastigran.engine import inputs_folder, run_deck
+from plastigran.engine.process import inputs_folder, run_deck
+from plastigran.experiments.collision import CollisionError, measure
 
 
 @pytest.fixture(scope="module")

@@ -9,9 +9,9 @@ import numpy as np
 import pandas as pd
 import pytest
 
-from plastigran.impact import laws_for
-from plastigran.rod import MeasuredRun, Rod, paper_rods
-from plastigran.rod.motion import _Motion, simulate
+from plastigran.experiments.central import laws_for
+from plastigran.experiments.rod import MeasuredRun, Rod, paper_rods
+from plastigran.physics.rod import _Motion, simulate
 
 STEEP, FLAT = paper_rods()
 CASES = list(pd.read_csv(Path(__file__).parent / "rod_gcm15.csv", comment="#").itertuples())

@@ -8,12 +8,12 @@ import pandas as pd
 import pytest
 
 from plastigran.cli import main
-from plastigran.collision import CollisionError
-from plastigran.dumps import read_dump
-from plastigran.engine import run_deck
-from plastigran.rod import Rod, paper_rods
-from plastigran.rod.motion import simulate
-from plastigran.rod.runs import CENTRE, FAR_END, TIP, RodRun, measure_rod
+from plastigran.engine.dumps import read_dump
+from plastigran.engine.process import run_deck
+from plastigran.experiments.collision import CollisionError
+from plastigran.experiments.rod import Rod, paper_rods
+from plastigran.experiments.rod.runs import CENTRE, FAR_END, TIP, RodRun, measure_rod
+from plastigran.physics.rod import simulate
 
 STEEP, FLAT = paper_rods()
 

@@ -13,8 +13,8 @@ import pytest
 from matplotlib.image import imread
 
 from plastigran.cli import main
-from plastigran.engine import run_deck
-from plastigran.snapshot import SnapshotError, draw, read_frames
+from plastigran.engine.process import run_deck
+from plastigran.plot.snapshot import SnapshotError, draw, read_frames
 
 #: Two pairs of grains side by side, radii 2 and 1 mm, pressed together by a tenth of a millimetre.
 DECK = """

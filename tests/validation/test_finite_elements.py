@@ -11,8 +11,8 @@ import re
 import pytest
 
 from plastigran import laws
-from plastigran.engine import PROJECT
-from plastigran.figures import finite_elements
+from plastigran.engine.process import PROJECT
+from plastigran.experiments.central_figures import finite_elements
 
 PAPER = finite_elements().set_index("speed")
 SPEEDS = (0.02, 0.10, 0.20)

@@ -10,7 +10,7 @@ import pandas as pd
 import pytest
 
 from plastigran import laws
-from plastigran.impact import IMPACTS, Impact
+from plastigran.experiments.central import IMPACTS, Impact
 from plastigran.materials import read_material
 
 CASES = {

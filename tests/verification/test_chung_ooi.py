@@ -10,13 +10,14 @@ from functools import cache
 import numpy as np
 import pytest
 
-from plastigran import laws, theory
-from plastigran.chung_ooi import BenchmarkImpact, cases, folder, motion
-from plastigran.dumps import read_dump
-from plastigran.engine import index_variables, run_deck
-from plastigran.impact import sweep
+from plastigran import laws
+from plastigran.engine.dumps import read_dump
+from plastigran.engine.process import index_variables, run_deck
+from plastigran.experiments.central import sweep
+from plastigran.experiments.chung_ooi import BenchmarkImpact, cases, folder, motion
 from plastigran.materials import RIGID
-from plastigran.oblique import Motion, ObliqueImpact
+from plastigran.physics import central
+from plastigran.physics.oblique import Motion, ObliqueImpact
 
 LAW = "vu_quoc_zhang"
 
@@ -218,7 +219,7 @@ def test_spring_and_slider_without_friction_or_slip():
     smooth = ObliqueImpact(pair, 0.01, 1.0, 0.0, 0.7, before)
     after = smooth.spring_slider()
     assert (after.along, after.spin) == pytest.approx((0.3, 5.0), rel=1e-12)
-    assert after.normal == pytest.approx(theory.restitution_without_pull(0.7), rel=1e-8)
+    assert after.normal == pytest.approx(central.restitution_without_pull(0.7), rel=1e-8)
 
 
 @pytest.mark.parametrize(("poissons_ratio", "gained"), [(0.1, 0.030), (0.23, 0.004), (0.3, -0.030)])

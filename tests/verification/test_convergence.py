@@ -6,9 +6,10 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from plastigran import laws, theory
-from plastigran.impact import GEOMETRIES, CylinderImpact, Impact
+from plastigran import laws
+from plastigran.experiments.central import GEOMETRIES, CylinderImpact, Impact
 from plastigran.materials import read_material
+from plastigran.physics import central
 
 
 def test_order_in_the_time_step(engine_law, aluminium, declared_jumps, tmp_path):
@@ -52,7 +53,7 @@ def test_hertz_duration(law, speed, aluminium, tmp_path):
     for geometry in GEOMETRIES:
         model = Impact(law, speed, aluminium, 0.1, geometry)
         found = model.run(tmp_path / geometry, model.time_step() / 4)
-        duration = theory.hertz_duration(
+        duration = central.hertz_duration(
             model.radius_eff, model.mass_eff, model.pair.youngs_modulus_eff, model.closing_speed
         )
         assert found.contact_time == pytest.approx(float(duration), rel=1e-3)

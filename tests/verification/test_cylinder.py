@@ -10,11 +10,13 @@ import pandas as pd
 import pytest
 from scipy.integrate import quad, solve_ivp
 
-from plastigran import cylinder, laws, theory
-from plastigran.collision import measure
-from plastigran.engine import EngineError, inputs_folder, run_deck
-from plastigran.impact import CylinderImpact, laws_for
+from plastigran import laws
+from plastigran.engine.process import EngineError, inputs_folder, run_deck
+from plastigran.experiments import cylinder
+from plastigran.experiments.central import CylinderImpact, laws_for
+from plastigran.experiments.collision import measure
 from plastigran.materials import read_material
+from plastigran.physics import central
 
 CYLINDER_LAWS = laws_for("cylinder")
 
@@ -86,7 +88,7 @@ def test_yield(name):
     """Force, overlap and work at yield; then the slope jumps up by 0.346 (C - 1) = 3.16."""
     impact = glass(name)
     law, radius = impact.contact_law(), impact.radius_eff
-    force, overlap, work = theory.line_yield(impact.pair, radius, 1e-4, 1e-4)
+    force, overlap, work = central.line_yield(impact.pair, radius, 1e-4, 1e-4)
     answer = law.respond(radius, overlap * (1 - 1e-13), law.State())
     assert answer.force == pytest.approx(force, rel=1e-11)
     assert answer.elastic_energy == pytest.approx(work, rel=1e-11)
@@ -110,7 +112,7 @@ def test_energies_are_the_forces_work(name, top):
     """Virgin work by quadrature of the force: 1e-9."""
     impact = glass(name)
     law, radius, width = impact.contact_law(energy_guard="off"), impact.radius_eff, 1e-4
-    _, overlap_y, _ = theory.line_yield(impact.pair, radius, width, width)
+    _, overlap_y, _ = central.line_yield(impact.pair, radius, width, width)
     # From there on the mean pressure stays 2.4 yield strengths: a/a_Y = exp(0.9 sqrt(3)).
     half_width_y = 12 * 2.41e9 * radius / (np.pi * 83.96e9)
     full = overlap_y + (np.exp(1.8 * np.sqrt(3)) - 1) * half_width_y**2 / (2 * radius)

@@ -11,10 +11,10 @@ from numpy.polynomial.legendre import leggauss
 from scipy.linalg import eigh
 from scipy.special import jacobi
 
-from plastigran import theory
-from plastigran.impact import GEOMETRIES, Impact
+from plastigran.experiments.central import GEOMETRIES, Impact
 from plastigran.materials import read_material
-from plastigran.modes import (
+from plastigran.physics import central
+from plastigran.physics.modes import (
     radial,
     radial_roots,
     sphere_modes,
@@ -177,9 +177,9 @@ def test_hertzian_collision_of_the_ice_sphere(geometry, tmp_path):
         model.pair.youngs_modulus_eff,
         model.closing_speed,
     )
-    assert found.contact_time == pytest.approx(float(theory.hertz_duration(*bodies)), rel=1e-4)
-    assert found.force_max == pytest.approx(float(theory.hertz_force_max(*bodies)), rel=1e-4)
-    assert found.overlap_max == pytest.approx(float(theory.hertz_overlap_max(*bodies)), rel=1e-4)
+    assert found.contact_time == pytest.approx(float(central.hertz_duration(*bodies)), rel=1e-4)
+    assert found.force_max == pytest.approx(float(central.hertz_force_max(*bodies)), rel=1e-4)
+    assert found.overlap_max == pytest.approx(float(central.hertz_overlap_max(*bodies)), rel=1e-4)
     assert found.coefficient_of_restitution == pytest.approx(1, abs=1e-4)
 
 
@@ -187,7 +187,7 @@ def test_duration_is_the_plane_walls_closed_form():
     """2.943275 R v^(-1/5) (5 pi rho (1-nu^2)/(4 E))^(2/5), a sphere on a rigid plane."""
     ice = read_material("ice")
     model = Impact("hertz", 0.1, ice, 0.01)
-    found = theory.hertz_duration(
+    found = central.hertz_duration(
         model.radius_eff, model.mass_eff, model.pair.youngs_modulus_eff, model.closing_speed
     )
     group = 1.25 * pi * ice.density * (1 - ice.poissons_ratio**2) / ice.youngs_modulus

@@ -10,9 +10,10 @@ import numpy as np
 import pytest
 from scipy.integrate import cumulative_simpson, solve_ivp
 
-from plastigran import laws, theory
-from plastigran.impact import GEOMETRIES, Impact
+from plastigran import laws
+from plastigran.experiments.central import GEOMETRIES, Impact
 from plastigran.materials import RIGID, read_material
+from plastigran.physics import central
 
 RADIUS, DENSITY, SPEED = 0.01, 900.0, 0.1
 MASS = 4 / 3 * pi * RADIUS**3 * DENSITY
@@ -22,7 +23,7 @@ PAIR = laws.combine(laws.Material(9.3e9, 0.25), RIGID)
 def constant(number: float, speed: float = SPEED) -> float:
     """The dissipative constant [s] that gives the sphere of this file a v* at a speed."""
     return (
-        number / theory.viscoelastic_number(1.0, RADIUS, MASS, PAIR.youngs_modulus_eff, speed)
+        number / central.viscoelastic_number(1.0, RADIUS, MASS, PAIR.youngs_modulus_eff, speed)
     ) ** 2
 
 
@@ -72,7 +73,7 @@ def test_impact_is_the_equation_of_motion(number):
 )
 def test_pade_form_is_as_good_as_it_is(number, off, digit):
     """The Padé form lies above the equation of motion by what docs/laws state."""
-    found = float(theory.viscoelastic_restitution(number)) / restitution(number) - 1
+    found = float(central.viscoelastic_restitution(number)) / restitution(number) - 1
     assert found == pytest.approx(off, abs=digit)
 
 
@@ -103,7 +104,7 @@ def test_restitution_falls_with_speed_and_grows_with_radius():
 def test_only_the_number_matters():
     """Spheres of other size, speed, stiffness, mass at one v*: one restitution."""
     steel = laws.combine(laws.Material(2.1e11, 0.3), laws.Material(7e10, 0.33))
-    scale = float(theory.viscoelastic_number(1.0, 0.2, 3.0, steel.youngs_modulus_eff, 5.0))
+    scale = float(central.viscoelastic_number(1.0, 0.2, 3.0, steel.youngs_modulus_eff, 5.0))
     other = laws.ViscoelasticHertz(steel, dissipative_constant=(0.7 / scale) ** 2)
     found = other.central_impact(0.2, 3.0, 5.0).coefficient_of_restitution
     assert found == pytest.approx(restitution(0.7), rel=1e-9)
@@ -193,6 +194,6 @@ def test_engine_gives_the_pade_form(number, geometry, tmp_path):
     """At the recommended step, to its 1e-3 and what the Padé form itself is off by."""
     ice = replace(read_material("ice"), dissipative_constant=constant(number))
     found = Impact("viscoelastic_hertz", SPEED, ice, RADIUS, geometry).run(tmp_path)
-    expected = float(theory.viscoelastic_restitution(number))
+    expected = float(central.viscoelastic_restitution(number))
     off = expected / restitution(number) - 1
     assert found.coefficient_of_restitution == pytest.approx(expected, rel=1e-3 + off)

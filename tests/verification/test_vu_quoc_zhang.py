@@ -160,13 +160,13 @@ def test_restitution_by_integrating_the_motion(law, paper_mass):
 )
 def test_size_and_material_drop_out(radius, youngs_modulus, density, yield_strength):
     """Restitution depends on speed over yield speed alone (at one Poisson's ratio)."""
-    from plastigran import theory
+    from plastigran.physics import central
 
     body = laws.Material(youngs_modulus, 0.3, yield_strength)
     pair = laws.combine(body, body)
     mass = 0.5 * 4 / 3 * np.pi * radius**3 * density
     law = laws.VuQuocZhang(pair)
-    scale = theory.yield_speed(pair, radius / 2, mass)
+    scale = central.yield_speed(pair, radius / 2, mass)
     found = [
         law.central_impact(radius / 2, mass, ratio * scale).coefficient_of_restitution
         for ratio in (12, 36, 60, 120)

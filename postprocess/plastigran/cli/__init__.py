@@ -9,9 +9,9 @@ from importlib import import_module
 from pkgutil import iter_modules
 
 from plastigran.cli import commands
-from plastigran.collision import CollisionError
-from plastigran.dumps import DumpError
-from plastigran.engine import EngineError
+from plastigran.engine.dumps import DumpError
+from plastigran.engine.process import EngineError
+from plastigran.experiments.collision import CollisionError
 
 
 def parser() -> argparse.ArgumentParser:

@@ -10,7 +10,7 @@ from math import inf
 from pathlib import Path
 
 from plastigran import laws, materials
-from plastigran.impact import GEOMETRIES, laws_for
+from plastigran.experiments.central import GEOMETRIES, laws_for
 
 
 class UsageError(ValueError):

@@ -8,9 +8,9 @@ import re
 import signal
 from pathlib import Path
 
-from plastigran.checkpoints import newest_checkpoint
 from plastigran.cli.arguments import positive_integer
-from plastigran.engine import EngineError, EngineStopped
+from plastigran.engine.checkpoints import newest_checkpoint
+from plastigran.engine.process import EngineError, EngineStopped
 
 HELP = "run a bulk deck, check its invariants, draw its figures"
 
@@ -50,7 +50,7 @@ def add_arguments(command: argparse.ArgumentParser) -> None:
 
 
 def run(arguments: argparse.Namespace) -> None:
-    from plastigran.bulk import CheckError, run_bulk  # matplotlib is slow to load
+    from plastigran.bulk.run import CheckError, run_bulk  # matplotlib is slow to load
 
     # A batch system's SIGTERM stops the ranks as Ctrl-C does.
     signal.signal(signal.SIGTERM, signal.default_int_handler)

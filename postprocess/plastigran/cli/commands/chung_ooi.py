@@ -6,7 +6,7 @@ from __future__ import annotations
 import argparse
 
 from plastigran.cli.arguments import add_jobs, add_output, fresh_folder, positive_integer
-from plastigran.impact import laws_for, sweep
+from plastigran.experiments.central import laws_for, sweep
 
 HELP = "the eight benchmark impacts of Chung & Ooi (2011), against theory"
 
@@ -31,7 +31,11 @@ def add_arguments(command: argparse.ArgumentParser) -> None:
 
 def run(arguments: argparse.Namespace) -> None:
     """The benchmark impacts of Chung & Ooi: a table and a figure each, and how far off theory."""
-    from plastigran import chung_ooi, chung_ooi_figures, figures  # matplotlib is slow to load
+    from plastigran.experiments import (
+        chung_ooi,  # matplotlib is slow to load
+        chung_ooi_figures,  # matplotlib is slow to load
+    )
+    from plastigran.plot import style  # matplotlib is slow to load
 
     folder = fresh_folder(arguments.output, arguments.force)
     cases = [
@@ -43,7 +47,7 @@ def run(arguments: argparse.Namespace) -> None:
     for number, part in table.groupby("benchmark"):
         name = folder / f"benchmark_{number}"
         part.dropna(axis="columns", how="all").to_csv(name.with_suffix(".csv"), index=False)
-        figures.save(chung_ooi_figures.figure(number, outcomes), name)
+        style.save(chung_ooi_figures.figure(number, outcomes), name)
     agreement = chung_ooi.agreement(table)
     agreement.to_csv(folder / "agreement.csv")
     print("Largest deviations from theory:\n")

@@ -22,7 +22,11 @@ def add_arguments(command: argparse.ArgumentParser) -> None:
 
 def run(arguments: argparse.Namespace) -> None:
     """The cylinder study: maps, and the finite elements' impact."""
-    from plastigran import cylinder, cylinder_figures, figures  # matplotlib is slow to load
+    from plastigran.experiments import (
+        cylinder,  # matplotlib is slow to load
+        cylinder_figures,  # matplotlib is slow to load
+    )
+    from plastigran.plot import style  # matplotlib is slow to load
 
     folder = fresh_folder(arguments.output, arguments.force, "comparison.csv")
     maps, table = cylinder.run(folder, arguments.points)
@@ -30,6 +34,6 @@ def run(arguments: argparse.Namespace) -> None:
     print(table.T.to_string(float_format="{:.4g}".format, na_rep=""))
     written = [folder / "maps.csv", folder / "comparison.csv"]
     for ratio, part in maps.groupby("length_ratio"):
-        written += figures.save(cylinder_figures.maps_figure(part), folder / f"maps_{ratio:g}")
-    written += figures.save(cylinder_figures.comparison_figure(), folder / "comparison")
+        written += style.save(cylinder_figures.maps_figure(part), folder / f"maps_{ratio:g}")
+    written += style.save(cylinder_figures.comparison_figure(), folder / "comparison")
     print("\nwritten: " + "  ".join(str(path) for path in written))

@@ -9,8 +9,8 @@ from pathlib import Path
 from plastigran.cli.arguments import add_jobs, law_names
 from plastigran.cli.commands.bulk import report
 from plastigran.cli.commands.impact import run_impacts
-from plastigran.engine import PROJECT
-from plastigran.impact import GEOMETRIES, PAPER_SPEEDS, plan, sweep
+from plastigran.engine.process import PROJECT
+from plastigran.experiments.central import GEOMETRIES, PAPER_SPEEDS, plan, sweep
 
 HELP = "the tour: collisions, a gas that cools and a hopper, with figures"
 
@@ -23,8 +23,8 @@ def add_arguments(command: argparse.ArgumentParser) -> None:
 def run(arguments: argparse.Namespace) -> None:
     """The paper's sphere over four decades of speed; one impact through every geometry; a gas that
     cools by such impacts; a hopper of yielding grains."""
-    from plastigran.bulk import run_bulk  # matplotlib is slow to load
-    from plastigran.snapshot import draw, read_frames
+    from plastigran.bulk.run import run_bulk  # matplotlib is slow to load
+    from plastigran.plot.snapshot import draw, read_frames
 
     folder = arguments.output
     names = law_names(["all"], ["aluminium_zv02"])

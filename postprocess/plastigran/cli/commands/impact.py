@@ -20,7 +20,7 @@ from plastigran.cli.arguments import (
     positive_integer,
 )
 from plastigran.cli.tables import format_table, print_range
-from plastigran.impact import Impact, plan, sweep
+from plastigran.experiments.central import Impact, plan, sweep
 
 HELP = "run collisions in the engine, table and figures"
 
@@ -48,14 +48,16 @@ def add_arguments(command: argparse.ArgumentParser) -> None:
 
 def run_impacts(impacts: list[Impact], folder: Path, jobs: int | None) -> pd.DataFrame:
     """Sweep, table, figures."""
-    from plastigran import figures  # matplotlib is slow to load
+    # matplotlib is slow to load
+    from plastigran.experiments.central_figures import loops_figure, restitution_figure
+    from plastigran.plot import style
 
     table, collisions = sweep(impacts, folder, jobs)
     print(format_table(table))
     print_range(table)
     written = [folder / "impacts.csv"]
-    written += figures.save(figures.restitution_figure(table, impacts), folder / "restitution")
-    written += figures.save(figures.loops_figure(collisions), folder / "loops")
+    written += style.save(restitution_figure(table, impacts), folder / "restitution")
+    written += style.save(loops_figure(collisions), folder / "loops")
     print("\nwritten: " + "  ".join(str(path) for path in written))
     return table
 

@@ -7,7 +7,7 @@ import argparse
 
 from plastigran import materials
 from plastigran.cli.arguments import positive, positive_integer
-from plastigran.modes import sphere_modes
+from plastigran.physics.modes import sphere_modes
 
 HELP = "free vibrations of an elastic sphere"
 

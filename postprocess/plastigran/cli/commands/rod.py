@@ -14,9 +14,9 @@ from plastigran.cli.arguments import (
     positive,
 )
 from plastigran.cli.tables import format_table, print_range
-from plastigran.impact import sweep
-from plastigran.rod import PAPER_FRICTION, Rod
-from plastigran.rod import runs as rod_runs
+from plastigran.experiments.central import sweep
+from plastigran.experiments.rod import PAPER_FRICTION, Rod
+from plastigran.experiments.rod import runs as rod_runs
 
 HELP = "drop the paper's oblique rod, table and figures"
 
@@ -56,8 +56,8 @@ def paper_rod(angle: float, friction: float | None) -> Rod:
 
 
 def run(arguments: argparse.Namespace) -> None:
-    from plastigran import figures
-    from plastigran.rod import figures as rod_figures  # matplotlib is slow to load
+    from plastigran.experiments.rod import figures as rod_figures  # matplotlib is slow to load
+    from plastigran.plot import style
 
     rods = [paper_rod(angle, arguments.friction) for angle in arguments.angle]
     names = law_names(arguments.law, [rods[0].material.name])
@@ -73,5 +73,5 @@ def run(arguments: argparse.Namespace) -> None:
         ("deformation", rod_figures.deformation_figure(table)),
         ("motion", rod_figures.motion_figure(closest, impacts[closest])),
     ):
-        written += figures.save(figure, folder / name)
+        written += style.save(figure, folder / name)
     print("\nwritten: " + "  ".join(str(path) for path in written))

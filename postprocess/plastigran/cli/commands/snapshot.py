@@ -6,7 +6,7 @@ from __future__ import annotations
 import argparse
 from pathlib import Path
 
-from plastigran.snapshot import COLOURS, VIEWS, SnapshotError, draw, read_frames
+from plastigran.plot.snapshot import COLOURS, VIEWS, SnapshotError, draw, read_frames
 
 HELP = "a picture of a bulk run's grains or force chains"
 

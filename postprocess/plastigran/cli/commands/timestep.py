@@ -7,7 +7,7 @@ import argparse
 
 from plastigran import materials
 from plastigran.cli.arguments import add_law_and_sphere, law_names, positive
-from plastigran.impact import Impact
+from plastigran.experiments.central import Impact
 
 HELP = "recommended time step of an impact"
 

@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+//
+// What any law says about a central impact, without a host: by energy, or where the force depends
+// on the rate of overlap by the equation of motion.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <type_traits>
+#include <utility>
+
+#include "plastigran/shared/contact.h"
+
+namespace plastigran {
+
+struct Impact {
+  double overlap_max = 0;                 // [m]
+  double force_max = 0;                   // [N]
+  double overlap_res = 0;                 // overlap at which the rebound's force vanishes [m]
+  double coefficient_of_restitution = 0;  // [-]
+  double stiffness_max = 0;               // steepest slope of force over overlap [N/m]
+  double damping_max = 0;                 // slope of force over rate at overlap_max [N s/m]
+  bool in_range = true;                   // the law is good for that load
+};
+
+// Largest overlap over R* a law is good for. No contact law is good for overlaps of the order of
+// the radius; a law may narrow that: double overlap_range() const.
+constexpr double overlap_limit = 0.1;
+
+template <class Law, class = void>
+struct SaysRange : std::false_type {};
+template <class Law>
+struct SaysRange<Law, std::void_t<decltype(std::declval<const Law&>().overlap_range())>>
+    : std::true_type {};
+
+template <class Law>
+double overlap_range(const Law& law) {
+  if constexpr (SaysRange<Law>::value)
+    return std::min(law.overlap_range(), overlap_limit);
+  else
+    return overlap_limit;
+}
+
+// The central impact of a law that depends on the rate of overlap: m* d^2 overlap/dt^2 = -F, from
+// the first touch until the force is gone. In root = sqrt(overlap) over a time tau with
+// dt = root dtau it is smooth, also where the force begins like the root:
+//
+//   d root/dtau = rate/2,   d rate/dtau = -root F/m*
+//
+// Runge-Kutta of fourth order, each step done whole and in halves; their difference is held to
+// 1e-12 of the impact's own root and speed, and removed.
+template <class Law>
+Impact rate_dependent_impact(const Law& law, double radius_eff, double mass_eff, double speed) {
+  struct Point {
+    double root, rate;
+    Point after(double h, Point slope) const {
+      return {root + h * slope.root, rate + h * slope.rate};
+    }
+  };
+  typename Law::State state;
+  const auto force = [&](Point p) {
+    typename Law::State trial = state;
+    return p.root > 0 ? law.respond(radius_eff, p.root * p.root, trial, p.rate).force : 0.0;
+  };
+  const auto slope = [&](Point p) { return Point{0.5 * p.rate, -p.root * force(p) / mass_eff}; };
+  const auto once = [&](Point p, double h) {
+    const Point a = slope(p), b = slope(p.after(h / 2, a)), c = slope(p.after(h / 2, b)),
+                d = slope(p.after(h, c));
+    return p.after(h / 6, a).after(h / 3, b).after(h / 3, c).after(h / 6, d);
+  };
+  double error = 0;  // of the last step tried, over what is allowed
+  const auto step = [&](Point p, double h) {
+    const Point whole = once(p, h), half = once(once(p, h / 2), h / 2);
+    const Point off{(half.root - whole.root) / 15, (half.rate - whole.rate) / 15};
+    error = std::max(std::abs(off.root) / (1e-12 * std::max(p.root, half.root)),
+                     std::abs(off.rate) / (1e-12 * speed));
+    return half.after(1, off);
+  };
+  // Where in a step a condition turns true.
+  const auto turn = [&](Point p, double h, auto condition) {
+    double before = 0, after = h;
+    for (int i = 0; i < 60; ++i) {
+      const double middle = 0.5 * (before + after);
+      (condition(step(p, middle)) ? after : before) = middle;
+    }
+    return step(p, after);
+  };
+
+  Impact impact;
+  const auto back = [](Point p) { return p.rate < 0; };
+  const auto gone = [&](Point p) { return p.rate < 0 && force(p) == 0; };
+  Point now{0, speed};
+  double h = 1e-6 * std::sqrt(radius_eff) / speed;
+  for (int tried = 0; tried < 100000; ++tried) {
+    const Point next = step(now, h);
+    const double growth = 0.9 * std::pow(std::max(error, 1e-10), -0.2);
+    if (error > 1) {
+      h *= std::max(growth, 0.1);
+      continue;
+    }
+    if (!back(now)) {  // the force is largest while closing; golden section finds it in a step
+      const auto along = [&](double part) { return force(step(now, part * h)); };
+      impact.force_max = std::max(impact.force_max, along(golden_section(along, 0, 1, 30)));
+    }
+    if (back(next) && !back(now)) {
+      const Point top = turn(now, h, back);
+      impact.overlap_max = top.root * top.root;
+    }
+    if (gone(next)) {
+      now = turn(now, h, gone);
+      break;
+    }
+    now = next;
+    law.respond(radius_eff, now.root * now.root, state, now.rate);
+    h *= std::min(growth, 4.0);
+  }
+  impact.coefficient_of_restitution = -now.rate / speed;
+  const double overlap_res = now.root > 0 ? now.root * now.root : 0;
+  impact.overlap_res = overlap_res < 1e-9 * impact.overlap_max ? 0 : overlap_res;
+  impact.in_range = impact.overlap_max <= overlap_range(law) * radius_eff;
+
+  const auto at = [&](double overlap, double rate) { return force({std::sqrt(overlap), rate}); };
+  const double still = at(impact.overlap_max, 0), less = 1e-4 * impact.overlap_max;
+  impact.stiffness_max = (still - at(impact.overlap_max - less, 0)) / less;
+  impact.damping_max = (at(impact.overlap_max, speed) - still) / speed;
+  return impact;
+}
+
+// Bodies of effective mass mass_eff [kg] meet at relative speed `speed` [m/s]: 1/2 m* v^2 equals
+// the virgin work at the largest overlap, and what is stored elastically there is given back.
+template <class Law>
+Impact central_impact(const Law& law, double radius_eff, double mass_eff, double speed) {
+  if constexpr (IsRateDependent<Law>::value)
+    return rate_dependent_impact(law, radius_eff, mass_eff, speed);
+  Impact impact;
+  const double energy = 0.5 * mass_eff * speed * speed;
+  if (!(energy > 0)) return impact;
+  const auto virgin = [&](double overlap) {
+    typename Law::State state;
+    return law.respond(radius_eff, overlap, state);
+  };
+  const auto excess = [&](double overlap) {
+    const Response r = virgin(overlap);
+    return r.elastic_energy + r.plastic_work - energy;
+  };
+  double low = 0, high = 1e-6 * radius_eff;
+  for (; excess(high) < 0 && high < 1e6 * radius_eff; high *= 2) low = high;
+  for (int i = 0; i < 100; ++i) {
+    const double middle = 0.5 * (low + high);
+    (excess(middle) < 0 ? low : high) = middle;
+  }
+  impact.overlap_max = 0.5 * (low + high);
+
+  typename Law::State state;
+  const Response peak = law.respond(radius_eff, impact.overlap_max, state);
+  impact.force_max = peak.force;
+  impact.in_range = impact.overlap_max <= overlap_range(law) * radius_eff;
+  impact.coefficient_of_restitution = std::sqrt(peak.elastic_energy / energy);
+
+  const auto force = [&](double overlap) {
+    typename Law::State unloading = state;
+    return law.respond(radius_eff, overlap, unloading).force;
+  };
+  low = 0, high = impact.overlap_max;
+  for (int i = 0; i < 100; ++i) {
+    const double middle = 0.5 * (low + high);
+    (force(middle) > 0 ? high : low) = middle;
+  }
+  impact.overlap_res = high < 1e-9 * impact.overlap_max ? 0 : high;
+
+  const double step = 1e-4 * (impact.overlap_max - impact.overlap_res);
+  impact.stiffness_max = (peak.force - force(impact.overlap_max - step)) / step;
+  return impact;
+}
+
+// The step that resolves that impact's rebound: a fraction of sqrt(m*/k) on the steepest branch,
+// less where the force has a slope c over the rate: the engine knows the rate of half a step ago.
+// It keeps the coefficient of restitution within 1e-3 (docs/time_step.md).
+constexpr double time_step_fraction = 0.1;
+constexpr double time_step_damping = 16;  // of c^2/(k m*)
+
+template <class Law>
+double recommended_time_step(const Law& law, double radius_eff, double mass_eff, double speed) {
+  const Impact impact = central_impact(law, radius_eff, mass_eff, speed);
+  const double stiffness = impact.stiffness_max, damping = impact.damping_max;
+  return time_step_fraction * std::sqrt(mass_eff / stiffness) /
+         (1 + time_step_damping * damping * damping / (stiffness * mass_eff));
+}
+
+}  // namespace plastigran

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+//
+// Brake 2015 (Int. J. Solids Struct. 62:104): Hertz hands over to a plastic indentation of Meyer
+// index n by hyperbolic secants. As collected in Ghaednia et al. 2015 (Int. J. Impact Eng. 86:307),
+// eqs 28-31, repaired.
+//
+//   overlap_y = R* (pi p_y/2E*)^2,  overlap_p = R* (3 pi P0/2E*)^2,  x_p = overlap_p/overlap_y
+//   s = (x - 1)/(x_p - 1)
+//   f = sech((n-1) s) x^1.5 + (1 - sech((3-n) s)) x_p^(1/2) x (x/x_p)^((n-2)/2)
+//   overlap_res = overlap_max (1 - f/x^1.5), not below 0;   a^2 = R* overlap (2 - sech((n-1) s))
+//
+// P0 is the indentation pressure (hardness), n = 2 is perfect plasticity. Force and slope are
+// continuous. The source gives no contact radius; this one goes from Hertz's R* overlap to the
+// 2 R* overlap of a plastic indentation as the force does. Beyond n = 2.7 the force would fall with
+// overlap.
+#pragma once
+
+#include "plastigran/shared/indentation_pressure.h"
+#include "plastigran/shared/power_unloading.h"
+
+namespace plastigran {
+
+struct Brake2015Curve {
+  static constexpr std::size_t break_count = 1;
+  std::array<double, break_count> breaks{1};
+  double yield_radius_ratio;
+  double meyer;    // n
+  double plastic;  // x_p
+
+  Brake2015Curve(const MaterialPair& pair, double pressure, double index)
+      : yield_radius_ratio(plastigran::yield_radius_ratio(pair)), meyer(index) {
+    const double root = 3 * indentation_pressure(pair, pressure) / pair.yield_pressure;
+    plastic = root * root;
+  }
+
+  double elastic_share(double x) const {
+    return 1 / std::cosh((meyer - 1) * (x - 1) / (plastic - 1));
+  }
+  double force(double x) const {
+    const double s = (x - 1) / (plastic - 1);
+    return elastic_share(x) * x * std::sqrt(x) + (1 - 1 / std::cosh((3 - meyer) * s)) *
+                                                     std::sqrt(plastic) * x *
+                                                     std::pow(x / plastic, 0.5 * meyer - 1);
+  }
+  double recovery(double x) const { return std::min(x, force(x) / std::sqrt(x)); }
+  double exponent(double) const { return 1.5; }
+  double contact_radius(double x) const { return std::sqrt(x * (2 - elastic_share(x))); }
+};
+
+class Brake2015 : public PowerUnloading<Brake2015Curve> {
+ public:
+  static constexpr const char* name = "brake_2015";
+  static constexpr const char* source = "Brake 2015, Int. J. Solids Struct. 62:104";
+  static constexpr const char* range = "small strain; as good as the indentation pressure given";
+  struct Parameters {
+    double indentation_pressure = 0;  // P0 [Pa]
+    double meyer_index = 2;           // n [-]
+    int energy_guard = 1;
+  };
+  static constexpr std::array<Parameter<Parameters>, 2> parameters{{
+      indentation_pressure_parameter(&Parameters::indentation_pressure),
+      {"meyer_index", "meyerIndex", "-", &Parameters::meyer_index, 2, 2.7,
+       "Meyer's hardening index; 2 is perfectly plastic"},
+  }};
+  static constexpr std::array<Option<Parameters>, 1> options{{
+      energy_guard_option(&Parameters::energy_guard),
+  }};
+
+  // Yield must come before full plasticity.
+  static bool admissible(const MaterialPair& pair, const Parameters& constants) {
+    return Brake2015Curve(pair, constants.indentation_pressure, constants.meyer_index).plastic > 1;
+  }
+  static constexpr const char* admissibility =
+      "indentationPressure must be more than a third of the weaker body's contact yield pressure";
+
+  Brake2015(const MaterialPair& pair, const Parameters& constants)
+      : PowerUnloading(pair,
+                       Brake2015Curve(pair, constants.indentation_pressure, constants.meyer_index),
+                       constants.energy_guard == 1) {}
+};
+
+}  // namespace plastigran

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+//
+// Ghaednia, Marghitu & Jackson 2014 (J. Tribol. 137:011403): Jackson & Green's law refitted to the
+// impact of a rod on a flat in which both bodies deform. As collected in Ghaednia et al. 2015 (Int.
+// J. Impact Eng. 86:307), eqs 32-34. Symbols of jackson_green.h.
+//
+//   f = exp(-0.17 x^(5/12)) x^1.5 + 4H/(C sigma_Y) (1 - exp(-x^(5/9)/78)) x^1.1   x > 1.9
+//   overlap_res = 0.8 overlap_max (1 - ((x + 5.5)/6.5)^-2)                        x > 1.9
+//
+// The source is ambiguous about the 1.1: an exponent of x (option loading exponent, the default) or
+// a factor before x (prefactor). The force jumps by -10 % at 1.9.
+// Range: one steel on iron, overlaps to about 1000 overlap_c.
+#pragma once
+
+#include "plastigran/laws/jackson_green.h"
+#include "plastigran/shared/power_unloading.h"
+
+namespace plastigran {
+
+struct GhaedniaCurve : JacksonGreenCurve {
+  enum Loading { exponent_of_overlap, prefactor };
+  int loading;
+
+  GhaedniaCurve(const MaterialPair& pair, int reading)
+      : JacksonGreenCurve(pair, cosine), loading(reading) {}
+
+  double force(double x) const {
+    const double growth = loading == prefactor ? 1.1 * x : std::pow(x, 1.1);
+    return std::exp(-0.17 * std::pow(x, 5.0 / 12)) * x * std::sqrt(x) +
+           4 * hardness_ratio(x) / pressure_factor * -std::expm1(-std::pow(x, 5.0 / 9) / 78) *
+               growth;
+  }
+  double overlap_range() const { return 1000 * yield_radius_ratio * yield_radius_ratio; }
+  double recovery(double x) const {
+    const double t = 6.5 / (x + 5.5);
+    return x * (1 - 0.8 * (1 - t * t));
+  }
+};
+
+class Ghaednia : public PowerUnloading<GhaedniaCurve> {
+ public:
+  static constexpr const char* name = "ghaednia";
+  static constexpr const char* source = "Ghaednia, Marghitu & Jackson 2014, J. Tribol. 137:011403";
+  static constexpr const char* range =
+      "overlap <= 1000 times that at yield; one steel on iron, both deforming";
+  struct Parameters {
+    int loading = GhaedniaCurve::exponent_of_overlap;
+    int energy_guard = 1;
+  };
+  static constexpr std::array<Parameter<Parameters>, 0> parameters{};
+  static constexpr std::array<Option<Parameters>, 2> options{{
+      {"loading",
+       &Parameters::loading,
+       {"exponent", "prefactor", nullptr},
+       "reading of the 1.1 in the loading curve"},
+      energy_guard_option(&Parameters::energy_guard),
+  }};
+
+  Ghaednia(const MaterialPair& pair, const Parameters& constants)
+      : PowerUnloading(pair, GhaedniaCurve(pair, constants.loading), constants.energy_guard == 1) {}
+};
+
+}  // namespace plastigran

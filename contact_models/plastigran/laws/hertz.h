@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+//
+// Hertz 1881 (J. reine angew. Math. 92:156): frictionless elastic contact, the limit of every law
+// here for an unyielding body.
+//
+//   F = 4/3 E* sqrt(R*) overlap^(3/2),   a = sqrt(R* overlap),   energy 2/5 F overlap
+//
+// Range: a << R*; contact time long against the bodies' slowest vibration.
+#pragma once
+
+#include "plastigran/shared/contact.h"
+
+namespace plastigran {
+
+class Hertz {
+ public:
+  static constexpr const char* name = "hertz";
+  static constexpr const char* source = "Hertz 1881, J. reine angew. Math. 92:156";
+  static constexpr const char* range = "elastic contact, a << R*";
+  static constexpr bool yields = false;
+  struct Parameters {};
+  static constexpr std::array<Parameter<Parameters>, 0> parameters{};
+  static constexpr std::array<Option<Parameters>, 0> options{};
+  struct State {};
+  static constexpr std::array<const char*, 0> state_names{};
+
+  explicit Hertz(const MaterialPair& pair, const Parameters&)
+      : modulus_(4.0 / 3.0 * pair.youngs_modulus_eff) {}
+
+  Response respond(double radius_eff, double overlap, State&) const {
+    if (!(overlap > 0)) return {};
+    Response response;
+    response.contact_radius = std::sqrt(radius_eff * overlap);
+    response.force = modulus_ * response.contact_radius * overlap;
+    response.elastic_energy = 0.4 * response.force * overlap;
+    return response;
+  }
+
+ private:
+  double modulus_;  // 4/3 E*
+};
+
+}  // namespace plastigran

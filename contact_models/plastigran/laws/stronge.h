@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+//
+// Stronge 2000 (Impact Mechanics, ch. 6): elastic, then elastic-plastic with a mean pressure that
+// rises with the logarithm of the contact radius, then fully plastic at 2.8 sigma_Y.
+//
+//   a_Y = (3 pi/4) th sigma_Y R*/E*, th = 1.1;  x = overlap/overlap_Y;  q = 2x - 1 = (a/a_Y)^2
+//   f = x^1.5                  x <= 1
+//   f = q (1 + ln q/(3 th))    until the mean pressure is 2.8 sigma_Y, at q = exp(3 (2.8 - th))
+//   f = q 2.8/th               beyond
+//
+// No source prints the unloading; three readings are in use, all with n = 3/2:
+//   book             overlap_max - overlap_res = overlap_Y sqrt(q)           (default)
+//   area             the contact area is kept: 3 F_max/(4 E* a_max)
+//   original_radius  Hertz with the undeformed R*: (3 F_max/(4 E* sqrt(R*)))^(2/3)
+//
+// The force is continuous; its slope rises by 1.74 at yield, so that every reading returns more
+// than it took up to x = 1.9 (book) or 4.0: the energy guard sees to it. No reading may leave a
+// negative residual overlap.
+#pragma once
+
+#include "plastigran/shared/power_unloading.h"
+
+namespace plastigran {
+
+struct StrongeCurve {
+  enum Unloading { book, area, original_radius };
+  static constexpr double threshold = 1.1;      // th: mean pressure at yield over sigma_Y
+  static constexpr double fully_plastic = 2.8;  // the same, fully plastic
+  static constexpr std::size_t break_count = 2;
+  double yield_radius_ratio;
+  int unloading;
+  double plastic_area = std::exp(3 * (fully_plastic - threshold));  // q there
+  std::array<double, break_count> breaks{1, 0.5 * (plastic_area + 1)};
+
+  StrongeCurve(const MaterialPair& pair, int reading)
+      : yield_radius_ratio(0.75 * pi * threshold * pair.yield_strength / pair.youngs_modulus_eff),
+        unloading(reading) {}
+
+  double force(double x) const {
+    const double q = 2 * x - 1;
+    return q < plastic_area ? q * (1 + std::log(q) / (3 * threshold))
+                            : q * fully_plastic / threshold;
+  }
+  double recovery(double x) const {
+    const double q = 2 * x - 1;
+    double way = std::sqrt(q);
+    if (unloading == area) way = force(x) / std::sqrt(q);
+    if (unloading == original_radius) way = std::cbrt(force(x) * force(x));
+    return std::min(x, way);
+  }
+  double exponent(double) const { return 1.5; }
+  double contact_radius(double x) const { return std::sqrt(2 * x - 1); }
+};
+
+class Stronge : public PowerUnloading<StrongeCurve> {
+ public:
+  static constexpr const char* name = "stronge";
+  static constexpr const char* source = "Stronge 2000, Impact Mechanics, ch. 6";
+  static constexpr const char* range =
+      "a << R*; small strain; unloading not settled by the sources";
+  struct Parameters {
+    int unloading = StrongeCurve::book;
+    int energy_guard = 1;
+  };
+  static constexpr std::array<Parameter<Parameters>, 0> parameters{};
+  static constexpr std::array<Option<Parameters>, 2> options{{
+      {"unloading",
+       &Parameters::unloading,
+       {"book", "area", "original_radius"},
+       "reading of the unloading curve"},
+      energy_guard_option(&Parameters::energy_guard),
+  }};
+
+  Stronge(const MaterialPair& pair, const Parameters& choices)
+      : PowerUnloading(pair, StrongeCurve(pair, choices.unloading), choices.energy_guard == 1) {}
+};
+
+}  // namespace plastigran

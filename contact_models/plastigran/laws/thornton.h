@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+//
+// Thornton 1997 (J. Appl. Mech. 64:383): the Hertz pressure is cut off at a limiting contact
+// pressure p_y. Equations as collected in Zhang & Vu-Quoc 2002 (Int. J. Impact Eng. 27:317),
+// eqs 4.10-4.11; unloading radius from the preserved contact area at the largest overlap.
+//
+//   overlap_y = R* (pi p_y / 2 E*)^2                      yield
+//   F = 4/3 E* sqrt(R*) overlap^(3/2)                     overlap <= overlap_y
+//   F = pi p_y R* (overlap - overlap_y / 3)               beyond (force and slope continuous)
+//   overlap_max - overlap_res = 3 F_max / (4 E* a_max),   a_max^2 = R* overlap_max
+//   F = F_max x^(3/2),  a = a_max x^(1/2),  x = (overlap - overlap_res)/(overlap_max - overlap_res)
+//
+//   F |           /            virgin curve: Hertz, then a straight line
+//     |         //             unloading and reloading on one curve back to F_max,
+//     |       / /              then along the virgin curve again
+//     |    _/  |
+//     |__/____/______ overlap
+//          overlap_res
+//
+// Range: a << R*. The constant pressure underestimates hardness: at 120 times the yield speed the
+// peak force is 43 % below finite elements (docs/laws/thornton.md).
+#pragma once
+
+#include "plastigran/shared/contact.h"
+
+namespace plastigran {
+
+class Thornton {
+ public:
+  static constexpr const char* name = "thornton";
+  static constexpr const char* source = "Thornton 1997, J. Appl. Mech. 64:383";
+  static constexpr const char* range =
+      "a << R*; force too low well beyond yield (-43 % at 120 v_Y)";
+  struct Parameters {};
+  static constexpr std::array<Parameter<Parameters>, 0> parameters{};
+  static constexpr std::array<Option<Parameters>, 0> options{};
+  struct State {
+    double overlap_max = 0;  // largest overlap beyond yield [m]; 0 while elastic
+  };
+  static constexpr std::array<const char*, 1> state_names{"overlap_max"};
+
+  explicit Thornton(const MaterialPair& pair, const Parameters&)
+      : modulus_(4.0 / 3.0 * pair.youngs_modulus_eff),
+        slope_(pi * pair.yield_pressure),
+        yield_overlap_ratio_(yield_radius_ratio(pair) * yield_radius_ratio(pair)) {}
+
+  Response respond(double radius_eff, double overlap, State& state) const {
+    if (!(overlap > 0)) return {0, 0, 0, plastic_work(radius_eff, state.overlap_max)};
+    const double overlap_y = radius_eff * yield_overlap_ratio_;
+    Response response;
+    if (overlap <= overlap_y && state.overlap_max == 0) {
+      response.contact_radius = std::sqrt(radius_eff * overlap);
+      response.force = modulus_ * response.contact_radius * overlap;
+      response.elastic_energy = 0.4 * response.force * overlap;
+      return response;
+    }
+    if (overlap > state.overlap_max) state.overlap_max = overlap;
+    const double radius_max = std::sqrt(radius_eff * state.overlap_max);
+    const double force_max = slope_ * radius_eff * (state.overlap_max - overlap_y / 3);
+    const double recovery = force_max / (modulus_ * radius_max);  // overlap_max - overlap_res
+    const double x = 1 - (state.overlap_max - overlap) / recovery;
+    if (x > 0) {
+      const double root = std::sqrt(x);
+      response.contact_radius = radius_max * root;
+      response.force = force_max * x * root;
+      response.elastic_energy = 0.4 * response.force * x * recovery;
+    }
+    response.plastic_work = plastic_work(radius_eff, state.overlap_max);
+    return response;
+  }
+
+ private:
+  // Work of the virgin curve up to overlap_max less what unloading from there returns.
+  double plastic_work(double radius_eff, double overlap_max) const {
+    if (overlap_max == 0) return 0;
+    const double overlap_y = radius_eff * yield_overlap_ratio_;
+    const double stiffness = slope_ * radius_eff;
+    const double force_max = stiffness * (overlap_max - overlap_y / 3);
+    const double beyond = overlap_max - overlap_y;
+    const double yield_work = 0.4 * (2.0 / 3.0) * stiffness * overlap_y * overlap_y;
+    const double virgin_work =
+        yield_work + stiffness * beyond * (0.5 * beyond + 2.0 / 3.0 * overlap_y);
+    const double recovery = force_max / (modulus_ * std::sqrt(radius_eff * overlap_max));
+    return virgin_work - 0.4 * force_max * recovery;
+  }
+
+  double modulus_;              // 4/3 E*
+  double slope_;                // dF/d(overlap) per R* beyond yield: pi p_y
+  double yield_overlap_ratio_;  // overlap_y / R*
+};
+
+}  // namespace plastigran

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+//
+// Viscoelastic spheres: Hertz with the viscous stress of the same deformation, quasi-static.
+// Kuwabara & Kono 1987 (Jpn. J. Appl. Phys. 26:1230); Brilliantov, Spahn, Hertzsch & Poschel 1996
+// (Phys. Rev. E 53:5382, eq. 19); where a contact ends: Schwager & Poschel 2008 (Phys. Rev. E
+// 78:051304).
+//
+//   F = rho_k (overlap^(3/2) + 3/2 A sqrt(overlap) d overlap/dt),   rho_k = 4/3 E* sqrt(R*)
+//   a = sqrt(R* overlap),   stored 2/5 rho_k overlap^(5/2)
+//
+//   F |   closing  . - ~ .     Largest before the largest overlap; on the way back it vanishes
+//     |        . '      , |    while the spheres still overlap. They part there: the surfaces
+//     |     . '  Hertz , '     recover more slowly and never pull.
+//     |   . '     , '  parting
+//     +------------------- overlap
+//
+// Range: no yield; impact slow against sound and contact time long against A.
+#pragma once
+
+#include "plastigran/shared/contact.h"
+
+namespace plastigran {
+
+class ViscoelasticHertz {
+ public:
+  static constexpr const char* name = "viscoelastic_hertz";
+  static constexpr const char* source =
+      "Brilliantov, Spahn, Hertzsch & Poschel 1996, Phys. Rev. E 53:5382";
+  static constexpr const char* range = "no yield, a << R*, contact time long against A";
+  static constexpr bool rate_dependent = true;
+  static constexpr bool yields = false;
+
+  struct Parameters {
+    double dissipative_constant = required;
+  };
+  static constexpr std::array<Parameter<Parameters>, 1> parameters{
+      {{"dissipative_constant", "dissipativeConstant", "s", &Parameters::dissipative_constant, 0, 1,
+        "A, viscous over elastic constants of the two bodies; 0 is Hertz"}}};
+  static constexpr std::array<Option<Parameters>, 0> options{};
+
+  struct State {};
+  static constexpr std::array<const char*, 0> state_names{};
+
+  ViscoelasticHertz(const MaterialPair& pair, const Parameters& constants)
+      : modulus_(4.0 / 3.0 * pair.youngs_modulus_eff),
+        delay_(1.5 * constants.dissipative_constant) {}
+
+  Response respond(double radius_eff, double overlap, State&, double overlap_rate = 0) const {
+    if (!(overlap > 0)) return {};
+    Response response;
+    const double radius = std::sqrt(radius_eff * overlap);
+    const double elastic_force = modulus_ * radius * overlap;
+    const double force = elastic_force + modulus_ * radius * delay_ * overlap_rate;
+    if (force > 0) {
+      response.force = force;
+      response.contact_radius = radius;
+    }
+    // What is still stored where the spheres part is lost while their surfaces recover.
+    response.elastic_energy = 0.4 * elastic_force * overlap;
+    response.viscous_force = response.force - elastic_force;
+    return response;
+  }
+
+ private:
+  double modulus_;  // 4/3 E*
+  double delay_;    // 3/2 A
+};
+
+}  // namespace plastigran

@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+//
+// The vocabulary every contact law shares: what two bodies bring to a contact, and what a law
+// answers. Nothing here or in a law allocates, throws, reads a global or knows a host program.
+//
+// A law is a class over a MaterialPair. It answers one question: two bodies overlap by this much
+// and have this history; what force, what energy? It provides
+//
+//   name         the word a user types; source, range: where it is from, how far it is good
+//   Parameters   a struct of the law's own constants, each with its default
+//   parameters   a table of them: host property, unit, allowed range
+//   options      a table of the choices its sources leave open
+//   State        a struct of doubles, zero for a contact never loaded beyond yield: the extremes
+//                the contact has reached, symmetric in the two bodies
+//   respond(radius_eff, overlap, state)
+//                the Response on the total law; moves `state` when a new extreme is reached, so
+//                that a second call at the same overlap changes nothing; at no overlap, the
+//                plastic work of the state alone
+//
+// and may say more of itself:
+//
+//   shape = "cylinder"      the bodies are no spheres
+//   rate_dependent = true   the force depends on the rate of overlap, too [m/s, closing positive]:
+//                respond(radius_eff, overlap, state, overlap_rate = 0), a total law at rate zero
+//   yields = false          no yield: the yield strength is not asked for
+//
+// SI units throughout.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <tuple>
+#include <type_traits>
+
+#include "plastigran/shared/numerics.h"
+
+namespace plastigran {
+
+constexpr double pi = 3.14159265358979323846;
+
+// Strength of a body that never yields.
+constexpr double unlimited = std::numeric_limits<double>::infinity();
+
+// Default of a constant that has none and must be given.
+constexpr double required = std::numeric_limits<double>::quiet_NaN();
+
+// One body's bulk constants.
+struct Material {
+  double youngs_modulus = 0;          // E [Pa]
+  double poissons_ratio = 0;          // nu [-]
+  double yield_strength = unlimited;  // sigma_Y, uniaxial [Pa]
+  double yield_pressure_factor = 0;   // p_y / sigma_Y [-]; 0 asks for the Hertz-von Mises value
+};
+
+// What two bodies bring to any contact between them; the same in either order.
+struct MaterialPair {
+  double youngs_modulus_eff = 0;  // E*: 1/E* = (1-nu1^2)/E1 + (1-nu2^2)/E2 [Pa]
+  double shear_modulus_eff = 0;   // G*: 1/G* = (2-nu1)/G1 + (2-nu2)/G2 [Pa]
+  double yield_pressure = 0;      // p_y, contact pressure at which the weaker body yields [Pa]
+  double yield_strength = 0;      // sigma_Y of the weaker body [Pa]
+  double poissons_ratio = 0;      // nu of the weaker body [-]
+};
+
+// A law's answer. Energies are totals since the contact was virgin. An energy ledger closes with
+// them: while the contact moves at `overlap_rate`, force * overlap_rate is what elastic_energy and
+// plastic_work grow by a second, plus viscous_force * overlap_rate, which is never negative and
+// lost.
+struct Response {
+  double force = 0;           // repulsive normal force, never negative [N]
+  double contact_radius = 0;  // of a line contact the half-width [m]
+  double elastic_energy = 0;  // what unloading from here would give back [J]
+  double plastic_work = 0;    // what it will not [J]
+  double viscous_force = 0;   // the rate's share of `force`, negative while parting [N]
+};
+
+template <class Law, class = void>
+struct IsRateDependent : std::false_type {};
+template <class Law>
+struct IsRateDependent<Law, std::void_t<decltype(Law::rate_dependent)>>
+    : std::bool_constant<Law::rate_dependent> {};
+
+template <class Law, class = void>
+struct Yields : std::true_type {};
+template <class Law>
+struct Yields<Law, std::void_t<decltype(Law::yields)>> : std::bool_constant<Law::yields> {};
+
+// Ask any law; one that does not depend on the rate never sees it.
+template <class Law>
+Response respond(const Law& law, double radius_eff, double overlap, typename Law::State& state,
+                 double overlap_rate) {
+  if constexpr (IsRateDependent<Law>::value)
+    return law.respond(radius_eff, overlap, state, overlap_rate);
+  else
+    return law.respond(radius_eff, overlap, state);
+}
+
+// A choice a law leaves to the user, where its sources leave it open: an index into `choices`.
+template <class Parameters>
+struct Option {
+  const char* name;
+  int Parameters::*value;
+  std::array<const char*, 3> choices;  // null where there are fewer
+  const char* meaning;
+};
+
+// The choice of laws that may return more than was put in as published.
+template <class Parameters>
+constexpr Option<Parameters> energy_guard_option(int Parameters::*value) {
+  return {"energy_guard", value, {"off", "on", nullptr}, "the work lost never falls"};
+}
+
+// One constant of a law: how users name it and what it may be.
+template <class Parameters>
+struct Parameter {
+  const char* name;      // C++ and Python name
+  const char* property;  // LIGGGHTS `fix property/global ... peratomtypepair` name
+  const char* unit;
+  double Parameters::*value;
+  double lower, upper;  // allowed range, ends included
+  const char* meaning;
+  // A property of each body instead (peratomtype, without a default): 0 for a body it does not
+  // describe; the pair has the larger of two.
+  bool per_body = false;
+};
+
+// p_y / sigma_Y at which a Hertzian contact first yields (von Mises) below its centre: the inverse
+// of the largest shear over peak pressure on the axis, max over z (depth / contact radius) of
+// 1.5/(1+z^2) - (1+nu)(1 - z atan(1/z)). Johnson, Contact Mechanics (1985), sec. 3.4 and 4.1.
+inline double hertz_yield_pressure_factor(double poissons_ratio) {
+  const auto shear = [=](double z) {
+    return 1.5 / (1 + z * z) - (1 + poissons_ratio) * (1 - z * std::atan2(1.0, z));
+  };
+  return 1 / shear(golden_section(shear, 0, 2, 80));
+}
+
+inline double yield_pressure(const Material& body) {
+  const double factor = body.yield_pressure_factor > 0
+                            ? body.yield_pressure_factor
+                            : hertz_yield_pressure_factor(body.poissons_ratio);
+  return factor * body.yield_strength;
+}
+
+inline MaterialPair combine(const Material& a, const Material& b) {
+  const auto plane_compliance = [](const Material& body) {
+    return (1 - body.poissons_ratio * body.poissons_ratio) / body.youngs_modulus;
+  };
+  const auto shear_compliance = [](const Material& body) {
+    return 2 * (2 - body.poissons_ratio) * (1 + body.poissons_ratio) / body.youngs_modulus;
+  };
+  // The one that yields at the lower pressure; ties are broken so that the order never matters.
+  const auto rank = [](const Material& body) {
+    return std::make_tuple(yield_pressure(body), body.yield_strength, body.poissons_ratio);
+  };
+  const Material& weaker = rank(a) <= rank(b) ? a : b;
+  MaterialPair pair;
+  pair.youngs_modulus_eff = 1 / (plane_compliance(a) + plane_compliance(b));
+  pair.shear_modulus_eff = 1 / (shear_compliance(a) + shear_compliance(b));
+  pair.yield_pressure = yield_pressure(weaker);
+  pair.yield_strength = weaker.yield_strength;
+  pair.poissons_ratio = weaker.poissons_ratio;
+  return pair;
+}
+
+// a_Y / R*: contact radius over effective radius when the peak Hertz pressure reaches p_y.
+inline double yield_radius_ratio(const MaterialPair& pair) {
+  return pi * pair.yield_pressure / (2 * pair.youngs_modulus_eff);
+}
+
+// What a law's bodies are: `static constexpr const char* shape`, spheres where it says nothing.
+template <class Law, class = void>
+struct Shape {
+  static constexpr const char* value = "sphere";
+};
+template <class Law>
+struct Shape<Law, std::void_t<decltype(Law::shape)>> {
+  static constexpr const char* value = Law::shape;
+};
+template <class Law>
+constexpr const char* shape = Shape<Law>::value;
+
+// Stiffness of the elastic contact with a given contact radius [N/m], for springs and dashpots
+// along and across the normal. A law of other bodies than spheres says its own:
+// elastic_stiffness(contact radius). Spheres: Mindlin 1949; Johnson, Contact Mechanics (1985),
+// sec. 4.2 and 7.2.
+struct Stiffness {
+  double normal, tangential;
+};
+template <class Law, class = void>
+struct SaysStiffness : std::false_type {};
+template <class Law>
+struct SaysStiffness<Law, std::void_t<decltype(&Law::elastic_stiffness)>> : std::true_type {};
+
+template <class Law>
+Stiffness elastic_stiffness(const Law& law, double youngs_modulus_eff, double shear_modulus_eff,
+                            double contact_radius) {
+  if constexpr (SaysStiffness<Law>::value)
+    return law.elastic_stiffness(contact_radius);
+  else
+    return {2 * youngs_modulus_eff * contact_radius, 8 * shear_modulus_eff * contact_radius};
+}
+
+}  // namespace plastigran

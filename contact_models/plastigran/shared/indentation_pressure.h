@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+//
+// The pressure of a fully plastic indentation (hardness) as laws take it: given, or by default 2.8
+// yield strengths (Tabor, The Hardness of Metals, 1951).
+#pragma once
+
+#include "plastigran/shared/contact.h"
+
+namespace plastigran {
+
+inline double indentation_pressure(const MaterialPair& pair, double given) {
+  return given > 0 ? given : 2.8 * pair.yield_strength;
+}
+
+template <class Parameters>
+constexpr Parameter<Parameters> indentation_pressure_parameter(double Parameters::*value) {
+  return {
+      "indentation_pressure",
+      "indentationPressure",
+      "Pa",
+      value,
+      1e5,
+      1e13,
+      "pressure of a fully plastic indentation, 9.80665e6 times a hardness in kgf/mm2; 0 stands "
+      "for 2.8 times the yield strength"};
+}
+
+}  // namespace plastigran

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+//
+// Laws given by a virgin curve and a residual overlap, which unload along a power of the way left:
+//
+//   F = F_max y^n,   y = (overlap - overlap_res)/(overlap_max - overlap_res),   n = 3/2 for most
+//
+// A curve says the law in its own yield units, x = overlap/overlap_y and f = F/F_y, where overlap_y
+// and F_y are the Hertzian values at its onset of yield:
+//
+//   yield_radius_ratio  r = a_y/R*: overlap_y = r^2 R*, F_y = 4/3 E* r^3 R*^2
+//   breaks              where the formula changes, ascending; Hertz below the first
+//   force(x)            f beyond the first break
+//   recovery(x)         (overlap_max - overlap_res)/overlap_y after loading to x
+//   exponent(x)         n
+//   contact_radius(x)   a/a_y beyond the first break
+//   overlap_range()     optional: largest overlap over R* the curve is good for
+//
+// Energy guard. Near yield some published curves return more than was put in, and where one jumps
+// up the work lost so far would shrink. With the guard (the default) the work lost never falls:
+// where it would, the rebound is shortened until the published one has caught up. The stretches of
+// x where that happens are found once per pair of materials.
+#pragma once
+
+#include <algorithm>
+#include <utility>
+
+#include "plastigran/shared/contact.h"
+
+namespace plastigran {
+
+template <class Curve>
+class PowerUnloading {
+ public:
+  struct State {
+    double overlap_max = 0;  // largest overlap beyond yield [m]; 0 while elastic
+    double force_max = 0;    // force there [N]
+    double recovery = 0;     // overlap_max - overlap_res [m]
+  };
+  static constexpr std::array<const char*, 3> state_names{"overlap_max", "force_max", "recovery"};
+
+  PowerUnloading(const MaterialPair& pair, const Curve& curve, bool energy_guard)
+      : curve_(curve),
+        modulus_(4.0 / 3.0 * pair.youngs_modulus_eff),
+        overlap_ratio_(curve.yield_radius_ratio * curve.yield_radius_ratio) {
+    if (energy_guard) find_guarded();
+  }
+
+  template <class C = Curve>
+  auto overlap_range() const -> decltype(std::declval<const C&>().overlap_range()) {
+    return curve_.overlap_range();
+  }
+
+  Response respond(double radius_eff, double overlap, State& state) const {
+    const double overlap_y = radius_eff * overlap_ratio_;
+    Response response;
+    if (state.overlap_max == 0 && overlap <= curve_.breaks[0] * overlap_y) {
+      if (!(overlap > 0)) return response;
+      response.contact_radius = std::sqrt(radius_eff * overlap);
+      response.force = modulus_ * response.contact_radius * overlap;
+      response.elastic_energy = 0.4 * response.force * overlap;
+      return response;
+    }
+    const double radius_y = radius_eff * curve_.yield_radius_ratio;
+    const double force_y = modulus_ * radius_y * overlap_y;
+    if (overlap > state.overlap_max) {
+      const double x = overlap / overlap_y;
+      state = {overlap, force_y * curve_.force(x), overlap_y * recovery(x)};
+    }
+    const double x_max = state.overlap_max / overlap_y;
+    const double exponent = curve_.exponent(x_max);
+    const double y = 1 - (state.overlap_max - overlap) / state.recovery;
+    if (y > 0 && overlap > 0) {
+      const double root = std::sqrt(y);
+      response.force = state.force_max * (exponent == 1.5 ? y * root : std::pow(y, exponent));
+      response.contact_radius = radius_y * curve_.contact_radius(x_max) * root;
+      response.elastic_energy = response.force * y * state.recovery / (exponent + 1);
+    }
+    response.plastic_work = force_y * overlap_y * virgin_work(x_max) -
+                            state.force_max * state.recovery / (exponent + 1);
+    return response;
+  }
+
+ private:
+  // A stretch of x on which the work lost stays what it was at its begin.
+  struct Guarded {
+    double begin, end, plastic_work;
+  };
+
+  // Work of the virgin curve up to x, over F_y overlap_y: Gauss-Legendre between the breaks on
+  // panels that double in length.
+  double virgin_work(double x) const {
+    double left = std::min(x, curve_.breaks[0]);
+    double work = 0.4 * left * left * std::sqrt(left);
+    while (left < x) {
+      double right = std::min(2 * left, x);
+      for (double edge : curve_.breaks)
+        if (edge > left) right = std::min(right, edge);
+      work += gauss_legendre([this](double at) { return curve_.force(at); }, left, right);
+      left = right;
+    }
+    return work;
+  }
+
+  double published_plastic_work(double x) const {
+    return virgin_work(x) - curve_.force(x) * curve_.recovery(x) / (curve_.exponent(x) + 1);
+  }
+
+  double recovery(double x) const {
+    for (const Guarded& stretch : guarded_)
+      if (x >= stretch.begin && x < stretch.end)
+        return std::min(
+            curve_.recovery(x),
+            (curve_.exponent(x) + 1) * (virgin_work(x) - stretch.plastic_work) / curve_.force(x));
+    return curve_.recovery(x);
+  }
+
+  // Follow the published loss upwards from yield and note where it lies below what it has been:
+  // from its last maximum, or from the break at which it jumps, to where it is made good. Between
+  // breaks the curves are smooth; steps of 2 % see every dip. A break starts at most one stretch,
+  // the smooth curve from yield on and beyond the last break one more each.
+  void find_guarded() {
+    const double reach = 1e3 * curve_.breaks[curve_.breaks.size() - 1];
+    const auto loss_at = [this](double x) { return published_plastic_work(x); };
+    std::size_t found = 0;
+    double earlier = curve_.breaks[0], previous = earlier, lost = 0;
+    for (double x = next(previous); x < reach && found < guarded_.size();) {
+      const double loss = published_plastic_work(x);
+      if (loss < lost) {
+        const bool jump = x < previous * (1 + 3 * close);
+        const double begin = jump ? previous : golden_section(loss_at, earlier, x, 50);
+        if (!jump) lost = published_plastic_work(begin);
+        do {
+          previous = x;
+          x = next(x);
+        } while (x < reach && published_plastic_work(x) < lost);
+        for (int i = 0; i < 50; ++i) {
+          const double middle = 0.5 * (previous + x);
+          (published_plastic_work(middle) < lost ? previous : x) = middle;
+        }
+        guarded_[found++] = {begin, x, lost};
+        earlier = previous = x;
+      } else {
+        lost = loss;
+        earlier = previous;
+        previous = x;
+      }
+      x = next(x);
+    }
+  }
+
+  // The next point of that walk: 2 % on, but close to both sides of a break in between.
+  double next(double x) const {
+    for (double edge : curve_.breaks)
+      if (x < edge * (1 + close) && 1.02 * x > edge)
+        return x < edge * (1 - close) ? edge * (1 - close) : edge * (1 + close);
+    return 1.02 * x;
+  }
+
+  static constexpr double close = 1e-9;
+
+  Curve curve_;
+  double modulus_;        // 4/3 E*
+  double overlap_ratio_;  // overlap_y / R*
+  std::array<Guarded, Curve::break_count + 2> guarded_{};
+};
+
+}  // namespace plastigran

@@ -1,0 +1,96 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Figures of shot on a plate, against the law's restitution, and on a bed."""
+
+from __future__ import annotations
+
+import numpy as np
+import pandas as pd
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+from plastigran.plot.style import COLOURS, STYLE, plt
+
+#: Shots drawn one by one where all lie on a curve.
+SHOWN = 30
+
+
+def plate_figure(shot: pd.DataFrame) -> Figure:
+    """Restitution shot by shot on the law's curve; distributions of impact and rebound speed.
+
+    Args:
+        shot: Columns impact_speed, rebound_speed, rebound_predicted [m/s], one row a shot.
+    """
+    with plt.rc_context(STYLE):
+        figure, (left, right) = plt.subplots(1, 2, figsize=(9.2, 3.8), layout="constrained")
+        ordered = shot.sort_values("impact_speed")
+        shown = np.unique(np.linspace(0, len(shot) - 1, SHOWN).astype(int))
+        _restitution(left, ordered, ordered.iloc[shown])
+        left.set_ylim(top=1.01)
+        share = (np.arange(len(shot)) + 0.5) / len(shot)
+        right.plot(np.sort(shot["impact_speed"]), share, color="0.5", lw=1.3, label="impact")
+        right.plot(
+            np.sort(shot["rebound_predicted"]), share, color=COLOURS[0], lw=1.3, label="$v\\,e(v)$"
+        )
+        right.plot(
+            np.sort(shot["rebound_speed"])[shown],
+            share[shown],
+            "o",
+            color=COLOURS[1],
+            mfc="white",
+            ms=5,
+            label="rebound",
+        )
+        right.set_xlabel("speed (m/s)")
+        right.set_ylabel("share of the shot that is slower")
+        right.legend(loc="upper left")
+    return figure
+
+
+def bed_figure(shot: pd.DataFrame, by_depth: pd.DataFrame, diameter: float) -> Figure:
+    """Rebound over impact speed beside the plate's curve; plastic work by depth.
+
+    Args:
+        shot: Columns impact_speed, rebound_speed, rebound_predicted [m/s], one row a shot.
+        by_depth: Columns depth [m], plastic_work [J], one row a layer.
+        diameter: Of the grains [m].
+    """
+    with plt.rc_context(STYLE):
+        figure, (left, right) = plt.subplots(1, 2, figsize=(9.2, 3.8), layout="constrained")
+        _restitution(left, shot.sort_values("impact_speed"), shot)
+        left.set_ylim(-0.02, 1)
+        total = by_depth["plastic_work"].sum()
+        right.barh(
+            by_depth["depth"] / diameter,
+            by_depth["plastic_work"] / total,
+            height=0.85,
+            color=COLOURS[0],
+            alpha=0.75,
+        )
+        right.invert_yaxis()
+        right.set_xlabel(f"share of the plastic work, {total:.2g} J")
+        right.set_ylabel("depth (grain diameters)")
+    return figure
+
+
+def _restitution(axes: Axes, ordered: pd.DataFrame, shown: pd.DataFrame) -> None:
+    """Points of the shot shown; the law's line over all of it, ordered by impact speed."""
+    axes.plot(
+        shown["impact_speed"],
+        shown["rebound_speed"] / shown["impact_speed"],
+        "o",
+        color=COLOURS[1],
+        mfc="none",
+        ms=5,
+        alpha=0.8,
+        label="shot",
+    )
+    axes.plot(
+        ordered["impact_speed"],
+        ordered["rebound_predicted"] / ordered["impact_speed"],
+        color=COLOURS[0],
+        lw=1.3,
+        label="the law's central impact on a plate",
+    )
+    axes.set_xlabel("impact speed (m/s)")
+    axes.set_ylabel("rebound over impact speed")
+    axes.legend(loc="best")

@@ -1,0 +1,58 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Figure of die compactions: pressure over relative density, and Heckel's plot of the loading."""
+
+from __future__ import annotations
+
+import numpy as np
+import pandas as pd
+from matplotlib.figure import Figure
+
+from plastigran.physics.heckel import STRAIGHT, heckel_line
+from plastigran.plot.style import COLOURS, STYLE, plt
+
+
+def compaction_figure(runs: dict[str, pd.DataFrame], yield_strengths: list[float]) -> Figure:
+    """Loops of loading and release; beside them, loading as Heckel draws it, with his line.
+
+    Args:
+        runs: By label, columns relative_density [-] and pressure [Pa], row by row in time.
+        yield_strengths: Of each run's grains [Pa], for the slope 1/(3 sigma_Y); one that makes the
+            grains elastic draws none.
+    """
+    with plt.rc_context(STYLE):
+        figure, (loops, heckel) = plt.subplots(1, 2, figsize=(9.2, 4.0), layout="constrained")
+        highest = 0.0
+        for colour, (label, table), strength in zip(
+            COLOURS, runs.items(), yield_strengths, strict=False
+        ):
+            density, pressure = table["relative_density"], table["pressure"] / 1e3
+            loops.plot(density, pressure, color=colour, lw=1.5, label=label)
+            loading = slice(0, int(np.argmax(pressure)) + 1)
+            porosity = -np.log1p(-density[loading])
+            heckel.plot(pressure[loading], porosity, color=colour, lw=1.5, label=label)
+            line = heckel_line(density, table["pressure"])
+            ends = np.array(STRAIGHT) * pressure.max()
+            heckel.plot(
+                ends, line.intercept + line.slope * ends * 1e3, "o:", color=colour, mfc="white"
+            )
+            textbook = 1e3 / (3 * strength)
+            if textbook * pressure.max() > 0.01:
+                start = line.intercept + line.slope * ends[0] * 1e3
+                heckel.plot(ends, start + textbook * (ends - ends[0]), "--", color=colour, lw=1)
+            highest = max(highest, density.max())
+        touched = min(
+            table.loc[table["pressure"] > 0, "relative_density"].min() for table in runs.values()
+        )
+        loops.set_xlim(touched - 0.01, highest + 0.01)
+        loops.set_ylim(bottom=0)
+        loops.set_xlabel("relative density")
+        loops.set_ylabel("pressure on the punch (kPa)")
+        loops.legend(loc="upper left")
+        heckel.set_ylim(bottom=-np.log1p(-touched) - 0.02)
+        heckel.set_xlabel("pressure on the punch (kPa)")
+        heckel.set_ylabel("ln 1/(1 − relative density)")
+        heckel.plot([], [], "o:", color="0.4", mfc="white", label="Heckel's line")
+        heckel.plot([], [], "--", color="0.4", lw=1, label="slope $1/(3\\sigma_Y)$")
+        handles, labels = heckel.get_legend_handles_labels()
+        heckel.legend(handles[-2:], labels[-2:], loc="lower right")
+    return figure

@@ -1,0 +1,67 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Figure of a cooling gas: granular temperature over time, against mean field."""
+
+from __future__ import annotations
+
+import numpy as np
+import pandas as pd
+from matplotlib.figure import Figure
+
+from plastigran.physics.kinetic_theory import haff
+from plastigran.plot.style import COLOURS, MARKERS, STYLE, plt
+
+
+def cooling_figure(
+    runs: dict[str, pd.DataFrame], stall: float | None, cooling_rate: float | None = None
+) -> Figure:
+    """Points from the engine, lines from mean field, below their ratio within two deviations.
+
+    Args:
+        runs: By label, columns time [s], temperature, temperature_predicted [m^2/s^2] and
+            temperature_error [-].
+        stall: v_Y^2 [m^2/s^2]; None where nothing yields.
+        cooling_rate: -d ln T/dt at the start [1/s], for the course it would take at a constant
+            restitution; None draws none.
+    """
+    with plt.rc_context(STYLE):
+        figure, (axes, below) = plt.subplots(
+            2, 1, figsize=(6.4, 5.8), sharex=True, height_ratios=(3, 1), layout="constrained"
+        )
+        for colour, marker, (label, series) in zip(COLOURS, MARKERS, runs.items(), strict=False):
+            shown = series[series["time"] > 0]
+            time, error = shown["time"] * 1e3, 2 * shown["temperature_error"]
+            points = shown.iloc[np.unique(np.geomspace(1, len(shown), 28).astype(int)) - 1]
+            axes.plot(time, shown["temperature_predicted"], color=colour, lw=1.3)
+            axes.plot(
+                points["time"] * 1e3,
+                points["temperature"],
+                marker,
+                color=colour,
+                mfc="white",
+                label=label,
+            )
+            below.fill_between(time, 1 - error, 1 + error, color=colour, alpha=0.15, lw=0)
+            ratio = shown["temperature"] / shown["temperature_predicted"]
+            below.plot(time, ratio, color=colour, lw=1)
+        if cooling_rate:
+            first = next(iter(runs.values()))
+            course = haff(first["temperature_predicted"].iloc[0], cooling_rate, first["time"])
+            axes.plot(
+                first["time"] * 1e3, course, "--", color="0.6", lw=1, label="constant restitution"
+            )
+        if stall is not None:
+            axes.axhline(stall, color="0.4", ls=":")
+            axes.annotate("$v_Y^2$", (0.01, stall), xycoords=("axes fraction", "data"), va="bottom")
+        axes.plot([], [], color="0.4", lw=1.3, label="mean field")
+        axes.set_xscale("log")
+        axes.set_yscale("log")
+        axes.set_ylabel("granular temperature (m²/s²)")
+        axes.legend(title="points: LIGGGHTS", loc="lower left")
+        below.axhline(1, color="0.4", lw=0.8)
+        below.fill_between(
+            [], [], [], color="0.5", alpha=0.3, lw=0, label="two standard deviations"
+        )
+        below.legend(loc="lower left", fontsize=8)
+        below.set_ylabel("over\nmean field")
+        below.set_xlabel("time (ms)")
+    return figure

@@ -1,0 +1,93 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Figure of a rotating drum: the bed, its angle over time, and where the wall's power goes."""
+
+from __future__ import annotations
+
+import numpy as np
+import pandas as pd
+from matplotlib.figure import Figure
+
+from plastigran.bulk.checks import dissipated
+from plastigran.plot.grains import draw_grains, mean_power
+from plastigran.plot.style import COLOURS, STYLE, plt
+
+#: Revolutions over which powers are averaged: avalanches come and go within less.
+WINDOW = 0.05
+
+
+def drum_figure(
+    series: pd.DataFrame, grains: pd.DataFrame, drum_radius: float, settling: float
+) -> Figure:
+    """The bed along its axis, coloured by speed; its angle; powers of wall, weight and bed.
+
+    Args:
+        series: Columns time [s], revolutions, angle [degrees], and works [J]: wallwork,
+            wallwork_predicted, plastic, friction, viscous.
+        grains: Columns x, y, z, radius [m], vx, vz [m/s] of one moment.
+        drum_radius: [m].
+        settling: Time before angle and power are taken [s].
+    """
+    steady = series[series["time"] >= settling]
+    angle = steady["angle"].mean()
+    with plt.rc_context(STYLE):
+        figure, panels = plt.subplot_mosaic(
+            [["bed", "angle"], ["bed", "power"]], figsize=(9.6, 4.2), layout="constrained"
+        )
+        _draw_bed(panels["bed"], grains, drum_radius, angle)
+        axes = panels["angle"]
+        axes.plot(series["revolutions"], series["angle"], color=COLOURS[0], lw=1)
+        axes.plot(
+            steady["revolutions"].iloc[[0, -1]],
+            [angle, angle],
+            "--",
+            color="0.2",
+            label=f"mean {angle:.1f}°",
+        )
+        axes.set_ylim(0, None)
+        axes.set_ylabel("angle of the bed (°)")
+        axes.legend(loc="lower right")
+        axes.tick_params(labelbottom=False)
+        _draw_powers(panels["power"], series)
+        panels["power"].sharex(axes)
+    return figure
+
+
+def _draw_bed(axes, grains, drum_radius, angle) -> None:
+    speed = np.hypot(grains["vx"], grains["vz"])
+    discs = draw_grains(axes, grains.assign(speed=speed), "speed")
+    axes.add_patch(plt.Circle((0, 0), drum_radius, fill=False, color="0.3", lw=1.5))
+    lean = np.radians(angle)
+    half_chord = drum_radius * np.array([-1, 1])
+    axes.plot(half_chord * np.cos(lean), half_chord * np.sin(lean), "--", color="0.2", lw=1)
+    axes.set_xlim(-1.05 * drum_radius, 1.05 * drum_radius)
+    axes.set_ylim(-1.05 * drum_radius, 1.05 * drum_radius)
+    scale = axes.inset_axes((0.3, 0.82, 0.4, 0.03))  # where the drum is empty
+    axes.figure.colorbar(discs, cax=scale, label="speed (m/s)", orientation="horizontal")
+
+
+def _draw_powers(axes, series) -> None:
+    period = series["time"].iloc[-1] / series["revolutions"].iloc[-1]
+
+    def power(work: pd.Series) -> pd.Series:
+        return mean_power(work, series["time"], WINDOW * period) * 1e3
+
+    wall, lever = power(series["wallwork"]), power(series["wallwork_predicted"])
+    taken, yielding = power(dissipated(series)), power(series["plastic"])
+    revolutions = wall.index / period
+    points = slice(None, None, max(1, round(WINDOW / 2 / series["revolutions"].iloc[1])))
+    axes.plot(revolutions, wall, color=COLOURS[0], label="wall")
+    axes.plot(
+        revolutions[points],
+        lever.iloc[points],
+        "o",
+        color=COLOURS[0],
+        mfc="white",
+        ms=4,
+        label="weight's lever arm",
+    )
+    axes.plot(revolutions, taken, color=COLOURS[1], lw=1, label="taken by the bed")
+    axes.plot(revolutions, yielding, color=COLOURS[1], lw=1, ls=":", label="by yielding")
+    axes.set_ylim(0, 2.2 * wall.max())
+    axes.set_ylabel("power (mW)")
+    axes.set_xlabel("revolutions")
+    axes.legend(loc="upper right", ncols=2, fontsize="small")

@@ -1,0 +1,128 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Quantities declared once, as attrs fields: unit, bounds and meaning beside the name.
+
+Cases of experiments and settings of bulk decks are attrs classes of such fields. A value is taken
+as a number or as a deck's text, and is checked when the object is made: the error names the field,
+the value and what is allowed. Who needs unit, bounds or meaning (a command line, a table, a page)
+reads them from the field's metadata, `declaration(cls)`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from math import inf, isfinite
+from typing import Any
+
+import attrs
+
+
+@attrs.frozen
+class Declaration:
+    """What is said of one field.
+
+    Attributes:
+        meaning: In words.
+        unit: SI, "-" for none.
+        lower, upper: Bounds.
+        closed: Whether the bounds themselves are allowed.
+        choices: Of a word.
+    """
+
+    meaning: str
+    unit: str = "-"
+    lower: float = -inf
+    upper: float = inf
+    closed: bool = False
+    choices: tuple[str, ...] = ()
+
+    def allowed(self) -> str:
+        """The range in words."""
+        if self.choices:
+            return f"must be {', '.join(self.choices)}"
+        if (self.lower, self.upper) == (-inf, inf):
+            return f"must be finite [{self.unit}]"
+        if self.upper == inf:
+            least = {True: f"{self.lower:g} or more", False: f"above {self.lower:g}"}[self.closed]
+            return f"must be {'positive' if least == 'above 0' else least} and finite [{self.unit}]"
+        ends = ", or be one of them" if self.closed else ""
+        return f"must lie between {self.lower:g} and {self.upper:g}{ends} [{self.unit}]"
+
+    def allows(self, value: float) -> bool:
+        if not isfinite(value):
+            return False
+        return self.lower < value < self.upper or (
+            self.closed and value in (self.lower, self.upper)
+        )
+
+
+def number(
+    meaning: str,
+    unit: str = "-",
+    lower: float = -inf,
+    upper: float = inf,
+    closed: bool = False,
+    default: Any = attrs.NOTHING,
+) -> Any:
+    """A field for a number between two bounds, which are allowed themselves when `closed`."""
+    said = Declaration(meaning, unit, lower, upper, closed)
+    return _field(said, _to_float, default)
+
+
+def whole(meaning: str, lower: int = 0, default: Any = attrs.NOTHING) -> Any:
+    """A field for a number that counts, `lower` or more."""
+    return _field(Declaration(meaning, lower=lower, closed=True), _to_int, default)
+
+
+def word(meaning: str, choices: Sequence[str], default: Any = attrs.NOTHING) -> Any:
+    """A field for one of some words."""
+    return _field(Declaration(meaning, choices=tuple(choices)), _to_word, default)
+
+
+def declaration(cls: type) -> dict[str, Declaration]:
+    """What is said of each declared field of an attrs class, by its name."""
+    return {
+        field.name: field.metadata["declaration"]
+        for field in attrs.fields(cls)
+        if "declaration" in field.metadata
+    }
+
+
+def _field(said: Declaration, convert: Any, default: Any) -> Any:
+    return attrs.field(
+        default=default,
+        converter=attrs.Converter(convert, takes_field=True),
+        validator=_check,
+        metadata={"declaration": said},
+    )
+
+
+def _to_float(value: Any, field: attrs.Attribute) -> float:
+    try:
+        return float(value)
+    except (TypeError, ValueError):
+        unit = field.metadata["declaration"].unit
+        raise ValueError(f"{field.name} is {value!r}, not a number [{unit}]") from None
+
+
+def _to_int(value: Any, field: attrs.Attribute) -> int:
+    try:
+        number = int(value)
+    except (TypeError, ValueError):
+        number = None
+    if number is None or (not isinstance(value, str) and number != value):
+        raise ValueError(f"{field.name} is {value!r}, not a whole number")
+    return number
+
+
+def _to_word(value: Any, field: attrs.Attribute) -> str:
+    return str(value)
+
+
+def _check(instance: Any, field: attrs.Attribute, value: Any) -> None:
+    said: Declaration = field.metadata["declaration"]
+    if said.choices:
+        if value not in said.choices:
+            raise ValueError(f"{field.name} is {value!r}; it {said.allowed()}")
+    elif not said.allows(value):
+        shown = value if isinstance(value, int) else f"{value:g}"
+        raise ValueError(f"{field.name} is {shown}; it {said.allowed()}")

@@ -1,0 +1,147 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""A deck as it will run: the files it includes and the values of its settings."""
+
+from __future__ import annotations
+
+import re
+import shutil
+from collections.abc import Mapping
+from dataclasses import dataclass
+from math import inf
+from pathlib import Path
+
+from plastigran.engine.process import EngineError, inputs_folder
+
+_SETTING = re.compile(r'variable\s+(\w+)\s+index\s+(?:"([^"]*)"|(\S+))')
+_INCLUDE = re.compile(r"include\s+(\S+)")
+_REFERENCE = re.compile(r"\$\{(\w+)\}")
+
+
+class Settings(dict[str, str]):
+    """Values of a deck's `variable NAME index VALUE` lines, as text."""
+
+    def number(
+        self, name: str, lower: float, upper: float = inf, unit: str = "-", closed: bool = False
+    ) -> float:
+        """A setting between two bounds, which are allowed themselves when `closed`.
+
+        Raises:
+            ValueError: It is no number or out of range; the message names it and the range.
+        """
+        try:
+            value = float(self[name])
+        except ValueError:
+            raise ValueError(f"{name} is {self[name]!r}, not a number [{unit}]") from None
+        if not (lower < value < upper or (closed and value in (lower, upper) and value < inf)):
+            bounds = f"{lower:g} and {upper:g}" + ", or be one of them" * closed
+            raise ValueError(f"{name} is {self[name]}; it must lie between {bounds} [{unit}]")
+        return value
+
+    def whole(self, name: str, lowest: int) -> int:
+        """A setting that counts.
+
+        Raises:
+            ValueError: It is no whole number or less than `lowest`.
+        """
+        try:
+            value = int(self[name])
+        except ValueError:
+            raise ValueError(f"{name} is {self[name]!r}, not a whole number") from None
+        if value < lowest:
+            raise ValueError(f"{name} is {value}; it must be {lowest} or more")
+        return value
+
+
+@dataclass(frozen=True)
+class DeckSource:
+    """A deck with what it includes.
+
+    Attributes:
+        path: The input script.
+        files: The script, its includes and what they read from the inputs, such as meshes.
+        settings: Every setting of them with the value it will have.
+    """
+
+    path: Path
+    files: list[Path]
+    settings: Settings
+
+    @property
+    def name(self) -> str:
+        return self.path.stem
+
+    def copy(self, folder: Path) -> Path:
+        """Copy the files into a folder: as they lie in the inputs, others side by side.
+
+        Returns:
+            The copied script; run it with `folder` for its inputs.
+        """
+        root = inputs_folder().resolve()
+        for file in self.files:
+            inside = file.resolve().is_relative_to(root)
+            target = folder / (file.resolve().relative_to(root) if inside else file.name)
+            target.parent.mkdir(parents=True, exist_ok=True)
+            shutil.copyfile(file, target)
+            if file == self.path:
+                script = target
+        return script
+
+
+def find_deck(deck: str | Path) -> Path:
+    """A deck of `inputs/bulk` by name, or any input script by its path.
+
+    Raises:
+        EngineError: There is none; the message lists those of `inputs/bulk`.
+    """
+    folder = inputs_folder() / "bulk"
+    path = Path(deck) if Path(deck).suffix == ".in" else folder / f"{deck}.in"
+    if not path.is_file():
+        if path.parent != folder:
+            raise EngineError(f"no input script {path}")
+        names = sorted(file.stem for file in folder.glob("*.in"))
+        raise EngineError(f"no deck {str(deck)!r}; there are {', '.join(names)}")
+    return path.resolve()
+
+
+def read_deck(deck: str | Path, values: Mapping[str, object], folder: Path) -> DeckSource:
+    """Read a deck with its includes as the engine will.
+
+    Args:
+        deck: Name or path, as `find_deck` takes it.
+        values: Settings given another value than the deck's.
+        folder: Where results will go, the deck's `output`.
+
+    Raises:
+        EngineError: A file is missing.
+        ValueError: A value for a setting the deck does not have.
+    """
+    path = find_deck(deck)
+    given = {"inputs": str(inputs_folder()), "output": str(folder)}
+    given |= {name: str(value) for name, value in values.items()}
+    settings, files = Settings(), []
+
+    def resolve(text: str) -> str:
+        return _REFERENCE.sub(lambda m: settings.get(m[1], m[0]), text)
+
+    def read(file: Path, read_by: str) -> None:
+        if not file.is_file():
+            raise EngineError(f"{read_by} includes {file}, which is not there")
+        files.append(file)
+        for line in file.read_text().splitlines():
+            command = line.split("#")[0].strip()
+            if found := _SETTING.match(command):
+                name, quoted, plain = found.groups()
+                value = resolve(quoted or plain or "")
+                settings.setdefault(name, given.get(name, value))  # the engine keeps the first too
+            elif found := _INCLUDE.match(command):
+                read(Path(resolve(found[1])), file.name)
+            else:
+                words = (Path(resolve(word)) for word in command.split() if "${inputs}" in word)
+                files.extend(word for word in words if word.is_file())
+
+    read(path, "")
+    if unknown := sorted(set(given) - set(settings) - {"inputs", "output"}):
+        raise ValueError(
+            f"{path.name} has no setting {unknown[0]!r}; it takes {' '.join(settings)}"
+        )
+    return DeckSource(path, files, settings)

@@ -1,0 +1,189 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Measure a single collision from the trajectory a collision deck writes."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+import pandas as pd
+from scipy.optimize import brentq
+
+from plastigran.engine.dumps import read_dump
+
+
+class CollisionError(ValueError):
+    """A trajectory that holds no whole collision."""
+
+
+@dataclass(frozen=True)
+class Collision:
+    """What one collision did.
+
+    Attributes:
+        closing_speed: Before contact [m/s].
+        coefficient_of_restitution: Parting over closing speed, along the normal [-].
+        force_max: Largest force written [N].
+        overlap_max: Largest overlap [m].
+        overlap_res: Overlap at which the force vanished on the way back [m].
+        loading_time: From first touch to largest overlap [s].
+        contact_time: From first touch to zero force [s].
+        loop: The collision over time, (N,) columns time [s], overlap [m], force [N],
+            speed [m/s] (rate of overlap).
+    """
+
+    closing_speed: float
+    coefficient_of_restitution: float
+    force_max: float
+    overlap_max: float
+    overlap_res: float
+    loading_time: float
+    contact_time: float
+    loop: pd.DataFrame
+
+
+def force_overlap_loop(trajectory: pd.DataFrame) -> pd.DataFrame:
+    """Overlap and force over time, for two spheres or one sphere at the wall x = 0.
+
+    Args:
+        trajectory: Frames of a custom dump with id, radius, x, y, z, vx, vy, vz, fx, fy, fz and
+            time.
+
+    Returns:
+        (N_frames,) columns time, overlap, force, speed; see `Collision.loop`.
+
+    Raises:
+        CollisionError: Columns are missing, or there are more than two spheres.
+    """
+    xyz, vel, frc = ["x", "y", "z"], ["vx", "vy", "vz"], ["fx", "fy", "fz"]
+    missing = {"id", "radius", "time", *xyz, *vel, *frc} - set(trajectory.columns)
+    if missing:
+        raise CollisionError(f"the trajectory has no column {', '.join(sorted(missing))}")
+    bodies = [part.reset_index(drop=True) for _, part in trajectory.groupby("id")]
+    first = bodies[0]
+    if len(bodies) == 1:
+        normal = np.tile([1.0, 0.0, 0.0], (len(first), 1))
+        distance = first["x"].to_numpy()
+        reach = first["radius"].to_numpy()
+        approach = first[vel].to_numpy()
+    elif len(bodies) == 2:
+        second = bodies[1]
+        separation = first[xyz].to_numpy() - second[xyz].to_numpy()
+        distance = np.linalg.norm(separation, axis=1)
+        normal = separation / distance[:, None]
+        reach = (first["radius"] + second["radius"]).to_numpy()
+        approach = first[vel].to_numpy() - second[vel].to_numpy()
+    else:
+        raise CollisionError(f"{len(bodies)} spheres; a collision is between two bodies")
+    along = np.einsum("ij,ij->i", normal, first[frc].to_numpy())
+    return pd.DataFrame(
+        {
+            "time": first["time"].to_numpy(),
+            "overlap": reach - distance,
+            "force": along,
+            "speed": -np.einsum("ij,ij->i", normal, approach),
+        }
+    )
+
+
+def measure(trajectory: str | Path | pd.DataFrame) -> Collision:
+    """Measure the collision in a trajectory.
+
+    Times and extremes between two frames are interpolated: the overlap by the cubic that matches
+    positions and speeds at both ends; the residual overlap by the power of the way left that the
+    last three loaded frames follow.
+
+    Args:
+        trajectory: A custom dump written every step, or the table `read_dump` makes of it.
+
+    Raises:
+        CollisionError: The bodies never touch, or are still in contact at the end.
+    """
+    if not isinstance(trajectory, pd.DataFrame):
+        trajectory = read_dump(trajectory)
+    return measure_loop(force_overlap_loop(trajectory))
+
+
+def measure_loop(loop: pd.DataFrame) -> Collision:
+    """Measure the collision in its own table, `Collision.loop`; see `measure`.
+
+    The parting speed is that of the first frame without force: what happens to the bodies later is
+    not the contact's doing.
+
+    Raises:
+        CollisionError: The bodies never touch, or are still in contact at the end.
+    """
+    time, overlap, force, speed = (
+        loop[c].to_numpy() for c in ("time", "overlap", "force", "speed")
+    )
+    loaded = np.flatnonzero(force > 0)
+    if loaded.size == 0:
+        raise CollisionError("the bodies never touch")
+    if loaded[-1] == len(loop) - 1 or speed[-1] >= 0:
+        raise CollisionError(f"still in contact at the last frame (t = {time[-1]:g} s); run longer")
+    start, last = loaded[0], loaded[-1]
+    if start == 0:
+        raise CollisionError("already in contact at the first frame")
+    touch = _crossing(time, overlap, speed, start - 1, 0.0)
+
+    turn = int(np.flatnonzero(speed[start:] < 0)[0]) + start  # first frame on the way back
+    turning_time, overlap_max = _turning_point(time, overlap, speed, turn - 1)
+
+    rebound = slice(max(last - 2, turn), last + 1)
+    overlap_res = _residual(overlap[rebound], force[rebound])
+    if abs(overlap_res) < 1e-6 * overlap_max:
+        overlap_res = 0.0
+    release = time[last] + (overlap[last] - overlap_res) / -speed[last]
+    return Collision(
+        closing_speed=speed[start - 1],
+        coefficient_of_restitution=-speed[last + 1] / speed[start - 1],
+        force_max=force.max(),
+        overlap_max=overlap_max,
+        overlap_res=overlap_res,
+        loading_time=turning_time - touch,
+        contact_time=release - touch,
+        loop=loop,
+    )
+
+
+def _crossing(time, value, rate, k: int, level: float) -> float:
+    """Time after time[k] at which `value` passes `level`, from its value and rate at k."""
+    return time[k] + (level - value[k]) / rate[k]
+
+
+def _residual(overlap, force) -> float:
+    """Overlap at which a force that falls as a power of the way left vanishes.
+
+    Laws unload along (overlap - overlap_res)^n with n near 3/2, and this finds n where three frames
+    allow it: with the right one, force^(1/n) is a straight line.
+    """
+
+    def slopes(n: float):
+        return np.diff(force ** (1 / n)) / np.diff(overlap)
+
+    n = 1.5
+    if len(overlap) == 3:
+
+        def bend(n: float) -> float:
+            return np.subtract(*slopes(n))
+
+        # From below 1: a straight line is one of them.
+        if bend(0.9) * bend(3.0) < 0:
+            n = brentq(bend, 0.9, 3.0, xtol=1e-9)
+    return overlap[-1] - force[-1] ** (1 / n) / slopes(n)[-1]
+
+
+def _turning_point(time, value, rate, k: int) -> tuple[float, float]:
+    """Time and value of the maximum of the cubic through frames k and k+1."""
+    step = time[k + 1] - time[k]
+    fraction = rate[k] / (rate[k] - rate[k + 1])  # where the rate vanishes, to first order
+    h = np.polynomial.Polynomial
+    t = h([0, 1])
+    cubic = (
+        value[k] * (1 - 3 * t**2 + 2 * t**3)
+        + value[k + 1] * (3 * t**2 - 2 * t**3)
+        + step * rate[k] * (t - 2 * t**2 + t**3)
+        + step * rate[k + 1] * (t**3 - t**2)
+    )
+    return time[k] + fraction * step, float(cubic(fraction))

@@ -1,0 +1,177 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Figures of a rod's impacts: one motion over time, and outcomes over impact speed."""
+
+from __future__ import annotations
+
+import numpy as np
+import pandas as pd
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+from plastigran.experiments.rod.body import PAPER_RESTITUTION, MeasuredRun, RodImpact, paper_rods
+from plastigran.experiments.rod.runs import RodRun
+from plastigran.plot.style import COLOURS, MARKERS, STYLE, plt, title
+
+MEASURED = MeasuredRun()
+#: Engine points drawn of a motion.
+POINTS = 30
+
+
+def closest_to_measured(impacts: dict[RodRun, RodImpact]) -> RodRun:
+    """The run nearest the paper's measured one: in angle, then speed, then angular velocity."""
+
+    def distance(run: RodRun) -> tuple[float, float, float]:
+        return (
+            abs(run.rod.angle - MEASURED.angle),
+            abs(run.speed + MEASURED.velocity_before),
+            abs(impacts[run].angular_velocity - MEASURED.angular_velocity),
+        )
+
+    return min(impacts, key=distance)
+
+
+def motion_figure(run: RodRun, measured: RodImpact) -> Figure:
+    """Forces, displacement, velocities and angular velocity over the time of contact.
+
+    Lines are the equations of motion, points the engine; dotted, where the run is the paper's
+    measured one, what it measured afterwards.
+    """
+    predicted = run.predicted().history
+    points = measured.history.iloc[:: max(1, len(measured.history) // POINTS)]
+    panels = [
+        ("force (kN)", 1e-3, {"normal": "force", "friction": "friction_force"}, {}),
+        (
+            "displacement of the centre (µm)",
+            1e6,
+            {"along the flat": "displacement_x", "normal": "displacement_y"},
+            {},
+        ),
+        (
+            "velocity of the centre (m/s)",
+            1,
+            {"along the flat": "velocity_x", "normal": "velocity_y"},
+            {"velocity_y": MEASURED.velocity_after},
+        ),
+        (
+            "angular velocity (rad/s)",
+            1,
+            {"rod": "angular_velocity"},
+            {"angular_velocity": MEASURED.angular_velocity},
+        ),
+    ]
+    is_measured = run.rod.angle == MEASURED.angle and run.speed == -MEASURED.velocity_before
+    with plt.rc_context(STYLE):
+        figure, grid = plt.subplots(2, 2, figsize=(8.2, 6), sharex=True, layout="constrained")
+        for axes, (name, scale, columns, levels) in zip(grid.flat, panels, strict=True):
+            for colour, (label, column) in zip(COLOURS, columns.items(), strict=False):
+                axes.plot(predicted["time"] * 1e6, predicted[column] * scale, color=colour)
+                axes.plot(
+                    points["time"] * 1e6,
+                    points[column] * scale,
+                    "o",
+                    ms=4,
+                    mfc="white",
+                    color=colour,
+                    label=label,
+                )
+                if is_measured and column in levels:
+                    axes.axhline(levels[column], color=colour, ls=":", label="measured after")
+            axes.set_ylabel(name)
+            axes.legend(fontsize=8)
+        for axes in grid[1]:
+            axes.set_xlabel("time since first touch (µs)")
+        figure.suptitle(
+            f"{title(run.law)}, {run.rod.angle:g}°, {run.speed:g} m/s; points: LIGGGHTS, "
+            "lines: equations of motion",
+            fontsize=10,
+        )
+    return figure
+
+
+def outcome_figure(table: pd.DataFrame) -> Figure:
+    """Restitution of the tip and angular velocity over impact speed, one column an angle.
+
+    The star is the paper's measured run; its restitution is the one its velocities imply.
+
+    Args:
+        table: Columns of `RodRun.row`.
+    """
+    with plt.rc_context(STYLE):
+        figure, grid = _grid(table, 2)
+        for column, angle in zip(grid.T, table["angle"].unique(), strict=True):
+            _curves(column[0], table, angle, "coefficient_of_restitution", 1)
+            _curves(column[1], table, angle, "angular_velocity", 1)
+            column[0].set_title(f"{angle:g}°", fontsize=10)
+            column[0].set_ylim(0, 1.05)
+            if angle in PAPER_RESTITUTION:
+                column[0].axhline(PAPER_RESTITUTION[angle], color="black", ls=":")
+            if angle == MEASURED.angle:
+                outcomes = (
+                    MEASURED.coefficient_of_restitution(paper_rods()[0]),
+                    MEASURED.angular_velocity,
+                )
+                for axes, outcome in zip(column, outcomes, strict=True):
+                    axes.plot(-MEASURED.velocity_before, outcome, "k*", ms=11, zorder=5)
+        grid[0, 0].set_ylabel("coefficient of restitution")
+        grid[1, 0].set_ylabel("angular velocity (rad/s)")
+        grid[0, 0].plot([], [], ":k", label="experiments (paper)")
+        grid[0, 0].plot([], [], "*k", ms=11, ls="", label="measured run (paper)")
+        _legend(figure, grid)
+    return figure
+
+
+def deformation_figure(table: pd.DataFrame) -> Figure:
+    """Permanent deformation over impact speed, one column an angle.
+
+    Args:
+        table: Columns of `RodRun.row`.
+    """
+    with plt.rc_context(STYLE):
+        figure, grid = _grid(table, 1)
+        for axes, angle in zip(grid[0], table["angle"].unique(), strict=True):
+            _curves(axes, table, angle, "overlap_res", 1e6)
+            axes.set_title(f"{angle:g}°", fontsize=10)
+            axes.set_ylim(0, None)
+        grid[0, 0].set_ylabel("permanent deformation (µm)")
+        _legend(figure, grid)
+    return figure
+
+
+def _grid(table: pd.DataFrame, rows: int) -> tuple[Figure, np.ndarray]:
+    columns = table["angle"].nunique()
+    figure, grid = plt.subplots(
+        rows,
+        columns,
+        figsize=(3.6 * columns + 2, 3.3 * rows + 0.3),
+        sharex=True,
+        sharey="row",
+        squeeze=False,
+        layout="constrained",
+    )
+    for axes in grid[-1]:
+        axes.set_xlabel("impact speed (m/s)")
+    return figure, grid
+
+
+def _curves(axes: Axes, table: pd.DataFrame, angle: float, column: str, scale: float) -> None:
+    """Points from the engine; lines through what the equations of motion give at their speeds."""
+    for shade, law in enumerate(sorted(table["law"].unique())):
+        rows = table[(table["law"] == law) & (table["angle"] == angle)].sort_values("speed")
+        if not rows[column].any():
+            continue  # an elastic contact leaves no dent
+        colour, marker = COLOURS[shade % len(COLOURS)], MARKERS[shade % len(MARKERS)]
+        axes.plot(rows["speed"], rows[f"{column}_predicted"] * scale, color=colour, lw=1)
+        axes.plot(
+            rows["speed"],
+            rows[column] * scale,
+            marker,
+            color=colour,
+            mfc="white",
+            ms=5,
+            label=title(law),
+        )
+
+
+def _legend(figure: Figure, grid: np.ndarray) -> None:
+    handles, labels = grid[0, 0].get_legend_handles_labels()
+    figure.legend(handles, labels, loc="outside right center", fontsize=8, title="points: LIGGGHTS")

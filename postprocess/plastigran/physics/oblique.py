@@ -1,0 +1,261 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Theory of oblique impacts, to hold simulations against: rigid bodies that slide, and elastic ones
+whose tangential spring sticks and slides.
+
+Everything happens in one plane. The first body comes along -x and meets the second, or a rigid
+plane; y is along the surface. Surface speed is that of the first body's surface at the contact
+relative to the second's, along y.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from math import inf, sqrt
+
+import numpy as np
+from scipy.integrate import solve_ivp
+
+from plastigran import laws
+from plastigran.physics import central
+
+
+@dataclass(frozen=True)
+class Motion:
+    """How two bodies move along the surface, before or after an impact.
+
+    Attributes:
+        normal: Relative speed along the normal, closing before and parting after [m/s].
+        along: Speed of the first body along y [m/s].
+        spin: Of the first body, positive when its surface at the contact moves along +y [rad/s].
+        along_other: Speed of the second body along y [m/s].
+        spin_other: Of the second body, positive when its surface moves along +y [rad/s].
+    """
+
+    normal: float
+    along: float
+    spin: float
+    along_other: float = 0.0
+    spin_other: float = 0.0
+
+
+@dataclass(frozen=True)
+class ObliqueImpact:
+    """Two homogeneous spheres, or one and a rigid plane, about to meet.
+
+    Attributes:
+        pair: Their materials.
+        radius: Of the first [m].
+        mass: Of the first [kg].
+        coefficient_of_friction: mu [-].
+        coefficient_of_restitution: What the dashpot is set for, in (0, 1] [-].
+        before: Motion before the impact.
+        radius_other: Of the second, infinite for a plane [m].
+        mass_other: Of the second, infinite for a plane [kg].
+    """
+
+    pair: laws.MaterialPair
+    radius: float
+    mass: float
+    coefficient_of_friction: float
+    coefficient_of_restitution: float
+    before: Motion
+    radius_other: float = inf
+    mass_other: float = inf
+
+    def __post_init__(self) -> None:
+        for name in ("radius", "mass", "radius_other", "mass_other"):
+            if not getattr(self, name) > 0:
+                raise ValueError(f"{name} is {getattr(self, name):g}; it must be positive")
+        if not 0 < self.coefficient_of_restitution <= 1:
+            raise ValueError(
+                f"coefficient_of_restitution is {self.coefficient_of_restitution:g}; "
+                "it must be above 0 and at most 1"
+            )
+        if not self.coefficient_of_friction >= 0:
+            raise ValueError(
+                f"coefficient_of_friction is {self.coefficient_of_friction:g}; "
+                "it must not be negative"
+            )
+        if not self.before.normal > 0:
+            raise ValueError(f"the closing speed is {self.before.normal:g}; it must be positive")
+
+    @property
+    def radius_eff(self) -> float:
+        return 1 / (1 / self.radius + 1 / self.radius_other)
+
+    @property
+    def mass_eff(self) -> float:
+        return 1 / (1 / self.mass + 1 / self.mass_other)
+
+    def surface_speed(self, motion: Motion) -> float:
+        """Relative speed of the surfaces along y for undeformed bodies [m/s]."""
+        other = motion.spin_other * self.radius_other if motion.spin_other else 0.0
+        return motion.along + motion.spin * self.radius - motion.along_other - other
+
+    def restitution(self) -> float:
+        """Restitution along the normal, of a dashpot that never pulls [-]."""
+        return float(central.restitution_without_pull(self.coefficient_of_restitution))
+
+    def slides(self) -> bool:
+        """Whether rigid bodies would slide throughout: |v_s| >= 7/2 mu (1 + e) v_n.
+
+        Friction then cannot stop the surfaces; it must also outrun the growing reach of the spring.
+        """
+        least = max(3.5 * (1 + self.restitution()), self.stretch_ratio)
+        speed = abs(self.surface_speed(self.before))
+        return speed >= least * self.coefficient_of_friction * self.before.normal
+
+    @property
+    def stretch_ratio(self) -> float:
+        """Longest spring over overlap and mu, without dashpots: F / (k_t overlap) = E*/(6 G*)."""
+        return self.pair.youngs_modulus_eff / (6 * self.pair.shear_modulus_eff)
+
+    def rigid_sliding(self) -> Motion:
+        """Motion after an impact of rigid bodies that slide throughout.
+
+        The tangential impulse is mu (1 + e) m* v_n against the surface speed, whatever that is: for
+        a sphere on a plane v_t' = v_t - mu (1 + e) v_n and R w' = R w - 5/2 mu (1 + e) v_n.
+        Foerster et al. 1994, Phys. Fluids 6:1108; Kharaz et al. 2001, Powder Technol. 120:281.
+        """
+        before, restitution = self.before, self.restitution()
+        direction = -float(np.sign(self.surface_speed(before)))
+        impulse = direction * (
+            self.coefficient_of_friction * (1 + restitution) * self.mass_eff * before.normal
+        )
+        return Motion(
+            normal=restitution * before.normal,
+            along=before.along + impulse / self.mass,
+            spin=before.spin + 2.5 * impulse / (self.mass * self.radius),
+            along_other=before.along_other - impulse / self.mass_other,
+            spin_other=before.spin_other - 2.5 * impulse / (self.mass_other * self.radius_other),
+        )
+
+    def spring_slider(self) -> Motion:
+        """Motion after an impact of elastic bodies with a tangential spring and a slider.
+
+        The spring is Mindlin's for no slip, k_t = 8 G* a, on the path of the surfaces; it slides at
+        mu F, dashpot included; beside the spring there is no dashpot. This is the model of the
+        engine's `tangential history` with `tangential_damping off`, here as an event-driven
+        differential equation. The partial slip of Maw, Barber & Fawcett (1976, Wear 38:101) is not
+        in it. The arms are the distances to the middle of the overlap, R - overlap/2.
+
+        Raises:
+            RuntimeError: The impact does not end.
+        """
+        return _SpringSlider(self).rebound()
+
+
+class _SpringSlider:
+    """The equations in units of the closing speed, the largest overlap and m*.
+
+    State: overlap, its rate, tangential speed of the centres, R w of either body, spring length.
+    With the force F = 5/4 d^(3/2) the oscillator of `central.damping_ratio` has the frequency 5/4,
+    and the tangential stiffness is 5/4 (6 G*/E*) d^(1/2).
+    """
+
+    START = 2e-8  # of the largest overlap; the force there is 1e-12 of the peak
+
+    def __init__(self, impact: ObliqueImpact) -> None:
+        self.impact = impact
+        pair, speed = impact.pair, impact.before.normal
+        overlap = central.hertz_overlap_max(
+            impact.radius_eff, impact.mass_eff, pair.youngs_modulus_eff, speed
+        )
+        self.friction = impact.coefficient_of_friction
+        self.damping = float(central.damping_ratio(impact.coefficient_of_restitution))
+        self.stiffness = 1 / impact.stretch_ratio
+        self.flat = np.array([overlap / impact.radius, overlap / impact.radius_other])
+        self.share = np.array([impact.mass_eff / impact.mass, impact.mass_eff / impact.mass_other])
+        self.sense = 0  # 0 sticks; +1, -1 slides with the spring stretched that way
+
+    def normal_force(self, overlap: float, rate: float) -> float:
+        return 1.25 * overlap**1.5 + 2.5 * self.damping * overlap**0.25 * rate
+
+    def reach(self, overlap: float, rate: float) -> float:
+        """Spring length at which it slides, mu F / k_t."""
+        force = max(0.0, self.normal_force(overlap, rate))
+        return self.friction * force / (1.25 * self.stiffness * sqrt(overlap))
+
+    def reach_rate(self, overlap: float, rate: float) -> float:
+        dashpot = -0.25 * overlap**-1.25 * rate**2 - overlap**-0.25 * self.normal_force(
+            overlap, rate
+        )
+        return self.friction / self.stiffness * (rate + 2 * self.damping * dashpot)
+
+    def surface_speed(self, state: np.ndarray) -> float:
+        return state[2] + float((1 - 0.5 * state[0] * self.flat) @ state[3:5])
+
+    def rates(self, _: float, state: np.ndarray) -> np.ndarray:
+        overlap, rate = max(state[0], 1e-30), state[1]
+        force = self.normal_force(overlap, rate)
+        if self.sense:
+            tangential = -self.sense * self.friction * force
+        else:
+            tangential = -1.25 * self.stiffness * sqrt(overlap) * state[5]
+        turning = 2.5 * self.share * (1 - 0.5 * overlap * self.flat) * tangential
+        stretch = 0.0 if self.sense else self.surface_speed(state)
+        return np.array([rate, -force, tangential, *turning, stretch])
+
+    def rebound(self) -> Motion:
+        def released(_: float, state: np.ndarray) -> float:
+            return self.normal_force(max(state[0], 1e-30), state[1]) - 1e-12
+
+        def changes(_: float, state: np.ndarray) -> float:
+            """Negative when the present way, sticking or sliding, cannot go on."""
+            overlap, rate = max(state[0], 1e-30), state[1]
+            if self.friction == 0:
+                return 1.0
+            if self.sense:
+                return self.sense * self.surface_speed(state) - self.reach_rate(overlap, rate)
+            return self.reach(overlap, rate) - abs(state[5])
+
+        for event in (released, changes):
+            event.terminal, event.direction = True, -1
+
+        before, speed = self.impact.before, self.impact.before.normal
+        radii = (self.impact.radius, self.impact.radius_other)
+        turning = [
+            spin * radius / speed if spin else 0.0
+            for spin, radius in zip((before.spin, -before.spin_other), radii, strict=True)
+        ]
+        state = np.array(
+            [self.START, 1.0, (before.along - before.along_other) / speed, *turning, 0.0]
+        )
+        state[5] = self.surface_speed(state) * self.START
+        time, end = 0.0, 20.0
+        self.sense = self._begin(state)
+        for _ in range(100):  # a handful of changes is usual
+            part = solve_ivp(
+                self.rates, (time, end), state, "DOP853", events=[released, changes],
+                rtol=1e-10, atol=1e-13,
+            )  # fmt: skip
+            time, state = part.t[-1], part.y[:, -1]
+            if part.t_events[0].size:
+                return self._motion(state)
+            if part.status != 1:
+                break
+            if self.sense:
+                # A hair below the reach, or rounding takes the start of sticking for its end.
+                state[5] = self.sense * self.reach(state[0], state[1]) * (1 - 1e-9)
+                self.sense = 0
+            else:
+                self.sense = int(np.sign(state[5]))
+        raise RuntimeError("the impact does not end")
+
+    def _begin(self, state: np.ndarray) -> int:
+        if abs(state[5]) < self.reach(state[0], state[1]):
+            return 0
+        return int(np.sign(state[5])) or 1
+
+    def _motion(self, state: np.ndarray) -> Motion:
+        impact, before, speed = self.impact, self.impact.before, self.impact.before.normal
+        _, rate, along, turning, turning_other, _ = (speed * float(value) for value in state)
+        gained = along - (before.along - before.along_other)
+        share, share_other = (float(value) for value in self.share)
+        return Motion(
+            normal=-rate,
+            along=before.along + gained * share,
+            spin=turning / impact.radius,
+            along_other=before.along_other - gained * share_other,
+            spin_other=-turning_other / impact.radius_other,
+        )

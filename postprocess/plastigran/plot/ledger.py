@@ -1,0 +1,43 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Figure of the energy ledger: where the energy of a run is and went, and what is missing."""
+
+from __future__ import annotations
+
+import pandas as pd
+from matplotlib.figure import Figure
+
+from plastigran.bulk.checks import LEDGER, TAKEN, energy_input
+from plastigran.plot.style import COLOURS, STYLE, plt
+
+
+def ledger_figure(series: pd.DataFrame) -> Figure:
+    """Energies stacked over time; below, the drift over the energy that came in.
+
+    Args:
+        series: Columns time [s] and the entries of inputs/energy_ledger.in [J].
+    """
+    came_in = energy_input(series)
+    with plt.rc_context(STYLE):
+        figure, (axes, below) = plt.subplots(
+            2, 1, figsize=(6.4, 5.4), sharex=True, height_ratios=(3, 1), layout="constrained"
+        )
+        shown = [entry for entry in reversed(TAKEN) if series[entry].abs().max() > 2e-3 * came_in]
+        axes.stackplot(
+            series["time"],
+            [series[entry].clip(lower=0) / came_in for entry in shown],
+            labels=shown,
+            colors=[COLOURS[TAKEN.index(entry)] for entry in shown],
+            alpha=0.75,
+            lw=0,
+        )
+        axes.set_axisbelow(True)
+        axes.set_ylabel(f"energy, of the {came_in:.3g} J that came in")
+        handles, labels = axes.get_legend_handles_labels()
+        axes.legend(handles[::-1], labels[::-1], loc="upper left")
+        below.plot(series["time"], series["drift"] / came_in, color="0.2", lw=1)
+        for limit in (-LEDGER, LEDGER):
+            below.axhline(limit, color="0.4", ls=":")
+        below.ticklabel_format(axis="y", style="sci", scilimits=(0, 0))
+        below.set_ylabel("drift")
+        below.set_xlabel("time (s)")
+    return figure
