@@ -18,8 +18,8 @@ from plastigran.bulk.run import carry_dump, read_series, run_bulk
 from plastigran.cli import main
 from plastigran.engine.checkpoints import PATTERN, newest_checkpoint, step_of
 from plastigran.engine.deck import read_deck
-from plastigran.engine.process import EngineError, inputs_folder
-from plastigran.engine.watch import LogFollower, engines
+from plastigran.engine.log import LogFollower
+from plastigran.engine.process import EngineError, engines, inputs_folder
 
 #: Short enough for a test to wait for its end, and with many checkpoints.
 SHORT = {"side": 5, "duration": 24, "rows": 24, "checkpoints": 12, "mixing": 1}
@@ -190,7 +190,7 @@ def test_results_are_not_overwritten_unless_forced(whole, tmp_path, monkeypatch)
     assert main(["bulk", "cooling_gas", "--output", str(folder)]) == 1
     assert (folder / "series.csv").read_bytes() == (whole / "series.csv").read_bytes()
     monkeypatch.setattr(
-        "plastigran.bulk.run.run_watched", lambda *_: (_ for _ in ()).throw(EngineError("stop"))
+        "plastigran.bulk.run.run_deck", lambda *_, **__: (_ for _ in ()).throw(EngineError("stop"))
     )
     with pytest.raises(EngineError, match="stop"):
         run_bulk("cooling_gas", SHORT, folder, force=True)
