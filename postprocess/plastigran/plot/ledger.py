@@ -7,7 +7,7 @@ import pandas as pd
 from matplotlib.figure import Figure
 
 from plastigran.bulk.checks import LEDGER, TAKEN, energy_input
-from plastigran.plot.style import COLOURS, STYLE, plt
+from plastigran.plot.style import COLOURS, styled, subplots
 
 
 def ledger_figure(series: pd.DataFrame) -> Figure:
@@ -17,9 +17,9 @@ def ledger_figure(series: pd.DataFrame) -> Figure:
         series: Columns time [s] and the entries of inputs/energy_ledger.in [J].
     """
     came_in = energy_input(series)
-    with plt.rc_context(STYLE):
-        figure, (axes, below) = plt.subplots(
-            2, 1, figsize=(6.4, 5.4), sharex=True, height_ratios=(3, 1), layout="constrained"
+    with styled():
+        figure, (axes, below) = subplots(
+            2, 1, figsize=(6.4, 5.4), sharex=True, height_ratios=(3, 1)
         )
         shown = [entry for entry in reversed(TAKEN) if series[entry].abs().max() > 2e-3 * came_in]
         axes.stackplot(
