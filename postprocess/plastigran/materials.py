@@ -14,7 +14,8 @@ import attrs
 
 from plastigran import laws
 from plastigran.declared import Declaration, number
-from plastigran.engine.process import EngineError, index_variables, inputs_folder, own_inputs
+from plastigran.engine.deck import index_variables
+from plastigran.engine.process import EngineError, inputs_folder, own_inputs
 
 if TYPE_CHECKING:
     import pandas as pd

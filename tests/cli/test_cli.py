@@ -136,11 +136,10 @@ def test_a_material_of_ones_own(tmp_path):
     )
 
 
-def test_interrupt_stops_and_keeps_what_is_finished(tmp_path):
+def test_interrupt_stops_and_keeps_what_is_finished(start_plastigran, tmp_path):
     """Ctrl-C: no further engine is started, finished rows stay, the exit code says so."""
-    line = [sys.executable, "-m", "plastigran.cli", "impact", "--law", "thornton"]
-    line += ["--points", "300", "--jobs", "1", "--output", str(tmp_path)]
-    run = subprocess.Popen(line, stderr=subprocess.PIPE, text=True, start_new_session=True)
+    line = ["impact", "--law", "thornton", "--points", "300", "--jobs", "1", "--output", tmp_path]
+    run = start_plastigran(*line)
     table = tmp_path / "impacts.csv"
     while not table.exists():
         assert run.poll() is None

@@ -13,8 +13,9 @@ import pytest
 from attrs import evolve
 
 from plastigran import laws
+from plastigran.engine.deck import index_variables
 from plastigran.engine.dumps import read_dump
-from plastigran.engine.process import index_variables, run_deck
+from plastigran.engine.process import run_deck
 from plastigran.experiments.chung_ooi import BenchmarkImpact, folder
 from plastigran.experiments.chung_ooi.comparison import motion
 from plastigran.experiments.runs import sweep

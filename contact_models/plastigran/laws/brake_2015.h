@@ -21,34 +21,6 @@
 namespace plastigran {
 
 struct Brake2015Curve {
-  static constexpr std::size_t break_count = 1;
-  std::array<double, break_count> breaks{1};
-  double yield_radius_ratio;
-  double meyer;    // n
-  double plastic;  // x_p
-
-  Brake2015Curve(const MaterialPair& pair, double pressure, double index)
-      : yield_radius_ratio(plastigran::yield_radius_ratio(pair)), meyer(index) {
-    const double root = 3 * indentation_pressure(pair, pressure) / pair.yield_pressure;
-    plastic = root * root;
-  }
-
-  double elastic_share(double x) const {
-    return 1 / std::cosh((meyer - 1) * (x - 1) / (plastic - 1));
-  }
-  double force(double x) const {
-    const double s = (x - 1) / (plastic - 1);
-    return elastic_share(x) * x * std::sqrt(x) + (1 - 1 / std::cosh((3 - meyer) * s)) *
-                                                     std::sqrt(plastic) * x *
-                                                     std::pow(x / plastic, 0.5 * meyer - 1);
-  }
-  double recovery(double x) const { return std::min(x, force(x) / std::sqrt(x)); }
-  double exponent(double) const { return 1.5; }
-  double contact_radius(double x) const { return std::sqrt(x * (2 - elastic_share(x))); }
-};
-
-class Brake2015 : public PowerUnloading<Brake2015Curve> {
- public:
   static constexpr const char* name = "brake_2015";
   static constexpr const char* source = "Brake 2015, Int. J. Solids Struct. 62:104";
   static constexpr const char* range = "small strain; as good as the indentation pressure given";
@@ -68,16 +40,38 @@ class Brake2015 : public PowerUnloading<Brake2015Curve> {
 
   // Yield must come before full plasticity.
   static bool admissible(const MaterialPair& pair, const Parameters& constants) {
-    return Brake2015Curve(pair, constants.indentation_pressure, constants.meyer_index).plastic > 1;
+    return Brake2015Curve(pair, constants).plastic > 1;
   }
   static constexpr const char* admissibility =
       "{indentation_pressure} must be more than a third of the weaker body's contact yield "
       "pressure";
 
-  Brake2015(const MaterialPair& pair, const Parameters& constants)
-      : PowerUnloading(pair,
-                       Brake2015Curve(pair, constants.indentation_pressure, constants.meyer_index),
-                       constants.energy_guard == 1) {}
+  std::array<double, 1> breaks{1};
+  double yield_radius_ratio;
+  double meyer;    // n
+  double plastic;  // x_p
+
+  Brake2015Curve(const MaterialPair& pair, const Parameters& constants)
+      : yield_radius_ratio(plastigran::yield_radius_ratio(pair)), meyer(constants.meyer_index) {
+    const double root =
+        3 * indentation_pressure(pair, constants.indentation_pressure) / pair.yield_pressure;
+    plastic = root * root;
+  }
+
+  double elastic_share(double x) const {
+    return 1 / std::cosh((meyer - 1) * (x - 1) / (plastic - 1));
+  }
+  double force(double x) const {
+    const double s = (x - 1) / (plastic - 1);
+    return elastic_share(x) * x * std::sqrt(x) + (1 - 1 / std::cosh((3 - meyer) * s)) *
+                                                     std::sqrt(plastic) * x *
+                                                     std::pow(x / plastic, 0.5 * meyer - 1);
+  }
+  double recovery(double x) const { return std::min(x, force(x) / std::sqrt(x)); }
+  double exponent(double) const { return 1.5; }
+  double contact_radius(double x) const { return std::sqrt(x * (2 - elastic_share(x))); }
 };
+
+using Brake2015 = PowerUnloading<Brake2015Curve>;
 
 }  // namespace plastigran

@@ -23,9 +23,9 @@ import pandas as pd
 from plastigran.bulk.decks import Analysis, module_of
 from plastigran.engine.checkpoints import PATTERN, newest_checkpoint, step_of
 from plastigran.engine.deck import Settings, find_deck, read_deck
-from plastigran.engine.dumps import DumpError, TruncatedFileWarning, read_thermo
-from plastigran.engine.process import EngineError, engine_path
-from plastigran.engine.watch import run_watched
+from plastigran.engine.dumps import DumpError, TruncatedFileWarning
+from plastigran.engine.log import read_thermo
+from plastigran.engine.process import EngineError, engine_path, run_deck
 from plastigran.plot import style
 
 RECORD = "run.json"
@@ -122,7 +122,9 @@ def run_bulk(
         carry_dump(restart, folder, step_of(checkpoint))
     write_record(folder, record)  # last: a folder with a record can be gone on from
     try:
-        run_watched(script, values | {"inputs": folder / "deck"}, folder, ranks, show)
+        run_deck(
+            script, values | {"inputs": folder / "deck"}, folder, ranks, timeout=None, progress=show
+        )
     finally:
         if (log := folder / "log.liggghts").exists():
             record["versions"]["engine"] = log.read_text(errors="replace").partition("\n")[0]

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from itertools import pairwise
+from functools import cached_property
 from math import inf, pi
 
 import numpy as np
@@ -48,7 +48,7 @@ MATERIALS = {
 
 def work(force: Callable[[float], float], begin: float, end: float) -> float:
     """Integral of a smooth force, to rounding."""
-    return quad(force, begin, end, epsabs=0, epsrel=1e-13, limit=200)[0]
+    return quad(force, begin, end, epsabs=0, epsrel=1e-12, limit=200)[0]
 
 
 class Contact:
@@ -87,14 +87,22 @@ class Contact:
     def virgin_force(self, overlap: float) -> float:
         return next(float(force(overlap)) for end, force in self.pieces if overlap <= end)
 
+    @cached_property
+    def works(self) -> list[tuple[float, float]]:
+        """Overlap [m] at which each formula begins and the virgin work [J] up to there."""
+        found = [(0.0, 0.0)]
+        for end, force in self.pieces[:-1]:
+            begin, before = found[-1]
+            found.append((end, before + work(force, begin, end)))
+        return found
+
     def virgin_work(self, overlap: float) -> float:
-        ends = [0.0, *(min(end, overlap) for end, _ in self.pieces)]
-        formulas = (force for _, force in self.pieces)
-        return sum(
-            work(force, begin, end)
-            for force, (begin, end) in zip(formulas, pairwise(ends), strict=True)
-            if begin < end
+        (begin, before), force = next(
+            (start, force)
+            for start, (end, force) in zip(self.works, self.pieces, strict=True)
+            if overlap <= end
         )
+        return before + work(force, begin, overlap)
 
     def rebound(self, overlap_max: float) -> tuple[float, Callable]:
         """The rebound from any largest overlap [m], with the energy guard; as published_rebound."""
@@ -136,6 +144,7 @@ class Contact:
         for overlap in overlaps:
             if overlap >= overlap_max:
                 overlap_max, rebound = overlap, None
+            if overlap == overlap_max or overlap_max <= self.pieces[0][0]:
                 forces.append(self.virgin_force(overlap))
                 continue
             recovery, shape = rebound = rebound or self.rebound(overlap_max)

@@ -6,11 +6,13 @@ r'^2 = d (2R* - d), t = d/r'. Hertz up to (E*/Y) t = 1.78, then
 
     F = pi r'^2 Y (0.839 + ln((E*/Y)^0.656 t^0.651))/(2.192 - ln((E*/Y)^0.394 t^0.419))
     d_m - d_r = 0.591 (E*/Y)^-0.156 d_m,  F = F_m y^1.5
+
+The denominator is held at 0.71.
 """
 
 from __future__ import annotations
 
-from math import inf, pi
+from math import exp, inf, pi
 
 import numpy as np
 from references.central_impact import CentralImpact
@@ -27,11 +29,14 @@ class Reference(CentralImpact):
             area = overlap * (2 * radius - overlap)
             slope = overlap / np.sqrt(area)
             pressure = 0.839 + np.log(ratio**0.656 * slope**0.651)
-            share = 2.192 - np.log(ratio**0.394 * slope**0.419)
+            share = np.maximum(0.71, 2.192 - np.log(ratio**0.394 * slope**0.419))
             return pi * area * material.yield_strength * pressure / share
 
-        onset = (1.78 / ratio) ** 2  # of t^2 = d/(2R* - d)
-        self.pieces = [(2 * radius * onset / (1 + onset), self.hertz), (inf, beyond)]
+        def end(slope):
+            return 2 * radius * slope**2 / (1 + slope**2)
+
+        held = (exp(2.192 - 0.71) / ratio**0.394) ** (1 / 0.419)
+        self.pieces = [(end(1.78 / ratio), self.hertz), (end(held), beyond), (inf, beyond)]
 
     def published_rebound(self, overlap_max):
         return 0.591 * self.ratio**-0.156 * overlap_max, lambda y: y**1.5

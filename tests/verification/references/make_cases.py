@@ -15,7 +15,7 @@ FOLDER = Path(__file__).parent
 CASES = FOLDER.parent / "cases"
 sys.path.insert(0, str(FOLDER.parent))  # as in the tests, so that it runs as a script
 
-from references.central_impact import CentralImpact  # noqa: E402
+from references.central_impact import CentralImpact, Outcome  # noqa: E402
 from references.contact import MATERIALS  # noqa: E402
 
 #: Laws that have a reference: every module here but this one and what they share.
@@ -45,24 +45,42 @@ def digits(value: float, form: str) -> str:
     return f"{float(text):g}" if float(text) in (0, 1) else text
 
 
-def case_file(law: str) -> str:
-    """Text of a law's case file.
+def impacts(law: str) -> list[tuple[dict[str, str], CentralImpact]]:
+    """The rows of a law's case file, without their outcomes, and the impact of each."""
+    return [
+        (row, reference(law)(MATERIALS[row["material"]], **numbers(row)))
+        for row in csv.DictReader(io.StringIO(reference(law).cases))
+    ]
+
+
+def numbers(row: dict[str, str]) -> dict[str, float]:
+    return {name: float(text) for name, text in row.items() if name != "material"}
+
+
+def outcomes(law: str) -> list[Outcome]:
+    """Outcome of each row.
 
     Raises:
         ValueError: The two ways do not agree to 1e-9.
     """
-    kind, rows = reference(law), []
-    for row in csv.DictReader(io.StringIO(kind.cases)):
-        numbers = {name: float(text) for name, text in row.items() if name != "material"}
-        impact = kind(MATERIALS[row["material"]], **numbers)
+    found = []
+    for row, impact in impacts(law):
         one, other = impact.two_ways()
         if not one.agrees_with(other):
             raise ValueError(f"{law} at {row['speed']} m/s: {one} one way, {other} the other")
-        rows.append(row | {name: digits(x, kind.digits) for name, x in asdict(one).items()})
+        found.append(one)
+    return found
+
+
+def case_file(law: str, found: list[Outcome]) -> str:
+    """Text of a law's case file with these outcomes."""
+    kind, cases, rows = reference(law), impacts(law), []
+    for (row, _), outcome in zip(cases, found, strict=True):
+        rows.append(row | {name: digits(x, kind.digits) for name, x in asdict(outcome).items()})
         if row["speed"] in kind.untimed:
             rows[-1]["contact_time"] = ""
-    text = io.StringIO(kind.comment + jumps(impact))
-    text.seek(0, io.SEEK_END)
+    text = io.StringIO()
+    text.write(kind.comment + jumps(cases[0][1]))
     table = csv.DictWriter(text, rows[0], lineterminator="\n")
     table.writeheader()
     table.writerows(rows)
@@ -71,4 +89,4 @@ def case_file(law: str) -> str:
 
 if __name__ == "__main__":
     for law in sys.argv[1:] or LAWS:
-        (CASES / f"{law}.csv").write_text(case_file(law))
+        (CASES / f"{law}.csv").write_text(case_file(law, outcomes(law)))

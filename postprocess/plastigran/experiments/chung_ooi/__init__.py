@@ -18,8 +18,9 @@ import attrs
 import pandas as pd
 
 from plastigran import declared, laws
+from plastigran.engine.deck import index_variables
 from plastigran.engine.dumps import read_dump
-from plastigran.engine.process import index_variables, inputs_folder
+from plastigran.engine.process import inputs_folder
 from plastigran.experiments.base import Experiment, Flag
 from plastigran.experiments.chung_ooi.comparison import (
     BenchmarkOutcome,
