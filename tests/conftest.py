@@ -7,16 +7,15 @@ import re
 import signal
 import subprocess
 import sys
-from dataclasses import replace
 from math import pi
 from pathlib import Path
 
 import pytest
+from attrs import evolve
 
 from plastigran import laws
 from plastigran.engine.process import PROJECT
-from plastigran.experiments.central import laws_for
-from plastigran.materials import RIGID, read_material
+from plastigran.materials import RIGID, laws_for, read_material
 
 # Laws with a model in the engine: one binding header each.
 ENGINE_LAWS = sorted(
@@ -93,7 +92,7 @@ def decks() -> Path:
 def aluminium():
     """The paper's aluminium, with a constant the paper does not give, for laws that must have it:
     restitution near 0.8 for its sphere."""
-    return replace(read_material("aluminium_zv02"), dissipative_constant=3e-5)
+    return evolve(read_material("aluminium_zv02"), dissipative_constant=3e-5)
 
 
 @pytest.fixture(scope="session")

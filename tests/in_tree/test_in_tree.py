@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 from plastigran import laws
-from plastigran.experiments.central import IMPACTS
+from plastigran.experiments.collide import IMPACTS
 from plastigran.experiments.collision import measure
 
 HERE = Path(__file__).parent

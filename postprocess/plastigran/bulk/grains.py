@@ -8,8 +8,7 @@ from math import inf, pi
 
 from plastigran import laws
 from plastigran.engine.deck import Settings
-from plastigran.experiments.central import laws_for
-from plastigran.materials import Material
+from plastigran.materials import Material, laws_for
 from plastigran.physics import central
 
 

@@ -12,8 +12,8 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from plastigran import laws
-from plastigran.experiments.central import Impact
-from plastigran.experiments.collision import Collision
+from plastigran.experiments.central import CentralImpact
+from plastigran.experiments.collision import CollisionOutcome
 from plastigran.physics import central
 from plastigran.plot.style import COLOURS, MARKERS, styled, subplots, title
 
@@ -25,7 +25,7 @@ def finite_elements() -> pd.DataFrame:
         return pd.read_csv(file, comment="#")
 
 
-def restitution_figure(table: pd.DataFrame, impacts: list[Impact]) -> Figure:
+def restitution_figure(table: pd.DataFrame, impacts: list[CentralImpact]) -> Figure:
     """Restitution over impact speed: points from the engine, lines from theory.
 
     Thornton's line is its closed form; the others' is the energy balance of the law. The paper's
@@ -79,21 +79,19 @@ def restitution_figure(table: pd.DataFrame, impacts: list[Impact]) -> Figure:
     return figure
 
 
-def _theory(model: Impact, speeds: np.ndarray) -> np.ndarray:
+def _theory(model: CentralImpact, speeds: np.ndarray) -> np.ndarray:
     if model.law == "thornton":
         return central.thornton_restitution(speeds / model.yield_speed())
-    changed = [
-        Impact(model.law, float(speed), model.material, model.radius, model.geometry)
-        for speed in speeds
-    ]
-    return np.array([impact.predicted().coefficient_of_restitution for impact in changed])
+    speeds = speeds * model.bodies
+    impacts = central.central_impacts(model.contact_law(), model.radius_eff, model.mass_eff, speeds)
+    return impacts.coefficient_of_restitution
 
 
-def _is_paper_sphere(impacts: list[Impact]) -> bool:
+def _is_paper_sphere(impacts: list[CentralImpact]) -> bool:
     return all(i.material.name == "aluminium_zv02" and i.radius == 0.1 for i in impacts)
 
 
-def _speed_axes(axes: Axes, impacts: list[Impact]) -> None:
+def _speed_axes(axes: Axes, impacts: list[CentralImpact]) -> None:
     axes.set_xscale("log")
     axes.set_xlabel("impact speed (m/s)")
     yielding = [impact for impact in impacts if laws.LAWS[impact.law].yields]
@@ -105,10 +103,10 @@ def _speed_axes(axes: Axes, impacts: list[Impact]) -> None:
         upper.spines["top"].set_visible(True)
 
 
-def loops_figure(collisions: dict[Impact, Collision]) -> Figure:
+def loops_figure(collisions: dict[CentralImpact, CollisionOutcome]) -> Figure:
     """Force over overlap, one panel a law and material, one loop a speed: the five
     fastest, the rest are too small to see beside them."""
-    panels_of: dict[tuple[str, str], list[tuple[Impact, Collision]]] = {}
+    panels_of: dict[tuple[str, str], list[tuple[CentralImpact, CollisionOutcome]]] = {}
     for impact, collision in collisions.items():
         key = (impact.law, impact.material.name)
         panels_of.setdefault(key, []).append((impact, collision))

@@ -5,18 +5,19 @@ points from the engine, lines from theory."""
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
+from attrs import evolve
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from plastigran.experiments.chung_ooi import TITLES, BenchmarkImpact, Outcome
+from plastigran.experiments.chung_ooi import TITLES, BenchmarkImpact, BenchmarkOutcome
 from plastigran.physics import central
 from plastigran.physics.oblique import Motion, ObliqueImpact
 from plastigran.plot.style import COLOURS, MARKERS, styled, subplots
 
-Entry = tuple[BenchmarkImpact, Outcome]
+Entry = tuple[BenchmarkImpact, BenchmarkOutcome]
 
 
 @dataclass(frozen=True)
@@ -91,12 +92,12 @@ def _label(case: BenchmarkImpact) -> str:
     return f"{name}, $E_2/E_1$ = {case.modulus_ratio:g}"
 
 
-def figure(number: int, outcomes: dict[BenchmarkImpact, Outcome]) -> Figure:
+def figure(number: int, outcomes: dict[BenchmarkImpact, BenchmarkOutcome]) -> Figure:
     """The page of one benchmark.
 
     Args:
         number: 1 to 8.
-        outcomes: As `plastigran.experiments.central.sweep` returns them, of any benchmarks.
+        outcomes: As `Runs.outcomes` has them, of any benchmarks.
 
     Raises:
         ValueError: There are no impacts of that benchmark.
@@ -188,7 +189,7 @@ def _oblique(
     fine = np.union1d(
         np.geomspace(min(values), max(values), 50), np.linspace(min(values), max(values), 50)
     )
-    swept = [replace(entries[0][0], value=float(value)).impact() for value in fine]
+    swept = [evolve(entries[0][0], value=float(value)).impact() for value in fine]
     after = [(impact, impact.spring_slider()) for impact in swept]
     axes.plot(
         [across.value(*pair) for pair in after],

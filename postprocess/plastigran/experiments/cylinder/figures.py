@@ -12,7 +12,11 @@ from matplotlib.axes import Axes
 from matplotlib.colors import BoundaryNorm
 from matplotlib.figure import Figure
 
-from plastigran.experiments.cylinder import FINITE_ELEMENTS, FINITE_ELEMENTS_OVERLAP_RES, study
+from plastigran.experiments.cylinder.study import (
+    FINITE_ELEMENTS,
+    FINITE_ELEMENTS_OVERLAP_RES,
+    study,
+)
 from plastigran.plot.style import COLOURS, styled, subplots, title
 
 
