@@ -26,7 +26,7 @@ from pathlib import Path
 import pandas as pd
 from tqdm import tqdm
 
-from plastigran.engine.dumps import read_contacts
+from plastigran.engine.contacts import read_contacts
 from plastigran.engine.process import PROJECT, EngineError, engine_path, run_deck
 
 HERE = Path(__file__).resolve().parent

@@ -34,8 +34,8 @@ from plastigran.bulk.folder import read_record, read_series, restart_point
 from plastigran.bulk.run import run_bulk
 from plastigran.engine.checkpoints import PATTERN, step_of
 from plastigran.engine.dumps import read_dump
-from plastigran.engine.process import PROJECT, EngineError, run_deck
-from plastigran.engine.watch import LogFollower, engines
+from plastigran.engine.log import LogFollower
+from plastigran.engine.process import PROJECT, EngineError, engines, run_deck
 
 WORK = PROJECT / "results" / "reliability"
 PAGE = PROJECT / "docs" / "reliability.md"

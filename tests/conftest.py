@@ -6,6 +6,9 @@ from __future__ import annotations
 import json
 import os
 import re
+import signal
+import subprocess
+import sys
 from dataclasses import replace
 from fcntl import LOCK_EX, flock
 from functools import cache
@@ -46,6 +49,32 @@ def pytest_generate_tests(metafunc: pytest.Metafunc) -> None:
         metafunc.parametrize("yielding_law", [n for n in spheres if laws.LAWS[n].yields])
     if "engine_law" in metafunc.fixturenames:
         metafunc.parametrize("engine_law", ENGINE_LAWS)
+
+
+@pytest.fixture
+def start_plastigran():
+    """Starts the command `plastigran` as at a terminal, where Ctrl-C reaches it even when these
+    tests run in the background, which ignores it; nothing of it outlives the test.
+    """
+    started = []
+
+    def start(*words: object) -> subprocess.Popen:
+        line = ["setpriv", "--pdeathsig", "KILL", sys.executable, "-m", "plastigran.cli"]
+        started.append(
+            subprocess.Popen(
+                [*line, *map(str, words)],
+                stderr=subprocess.PIPE,
+                text=True,
+                start_new_session=True,
+                preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL),
+            )
+        )
+        return started[-1]
+
+    yield start
+    for run in started:
+        run.kill()
+        run.communicate()
 
 
 @pytest.fixture(scope="session")

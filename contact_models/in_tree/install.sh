@@ -24,7 +24,7 @@ version=$(cat "$tree/src/version_liggghts.txt")
 models=$(dirname "$0")/..
 set -- "$models"/liggghts/elastoplastic_normal_model.h "$models"/liggghts/energy_ledger.h \
   "$models"/liggghts/wall_point.h "$models"/liggghts/*_watch.h "$models"/liggghts/own_fix.h \
-  "$models"/liggghts/history_keeper.h \
+  "$models"/liggghts/history_keeper.h "$models"/liggghts/property_name.h \
   "$models"/liggghts/engine_access.h "$models"/liggghts/normal_model_*.h
 
 # A fork may have a file of the same name. All of ours name our namespace.

@@ -37,6 +37,7 @@
 #include "neighbor.h"
 #include "normal_model_base.h"
 #include "pair_gran.h"
+#include "property_name.h"
 #include "range_watch.h"
 #include "settings.h"
 #include "step_watch.h"
@@ -337,10 +338,13 @@ class ElastoplasticNormalModel : public NormalModelBase {
           if (parameter.per_body) {
             constants.*parameter.value = larger_of_bodies(parameter, i, j);
             if (lacking.empty() && constants.*parameter.value == 0)
-              lacking = about_types(
-                  plastigran::complaint(parameter, 0) + "; one of the two must have it", i, j);
-          } else if (FixPropertyGlobal* values = property(parameter.property, "peratomtypepair",
-                                                          type_count_, type_count_)) {
+              lacking =
+                  about_types(plastigran::in_property_names(plastigran::complaint(parameter, 0)) +
+                                  "; one of the two must have it",
+                              i, j);
+          } else if (FixPropertyGlobal* values =
+                         property(property_of(parameter).c_str(), "peratomtypepair", type_count_,
+                                  type_count_)) {
             constants.*parameter.value = values->compute_array(i - 1, j - 1);
           }
         }
@@ -360,7 +364,7 @@ class ElastoplasticNormalModel : public NormalModelBase {
                           int type, int other_type) {
     double larger = 0;
     for (int each : {type, other_type}) {
-      const double value = per_type(parameter.property, each, parameter.unit);
+      const double value = per_type(property_of(parameter).c_str(), each, parameter.unit);
       if (value != 0) check(plastigran::complaint(parameter, value), each, 0);
       larger = std::max(larger, value);
     }
@@ -375,8 +379,13 @@ class ElastoplasticNormalModel : public NormalModelBase {
     return text.str();
   }
 
-  void check(const std::string& complaint, int type, int other_type) {
-    if (!complaint.empty()) fail(about_types(complaint, type, other_type));
+  void check(const plastigran::Complaint& complaint, int type, int other_type) {
+    if (!complaint.empty())
+      fail(about_types(plastigran::in_property_names(complaint), type, other_type));
+  }
+
+  static std::string property_of(const plastigran::Parameter<typename Law::Parameters>& parameter) {
+    return plastigran::property_name(parameter.name);
   }
 
   bool tangential_model_is(const char* name) {
@@ -411,8 +420,8 @@ class ElastoplasticNormalModel : public NormalModelBase {
           text << ", yield strength " << pair.yield_strength << " Pa, yield pressure "
                << pair.yield_pressure << " Pa";
         for (const auto& parameter : Law::parameters)
-          text << ", " << parameter.property << ' ' << constants_[index(i, j)].*parameter.value
-               << (given(parameter.property) ? "" : " (default)");
+          text << ", " << property_of(parameter) << ' ' << constants_[index(i, j)].*parameter.value
+               << (given(property_of(parameter).c_str()) ? "" : " (default)");
         for (const auto& option : Law::options)
           text << ", " << option.name << ' ' << option.choices[choices_.*option.value];
         text << '\n';

@@ -7,7 +7,8 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from plastigran import laws
-from plastigran.engine.process import index_variables, inputs_folder
+from plastigran.engine.deck import index_variables
+from plastigran.engine.process import inputs_folder
 
 
 @dataclass(frozen=True)

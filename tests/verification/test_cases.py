@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Every row of cases/*.csv: by the law alone, and in the engine through every geometry that is for
-the law."""
+"""Every row of cases/*.csv in the engine, through every geometry that is for the law."""
 
 from __future__ import annotations
 
@@ -42,15 +41,6 @@ def test_every_law_has_cases(law_name):
     assert any(law == law_name for law, _ in CASES.values())
 
 
-@pytest.mark.parametrize("case", CASES)
-def test_law_alone(case):
-    """1e-5: the cases keep six digits."""
-    law, row = CASES[case]
-    predicted = impact(law, row).predicted()
-    for name in OUTCOMES:
-        assert getattr(predicted, name) == pytest.approx(getattr(row, name), rel=1e-5), name
-
-
 @pytest.mark.parametrize(("case", "geometry"), RUNS)
 def test_engine_at_the_recommended_step(case, geometry, tmp_path):
     """What the recommended step promises: restitution to 1e-3, the rest to 2e-3.
@@ -59,7 +49,7 @@ def test_engine_at_the_recommended_step(case, geometry, tmp_path):
     overlap follow to first order: 5e-3, and the overlap at which the force vanishes to 2 % of the
     largest.
 
-    Expected is the law's own answer for that geometry, which the test above holds against the case:
+    Expected is the law's own answer for that geometry, held against the case in test_references.py:
     two spheres are not the sphere on a rigid plane for a law that depends on sigma_Y/E*.
     """
     law, row = CASES[case]

@@ -11,8 +11,9 @@ import numpy as np
 import pytest
 
 from plastigran import laws
+from plastigran.engine.deck import index_variables
 from plastigran.engine.dumps import read_dump
-from plastigran.engine.process import index_variables, run_deck
+from plastigran.engine.process import run_deck
 from plastigran.experiments.central import sweep
 from plastigran.experiments.chung_ooi import BenchmarkImpact, cases, folder, motion
 from plastigran.materials import RIGID

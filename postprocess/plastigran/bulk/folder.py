@@ -17,7 +17,8 @@ import pandas as pd
 
 from plastigran.engine.checkpoints import PATTERN, newest_checkpoint
 from plastigran.engine.deck import Settings
-from plastigran.engine.dumps import DumpError, TruncatedFileWarning, read_thermo
+from plastigran.engine.dumps import DumpError, TruncatedFileWarning
+from plastigran.engine.log import read_thermo
 from plastigran.engine.process import EngineError
 
 RECORD = "run.json"

@@ -31,8 +31,7 @@ from plastigran.bulk.folder import (
 )
 from plastigran.engine.checkpoints import step_of
 from plastigran.engine.deck import Settings, find_deck, read_deck
-from plastigran.engine.process import engine_path
-from plastigran.engine.watch import run_watched
+from plastigran.engine.process import engine_path, run_deck
 from plastigran.plot import style
 
 #: Settings that name files and places; they differ between runs and are not compared.
@@ -161,7 +160,9 @@ def run_bulk(
         carry_dump(restart, folder, step)
     write_record(folder, record)  # last: a folder with a record can be gone on from
     try:
-        run_watched(script, values | {"inputs": folder / "deck"}, folder, ranks, show)
+        run_deck(
+            script, values | {"inputs": folder / "deck"}, folder, ranks, timeout=None, progress=show
+        )
     finally:
         if (log := folder / LOG).exists():
             record["versions"]["engine"] = log.read_text(errors="replace").partition("\n")[0]

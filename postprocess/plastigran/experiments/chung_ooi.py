@@ -16,8 +16,9 @@ from pathlib import Path
 import pandas as pd
 
 from plastigran import laws
+from plastigran.engine.deck import index_variables
 from plastigran.engine.dumps import read_dump
-from plastigran.engine.process import index_variables, inputs_folder, run_deck
+from plastigran.engine.process import inputs_folder, run_deck
 from plastigran.experiments.collision import Collision, measure
 from plastigran.materials import RIGID, Material, read_material
 from plastigran.physics import central

@@ -14,7 +14,7 @@ from plastigran.bulk.folder import read_series
 from plastigran.bulk.run import run_bulk
 from plastigran.engine.checkpoints import PATTERN, step_of
 from plastigran.engine.deck import read_deck
-from plastigran.engine.dumps import read_thermo
+from plastigran.engine.log import read_thermo
 from plastigran.engine.process import run_deck
 
 #: Columns that are what rounding leaves of sums that vanish.
