@@ -8,7 +8,7 @@ from collections.abc import Sequence
 import pandas as pd
 from matplotlib.figure import Figure
 
-from plastigran.plot.style import COLOURS, STYLE, plt
+from plastigran.plot.style import COLOURS, styled, subplots
 
 
 def ledger_figure(
@@ -22,9 +22,9 @@ def ledger_figure(
         came_in: Energy that came in, which the others are shares of [J].
         limit: What the drift may be at most, as such a share.
     """
-    with plt.rc_context(STYLE):
-        figure, (axes, below) = plt.subplots(
-            2, 1, figsize=(6.4, 5.4), sharex=True, height_ratios=(3, 1), layout="constrained"
+    with styled():
+        figure, (axes, below) = subplots(
+            2, 1, figsize=(6.4, 5.4), sharex=True, height_ratios=(3, 1)
         )
         shown = [entry for entry in reversed(entries) if series[entry].abs().max() > 2e-3 * came_in]
         axes.stackplot(

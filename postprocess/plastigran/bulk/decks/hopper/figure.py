@@ -9,7 +9,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from plastigran.physics.beverloo import Discharge, fit_constants
-from plastigran.plot.style import COLOURS, STYLE, plt
+from plastigran.plot.style import COLOURS, styled, subplots
 
 
 def discharge_figure(series: pd.DataFrame, discharge: Discharge | None, mass: float) -> Figure:
@@ -20,8 +20,8 @@ def discharge_figure(series: pd.DataFrame, discharge: Discharge | None, mass: fl
         discharge: The run's; None where it has no steady part.
         mass: Of a grain [kg].
     """
-    with plt.rc_context(STYLE):
-        figure, axes = plt.subplots(figsize=(6.4, 4.4), layout="constrained")
+    with styled():
+        figure, axes = subplots(figsize=(6.4, 4.4))
         draw_course(
             axes, series, discharge, mass, COLOURS[0], "discharge, thick where its rate is taken"
         )
@@ -52,8 +52,8 @@ def orifices_figure(runs: list[tuple[pd.DataFrame, Discharge, float]]) -> Figure
     discharges = [discharge for _, discharge, _ in runs]
     constants = fit_constants(discharges)
     diameter = discharges[0].diameter
-    with plt.rc_context(STYLE):
-        figure, (left, right) = plt.subplots(1, 2, figsize=(9.6, 4.2), layout="constrained")
+    with styled():
+        figure, (left, right) = subplots(1, 2, figsize=(9.6, 4.2))
         for colour, (series, discharge, mass) in zip(COLOURS, runs, strict=False):
             label = f"{discharge.orifice / diameter:.3g} d"
             draw_course(left, series, discharge, mass, colour, label)
