@@ -29,8 +29,8 @@ using namespace nb::literals;
 typedef nb::ndarray<const double, nb::ndim<1>, nb::c_contig, nb::device::cpu> Input;
 typedef nb::ndarray<nb::numpy, double, nb::ndim<1>> Output;
 
-inline void raise_if(const std::string& complaint) {
-  if (!complaint.empty()) throw std::invalid_argument(complaint);
+inline void raise_if(const Complaint& complaint, const std::string& about = "") {
+  if (!complaint.empty()) throw std::invalid_argument(about + complaint.text());
 }
 
 template <class Parameters>
@@ -40,8 +40,8 @@ int parse_choice(const Option<Parameters>& option, const std::string& word) {
     if (word == option.choices[k]) return k;
     allowed += (k ? ", " : "") + std::string(option.choices[k]);
   }
-  raise_if(std::string(option.name) + " is '" + word + "'; it must be one of " + allowed);
-  return 0;
+  throw std::invalid_argument(std::string(option.name) + " is '" + word + "'; it must be one of " +
+                              allowed);
 }
 
 template <class Law>
@@ -62,18 +62,18 @@ typename Law::Parameters parse_constants(const MaterialPair& pair, const nb::kwa
       std::string text = std::string(Law::name) + " has no constant '" + name + "'; it takes";
       for (const auto& p : Law::parameters) text += std::string(" ") + p.name;
       for (const auto& o : Law::options) text += std::string(" ") + o.name;
-      raise_if(text + (Law::parameters.empty() && Law::options.empty() ? " none" : ""));
+      throw std::invalid_argument(text +
+                                  (Law::parameters.empty() && Law::options.empty() ? " none" : ""));
     }
     constants.*(known->value) = nb::cast<double>(item.second);
   }
-  const std::string said = validate<Law>(pair, constants);
-  raise_if(said.empty() ? said : std::string(Law::name) + ": " + said);
+  raise_if(validate<Law>(pair, constants), std::string(Law::name) + ": ");
   return constants;
 }
 
 inline void require_positive(const char* name, double value, const char* unit) {
   if (!(value > 0 && std::isfinite(value)))
-    raise_if(complaint(name, value, std::string("positive and finite [") + unit + "]"));
+    raise_if(Complaint::about(name, value, std::string("positive and finite [") + unit + "]"));
 }
 
 // Responses along a path of overlaps and their rates, as arrays of the path's length.
@@ -84,8 +84,8 @@ std::map<std::string, Output> follow(const Law& law, double radius_eff, Input ov
   require_positive("radius_eff", radius_eff, "m");
   const std::size_t n = overlap.shape(0);
   if (overlap_rate && overlap_rate->shape(0) != n)
-    raise_if(complaint("length of overlap_rate", double(overlap_rate->shape(0)),
-                       std::to_string(n) + ", that of overlap"));
+    raise_if(Complaint::about("length of overlap_rate", double(overlap_rate->shape(0)),
+                              std::to_string(n) + ", that of overlap"));
   constexpr int count = 5;
   static constexpr const char* names[count] = {"force", "contact_radius", "elastic_energy",
                                                "plastic_work", "viscous_force"};
@@ -135,7 +135,7 @@ void bind_law(nb::module_& module, const char* class_name) {
       },
       "pair"_a, "constants"_a,
       "A law between two bodies. Keyword arguments are the law's own constants (see "
-      "`parameters()`).\n\nRaises ValueError naming the property, value and allowed range.");
+      "`parameters()`).\n\nRaises ValueError naming the constant, its value and allowed range.");
   law.def(
       "respond",
       [](const Law& self, double radius_eff, double overlap, State& history, double overlap_rate) {
@@ -180,7 +180,6 @@ void bind_law(nb::module_& module, const char* class_name) {
         for (const auto& p : Law::parameters) {
           nb::dict row;
           row["name"] = p.name;
-          row["property"] = p.property;
           row["unit"] = p.unit;
           const double value = defaults.*p.value;
           row["default"] =
@@ -193,7 +192,7 @@ void bind_law(nb::module_& module, const char* class_name) {
         }
         return table;
       },
-      "The law's own constants: name, LIGGGHTS property, unit, default (None: it must be given), "
+      "The law's own constants: name, unit, default (None: it must be given), "
       "per_body (of each body, a pair has the larger), range, meaning.");
   law.def_static(
       "options",

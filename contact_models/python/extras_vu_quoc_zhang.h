@@ -12,7 +12,7 @@ inline void bind_extras(nb::class_<VuQuocZhang>& law) {
       "overlap",
       [](const VuQuocZhang& self, double radius_eff, double force, VuQuocZhang::State& state) {
         require_positive("radius_eff", radius_eff, "m");
-        if (!(force >= 0)) raise_if(complaint("force", force, "zero or positive [N]"));
+        if (!(force >= 0)) raise_if(Complaint::about("force", force, "zero or positive [N]"));
         return self.overlap(radius_eff, force, state);
       },
       "radius_eff"_a, "force"_a, "state"_a,

@@ -15,6 +15,7 @@ import pytest
 
 from plastigran import laws
 from plastigran.cli import main
+from plastigran.engine.deck import property_name
 from plastigran.engine.process import inputs_folder
 from plastigran.experiments.central import laws_for
 from plastigran.materials import read_material
@@ -70,7 +71,7 @@ def test_laws_lists_every_law_with_its_constants(capsys):
     for name, law in laws.LAWS.items():
         assert name in said and law.source in said and law.range in said
         for constant in law.parameters():
-            assert constant["property"] in said
+            assert property_name(constant["name"]) in said
 
 
 def test_modes(capsys):

@@ -172,19 +172,19 @@ def test_rates_of_another_length_are_refused():
 
 
 def test_the_constant_must_be_given():
-    said = r"dissipativeConstant is missing; it must be given, between 0 and 1 \[s\]"
+    said = r"dissipative_constant is missing; it must be given, between 0 and 1 \[s\]"
     with pytest.raises(ValueError, match=f"viscoelastic_hertz: {said}"):
         laws.ViscoelasticHertz(PAIR)
     with pytest.raises(ValueError, match="material steel gives no dissipative_constant"):
         Impact("viscoelastic_hertz", 0.1, read_material("steel"), 0.01)
-    with pytest.raises(ValueError, match=r"dissipativeConstant is -1; it must be between 0 and 1"):
+    with pytest.raises(ValueError, match=r"dissipative_constant is -1; it must be between 0 and 1"):
         laws.ViscoelasticHertz(PAIR, dissipative_constant=-1)
 
 
 def test_laws_that_yield_need_a_strength_and_the_others_do_not():
     soft = laws.Material(7e10, 0.3)
     assert laws.Hertz(laws.combine(soft, soft)).central_impact(RADIUS, MASS, SPEED).in_range
-    with pytest.raises(ValueError, match="thornton: yieldStrength is missing"):
+    with pytest.raises(ValueError, match="thornton: yield_strength is missing"):
         laws.Thornton(laws.combine(soft, soft))
 
 

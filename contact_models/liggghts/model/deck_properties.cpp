@@ -11,24 +11,21 @@
 
 namespace plastigran {
 
-std::string deck_words(const std::string& text) {
-  const auto is_letter = [&](std::size_t k) {
-    return k < text.size() && std::islower(static_cast<unsigned char>(text[k]));
-  };
-  std::string words;
-  for (std::size_t k = 0; k < text.size(); ++k)
-    if (text[k] == '_' && k > 1 && is_letter(k - 1) && is_letter(k - 2) && is_letter(k + 1))
-      words += std::toupper(text[++k]);
-    else
-      words += text[k];
-  return words;
+std::string property_name(const std::string& field) {
+  std::string name;
+  bool capital = false;
+  for (const char letter : field) {
+    if (letter != '_') name += capital ? static_cast<char>(std::toupper(letter)) : letter;
+    capital = letter == '_';
+  }
+  return name;
 }
 
 LAMMPS_NS::FixPropertyGlobal* DeckProperties::find(const char* field, const char* shape, int rows,
                                                    int columns, bool required) const {
   return static_cast<LAMMPS_NS::FixPropertyGlobal*>(
-      modify->find_fix_property(deck_words(field).c_str(), "property/global", shape, rows, columns,
-                                model_.c_str(), required));
+      modify->find_fix_property(property_name(field).c_str(), "property/global", shape, rows,
+                                columns, model_.c_str(), required));
 }
 
 bool DeckProperties::given(const char* field) const {
@@ -47,7 +44,7 @@ double DeckProperties::per_type(const char* field, int type, const char* unit,
                                 double fallback) const {
   if (const auto found = values(field, "peratomtype", type_count_, 0))
     return found->compute_vector(type - 1);
-  const std::string name = deck_words(field);
+  const std::string name = property_name(field);
   if (std::isnan(fallback))
     fail(name + " is missing; give it for every atom type [" + unit + "]: fix ID all " +
          "property/global " + name + " peratomtype VALUE ...");
@@ -77,13 +74,17 @@ void DeckProperties::fail(const std::string& reason) const {
   error->all(FLERR, (model_ + ": " + reason).c_str());
 }
 
-void DeckProperties::check(const std::string& complaint, int type, int other_type) const {
-  if (!complaint.empty()) fail(about_types(complaint, type, other_type));
+void DeckProperties::check(const Complaint& complaint, int type, int other_type) const {
+  if (!complaint.empty()) fail(about_types(worded(complaint), type, other_type));
 }
 
-std::string DeckProperties::about_types(const std::string& complaint, int type, int other_type) {
+std::string DeckProperties::worded(const Complaint& complaint) {
+  return complaint.worded(property_name);
+}
+
+std::string DeckProperties::about_types(const std::string& sentence, int type, int other_type) {
   std::ostringstream text;
-  text << deck_words(complaint) << (other_type ? " (atom types " : " (atom type ") << type;
+  text << sentence << (other_type ? " (atom types " : " (atom type ") << type;
   if (other_type) text << " and " << other_type;
   text << ')';
   return text.str();

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "plastigran/shared/complaint.h"
 #include "plastigran/shared/contact.h"
 #include "pointers.h"
 
@@ -16,9 +17,9 @@ class FixPropertyGlobal;
 
 namespace plastigran {
 
-// The engine's name of a property: the field's in camel case, yieldStrength for yield_strength. In
-// a sentence every word in snake case is turned.
-std::string deck_words(const std::string& text);
+// What decks call a field of the laws: yieldStrength for yield_strength. LIGGGHTS names properties
+// in camel case.
+std::string property_name(const std::string& field);
 
 class DeckProperties : protected LAMMPS_NS::Pointers {
  public:
@@ -41,11 +42,14 @@ class DeckProperties : protected LAMMPS_NS::Pointers {
   // Stops on all ranks together.
   void fail(const std::string& reason) const;
 
-  // Stops with a complaint about these atom types, unless it is empty.
-  void check(const std::string& complaint, int type, int other_type = 0) const;
+  // Stops with a complaint about these atom types (other_type 0: about one), unless it is empty.
+  void check(const Complaint& complaint, int type, int other_type = 0) const;
 
-  // A complaint in the deck's words, with the types it is about (one only: other_type is 0).
-  static std::string about_types(const std::string& complaint, int type, int other_type);
+  // A complaint with the properties' names.
+  static std::string worded(const Complaint& complaint);
+
+  // A sentence and the atom types it is about.
+  static std::string about_types(const std::string& sentence, int type, int other_type);
 
  private:
   LAMMPS_NS::FixPropertyGlobal* find(const char* field, const char* shape, int rows, int columns,

@@ -82,7 +82,7 @@ class TypePairs {
           text << ", yield strength " << pair.bodies.yield_strength << " Pa, yield pressure "
                << pair.bodies.yield_pressure << " Pa";
         for (const auto& parameter : Law::parameters)
-          text << ", " << deck_words(parameter.name) << ' ' << pair.constants.*parameter.value
+          text << ", " << property_name(parameter.name) << ' ' << pair.constants.*parameter.value
                << (deck.given(parameter.name) ? "" : " (default)");
         for (const auto& option : Law::options)
           text << ", " << option.name << ' ' << option.choices[options.*option.value];
@@ -106,7 +106,8 @@ class TypePairs {
       value = larger_of_bodies(deck, parameter, i, j);
       if (lacking.empty() && value == 0)
         lacking = DeckProperties::about_types(
-            complaint(parameter, 0) + "; one of the two must have it", i, j);
+            DeckProperties::worded(complaint(parameter, 0)) + "; one of the two must have it", i,
+            j);
     }
     const MaterialPair pair = combine(bodies_[i - 1], bodies_[j - 1]);
     if (lacking.empty()) deck.check(validate<Law>(pair, constants), i, j);

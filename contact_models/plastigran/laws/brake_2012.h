@@ -69,7 +69,7 @@ class Brake2012 : public PowerUnloading<Brake2012Curve> {
     return Brake2012Curve(pair, constants.indentation_pressure).alpha > 1;
   }
   static constexpr const char* admissibility =
-      "indentationPressure must be more than two thirds of the weaker body's contact yield "
+      "{indentation_pressure} must be more than two thirds of the weaker body's contact yield "
       "pressure";
 
   Brake2012(const MaterialPair& pair, const Parameters& constants)

@@ -59,7 +59,7 @@ class Brake2015 : public PowerUnloading<Brake2015Curve> {
   };
   static constexpr std::array<Parameter<Parameters>, 2> parameters{{
       indentation_pressure_parameter(&Parameters::indentation_pressure),
-      {"meyer_index", "meyerIndex", "-", &Parameters::meyer_index, 2, 2.7,
+      {"meyer_index", "-", &Parameters::meyer_index, 2, 2.7,
        "Meyer's hardening index; 2 is perfectly plastic"},
   }};
   static constexpr std::array<Option<Parameters>, 1> options{{
@@ -71,7 +71,8 @@ class Brake2015 : public PowerUnloading<Brake2015Curve> {
     return Brake2015Curve(pair, constants.indentation_pressure, constants.meyer_index).plastic > 1;
   }
   static constexpr const char* admissibility =
-      "indentationPressure must be more than a third of the weaker body's contact yield pressure";
+      "{indentation_pressure} must be more than a third of the weaker body's contact yield "
+      "pressure";
 
   Brake2015(const MaterialPair& pair, const Parameters& constants)
       : PowerUnloading(pair,

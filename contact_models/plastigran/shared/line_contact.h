@@ -74,9 +74,9 @@ struct LineParameters {
   int energy_guard = 1;
 };
 constexpr std::array<Parameter<LineParameters>, 2> line_parameters{{
-    {"cylinder_length", "cylinderLength", "m", &LineParameters::cylinder_length, 1e-12, 1e6,
-     "length of the cylinder", true},
-    {"body_thickness", "bodyThickness", "m", &LineParameters::body_thickness, 1e-12, 1e6,
+    {"cylinder_length", "m", &LineParameters::cylinder_length, 1e-12, 1e6, "length of the cylinder",
+     true},
+    {"body_thickness", "m", &LineParameters::body_thickness, 1e-12, 1e6,
      "thickness of the body that yields, to where the overlap is measured from", true},
 }};
 

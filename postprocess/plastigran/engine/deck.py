@@ -17,6 +17,12 @@ _INCLUDE = re.compile(r"include\s+(\S+)")
 _REFERENCE = re.compile(r"\$\{(\w+)\}")
 
 
+def property_name(field: str) -> str:
+    """What decks call a constant of the laws: yieldStrength for yield_strength."""
+    first, *others = field.split("_")
+    return first + "".join(word.capitalize() for word in others)
+
+
 class Settings(dict[str, str]):
     """Values of a deck's `variable NAME index VALUE` lines, as text."""
 
