@@ -27,7 +27,7 @@ from plastigran.materials import RIGID, laws_for, read_material
 # Laws with a model in the engine: one binding header each.
 ENGINE_LAWS = sorted(
     path.stem.removeprefix("normal_model_")
-    for path in (PROJECT / "contact_models" / "liggghts").glob("normal_model_*.h")
+    for path in (PROJECT / "contact_models" / "liggghts" / "models").glob("normal_model_*.h")
 )
 
 
