@@ -39,16 +39,24 @@ def test_impacts(name):
             ), quantity
 
 
-@pytest.fixture(params=make_cases.LAWS)
+@pytest.fixture(
+    params=[
+        pytest.param((name, guard), id=name if guard else f"{name} as published")
+        for name in make_cases.LAWS
+        for guard in ((True, False) if make_cases.reference(name).energy_guard else (True,))
+    ]
+)
 def twins(request, paper_pair, law_between):
-    """A law's name, the law and its reference, of the paper's aluminium on a rigid plane."""
-    name = request.param
+    """A law's name, the law and its reference, of the paper's aluminium on a rigid plane; with the
+    energy guard, and without for a law that has one."""
+    name, guard = request.param
+    kind, aluminium = make_cases.reference(name), MATERIALS["aluminium_zv02"]
     others = {"mass": 1.0, "length_ratio": LENGTH / RADIUS, "body_thickness": LENGTH}
-    if "mass" not in make_cases.reference(name).cases:
-        others = {}
-    aluminium = MATERIALS["aluminium_zv02"]
-    reference = make_cases.reference(name)(aluminium, RADIUS, speed=1.0, **others)
-    return name, law_between(name, paper_pair, LENGTH), reference
+    reference = kind(aluminium, RADIUS, speed=1.0, **(others if "mass" in kind.cases else {}))
+    if guard:
+        return name, law_between(name, paper_pair, LENGTH), reference
+    reference.energy_guard = False
+    return name, law_between(name, paper_pair, LENGTH, energy_guard="off"), reference
 
 
 def peaks(reference) -> np.ndarray:
