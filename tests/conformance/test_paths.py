@@ -289,12 +289,12 @@ def test_yield_pressure_factor(poissons_ratio, factor):
 @pytest.mark.parametrize(
     ("given", "said"),
     [
-        ({"yield_strength": 0}, r"yieldStrength is 0; it must be positive and finite \[Pa\]"),
-        ({"yield_strength": float("nan")}, r"yieldStrength is nan"),
-        ({"youngs_modulus": -1}, r"youngsModulus is -1"),
-        ({"poissons_ratio": 0.5}, r"poissonsRatio is 0.5; it must be between -1 and 0.5"),
-        ({"poissons_ratio": -1}, r"poissonsRatio is -1"),
-        ({"yield_pressure_factor": -2}, r"yieldPressureFactor is -2; it must be between 0.5 and"),
+        ({"yield_strength": 0}, r"yield_strength is 0; it must be positive and finite \[Pa\]"),
+        ({"yield_strength": float("nan")}, r"yield_strength is nan"),
+        ({"youngs_modulus": -1}, r"youngs_modulus is -1"),
+        ({"poissons_ratio": 0.5}, r"poissons_ratio is 0.5; it must be between -1 and 0.5"),
+        ({"poissons_ratio": -1}, r"poissons_ratio is -1"),
+        ({"yield_pressure_factor": -2}, r"yield_pressure_factor is -2; it must be between 0.5 and"),
     ],
 )
 def test_materials_out_of_range_are_refused(given, said):

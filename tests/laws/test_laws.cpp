@@ -70,8 +70,8 @@ TEST_CASE_TEMPLATE("a constant without a default must be given", Law, ALL_LAWS) 
     if (!std::isnan(typename Law::Parameters().*parameter.value)) continue;
     auto constants = defaults<Law>();
     constants.*parameter.value = required;
-    const std::string said = validate<Law>(aluminium, constants);
-    CHECK(said.find(std::string(parameter.property) + " is missing") == 0);
+    const std::string said = validate<Law>(aluminium, constants).text();
+    CHECK(said.find(std::string(parameter.name) + " is missing") == 0);
     CHECK(said.find(parameter.unit) != std::string::npos);
   }
 }

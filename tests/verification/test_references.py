@@ -32,7 +32,7 @@ def test_impacts(name):
     assert make_cases.case_file(name, outcomes) == stored
     rows = [row for law, row in CASES.values() if law == name]
     for row, expected in zip(rows, outcomes, strict=True):
-        found = impact(name, row).predicted()
+        found = impact(name, row).predict()
         for quantity in OUTCOMES:
             # A residual overlap is a difference: to the tolerance's share of the largest overlap.
             margin = expected.overlap_max if quantity == "overlap_res" else 0

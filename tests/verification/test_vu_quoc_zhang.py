@@ -121,9 +121,9 @@ def test_newton_converges_from_the_left_in_few_steps(law, paper_mass):
 
 
 def test_constants_that_would_create_energy_are_refused(paper_pair):
-    with pytest.raises(ValueError, match=r"contactRadiusCoefficient.*curvatureCoefficient"):
+    with pytest.raises(ValueError, match=r"contact_radius_coefficient.*curvature_coefficient"):
         laws.VuQuocZhang(paper_pair, contact_radius_coefficient=1e-3, curvature_coefficient=0.1)
-    with pytest.raises(ValueError, match=r"curvatureCoefficient is -1; it must be between 0 and"):
+    with pytest.raises(ValueError, match=r"curvature_coefficient is -1; it must be between 0 and"):
         laws.VuQuocZhang(paper_pair, curvature_coefficient=-1)
     with pytest.raises(ValueError, match=r"no constant 'curvature'; it takes contact_radius_"):
         laws.VuQuocZhang(paper_pair, curvature=0.1)

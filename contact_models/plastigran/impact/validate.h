@@ -1,79 +1,75 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// Checks of constants before anything runs. Each returns an empty string, or one sentence that
-// names the property, the value and what is allowed.
+// Checks of constants before anything runs.
 #pragma once
 
 #include <cmath>
 #include <sstream>
 #include <string>
 
+#include "plastigran/shared/complaint.h"
 #include "plastigran/shared/contact.h"
 
 namespace plastigran {
 
-inline std::string complaint(const std::string& property, double value,
-                             const std::string& allowed) {
-  std::ostringstream text;
-  text << property << " is " << value << "; it must be " << allowed;
-  return text.str();
-}
-
-inline std::string validate(const Material& body) {
+inline Complaint validate(const Material& body) {
   const auto positive = [](double value) { return value > 0 && std::isfinite(value); };
   if (!positive(body.youngs_modulus))
-    return complaint("youngsModulus", body.youngs_modulus, "positive and finite [Pa]");
+    return Complaint::about("youngs_modulus", body.youngs_modulus, "positive and finite [Pa]");
   if (!(body.poissons_ratio > -1 && body.poissons_ratio < 0.5))
-    return complaint("poissonsRatio", body.poissons_ratio, "between -1 and 0.5, both excluded");
+    return Complaint::about("poissons_ratio", body.poissons_ratio,
+                            "between -1 and 0.5, both excluded");
   if (!positive(body.yield_strength) && body.yield_strength != unlimited)
-    return complaint("yieldStrength", body.yield_strength, "positive and finite [Pa]");
+    return Complaint::about("yield_strength", body.yield_strength, "positive and finite [Pa]");
   if (!(body.yield_pressure_factor == 0 ||
         (body.yield_pressure_factor >= 0.5 && body.yield_pressure_factor <= 10)))
-    return complaint("yieldPressureFactor", body.yield_pressure_factor,
-                     "between 0.5 and 10, or 0 for the Hertz-von Mises value");
+    return Complaint::about("yield_pressure_factor", body.yield_pressure_factor,
+                            "between 0.5 and 10, or 0 for the Hertz-von Mises value");
   return {};
 }
 
 // A law may add a joint condition on its constants and the pair: static bool admissible(const
-// MaterialPair&, const Parameters&) with a sentence `admissibility`.
+// MaterialPair&, const Parameters&) with a sentence `admissibility` that names fields in braces.
 template <class Law>
 auto joint_complaint(const MaterialPair& pair, const typename Law::Parameters& constants, int)
-    -> decltype(Law::admissible(pair, constants), std::string()) {
+    -> decltype(Law::admissible(pair, constants), Complaint()) {
   if (Law::admissible(pair, constants)) return {};
   std::ostringstream given;
   for (const auto& parameter : Law::parameters)
-    given << (given.tellp() > 0 ? ", " : "with ") << parameter.property << ' '
+    given << (given.tellp() > 0 ? ", " : "with ") << '{' << parameter.name << "} "
           << constants.*parameter.value << " [" << parameter.unit << ']';
-  return given.str() + ": " + Law::admissibility;
+  return Complaint(given.str() + ": " + Law::admissibility);
 }
 template <class Law>
-std::string joint_complaint(const MaterialPair&, const typename Law::Parameters&, long) {
+Complaint joint_complaint(const MaterialPair&, const typename Law::Parameters&, long) {
   return {};
 }
 
 // About one constant's value; empty when it is in range.
 template <class Parameters>
-std::string complaint(const Parameter<Parameters>& parameter, double value) {
+Complaint complaint(const Parameter<Parameters>& parameter, double value) {
   if (value >= parameter.lower && value <= parameter.upper) return {};
   std::ostringstream allowed;
   allowed << "between " << parameter.lower << " and " << parameter.upper << " [" << parameter.unit
           << "]: " << parameter.meaning;
   if (std::isnan(value))
-    return std::string(parameter.property) + " is missing; it must be given, " + allowed.str();
-  return complaint(parameter.property, value, allowed.str());
+    return Complaint('{' + std::string(parameter.name) + "} is missing; it must be given, " +
+                     allowed.str());
+  return Complaint::about(parameter.name, value, allowed.str());
 }
 
 template <class Law>
-std::string validate(const MaterialPair& pair, const typename Law::Parameters& constants) {
+Complaint validate(const MaterialPair& pair, const typename Law::Parameters& constants) {
   if (Yields<Law>::value && !std::isfinite(pair.yield_strength))
-    return "yieldStrength is missing; one of the bodies at least must have it, positive and finite "
-           "[Pa]";
+    return Complaint(
+        "{yield_strength} is missing; one of the bodies at least must have it, positive and finite "
+        "[Pa]");
   const typename Law::Parameters defaults;
   for (const auto& parameter : Law::parameters) {
     const double value = constants.*parameter.value;
     if (value == defaults.*parameter.value) continue;
-    const std::string text = complaint(parameter, value);
-    if (!text.empty()) return text;
+    const Complaint found = complaint(parameter, value);
+    if (!found.empty()) return found;
   }
   return joint_complaint<Law>(pair, constants, 0);
 }

@@ -19,14 +19,37 @@
 namespace plastigran {
 
 struct Brake2012Curve {
-  static constexpr std::size_t break_count = 2;
+  static constexpr const char* name = "brake_2012";
+  static constexpr const char* source = "Brake 2012, Int. J. Solids Struct. 49:3129";
+  static constexpr const char* range =
+      "small strain; indentation pressure above 2/3 of the yield pressure";
+  struct Parameters {
+    double indentation_pressure = 0;  // P0 [Pa]
+    int energy_guard = 1;
+  };
+  static constexpr std::array<Parameter<Parameters>, 1> parameters{{
+      indentation_pressure_parameter(&Parameters::indentation_pressure),
+  }};
+  static constexpr std::array<Option<Parameters>, 1> options{{
+      energy_guard_option(&Parameters::energy_guard),
+  }};
+
+  // Yield must come before full plasticity.
+  static bool admissible(const MaterialPair& pair, const Parameters& constants) {
+    return Brake2012Curve(pair, constants).alpha > 1;
+  }
+  static constexpr const char* admissibility =
+      "{indentation_pressure} must be more than two thirds of the weaker body's contact yield "
+      "pressure";
+
   double yield_radius_ratio;
   double alpha;
-  std::array<double, break_count> breaks;
+  std::array<double, 2> breaks;
 
-  Brake2012Curve(const MaterialPair& pair, double pressure)
+  Brake2012Curve(const MaterialPair& pair, const Parameters& constants)
       : yield_radius_ratio(plastigran::yield_radius_ratio(pair)),
-        alpha(1.5 * indentation_pressure(pair, pressure) / pair.yield_pressure),
+        alpha(1.5 * plastigran::indentation_pressure(pair, constants.indentation_pressure) /
+              pair.yield_pressure),
         breaks{1, alpha * alpha} {}
 
   // The cubic through (1, value) with slope, and (x_p, value_p) with slope_p.
@@ -47,34 +70,6 @@ struct Brake2012Curve {
   double exponent(double) const { return 1.5; }
 };
 
-class Brake2012 : public PowerUnloading<Brake2012Curve> {
- public:
-  static constexpr const char* name = "brake_2012";
-  static constexpr const char* source = "Brake 2012, Int. J. Solids Struct. 49:3129";
-  static constexpr const char* range =
-      "small strain; indentation pressure above 2/3 of the yield pressure";
-  struct Parameters {
-    double indentation_pressure = 0;  // P0 [Pa]
-    int energy_guard = 1;
-  };
-  static constexpr std::array<Parameter<Parameters>, 1> parameters{{
-      indentation_pressure_parameter(&Parameters::indentation_pressure),
-  }};
-  static constexpr std::array<Option<Parameters>, 1> options{{
-      energy_guard_option(&Parameters::energy_guard),
-  }};
-
-  // Yield must come before full plasticity.
-  static bool admissible(const MaterialPair& pair, const Parameters& constants) {
-    return Brake2012Curve(pair, constants.indentation_pressure).alpha > 1;
-  }
-  static constexpr const char* admissibility =
-      "indentationPressure must be more than two thirds of the weaker body's contact yield "
-      "pressure";
-
-  Brake2012(const MaterialPair& pair, const Parameters& constants)
-      : PowerUnloading(pair, Brake2012Curve(pair, constants.indentation_pressure),
-                       constants.energy_guard == 1) {}
-};
+using Brake2012 = PowerUnloading<Brake2012Curve>;
 
 }  // namespace plastigran

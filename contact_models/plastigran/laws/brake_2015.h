@@ -21,15 +21,40 @@
 namespace plastigran {
 
 struct Brake2015Curve {
-  static constexpr std::size_t break_count = 1;
-  std::array<double, break_count> breaks{1};
+  static constexpr const char* name = "brake_2015";
+  static constexpr const char* source = "Brake 2015, Int. J. Solids Struct. 62:104";
+  static constexpr const char* range = "small strain; as good as the indentation pressure given";
+  struct Parameters {
+    double indentation_pressure = 0;  // P0 [Pa]
+    double meyer_index = 2;           // n [-]
+    int energy_guard = 1;
+  };
+  static constexpr std::array<Parameter<Parameters>, 2> parameters{{
+      indentation_pressure_parameter(&Parameters::indentation_pressure),
+      {"meyer_index", "-", &Parameters::meyer_index, 2, 2.7,
+       "Meyer's hardening index; 2 is perfectly plastic"},
+  }};
+  static constexpr std::array<Option<Parameters>, 1> options{{
+      energy_guard_option(&Parameters::energy_guard),
+  }};
+
+  // Yield must come before full plasticity.
+  static bool admissible(const MaterialPair& pair, const Parameters& constants) {
+    return Brake2015Curve(pair, constants).plastic > 1;
+  }
+  static constexpr const char* admissibility =
+      "{indentation_pressure} must be more than a third of the weaker body's contact yield "
+      "pressure";
+
+  std::array<double, 1> breaks{1};
   double yield_radius_ratio;
   double meyer;    // n
   double plastic;  // x_p
 
-  Brake2015Curve(const MaterialPair& pair, double pressure, double index)
-      : yield_radius_ratio(plastigran::yield_radius_ratio(pair)), meyer(index) {
-    const double root = 3 * indentation_pressure(pair, pressure) / pair.yield_pressure;
+  Brake2015Curve(const MaterialPair& pair, const Parameters& constants)
+      : yield_radius_ratio(plastigran::yield_radius_ratio(pair)), meyer(constants.meyer_index) {
+    const double root =
+        3 * indentation_pressure(pair, constants.indentation_pressure) / pair.yield_pressure;
     plastic = root * root;
   }
 
@@ -47,36 +72,6 @@ struct Brake2015Curve {
   double contact_radius(double x) const { return std::sqrt(x * (2 - elastic_share(x))); }
 };
 
-class Brake2015 : public PowerUnloading<Brake2015Curve> {
- public:
-  static constexpr const char* name = "brake_2015";
-  static constexpr const char* source = "Brake 2015, Int. J. Solids Struct. 62:104";
-  static constexpr const char* range = "small strain; as good as the indentation pressure given";
-  struct Parameters {
-    double indentation_pressure = 0;  // P0 [Pa]
-    double meyer_index = 2;           // n [-]
-    int energy_guard = 1;
-  };
-  static constexpr std::array<Parameter<Parameters>, 2> parameters{{
-      indentation_pressure_parameter(&Parameters::indentation_pressure),
-      {"meyer_index", "meyerIndex", "-", &Parameters::meyer_index, 2, 2.7,
-       "Meyer's hardening index; 2 is perfectly plastic"},
-  }};
-  static constexpr std::array<Option<Parameters>, 1> options{{
-      energy_guard_option(&Parameters::energy_guard),
-  }};
-
-  // Yield must come before full plasticity.
-  static bool admissible(const MaterialPair& pair, const Parameters& constants) {
-    return Brake2015Curve(pair, constants.indentation_pressure, constants.meyer_index).plastic > 1;
-  }
-  static constexpr const char* admissibility =
-      "indentationPressure must be more than a third of the weaker body's contact yield pressure";
-
-  Brake2015(const MaterialPair& pair, const Parameters& constants)
-      : PowerUnloading(pair,
-                       Brake2015Curve(pair, constants.indentation_pressure, constants.meyer_index),
-                       constants.energy_guard == 1) {}
-};
+using Brake2015 = PowerUnloading<Brake2015Curve>;
 
 }  // namespace plastigran

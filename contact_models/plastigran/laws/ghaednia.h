@@ -18,11 +18,28 @@
 namespace plastigran {
 
 struct GhaedniaCurve : JacksonGreenCurve {
+  static constexpr const char* name = "ghaednia";
+  static constexpr const char* source = "Ghaednia, Marghitu & Jackson 2014, J. Tribol. 137:011403";
+  static constexpr const char* range =
+      "overlap <= 1000 times that at yield; one steel on iron, both deforming";
   enum Loading { exponent_of_overlap, prefactor };
+  struct Parameters {
+    int loading = exponent_of_overlap;
+    int energy_guard = 1;
+  };
+  static constexpr std::array<Parameter<Parameters>, 0> parameters{};
+  static constexpr std::array<Option<Parameters>, 2> options{{
+      {"loading",
+       &Parameters::loading,
+       {"exponent", "prefactor", nullptr},
+       "reading of the 1.1 in the loading curve"},
+      energy_guard_option(&Parameters::energy_guard),
+  }};
+
   int loading;
 
-  GhaedniaCurve(const MaterialPair& pair, int reading)
-      : JacksonGreenCurve(pair, cosine), loading(reading) {}
+  GhaedniaCurve(const MaterialPair& pair, const Parameters& constants)
+      : JacksonGreenCurve(pair, {}), loading(constants.loading) {}
 
   double force(double x) const {
     const double growth = loading == prefactor ? 1.1 * x : std::pow(x, 1.1);
@@ -37,27 +54,6 @@ struct GhaedniaCurve : JacksonGreenCurve {
   }
 };
 
-class Ghaednia : public PowerUnloading<GhaedniaCurve> {
- public:
-  static constexpr const char* name = "ghaednia";
-  static constexpr const char* source = "Ghaednia, Marghitu & Jackson 2014, J. Tribol. 137:011403";
-  static constexpr const char* range =
-      "overlap <= 1000 times that at yield; one steel on iron, both deforming";
-  struct Parameters {
-    int loading = GhaedniaCurve::exponent_of_overlap;
-    int energy_guard = 1;
-  };
-  static constexpr std::array<Parameter<Parameters>, 0> parameters{};
-  static constexpr std::array<Option<Parameters>, 2> options{{
-      {"loading",
-       &Parameters::loading,
-       {"exponent", "prefactor", nullptr},
-       "reading of the 1.1 in the loading curve"},
-      energy_guard_option(&Parameters::energy_guard),
-  }};
-
-  Ghaednia(const MaterialPair& pair, const Parameters& constants)
-      : PowerUnloading(pair, GhaedniaCurve(pair, constants.loading), constants.energy_guard == 1) {}
-};
+using Ghaednia = PowerUnloading<GhaedniaCurve>;
 
 }  // namespace plastigran

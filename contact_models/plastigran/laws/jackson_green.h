@@ -21,18 +21,33 @@
 namespace plastigran {
 
 struct JacksonGreenCurve {
+  static constexpr const char* name = "jackson_green";
+  static constexpr const char* source = "Jackson & Green 2005, J. Tribol. 127:343";
+  static constexpr const char* range = "a/R* <= 0.41, flattening";
   enum Hardness { cosine, exponential };
-  static constexpr std::size_t break_count = 1;
-  std::array<double, break_count> breaks{1.9};
+  struct Parameters {
+    int hardness = cosine;
+    int energy_guard = 1;
+  };
+  static constexpr std::array<Parameter<Parameters>, 0> parameters{};
+  static constexpr std::array<Option<Parameters>, 2> options{{
+      {"hardness",
+       &Parameters::hardness,
+       {"cosine", "exponential", nullptr},
+       "how hardness falls with contact radius"},
+      energy_guard_option(&Parameters::energy_guard),
+  }};
+
+  std::array<double, 1> breaks{1.9};
   double yield_radius_ratio;
   double pressure_factor;  // C
   double area_exponent;    // B
   int hardness;
 
-  JacksonGreenCurve(const MaterialPair& pair, int form)
+  JacksonGreenCurve(const MaterialPair& pair, const Parameters& constants)
       : pressure_factor(1.295 * std::exp(0.736 * pair.poissons_ratio)),
         area_exponent(0.14 * std::exp(23 * pair.yield_strength / pair.youngs_modulus_eff)),
-        hardness(form) {
+        hardness(constants.hardness) {
     yield_radius_ratio = pi * pressure_factor * pair.yield_strength / (2 * pair.youngs_modulus_eff);
   }
 
@@ -58,27 +73,6 @@ struct JacksonGreenCurve {
   }
 };
 
-class JacksonGreen : public PowerUnloading<JacksonGreenCurve> {
- public:
-  static constexpr const char* name = "jackson_green";
-  static constexpr const char* source = "Jackson & Green 2005, J. Tribol. 127:343";
-  static constexpr const char* range = "a/R* <= 0.41, flattening";
-  struct Parameters {
-    int hardness = JacksonGreenCurve::cosine;
-    int energy_guard = 1;
-  };
-  static constexpr std::array<Parameter<Parameters>, 0> parameters{};
-  static constexpr std::array<Option<Parameters>, 2> options{{
-      {"hardness",
-       &Parameters::hardness,
-       {"cosine", "exponential", nullptr},
-       "how hardness falls with contact radius"},
-      energy_guard_option(&Parameters::energy_guard),
-  }};
-
-  JacksonGreen(const MaterialPair& pair, const Parameters& choices)
-      : PowerUnloading(pair, JacksonGreenCurve(pair, choices.hardness), choices.energy_guard == 1) {
-  }
-};
+using JacksonGreen = PowerUnloading<JacksonGreenCurve>;
 
 }  // namespace plastigran

@@ -19,6 +19,8 @@
 namespace plastigran {
 
 struct CurvedRebound {
+  static constexpr const char* name = "katta_polycarpou";
+  static constexpr const char* source = "Katta & Polycarpou 2010, J. Tribol. 132";
   static constexpr bool straight = false;
   // Lim & Stronge's, longer by the share of their crater that is not there: r/(2 - r), r = R/R_e,
   // of 2 (1 - r) load/r.
@@ -27,11 +29,6 @@ struct CurvedRebound {
   }
 };
 
-class KattaPolycarpou : public LineContact<CurvedRebound> {
- public:
-  static constexpr const char* name = "katta_polycarpou";
-  static constexpr const char* source = "Katta & Polycarpou 2010, J. Tribol. 132";
-  using LineContact::LineContact;
-};
+using KattaPolycarpou = LineContact<CurvedRebound>;
 
 }  // namespace plastigran

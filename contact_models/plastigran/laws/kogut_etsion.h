@@ -21,14 +21,30 @@
 namespace plastigran {
 
 struct KogutEtsionCurve {
-  static constexpr std::size_t break_count = 3;
-  std::array<double, break_count> breaks{1, 6, 110};
+  static constexpr const char* name = "kogut_etsion";
+  static constexpr const char* source = "Kogut & Etsion 2002, J. Appl. Mech. 69:657";
+  static constexpr const char* range = "overlap <= 110 times that at yield, flattening";
+  struct Parameters {
+    int fully_plastic = 0;
+    int energy_guard = 1;
+  };
+  static constexpr std::array<Parameter<Parameters>, 0> parameters{};
+  static constexpr std::array<Option<Parameters>, 2> options{{
+      {"fully_plastic",
+       &Parameters::fully_plastic,
+       {"off", "on", nullptr},
+       "constant pressure beyond 110 times the yield overlap"},
+      energy_guard_option(&Parameters::energy_guard),
+  }};
+
+  std::array<double, 3> breaks{1, 6, 110};
   double yield_radius_ratio;
   double hardness_ratio;  // K
   bool fully_plastic;
 
-  KogutEtsionCurve(const MaterialPair& pair, bool plastic)
-      : hardness_ratio(0.454 + 0.41 * pair.poissons_ratio), fully_plastic(plastic) {
+  KogutEtsionCurve(const MaterialPair& pair, const Parameters& constants)
+      : hardness_ratio(0.454 + 0.41 * pair.poissons_ratio),
+        fully_plastic(constants.fully_plastic == 1) {
     const double hardness = 2.8 * pair.yield_strength;
     yield_radius_ratio = pi * hardness_ratio * hardness / (2 * pair.youngs_modulus_eff);
   }
@@ -48,27 +64,6 @@ struct KogutEtsionCurve {
   }
 };
 
-class KogutEtsion : public PowerUnloading<KogutEtsionCurve> {
- public:
-  static constexpr const char* name = "kogut_etsion";
-  static constexpr const char* source = "Kogut & Etsion 2002, J. Appl. Mech. 69:657";
-  static constexpr const char* range = "overlap <= 110 times that at yield, flattening";
-  struct Parameters {
-    int fully_plastic = 0;
-    int energy_guard = 1;
-  };
-  static constexpr std::array<Parameter<Parameters>, 0> parameters{};
-  static constexpr std::array<Option<Parameters>, 2> options{{
-      {"fully_plastic",
-       &Parameters::fully_plastic,
-       {"off", "on", nullptr},
-       "constant pressure beyond 110 times the yield overlap"},
-      energy_guard_option(&Parameters::energy_guard),
-  }};
-
-  KogutEtsion(const MaterialPair& pair, const Parameters& choices)
-      : PowerUnloading(pair, KogutEtsionCurve(pair, choices.fully_plastic == 1),
-                       choices.energy_guard == 1) {}
-};
+using KogutEtsion = PowerUnloading<KogutEtsionCurve>;
 
 }  // namespace plastigran

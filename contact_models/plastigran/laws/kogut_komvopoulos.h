@@ -20,12 +20,22 @@
 namespace plastigran {
 
 struct KogutKomvopoulosCurve {
-  static constexpr std::size_t break_count = 3;
-  std::array<double, break_count> breaks;
+  static constexpr const char* name = "kogut_komvopoulos";
+  static constexpr const char* source = "Kogut & Komvopoulos 2004, J. Mater. Res. 19:3641";
+  static constexpr const char* range = "well-developed plasticity; overlap <= 0.1 R*";
+  struct Parameters {
+    int energy_guard = 1;
+  };
+  static constexpr std::array<Parameter<Parameters>, 0> parameters{};
+  static constexpr std::array<Option<Parameters>, 1> options{{
+      energy_guard_option(&Parameters::energy_guard),
+  }};
+
+  std::array<double, 3> breaks;
   double yield_radius_ratio;
   double stiffness;  // E*/sigma_Y
 
-  explicit KogutKomvopoulosCurve(const MaterialPair& pair)
+  KogutKomvopoulosCurve(const MaterialPair& pair, const Parameters&)
       : stiffness(pair.youngs_modulus_eff / pair.yield_strength) {
     const double slope = 1.78 / stiffness;
     yield_radius_ratio = std::sqrt(2 * slope * slope / (1 + slope * slope));
@@ -53,21 +63,6 @@ struct KogutKomvopoulosCurve {
   double contact_radius(double x) const { return std::sqrt(area(x) / pi) / yield_radius_ratio; }
 };
 
-class KogutKomvopoulos : public PowerUnloading<KogutKomvopoulosCurve> {
- public:
-  static constexpr const char* name = "kogut_komvopoulos";
-  static constexpr const char* source = "Kogut & Komvopoulos 2004, J. Mater. Res. 19:3641";
-  static constexpr const char* range = "well-developed plasticity; overlap <= 0.1 R*";
-  struct Parameters {
-    int energy_guard = 1;
-  };
-  static constexpr std::array<Parameter<Parameters>, 0> parameters{};
-  static constexpr std::array<Option<Parameters>, 1> options{{
-      energy_guard_option(&Parameters::energy_guard),
-  }};
-
-  KogutKomvopoulos(const MaterialPair& pair, const Parameters& constants)
-      : PowerUnloading(pair, KogutKomvopoulosCurve(pair), constants.energy_guard == 1) {}
-};
+using KogutKomvopoulos = PowerUnloading<KogutKomvopoulosCurve>;
 
 }  // namespace plastigran

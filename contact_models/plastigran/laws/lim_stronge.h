@@ -22,6 +22,8 @@
 namespace plastigran {
 
 struct StraightRebound {
+  static constexpr const char* name = "lim_stronge";
+  static constexpr const char* source = "Lim & Stronge 1998, Math. Comput. Model. 28:323";
   static constexpr bool straight = true;
   // overlap_max - overlap_res, with a_max^2 = 4 load R_e and the loading curve put in
   static double recovery(double load_y, double overlap_y, double load, double) {
@@ -29,11 +31,6 @@ struct StraightRebound {
   }
 };
 
-class LimStronge : public LineContact<StraightRebound> {
- public:
-  static constexpr const char* name = "lim_stronge";
-  static constexpr const char* source = "Lim & Stronge 1998, Math. Comput. Model. 28:323";
-  using LineContact::LineContact;
-};
+using LimStronge = LineContact<StraightRebound>;
 
 }  // namespace plastigran

@@ -23,18 +23,34 @@
 namespace plastigran {
 
 struct StrongeCurve {
+  static constexpr const char* name = "stronge";
+  static constexpr const char* source = "Stronge 2000, Impact Mechanics, ch. 6";
+  static constexpr const char* range =
+      "a << R*; small strain; unloading not settled by the sources";
   enum Unloading { book, area, original_radius };
+  struct Parameters {
+    int unloading = book;
+    int energy_guard = 1;
+  };
+  static constexpr std::array<Parameter<Parameters>, 0> parameters{};
+  static constexpr std::array<Option<Parameters>, 2> options{{
+      {"unloading",
+       &Parameters::unloading,
+       {"book", "area", "original_radius"},
+       "reading of the unloading curve"},
+      energy_guard_option(&Parameters::energy_guard),
+  }};
+
   static constexpr double threshold = 1.1;      // th: mean pressure at yield over sigma_Y
   static constexpr double fully_plastic = 2.8;  // the same, fully plastic
-  static constexpr std::size_t break_count = 2;
   double yield_radius_ratio;
   int unloading;
   double plastic_area = std::exp(3 * (fully_plastic - threshold));  // q there
-  std::array<double, break_count> breaks{1, 0.5 * (plastic_area + 1)};
+  std::array<double, 2> breaks{1, 0.5 * (plastic_area + 1)};
 
-  StrongeCurve(const MaterialPair& pair, int reading)
+  StrongeCurve(const MaterialPair& pair, const Parameters& constants)
       : yield_radius_ratio(0.75 * pi * threshold * pair.yield_strength / pair.youngs_modulus_eff),
-        unloading(reading) {}
+        unloading(constants.unloading) {}
 
   double force(double x) const {
     const double q = 2 * x - 1;
@@ -52,27 +68,6 @@ struct StrongeCurve {
   double contact_radius(double x) const { return std::sqrt(2 * x - 1); }
 };
 
-class Stronge : public PowerUnloading<StrongeCurve> {
- public:
-  static constexpr const char* name = "stronge";
-  static constexpr const char* source = "Stronge 2000, Impact Mechanics, ch. 6";
-  static constexpr const char* range =
-      "a << R*; small strain; unloading not settled by the sources";
-  struct Parameters {
-    int unloading = StrongeCurve::book;
-    int energy_guard = 1;
-  };
-  static constexpr std::array<Parameter<Parameters>, 0> parameters{};
-  static constexpr std::array<Option<Parameters>, 2> options{{
-      {"unloading",
-       &Parameters::unloading,
-       {"book", "area", "original_radius"},
-       "reading of the unloading curve"},
-      energy_guard_option(&Parameters::energy_guard),
-  }};
-
-  Stronge(const MaterialPair& pair, const Parameters& choices)
-      : PowerUnloading(pair, StrongeCurve(pair, choices.unloading), choices.energy_guard == 1) {}
-};
+using Stronge = PowerUnloading<StrongeCurve>;
 
 }  // namespace plastigran

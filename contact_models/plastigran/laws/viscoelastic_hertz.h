@@ -34,7 +34,7 @@ class ViscoelasticHertz {
     double dissipative_constant = required;
   };
   static constexpr std::array<Parameter<Parameters>, 1> parameters{
-      {{"dissipative_constant", "dissipativeConstant", "s", &Parameters::dissipative_constant, 0, 1,
+      {{"dissipative_constant", "s", &Parameters::dissipative_constant, 0, 1,
         "A, viscous over elastic constants of the two bodies; 0 is Hertz"}}};
   static constexpr std::array<Option<Parameters>, 0> options{};
 

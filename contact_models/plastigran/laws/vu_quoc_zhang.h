@@ -35,11 +35,10 @@ class VuQuocZhang {
     double curvature_coefficient = 0.00980426;      // k_c
   };
   static constexpr std::array<Parameter<Parameters>, 2> parameters{{
-      {"contact_radius_coefficient", "contactRadiusCoefficient", "-",
-       &Parameters::contact_radius_coefficient, 0, 10,
+      {"contact_radius_coefficient", "-", &Parameters::contact_radius_coefficient, 0, 10,
        "growth of the plastic contact radius with force, C_a P_Y / a_Y"},
-      {"curvature_coefficient", "curvatureCoefficient", "-", &Parameters::curvature_coefficient, 0,
-       0.99, "growth of the contact's radius of curvature with force, K_c P_Y"},
+      {"curvature_coefficient", "-", &Parameters::curvature_coefficient, 0, 0.99,
+       "growth of the contact's radius of curvature with force, K_c P_Y"},
   }};
   static constexpr std::array<Option<Parameters>, 0> options{};
   struct State {
@@ -62,8 +61,8 @@ class VuQuocZhang {
     return ca * std::sqrt(ca) * (2 - kc) >= 0.4 * std::sqrt(0.2) * kc;
   }
   static constexpr const char* admissibility =
-      "contactRadiusCoefficient^1.5 * (2 - curvatureCoefficient) must be at least "
-      "0.1789 * curvatureCoefficient, or the contact might create energy";
+      "{contact_radius_coefficient}^1.5 * (2 - {curvature_coefficient}) must be at least "
+      "0.1789 * {curvature_coefficient}, or the contact might create energy";
 
   Response respond(double radius_eff, double overlap, State& state) const {
     const double overlap_y = radius_eff * yield_radius_ratio_ * yield_radius_ratio_;

@@ -19,16 +19,25 @@
 namespace plastigran {
 
 struct YeKomvopoulosCurve {
-  static constexpr std::size_t break_count = 4;
+  static constexpr const char* name = "ye_komvopoulos";
+  static constexpr const char* source = "Ye & Komvopoulos 2003, J. Tribol. 125:685";
+  static constexpr const char* range = "indentation; overlap <= 0.1 R*";
+  struct Parameters {
+    int energy_guard = 1;
+  };
+  static constexpr std::array<Parameter<Parameters>, 0> parameters{};
+  static constexpr std::array<Option<Parameters>, 1> options{{
+      energy_guard_option(&Parameters::energy_guard),
+  }};
+
   double yield_radius_ratio;
   double compliance;  // sigma_Y/E*
   JacksonGreenCurve flattening;
   double flattening_scale;  // this law's yield overlap over Jackson & Green's
-  std::array<double, break_count> breaks;
+  std::array<double, 4> breaks;
 
-  explicit YeKomvopoulosCurve(const MaterialPair& pair)
-      : compliance(pair.yield_strength / pair.youngs_modulus_eff),
-        flattening(pair, JacksonGreenCurve::cosine) {
+  YeKomvopoulosCurve(const MaterialPair& pair, const Parameters&)
+      : compliance(pair.yield_strength / pair.youngs_modulus_eff), flattening(pair, {}) {
     yield_radius_ratio = std::sqrt(depth_at(1.78));
     flattening_scale =
         depth_at(1.78) / (flattening.yield_radius_ratio * flattening.yield_radius_ratio);
@@ -67,21 +76,6 @@ struct YeKomvopoulosCurve {
   double contact_radius(double x) const { return std::sqrt(area(x) / pi) / yield_radius_ratio; }
 };
 
-class YeKomvopoulos : public PowerUnloading<YeKomvopoulosCurve> {
- public:
-  static constexpr const char* name = "ye_komvopoulos";
-  static constexpr const char* source = "Ye & Komvopoulos 2003, J. Tribol. 125:685";
-  static constexpr const char* range = "indentation; overlap <= 0.1 R*";
-  struct Parameters {
-    int energy_guard = 1;
-  };
-  static constexpr std::array<Parameter<Parameters>, 0> parameters{};
-  static constexpr std::array<Option<Parameters>, 1> options{{
-      energy_guard_option(&Parameters::energy_guard),
-  }};
-
-  YeKomvopoulos(const MaterialPair& pair, const Parameters& constants)
-      : PowerUnloading(pair, YeKomvopoulosCurve(pair), constants.energy_guard == 1) {}
-};
+using YeKomvopoulos = PowerUnloading<YeKomvopoulosCurve>;
 
 }  // namespace plastigran

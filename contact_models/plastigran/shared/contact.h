@@ -8,7 +8,7 @@
 //
 //   name         the word a user types; source, range: where it is from, how far it is good
 //   Parameters   a struct of the law's own constants, each with its default
-//   parameters   a table of them: host property, unit, allowed range
+//   parameters   a table of them: name, unit, allowed range
 //   options      a table of the choices its sources leave open
 //   State        a struct of doubles, zero for a contact never loaded beyond yield: the extremes
 //                the contact has reached, symmetric in the two bodies
@@ -114,13 +114,12 @@ constexpr Option<Parameters> energy_guard_option(int Parameters::*value) {
 // One constant of a law: how users name it and what it may be.
 template <class Parameters>
 struct Parameter {
-  const char* name;      // C++ and Python name
-  const char* property;  // LIGGGHTS `fix property/global ... peratomtypepair` name
+  const char* name;
   const char* unit;
   double Parameters::*value;
   double lower, upper;  // allowed range, ends included
   const char* meaning;
-  // A property of each body instead (peratomtype, without a default): 0 for a body it does not
+  // A constant of each body instead of the pair, without a default: 0 for a body it does not
   // describe; the pair has the larger of two.
   bool per_body = false;
 };

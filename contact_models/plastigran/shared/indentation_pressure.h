@@ -16,7 +16,6 @@ template <class Parameters>
 constexpr Parameter<Parameters> indentation_pressure_parameter(double Parameters::*value) {
   return {
       "indentation_pressure",
-      "indentationPressure",
       "Pa",
       value,
       1e5,

@@ -67,29 +67,26 @@ class LineCompliance {
   double tangent_from_;
 };
 
-// The constants of both laws.
-struct LineParameters {
-  double cylinder_length = required;  // L [m]
-  double body_thickness = required;   // D [m]
-  int energy_guard = 1;
-};
-constexpr std::array<Parameter<LineParameters>, 2> line_parameters{{
-    {"cylinder_length", "cylinderLength", "m", &LineParameters::cylinder_length, 1e-12, 1e6,
-     "length of the cylinder", true},
-    {"body_thickness", "bodyThickness", "m", &LineParameters::body_thickness, 1e-12, 1e6,
-     "thickness of the body that yields, to where the overlap is measured from", true},
-}};
-
-// A line contact with a Rebound: `recovery(load_y, overlap_y, load, flattening)`, the way back from
-// the largest overlap [m], and `straight`, whether it is a straight line (else the elastic curve of
-// a cylinder of radius R_e, stretched to that length). flattening = R/R_e.
+// The law that a Rebound makes of a line contact. A rebound has the law's `name` and `source`;
+// `recovery(load_y, overlap_y, load, flattening)`, the way back from the largest overlap [m]; and
+// `straight`, whether it is a straight line (else the elastic curve of a cylinder of radius R_e,
+// stretched to that length). flattening = R/R_e.
 template <class Rebound>
-class LineContact {
+class LineContact : public Rebound {
  public:
   static constexpr const char* shape = "cylinder";
   static constexpr const char* range = "cylinder 10 radii long or more, contact narrower than body";
-  typedef LineParameters Parameters;
-  static constexpr auto parameters = line_parameters;
+  struct Parameters {
+    double cylinder_length = required;  // L [m]
+    double body_thickness = required;   // D [m]
+    int energy_guard = 1;
+  };
+  static constexpr std::array<Parameter<Parameters>, 2> parameters{{
+      {"cylinder_length", "m", &Parameters::cylinder_length, 1e-12, 1e6, "length of the cylinder",
+       true},
+      {"body_thickness", "m", &Parameters::body_thickness, 1e-12, 1e6,
+       "thickness of the body that yields, to where the overlap is measured from", true},
+  }};
   static constexpr std::array<Option<Parameters>, 1> options{{
       energy_guard_option(&Parameters::energy_guard),
   }};

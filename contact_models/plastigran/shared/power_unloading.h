@@ -15,6 +15,12 @@
 //   contact_radius(x)   a/a_y beyond the first break
 //   overlap_range()     optional: largest overlap over R* the curve is good for
 //
+// It says the rest of a law as contact.h has it: name, source, range, Parameters with
+// `energy_guard` among them, parameters, options; it is made from (MaterialPair, Parameters). The
+// law itself is
+//
+//   using KogutEtsion = PowerUnloading<KogutEtsionCurve>;
+//
 // Energy guard. Near yield some published curves return more than was put in, and where one jumps
 // up the work lost so far would shrink. With the guard (the default) the work lost never falls:
 // where it would, the rebound is shortened until the published one has caught up. The stretches of
@@ -22,14 +28,14 @@
 #pragma once
 
 #include <algorithm>
-#include <utility>
+#include <tuple>
 
 #include "plastigran/shared/contact.h"
 
 namespace plastigran {
 
 template <class Curve>
-class PowerUnloading {
+class PowerUnloading : public Curve {
  public:
   struct State {
     double overlap_max = 0;  // largest overlap beyond yield [m]; 0 while elastic
@@ -38,41 +44,36 @@ class PowerUnloading {
   };
   static constexpr std::array<const char*, 3> state_names{"overlap_max", "force_max", "recovery"};
 
-  PowerUnloading(const MaterialPair& pair, const Curve& curve, bool energy_guard)
-      : curve_(curve),
+  PowerUnloading(const MaterialPair& pair, const typename Curve::Parameters& constants)
+      : Curve(pair, constants),
         modulus_(4.0 / 3.0 * pair.youngs_modulus_eff),
-        overlap_ratio_(curve.yield_radius_ratio * curve.yield_radius_ratio) {
-    if (energy_guard) find_guarded();
-  }
-
-  template <class C = Curve>
-  auto overlap_range() const -> decltype(std::declval<const C&>().overlap_range()) {
-    return curve_.overlap_range();
+        overlap_ratio_(Curve::yield_radius_ratio * Curve::yield_radius_ratio) {
+    if (constants.energy_guard == 1) find_guarded();
   }
 
   Response respond(double radius_eff, double overlap, State& state) const {
     const double overlap_y = radius_eff * overlap_ratio_;
     Response response;
-    if (state.overlap_max == 0 && overlap <= curve_.breaks[0] * overlap_y) {
+    if (state.overlap_max == 0 && overlap <= Curve::breaks[0] * overlap_y) {
       if (!(overlap > 0)) return response;
       response.contact_radius = std::sqrt(radius_eff * overlap);
       response.force = modulus_ * response.contact_radius * overlap;
       response.elastic_energy = 0.4 * response.force * overlap;
       return response;
     }
-    const double radius_y = radius_eff * curve_.yield_radius_ratio;
+    const double radius_y = radius_eff * Curve::yield_radius_ratio;
     const double force_y = modulus_ * radius_y * overlap_y;
     if (overlap > state.overlap_max) {
       const double x = overlap / overlap_y;
-      state = {overlap, force_y * curve_.force(x), overlap_y * recovery(x)};
+      state = {overlap, force_y * Curve::force(x), overlap_y * guarded_recovery(x)};
     }
     const double x_max = state.overlap_max / overlap_y;
-    const double exponent = curve_.exponent(x_max);
+    const double exponent = Curve::exponent(x_max);
     const double y = 1 - (state.overlap_max - overlap) / state.recovery;
     if (y > 0 && overlap > 0) {
       const double root = std::sqrt(y);
       response.force = state.force_max * (exponent == 1.5 ? y * root : std::pow(y, exponent));
-      response.contact_radius = radius_y * curve_.contact_radius(x_max) * root;
+      response.contact_radius = radius_y * Curve::contact_radius(x_max) * root;
       response.elastic_energy = response.force * y * state.recovery / (exponent + 1);
     }
     response.plastic_work = force_y * overlap_y * virgin_work(x_max) -
@@ -89,29 +90,29 @@ class PowerUnloading {
   // Work of the virgin curve up to x, over F_y overlap_y: Gauss-Legendre between the breaks on
   // panels that double in length.
   double virgin_work(double x) const {
-    double left = std::min(x, curve_.breaks[0]);
+    double left = std::min(x, Curve::breaks[0]);
     double work = 0.4 * left * left * std::sqrt(left);
     while (left < x) {
       double right = std::min(2 * left, x);
-      for (double edge : curve_.breaks)
+      for (double edge : Curve::breaks)
         if (edge > left) right = std::min(right, edge);
-      work += gauss_legendre([this](double at) { return curve_.force(at); }, left, right);
+      work += gauss_legendre([this](double at) { return Curve::force(at); }, left, right);
       left = right;
     }
     return work;
   }
 
   double published_plastic_work(double x) const {
-    return virgin_work(x) - curve_.force(x) * curve_.recovery(x) / (curve_.exponent(x) + 1);
+    return virgin_work(x) - Curve::force(x) * Curve::recovery(x) / (Curve::exponent(x) + 1);
   }
 
-  double recovery(double x) const {
+  double guarded_recovery(double x) const {
     for (const Guarded& stretch : guarded_)
       if (x >= stretch.begin && x < stretch.end)
         return std::min(
-            curve_.recovery(x),
-            (curve_.exponent(x) + 1) * (virgin_work(x) - stretch.plastic_work) / curve_.force(x));
-    return curve_.recovery(x);
+            Curve::recovery(x),
+            (Curve::exponent(x) + 1) * (virgin_work(x) - stretch.plastic_work) / Curve::force(x));
+    return Curve::recovery(x);
   }
 
   // Follow the published loss upwards from yield and note where it lies below what it has been:
@@ -119,10 +120,10 @@ class PowerUnloading {
   // breaks the curves are smooth; steps of 2 % see every dip. A break starts at most one stretch,
   // the smooth curve from yield on and beyond the last break one more each.
   void find_guarded() {
-    const double reach = 1e3 * curve_.breaks[curve_.breaks.size() - 1];
+    const double reach = 1e3 * Curve::breaks[Curve::breaks.size() - 1];
     const auto loss_at = [this](double x) { return published_plastic_work(x); };
     std::size_t found = 0;
-    double earlier = curve_.breaks[0], previous = earlier, lost = 0;
+    double earlier = Curve::breaks[0], previous = earlier, lost = 0;
     for (double x = next(previous); x < reach && found < guarded_.size();) {
       const double loss = published_plastic_work(x);
       if (loss < lost) {
@@ -150,7 +151,7 @@ class PowerUnloading {
 
   // The next point of that walk: 2 % on, but close to both sides of a break in between.
   double next(double x) const {
-    for (double edge : curve_.breaks)
+    for (double edge : Curve::breaks)
       if (x < edge * (1 + close) && 1.02 * x > edge)
         return x < edge * (1 - close) ? edge * (1 - close) : edge * (1 + close);
     return 1.02 * x;
@@ -158,10 +159,9 @@ class PowerUnloading {
 
   static constexpr double close = 1e-9;
 
-  Curve curve_;
   double modulus_;        // 4/3 E*
   double overlap_ratio_;  // overlap_y / R*
-  std::array<Guarded, Curve::break_count + 2> guarded_{};
+  std::array<Guarded, std::tuple_size_v<decltype(Curve::breaks)> + 2> guarded_{};
 };
 
 }  // namespace plastigran

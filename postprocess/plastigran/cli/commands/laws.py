@@ -9,6 +9,7 @@ import pandas as pd
 
 from plastigran import laws
 from plastigran.cli.arguments import law_names
+from plastigran.engine.deck import property_name
 
 HELP = "list the laws: bodies, range, source, constants, options"
 
@@ -55,7 +56,7 @@ def run(arguments: argparse.Namespace) -> None:
         for p in law.parameters():
             default = "required" if p["default"] is None else f"default {p['default']:g}"
             print(
-                f"  {p['property']} [{p['unit']}], {default}, "
+                f"  {property_name(p['name'])} [{p['unit']}], {default}, "
                 f"{p['lower']:g} to {p['upper']:g}: {p['meaning']}"
             )
         for o in law.options():

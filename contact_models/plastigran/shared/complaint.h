@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+//
+// What is wrong with a value, in one sentence that a host can put in its own names.
+#pragma once
+
+#include <sstream>
+#include <string>
+#include <utility>
+
+namespace plastigran {
+
+// A sentence in which every field is named in braces: "{yield_strength} is 0; it must be positive
+// and finite [Pa]". Empty when nothing is wrong.
+class Complaint {
+ public:
+  Complaint() = default;
+  explicit Complaint(std::string sentence) : sentence_(std::move(sentence)) {}
+
+  // "{field} is value; it must be allowed"
+  static Complaint about(const std::string& field, double value, const std::string& allowed) {
+    std::ostringstream text;
+    text << '{' << field << "} is " << value << "; it must be " << allowed;
+    return Complaint(text.str());
+  }
+
+  bool empty() const { return sentence_.empty(); }
+
+  // The sentence with each field called what `name_of(field)` says.
+  template <class NameOf>
+  std::string worded(const NameOf& name_of) const {
+    std::string text;
+    std::size_t at = 0;
+    for (std::size_t open; (open = sentence_.find('{', at)) != std::string::npos;) {
+      const std::size_t close = sentence_.find('}', open);
+      text += sentence_.substr(at, open - at);
+      text += name_of(sentence_.substr(open + 1, close - open - 1));
+      at = close + 1;
+    }
+    return text + sentence_.substr(at);
+  }
+
+  // The sentence with the fields' own names.
+  std::string text() const {
+    return worded([](const std::string& field) { return field; });
+  }
+
+ private:
+  std::string sentence_;
+};
+
+}  // namespace plastigran
