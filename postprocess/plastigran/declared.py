@@ -90,6 +90,21 @@ def declaration(cls: type) -> dict[str, Declaration]:
     }
 
 
+def require(instance: Any, name: str, **bounds: float | bool) -> None:
+    """Check a field against bounds that other fields set.
+
+    Args:
+        instance: Of an attrs class of declared fields.
+        name: Of the field.
+        bounds: `lower`, `upper`, `closed`, in place of the declared ones.
+
+    Raises:
+        ValueError: It is out of range; the message names it and the range.
+    """
+    said = declaration(type(instance))[name]
+    _check_range(name, getattr(instance, name), attrs.evolve(said, **bounds))
+
+
 def _field(said: Declaration, convert: Any, default: Any) -> Any:
     converter, validator = attrs.Converter(convert, takes_field=True), _check
     if default is None:
@@ -114,7 +129,7 @@ def _to_float(value: Any, field: attrs.Attribute) -> float:
 def _to_int(value: Any, field: attrs.Attribute) -> int:
     try:
         number = int(value)
-    except (TypeError, ValueError):
+    except (TypeError, ValueError, OverflowError):
         number = None
     if number is None or (not isinstance(value, str) and number != value):
         raise ValueError(f"{field.name} is {value!r}, not a whole number")
@@ -130,6 +145,11 @@ def _check(instance: Any, field: attrs.Attribute, value: Any) -> None:
     if said.choices:
         if value not in said.choices:
             raise ValueError(f"{field.name} is {value!r}; it {said.allowed()}")
-    elif not said.allows(value):
+    else:
+        _check_range(field.name, value, said)
+
+
+def _check_range(name: str, value: float, said: Declaration) -> None:
+    if not said.allows(value):
         shown = value if isinstance(value, int) else f"{value:g}"
-        raise ValueError(f"{field.name} is {shown}; it {said.allowed()}")
+        raise ValueError(f"{name} is {shown}; it {said.allowed()}")

@@ -148,7 +148,7 @@ def test_without_viscosity_it_is_hertz():
 
 
 def test_rates_of_another_length_are_refused():
-    with pytest.raises(ValueError, match=r"length of overlap_rate is 2; it must be 3"):
+    with pytest.raises(ValueError, match=r"overlap \(3,\), overlap_rate \(2,\)"):
         law(0.5).follow(RADIUS, np.zeros(3), laws.ViscoelasticHertz.State(), np.zeros(2))
 
 

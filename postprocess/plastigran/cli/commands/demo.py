@@ -39,12 +39,10 @@ def run(arguments: argparse.Namespace) -> None:
     print(pivot.rename_axis(index=None, columns=None).to_string(float_format="{:.6f}".format))
     print("\nA freely cooling gas of 512 grains, on two ranks:")
     gas = folder / "cooling_gas"
-    run_bulk("cooling_gas", {"side": "8"}, gas, ranks=2, force=True)
-    report(gas)
+    report(run_bulk("cooling_gas", {"side": "8"}, gas, ranks=2, force=True))
     print("\nA hopper of 2080 yielding grains runs out, on two ranks:")
     hopper = folder / "hopper"
-    run_bulk("hopper", {"layers": "10", "frames": "8"}, hopper, ranks=2, force=True)
-    report(hopper)
+    report(run_bulk("hopper", {"layers": "10", "frames": "8"}, hopper, ranks=2, force=True))
     picture = hopper / "figures" / "grains.png"
     frames = read_frames(hopper)
     draw(frames[len(frames) // 2], picture, view="front")

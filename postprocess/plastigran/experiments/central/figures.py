@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from importlib.resources import files
 
+import matplotlib
 import numpy as np
 import pandas as pd
 from matplotlib.axes import Axes
@@ -14,7 +15,7 @@ from plastigran import laws
 from plastigran.experiments.central import CentralImpact
 from plastigran.experiments.collision import CollisionOutcome
 from plastigran.physics import central
-from plastigran.plot.style import COLOURS, MARKERS, STYLE, plt, title
+from plastigran.plot.style import COLOURS, MARKERS, styled, subplots, title
 
 
 def finite_elements() -> pd.DataFrame:
@@ -34,10 +35,10 @@ def restitution_figure(table: pd.DataFrame, impacts: list[CentralImpact]) -> Fig
         table: Columns material, law, speed [m/s], coefficient_of_restitution.
         impacts: The impacts the table was made from.
     """
-    with plt.rc_context(STYLE):
+    with styled():
         law_names = sorted(table["law"].unique())
         crowded = len(law_names) > 6
-        figure, axes = plt.subplots(figsize=(8.6 if crowded else 6.4, 4.6), layout="constrained")
+        figure, axes = subplots(figsize=(8.6 if crowded else 6.4, 4.6))
         materials = sorted(table["material"].unique())
         for (material, law), points in table.groupby(["material", "law"], sort=True):
             shade = law_names.index(law)
@@ -111,23 +112,22 @@ def loops_figure(collisions: dict[CentralImpact, CollisionOutcome]) -> Figure:
         panels_of.setdefault(key, []).append((impact, collision))
     keys = sorted(panels_of)
     materials = {material for _, material in keys}
-    with plt.rc_context(STYLE):
+    with styled():
         columns = min(len(keys), 4)
         rows = -(-len(keys) // columns)
-        figure, panels = plt.subplots(
+        figure, panels = subplots(
             rows,
             columns,
             figsize=(3.4 * columns + 0.4, 3.2 * rows + 0.4),
             sharex=len(materials) == 1,
             sharey=len(materials) == 1,
             squeeze=False,
-            layout="constrained",
         )
         for axes in panels.flat[len(keys) :]:
             axes.set_visible(False)
         for axes, (law, material) in zip(panels.flat, keys, strict=False):
             runs = sorted(panels_of[law, material], key=lambda run: run[0].speed)[-5:]
-            shades = plt.colormaps["viridis"](np.linspace(0.1, 0.85, len(runs)))
+            shades = matplotlib.colormaps["viridis"](np.linspace(0.1, 0.85, len(runs)))
             for (impact, collision), shade in zip(runs, shades, strict=True):
                 touching = collision.loop[collision.loop["overlap"] >= 0]
                 axes.plot(

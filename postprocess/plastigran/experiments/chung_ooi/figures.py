@@ -15,7 +15,7 @@ from matplotlib.figure import Figure
 from plastigran.experiments.chung_ooi import TITLES, BenchmarkImpact, BenchmarkOutcome
 from plastigran.physics import central
 from plastigran.physics.oblique import Motion, ObliqueImpact
-from plastigran.plot.style import COLOURS, MARKERS, STYLE, plt
+from plastigran.plot.style import COLOURS, MARKERS, styled, subplots
 
 Entry = tuple[BenchmarkImpact, BenchmarkOutcome]
 
@@ -109,10 +109,8 @@ def figure(number: int, outcomes: dict[BenchmarkImpact, BenchmarkOutcome]) -> Fi
     if not series:
         raise ValueError(f"no impacts of benchmark {number}")
     columns = len(PANELS.get(number, [0, 0] if number < 3 else [0]))
-    with plt.rc_context(STYLE):
-        page, panels = plt.subplots(
-            1, columns, figsize=(4.0 * columns + 0.4, 3.8), squeeze=False, layout="constrained"
-        )
+    with styled():
+        page, panels = subplots(1, columns, figsize=(4.0 * columns + 0.4, 3.8), squeeze=False)
         page.suptitle(f"{number}. {TITLES[number]}", fontsize=11)
         for k, (label, entries) in enumerate(series.items()):
             style = {"color": COLOURS[k], "marker": MARKERS[k], "label": label}

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+import matplotlib
 import numpy as np
 import pandas as pd
 from matplotlib.axes import Axes
@@ -16,7 +17,7 @@ from plastigran.experiments.cylinder.study import (
     FINITE_ELEMENTS_OVERLAP_RES,
     study,
 )
-from plastigran.plot.style import COLOURS, STYLE, plt, title
+from plastigran.plot.style import COLOURS, styled, subplots, title
 
 
 @dataclass(frozen=True)
@@ -44,10 +45,8 @@ def maps_figure(table: pd.DataFrame) -> Figure:
         (curved, Panel("coefficient_of_restitution", 1, "coefficient of restitution", shares)),
     ]
     both = {"overlap_max", "pressure_ratio"}  # loading is the same in both laws
-    with plt.rc_context(STYLE | {"axes.grid": False}):
-        figure, grid = plt.subplots(
-            2, 3, figsize=(11, 6.6), sharex=True, sharey=True, layout="constrained"
-        )
+    with styled({"axes.grid": False}):
+        figure, grid = subplots(2, 3, figsize=(11, 6.6), sharex=True, sharey=True)
         for axes, (law, panel) in zip(grid.flat, panels, strict=True):
             _contours(axes, table[table["law"] == law], panel)
             whose = "both laws" if panel.column in both else title(law)
@@ -76,7 +75,7 @@ def _contours(axes: Axes, table: pd.DataFrame, panel: Panel) -> None:
     edges = np.asarray(panel.levels)
     levels = edges[np.searchsorted(edges, shown.min(), "right") - 1 :]
     levels = levels[: np.searchsorted(levels, shown.max()) + 1]
-    colours = BoundaryNorm(levels, plt.get_cmap("viridis").N)
+    colours = BoundaryNorm(levels, matplotlib.colormaps["viridis"].N)
     shades = axes.contourf(speed, radius, value, levels, cmap="viridis", norm=colours)
     axes.figure.colorbar(shades, ax=axes, shrink=0.9, ticks=levels, format="%g")
     axes.contour(speed, radius, field("speed_ratio"), [1.0], colors="white", linestyles="--")
@@ -87,8 +86,8 @@ def comparison_figure() -> Figure:
     """Residual overlap and restitution over speed by both laws, with the finite elements' point."""
     at = FINITE_ELEMENTS
     table = study([at["radius"]], np.linspace(0.01, 1.2, 120) * at["speed"], at["length_ratio"])
-    with plt.rc_context(STYLE):
-        figure, (left, right) = plt.subplots(1, 2, figsize=(8.2, 3.4), layout="constrained")
+    with styled():
+        figure, (left, right) = subplots(1, 2, figsize=(8.2, 3.4))
         for colour, (law, rows) in zip(COLOURS, table.groupby("law"), strict=False):
             left.plot(rows["speed"], rows["overlap_res"] * 1e6, color=colour, label=title(law))
             right.plot(rows["speed"], rows["coefficient_of_restitution"], color=colour)

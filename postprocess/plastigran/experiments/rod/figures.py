@@ -11,7 +11,7 @@ from matplotlib.figure import Figure
 from plastigran.experiments.rod import RodImpact
 from plastigran.experiments.rod.paper import PAPER_RESTITUTION, MeasuredRun, paper_rods
 from plastigran.physics.rod import RodOutcome
-from plastigran.plot.style import COLOURS, MARKERS, STYLE, plt, title
+from plastigran.plot.style import COLOURS, MARKERS, styled, subplots, title
 
 MEASURED = MeasuredRun()
 #: Engine points drawn of a motion.
@@ -61,8 +61,8 @@ def motion_figure(run: RodImpact, measured: RodOutcome) -> Figure:
         ),
     ]
     is_measured = run.rod.angle == MEASURED.angle and run.speed == -MEASURED.velocity_before
-    with plt.rc_context(STYLE):
-        figure, grid = plt.subplots(2, 2, figsize=(8.2, 6), sharex=True, layout="constrained")
+    with styled():
+        figure, grid = subplots(2, 2, figsize=(8.2, 6), sharex=True)
         for axes, (name, scale, columns, levels) in zip(grid.flat, panels, strict=True):
             for colour, (label, column) in zip(COLOURS, columns.items(), strict=False):
                 axes.plot(predicted["time"] * 1e6, predicted[column] * scale, color=colour)
@@ -97,7 +97,7 @@ def outcome_figure(table: pd.DataFrame) -> Figure:
     Args:
         table: Columns of `RodImpact.row`.
     """
-    with plt.rc_context(STYLE):
+    with styled():
         figure, grid = _grid(table, 2)
         for column, angle in zip(grid.T, table["angle"].unique(), strict=True):
             _curves(column[0], table, angle, "coefficient_of_restitution", 1)
@@ -127,7 +127,7 @@ def deformation_figure(table: pd.DataFrame) -> Figure:
     Args:
         table: Columns of `RodImpact.row`.
     """
-    with plt.rc_context(STYLE):
+    with styled():
         figure, grid = _grid(table, 1)
         for axes, angle in zip(grid[0], table["angle"].unique(), strict=True):
             _curves(axes, table, angle, "overlap_res", 1e6)
@@ -140,14 +140,13 @@ def deformation_figure(table: pd.DataFrame) -> Figure:
 
 def _grid(table: pd.DataFrame, rows: int) -> tuple[Figure, np.ndarray]:
     columns = table["angle"].nunique()
-    figure, grid = plt.subplots(
+    figure, grid = subplots(
         rows,
         columns,
         figsize=(3.6 * columns + 2, 3.3 * rows + 0.3),
         sharex=True,
         sharey="row",
         squeeze=False,
-        layout="constrained",
     )
     for axes in grid[-1]:
         axes.set_xlabel("impact speed (m/s)")
