@@ -62,8 +62,8 @@ class ElasticImpact(Experiment):
         def draw():
             from plastigran.plot import style
 
-            with style.plt.rc_context(style.STYLE):
-                figure, axes = style.plt.subplots(layout="constrained")
+            with style.styled():
+                figure, axes = style.subplots(figsize=(5, 4))
                 axes.loglog(runs.table["speed"], runs.table["contact_time"], "o")
                 axes.loglog(runs.table["speed"], runs.table["contact_time_predicted"])
                 axes.set(xlabel="impact speed (m/s)", ylabel="contact time (s)")
