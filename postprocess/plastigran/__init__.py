@@ -9,6 +9,8 @@
     contact.restitution(np.geomspace(1e-3, 1, 40))
     runs = pg.collide(["kogut_etsion", "thornton"], [0.1, 1.0], steel, radius=5e-3)
     runs.table, runs.figure("restitution")
+    flow = pg.bulk("hopper", law="thornton", ranks=2)    # or pg.open("results/hopper")
+    flow.series, flow.checks, flow.figures["hopper"]
 
 Names are loaded when they are first used.
 """
@@ -18,9 +20,11 @@ from importlib import import_module
 _PUBLIC = {
     "RIGID": ("materials", "RIGID"),
     "Contact": ("contact", "Contact"),
+    "bulk": ("bulk", None),
     "collide": ("experiments.collide", "collide"),
     "laws": ("laws", None),
     "material": ("materials", "read_material"),
+    "open": ("bulk", "open"),
 }
 
 __all__ = sorted(_PUBLIC)
