@@ -40,7 +40,7 @@ PHASES = ("compression", "release")
 
 def known_laws() -> list[str]:
     """Names of the laws in the engine: one per normal_model_<law>.h."""
-    headers = (PROJECT / "contact_models" / "liggghts").glob("normal_model_*.h")
+    headers = (PROJECT / "contact_models" / "liggghts" / "models").glob("normal_model_*.h")
     return sorted(header.stem.removeprefix("normal_model_") for header in headers)
 
 

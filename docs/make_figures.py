@@ -18,11 +18,11 @@ from matplotlib.figure import Figure
 from scipy.integrate import solve_ivp
 
 from plastigran import laws
-from plastigran.bulk.decks import cooling_gas, hopper
 from plastigran.bulk.decks.compaction.figure import compaction_figure
 from plastigran.bulk.decks.cooling_gas.figure import cooling_figure
+from plastigran.bulk.decks.hopper import orifices
 from plastigran.bulk.decks.hopper.figure import orifices_figure
-from plastigran.bulk.run import read_record, run_bulk
+from plastigran.bulk.run import run_bulk
 from plastigran.experiments import (
     central_figures,
     chung_ooi,
@@ -161,22 +161,21 @@ OWN_FIGURES = {"viscoelastic_hertz": viscoelastic_figure}
 
 def cooling_gases() -> Figure:
     """A gas that yields beside a viscoelastic one of the same grains: a minute or two each."""
-    runs, cases = {}, {}
     with tempfile.TemporaryDirectory() as folder:
-        for law, changes in COOLING.items():
-            run = run_bulk("cooling_gas", {"law": law, "side": 10, **changes}, Path(folder) / law)
-            runs[title(law)] = run.table
-            cases[law] = cooling_gas.read_case(read_record(Path(folder) / law)["settings"])
-    yielding = cases["vu_quoc_zhang"]
-    rate = yielding.gas().cooling_rate(yielding.temperature)
-    return cooling_figure(runs, yielding.stall, rate)
+        runs = {
+            law: run_bulk("cooling_gas", {"law": law, "side": 10, **changes}, Path(folder) / law)
+            for law, changes in COOLING.items()
+        }
+    gas = runs["vu_quoc_zhang"].deck
+    rate = gas.gas().cooling_rate(gas.temperature)
+    return cooling_figure({title(law): run.series for law, run in runs.items()}, gas.stall, rate)
 
 
 def draw_bulk(deck: str) -> None:
     """The figure of a bulk deck at its defaults, about a minute each."""
     with tempfile.TemporaryDirectory() as folder:
-        analysis = run_bulk(deck, {}, Path(folder) / deck)
-        save(analysis.figures[deck], FOLDER / deck, (".png",))
+        run = run_bulk(deck, {}, Path(folder) / deck)
+        save(run.figures[deck], FOLDER / deck, (".png",))
 
 
 def compactions() -> Figure:
@@ -186,7 +185,7 @@ def compactions() -> Figure:
         runs = {
             f"$\\sigma_Y$ = {strength / 1e3:g} kPa": run_bulk(
                 "compaction", settings | {"yield_strength": strength}, Path(folder) / str(strength)
-            ).table
+            ).series
             for strength in STRENGTHS
         }
     return compaction_figure(runs, STRENGTHS)
@@ -218,11 +217,10 @@ def hoppers() -> Figure:
     """The same bed run out of every orifice: one to four minutes each, narrow ones the longest."""
     runs = []
     with tempfile.TemporaryDirectory() as folder:
-        for orifice in hopper.orifices():
-            place = Path(folder) / orifice
-            run = run_bulk("hopper", {"orifice": orifice}, place)
-            case = hopper.read_case(read_record(place)["settings"])
-            runs.append((run.table, case.discharge(run.table), case.grains.mass))
+        for orifice in orifices():
+            run = run_bulk("hopper", {"orifice": orifice}, Path(folder) / orifice)
+            discharge = run.deck.discharge(run.series)
+            runs.append((run.series, discharge, run.deck.grains.mass))
     return orifices_figure(runs)
 
 

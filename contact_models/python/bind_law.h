@@ -1,37 +1,54 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// Binds any law to Python: a class named as in C++, its State, and what the tools say about it.
+// Binds one law to Python: a class named as in C++, with its State, constants and options.
 #pragma once
 
-#include <nanobind/nanobind.h>
-#include <nanobind/ndarray.h>
-#include <nanobind/stl/map.h>
-#include <nanobind/stl/optional.h>
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/vector.h>
 
 #include <algorithm>
-#include <map>
-#include <optional>
 #include <stdexcept>
 #include <string>
-#include <vector>
 
-#include "plastigran/shared/contact.h"
-#include "plastigran/impact/central_impact.h"
+#include "any_law.h"
 #include "plastigran/impact/validate.h"
+#include "values.h"
 
 namespace plastigran {
 
-namespace nb = nanobind;
-using namespace nb::literals;
+template <class Law>
+struct StateOf : AnyState {
+  static_assert(Law::state_names.size() <= capacity);
+  StateOf() : AnyState{Law::name, Law::state_names.data(), Law::state_names.size()} {}
+};
 
-typedef nb::ndarray<const double, nb::ndim<1>, nb::c_contig, nb::device::cpu> Input;
-typedef nb::ndarray<nb::numpy, double, nb::ndim<1>> Output;
+template <class Law>
+class LawOf : public AnyLaw {
+ public:
+  LawOf(const MaterialPair& bodies, const typename Law::Parameters& given)
+      : law(bodies, given), pair(bodies), constants(given) {}
 
-inline void raise_if(const Complaint& complaint, const std::string& about = "") {
-  if (!complaint.empty()) throw std::invalid_argument(about + complaint.text());
-}
+  const Law law;
+  const MaterialPair pair;
+  const typename Law::Parameters constants;
+
+  const char* name() const override { return Law::name; }
+  Response respond(double radius_eff, double overlap, double* values,
+                   double overlap_rate) const override {
+    constexpr std::size_t bytes = Law::state_names.size() * sizeof(double);
+    typename Law::State state;
+    std::memcpy(&state, values, bytes);
+    const Response response = plastigran::respond(law, radius_eff, overlap, state, overlap_rate);
+    std::memcpy(values, &state, bytes);
+    return response;
+  }
+  Impact central_impact(double radius_eff, double mass_eff, double speed) const override {
+    return plastigran::central_impact(law, radius_eff, mass_eff, speed);
+  }
+  double recommended_time_step(double radius_eff, double mass_eff, double speed) const override {
+    return plastigran::recommended_time_step(law, radius_eff, mass_eff, speed);
+  }
+};
 
 template <class Parameters>
 int parse_choice(const Option<Parameters>& option, const std::string& word) {
@@ -45,19 +62,17 @@ int parse_choice(const Option<Parameters>& option, const std::string& word) {
 }
 
 template <class Law>
-typename Law::Parameters parse_constants(const MaterialPair& pair, const nb::kwargs& given) {
+typename Law::Parameters parse_constants(const MaterialPair& pair, const nb::dict& given) {
   typename Law::Parameters constants;
-  for (auto item : given) {
-    const std::string name = nb::cast<std::string>(item.first);
-    const auto option = std::find_if(Law::options.begin(), Law::options.end(),
-                                     [&](const auto& candidate) { return name == candidate.name; });
+  for (auto [key, value] : given) {
+    const std::string name = nb::cast<std::string>(key);
+    const auto is_named = [&](const auto& candidate) { return name == candidate.name; };
+    const auto option = std::find_if(Law::options.begin(), Law::options.end(), is_named);
     if (option != Law::options.end()) {
-      const std::string word = nb::cast<std::string>(nb::str(item.second));
-      constants.*(option->value) = parse_choice(*option, word);
+      constants.*(option->value) = parse_choice(*option, nb::cast<std::string>(nb::str(value)));
       continue;
     }
-    const auto known = std::find_if(Law::parameters.begin(), Law::parameters.end(),
-                                    [&](const auto& p) { return name == p.name; });
+    const auto known = std::find_if(Law::parameters.begin(), Law::parameters.end(), is_named);
     if (known == Law::parameters.end()) {
       std::string text = std::string(Law::name) + " has no constant '" + name + "'; it takes";
       for (const auto& p : Law::parameters) text += std::string(" ") + p.name;
@@ -65,154 +80,153 @@ typename Law::Parameters parse_constants(const MaterialPair& pair, const nb::kwa
       throw std::invalid_argument(text +
                                   (Law::parameters.empty() && Law::options.empty() ? " none" : ""));
     }
-    constants.*(known->value) = nb::cast<double>(item.second);
+    if (!nb::try_cast<double>(value, constants.*(known->value)))
+      throw std::invalid_argument(name + " is " + nb::cast<std::string>(nb::repr(value)) +
+                                  "; it must be a number [" + known->unit + "]");
   }
   raise_if(validate<Law>(pair, constants), std::string(Law::name) + ": ");
   return constants;
 }
 
-inline void require_positive(const char* name, double value, const char* unit) {
-  if (!(value > 0 && std::isfinite(value)))
-    raise_if(Complaint::about(name, value, std::string("positive and finite [") + unit + "]"));
-}
-
-// Responses along a path of overlaps and their rates, as arrays of the path's length.
+// The law's own constants with their defaults, None for one that must be given.
 template <class Law>
-std::map<std::string, Output> follow(const Law& law, double radius_eff, Input overlap,
-                                     typename Law::State& state,
-                                     std::optional<Input> overlap_rate) {
-  require_positive("radius_eff", radius_eff, "m");
-  const std::size_t n = overlap.shape(0);
-  if (overlap_rate && overlap_rate->shape(0) != n)
-    raise_if(Complaint::about("length of overlap_rate", double(overlap_rate->shape(0)),
-                              std::to_string(n) + ", that of overlap"));
-  constexpr int count = 5;
-  static constexpr const char* names[count] = {"force", "contact_radius", "elastic_energy",
-                                               "plastic_work", "viscous_force"};
-  static constexpr double Response::*members[count] = {
-      &Response::force, &Response::contact_radius, &Response::elastic_energy,
-      &Response::plastic_work, &Response::viscous_force};
-  double* columns[count];
-  std::map<std::string, Output> table;
-  for (int c = 0; c < count; ++c) {
-    columns[c] = new double[n];
-    nb::capsule owner(columns[c], [](void* data) noexcept { delete[] static_cast<double*>(data); });
-    table.emplace(names[c], Output(columns[c], {n}, owner));
-  }
-  for (std::size_t i = 0; i < n; ++i) {
-    const double rate = overlap_rate ? (*overlap_rate)(i) : 0;
-    const Response response = respond(law, radius_eff, overlap(i), state, rate);
-    for (int c = 0; c < count; ++c) columns[c][i] = response.*members[c];
+nb::list parameter_table() {
+  nb::list table;
+  const typename Law::Parameters defaults;
+  for (const auto& p : Law::parameters) {
+    const double value = defaults.*p.value;
+    nb::dict row;
+    row["name"] = p.name;
+    row["unit"] = p.unit;
+    row["default"] = std::isnan(value) ? nb::object(nb::none()) : nb::object(nb::float_(value));
+    row["per_body"] = p.per_body;
+    row["lower"] = p.lower;
+    row["upper"] = p.upper;
+    row["meaning"] = p.meaning;
+    table.append(row);
   }
   return table;
 }
 
+template <class Law>
+nb::list option_table() {
+  nb::list table;
+  const typename Law::Parameters defaults;
+  for (const auto& o : Law::options) {
+    nb::list choices;
+    for (const char* choice : o.choices)
+      if (choice) choices.append(choice);
+    nb::dict row;
+    row["name"] = o.name;
+    row["choices"] = choices;
+    row["default"] = o.choices[defaults.*o.value];
+    row["meaning"] = o.meaning;
+    table.append(row);
+  }
+  return table;
+}
+
+// The constructor as Python writes it.
+template <class Law>
+std::string constructor_signature() {
+  std::string said, star = ", *";
+  const typename Law::Parameters defaults;
+  for (const auto& p : Law::parameters) {
+    const double value = defaults.*p.value;
+    said += star + ", " + p.name + ": float";
+    if (!std::isnan(value)) said += " = " + nb::cast<std::string>(nb::repr(nb::float_(value)));
+    star.clear();
+  }
+  for (const auto& o : Law::options) {
+    said += star + ", " + o.name + ": Literal[";
+    for (const char* choice : o.choices)
+      if (choice) said += (choice == o.choices[0] ? "'" : ", '") + std::string(choice) + "'";
+    said += std::string("] = '") + o.choices[defaults.*o.value] + "'";
+    star.clear();
+  }
+  return "def __init__(self, pair: MaterialPair" + said + ") -> None";
+}
+
+template <class Law>
+std::string constructor_doc() {
+  std::string said = "The law between two bodies.\n\nArgs:\n    pair: The two bodies.\n";
+  for (const auto& p : Law::parameters)
+    said += std::string("    ") + p.name + ": " + p.meaning + " [" + p.unit + "].\n";
+  for (const auto& o : Law::options)
+    said += std::string("    ") + o.name + ": " + o.meaning + ".\n";
+  return said +
+         "\nRaises:\n    ValueError: A constant is missing or out of range, or there is no "
+         "such constant; the message\n        names it, its value and the range.";
+}
+
 // Laws with more to say (a force-driven form, an iteration count) say it in a specialisation.
 template <class Law>
-void bind_extras(nb::class_<Law>&) {}
+void bind_extras(nb::class_<LawOf<Law>, AnyLaw>&) {}
+
+template <class Law>
+void bind_state(nb::class_<LawOf<Law>, AnyLaw>& law) {
+  typedef StateOf<Law> State;
+  nb::class_<State, AnyState> state(law, "State",
+                                    "History of one contact of this law: zeros for a virgin one.");
+  state.def(nb::init<>(), "A virgin contact.");
+  state.def(
+      "copy", [](const State& self) { return State(self); }, "The same history once more.");
+  for (std::size_t k = 0; k < Law::state_names.size(); ++k)
+    state.def_prop_ro(
+        Law::state_names[k], [k](const State& self) { return self.values[k]; },
+        "What the contact has reached; 0 for a virgin one.");
+  bind_values(
+      state,
+      [](const State& self) {
+        nb::dict values;
+        for (std::size_t k = 0; k < self.count; ++k) values[self.names[k]] = self.values[k];
+        return values;
+      },
+      [](State* memory, const nb::dict& values) {
+        State* const self = new (memory) State();
+        for (std::size_t k = 0; k < self->count; ++k)
+          self->values[k] = nb::cast<double>(values[self->names[k]]);
+      },
+      false);
+}
 
 template <class Law>
 void bind_law(nb::module_& module, const char* class_name) {
-  typedef typename Law::State State;
-  nb::class_<Law> law(module, class_name);
-
-  nb::class_<State> state(law, "State", "History of one contact: zeros for a virgin one.");
-  state.def(nb::init<>());
-  state.def("copy", [](const State& self) { return State(self); });
-  state.def(
-      "values",
-      [](const State& self) {
-        std::vector<double> values(Law::state_names.size());
-        std::copy_n(reinterpret_cast<const double*>(&self), values.size(), values.begin());
-        return values;
-      },
-      "The state as a list of floats, in the order of `state_names`.");
-
+  typedef LawOf<Law> Self;
+  const std::string meaning = std::string(Law::source) + ".\n\nRange: " + Law::range + ".";
+  const std::string signature = constructor_signature<Law>(), doc = constructor_doc<Law>();
+  nb::class_<Self, AnyLaw> law(module, class_name, meaning.c_str());
+  bind_state<Law>(law);
   law.def(
       "__init__",
-      [](Law* self, const MaterialPair& pair, const nb::kwargs& constants) {
-        new (self) Law(pair, parse_constants<Law>(pair, constants));
+      [](Self* self, const MaterialPair& pair, const nb::kwargs& constants) {
+        new (self) Self(pair, parse_constants<Law>(pair, constants));
       },
-      "pair"_a, "constants"_a,
-      "A law between two bodies. Keyword arguments are the law's own constants (see "
-      "`parameters()`).\n\nRaises ValueError naming the constant, its value and allowed range.");
-  law.def(
-      "respond",
-      [](const Law& self, double radius_eff, double overlap, State& history, double overlap_rate) {
-        require_positive("radius_eff", radius_eff, "m");
-        return respond(self, radius_eff, overlap, history, overlap_rate);
+      "pair"_a, "constants"_a, nb::sig(signature.c_str()), doc.c_str());
+  bind_values(
+      law,
+      [](const Self& self) {
+        nb::dict values;
+        values["pair"] = self.pair;
+        for (const auto& p : Law::parameters) values[p.name] = self.constants.*p.value;
+        for (const auto& o : Law::options) values[o.name] = o.choices[self.constants.*o.value];
+        return values;
       },
-      "radius_eff"_a, "overlap"_a, "state"_a, "overlap_rate"_a = 0.0,
-      "Response at one overlap [m]; `state` moves on when a new extreme is reached. The rate of "
-      "overlap [m/s, closing positive] matters to a `rate_dependent` law only.");
-  law.def("follow", &follow<Law>, "radius_eff"_a, "overlap"_a, "state"_a,
-          "overlap_rate"_a = nb::none(),
-          "Responses along a path of overlaps, (N,) float64 [m]: a dict of (N,) arrays force [N], "
-          "contact_radius [m], elastic_energy [J], plastic_work [J], viscous_force [N]. `state` "
-          "moves along. `overlap_rate`, (N,) float64 [m/s, closing positive], none for zero, "
-          "matters to a `rate_dependent` law only.\n\nRaises ValueError when the lengths differ.");
-  law.def(
-      "central_impact",
-      [](const Law& self, double radius_eff, double mass_eff, double speed) {
-        require_positive("radius_eff", radius_eff, "m");
-        require_positive("mass_eff", mass_eff, "kg");
-        require_positive("speed", speed, "m/s");
-        return central_impact(self, radius_eff, mass_eff, speed);
+      [](Self* memory, const nb::dict& values) {
+        const MaterialPair pair = nb::cast<MaterialPair>(values["pair"]);
+        nb::dict constants;
+        for (auto [name, value] : values)
+          if (nb::cast<std::string>(name) != "pair") constants[name] = value;
+        new (memory) Self(pair, parse_constants<Law>(pair, constants));
       },
-      "radius_eff"_a, "mass_eff"_a, "speed"_a,
-      "Central impact at a relative speed [m/s], from the law's energies, or from the equation of "
-      "motion when it is `rate_dependent`.");
-  law.def(
-      "recommended_time_step",
-      [](const Law& self, double radius_eff, double mass_eff, double speed) {
-        require_positive("radius_eff", radius_eff, "m");
-        require_positive("mass_eff", mass_eff, "kg");
-        require_positive("speed", speed, "m/s");
-        return recommended_time_step(self, radius_eff, mass_eff, speed);
-      },
-      "radius_eff"_a, "mass_eff"_a, "speed"_a,
-      "Time step [s] that resolves the rebound of such an impact to 1e-3 in restitution.");
-  law.def_static(
-      "parameters",
-      [] {
-        nb::list table;
-        const typename Law::Parameters defaults;
-        for (const auto& p : Law::parameters) {
-          nb::dict row;
-          row["name"] = p.name;
-          row["unit"] = p.unit;
-          const double value = defaults.*p.value;
-          row["default"] =
-              std::isnan(value) ? nb::object(nb::none()) : nb::object(nb::float_(value));
-          row["per_body"] = p.per_body;
-          row["lower"] = p.lower;
-          row["upper"] = p.upper;
-          row["meaning"] = p.meaning;
-          table.append(row);
-        }
-        return table;
-      },
-      "The law's own constants: name, unit, default (None: it must be given), "
-      "per_body (of each body, a pair has the larger), range, meaning.");
-  law.def_static(
-      "options",
-      [] {
-        nb::list table;
-        const typename Law::Parameters defaults;
-        for (const auto& o : Law::options) {
-          nb::list choices;
-          for (const char* choice : o.choices)
-            if (choice) choices.append(choice);
-          nb::dict row;
-          row["name"] = o.name;
-          row["choices"] = choices;
-          row["default"] = o.choices[defaults.*o.value];
-          row["meaning"] = o.meaning;
-          table.append(row);
-        }
-        return table;
-      },
-      "The choices the law leaves open: name, choices, default, meaning.");
+      true);
+  law.def_ro("pair", &Self::pair, "The two bodies.");
+  law.def_static("parameters", &parameter_table<Law>,
+                 nb::sig("def parameters() -> list[dict[str, Any]]"),
+                 "The law's own constants: name, unit, default (None: it must be given), per_body "
+                 "(of each body, a pair has the larger), lower, upper, meaning.");
+  law.def_static("options", &option_table<Law>, nb::sig("def options() -> list[dict[str, Any]]"),
+                 "The choices the law leaves open: name, choices, default, meaning.");
   law.attr("name") = Law::name;
   law.attr("source") = Law::source;
   law.attr("range") = Law::range;
@@ -222,7 +236,7 @@ void bind_law(nb::module_& module, const char* class_name) {
   nb::list names;
   for (const char* name : Law::state_names) names.append(name);
   law.attr("state_names") = nb::tuple(names);
-  bind_extras(law);
+  bind_extras<Law>(law);
 }
 
 }  // namespace plastigran

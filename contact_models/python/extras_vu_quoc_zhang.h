@@ -7,28 +7,67 @@
 namespace plastigran {
 
 template <>
-inline void bind_extras(nb::class_<VuQuocZhang>& law) {
+inline void bind_extras(nb::class_<LawOf<VuQuocZhang>, AnyLaw>& law) {
   law.def(
       "overlap",
-      [](const VuQuocZhang& self, double radius_eff, double force, VuQuocZhang::State& state) {
-        require_positive("radius_eff", radius_eff, "m");
-        if (!(force >= 0)) raise_if(Complaint::about("force", force, "zero or positive [N]"));
-        return self.overlap(radius_eff, force, state);
+      [](const LawOf<VuQuocZhang>& self, const nb::object& radius_eff, const nb::object& force,
+         const nb::object& state) {
+        const Broadcast given(
+            {{"radius_eff", radius_eff, positive, "m"}, {"force", force, not_negative, "N"}});
+        States states(self, state, given.shape());
+        return column<double>(given, [&](std::size_t i) {
+          VuQuocZhang::State history{*states[i]};
+          const double overlap = self.law.overlap(given(0, i), given(1, i), history);
+          *states[i] = history.elastic_radius_max;
+          return overlap;
+        });
       },
-      "radius_eff"_a, "force"_a, "state"_a,
-      "The force-driven form of the law (Vu-Quoc, Zhang & Lesburg 2000): overlap [m] at a force "
-      "[N].");
-  law.def("yield_force", &VuQuocZhang::yield_force, "radius_eff"_a, "P_Y [N].");
+      "radius_eff"_a, "force"_a, "state"_a = nb::none(),
+      nb::sig("def overlap(self, radius_eff: ArrayLike, force: ArrayLike, state: "
+              "ContactState | Sequence[ContactState] | NDArray[Any] | None = None) -> Numbers"),
+      R"(The force-driven form of the law: overlap [m] at a force.
+
+Args:
+    radius_eff: R* [m], positive. Numbers or arrays whose shapes broadcast together, as all below.
+    force: [N], not negative.
+    state: As `respond` takes it.
+
+Raises:
+    ValueError: A value is out of range, or the shapes do not fit together.
+
+Source: Vu-Quoc, Zhang & Lesburg 2000, J. Appl. Mech. 67:363.)");
+  law.def(
+      "yield_force",
+      [](const LawOf<VuQuocZhang>& self, const nb::object& radius_eff) {
+        const Broadcast given({{"radius_eff", radius_eff, positive, "m"}});
+        return column<double>(given,
+                              [&](std::size_t i) { return self.law.yield_force(given(0, i)); });
+      },
+      "radius_eff"_a, nb::sig("def yield_force(self, radius_eff: ArrayLike) -> Numbers"),
+      R"(Force P_Y at first yield [N].
+
+Args:
+    radius_eff: R* [m], positive, of any shape.
+
+Raises:
+    ValueError: A value is out of range.)");
   law.def(
       "elastic_radius",
-      [](const VuQuocZhang& self, double overlap_ratio, double start) {
+      [](const LawOf<VuQuocZhang>& self, double overlap_ratio, double start) {
         int iterations = 0;
-        const double root = self.elastic_radius(overlap_ratio, start, iterations);
+        const double root = self.law.elastic_radius(overlap_ratio, start, iterations);
         return nb::make_tuple(root, iterations);
       },
       "overlap_ratio"_a, "start"_a,
-      "Root of the virgin curve and the Newton iterations it took: (a_e/a_Y, int), from "
-      "overlap/overlap_Y >= 1 and a start in [1, root].");
+      nb::sig("def elastic_radius(self, overlap_ratio: float, start: float) -> tuple[float, int]"),
+      R"(Root of the virgin curve and the Newton iterations it took.
+
+Args:
+    overlap_ratio: overlap/overlap_Y [-], 1 or more.
+    start: Of the iteration, between 1 and the root.
+
+Returns:
+    Elastic radius a_e/a_Y [-], and the number of iterations.)");
 }
 
 }  // namespace plastigran

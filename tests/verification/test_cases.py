@@ -9,8 +9,9 @@ import pandas as pd
 import pytest
 
 from plastigran import laws
-from plastigran.experiments.central import IMPACTS, Impact
-from plastigran.materials import read_material
+from plastigran.declared import declaration
+from plastigran.experiments.central import CentralImpact
+from plastigran.experiments.collide import IMPACTS
 
 CASES = {
     f"{path.stem}-{row.Index}-{row.speed:g}": (path.stem, row)
@@ -30,11 +31,11 @@ RUNS = [
 ]
 
 
-def impact(law: str, row, **geometry: str) -> Impact:
+def impact(law: str, row, **geometry: str) -> CentralImpact:
     """The impact of a row; columns beside material, radius and speed are a cylinder's."""
     kind = IMPACTS[laws.LAWS[law].shape]
-    brought = {name: getattr(row, name) for name in kind.positive if hasattr(row, name)}
-    return kind(law, material=read_material(row.material), **brought, **geometry)
+    fields = {name: getattr(row, name) for name in declaration(kind) if hasattr(row, name)}
+    return kind(law, **fields, **geometry)
 
 
 def test_every_law_has_cases(law_name):
@@ -54,7 +55,7 @@ def test_engine_at_the_recommended_step(case, geometry, tmp_path):
     """
     law, row = CASES[case]
     model = impact(law, row, geometry=geometry)
-    found, expected = model.run(tmp_path), model.predicted()
+    found, expected = model.run(tmp_path), model.predict()
     assert found.coefficient_of_restitution == pytest.approx(
         expected.coefficient_of_restitution, rel=1e-3
     )
@@ -77,8 +78,8 @@ def test_engine_at_a_twentieth_of_it(case, declared_jumps, tmp_path):
     force depends on the rate: a twentieth of the bounds above."""
     law, row = CASES[case]
     model = impact(law, row)
-    found = model.run(tmp_path, time_step=model.time_step() / 20)
-    predicted = model.predicted()
+    found = model.run(tmp_path, timestep=model.timestep / 20)
+    predicted = model.predict()
     for name in OUTCOMES:
         tolerance = 1e-4 if declared_jumps[law] else 1e-5
         if laws.LAWS[law].rate_dependent:

@@ -32,9 +32,15 @@ class EngineStopped(EngineError):
     """The engine began and ended with an error, or was ended."""
 
 
+def own_inputs() -> Path:
+    """Folder of the project's input scripts, or of the copy an installed package carries."""
+    folder = PROJECT / "inputs"
+    return folder if folder.is_dir() else Path(__file__).resolve().parents[1] / "inputs"
+
+
 def inputs_folder() -> Path:
-    """Folder of the input scripts: $PLASTIGRAN_INPUTS, or the project's own."""
-    folder = Path(os.environ.get("PLASTIGRAN_INPUTS", PROJECT / "inputs"))
+    """Folder of the input scripts: $PLASTIGRAN_INPUTS, or `own_inputs()`."""
+    folder = Path(os.environ.get("PLASTIGRAN_INPUTS", own_inputs()))
     if not (folder / "collision").is_dir():
         raise EngineError(f"no input scripts in {folder}; set PLASTIGRAN_INPUTS to their folder")
     return folder

@@ -8,7 +8,7 @@ s = (d - d_y)/(d_p - d_y),
     F = sech((n - 1) s) F_H + (1 - sech((3 - n) s)) pi P0 (2 R* d)^(n/2)/a_p^(n - 2)
     d_r = d_m (1 - F_m/F_H(d_m)), not below 0,  F = F_m y^1.5
 
-P0 = 2.8 Y, Meyer's index n = 2.
+P0 = 2.8 Y; Meyer's index n = 2, or another one.
 """
 
 from __future__ import annotations
@@ -21,15 +21,17 @@ from references.central_impact import CentralImpact
 
 class Reference(CentralImpact):
     energy_guard = True
+    readings = ("meyer_index 2.4",)
 
     def __init__(self, material, radius, speed):
         super().__init__(material, radius, speed)
-        hardness, index = 2.8 * material.yield_strength, 2
+        hardness = 2.8 * material.yield_strength
         pressure = material.yield_pressure
         overlap_y = self.overlap_at(pressure)
         overlap_p = radius * (1.5 * pi * hardness / material.modulus) ** 2
 
         def beyond(overlap):
+            index = 2.4 if self.reading == "meyer_index 2.4" else 2
             s = (overlap - overlap_y) / (overlap_p - overlap_y)
             meyer = pi * hardness * (2 * radius * overlap) ** (index / 2)
             meyer /= (2 * radius * overlap_p) ** (index / 2 - 1)

@@ -59,10 +59,14 @@ class Contact:
             first is elastic; the last ends at infinity. A subclass sets them.
         energy_guard: Whether the rebound is shortened where the work lost would fall as the contact
             is pressed further.
+        readings: Other readings of the source, each an option or a constant and its value.
+        reading: The one taken; empty for the usual one.
     """
 
     pieces: list[tuple[float, Callable]]
     energy_guard = False
+    readings: tuple[str, ...] = ()
+    reading = ""
 
     def __init__(self, material: Material, radius: float) -> None:
         self.material, self.radius = material, radius

@@ -9,6 +9,8 @@ x = 1.9:
     F/F_c = exp(-x^(5/12)/4) x^1.5 + 4H/(C Y) (1 - exp(-x^(5/9)/25)) x
     H/Y = 2.84 - 0.92 (1 - cos(pi a/R*)),  a^2 = R* d (x/1.9)^B,  B = 0.14 exp(23 Y/E*)
     d_r = 1.02 d_m (1 - ((x_m + 5.9)/6.9)^-0.54),  F = F_m y^1.5
+
+The hardness of 2005 is another reading: H/Y = 2.84 (1 - exp(-0.82 (a/R*)^-0.7)).
 """
 
 from __future__ import annotations
@@ -21,6 +23,7 @@ from references.central_impact import CentralImpact
 
 class Reference(CentralImpact):
     energy_guard = True
+    readings = ("hardness exponential",)
 
     def __init__(self, material, radius, speed):
         super().__init__(material, radius, speed)
@@ -32,7 +35,11 @@ class Reference(CentralImpact):
         """4 H/(C Y)."""
         growth = 0.14 * exp(23 * self.material.yield_strength / self.material.modulus)
         ratio = np.sqrt(x * self.overlap_c / self.radius * (x / 1.9) ** growth)  # a/R*
-        return 4 * (2.84 - 0.92 * (1 - np.cos(pi * ratio))) / self.yield_factor
+        if self.reading == "hardness exponential":
+            hardness = 2.84 * (1 - np.exp(-0.82 * ratio**-0.7))
+        else:
+            hardness = 2.84 - 0.92 * (1 - np.cos(pi * ratio))
+        return 4 * hardness / self.yield_factor
 
     def beyond(self, overlap):
         x = overlap / self.overlap_c

@@ -3,7 +3,9 @@
 
 Yield at a mean pressure of 1.1 Y: a_Y = 3 pi/4 1.1 Y R*/E*, d_Y = a_Y^2/R*, F_Y = 1.1 Y pi a_Y^2.
 With q = 2 d/d_Y - 1 the force is F_Y q (1 + ln q/3.3) up to a mean pressure of 2.8 Y, which then
-stays. The book's rebound: d_m - d_r = d_Y sqrt(q_m), F = F_m y^1.5.
+stays. The rebound is F = F_m y^1.5 with d_m - d_r = d_Y sqrt(q_m) in the book. Other readings keep
+the contact area, 3 F_m/(4 E* a_m) with a_m^2 = q_m a_Y^2, or the sphere's radius,
+(3 F_m/(4 E* sqrt(R*)))^(2/3); d_r is not below 0.
 """
 
 from __future__ import annotations
@@ -16,13 +18,14 @@ from references.central_impact import CentralImpact
 
 class Reference(CentralImpact):
     energy_guard = True
+    readings = ("unloading area", "unloading original_radius")
 
     def __init__(self, material, radius, speed):
         super().__init__(material, radius, speed)
         yield_pressure = 1.1 * material.yield_strength
-        radius_y = 0.75 * pi * yield_pressure * radius / material.modulus
-        self.overlap_y = radius_y**2 / radius
-        force_y = pi * yield_pressure * radius_y**2
+        self.radius_y = 0.75 * pi * yield_pressure * radius / material.modulus
+        self.overlap_y = self.radius_y**2 / radius
+        force_y = pi * yield_pressure * self.radius_y**2
 
         def expanding(overlap):
             q = 2 * overlap / self.overlap_y - 1
@@ -36,4 +39,10 @@ class Reference(CentralImpact):
 
     def published_rebound(self, overlap_max):
         q_max = 2 * overlap_max / self.overlap_y - 1
-        return self.overlap_y * sqrt(q_max), lambda y: y**1.5
+        load = 0.75 * self.virgin_force(overlap_max) / self.material.modulus
+        recovery = {
+            "": self.overlap_y * sqrt(q_max),
+            "unloading area": load / (self.radius_y * sqrt(q_max)),
+            "unloading original_radius": (load / sqrt(self.radius)) ** (2 / 3),
+        }
+        return min(recovery[self.reading], overlap_max), lambda y: y**1.5

@@ -8,8 +8,9 @@ import pandas as pd
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from plastigran.experiments.rod.body import PAPER_RESTITUTION, MeasuredRun, RodImpact, paper_rods
-from plastigran.experiments.rod.runs import RodRun
+from plastigran.experiments.rod import RodImpact
+from plastigran.experiments.rod.paper import PAPER_RESTITUTION, MeasuredRun, paper_rods
+from plastigran.physics.rod import RodOutcome
 from plastigran.plot.style import COLOURS, MARKERS, styled, subplots, title
 
 MEASURED = MeasuredRun()
@@ -17,10 +18,10 @@ MEASURED = MeasuredRun()
 POINTS = 30
 
 
-def closest_to_measured(impacts: dict[RodRun, RodImpact]) -> RodRun:
+def closest_to_measured(impacts: dict[RodImpact, RodOutcome]) -> RodImpact:
     """The run nearest the paper's measured one: in angle, then speed, then angular velocity."""
 
-    def distance(run: RodRun) -> tuple[float, float, float]:
+    def distance(run: RodImpact) -> tuple[float, float, float]:
         return (
             abs(run.rod.angle - MEASURED.angle),
             abs(run.speed + MEASURED.velocity_before),
@@ -30,13 +31,13 @@ def closest_to_measured(impacts: dict[RodRun, RodImpact]) -> RodRun:
     return min(impacts, key=distance)
 
 
-def motion_figure(run: RodRun, measured: RodImpact) -> Figure:
+def motion_figure(run: RodImpact, measured: RodOutcome) -> Figure:
     """Forces, displacement, velocities and angular velocity over the time of contact.
 
     Lines are the equations of motion, points the engine; dotted, where the run is the paper's
     measured one, what it measured afterwards.
     """
-    predicted = run.predicted().history
+    predicted = run.predict().history
     points = measured.history.iloc[:: max(1, len(measured.history) // POINTS)]
     panels = [
         ("force (kN)", 1e-3, {"normal": "force", "friction": "friction_force"}, {}),
@@ -94,7 +95,7 @@ def outcome_figure(table: pd.DataFrame) -> Figure:
     The star is the paper's measured run; its restitution is the one its velocities imply.
 
     Args:
-        table: Columns of `RodRun.row`.
+        table: Columns of `RodImpact.row`.
     """
     with styled():
         figure, grid = _grid(table, 2)
@@ -124,7 +125,7 @@ def deformation_figure(table: pd.DataFrame) -> Figure:
     """Permanent deformation over impact speed, one column an angle.
 
     Args:
-        table: Columns of `RodRun.row`.
+        table: Columns of `RodImpact.row`.
     """
     with styled():
         figure, grid = _grid(table, 1)

@@ -8,12 +8,7 @@ import pandas as pd
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from plastigran.physics.beverloo import (
-    COEFFICIENT,
-    EMPTY_ANNULUS,
-    Discharge,
-    fit_constants,
-)
+from plastigran.physics.beverloo import Discharge, fit_constants
 from plastigran.plot.style import COLOURS, styled, subplots
 
 
@@ -83,13 +78,14 @@ def orifices_figure(runs: list[tuple[pd.DataFrame, Discharge, float]]) -> Figure
             label=f"fit: C = {constants.coefficient:.3f} ± {constants.coefficient_error:.3f}, "
             f"k = {constants.empty_annulus:.2f} ± {constants.empty_annulus_error:.2f}",
         )
+        coefficient, annulus = discharges[0].coefficient, discharges[0].empty_annulus
         right.plot(
             width,
-            np.clip(COEFFICIENT**0.4 * (width - EMPTY_ANNULUS), 0, None),
+            np.clip(coefficient**0.4 * (width - annulus), 0, None),
             "--",
             color="0.5",
             lw=1.3,
-            label=f"Beverloo: C = {COEFFICIENT}, k = {EMPTY_ANNULUS}",
+            label=f"Beverloo: C = {coefficient}, k = {annulus}",
         )
         right.set_xlim(0)
         right.set_ylim(0)

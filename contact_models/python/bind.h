@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+//
+// The parts of the Python module that are the same for every law.
+#pragma once
+
+#include "any_law.h"
+
+namespace plastigran {
+
+void bind_bodies(nb::module_& module);   // Material, MaterialPair and what is made of them
+void bind_answers(nb::module_& module);  // Response, Impact
+void bind_laws(nb::module_& module);     // Law and ContactState, the bases of every law's own
+
+}  // namespace plastigran

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+//
+// Response and Impact in Python.
+#include "answers.h"
+#include "bind.h"
+#include "values.h"
+
+namespace plastigran {
+
+const std::array<AnswerField<Response>, 5> AnswerFields<Response>::all{{
+    {"force", &Response::force, nullptr, "Repulsive normal force, never negative [N]."},
+    {"contact_radius", &Response::contact_radius, nullptr,
+     "Contact radius, of a line contact the half-width [m]."},
+    {"elastic_energy", &Response::elastic_energy, nullptr, "What unloading would give back [J]."},
+    {"plastic_work", &Response::plastic_work, nullptr,
+     "What it would not, in total since the contact was virgin [J]."},
+    {"viscous_force", &Response::viscous_force, nullptr,
+     "The rate's share of the force, negative while parting [N]."},
+}};
+
+const std::array<AnswerField<Impact>, 7> AnswerFields<Impact>::all{{
+    {"overlap_max", &Impact::overlap_max, nullptr, "Largest overlap [m]."},
+    {"force_max", &Impact::force_max, nullptr, "Largest force [N]."},
+    {"overlap_res", &Impact::overlap_res, nullptr,
+     "Overlap at which the rebound's force vanishes [m]."},
+    {"coefficient_of_restitution", &Impact::coefficient_of_restitution, nullptr,
+     "Speed of the rebound over that of the impact [-]."},
+    {"stiffness_max", &Impact::stiffness_max, nullptr,
+     "Steepest slope of force over overlap [N/m]."},
+    {"damping_max", &Impact::damping_max, nullptr,
+     "Slope of force over rate at the largest overlap [N s/m]."},
+    {"in_range", nullptr, &Impact::in_range, "Whether the law is good for that load."},
+}};
+
+namespace {
+
+template <class Record>
+void bind_answer(nb::module_& module, const char* name, const char* meaning) {
+  typedef Answer<Record> Self;
+  const auto& fields = AnswerFields<Record>::all;
+  nb::class_<Self> type(module, name, meaning);
+  for (std::size_t k = 0; k < fields.size(); ++k) {
+    const std::string said = std::string("def ") + fields[k].name + "(self) -> " +
+                             (fields[k].number ? "Numbers" : "bool | NDArray[numpy.bool]");
+    type.def_prop_ro(
+        fields[k].name, [k](const Self& self) { return self.values[k]; },
+        nb::for_getter(nb::sig(said.c_str())), fields[k].meaning);
+  }
+  bind_values(
+      type,
+      [](const Self& self) {
+        nb::dict values;
+        for (std::size_t k = 0; k < self.values.size(); ++k)
+          values[AnswerFields<Record>::all[k].name] = self.values[k];
+        return values;
+      },
+      [](Self* memory, const nb::dict& values) {
+        Self* const self = new (memory) Self();
+        for (const auto& field : AnswerFields<Record>::all)
+          self->values.push_back(values[field.name]);
+      },
+      false);
+}
+
+}  // namespace
+
+void bind_answers(nb::module_& module) {
+  bind_answer<Response>(module, "Response",
+                        "A law's answer: fields of the shape that was asked for. Immutable.");
+  bind_answer<Impact>(
+      module, "Impact",
+      "What a law says about a central impact: fields of the shape that was asked for. Immutable.");
+}
+
+}  // namespace plastigran

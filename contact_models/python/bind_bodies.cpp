@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+//
+// What two bodies bring to a contact, in Python.
+#include "bind.h"
+#include "plastigran/impact/validate.h"
+#include "values.h"
+
+namespace plastigran {
+
+namespace {
+
+constexpr std::array<Field<Material>, 4> body_fields{{
+    {"youngs_modulus", &Material::youngs_modulus, "Young's modulus E [Pa]."},
+    {"poissons_ratio", &Material::poissons_ratio, "Poisson's ratio nu [-]."},
+    {"yield_strength", &Material::yield_strength,
+     "Uniaxial yield strength sigma_Y [Pa]; inf: it never yields."},
+    {"yield_pressure_factor", &Material::yield_pressure_factor,
+     "Contact yield pressure over yield strength [-]; 0: the Hertz-von Mises value."},
+}};
+
+constexpr std::array<Field<MaterialPair>, 5> pair_fields{{
+    {"youngs_modulus_eff", &MaterialPair::youngs_modulus_eff,
+     "E* [Pa]: 1/E* = (1-nu1^2)/E1 + (1-nu2^2)/E2."},
+    {"shear_modulus_eff", &MaterialPair::shear_modulus_eff,
+     "G* [Pa]: 1/G* = (2-nu1)/G1 + (2-nu2)/G2."},
+    {"yield_pressure", &MaterialPair::yield_pressure,
+     "Contact pressure p_y at which the weaker body yields [Pa]."},
+    {"yield_strength", &MaterialPair::yield_strength, "sigma_Y of the weaker body [Pa]."},
+    {"poissons_ratio", &MaterialPair::poissons_ratio, "nu of the weaker body [-]."},
+}};
+
+constexpr Allowed ratio_of_a_body{[](double value) { return value > -1 && value < 0.5; },
+                                  "between -1 and 0.5, both excluded"};
+
+}  // namespace
+
+void bind_bodies(nb::module_& module) {
+  nb::class_<Material> body(module, "Material", "One body's bulk constants. Immutable.");
+  body.def(
+      "__init__",
+      [](Material* self, double youngs_modulus, double poissons_ratio, double yield_strength,
+         double yield_pressure_factor) {
+        const Material made{youngs_modulus, poissons_ratio, yield_strength, yield_pressure_factor};
+        raise_if(validate(made));
+        new (self) Material(made);
+      },
+      "youngs_modulus"_a, "poissons_ratio"_a, "yield_strength"_a = unlimited,
+      "yield_pressure_factor"_a = 0.0,
+      nb::sig("def __init__(self, youngs_modulus: float, poissons_ratio: float, "
+              "yield_strength: float = float('inf'), yield_pressure_factor: float = 0.0) -> None"),
+      R"(A body.
+
+Args:
+    youngs_modulus: E [Pa], positive.
+    poissons_ratio: nu [-], between -1 and 0.5.
+    yield_strength: Uniaxial sigma_Y [Pa], positive; inf: it never yields.
+    yield_pressure_factor: Contact yield pressure over yield strength [-], 0.5 to 10; 0 stands for
+        the Hertz-von Mises value (`hertz_yield_pressure_factor`).
+
+Raises:
+    ValueError: A constant is out of range; the message names it, its value and the range.)");
+  bind_fields(body, body_fields);
+
+  nb::class_<MaterialPair> pair(module, "MaterialPair",
+                                "What two bodies bring to a contact: see `combine`. Immutable.");
+  bind_fields(pair, pair_fields);
+
+  module.def("combine", &combine, "a"_a, "b"_a,
+             R"(The pair two bodies form, the same in either order.
+
+Args:
+    a: One body.
+    b: The other. The one that yields at the lower contact pressure sets the pair's yield.
+
+Source: effective moduli of Hertz 1881 and Mindlin 1949.)");
+  module.def(
+      "hertz_yield_pressure_factor",
+      [](nb::object poissons_ratio) {
+        const Broadcast given({{"poissons_ratio", poissons_ratio, ratio_of_a_body, "-"}});
+        return column<double>(
+            given, [&](std::size_t i) { return hertz_yield_pressure_factor(given(0, i)); });
+      },
+      "poissons_ratio"_a,
+      nb::sig("def hertz_yield_pressure_factor(poissons_ratio: ArrayLike) -> Numbers"),
+      R"(Peak Hertz pressure over yield strength [-] at which a contact first yields (von Mises).
+
+Args:
+    poissons_ratio: nu [-], a number or an array of any shape, between -1 and 0.5.
+
+Returns:
+    A number, or an array of that shape.
+
+Raises:
+    ValueError: A value is out of range.
+
+Source: Johnson, Contact Mechanics (1985), sec. 3.4 and 4.1.)");
+  module.def("yield_radius_ratio", &yield_radius_ratio, "pair"_a,
+             R"(Contact radius over effective radius at first yield [-]: pi p_y/(2 E*).
+
+Args:
+    pair: The two bodies.
+
+Source: Johnson, Contact Mechanics (1985), sec. 6.1.)");
+}
+
+}  // namespace plastigran

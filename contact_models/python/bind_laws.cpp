@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+//
+// What every law does in Python, and the history of its contacts.
+#include <nanobind/stl/vector.h>
+
+#include <numeric>
+#include <stdexcept>
+
+#include "answers.h"
+#include "bind.h"
+#include "values.h"
+
+namespace plastigran {
+
+States::States(const AnyLaw& law, const nb::object& given, std::vector<std::size_t> shape) {
+  const std::size_t count =
+      std::accumulate(shape.begin(), shape.end(), std::size_t(1), std::multiplies<std::size_t>());
+  if (given.is_none()) {
+    virgin_.resize(count);
+    return;
+  }
+  AnyState* one;
+  if (count == 1 && nb::try_cast(given, one) && one->law == law.name()) {
+    given_.push_back(one);
+    return;
+  }
+  const nb::module_ numpy = nb::module_::import_("numpy");
+  const nb::object states = numpy.attr("asarray")(given, "dtype"_a = "object");
+  for (nb::handle each : states.attr("flat")) {
+    if (!nb::isinstance<AnyState>(each) || nb::cast<AnyState&>(each).law != law.name())
+      throw nb::type_error((std::string("state is ") + nb::cast<std::string>(nb::repr(each)) +
+                            "; " + law.name() + " takes its own State, or an array of them")
+                               .c_str());
+    given_.push_back(&nb::cast<AnyState&>(each));
+  }
+  const std::vector<std::size_t> its_shape =
+      nb::cast<std::vector<std::size_t>>(states.attr("shape"));
+  if (given_.size() != count || (!its_shape.empty() && its_shape != shape))
+    throw std::invalid_argument("state has shape " +
+                                nb::cast<std::string>(nb::repr(states.attr("shape"))) +
+                                "; it must be one State for each contact, of shape " +
+                                nb::cast<std::string>(nb::repr(nb::tuple(nb::cast(shape)))));
+  kept_ = states;
+}
+
+namespace {
+
+Broadcast impact_arguments(const nb::object& radius_eff, const nb::object& mass_eff,
+                           const nb::object& speed) {
+  return Broadcast({{"radius_eff", radius_eff, positive, "m"},
+                    {"mass_eff", mass_eff, positive, "kg"},
+                    {"speed", speed, positive, "m/s"}});
+}
+
+Answer<Response> respond_to(const AnyLaw& law, const nb::object& radius_eff,
+                            const nb::object& overlap, const nb::object& state,
+                            const nb::object& overlap_rate) {
+  const Broadcast given({{"radius_eff", radius_eff, positive, "m"},
+                         {"overlap", overlap, finite, "m"},
+                         {"overlap_rate", overlap_rate, finite, "m/s"}});
+  States states(law, state, given.shape());
+  return answer<Response>(given, [&](std::size_t i) {
+    return law.respond(given(0, i), given(1, i), states[i], given(2, i));
+  });
+}
+
+nb::dict follow(const AnyLaw& law, const nb::object& radius_eff, const nb::object& overlap,
+                const nb::object& state, const nb::object& overlap_rate) {
+  const Broadcast given(
+      {{"radius_eff", radius_eff, positive, "m", true},
+       {"overlap", overlap, finite, "m"},
+       {"overlap_rate", overlap_rate.is_none() ? nb::object(nb::float_(0.0)) : overlap_rate, finite,
+        "m/s"}});
+  std::vector<std::size_t> paths = given.shape();
+  std::size_t points = 1;
+  if (!paths.empty()) points = paths.back(), paths.pop_back();
+  States states(law, state, paths);
+  const Answer<Response> responses = answer<Response>(given, [&](std::size_t i) {
+    return law.respond(given(0, i), given(1, i), states[i / points], given(2, i));
+  });
+  nb::dict table;
+  for (std::size_t k = 0; k < responses.values.size(); ++k)
+    table[AnswerFields<Response>::all[k].name] = responses.values[k];
+  return table;
+}
+
+}  // namespace
+
+void bind_laws(nb::module_& module) {
+  nb::class_<AnyState>(module, "ContactState",
+                       "History of one contact, made by a law's own `State()`: zeros for a virgin "
+                       "one. Calls that take it move it on.")
+      .def(
+          "values",
+          [](const AnyState& self) {
+            return std::vector<double>(self.values.begin(), self.values.begin() + self.count);
+          },
+          "The values as a list, in the order of the law's `state_names`.");
+
+  nb::class_<AnyLaw> law(module, "Law",
+                         "A contact law between two bodies: what all laws have. Its classes are in "
+                         "`LAWS`. Immutable.");
+  law.def("respond", &respond_to, "radius_eff"_a, "overlap"_a, "state"_a = nb::none(),
+          "overlap_rate"_a = 0.0,
+          nb::sig("def respond(self, radius_eff: ArrayLike, overlap: ArrayLike, state: "
+                  "ContactState | Sequence[ContactState] | NDArray[Any] | None = None, "
+                  "overlap_rate: ArrayLike = 0.0) -> "
+                  "Response"),
+          R"(The law's answer for one contact, or for an array of contacts.
+
+Args:
+    radius_eff: R* [m], positive. Numbers or arrays whose shapes broadcast together, as all below.
+    overlap: [m].
+    state: The contact's history, moved on when it reaches a new extreme; for an array of contacts
+        an array of histories of its shape. None for virgin contacts.
+    overlap_rate: Rate of overlap [m/s], closing positive; matters to a `rate_dependent` law only.
+
+Returns:
+    Force, contact radius and energies: numbers, or arrays of the shape all have together.
+
+Raises:
+    ValueError: A value is out of range (the message names it, its index and the range), or the
+        shapes do not fit together.
+    TypeError: A state of another law.)");
+  law.def("follow", &follow, "radius_eff"_a, "overlap"_a, "state"_a = nb::none(),
+          "overlap_rate"_a = nb::none(),
+          nb::sig("def follow(self, radius_eff: ArrayLike, overlap: ArrayLike, state: "
+                  "ContactState | Sequence[ContactState] | NDArray[Any] | None = None, "
+                  "overlap_rate: ArrayLike | None = "
+                  "None) -> dict[str, Numbers]"),
+          R"(The law's answers along a path of overlaps, or along an array of paths.
+
+Args:
+    radius_eff: R* [m], positive: one, or one for each path, of shape (...).
+    overlap: Path [m], shape (..., N): along the last axis each contact goes on from where it is.
+    state: History the path begins with, moved along; an array of shape (...) for several paths.
+        None for virgin contacts.
+    overlap_rate: Rate of overlap [m/s], closing positive, broadcast with `overlap`; None for zero.
+        Matters to a `rate_dependent` law only.
+
+Returns:
+    Arrays of shape (..., N): force [N], contact_radius [m], elastic_energy [J], plastic_work [J],
+    viscous_force [N]. pandas.DataFrame takes a single path's as they are.
+
+Raises:
+    ValueError: A value is out of range (the message names it, its index and the range), or the
+        shapes do not fit together.
+    TypeError: A state of another law.)");
+  law.def(
+      "central_impact",
+      [](const AnyLaw& self, const nb::object& radius_eff, const nb::object& mass_eff,
+         const nb::object& speed) {
+        const Broadcast given = impact_arguments(radius_eff, mass_eff, speed);
+        return answer<Impact>(given, [&](std::size_t i) {
+          return self.central_impact(given(0, i), given(1, i), given(2, i));
+        });
+      },
+      "radius_eff"_a, "mass_eff"_a, "speed"_a,
+      nb::sig("def central_impact(self, radius_eff: ArrayLike, mass_eff: ArrayLike, speed: "
+              "ArrayLike) -> Impact"),
+      R"(Central impact of two bodies, from the law's energies; by the equation of motion when the
+law is `rate_dependent`.
+
+Args:
+    radius_eff: R* [m], positive. Numbers or arrays whose shapes broadcast together, as all below.
+    mass_eff: m* [kg], positive.
+    speed: Relative speed [m/s], positive.
+
+Returns:
+    What came of it: numbers, or arrays of the shape all have together.
+
+Raises:
+    ValueError: A value is out of range (the message names it, its index and the range), or the
+        shapes do not fit together.)");
+  law.def(
+      "recommended_time_step",
+      [](const AnyLaw& self, const nb::object& radius_eff, const nb::object& mass_eff,
+         const nb::object& speed) {
+        const Broadcast given = impact_arguments(radius_eff, mass_eff, speed);
+        return column<double>(given, [&](std::size_t i) {
+          return self.recommended_time_step(given(0, i), given(1, i), given(2, i));
+        });
+      },
+      "radius_eff"_a, "mass_eff"_a, "speed"_a,
+      nb::sig("def recommended_time_step(self, radius_eff: ArrayLike, mass_eff: ArrayLike, speed: "
+              "ArrayLike) -> Numbers"),
+      R"(Time step [s] that resolves the rebound of a central impact to 1e-3 in restitution: a tenth
+of sqrt(m*/k) on the steepest branch, less where the force depends on the rate.
+
+Args:
+    radius_eff: R* [m], positive. Numbers or arrays whose shapes broadcast together, as all below.
+    mass_eff: m* [kg], positive.
+    speed: Relative speed [m/s], positive.
+
+Returns:
+    A number, or an array of the shape all have together.
+
+Raises:
+    ValueError: A value is out of range (the message names it, its index and the range), or the
+        shapes do not fit together.)");
+}
+
+}  // namespace plastigran
