@@ -12,7 +12,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 from scipy.special import lambertw
 
@@ -73,7 +73,6 @@ def path(turns: list[float], points: int = 60) -> np.ndarray:
 
 
 @given(turns=turning_points)
-@settings(max_examples=60, deadline=None)
 def test_force_is_finite_and_never_pulls(law_name, law_between, turns):
     for pair in PAIRS.values():
         overlap_y, _ = scales(law_name, pair)
@@ -89,7 +88,6 @@ def test_force_is_finite_and_never_pulls(law_name, law_between, turns):
 
 
 @given(turns=turning_points)
-@settings(max_examples=60, deadline=None)
 def test_plastic_work_never_decreases(law_name, law_between, turns):
     for pair in PAIRS.values():
         overlap_y, force_y = scales(law_name, pair)
@@ -104,7 +102,6 @@ def test_plastic_work_never_decreases(law_name, law_between, turns):
 
 
 @given(turns=turning_points)
-@settings(max_examples=40, deadline=None)
 def test_energies_account_for_the_work_done(law_name, law_between, turns):
     """Work put in = stored + plastic, at every turning point, so no path returns more than it took.
 
@@ -131,7 +128,6 @@ def test_energies_account_for_the_work_done(law_name, law_between, turns):
 
 
 @given(turns=turning_points, repeats=st.integers(1, 4))
-@settings(max_examples=40, deadline=None)
 def test_answer_does_not_depend_on_how_often_it_is_asked(law_name, law_between, turns, repeats):
     """A total law: neither repeated calls nor stops on the way change it. 1e-11 of the peak force
     is rounding through the unloading curve's 3/2 power."""
@@ -155,7 +151,6 @@ def test_answer_does_not_depend_on_how_often_it_is_asked(law_name, law_between, 
 
 
 @given(top=st.floats(1e-3, REACH), low=st.floats(0, 1))
-@settings(max_examples=60, deadline=None)
 def test_reloading_retraces_unloading_then_the_virgin_curve(law_name, law_between, top, low):
     for pair in PAIRS.values():
         overlap_y, _ = scales(law_name, pair)
@@ -227,7 +222,6 @@ def test_unyielding_bodies_are_elastic(law_name, law_between):
 
 
 @given(speed_ratio=st.floats(1e-3, 300))
-@settings(max_examples=60, deadline=None)
 def test_restitution_lies_between_zero_and_one(law_name, law_between, speed_ratio):
     for pair in PAIRS.values():
         law = law_between(law_name, pair)
