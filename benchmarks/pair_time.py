@@ -26,7 +26,7 @@ from pathlib import Path
 import pandas as pd
 from tqdm import tqdm
 
-from plastigran.engine.dumps import read_contacts
+from plastigran.engine.contacts import read_contacts
 from plastigran.engine.process import PROJECT, EngineError, engine_path, run_deck
 
 HERE = Path(__file__).resolve().parent
@@ -40,7 +40,7 @@ PHASES = ("compression", "release")
 
 def known_laws() -> list[str]:
     """Names of the laws in the engine: one per normal_model_<law>.h."""
-    headers = (PROJECT / "contact_models" / "liggghts").glob("normal_model_*.h")
+    headers = (PROJECT / "contact_models" / "liggghts" / "models").glob("normal_model_*.h")
     return sorted(header.stem.removeprefix("normal_model_") for header in headers)
 
 

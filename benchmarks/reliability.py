@@ -26,16 +26,16 @@ from multiprocessing import get_context
 from pathlib import Path
 
 import numpy as np
-import pandas as pd
 from tqdm import tqdm
 
 from plastigran import laws
 from plastigran.bulk.checks import LEDGER_CHECKS, energy_input
-from plastigran.bulk.run import read_record, read_series, restart_point, run_bulk
+from plastigran.bulk.folder import read_record, read_series, restart_point
+from plastigran.bulk.run import run_bulk
 from plastigran.engine.checkpoints import PATTERN, step_of
 from plastigran.engine.dumps import read_dump
-from plastigran.engine.process import PROJECT, EngineError, run_deck
-from plastigran.engine.watch import LogFollower, engines
+from plastigran.engine.log import LogFollower
+from plastigran.engine.process import PROJECT, EngineError, engines, run_deck
 
 WORK = PROJECT / "results" / "reliability"
 PAGE = PROJECT / "docs" / "reliability.md"
@@ -116,7 +116,7 @@ def kills(folder: Path, count: int) -> Iterator[Row]:
     for ranks in (1, 2):
         words = f"{ranks} rank{'s' * (ranks > 1)}"
         whole = folder / f"whole_{ranks}"
-        run_bulk("cooling_gas", SMALL, whole, ranks, show=False)
+        run_bulk("cooling_gas", SMALL, whole, ranks, show=False).raise_if_failed()
         killed, lost, losses, ends = 0, 0, [0], []
         with tqdm(total=count // 2, desc=f"kills, {words}") as bar:
             while killed < count // 2 and lost < 10:
@@ -184,7 +184,8 @@ def kill_until_done(work: Path, ranks: int, whole: Path) -> tuple[list[int], Pat
 
 def _run_part(folder: Path, ranks: int, earlier: Path | None) -> None:
     try:
-        run_bulk("cooling_gas", {} if earlier else SMALL, folder, ranks, earlier, show=False)
+        run = run_bulk("cooling_gas", {} if earlier else SMALL, folder, ranks, earlier, show=False)
+        run.raise_if_failed()
     except Exception as error:  # killed, or lost
         (folder / "error.txt").write_text(repr(error))
         os._exit(1)
@@ -248,8 +249,8 @@ def ranks(folder: Path, _: int) -> Iterator[Row]:
     values = {"side": "8", "mixing": "0.1", "duration": "60", "rows": "240", "checkpoints": "1"}
     runs = {}
     for count in (1, 2, 4):
-        run_bulk("cooling_gas", values, folder / str(count), count, show=False)
-        runs[count] = pd.read_csv(folder / str(count) / "series.csv")
+        run = run_bulk("cooling_gas", values, folder / str(count), count, show=False)
+        runs[count] = run.raise_if_failed().series
     one = runs.pop(1)
     for count, other in runs.items():
         ratio = (other["kinetic_energy"] / one["kinetic_energy"] - 1).abs()
@@ -276,9 +277,9 @@ def ledger(folder: Path, _: int) -> Iterator[Row]:
     """Every bulk deck at its default size, on two ranks."""
     for deck in sorted(file.stem for file in (PROJECT / "inputs" / "bulk").glob("*.in")):
         began = time.monotonic()
-        analysis = run_bulk(deck, {}, folder / deck, ranks=2)
+        run = run_bulk(deck, {}, folder / deck, ranks=2).raise_if_failed()
         seconds = time.monotonic() - began
-        series, checks = analysis.table, {check.name: check for check in analysis.checks}
+        series, checks = run.series, run.checks.set_index("name")
         grains, steps = int(series["atoms"].max()), int(series["step"].iloc[-1])
         share = np.ptp(series["plastic"]) / energy_input(series)
         yield Row(
@@ -287,7 +288,7 @@ def ledger(folder: Path, _: int) -> Iterator[Row]:
             round(seconds),
         )
         for name in LEDGER_CHECKS:
-            yield Row(f"`{deck}`, {name}", checks[name].value, checks[name].limit)
+            yield Row(f"`{deck}`, {name}", checks.value[name], checks.limit[name])
 
 
 # Size.

@@ -14,14 +14,15 @@ from itertools import pairwise
 from pathlib import Path
 
 import numpy as np
+from matplotlib.figure import Figure
 from scipy.integrate import solve_ivp
 
 from plastigran import laws
-from plastigran.bulk.decks import cooling_gas, hopper
 from plastigran.bulk.decks.compaction.figure import compaction_figure
 from plastigran.bulk.decks.cooling_gas.figure import cooling_figure
+from plastigran.bulk.decks.hopper import orifices
 from plastigran.bulk.decks.hopper.figure import orifices_figure
-from plastigran.bulk.run import read_record, run_bulk
+from plastigran.bulk.run import run_bulk
 from plastigran.experiments import (
     central_figures,
     chung_ooi,
@@ -36,7 +37,7 @@ from plastigran.experiments.rod import runs as rod_runs
 from plastigran.materials import RIGID, read_material
 from plastigran.physics import central
 from plastigran.plot.snapshot import draw, read_frames
-from plastigran.plot.style import COLOURS, STYLE, plt, save, title
+from plastigran.plot.style import COLOURS, save, styled, subplots, title
 
 FOLDER = Path(__file__).parent / "figures"
 RADIUS = 0.01  # the figures are dimensionless; any size gives the same
@@ -63,12 +64,12 @@ def cylinder_law(name: str):
     return law, elastic, force_y, overlap_y, np.sqrt(2 * work_y)
 
 
-def law_figure(name: str) -> plt.Figure:
+def law_figure(name: str) -> Figure:
     """A load, partial unload, reload, unload path, and restitution over impact speed."""
     setting = {"sphere": sphere_law, "cylinder": cylinder_law}[laws.LAWS[name].shape]
     law, unyielding, force_y, overlap_y, yield_speed = setting(name)
-    with plt.rc_context(STYLE):
-        figure, (left, right) = plt.subplots(1, 2, figsize=(8.2, 3.4), layout="constrained")
+    with styled():
+        figure, (left, right) = subplots(1, 2, figsize=(8.2, 3.4))
         turns = [0, 12, 9, 20, 0]
         path = np.concatenate([np.linspace(a, b, 400) for a, b in pairwise(turns)])
         force = law.follow(RADIUS, path * overlap_y, law.State())["force"] / force_y
@@ -92,14 +93,14 @@ def law_figure(name: str) -> plt.Figure:
     return figure
 
 
-def viscoelastic_figure() -> plt.Figure:
+def viscoelastic_figure() -> Figure:
     """Impacts of one speed at three dissipative constants, and restitution over impact speed."""
     ice, speed = read_material("ice"), 0.01
     pair = laws.combine(ice.body(), RIGID)
     mass = 4 / 3 * np.pi * RADIUS**3 * ice.density
     bodies = RADIUS, mass, pair.youngs_modulus_eff
-    with plt.rc_context(STYLE):
-        figure, (left, right) = plt.subplots(1, 2, figsize=(8.2, 3.4), layout="constrained")
+    with styled():
+        figure, (left, right) = subplots(1, 2, figsize=(8.2, 3.4))
         overlap_max = central.hertz_overlap_max(*bodies, speed)
         force_max = central.hertz_force_max(*bodies, speed)
         for number, colour in zip((0, 0.3, 0.6, 1.0), ["0.5", *COLOURS], strict=False):
@@ -158,40 +159,39 @@ def viscoelastic_figure() -> plt.Figure:
 OWN_FIGURES = {"viscoelastic_hertz": viscoelastic_figure}
 
 
-def cooling_gases() -> plt.Figure:
+def cooling_gases() -> Figure:
     """A gas that yields beside a viscoelastic one of the same grains: a minute or two each."""
-    runs, cases = {}, {}
     with tempfile.TemporaryDirectory() as folder:
-        for law, changes in COOLING.items():
-            run = run_bulk("cooling_gas", {"law": law, "side": 10, **changes}, Path(folder) / law)
-            runs[title(law)] = run.table
-            cases[law] = cooling_gas.read_case(read_record(Path(folder) / law)["settings"])
-    yielding = cases["vu_quoc_zhang"]
-    rate = yielding.gas().cooling_rate(yielding.temperature)
-    return cooling_figure(runs, yielding.stall, rate)
+        runs = {
+            law: run_bulk("cooling_gas", {"law": law, "side": 10, **changes}, Path(folder) / law)
+            for law, changes in COOLING.items()
+        }
+    gas = runs["vu_quoc_zhang"].deck
+    rate = gas.gas().cooling_rate(gas.temperature)
+    return cooling_figure({title(law): run.series for law, run in runs.items()}, gas.stall, rate)
 
 
 def draw_bulk(deck: str) -> None:
     """The figure of a bulk deck at its defaults, about a minute each."""
     with tempfile.TemporaryDirectory() as folder:
-        analysis = run_bulk(deck, {}, Path(folder) / deck)
-        save(analysis.figures[deck], FOLDER / deck, (".png",))
+        run = run_bulk(deck, {}, Path(folder) / deck)
+        save(run.figures[deck], FOLDER / deck, (".png",))
 
 
-def compactions() -> plt.Figure:
+def compactions() -> Figure:
     """Grains of three strengths pressed to the same density: a minute each."""
     settings = {"die_radius": 0.0075, "layers": 9, "relative_density": 0.7, "release": 0.3}
     with tempfile.TemporaryDirectory() as folder:
         runs = {
             f"$\\sigma_Y$ = {strength / 1e3:g} kPa": run_bulk(
                 "compaction", settings | {"yield_strength": strength}, Path(folder) / str(strength)
-            ).table
+            ).series
             for strength in STRENGTHS
         }
     return compaction_figure(runs, STRENGTHS)
 
 
-def shot_figures() -> dict[str, plt.Figure]:
+def shot_figures() -> dict[str, Figure]:
     """Shot on a plate and on a bed, at the deck's defaults: a minute or two each."""
     with tempfile.TemporaryDirectory() as folder:
         return {
@@ -213,15 +213,14 @@ COOLING = {
 }
 
 
-def hoppers() -> plt.Figure:
+def hoppers() -> Figure:
     """The same bed run out of every orifice: one to four minutes each, narrow ones the longest."""
     runs = []
     with tempfile.TemporaryDirectory() as folder:
-        for orifice in hopper.orifices():
-            place = Path(folder) / orifice
-            run = run_bulk("hopper", {"orifice": orifice}, place)
-            case = hopper.read_case(read_record(place)["settings"])
-            runs.append((run.table, case.discharge(run.table), case.grains.mass))
+        for orifice in orifices():
+            run = run_bulk("hopper", {"orifice": orifice}, Path(folder) / orifice)
+            discharge = run.deck.discharge(run.series)
+            runs.append((run.series, discharge, run.deck.grains.mass))
     return orifices_figure(runs)
 
 

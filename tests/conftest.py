@@ -3,22 +3,31 @@
 
 from __future__ import annotations
 
+import json
+import os
 import re
-from dataclasses import replace
+import signal
+import subprocess
+import sys
+from fcntl import LOCK_EX, flock
+from functools import cache
+from hashlib import sha256
 from math import pi
 from pathlib import Path
 
 import pytest
+from attrs import evolve
 
 from plastigran import laws
+from plastigran.bulk.decks import deck_class
+from plastigran.bulk.run import BulkRun, open_run, run_bulk
 from plastigran.engine.process import PROJECT
-from plastigran.experiments.central import laws_for
-from plastigran.materials import RIGID, read_material
+from plastigran.materials import RIGID, laws_for, read_material
 
 # Laws with a model in the engine: one binding header each.
 ENGINE_LAWS = sorted(
     path.stem.removeprefix("normal_model_")
-    for path in (PROJECT / "contact_models" / "liggghts").glob("normal_model_*.h")
+    for path in (PROJECT / "contact_models" / "liggghts" / "models").glob("normal_model_*.h")
 )
 
 
@@ -39,6 +48,32 @@ def pytest_generate_tests(metafunc: pytest.Metafunc) -> None:
         metafunc.parametrize("yielding_law", [n for n in spheres if laws.LAWS[n].yields])
     if "engine_law" in metafunc.fixturenames:
         metafunc.parametrize("engine_law", ENGINE_LAWS)
+
+
+@pytest.fixture
+def start_plastigran():
+    """Starts the command `plastigran` as at a terminal, where Ctrl-C reaches it even when these
+    tests run in the background, which ignores it; nothing of it outlives the test.
+    """
+    started = []
+
+    def start(*words: object) -> subprocess.Popen:
+        line = ["setpriv", "--pdeathsig", "KILL", sys.executable, "-m", "plastigran.cli"]
+        started.append(
+            subprocess.Popen(
+                [*line, *map(str, words)],
+                stderr=subprocess.PIPE,
+                text=True,
+                start_new_session=True,
+                preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL),
+            )
+        )
+        return started[-1]
+
+    yield start
+    for run in started:
+        run.kill()
+        run.communicate()
 
 
 @pytest.fixture(scope="session")
@@ -64,7 +99,7 @@ def decks() -> Path:
 def aluminium():
     """The paper's aluminium, with a constant the paper does not give, for laws that must have it:
     restitution near 0.8 for its sphere."""
-    return replace(read_material("aluminium_zv02"), dissipative_constant=3e-5)
+    return evolve(read_material("aluminium_zv02"), dissipative_constant=3e-5)
 
 
 @pytest.fixture(scope="session")
@@ -91,3 +126,35 @@ def declared_jumps() -> dict[str, list[tuple[float, float]]]:
         found = re.findall(r"^# jump (\S+) (\S+)", text, re.MULTILINE)
         jumps[law] = [(float(place), float(size)) for place, size in found]
     return jumps
+
+
+@pytest.fixture(scope="session")
+def bulk_run(tmp_path_factory):
+    """Runs a bulk deck, `bulk_run(deck, settings)`, once for all tests and pytest's workers.
+
+    Tests leave its folder and what it hands over as they are.
+    """
+    base = tmp_path_factory.getbasetemp()
+    shared = (base.parent if "PYTEST_XDIST_WORKER" in os.environ else base) / "bulk_runs"
+    shared.mkdir(exist_ok=True)
+
+    @cache
+    def run(deck: str, settings: str) -> BulkRun:
+        folder = shared / sha256(f"{deck} {settings}".encode()).hexdigest()[:16]
+        with open(folder.with_suffix(".lock"), "w") as lock:
+            flock(lock, LOCK_EX)
+            if (folder / "checks.csv").exists():
+                return open_run(folder)
+            return run_bulk(deck, json.loads(settings), folder, force=True, show=False)
+
+    return lambda deck, settings: run(deck, json.dumps(settings, sort_keys=True))
+
+
+@pytest.fixture(scope="session")
+def brief_run(bulk_run):
+    """The short run that a bulk deck declares, `brief_run(deck, label)`, with two frames."""
+
+    def run(deck: str, label: str = "") -> BulkRun:
+        return bulk_run(deck, {**deck_class(deck).briefs[label].settings, "frames": 2})
+
+    return run

@@ -1,9 +1,10 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-2.0-or-later
 #
-# Adds every model to a LIGGGHTS source tree: the laws go into src/plastigran/, the models flat into
-# src/, the combinations to compile into src/style_contact_model_user.whitelist. Running it again brings both up to date and
-# leaves alone what already is.
+# Adds every model to a LIGGGHTS source tree: the engine's list of models reads normal_model_*.h flat
+# in src/, its builds compile every .cpp flat in src/, all other headers keep their folders, and the
+# combinations to compile go into src/style_contact_model_user.whitelist. Running it again brings
+# all up to date and leaves alone what already is.
 #
 #   install.sh DIR      DIR is the tree's top folder, the one that holds src/
 set -eu
@@ -20,33 +21,35 @@ version=$(cat "$tree/src/version_liggghts.txt")
 [ "$version" = 3.8.0 ] ||
   printf 'WARNING: %s is LIGGGHTS %s; the models are tested with 3.8.0\n' "$tree" "$version" >&2
 
-# The set: the adapter and the models; the laws and what is built on them keep their folders.
-models=$(dirname "$0")/..
-set -- "$models"/liggghts/elastoplastic_normal_model.h "$models"/liggghts/energy_ledger.h \
-  "$models"/liggghts/wall_point.h "$models"/liggghts/*_watch.h "$models"/liggghts/own_fix.h \
-  "$models"/liggghts/history_keeper.h "$models"/liggghts/property_name.h \
-  "$models"/liggghts/engine_access.h "$models"/liggghts/normal_model_*.h
+# Where a file goes, below src/. The energy ledger and the plugin's own files stay out.
+models=$(cd "$(dirname "$0")/.." && pwd)
+files=$(cd "$models" && find plastigran liggghts/model liggghts/models liggghts/fixes \
+  \( -name '*.h' -o -name '*.cpp' \))
+target_of() {
+  case $1 in
+    *.cpp | */normal_model_*.h) echo "$tree/src/${1##*/}" ;;
+    *) echo "$tree/src/$1" ;;
+  esac
+}
 
 # A fork may have a file of the same name. All of ours name our namespace.
-for header; do
-  target=$tree/src/${header##*/}
+for file in $files; do
+  target=$(target_of "$file")
   if [ -e "$target" ] && ! grep -q 'plastigran' "$target"; then
     fail "$target is not ours and would be overwritten; nothing was changed"
   fi
 done
 
-# Only what differs is copied, so that a build after this compiles no more than it must.
-for header; do
-  target=$tree/src/${header##*/}
-  cmp -s "$header" "$target" || cp "$header" "$target"
-done
-
-for folder in laws shared impact; do
-  mkdir -p "$tree/src/plastigran/$folder"
-  for header in "$models/plastigran/$folder"/*.h; do
-    target=$tree/src/plastigran/$folder/${header##*/}
-    cmp -s "$header" "$target" || cp "$header" "$target"
-  done
+# The engine's builds do not look for headers in src/ itself: from a folder, two levels below it,
+# every file is included by its way from there. Only what differs is written, so that a build after
+# this compiles no more than it must.
+for file in $files; do
+  target=$(target_of "$file")
+  mkdir -p "${target%/*}"
+  way=
+  [ "${target%/*}" = "$tree/src" ] || way=../../
+  sed "s|^#include \"|&$way|" "$models/$file" | cmp -s - "$target" ||
+    sed "s|^#include \"|&$way|" "$models/$file" >"$target"
 done
 
 # The engine compiles combinations of low model ids by itself and runs the others through its slow
@@ -54,7 +57,7 @@ done
 whitelist=$tree/src/style_contact_model_user.whitelist
 touch -a "$whitelist"
 [ -z "$(tail -c 1 "$whitelist")" ] || echo >>"$whitelist"  # its last line may be unfinished
-for model in $(sed -n 's/^NORMAL_MODEL(\([A-Z0-9_]*\),.*/\1/p' "$models"/liggghts/normal_model_*.h); do
+for model in $(sed -n 's/^NORMAL_MODEL(\([A-Z0-9_]*\),.*/\1/p' "$models"/liggghts/models/*.h); do
   for tangential in OFF NO_HISTORY HISTORY; do
     for rolling in OFF CDT EPSD2; do
       line="GRAN_MODEL($model, TANGENTIAL_$tangential, COHESION_OFF, ROLLING_$rolling, SURFACE_DEFAULT)"

@@ -1,2 +1,39 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Plastigran: elasto-plastic contact laws for LIGGGHTS, and the lab that proves them."""
+"""Plastigran: elasto-plastic contact laws for LIGGGHTS, and the lab that proves them.
+
+    import numpy as np, plastigran as pg
+
+    steel = pg.material("steel")
+    contact = pg.Contact("kogut_etsion", steel, pg.RIGID, radius=5e-3)
+    contact.path(np.linspace(0, 2e-5, 200)).plot("overlap", "force")
+    contact.restitution(np.geomspace(1e-3, 1, 40))
+    runs = pg.collide(["kogut_etsion", "thornton"], [0.1, 1.0], steel, radius=5e-3)
+    runs.table, runs.figure("restitution")
+
+Names are loaded when they are first used.
+"""
+
+from importlib import import_module
+
+_PUBLIC = {
+    "RIGID": ("materials", "RIGID"),
+    "Contact": ("contact", "Contact"),
+    "collide": ("experiments.collide", "collide"),
+    "laws": ("laws", None),
+    "material": ("materials", "read_material"),
+}
+
+__all__ = sorted(_PUBLIC)
+
+
+def __getattr__(name: str) -> object:
+    if name not in _PUBLIC:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    module, attribute = _PUBLIC[name]
+    found = import_module(f"{__name__}.{module}")
+    globals()[name] = found = found if attribute is None else getattr(found, attribute)
+    return found
+
+
+def __dir__() -> list[str]:
+    return sorted({*globals(), *__all__})

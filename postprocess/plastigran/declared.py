@@ -26,6 +26,7 @@ class Declaration:
         lower, upper: Bounds.
         closed: Whether the bounds themselves are allowed.
         choices: Of a word.
+        kind: What a text is read as: float, int or str.
     """
 
     meaning: str
@@ -34,6 +35,7 @@ class Declaration:
     upper: float = inf
     closed: bool = False
     choices: tuple[str, ...] = ()
+    kind: type = float
 
     def allowed(self) -> str:
         """The range in words."""
@@ -63,19 +65,20 @@ def number(
     closed: bool = False,
     default: Any = attrs.NOTHING,
 ) -> Any:
-    """A field for a number between two bounds, which are allowed themselves when `closed`."""
+    """A field for a number between two bounds, which are allowed themselves when `closed`; for None
+    too when that is the default."""
     said = Declaration(meaning, unit, lower, upper, closed)
     return _field(said, _to_float, default)
 
 
 def whole(meaning: str, lower: int = 0, default: Any = attrs.NOTHING) -> Any:
     """A field for a number that counts, `lower` or more."""
-    return _field(Declaration(meaning, lower=lower, closed=True), _to_int, default)
+    return _field(Declaration(meaning, lower=lower, closed=True, kind=int), _to_int, default)
 
 
 def word(meaning: str, choices: Sequence[str], default: Any = attrs.NOTHING) -> Any:
     """A field for one of some words."""
-    return _field(Declaration(meaning, choices=tuple(choices)), _to_word, default)
+    return _field(Declaration(meaning, choices=tuple(choices), kind=str), _to_word, default)
 
 
 def declaration(cls: type) -> dict[str, Declaration]:
@@ -87,11 +90,30 @@ def declaration(cls: type) -> dict[str, Declaration]:
     }
 
 
+def require(instance: Any, name: str, **bounds: float | bool) -> None:
+    """Check a field against bounds that other fields set.
+
+    Args:
+        instance: Of an attrs class of declared fields.
+        name: Of the field.
+        bounds: `lower`, `upper`, `closed`, in place of the declared ones.
+
+    Raises:
+        ValueError: It is out of range; the message names it and the range.
+    """
+    said = declaration(type(instance))[name]
+    _check_range(name, getattr(instance, name), attrs.evolve(said, **bounds))
+
+
 def _field(said: Declaration, convert: Any, default: Any) -> Any:
+    converter, validator = attrs.Converter(convert, takes_field=True), _check
+    if default is None:
+        converter = attrs.converters.optional(converter)
+        validator = attrs.validators.optional(validator)
     return attrs.field(
         default=default,
-        converter=attrs.Converter(convert, takes_field=True),
-        validator=_check,
+        converter=converter,
+        validator=validator,
         metadata={"declaration": said},
     )
 
@@ -107,7 +129,7 @@ def _to_float(value: Any, field: attrs.Attribute) -> float:
 def _to_int(value: Any, field: attrs.Attribute) -> int:
     try:
         number = int(value)
-    except (TypeError, ValueError):
+    except (TypeError, ValueError, OverflowError):
         number = None
     if number is None or (not isinstance(value, str) and number != value):
         raise ValueError(f"{field.name} is {value!r}, not a whole number")
@@ -123,6 +145,11 @@ def _check(instance: Any, field: attrs.Attribute, value: Any) -> None:
     if said.choices:
         if value not in said.choices:
             raise ValueError(f"{field.name} is {value!r}; it {said.allowed()}")
-    elif not said.allows(value):
+    else:
+        _check_range(field.name, value, said)
+
+
+def _check_range(name: str, value: float, said: Declaration) -> None:
+    if not said.allows(value):
         shown = value if isinstance(value, int) else f"{value:g}"
-        raise ValueError(f"{field.name} is {shown}; it {said.allowed()}")
+        raise ValueError(f"{name} is {shown}; it {said.allowed()}")

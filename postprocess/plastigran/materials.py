@@ -1,41 +1,56 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Materials of `inputs/materials`: the input scripts include them, Python reads the same files."""
+"""Materials: one file each in `inputs/materials`, which the decks include and Python reads.
+
+An installed package carries these files; $PLASTIGRAN_INPUTS or a path names files of one's own, in
+the same form.
+"""
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from pathlib import Path
+from typing import TYPE_CHECKING
+
+import attrs
 
 from plastigran import laws
-from plastigran.engine.process import index_variables, inputs_folder
+from plastigran.declared import Declaration, number
+from plastigran.engine.deck import index_variables
+from plastigran.engine.process import EngineError, inputs_folder, own_inputs
+
+if TYPE_CHECKING:
+    import pandas as pd
+
+#: A wall that neither deforms nor yields.
+RIGID = laws.Material(1e30, 0.3, 1e30, 1.61)
 
 
-@dataclass(frozen=True)
+@attrs.frozen
 class Material:
     """Bulk constants of one material.
 
-    Attributes:
-        name: The file's stem.
-        youngs_modulus: E [Pa].
-        poissons_ratio: nu [-].
-        density: [kg/m^3].
-        yield_strength: Uniaxial sigma_Y [Pa].
-        yield_pressure_factor: Contact yield pressure over yield strength [-]; 0 stands for the
-            Hertz-von Mises value.
-        dissipative_constant: Viscous over elastic constants A [s]; None where the file gives none.
+    Raises:
+        ValueError: A constant is no number or out of range; the message names it and the range.
     """
 
     name: str
-    youngs_modulus: float
-    poissons_ratio: float
-    density: float
-    yield_strength: float
-    yield_pressure_factor: float = 0.0
-    dissipative_constant: float | None = None
+    youngs_modulus: float = number("Young's modulus", "Pa", 0)
+    poissons_ratio: float = number("Poisson's ratio", "-", -1, 0.5)
+    density: float = number("density", "kg/m^3", 0)
+    yield_strength: float = number("uniaxial yield strength, 1e30 for none", "Pa", 0)
+    yield_pressure_factor: float = number(
+        "contact yield pressure over yield strength, 0 for the Hertz-von Mises value",
+        lower=0, upper=10, closed=True, default=0.0,
+    )  # fmt: skip
+    dissipative_constant: float | None = number(
+        "viscous over elastic constants A", "s", 0, closed=True, default=None
+    )
+
+    def __attrs_post_init__(self) -> None:
+        self.body()
 
     def variables(self) -> dict[str, float]:
-        """The constants as the decks' variables of the same names."""
-        return {k: value for k, value in vars(self).items() if k != "name" and value is not None}
+        """The constants as the decks' variables of the same names, those that are given."""
+        return attrs.asdict(self, filter=lambda at, value: at.name != "name" and value is not None)
 
     def missing(self, law: str) -> list[str]:
         """Names of the constants a law must be given and this material does not have."""
@@ -47,17 +62,18 @@ class Material:
         Args:
             name: Of the law.
             pair: The two bodies.
-            others: What is not the material's: lengths that bodies bring, options.
+            others: Constants that are not the material's, such as lengths of the bodies; options.
 
         Raises:
-            ValueError: The material lacks one, or it is out of range; the message names it.
+            ValueError: The material lacks a constant, or one is out of range; the message names it.
         """
-        if missing := self.missing(name):
+        given = {key: getattr(self, key, None) for key in _needed(name)} | others
+        if missing := [key for key, value in given.items() if value is None]:
             raise ValueError(f"material {self.name} gives no {', '.join(missing)}; {name} needs it")
-        return laws.LAWS[name](pair, **{key: getattr(self, key) for key in _needed(name)}, **others)
+        return laws.LAWS[name](pair, **given)
 
     def body(self) -> laws.Material:
-        """The constants as the laws take them. Raises ValueError when one is out of range."""
+        """The constants as the laws take them."""
         return laws.Material(
             self.youngs_modulus,
             self.poissons_ratio,
@@ -71,13 +87,29 @@ def _needed(law: str) -> list[str]:
     return [row["name"] for row in table if row["default"] is None and not row["per_body"]]
 
 
-#: A wall that neither deforms nor yields.
-RIGID = laws.Material(1e30, 0.3, 1e30, 1.61)
+def folder() -> Path:
+    """Where materials are looked for by name."""
+    try:
+        named = inputs_folder() / "materials"
+    except EngineError:  # materials are there without decks
+        named = own_inputs() / "materials"
+    return named if named.is_dir() else own_inputs() / "materials"
 
 
 def names() -> list[str]:
     """Names of the materials at hand."""
-    return sorted(file.stem for file in (inputs_folder() / "materials").glob("*.in"))
+    return sorted(file.stem for file in folder().glob("*.in"))
+
+
+def table() -> pd.DataFrame:
+    """The materials at hand: one row each, by name; a column for each constant, in SI units.
+
+    Raises:
+        ValueError: A file cannot be read.
+    """
+    import pandas as pd  # slow to load
+
+    return pd.DataFrame([attrs.asdict(read_material(name)) for name in names()]).set_index("name")
 
 
 def read_material(name: str | Path) -> Material:
@@ -88,24 +120,42 @@ def read_material(name: str | Path) -> Material:
     """
     path = Path(name)
     if path.suffix != ".in":
-        path = inputs_folder() / "materials" / f"{name}.in"
-    if not path.exists():
+        path = folder() / f"{name}.in"
+    if not path.is_file():
         raise ValueError(f"no material {str(name)!r}; there are {', '.join(names())}")
-    values = {}
-    for variable, text in index_variables(path).items():
-        try:
-            values[variable] = float(text)
-        except ValueError:
-            raise ValueError(f"{path}: {variable} is {text!r}, not a number") from None
-    wanted = [field for field in Material.__dataclass_fields__ if field != "name"]
-    missing = [field for field in wanted if field not in values and not hasattr(Material, field)]
-    if missing:
+    values = index_variables(path)
+    constants = attrs.fields(Material)[1:]
+    if missing := [at.name for at in constants if at.name not in values and _required(at)]:
         raise ValueError(f"{path}: no value for {', '.join(missing)}")
-    material = Material(path.stem, **{key: values[key] for key in wanted if key in values})
-    if not 0 < material.density < float("inf"):
-        raise ValueError(f"{path}: density is {material.density:g}; it must be positive [kg/m^3]")
+    given = {at.name: values[at.name] for at in constants if at.name in values}
     try:
-        material.body()
+        return Material(path.stem, **given)
     except ValueError as error:
         raise ValueError(f"{path}: {error}") from error
-    return material
+
+
+def _required(field: attrs.Attribute) -> bool:
+    return field.default is attrs.NOTHING
+
+
+def material_field(meaning: str, default: str | attrs.NothingType = attrs.NOTHING):
+    """A field of a case for a material, taken as one, by name or by the path of a file."""
+    named = default
+    if default is not attrs.NOTHING:
+        default = attrs.Factory(lambda: read_material(named))
+    return attrs.field(
+        default=default,
+        converter=lambda given: given if isinstance(given, Material) else read_material(given),
+        metadata={"declaration": Declaration(meaning, kind=str)},
+    )
+
+
+def laws_for(shape: str, bodies: list[Material] | tuple[Material, ...] = ()) -> list[str]:
+    """Names of the laws for bodies of a shape, "sphere" or "cylinder".
+
+    Args:
+        shape: Of the bodies.
+        bodies: Leave out laws that need a constant which one of these materials does not give.
+    """
+    fitting = sorted(name for name, law in laws.LAWS.items() if law.shape == shape)
+    return [name for name in fitting if not any(body.missing(name) for body in bodies)]

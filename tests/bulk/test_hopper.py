@@ -14,7 +14,7 @@ from plastigran.bulk.decks.hopper import analyse, orifices, read_case, since_ope
 from plastigran.bulk.run import CheckError, finish, read_record, read_series, run_bulk
 from plastigran.engine.checkpoints import newest_checkpoint, step_of
 from plastigran.engine.deck import Settings, read_deck
-from plastigran.engine.dumps import read_thermo
+from plastigran.engine.log import read_thermo
 from plastigran.engine.process import run_deck
 
 #: 2080 grains, half of them out in half a second.

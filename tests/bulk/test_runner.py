@@ -8,7 +8,6 @@ import os
 import shutil
 import signal
 import subprocess
-import sys
 import time
 from pathlib import Path
 
@@ -18,8 +17,8 @@ from plastigran.bulk.run import carry_dump, read_series, run_bulk
 from plastigran.cli import main
 from plastigran.engine.checkpoints import PATTERN, newest_checkpoint, step_of
 from plastigran.engine.deck import read_deck
-from plastigran.engine.process import EngineError, inputs_folder
-from plastigran.engine.watch import LogFollower, engines
+from plastigran.engine.log import LogFollower
+from plastigran.engine.process import EngineError, engines, inputs_folder
 
 #: Short enough for a test to wait for its end, and with many checkpoints.
 SHORT = {"side": 5, "duration": 24, "rows": 24, "checkpoints": 12, "mixing": 1}
@@ -109,19 +108,24 @@ def test_no_checkpoint_is_said(tmp_path):
         newest_checkpoint(tmp_path)
 
 
-def start(folder: Path, ranks: int) -> subprocess.Popen:
-    """A long run by the command line, come as far as its second checkpoint."""
-    line = [sys.executable, "-m", "plastigran.cli", "bulk", "cooling_gas", "--np", str(ranks)]
-    line += ["--output", str(folder), "-v", *(f"{name}={value}" for name, value in LONG.items())]
-    run = subprocess.Popen(line, stderr=subprocess.PIPE, text=True, start_new_session=True)
-    while len(list(folder.glob(PATTERN))) < 2:
-        assert run.poll() is None, run.stderr.read()
-        time.sleep(0.05)
-    return run
+@pytest.fixture
+def start(start_plastigran):
+    """Starts a long run by the command line and waits for its second checkpoint."""
+
+    def begin(folder: Path, ranks: int) -> subprocess.Popen:
+        values = [f"{name}={value}" for name, value in LONG.items()]
+        line = ["bulk", "cooling_gas", "--np", ranks, "--output", folder, "-v", *values]
+        run = start_plastigran(*line)
+        while len(list(folder.glob(PATTERN))) < 2:
+            assert run.poll() is None, run.stderr.read()
+            time.sleep(0.05)
+        return run
+
+    return begin
 
 
 @pytest.mark.parametrize(("ranks", "sent"), [(1, signal.SIGTERM), (2, signal.SIGINT)])
-def test_interrupt_stops_every_rank_and_keeps_what_is_written(ranks, sent, tmp_path):
+def test_interrupt_stops_every_rank_and_keeps_what_is_written(start, ranks, sent, tmp_path):
     run = start(tmp_path / "run", ranks)
     assert len(engines(tmp_path / "run")) == (1 if ranks == 1 else 3)
     run.send_signal(sent)
@@ -133,7 +137,7 @@ def test_interrupt_stops_every_rank_and_keeps_what_is_written(ranks, sent, tmp_p
     assert read_series(tmp_path / "run")["atoms"].eq(125).all()
 
 
-def test_killed_engine_is_said_and_goes_on_from_its_newest_checkpoint(tmp_path):
+def test_killed_engine_is_said_and_goes_on_from_its_newest_checkpoint(start, tmp_path):
     run = start(tmp_path / "run", ranks=2)
     os.kill(max(engines(tmp_path / "run")), signal.SIGKILL)  # a rank: they start after mpirun
     _, said = run.communicate(timeout=60)
@@ -156,7 +160,7 @@ def test_killed_engine_is_said_and_goes_on_from_its_newest_checkpoint(tmp_path):
     assert kept["kinetic_energy"].tolist() == before["kinetic_energy"].tolist()[: len(kept)]
 
 
-def test_killed_python_takes_the_engine_along(tmp_path):
+def test_killed_python_takes_the_engine_along(start, tmp_path):
     run = start(tmp_path / "run", ranks=2)
     run.kill()
     run.communicate(timeout=60)
@@ -190,7 +194,7 @@ def test_results_are_not_overwritten_unless_forced(whole, tmp_path, monkeypatch)
     assert main(["bulk", "cooling_gas", "--output", str(folder)]) == 1
     assert (folder / "series.csv").read_bytes() == (whole / "series.csv").read_bytes()
     monkeypatch.setattr(
-        "plastigran.bulk.run.run_watched", lambda *_: (_ for _ in ()).throw(EngineError("stop"))
+        "plastigran.bulk.run.run_deck", lambda *_, **__: (_ for _ in ()).throw(EngineError("stop"))
     )
     with pytest.raises(EngineError, match="stop"):
         run_bulk("cooling_gas", SHORT, folder, force=True)

@@ -17,8 +17,9 @@ from plastigran import laws
 from plastigran.cli import main
 from plastigran.engine.deck import property_name
 from plastigran.engine.process import inputs_folder
-from plastigran.experiments.central import laws_for
-from plastigran.materials import read_material
+from plastigran.experiments.central import CentralImpact
+from plastigran.experiments.runs import sweep
+from plastigran.materials import laws_for, read_material
 
 
 def test_impact_writes_table_and_figures(tmp_path, capsys):
@@ -135,11 +136,10 @@ def test_a_material_of_ones_own(tmp_path):
     )
 
 
-def test_interrupt_stops_and_keeps_what_is_finished(tmp_path):
+def test_interrupt_stops_and_keeps_what_is_finished(start_plastigran, tmp_path):
     """Ctrl-C: no further engine is started, finished rows stay, the exit code says so."""
-    line = [sys.executable, "-m", "plastigran.cli", "impact", "--law", "thornton"]
-    line += ["--points", "300", "--jobs", "1", "--output", str(tmp_path)]
-    run = subprocess.Popen(line, stderr=subprocess.PIPE, text=True, start_new_session=True)
+    line = ["impact", "--law", "thornton", "--points", "300", "--jobs", "1", "--output", tmp_path]
+    run = start_plastigran(*line)
     table = tmp_path / "impacts.csv"
     while not table.exists():
         assert run.poll() is None
@@ -168,15 +168,15 @@ def test_missing_engine_is_named(tmp_path, monkeypatch, capsys):
 
 def test_finished_impacts_survive_a_failure(tmp_path, capsys):
     """One impact fails; the others' rows are written."""
-    from plastigran.experiments.central import Impact, plan, sweep
+    impacts = CentralImpact.plan(
+        law="thornton", speed=[0.05, 0.1], material="aluminium_zv02", radius=0.1
+    )
 
-    impacts = plan(["thornton"], [0.05, 0.1], ["aluminium_zv02"], 0.1)
-
-    class Broken(Impact):
+    class Broken(CentralImpact):
         def run(self, folder, *_args, **_keys):
             raise ValueError("broken on purpose")
 
-    broken = Broken("thornton", 0.2, impacts[0].material, 0.1)
+    broken = Broken("thornton", 0.2, "aluminium_zv02", 0.1)
     with pytest.raises(ValueError, match="on purpose"):
         sweep([*impacts, broken], tmp_path, progress=False)
     assert sorted(pd.read_csv(tmp_path / "impacts.csv")["speed"]) == [0.05, 0.1]

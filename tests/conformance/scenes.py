@@ -3,15 +3,16 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from math import pi
 from pathlib import Path
 
 import numpy as np
+from attrs import evolve
 
 from plastigran import laws
 from plastigran.engine.process import run_deck
-from plastigran.experiments.central import CylinderImpact, Impact
+from plastigran.experiments.central import CentralImpact
+from plastigran.experiments.cylinder import CylinderImpact
 from plastigran.materials import RIGID, Material, read_material
 
 DECKS = Path(__file__).parent / "decks"
@@ -27,7 +28,7 @@ class Spheres:
 
     def __init__(self, law_name: str, dissipative_constant: float) -> None:
         self.law_name = law_name
-        self.material = replace(self.material, dissipative_constant=dissipative_constant)
+        self.material = evolve(self.material, dissipative_constant=dissipative_constant)
 
     def run(self, deck: str, folder: Path, ranks: int = 1, **variables) -> str:
         """Run a conformance deck with these bodies and the law, unless another is given."""
@@ -54,8 +55,8 @@ class Spheres:
     def mass(self, radius: float = 0.1, density: float | None = None) -> float:
         return 4 / 3 * pi * radius**3 * (density or self.material.density)
 
-    def impact(self, speed: float) -> Impact:
-        return Impact(self.law_name, speed, self.material, 0.1)
+    def impact(self, speed: float) -> CentralImpact:
+        return CentralImpact(self.law_name, speed, self.material, 0.1)
 
     def yield_contact_radius(self) -> float:
         return 0.1 * laws.yield_radius_ratio(self.wall())
@@ -67,7 +68,7 @@ class Spheres:
 class Cylinders(Spheres):
     """Discs 1 m long, of an aluminium soft enough to yield at the spheres' speeds."""
 
-    material: Material = replace(read_material("aluminium_zv02"), yield_strength=3e7)
+    material: Material = evolve(read_material("aluminium_zv02"), yield_strength=3e7)
     inertia: float = 0.5
     drift: float = 140.0
 
@@ -81,7 +82,7 @@ class Cylinders(Spheres):
     def mass(self, radius: float = 0.1, density: float | None = None) -> float:
         return pi * radius**2 * (density or self.material.density)
 
-    def impact(self, speed: float) -> Impact:
+    def impact(self, speed: float) -> CentralImpact:
         return CylinderImpact(
             self.law_name,
             speed,

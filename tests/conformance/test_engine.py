@@ -335,7 +335,7 @@ def slide(law: str, tangential: str, rolling: str, folder: Path, spin: float = 0
 def test_time_step_warning(engine_law, tmp_path):
     """Too long a step draws a warning with the recommended one; the recommended step none."""
     model = scene(engine_law).impact(0.1)
-    recommended, deck = model.time_step(), f"collision/{model.geometry}.in"
+    recommended, deck = model.timestep, f"collision/{model.geometry}.in"
     log = run_deck(deck, model.variables() | {"timestep": 3 * recommended}, tmp_path / "long")
     said = re.search(r"time step .* is too long .* Recommended: timestep (\S+)", log)
     assert said and float(said[1]) == pytest.approx(recommended, rel=1e-3)

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 
 import pytest
@@ -76,7 +77,12 @@ BRINELL = r"indentationPressure is \d+; it must be between 100000 .* a hardness 
 
 
 def test_good_input_runs(tmp_path, engine_law):
-    assert "ERROR" not in run(tmp_path, law=engine_law)
+    """The log says which constants the model took, and that the step was made."""
+    log = run(tmp_path, law=engine_law)
+    modulus = 7.0e10 / (2 * (1 - 0.3**2))  # of two equal bodies
+    assert f"model {engine_law}, atom types 1 and 1: effective modulus {modulus:.6g} Pa" in log
+    assert re.search(r"^ *Step ", log, re.MULTILINE)
+    assert "for 1 steps with 1 atoms" in log
 
 
 @pytest.mark.parametrize(
@@ -171,7 +177,9 @@ def test_options_are_words(engine_law, tmp_path):
     """Every choice of every option is taken, any other word refused."""
     for option in laws.LAWS[engine_law].options():
         for choice in option["choices"]:
-            run(tmp_path, law=engine_law, settings=f"tangential off {option['name']} {choice}")
+            setting = f"{option['name']} {choice}"
+            log = run(tmp_path, law=engine_law, settings=f"tangential off {setting}")
+            assert re.search(rf"^model {engine_law}, .*, {setting}[,\n]", log, re.MULTILINE)
         with pytest.raises(EngineError, match="unknown option or wrong keyword order: 'maybe'"):
             run(tmp_path, law=engine_law, settings=f"tangential off {option['name']} maybe")
 
@@ -193,7 +201,7 @@ def test_misspelt_deck_variable(tmp_path):
 def test_constants_of_an_included_file_may_be_set(tmp_path):
     """Material constants come from an included file; setting one on the command line is no slip."""
     log = run_deck("collision/sphere_wall.in", {"yield_strength": 2e8}, tmp_path)
-    assert "ERROR" not in log
+    assert re.search(r"atom types 1 and 2: .* yield strength 2e\+08 Pa", log)
 
 
 def test_viscous_damping_is_the_classic_dashpot(sphere_law, tmp_path):

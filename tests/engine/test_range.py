@@ -12,7 +12,7 @@ from scipy.optimize import brentq
 
 from plastigran import laws
 from plastigran.engine.process import run_deck
-from plastigran.experiments.central import Impact
+from plastigran.experiments.central import CentralImpact
 
 SAID = r"model (\w+): contacts beyond the law's range \(.*\) so far: (\d+), the furthest at (\S+)"
 
@@ -56,10 +56,10 @@ CASES = [
 def test_the_range_is_the_published_one(law, speed, limit, aluminium, tmp_path):
     """The excess is the largest overlap over the range's; 1e-3 for the step's error and for the
     frames between which the largest overlap lies."""
-    model = Impact(law, speed, aluminium, 0.1)
-    found = excess("sphere_wall", law, speed, tmp_path, timestep=model.time_step())
+    model = CentralImpact(law, speed, aluminium, 0.1)
+    found = excess("sphere_wall", law, speed, tmp_path, timestep=model.timestep)
     assert [line[:2] for line in found] == [(law, "1")]
-    expected = model.predicted().overlap_max / limit(model.pair, model.radius_eff)
+    expected = model.predict().overlap_max / limit(model.pair, model.radius_eff)
     assert expected > 1
     assert float(found[0][2]) == pytest.approx(expected, rel=1e-3)
 

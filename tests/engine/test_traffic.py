@@ -10,7 +10,8 @@ import numpy as np
 import pytest
 
 from plastigran import laws
-from plastigran.engine.dumps import read_dump, read_thermo
+from plastigran.engine.dumps import read_dump
+from plastigran.engine.log import read_thermo
 from plastigran.engine.process import run_deck
 
 #: Two spheres, pressed together and let go half-way, are held; all others are traffic.

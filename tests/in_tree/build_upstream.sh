@@ -6,8 +6,8 @@
 #
 #   build_upstream.sh WORK
 #
-# What WORK holds already is kept: nothing is done while our headers are older than the last build,
-# and changed headers are compiled anew, not the engine.
+# What WORK holds already is kept: nothing is done while our files are older than the last build,
+# and changed ones are compiled anew, not the engine.
 set -eu
 exec 3>&1 1>&2
 
@@ -66,10 +66,10 @@ unpack() {
   touch "$tree/unpacked"
 }
 
-# Brings our headers in the tree up to date; a model that left the project leaves the tree too.
+# Brings our files in the tree up to date; one that left the project leaves the tree too.
 install_models() {
-  for header in $(cd "$tree/src" && grep -l plastigran ./*.h); do
-    [ -n "$(find "$models" -name "${header##*/}")" ] || rm "$tree/src/$header"
+  for file in $(cd "$tree/src" && grep -rl --include='*.h' --include='*.cpp' plastigran .); do
+    [ -n "$(find "$models" -name "${file##*/}")" ] || rm "$tree/src/$file"
   done
   rm -f "$tree/src/style_contact_model_user.whitelist"
   "$models/in_tree/install.sh" "$tree"
@@ -89,7 +89,7 @@ build() {
 
 # The stamp is as old as the start of the build it tells of: an edit during a build is not lost.
 if [ ! -e "$work/built" ] ||
-  [ -n "$(find "$models" "$here" \( -name '*.h' -o -name '*.sh' \) -newer "$work/built")" ]; then
+  [ -n "$(find "$models" "$here" \( -name '*.h' -o -name '*.cpp' -o -name '*.sh' \) -newer "$work/built")" ]; then
   touch "$work/begun"
   [ "$tree/unpacked" -nt "$here/build_upstream.sh" ] || unpack
   install_models

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The in-tree route: the headers in LIGGGHTS' own sources give what the plugin gives."""
+"""The in-tree route: the models in LIGGGHTS' own sources give what the plugin gives."""
 
 import re
 import shutil
@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 from plastigran import laws
-from plastigran.experiments.central import IMPACTS
+from plastigran.experiments.collide import IMPACTS
 from plastigran.experiments.collision import measure
 
 HERE = Path(__file__).parent
@@ -18,10 +18,10 @@ INSTALL = PROJECT / "contact_models/in_tree/install.sh"
 PLUGIN = PROJECT / "build/liggghts-plastigran"
 MODELS = {
     match[2]: match[1]
-    for header in sorted((PROJECT / "contact_models/liggghts").glob("normal_model_*.h"))
+    for header in sorted((PROJECT / "contact_models/liggghts/models").glob("*.h"))
     for match in re.finditer(r"^NORMAL_MODEL\((\w+), *(\w+),", header.read_text(), re.MULTILINE)
 }
-# Both programs compile the same headers, with other optimisation and another layout of the
+# Both programs compile the same files, with other optimisation and another layout of the
 # engine's data. Rounding may differ, and some 1e4 steps may add it up to 1e-12; a property, a
 # history value or a combination that went astray changes far earlier digits.
 TOLERANCE = 1e-12
@@ -68,7 +68,7 @@ def test_restitution_is_the_plugins(in_tree, law, deck, tmp_path):
 @pytest.fixture
 def bare_tree(tmp_path):
     """A folder that looks like LIGGGHTS' sources to install.sh."""
-    sources = tmp_path / "liggghts/src"
+    sources = tmp_path / "tree/src"
     sources.mkdir(parents=True)
     for name in ["Make.sh", "contact_models.h", "normal_model_base.h"]:
         (sources / name).touch()
@@ -81,17 +81,38 @@ def install(tree: Path):
 
 
 def contents(tree: Path):
-    return {p.name: (p.stat().st_mtime_ns, p.read_bytes()) for p in (tree / "src").iterdir()}
+    """Time and text of every file, by its path below src/."""
+    sources = tree / "src"
+    return {
+        path.relative_to(sources).as_posix(): (path.stat().st_mtime_ns, path.read_text())
+        for path in sources.rglob("*")
+        if path.is_file()
+    }
 
 
 def test_every_model_is_installed(bare_tree):
     assert install(bare_tree).returncode == 0
-    headers = {path.name for path in (bare_tree / "src").glob("*.h")}
-    whitelist = (bare_tree / "src/style_contact_model_user.whitelist").read_text()
+    files = contents(bare_tree)
+    _, whitelist = files["style_contact_model_user.whitelist"]
     for law, identifier in MODELS.items():
-        assert {f"{law}.h", f"normal_model_{law}.h"} <= headers
+        assert {f"plastigran/laws/{law}.h", f"normal_model_{law}.h"} <= set(files)
         assert whitelist.count(f"GRAN_MODEL({identifier}, ") == 9
-    assert not {"register_model.h", "plugin.cpp", "main.cpp"} & set(contents(bare_tree))
+    names = {Path(name).name for name in files}
+    assert not {"register_model.h", "plugin.cpp", "main.cpp", "energy_ledger.h"} & names
+
+
+def test_every_include_of_ours_is_installed(bare_tree):
+    """A file is included by its way from the including one: the engine's builds know no other."""
+    install(bare_tree)
+    files = contents(bare_tree)
+    included = [
+        (bare_tree / "src" / name).parent / way
+        for name, (_, text) in files.items()
+        for way in re.findall(r'^#include "(.*)"', text, re.MULTILINE)
+        if "plastigran/" in way or "liggghts/" in way
+    ]
+    assert len(included) > len(files)
+    assert [path for path in included if not path.exists()] == []
 
 
 def test_installing_twice_changes_nothing(bare_tree):
@@ -117,11 +138,11 @@ def test_another_folder_is_refused_by_name(tmp_path):
 
 
 def test_files_of_others_are_not_overwritten(bare_tree):
-    (bare_tree / "src/impact.h").write_text("// a fork's own\n")
+    (bare_tree / "src/range_watch.cpp").write_text("// a fork's own\n")
     before = contents(bare_tree)
     refusal = install(bare_tree)
     assert refusal.returncode != 0
-    assert "impact.h" in refusal.stderr
+    assert "range_watch.cpp" in refusal.stderr
     assert contents(bare_tree) == before
 
 
@@ -130,10 +151,9 @@ def test_cmake_component_installs_the_same(bare_tree, tmp_path):
     by_script = {name: data for name, (_, data) in contents(bare_tree).items()}
     other = tmp_path / "by_cmake"
     shutil.copytree(bare_tree, other)
-    for header in (other / "src").glob("*.h"):
-        if "plastigran" in header.read_text():
-            header.unlink()
-    (other / "src/style_contact_model_user.whitelist").unlink()
+    for name, (_, text) in contents(other).items():
+        if "plastigran" in text or name.endswith(".whitelist"):
+            (other / "src" / name).unlink()
     component = ["cmake", "--install", PROJECT / "build", "--component", "in-tree"]
     subprocess.run([*component, "--prefix", other / "src"], check=True, capture_output=True)
     assert {name: data for name, (_, data) in contents(other).items()} == by_script

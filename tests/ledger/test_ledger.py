@@ -11,7 +11,8 @@ import pandas as pd
 import pytest
 
 from plastigran import laws
-from plastigran.engine.dumps import read_dump, read_thermo
+from plastigran.engine.dumps import read_dump
+from plastigran.engine.log import read_thermo
 from plastigran.engine.process import EngineError, run_deck
 from plastigran.materials import RIGID
 

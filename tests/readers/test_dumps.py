@@ -7,16 +7,12 @@ import re
 from pathlib import Path
 
 import numpy as np
+import pandas as pd
 import pytest
 
-from plastigran.engine.dumps import (
-    DumpError,
-    TruncatedFileWarning,
-    contact_columns,
-    read_contacts,
-    read_dump,
-    read_thermo,
-)
+from plastigran.engine.contacts import contact_columns, read_contact_frames, read_contacts
+from plastigran.engine.dumps import DumpError, TruncatedFileWarning, read_dump, read_frames
+from plastigran.engine.log import read_thermo
 from plastigran.engine.process import inputs_folder, run_deck
 from plastigran.experiments.collision import CollisionError, measure
 
@@ -96,6 +92,20 @@ def test_fields_may_be_given_for_unlabelled_files(pair_run, tmp_path):
         read_contacts(plain)
     with pytest.raises(DumpError, match="make 10 columns, the file has 13"):
         read_contacts(plain, "PAIR", "pos id delta")
+
+
+@pytest.mark.parametrize("batch", [1, 5, 1000])
+def test_frames_are_the_whole_table_in_parts(pair_run, batch, monkeypatch):
+    monkeypatch.setattr("plastigran.engine.dumps.BATCH", batch)
+    monkeypatch.setattr("plastigran.engine.contacts.BATCH", batch)
+    frames = list(read_frames(pair_run / "trajectory.dump"))
+    assert all(len(frame) == 2 and frame["step"].nunique() == 1 for frame in frames)
+    whole = read_dump(pair_run / "trajectory.dump")
+    assert (pd.concat(frames).to_numpy() == whole.to_numpy()).all()
+    frames = list(read_contact_frames(pair_run / "contacts.dump"))
+    assert any(frame.empty for frame in frames)  # before the spheres touch
+    whole = read_contacts(pair_run / "contacts.dump")
+    assert (pd.concat(frames).to_numpy() == whole.to_numpy()).all()
 
 
 def test_history_fills_the_columns_left():

@@ -12,7 +12,7 @@ import pytest
 
 from plastigran import laws
 from plastigran.engine.process import PROJECT
-from plastigran.experiments.central_figures import finite_elements
+from plastigran.experiments.central.figures import finite_elements
 
 PAPER = finite_elements().set_index("speed")
 SPEEDS = (0.02, 0.10, 0.20)

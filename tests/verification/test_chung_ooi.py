@@ -8,13 +8,17 @@ from dataclasses import replace
 from functools import cache
 
 import numpy as np
+import pandas as pd
 import pytest
+from attrs import evolve
 
 from plastigran import laws
+from plastigran.engine.deck import index_variables
 from plastigran.engine.dumps import read_dump
-from plastigran.engine.process import index_variables, run_deck
-from plastigran.experiments.central import sweep
-from plastigran.experiments.chung_ooi import BenchmarkImpact, cases, folder, motion
+from plastigran.engine.process import run_deck
+from plastigran.experiments.chung_ooi import BenchmarkImpact, folder
+from plastigran.experiments.chung_ooi.comparison import motion
+from plastigran.experiments.runs import sweep
 from plastigran.materials import RIGID
 from plastigran.physics import central
 from plastigran.physics.oblique import Motion, ObliqueImpact
@@ -25,7 +29,7 @@ LAW = "vu_quoc_zhang"
 def sweeps(number: int) -> list[list[BenchmarkImpact]]:
     """The impacts of a benchmark, one list a sweep."""
     found: dict[tuple, list[BenchmarkImpact]] = {}
-    for case in cases():
+    for case in BenchmarkImpact.cases():
         if case.benchmark == number:
             found.setdefault((case.material, case.modulus_ratio), []).append(case)
     return list(found.values())
@@ -45,6 +49,12 @@ def few(number: int) -> list[BenchmarkImpact]:
     ]
 
 
+def steps(case: BenchmarkImpact, folder) -> pd.DataFrame:
+    """Every step of an impact in the engine."""
+    case.execute(folder)
+    return read_dump(folder / "trajectory.dump")
+
+
 @pytest.fixture(scope="session")
 def tables(tmp_path_factory):
     """Results of a few impacts of a benchmark, by its number: run once."""
@@ -52,7 +62,7 @@ def tables(tmp_path_factory):
     @cache
     def run(number: int):
         place = tmp_path_factory.mktemp("chung_ooi")
-        return sweep(few(number), place, jobs=1, progress=False)[0]
+        return sweep(few(number), place, jobs=1, progress=False).table
 
     return run
 
@@ -61,7 +71,7 @@ def test_all_eight_are_there():
     """One deck a benchmark, every deck swept, and all of them with the same dashpot."""
     decks = {path.stem: index_variables(path) for path in folder().glob("*.in")}
     assert sorted(int(name[0]) for name in decks) == list(range(1, 9))
-    assert {case.deck for case in cases()} == set(decks)
+    assert {case.deck_name for case in BenchmarkImpact.cases()} == set(decks)
     assert {deck["options"] for deck in decks.values()} == {
         "viscous_damping on tangential_damping off"
     }
@@ -100,7 +110,7 @@ def test_a_dashpot_that_pulls_gives_what_is_asked(tmp_path):
 
 def test_benchmarks_with_restitution_one_half_have_it():
     """The decks ask the dashpot for what makes the outcome 0.5, and 0.98 in benchmark 4."""
-    for case in cases():
+    for case in BenchmarkImpact.cases():
         if case.benchmark in (4, 6, 7, 8):
             expected = 0.98 if case.benchmark == 4 else 0.5
             assert case.impact().restitution() == pytest.approx(expected, rel=1e-12)
@@ -143,8 +153,8 @@ def test_equal_spheres_spinning_against_each_other_do_not_notice(tables):
 def test_unequal_spheres_keep_momentum(tmp_path):
     """Momentum along y, and angular momentum about z, of the pair: rounding, over what friction
     moves. The arms of the friction add up to the distance of the centres, so both are kept."""
-    case = replace(few(8)[0], value=5.0)
-    trajectory = case.trajectory(tmp_path)
+    case = evolve(few(8)[0], value=5.0)
+    trajectory = steps(case, tmp_path)
     step = trajectory["step"]
     first, last = (trajectory[step == step.iloc[k]] for k in (0, -1))
 
@@ -165,7 +175,7 @@ def assert_same_steps(case: BenchmarkImpact, law: str, place, steps_per_contact:
     """Every step of every column as the engine's hertz: 1e-13 of the column's largest value, for
     rounding in another order (1e-15 was found)."""
     ours, stock = (
-        replace(case, law=name, steps_per_contact=steps_per_contact).trajectory(place / name)
+        steps(evolve(case, law=name, steps_per_contact=steps_per_contact), place / name)
         for name in (law, "hertz")
     )
     assert len(ours) == len(stock)
@@ -186,16 +196,16 @@ def test_unyielding_model_is_the_engines_hertz(number, tmp_path):
 def test_every_unyielding_law_is_the_engines_hertz(yielding_law, number, tmp_path):
     """On a plane and between spheres, where the tangential spring sticks and slides in turn."""
     knob = 15.0 if number == 4 else 2.0
-    assert_same_steps(replace(few(number)[0], value=knob), yielding_law, tmp_path)
+    assert_same_steps(evolve(few(number)[0], value=knob), yielding_law, tmp_path)
 
 
 def test_tangential_dashpot_is_the_engines(tmp_path):
     """Left on, as by default: as in the engine's hertz, which does not hold it to mu F, so that a
     sliding sphere loses over a tenth more than mu times the normal impulse."""
-    case = replace(few(6)[0], value=5.0)
+    case = evolve(few(6)[0], value=5.0)
     found = {}
     for law, options in ((LAW, "viscous_damping on"), ("hertz", "limitForce on")):
-        variables = {**case.variables, "law": law, "options": options}
+        variables = {**case.variables(), "law": law, "options": options}
         run_deck("collision/chung_ooi/6_spin_on_plane.in", variables, tmp_path / law)
         found[law] = motion(read_dump(tmp_path / law / "trajectory.dump"), -1)
     assert vars(found[LAW]) == pytest.approx(vars(found["hertz"]), rel=1e-13)
@@ -206,7 +216,7 @@ def test_decks_start_as_theory_takes_them(tmp_path):
     """The motion in the first frame is the case's, and so are radius and mass."""
     for number in range(1, 9):
         case = few(number)[0]
-        trajectory = case.trajectory(tmp_path / case.deck)
+        trajectory = steps(case, tmp_path / case.deck_name)
         first, impact = trajectory.iloc[0], case.impact()
         assert vars(motion(trajectory, 0)) == pytest.approx(vars(impact.before), rel=1e-14)
         assert (first["radius"], first["mass"]) == pytest.approx((impact.radius, impact.mass))
@@ -260,4 +270,4 @@ def test_impossible_impacts_are_named(change, said):
 
 def test_a_knob_no_deck_has_is_named():
     with pytest.raises(ValueError, match=r"6_spin_on_plane\.in has no variable angle"):
-        replace(few(6)[0], knob="angle").impact()
+        evolve(few(6)[0], knob="angle").impact()

@@ -7,7 +7,8 @@ import numpy as np
 import pytest
 
 from plastigran import laws
-from plastigran.experiments.central import GEOMETRIES, CylinderImpact, Impact
+from plastigran.experiments.central import GEOMETRIES, CentralImpact
+from plastigran.experiments.cylinder import CylinderImpact
 from plastigran.materials import read_material
 from plastigran.physics import central
 
@@ -22,12 +23,12 @@ def test_order_in_the_time_step(engine_law, aluminium, declared_jumps, tmp_path)
     """
     # Well beyond yield: elastic impacts are integrated better than to second order.
     if laws.LAWS[engine_law].shape == "sphere":
-        models = (Impact(engine_law, speed, aluminium, 0.1) for speed in (0.2, 0.5, 1.0))
+        models = (CentralImpact(engine_law, speed, aluminium, 0.1) for speed in (0.2, 0.5, 1.0))
     else:
         models = [CylinderImpact(engine_law, 2.0, read_material("glass_kp10"), 1e-5)]
-    model = next(m for m in models if m.predicted().coefficient_of_restitution < 0.8)
-    expected = model.predicted().coefficient_of_restitution
-    steps = model.time_step() * np.array([2.0, 0.5, 0.125])
+    model = next(m for m in models if m.predict().coefficient_of_restitution < 0.8)
+    expected = model.predict().coefficient_of_restitution
+    steps = model.timestep * np.array([2.0, 0.5, 0.125])
     errors = []
     for step in steps:
         phases = [
@@ -51,8 +52,8 @@ def test_order_in_the_time_step(engine_law, aluminium, declared_jumps, tmp_path)
 def test_hertz_duration(law, speed, aluminium, tmp_path):
     """2.868 (m*^2/(R* E*^2 v))^(1/5) to 1e-3, as a pair and on a wall: the convention check."""
     for geometry in GEOMETRIES:
-        model = Impact(law, speed, aluminium, 0.1, geometry)
-        found = model.run(tmp_path / geometry, model.time_step() / 4)
+        model = CentralImpact(law, speed, aluminium, 0.1, geometry)
+        found = model.run(tmp_path / geometry, model.timestep / 4)
         duration = central.hertz_duration(
             model.radius_eff, model.mass_eff, model.pair.youngs_modulus_eff, model.closing_speed
         )
@@ -65,10 +66,11 @@ def test_geometries_agree(sphere_law, aluminium, tmp_path):
     and E* and twice the overlap, unless the law depends on sigma_Y/E* beside the yield point.
     """
     models = {
-        geometry: Impact(sphere_law, 0.1, aluminium, 0.1, geometry) for geometry in GEOMETRIES
+        geometry: CentralImpact(sphere_law, 0.1, aluminium, 0.1, geometry)
+        for geometry in GEOMETRIES
     }
     expected = {
-        geometry: model.predicted().coefficient_of_restitution for geometry, model in models.items()
+        geometry: model.predict().coefficient_of_restitution for geometry, model in models.items()
     }
     found = {
         geometry: model.run(tmp_path / geometry, 1e-5)

@@ -3,20 +3,19 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 import numpy as np
 import pandas as pd
 import pytest
+from attrs import evolve
 from scipy.integrate import quad, solve_ivp
 
 from plastigran import laws
 from plastigran.engine.process import EngineError, inputs_folder, run_deck
-from plastigran.experiments import cylinder
-from plastigran.experiments.central import CylinderImpact, laws_for
 from plastigran.experiments.collision import measure
-from plastigran.materials import read_material
+from plastigran.experiments.cylinder import CylinderImpact, study
+from plastigran.materials import laws_for, read_material
 from plastigran.physics import central
+from plastigran.physics.contact_time import contact_time
 
 CYLINDER_LAWS = laws_for("cylinder")
 
@@ -139,11 +138,11 @@ def test_energies_are_the_forces_work(name, top):
 def test_guard_only_shortens_the_rebound(name):
     """Just above yield it holds restitution at 1; where the published law loses, it is that law."""
     slow, fast = glass(name, 0.6), glass(name, 1.0)
-    assert slow.predicted().coefficient_of_restitution == pytest.approx(1, abs=1e-12)
+    assert slow.predict().coefficient_of_restitution == pytest.approx(1, abs=1e-12)
     published = slow.contact_law(energy_guard="off").central_impact(1e-5, 1.59e-6, 0.6)
-    assert slow.predicted().overlap_res > published.overlap_res > 0
+    assert slow.predict().overlap_res > published.overlap_res > 0
     published = fast.contact_law(energy_guard="off").central_impact(1e-5, 1.59e-6, 1.0)
-    assert fast.predicted().overlap_res == published.overlap_res
+    assert fast.predict().overlap_res == published.overlap_res
 
 
 @pytest.mark.parametrize("name", CYLINDER_LAWS)
@@ -151,11 +150,11 @@ def test_contact_time_is_that_of_the_motion(name):
     """The quadrature against the equation of motion, DOP853: 1e-5, its share of a kink at yield."""
     impact = glass(name, 1.0)
     law = impact.contact_law()
-    loading, total = cylinder.contact_time(law, 1e-5, 1.59e-6, 1.0)
+    loading, total = contact_time(law, 1e-5, 1.59e-6, 1.0)
     path, duration = [0.0, 1.0], []
     dent = law.State()
-    law.respond(1e-5, impact.predicted().overlap_max, dent)
-    end = impact.predicted().overlap_res * (1 + 1e-9)
+    law.respond(1e-5, impact.predict().overlap_max, dent)
+    end = impact.predict().overlap_res * (1 + 1e-9)
     for state, event in ((law.State, lambda t, y: y[1]), (dent.copy, lambda t, y: y[0] - end)):
         event.terminal, event.direction = True, -1
 
@@ -175,7 +174,7 @@ def test_finite_elements():
     """Residual overlap of the source's finite elements, 0.12 um to their two digits: Katta &
     Polycarpou 6 % above, Lim & Stronge 64 %. Their run took 3 us to its end, 1.6 times the contact.
     """
-    table = cylinder.comparison()
+    table = study.comparison()
     assert table.loc["katta_polycarpou", "overlap_res_error"] == pytest.approx(0.056, abs=0.002)
     assert table.loc["lim_stronge", "overlap_res_error"] == pytest.approx(0.636, abs=0.002)
     assert table.loc["katta_polycarpou", "contact_time"] == pytest.approx(1.8405e-6, rel=1e-4)
@@ -185,7 +184,7 @@ def test_finite_elements():
 
 
 def test_study(tmp_path):
-    table = cylinder.study([2e-6, 1e-5], [0.2, 1.0], 10.0)
+    table = study.study([2e-6, 1e-5], [0.2, 1.0], 10.0)
     assert len(table) == 8
     paper = table.set_index(["law", "radius", "speed"])
     assert paper.loc[("katta_polycarpou", 1e-5, 1.0), "overlap_res"] == pytest.approx(
@@ -199,8 +198,10 @@ def test_study(tmp_path):
 
 def test_study_with_the_engine(tmp_path):
     """The tables are written; the engine is within the 1e-3 of its recommended step."""
-    maps, summary = cylinder.run(tmp_path, 3)
-    assert len(pd.read_csv(tmp_path / "maps.csv")) == len(maps) == 2 * 2 * 3 * 3
+    runs = CylinderImpact.study(tmp_path, points=3, progress=False)
+    runs.write(tmp_path)
+    summary = runs.tables["comparison"]
+    assert len(pd.read_csv(tmp_path / "maps.csv")) == len(runs.tables["maps"]) == 2 * 2 * 3 * 3
     assert list(pd.read_csv(tmp_path / "comparison.csv")["law"]) == list(summary.index)
     for name in CYLINDER_LAWS:
         assert summary.loc[name, "coefficient_of_restitution_engine"] == pytest.approx(
@@ -304,7 +305,7 @@ def test_impacts_out_of_reach_are_refused():
     with pytest.raises(ValueError, match="vu_quoc_zhang is a law for spheres"):
         glass("vu_quoc_zhang")
     with pytest.raises(ValueError, match="mass is -1; it must be positive"):
-        replace(glass("lim_stronge"), mass=-1)
+        evolve(glass("lim_stronge"), mass=-1)
     with pytest.raises(ValueError, match=r"would overlap by .* effective radii"):
         glass("lim_stronge", 5.0, 2e-6)
 

@@ -11,7 +11,7 @@ from numpy.polynomial.legendre import leggauss
 from scipy.linalg import eigh
 from scipy.special import jacobi
 
-from plastigran.experiments.central import GEOMETRIES, Impact
+from plastigran.experiments.central import GEOMETRIES, CentralImpact
 from plastigran.materials import read_material
 from plastigran.physics import central
 from plastigran.physics.modes import (
@@ -169,8 +169,8 @@ def test_hertzian_collision_of_the_ice_sphere(geometry, tmp_path):
     1e-4 at a tenth of the recommended step, which errs by less than 1e-3, at second order; the
     force is read at the steps only.
     """
-    model = Impact("hertz", 0.1, read_material("ice"), 0.01, geometry)
-    found = model.run(tmp_path, model.time_step() / 10)
+    model = CentralImpact("hertz", 0.1, read_material("ice"), 0.01, geometry)
+    found = model.run(tmp_path, model.timestep / 10)
     bodies = (
         model.radius_eff,
         model.mass_eff,
@@ -186,7 +186,7 @@ def test_hertzian_collision_of_the_ice_sphere(geometry, tmp_path):
 def test_duration_is_the_plane_walls_closed_form():
     """2.943275 R v^(-1/5) (5 pi rho (1-nu^2)/(4 E))^(2/5), a sphere on a rigid plane."""
     ice = read_material("ice")
-    model = Impact("hertz", 0.1, ice, 0.01)
+    model = CentralImpact("hertz", 0.1, ice, 0.01)
     found = central.hertz_duration(
         model.radius_eff, model.mass_eff, model.pair.youngs_modulus_eff, model.closing_speed
     )

@@ -1,2 +1,49 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Decks of many grains: run, checked and drawn."""
+"""Decks of many grains: run, checked and drawn.
+
+The package can be called, `plastigran.bulk("hopper", law="thornton")`: it runs the deck.
+"""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+from types import ModuleType
+
+from plastigran.bulk.run import BulkRun, run_bulk
+from plastigran.bulk.run import open_run as open
+
+
+class _Package(ModuleType):
+    """The class of this module: calling the module runs a deck."""
+
+    def __call__(
+        self,
+        deck: str | Path,
+        /,
+        *,
+        ranks: int = 1,
+        folder: str | Path | None = None,
+        restart: str | Path | None = None,
+        force: bool = False,
+        show: bool = True,
+        **settings: object,
+    ) -> BulkRun:
+        """Run a bulk deck; see `plastigran.bulk.run.run_bulk`.
+
+        Args:
+            deck: Name of a deck of `inputs/bulk`, or path of an input script.
+            ranks: MPI ranks.
+            folder: Where results go; results/DECK of the present folder without one.
+            restart: Folder of an earlier run to go on from.
+            force: Overwrite an earlier run in `folder`.
+            show: Show a progress bar.
+            settings: Of the deck, given another value than the deck's.
+        """
+        folder = folder or Path("results") / Path(deck).stem
+        return run_bulk(deck, settings, folder, ranks, restart, force, show)
+
+
+__all__ = ["BulkRun", "open", "run_bulk"]
+
+sys.modules[__name__].__class__ = _Package

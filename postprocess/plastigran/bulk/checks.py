@@ -1,12 +1,10 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Invariants that bulk decks share."""
+"""Invariants of bulk decks, and those that several share."""
 
 from __future__ import annotations
 
+import attrs
 import pandas as pd
-
-from plastigran.bulk.decks import Check
-from plastigran.engine.deck import Settings
 
 #: Drift of the energy ledger over the energy that came in: what a run may be off by.
 LEDGER = 1e-3
@@ -26,6 +24,28 @@ TAKEN = ["kinetic", "elastic", "plastic", "friction", "viscous"]
 DISSIPATED = ["plastic", "friction", "viscous"]
 #: Its entries that count what has passed.
 FLOWS = [*DISSIPATED, "wallwork", "inserted", "drift"]
+
+
+@attrs.frozen
+class Check:
+    """An invariant of a deck.
+
+    Attributes:
+        name: What must be small, in words.
+        value: What was found.
+        limit: What it may be at most.
+        reason: Why that much.
+    """
+
+    name: str
+    value: float
+    limit: float
+    reason: str
+
+    @property
+    def passed(self) -> bool:
+        """Whether the value is within the limit; nan never is."""
+        return bool(self.value <= self.limit)
 
 
 def energy_input(series: pd.DataFrame) -> float:
@@ -54,15 +74,12 @@ def since_first(series: pd.DataFrame) -> pd.DataFrame:
     return series.assign(**{name: series[name] - series[name].iloc[0] for name in counted})
 
 
-def ledger_checks(settings: Settings, series: pd.DataFrame) -> list[Check]:
-    """The ledger closes, and plastic work only grows; nothing is checked of a run without one.
+def ledger_checks(series: pd.DataFrame) -> list[Check]:
+    """The ledger closes, and plastic work only grows.
 
     Args:
-        settings: Of the deck, with `ledger`.
         series: The entries of inputs/energy_ledger.in [J], one row a line of the log.
     """
-    if settings["ledger"] == "off":
-        return []
     came_in = energy_input(series)
     plastic = series["plastic"]
     return [
@@ -95,7 +112,7 @@ def trapezia_factor(time: pd.Series, diameter: float, gravitational_acceleration
     return max(1.0, (time.iloc[1] - time.iloc[0]) / fine) ** 2
 
 
-def count_check(series: pd.DataFrame, count: int) -> Check:
+def count_check(series: pd.DataFrame, count: float) -> Check:
     """No grain is lost or gained.
 
     Args:

@@ -1,14 +1,12 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The grains of a bulk deck, from the settings all bulk decks share."""
+"""The grains of a bulk deck and the law between them."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
-from math import inf, pi
+from math import pi
 
 from plastigran import laws
-from plastigran.engine.deck import Settings
-from plastigran.experiments.central import laws_for
 from plastigran.materials import Material
 from plastigran.physics import central
 
@@ -36,6 +34,7 @@ class Grains:
 
     @property
     def pair(self) -> laws.MaterialPair:
+        """Two of them."""
         return laws.combine(self.material.body(), self.material.body())
 
     @property
@@ -48,45 +47,3 @@ class Grains:
     def contact_law(self):
         """The law between two grains. Raises ValueError naming a constant it cannot take."""
         return self.material.law(self.law, self.pair, **self.options)
-
-
-def read_grains(settings: Settings) -> Grains:
-    """The grains of a deck's settings law, options, material with its constants, and radius.
-
-    Raises:
-        ValueError: One is unknown or out of range; the message names it.
-    """
-    law = settings["law"]
-    if law not in laws_for("sphere"):
-        raise ValueError(f"no law {law!r} for spheres; there are {', '.join(laws_for('sphere'))}")
-    constants = {
-        "youngs_modulus": settings.number("youngs_modulus", 0, unit="Pa"),
-        "poissons_ratio": settings.number("poissons_ratio", -1, 0.5),
-        "density": settings.number("density", 0, unit="kg/m^3"),
-        "yield_strength": settings.number("yield_strength", 0, unit="Pa"),
-        "yield_pressure_factor": settings.number("yield_pressure_factor", -inf),
-    }
-    dissipative_constant = settings.number("dissipative_constant", 0, unit="s", closed=True)
-    if dissipative_constant:
-        constants["dissipative_constant"] = dissipative_constant
-    known = {option["name"] for option in laws.LAWS[law].options()}
-    grains = Grains(
-        law,
-        {name: word for name, word in read_options(settings).items() if name in known},
-        Material(settings["material"], **constants),
-        settings.number("radius", 0, unit="m"),
-    )
-    grains.contact_law()  # raises for constants it cannot take
-    return grains
-
-
-def read_options(settings: Settings) -> dict[str, str]:
-    """The setting `options`, words of the model on the pair_style line, by name.
-
-    Raises:
-        ValueError: They are not pairs.
-    """
-    words = settings["options"].split()
-    if len(words) % 2:
-        raise ValueError(f"options is {settings['options']!r}; it must be pairs, NAME CHOICE")
-    return dict(zip(words[::2], words[1::2], strict=True))

@@ -1,71 +1,112 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Run a bulk deck, check its invariants, draw its figures, leave a folder that tells the whole.
-
-The folder holds `run.json` (deck, every setting, ranks, versions), `deck/` (the deck as it ran,
-with its includes), the logs, numbered checkpoints, and at the end `series.csv`, `checks.csv` and
-`figures/`.
-"""
+"""Run a bulk deck, check its invariants and draw its figures; read a run again."""
 
 from __future__ import annotations
 
 import hashlib
-import json
-import shutil
-import warnings
 from collections.abc import Mapping
-from dataclasses import asdict
 from importlib.metadata import version
 from pathlib import Path
-from types import ModuleType
+from typing import Self
 
+import attrs
 import pandas as pd
+from matplotlib.figure import Figure
 
-from plastigran.bulk.decks import Analysis, module_of
-from plastigran.engine.checkpoints import PATTERN, newest_checkpoint, step_of
+from plastigran.bulk.checks import Check
+from plastigran.bulk.deck import Analysis, BulkDeck
+from plastigran.bulk.decks import deck_class
+from plastigran.bulk.folder import (
+    BEFORE,
+    CHECKS,
+    LOG,
+    SERIES,
+    all_derived,
+    carry_dump,
+    prepare_folder,
+    read_record,
+    read_series,
+    restart_point,
+    write_record,
+)
+from plastigran.engine.checkpoints import step_of
 from plastigran.engine.deck import Settings, find_deck, read_deck
-from plastigran.engine.dumps import DumpError, TruncatedFileWarning, read_thermo
-from plastigran.engine.process import EngineError, engine_path
-from plastigran.engine.watch import run_watched
+from plastigran.engine.process import engine_path, run_deck
 from plastigran.plot import style
 
-RECORD = "run.json"
-#: The log's lines up to the checkpoint a run went on from.
-BEFORE = "before.csv"
-SERIES = "series.csv"
-#: Frames of the grains, which decks append to.
-DUMP = "grains.dump"
-#: Settings a run that goes on may change; a deck's module may name more of them, CONTINUABLE.
-CONTINUABLE = frozenset({"frames"})
-#: Where a run's files are and begin, which is never the same.
+#: Settings that name files and places; they differ between runs and are not compared.
 PLACES = frozenset({"start", "checkpoint", "inputs", "output", "materials"})
-#: What a run leaves, for one that may overwrite it.
-LEFT = (
-    RECORD,
-    f"{RECORD}.new",
-    BEFORE,
-    "log.liggghts",
-    "screen.txt",
-    PATTERN,
-    "restart_forced_*",
-    DUMP,
-    SERIES,
-    "checks.csv",
-)
 
 
 class CheckError(ValueError):
     """A deck ran to its end but broke one of its invariants; the message says which."""
 
 
+@attrs.frozen(repr=False)
+class BulkRun:
+    """A run of a bulk deck and what was made of it.
+
+    Attributes:
+        name: Of the deck.
+        folder: Where its files are.
+        deck: Its settings; None for a deck without a class.
+        analysis: What the deck made of it: without checks and figures where it has not finished.
+        finished: Whether the engine came to the end.
+    """
+
+    name: str
+    folder: Path
+    deck: BulkDeck | None
+    analysis: Analysis
+    finished: bool = True
+
+    @property
+    def series(self) -> pd.DataFrame:
+        """One row a line of the log, with measurement and theory beside it, in SI units."""
+        return self.analysis.series
+
+    @property
+    def checks(self) -> pd.DataFrame:
+        """One row a check: its name, value, limit, reason, and whether it passed."""
+        columns = [field.name for field in attrs.fields(Check)]
+        rows = [[*attrs.astuple(check), check.passed] for check in self.analysis.checks]
+        return pd.DataFrame(rows, columns=[*columns, "passed"])
+
+    @property
+    def figures(self) -> dict[str, Figure]:
+        """The deck's figures by name."""
+        return self.analysis.figures
+
+    @property
+    def passed(self) -> bool:
+        """Whether the run finished and every check passed."""
+        return self.finished and not self.analysis.failed
+
+    def __repr__(self) -> str:
+        state = "finished" if self.finished else "not finished"
+        if failed := self.analysis.failed:
+            state += f", failed: {'; '.join(check.name for check in failed)}"
+        elif self.analysis.checks:
+            state += f", {len(self.analysis.checks)} checks passed"
+        return f"<run of {self.name} in {self.folder}: {len(self.series)} rows, {state}>"
+
+    def raise_if_failed(self) -> Self:
+        """The run itself. Raises CheckError when a check failed; the message names it."""
+        if failed := self.analysis.failed:
+            said = "; ".join(f"{c.name} {c.value:.3g}, at most {c.limit:.3g}" for c in failed)
+            raise CheckError(f"{said} (in {self.folder})")
+        return self
+
+
 def run_bulk(
     deck: str | Path,
-    values: Mapping[str, str],
+    values: Mapping[str, object],
     folder: str | Path,
     ranks: int = 1,
     restart: str | Path | None = None,
     force: bool = False,
     show: bool = True,
-) -> Analysis | None:
+) -> BulkRun:
     """Run a deck from its start or from the newest whole checkpoint of an earlier run.
 
     Args:
@@ -79,180 +120,108 @@ def run_bulk(
         show: Show a progress bar.
 
     Returns:
-        What the deck's module made of it, also written to `folder`; None for a deck without one.
+        What the deck's class made of it, also written to `folder`, whether its checks passed or
+        not; for a deck without a class its series alone.
 
     Raises:
         EngineError: No such deck, no whole checkpoint, or the engine stopped with an error.
         ValueError: An unknown setting, or one out of range, or `folder` holds results.
-        CheckError: The deck broke an invariant; everything is written before.
     """
-    folder, deck = Path(folder).resolve(), find_deck(deck)
-    values, before = dict(values), None
+    folder, script = Path(folder).resolve(), find_deck(deck)
+    values = {name: str(value) for name, value in values.items()}
+    earlier = checkpoint = None
     if restart is not None:
         restart = Path(restart).resolve()
-        earlier = read_record(restart)
-        if earlier["deck"] != deck.stem:
-            raise ValueError(f"{restart} is a run of {earlier['deck']}, not of {deck.stem}")
-        if restart == folder:
-            raise ValueError(f"{folder} is the run to go on from; choose another --output")
+        earlier = _earlier(restart, folder, script.stem)
         checkpoint = restart_point(restart, earlier)
         values = earlier["values"] | values | {"start": "checkpoint", "checkpoint": str(checkpoint)}
-        before = read_series(restart).query(
-            "step <= @step", local_dict={"step": step_of(checkpoint)}
-        )
-    source, module = read_deck(deck, values, folder), module_of(deck.stem)
-    if module:
-        if before is not None:
-            check_continued(source.settings, earlier["settings"], module)
-        module.check_settings(source.settings)
+    source, kind = read_deck(script, values, folder), deck_class(script.stem)
+    if kind:
+        if earlier:
+            check_continued(source.settings, earlier["settings"], kind.continuable_settings())
+        kind.read(source.settings).check_inputs()
 
     prepare_folder(folder, force)
     # The engine reads a script as it goes: run one that nobody edits meanwhile.
     script = source.copy(folder / "deck")
     record = {
-        "deck": deck.stem,
-        "values": {name: str(value) for name, value in values.items()},
+        "deck": source.name,
+        "values": values,
         "settings": source.settings,
         "ranks": ranks,
         "restart": str(restart) if restart else None,
+        "derived": all_derived(restart) if restart else {},
         "versions": {"plastigran": version("plastigran"), "plugin": _fingerprint()},
     }
-    if before is not None:
-        before.to_csv(folder / BEFORE, index=False)
-        carry_dump(restart, folder, step_of(checkpoint))
+    if checkpoint:
+        step = step_of(checkpoint)
+        before = read_series(restart)
+        before[before["step"] <= step].to_csv(folder / BEFORE, index=False)
+        carry_dump(restart, folder, step)
     write_record(folder, record)  # last: a folder with a record can be gone on from
     try:
-        run_watched(script, values | {"inputs": folder / "deck"}, folder, ranks, show)
+        run_deck(
+            script, values | {"inputs": folder / "deck"}, folder, ranks, timeout=None, progress=show
+        )
     finally:
-        if (log := folder / "log.liggghts").exists():
+        if (log := folder / LOG).exists():
             record["versions"]["engine"] = log.read_text(errors="replace").partition("\n")[0]
             write_record(folder, record)
-    series = read_series(folder)
-    series.to_csv(folder / SERIES, index=False)  # whatever comes of its analysis
-    return finish(module.analyse(source.settings, series), folder) if module else None
+    read_series(folder).to_csv(folder / SERIES, index=False)  # whatever comes of its analysis
+    run = open_run(folder)
+    write_results(run)
+    return run
 
 
-def finish(analysis: Analysis, folder: Path) -> Analysis:
-    """Write table, checks and figures.
+def open_run(folder: str | Path) -> BulkRun:
+    """Read a run of a deck, finished or not, as `run_bulk` hands it over.
+
+    Args:
+        folder: Where its results are; it need not be where they were written.
 
     Raises:
-        CheckError: A check failed.
+        EngineError: The folder holds no run.
+        DumpError: The log shows nothing yet.
     """
-    analysis.table.to_csv(folder / SERIES, index=False)
-    checks = pd.DataFrame([asdict(c) | {"passed": c.passed} for c in analysis.checks])
-    checks.to_csv(folder / "checks.csv", index=False)
-    for name, figure in analysis.figures.items():
-        style.save(figure, folder / "figures" / name)
-    if failed := [check for check in analysis.checks if not check.passed]:
-        said = "; ".join(f"{c.name} {c.value:.3g}, at most {c.limit:.3g}" for c in failed)
-        raise CheckError(f"{said} (in {folder})")
-    return analysis
+    folder = Path(folder).resolve()
+    record, series = read_record(folder), read_series(folder)
+    kind, finished = deck_class(record["deck"]), (folder / SERIES).exists()
+    deck = kind.read(record["settings"] | {"output": folder}) if kind else None
+    analysis = deck.analyse(series) if deck and finished else Analysis(series)
+    return BulkRun(record["deck"], folder, deck, analysis, finished)
 
 
-def check_continued(settings: Settings, earlier: Settings, module: ModuleType) -> None:
+def write_results(run: BulkRun) -> None:
+    """Write the series, checks and figures of a run into its folder."""
+    run.series.to_csv(run.folder / SERIES, index=False)
+    if run.deck:
+        run.checks.to_csv(run.folder / CHECKS, index=False)
+    for name, figure in run.figures.items():
+        style.save(figure, run.folder / "figures" / name)
+
+
+def check_continued(settings: Settings, earlier: Settings, continuable: frozenset[str]) -> None:
     """A run that goes on is the same run: grains and course are in the checkpoint.
 
     Raises:
         ValueError: A setting has changed that may not; the message names it.
     """
-    allowed = CONTINUABLE | getattr(module, "CONTINUABLE", frozenset())
-    for name in settings.keys() - allowed - PLACES:
+    for name in settings.keys() - continuable - PLACES:
         if settings[name] != earlier.get(name, settings[name]):
             raise ValueError(
                 f"{name} is {settings[name]} and was {earlier[name]}; a run that goes on may "
-                f"change {', '.join(sorted(allowed))} only"
+                f"change {', '.join(sorted(continuable))} only"
             )
 
 
-def carry_dump(earlier: Path, folder: Path, last: int) -> None:
-    """Copy the frames of an earlier run before a step, for the engine to append to."""
-    mark = "ITEM: TIMESTEP\n"
-    if not (earlier / DUMP).exists():
-        return
-    with open(folder / DUMP, "w") as kept:
-        for frame in (earlier / DUMP).read_text().split(mark)[1:]:
-            if int(frame.partition("\n")[0]) < last:
-                kept.write(mark + frame)
-
-
-def restart_point(folder: Path, record: dict) -> Path:
-    """The newest whole checkpoint of a run; of one stopped before its first, where it began.
-
-    Raises:
-        EngineError: There is none.
-    """
-    try:
-        return newest_checkpoint(folder)
-    except EngineError:
-        began = Path(record["values"].get("checkpoint", "none"))
-        if not began.is_file():
-            raise
-        return began
-
-
-def read_series(folder: str | Path) -> pd.DataFrame:
-    """The log of a run from step 0 on, whatever checkpoints it went on from.
-
-    Returns:
-        One row a line: `step`, `time` [s] from step 0, then the deck's columns in SI units.
-
-    Raises:
-        DumpError: The log shows nothing yet.
-    """
-    folder = Path(folder)
-    parts = [pd.read_csv(folder / BEFORE)] if (folder / BEFORE).exists() else []
-    try:
-        parts.append(_read_log(folder))
-    except (DumpError, FileNotFoundError):
-        if not parts:  # else the run was stopped before its first line
-            raise
-    # The checkpoint's line is the earlier log's: while setting up, meshes know no forces.
-    return pd.concat(parts, ignore_index=True).drop_duplicates("step", ignore_index=True)
-
-
-def _read_log(folder: Path) -> pd.DataFrame:
-    with warnings.catch_warnings():
-        # The run was stopped: its end is known.
-        warnings.simplefilter("ignore", TruncatedFileWarning)
-        log = read_thermo(folder / "log.liggghts")
-    series = log[log["run"] == log["run"].max()].drop(columns="run").reset_index(drop=True)
-    series.insert(1, "time", series["step"] * series.pop("timestep"))
-    return series.rename(columns=lambda name: name.removeprefix("v_"))
-
-
-def read_record(folder: str | Path) -> dict:
-    """What `run.json` says, `settings` as Settings. Raises EngineError when there is none."""
-    path = Path(folder) / RECORD
-    if not path.is_file():
-        raise EngineError(f"{folder} holds no {RECORD}; it is not a run of `plastigran bulk`")
-    record = json.loads(path.read_text())
-    return record | {"settings": Settings(record["settings"])}
-
-
-def write_record(folder: Path, record: dict) -> None:
-    """Write `run.json`, whole or not at all."""
-    draft = folder / f"{RECORD}.new"
-    draft.write_text(json.dumps(record, indent=2) + "\n")
-    draft.replace(folder / RECORD)
-
-
-def prepare_folder(folder: Path, force: bool) -> None:
-    """An empty folder for a run; of one that holds a run only that run's own files are removed.
-
-    Raises:
-        ValueError: It holds files and `force` is not given, or they are not those of a run.
-    """
-    if folder.exists() and any(folder.iterdir()):
-        if not force:
-            raise ValueError(f"{folder} holds results; choose another --output, or add --force")
-        if not (folder / RECORD).is_file():
-            raise ValueError(f"{folder} holds files but no {RECORD}; --force overwrites runs only")
-        for pattern in LEFT:  # above all checkpoints, which may be newer than ours
-            for file in folder.glob(pattern):
-                file.unlink()
-        for name in ("deck", "figures", "frames"):
-            shutil.rmtree(folder / name, ignore_errors=True)
-    folder.mkdir(parents=True, exist_ok=True)
+def _earlier(restart: Path, folder: Path, deck: str) -> dict:
+    """The record of the run to go on from. Raises ValueError when it is another deck's or ours."""
+    record = read_record(restart)
+    if record["deck"] != deck:
+        raise ValueError(f"{restart} is a run of {record['deck']}, not of {deck}")
+    if restart == folder:
+        raise ValueError(f"{folder} is the run to go on from; choose another --output")
+    return record
 
 
 def _fingerprint() -> str:

@@ -9,20 +9,29 @@ from importlib import import_module
 from pkgutil import iter_modules
 
 from plastigran.cli import commands
+from plastigran.cli.experiments import add_command
 from plastigran.engine.dumps import DumpError
 from plastigran.engine.process import EngineError
-from plastigran.experiments.collision import CollisionError
+from plastigran.experiments import find_experiments
 
 
 def parser() -> argparse.ArgumentParser:
-    """One subcommand for each module of `commands`, which brings HELP, add_arguments and run."""
+    """A subcommand for each experiment, made from what it says of itself, and for each module of
+    `commands`, which brings HELP, add_arguments and run."""
     top = argparse.ArgumentParser(
         prog="plastigran", description="Elasto-plastic contact laws for LIGGGHTS: runs and checks."
     )
     subcommands = top.add_subparsers(dest="command", required=True, metavar="COMMAND")
-    for found in iter_modules(commands.__path__):
-        module = import_module(f"{commands.__name__}.{found.name}")
-        subcommand = subcommands.add_parser(found.name.replace("_", "-"), help=module.HELP)
+    experiments = find_experiments()
+    modules = {
+        found.name.replace("_", "-"): found.name for found in iter_modules(commands.__path__)
+    }
+    for name in sorted([*experiments, *modules]):
+        if name in experiments:
+            add_command(subcommands, experiments[name])
+            continue
+        module = import_module(f"{commands.__name__}.{modules[name]}")
+        subcommand = subcommands.add_parser(name, help=module.HELP)
         module.add_arguments(subcommand)
         subcommand.set_defaults(run=module.run)
     return top
@@ -30,19 +39,12 @@ def parser() -> argparse.ArgumentParser:
 
 def main(argv: list[str] | None = None) -> int:
     """Entry point; 0 when all went well, 1 after an error, whose one line goes to stderr."""
-    try:
-        arguments = parser().parse_args(argv)
-    except (
-        EngineError,
-        ValueError,
-    ) as error:  # the materials it lists
-        print(f"plastigran: {error}", file=sys.stderr)
-        return 1
+    arguments = parser().parse_args(argv)
     try:
         arguments.run(arguments)
     except BrokenPipeError:  # the reader of our output has had enough
         sys.stderr.close()
-    except (EngineError, CollisionError, DumpError, ValueError, OSError) as error:
+    except (EngineError, DumpError, ValueError, OSError) as error:
         print(f"plastigran: {error}", file=sys.stderr)
         return 1
     except KeyboardInterrupt as stop:  # a command may say itself what is left

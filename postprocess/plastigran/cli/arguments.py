@@ -5,12 +5,13 @@ from __future__ import annotations
 
 import argparse
 import sys
+from collections.abc import Iterable
 from itertools import chain
 from math import inf
 from pathlib import Path
 
 from plastigran import laws, materials
-from plastigran.experiments.central import GEOMETRIES, laws_for
+from plastigran.experiments.runs import TABLE
 
 
 class UsageError(ValueError):
@@ -37,23 +38,6 @@ def positive_integer(text: str) -> int:
     return value
 
 
-def add_law_and_sphere(command: argparse.ArgumentParser) -> None:
-    command.add_argument(
-        "--law",
-        nargs="+",
-        default=["all"],
-        metavar="LAW",
-        help="laws, or all (default) that the material has the constants for",
-    )
-    command.add_argument("--radius", type=positive, default=0.1, help="m, default 0.1")
-    command.add_argument(
-        "--geometry",
-        choices=list(GEOMETRIES),
-        default="sphere_wall",
-        help="default sphere_wall",
-    )
-
-
 def add_jobs(command: argparse.ArgumentParser) -> None:
     command.add_argument("--jobs", type=positive_integer, help="engines at a time, default: cores")
 
@@ -63,16 +47,21 @@ def add_output(command: argparse.ArgumentParser, default: str) -> None:
     command.add_argument("--force", action="store_true", help="overwrite results")
 
 
-def law_names(given: list[str], material_names: list[str]) -> list[str]:
-    """Names from the command line; "all" stands for every law for spheres the materials have
-    constants for."""
+def law_names(
+    given: Iterable[str], material_names: Iterable[str], shape: str = "sphere"
+) -> list[str]:
+    """Names from the command line; "all" stands for every law for bodies of a shape that the
+    materials have the constants for.
+
+    Raises:
+        UsageError: There is no such law.
+    """
     for name in given:
         if name not in laws.LAWS and name != "all":
             raise UsageError(f"no law {name!r}; there are {', '.join(sorted(laws.LAWS))}")
     bodies = [materials.read_material(material) for material in material_names]
-    spheres = laws_for("sphere")
-    usable = [name for name in spheres if all(not body.missing(name) for body in bodies)]
-    left = sorted(set(spheres) - set(usable) - set(given))
+    usable = materials.laws_for(shape, bodies)
+    left = sorted(set(materials.laws_for(shape)) - set(usable) - set(given))
     if "all" in given and left:
         print(
             f"left out, for the material lacks their constants: {', '.join(left)}", file=sys.stderr
@@ -81,8 +70,12 @@ def law_names(given: list[str], material_names: list[str]) -> list[str]:
     return list(dict.fromkeys(chain.from_iterable(expanded)))
 
 
-def fresh_folder(folder: Path, force: bool, table: str = "impacts.csv") -> Path:
-    """A folder for results: never one that holds some, unless forced."""
-    if (folder / table).exists() and not force:
+def fresh_folder(folder: Path, force: bool) -> Path:
+    """A folder for results: never one that holds some, unless forced.
+
+    Raises:
+        UsageError: It holds some.
+    """
+    if (folder / TABLE).exists() and not force:
         raise UsageError(f"{folder} holds results; choose another --output, or add --force")
     return folder

@@ -5,8 +5,8 @@ from __future__ import annotations
 
 from pathlib import Path
 
+from plastigran.engine.log import LogFollower
 from plastigran.engine.process import EngineError
-from plastigran.engine.watch import LogFollower
 
 #: What decks give to the engine's `restart` command.
 PATTERN = "checkpoint.*.restart"

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import re
 import shutil
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from math import inf
 from pathlib import Path
@@ -56,6 +56,33 @@ class Settings(dict[str, str]):
         if value < lowest:
             raise ValueError(f"{name} is {value}; it must be {lowest} or more")
         return value
+
+
+def commands(script: Path) -> Iterator[str]:
+    """A script's commands, without comments and empty lines."""
+    for line in script.read_text().splitlines():
+        if command := line.split("#")[0].strip():
+            yield command
+
+
+def index_variable(command: str) -> tuple[str, str] | None:
+    """Name and value of a `variable NAME index VALUE` command, None for another command."""
+    if found := _SETTING.match(command):
+        name, quoted, plain = found.groups()
+        return name, quoted or plain or ""
+    return None
+
+
+def index_variables(deck: str | Path) -> dict[str, str]:
+    """What a script's own `variable NAME index VALUE` lines say, as text.
+
+    Args:
+        deck: Path of the input script.
+    """
+    values: dict[str, str] = {}
+    for name, value in filter(None, map(index_variable, commands(Path(deck)))):
+        values.setdefault(name, value)  # the engine keeps the first too
+    return values
 
 
 @dataclass(frozen=True)
@@ -133,12 +160,10 @@ def read_deck(deck: str | Path, values: Mapping[str, object], folder: Path) -> D
         if not file.is_file():
             raise EngineError(f"{read_by} includes {file}, which is not there")
         files.append(file)
-        for line in file.read_text().splitlines():
-            command = line.split("#")[0].strip()
-            if found := _SETTING.match(command):
-                name, quoted, plain = found.groups()
-                value = resolve(quoted or plain or "")
-                settings.setdefault(name, given.get(name, value))  # the engine keeps the first too
+        for command in commands(file):
+            if setting := index_variable(command):
+                name, value = setting
+                settings.setdefault(name, given.get(name, resolve(value)))
             elif found := _INCLUDE.match(command):
                 read(Path(resolve(found[1])), file.name)
             else:

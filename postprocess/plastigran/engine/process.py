@@ -1,20 +1,27 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Find and run the engine: `liggghts-plastigran` on one rank or under mpirun."""
+"""Find, start and stop the engine: `liggghts-plastigran` on one rank or under mpirun."""
 
 from __future__ import annotations
 
 import os
-import re
+import select
 import shutil
 import signal
 import subprocess
 from collections.abc import Mapping
+from contextlib import closing, suppress
 from pathlib import Path
-from typing import TextIO
+from time import monotonic
+
+from plastigran.engine.log import find_error
+from plastigran.engine.watch import ProgressBar
 
 PROJECT = Path(__file__).resolve().parents[3]
 
-_INDEX_VARIABLE = re.compile(r'^\s*variable\s+(\w+)\s+index\s+(?:"([^"]*)"|(\S+))', re.MULTILINE)
+#: Seconds an engine has to finish its step and close its files when asked to stop.
+GRACE = 10.0
+#: Seconds between looks at the log and the clock.
+INTERVAL = 0.2
 
 
 class EngineError(RuntimeError):
@@ -25,24 +32,18 @@ class EngineStopped(EngineError):
     """The engine began and ended with an error, or was ended."""
 
 
+def own_inputs() -> Path:
+    """Folder of the project's input scripts, or of the copy an installed package carries."""
+    folder = PROJECT / "inputs"
+    return folder if folder.is_dir() else Path(__file__).resolve().parents[1] / "inputs"
+
+
 def inputs_folder() -> Path:
-    """Folder of the input scripts: $PLASTIGRAN_INPUTS, or the project's own."""
-    folder = Path(os.environ.get("PLASTIGRAN_INPUTS", PROJECT / "inputs"))
+    """Folder of the input scripts: $PLASTIGRAN_INPUTS, or `own_inputs()`."""
+    folder = Path(os.environ.get("PLASTIGRAN_INPUTS", own_inputs()))
     if not (folder / "collision").is_dir():
         raise EngineError(f"no input scripts in {folder}; set PLASTIGRAN_INPUTS to their folder")
     return folder
-
-
-def index_variables(deck: str | Path) -> dict[str, str]:
-    """What a deck's `variable NAME index VALUE` lines say, as text.
-
-    Args:
-        deck: Path of the input script.
-    """
-    values: dict[str, str] = {}
-    for name, quoted, plain in _INDEX_VARIABLE.findall(Path(deck).read_text()):
-        values.setdefault(name, quoted or plain)  # the engine keeps the first too
-    return values
 
 
 def engine_path() -> Path:
@@ -78,22 +79,15 @@ def command(
 
 
 def environment() -> dict[str, str]:
-    """The environment for mpirun: Open MPI refuses root without being told twice."""
-    extra = {}
+    """The environment of engines under mpirun.
+
+    Open MPI refuses root without being told twice. Ranks that wait hand their core to others:
+    cores may be shared with other work, and ranks that spin there are up to 50 times slower.
+    """
+    extra = {"OMPI_MCA_mpi_yield_when_idle": "1"}
     if os.geteuid() == 0:
-        extra = {"OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1"}
-    return {**os.environ, **extra}
-
-
-def surroundings(folder: Path, screen: TextIO) -> dict[str, object]:
-    """Keywords of `subprocess` for any engine: where it runs and where its screen goes."""
-    return {
-        "cwd": folder,
-        "env": environment(),
-        "stdin": subprocess.DEVNULL,
-        "stdout": screen,
-        "stderr": subprocess.STDOUT,
-    }
+        extra |= {"OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1"}
+    return {**extra, **os.environ}
 
 
 def run_deck(
@@ -101,67 +95,117 @@ def run_deck(
     variables: Mapping[str, object],
     folder: str | Path,
     ranks: int = 1,
-    timeout: float = 600,
+    timeout: float | None = 600.0,
+    progress: bool = False,
 ) -> str:
     """Run a deck to its end.
+
+    The engine never outlives this function: an error, Ctrl-C or the time-out stops it with all its
+    ranks, and it is told to stop when Python is killed. What it has written stays.
 
     Args:
         deck: Path of the input script, absolute or relative to `inputs_folder()`.
         variables: Values for the deck's `variable ... index` settings.
         folder: Where results go; made when missing.
         ranks: MPI ranks.
-        timeout: Seconds before the run is stopped.
+        timeout: Seconds before the run is stopped; None for no limit.
+        progress: Show a progress bar when standard error is a terminal.
 
     Returns:
         The log.
 
     Raises:
-        EngineError: The engine stopped with an error (its message is quoted) or took too long.
+        EngineError: There is no such deck or no engine.
+        EngineStopped: The engine ended with an error, which is quoted, or took too long.
     """
     folder = Path(folder).resolve()
     folder.mkdir(parents=True, exist_ok=True)
     deck = inputs_folder() / deck
     if not deck.is_file():
         raise EngineError(f"no deck {deck}")
+    line = command(deck, variables, folder, ranks)
     # The screen goes to a file: on a pipe, a helper process of MPI that outlives an interrupted
-    # engine would keep us waiting. A session of its own lets an engine finish after Ctrl-C; mpirun
-    # stays in ours and stops its ranks.
-    screen = folder / "screen.txt"
-    try:
-        with open(screen, "w") as output:
-            done = subprocess.run(
-                command(deck, variables, folder, ranks),
-                **surroundings(folder, output),
-                timeout=timeout,
-                start_new_session=ranks == 1,
-            )
-    except subprocess.TimeoutExpired:
-        raise EngineError(f"{deck.name}: stopped after {timeout:g} s") from None
-    return check_finished(deck.name, done.returncode, folder)
-
-
-def check_finished(name: str, returncode: int, folder: Path) -> str:
-    """The log of a run that has ended.
-
-    Args:
-        name: The deck's.
-        returncode: The engine's or mpirun's.
-        folder: Where it wrote `log.liggghts` and `screen.txt`.
-
-    Raises:
-        EngineStopped: It ended with an error, which is quoted.
-    """
+    # engine would keep us waiting. In a session of its own the engine does not get the terminal's
+    # Ctrl-C: it is stopped from here, once.
+    with (
+        open(folder / "screen.txt", "w") as screen,
+        closing(ProgressBar(deck.stem, folder / "log.liggghts", progress)) as bar,
+    ):
+        engine = subprocess.Popen(
+            ["setpriv", "--pdeathsig", "TERM", *line],
+            cwd=folder,
+            env=environment(),
+            stdin=subprocess.DEVNULL,
+            stdout=screen,
+            stderr=subprocess.STDOUT,
+            start_new_session=True,
+        )
+        try:
+            returncode = _wait(engine, timeout, bar)
+        except subprocess.TimeoutExpired:
+            raise EngineStopped(f"{deck.name}: stopped after {timeout:g} s") from None
+        finally:
+            _stop(engine, folder)
     log = folder / "log.liggghts"
     text = log.read_text(errors="replace") if log.exists() else ""
-    said = text + (folder / "screen.txt").read_text(errors="replace")
-    if returncode != 0 or "ERROR" in said:
-        errors = [line for line in said.splitlines() if "ERROR" in line]
-        killer = -returncode if returncode < 0 else returncode - 128  # as mpirun reports a rank's
-        if errors:
-            reason = errors[0]
-        elif killer in set(signal.Signals):
-            reason = f"the engine was ended by {signal.Signals(killer).name}"
-        else:
-            reason = (said.strip().splitlines() or ["no output"])[-1]
-        raise EngineStopped(f"{name}: {reason} (log: {log})")
+    if returncode:
+        said = text + (folder / "screen.txt").read_text(errors="replace")
+        raise EngineStopped(f"{deck.name}: {_reason(returncode, said)} (log: {log})")
     return text
+
+
+def engines(folder: Path) -> list[int]:
+    """Process ids of mpirun and the engines at work for a folder, on this machine."""
+    log, found = str(folder / "log.liggghts").encode(), []
+    for process in Path("/proc").glob("[0-9]*"):
+        with suppress(OSError):  # it has ended
+            if log in (process / "cmdline").read_bytes().split(b"\0"):
+                found.append(int(process.name))
+    return found
+
+
+def _wait(engine: subprocess.Popen, timeout: float | None, bar: ProgressBar) -> int:
+    """Wait until the engine ends; returns its code.
+
+    Raises:
+        subprocess.TimeoutExpired: It has not ended in time.
+    """
+    started, ended = monotonic(), select.poll()
+    process = os.pidfd_open(engine.pid)
+    try:
+        ended.register(process, select.POLLIN)
+        while not ended.poll(1000 * INTERVAL):
+            bar.update()
+            if timeout is not None and monotonic() - started > timeout:
+                raise subprocess.TimeoutExpired(engine.args, timeout)
+    finally:
+        os.close(process)
+    bar.update()
+    return engine.wait()
+
+
+def _stop(engine: subprocess.Popen, folder: Path) -> None:
+    """Ask an engine, or mpirun and through it every rank, to stop; kill them after `GRACE`."""
+    if engine.poll() is not None:
+        return
+    engine.terminate()
+    try:
+        engine.wait(GRACE)
+    except subprocess.TimeoutExpired:
+        pass
+    finally:
+        if engine.poll() is None:
+            for process in engines(folder):
+                with suppress(ProcessLookupError):
+                    os.kill(process, signal.SIGKILL)
+            engine.wait()
+
+
+def _reason(returncode: int, said: str) -> str:
+    """Why a run ended, from its code and what it wrote to log and screen."""
+    if error := find_error(said):
+        return error
+    killer = -returncode if returncode < 0 else returncode - 128  # as mpirun reports a rank's
+    if killer in set(signal.Signals):
+        return f"the engine was ended by {signal.Signals(killer).name}"
+    return (said.strip().splitlines() or ["no output"])[-1]

@@ -1,2 +1,28 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Collision experiments: case, prediction, measurement and figures of each."""
+"""Experiments: single impacts that the engine runs, held against theory.
+
+One module or package an experiment; `find_experiments` finds those here and in the folders of
+$PLASTIGRAN_EXPERIMENTS.
+"""
+
+from __future__ import annotations
+
+import os
+from importlib import import_module
+from pkgutil import iter_modules
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from plastigran.experiments.base import Experiment
+
+__path__ += filter(None, os.environ.get("PLASTIGRAN_EXPERIMENTS", "").split(os.pathsep))
+
+
+def find_experiments() -> dict[str, type[Experiment]]:
+    """Every experiment that has a command, by the command's name."""
+    found = {}
+    for place in iter_modules(__path__):
+        for value in vars(import_module(f"{__name__}.{place.name}")).values():
+            if isinstance(value, type) and vars(value).get("command"):
+                found[value.command] = value
+    return dict(sorted(found.items()))

@@ -3,9 +3,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from pathlib import Path
 
+import attrs
 import numpy as np
 import pandas as pd
 from scipy.optimize import brentq
@@ -17,20 +17,21 @@ class CollisionError(ValueError):
     """A trajectory that holds no whole collision."""
 
 
-@dataclass(frozen=True)
-class Collision:
-    """What one collision did.
+@attrs.frozen(eq=False)
+class CollisionOutcome:
+    """What one collision did, measured or predicted.
 
     Attributes:
         closing_speed: Before contact [m/s].
         coefficient_of_restitution: Parting over closing speed, along the normal [-].
-        force_max: Largest force written [N].
+        force_max: Largest force, of those written if measured [N].
         overlap_max: Largest overlap [m].
         overlap_res: Overlap at which the force vanished on the way back [m].
-        loading_time: From first touch to largest overlap [s].
-        contact_time: From first touch to zero force [s].
+        loading_time: From first touch to largest overlap [s]; None where it is not predicted.
+        contact_time: From first touch to zero force [s]; None where it is not predicted.
+        in_range: Whether the law is good for that load; None where it is measured.
         loop: The collision over time, (N,) columns time [s], overlap [m], force [N],
-            speed [m/s] (rate of overlap).
+            speed [m/s] (rate of overlap); None where it is predicted.
     """
 
     closing_speed: float
@@ -38,9 +39,10 @@ class Collision:
     force_max: float
     overlap_max: float
     overlap_res: float
-    loading_time: float
-    contact_time: float
-    loop: pd.DataFrame
+    loading_time: float | None = None
+    contact_time: float | None = None
+    in_range: bool | None = None
+    loop: pd.DataFrame | None = None
 
 
 def force_overlap_loop(trajectory: pd.DataFrame) -> pd.DataFrame:
@@ -51,7 +53,7 @@ def force_overlap_loop(trajectory: pd.DataFrame) -> pd.DataFrame:
             time.
 
     Returns:
-        (N_frames,) columns time, overlap, force, speed; see `Collision.loop`.
+        (N_frames,) columns time, overlap, force, speed; see `CollisionOutcome.loop`.
 
     Raises:
         CollisionError: Columns are missing, or there are more than two spheres.
@@ -87,7 +89,7 @@ def force_overlap_loop(trajectory: pd.DataFrame) -> pd.DataFrame:
     )
 
 
-def measure(trajectory: str | Path | pd.DataFrame) -> Collision:
+def measure(trajectory: str | Path | pd.DataFrame) -> CollisionOutcome:
     """Measure the collision in a trajectory.
 
     Times and extremes between two frames are interpolated: the overlap by the cubic that matches
@@ -105,8 +107,8 @@ def measure(trajectory: str | Path | pd.DataFrame) -> Collision:
     return measure_loop(force_overlap_loop(trajectory))
 
 
-def measure_loop(loop: pd.DataFrame) -> Collision:
-    """Measure the collision in its own table, `Collision.loop`; see `measure`.
+def measure_loop(loop: pd.DataFrame) -> CollisionOutcome:
+    """Measure the collision in its own table, `CollisionOutcome.loop`; see `measure`.
 
     The parting speed is that of the first frame without force: what happens to the bodies later is
     not the contact's doing.
@@ -135,7 +137,7 @@ def measure_loop(loop: pd.DataFrame) -> Collision:
     if abs(overlap_res) < 1e-6 * overlap_max:
         overlap_res = 0.0
     release = time[last] + (overlap[last] - overlap_res) / -speed[last]
-    return Collision(
+    return CollisionOutcome(
         closing_speed=speed[start - 1],
         coefficient_of_restitution=-speed[last + 1] / speed[start - 1],
         force_max=force.max(),

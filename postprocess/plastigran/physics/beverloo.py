@@ -15,9 +15,6 @@ import numpy as np
 import pandas as pd
 from scipy.optimize import curve_fit
 
-#: For spheres, Beverloo et al. 1961.
-COEFFICIENT = 0.58
-EMPTY_ANNULUS = 1.4
 #: What experiments scatter between, spheres and other grains: C and k of Nedderman, Tuzun, Savage &
 #: Houlsby 1982, Chem. Eng. Sci. 37:1597, and Mankoc et al. 2007, Granular Matter 9:407.
 COEFFICIENTS = (0.55, 0.65)
@@ -36,8 +33,8 @@ def discharge_rate(
     diameter: float,
     bulk_density: float,
     gravitational_acceleration: float,
-    coefficient: float = COEFFICIENT,
-    empty_annulus: float = EMPTY_ANNULUS,
+    coefficient: float,
+    empty_annulus: float,
 ) -> float:
     """Beverloo's law [kg/s].
 
@@ -76,6 +73,8 @@ class Discharge:
         change_error: One standard deviation of it, from the blocks of each half [kg/s].
         start: Of the steady part [s].
         stop: Of the steady part [s].
+        coefficient: C of the law it is held against [-].
+        empty_annulus: k of the law it is held against [-].
     """
 
     orifice: float
@@ -88,22 +87,25 @@ class Discharge:
     change_error: float
     start: float
     stop: float
+    coefficient: float
+    empty_annulus: float
 
     @property
     def predicted(self) -> float:
-        """Beverloo's law with C and k for spheres [kg/s]."""
-        return discharge_rate(
-            self.orifice, self.diameter, self.bulk_density, self.gravitational_acceleration
-        )
+        """Beverloo's law with its C and k [kg/s]."""
+        return self._rate(self.coefficient, self.empty_annulus)
 
     @property
     def band(self) -> tuple[float, float]:
         """Least and greatest rate within the scatter of C and k [kg/s]."""
-        of_bed = self.orifice, self.diameter, self.bulk_density, self.gravitational_acceleration
         return (
-            discharge_rate(*of_bed, min(COEFFICIENTS), max(EMPTY_ANNULI)),
-            discharge_rate(*of_bed, max(COEFFICIENTS), min(EMPTY_ANNULI)),
+            self._rate(min(COEFFICIENTS), max(EMPTY_ANNULI)),
+            self._rate(max(COEFFICIENTS), min(EMPTY_ANNULI)),
         )
+
+    def _rate(self, coefficient: float, empty_annulus: float) -> float:
+        of_bed = self.orifice, self.diameter, self.bulk_density, self.gravitational_acceleration
+        return discharge_rate(*of_bed, coefficient, empty_annulus)
 
     @property
     def reduced(self) -> float:
@@ -117,6 +119,8 @@ def measure_discharge(
     diameter: float,
     density: float,
     gravitational_acceleration: float,
+    coefficient: float,
+    empty_annulus: float,
 ) -> Discharge | None:
     """The rate of the steady part of a discharge: a line through the grains out over time.
 
@@ -131,6 +135,8 @@ def measure_discharge(
         diameter: Of a grain [m].
         density: Of a grain [kg/m^3].
         gravitational_acceleration: [m/s^2].
+        coefficient: C of the law it is held against [-].
+        empty_annulus: k of the law it is held against [-].
 
     Returns:
         None where the run ended before, has not two rows a block, or its bed was too shallow.
@@ -158,6 +164,8 @@ def measure_discharge(
         float(np.hypot(*halves.std(axis=1, ddof=1))) / (BLOCKS / 2) ** 0.5,
         float(time[0]),
         float(time[-1]),
+        coefficient,
+        empty_annulus,
     )
 
 
@@ -186,7 +194,7 @@ def fit_constants(discharges: list[Discharge]) -> Constants:
         lambda width, coefficient, annulus: coefficient**0.4 * (width - annulus * diameter),
         np.array(orifices),
         np.array([discharge.reduced for discharge in discharges]),
-        p0=(COEFFICIENT, EMPTY_ANNULUS),
+        p0=(discharges[0].coefficient, discharges[0].empty_annulus),
     )
     errors = np.sqrt(np.diag(covariance))
     return Constants(float(found[0]), float(errors[0]), float(found[1]), float(errors[1]))

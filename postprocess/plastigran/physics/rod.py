@@ -1,194 +1,118 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The equations of motion of a rod's impact, over laws for spheres that depend on overlap alone."""
+"""A rod with a spherical tip falls on a flat at an angle: the rigid body and its closed forms.
+
+The planar rigid body of Ghaednia, Cermik & Marghitu 2015 (Int. J. Impact Eng. 86:307). x is along
+the flat, y its normal and the flat is y = 0; the rod leans by `angle`, its centre to the right of
+its tip. Angular velocities count counterclockwise: a tip that is hit turns the rod with a negative
+one. `plastigran.physics.rod_motion` integrates its equations of motion.
+"""
 
 from __future__ import annotations
 
-from math import inf, radians, sin
+from math import cos, radians, sin
 
-import numpy as np
+import attrs
 import pandas as pd
-from scipy.integrate import solve_ivp
 
-from plastigran.experiments.rod.body import Rod, RodImpact
-
-#: Below this share of the impact speed the tip's slip counts as none.
-STICKING_SLIP = 1e-3
-
-#: A spring stretched beyond the limit of friction gives way by this much faster than the overlap
-#: grows.
-YIELDING_RATE = 1e3
-
-#: Turning points after which a tip is taken to stay in contact.
-TURNS = 6
-
-#: Rows of a history while loading, and as many while unloading.
-HISTORY_ROWS = 300
+from plastigran.declared import number
 
 
-class _Motion:
-    """Right-hand side of the motion (x, y, turn, velocity_x, velocity_y, angular velocity, spring):
-    displacement and turn of the centre since first touch, and how far friction's spring is
-    stretched.
-
-    `state` is the contact's as of the last turning point; trial steps of a solver work on copies.
-    """
-
-    def __init__(self, rod: Rod, law, speed: float, spring: bool) -> None:
-        self.rod, self.law, self.spring = rod, law, spring
-        self.half, self.lean = rod.length / 2, radians(rod.angle)
-        self.start = [0, 0, 0, 0, -speed, 0, 0]
-        self.sticking = STICKING_SLIP * speed
-        overlap_max = law.central_impact(rod.tip_radius, rod.mass_eff, speed).overlap_max
-        self.yielding = YIELDING_RATE * speed / overlap_max
-        self.stiffness_per_radius = 8 * rod.pair.shear_modulus_eff
-        self.state = law.State()
-        self.overlap_res = -inf
-
-    def arm(self, motion) -> tuple[float, float]:
-        """From the centre to the tip's lowest point."""
-        angle = self.lean + motion[2]
-        return -self.half * np.cos(angle), -self.rod.tip_radius - self.half * np.sin(angle)
-
-    def overlap(self, motion) -> float:
-        return self.half * (np.sin(self.lean + motion[2]) - sin(self.lean)) - motion[1]
-
-    def slip_velocity(self, motion) -> float:
-        return motion[3] - motion[5] * self.arm(motion)[1]
-
-    def closing_velocity(self, _time, motion) -> float:
-        return -motion[4] - motion[5] * self.arm(motion)[0]
-
-    def left(self, _time, motion) -> float:
-        """Overlap above the residual one."""
-        return self.overlap(motion) - self.overlap_res
-
-    def contact(self, motion, state=None):
-        state = self.state.copy() if state is None else state
-        return self.law.respond(self.rod.tip_radius, self.overlap(motion), state)
-
-    def forces(self, motion) -> tuple[float, float, float]:
-        """Normal force, friction and the rate at which the spring is stretched."""
-        contact = self.contact(motion)
-        slip, limit = self.slip_velocity(motion), self.rod.friction * contact.force
-        if self.spring:
-            stiffness = self.stiffness_per_radius * contact.contact_radius
-            pull = -stiffness * motion[6]
-            friction = min(max(pull, -limit), limit)
-            excess = (pull - friction) / stiffness if stiffness > 0 else 0.0
-            return contact.force, friction, slip + self.yielding * excess
-        arm_x, arm_y = self.arm(motion)
-        # What would keep the slip as it is: v_T' = 0 of F_f (1/m + r_y^2/I) - F_n r_x r_y/I.
-        holding = arm_x * arm_y * contact.force / (self.rod.inertia / self.rod.mass + arm_y**2)
-        friction = holding - slip / self.sticking * limit
-        return contact.force, min(max(friction, -limit), limit), 0.0
-
-    def rate(self, _time, motion) -> list[float]:
-        force, friction, stretching = self.forces(motion)
-        arm_x, arm_y = self.arm(motion)
-        return [
-            *motion[3:6],
-            friction / self.rod.mass,
-            force / self.rod.mass - self.rod.gravity,
-            (arm_x * force - arm_y * friction) / self.rod.inertia,
-            stretching,
-        ]
-
-    def turn_back(self, motion) -> None:
-        """The overlap is the largest so far: move the contact's state on."""
-        self.contact(motion, self.state)
-        low, high = 0.0, self.overlap(motion)
-        while high - low > 1e-14 * self.overlap(motion):
-            middle = 0.5 * (low + high)
-            force = self.law.respond(self.rod.tip_radius, middle, self.state.copy()).force
-            low, high = (low, middle) if force > 0 else (middle, high)
-        self.overlap_res = high if low > 0 else 0.0
-
-    def history_row(self, time, motion) -> dict[str, float]:
-        force, friction, _ = self.forces(motion)
-        return {
-            "time": time,
-            "overlap": self.overlap(motion),
-            "force": force,
-            "friction_force": friction,
-            "displacement_x": motion[0],
-            "displacement_y": motion[1],
-            "velocity_x": motion[3],
-            "velocity_y": motion[4],
-            "angular_velocity": motion[5],
-            "slip_velocity": self.slip_velocity(motion),
-        }
-
-
-def simulate(rod: Rod, law, speed: float, spring: bool = False) -> RodImpact:
-    """Integrate a rod's impact from first touch until the tip lets go.
-
-    With r = (-x_c, -y_c) from centre to contact, normal force F_n and friction F_f:
-    m x'' = F_f, m y'' = F_n - m g, I turn'' = r_x F_n - r_y F_f (Ghaednia, Cermik & Marghitu 2015,
-    eqs 1-7, with the two forces along their own axes).
-
-    Without a spring friction is Coulomb's, as in the paper: a tip that slides feels mu F_n against
-    its slip, one that friction can hold is held, and slip below `STICKING_SLIP` of the impact speed
-    is taken back to rest. With a spring it is the engine's `tangential history`: a spring of
-    stiffness 8 G* a, a the law's contact radius, that holds the tip until it pulls with mu F_n.
-
-    Args:
-        rod: The rod.
-        law: A law between rod and flat, such as `rod.law("thornton")`.
-        speed: Straight down, without turning [m/s].
-        spring: Let the contact give way along the flat before it slides.
+@attrs.frozen
+class Rod:
+    """A rod and how it meets the flat; the defaults are the paper's. The tip's centre and the far
+    end are half a length from the centre.
 
     Raises:
-        ValueError: The law depends on the rate of overlap, which these equations do not follow, the
-            speed is not positive and finite, or the rod's weight keeps the tip down.
+        ValueError: A field is out of range, or friction would jam the rod.
     """
-    if law.rate_dependent:
-        raise ValueError(
-            f"{law.name} depends on the rate of overlap; the rod's equations of motion do not"
-        )
-    if not 0 < speed < inf:
-        raise ValueError(f"speed is {speed}; it must be positive and finite")
-    body = _Motion(rod, law, speed, spring)
 
-    def turning(time, motion):
-        return body.closing_velocity(time, motion)
-
-    def released(time, motion):
-        return body.left(time, motion)
-
-    turning.terminal = released.terminal = True
-    turning.direction = released.direction = -1
-    time, motion, overlap_max, loading_time, force_max = 0.0, body.start, 0.0, 0.0, 0.0
-    rows = []
-    for _ in range(TURNS):
-        piece = solve_ivp(
-            body.rate,
-            (time, time + 1e3 * rod.tip_radius / speed),
-            motion,
-            method="DOP853",
-            events=[turning, released],
-            dense_output=True,
-            rtol=1e-9,
-            atol=1e-13,
-        )
-        instants = np.linspace(time, piece.t[-1], HISTORY_ROWS)[1 if rows else 0 :]
-        rows += [body.history_row(t, piece.sol(t)) for t in instants]
-        time, motion = piece.t[-1], piece.y[:, -1]
-        if piece.t_events[1].size:
-            break
-        turning.direction *= -1
-        if body.overlap(motion) > overlap_max:
-            overlap_max, loading_time = body.overlap(motion), time
-            body.turn_back(motion)
-            force_max = body.contact(motion).force
-    else:
-        raise ValueError(f"at {speed:g} m/s the rod's weight keeps its tip in contact")
-    return RodImpact(
-        coefficient_of_restitution=-body.closing_velocity(time, motion) / speed,
-        angular_velocity=motion[5],
-        force_max=force_max,
-        overlap_max=overlap_max,
-        overlap_res=body.overlap_res,
-        loading_time=loading_time,
-        contact_time=time,
-        history=pd.DataFrame(rows),
+    angle: float = number("between rod and flat", "degrees", 0, 90, closed=True, default=45.0)
+    coefficient_of_friction: float = number(
+        "between tip and flat", "-", 0, closed=True, default=0.13
     )
+    length: float = number("length of the rod", "m", 0, default=0.3048)
+    mass: float = number("mass of the rod", "kg", 0, default=0.4607)
+    tip_radius: float = number("radius of the spherical tip", "m", 0, default=0.0088)
+    gravitational_acceleration: float = number(
+        "gravitational acceleration", "m/s^2", 0, closed=True, default=9.81
+    )
+
+    def __attrs_post_init__(self) -> None:
+        if self.angle == 0:
+            raise ValueError("angle is 0; it must be above 0 and at most 90 [degrees]")
+        if not self.length > 2 * self.tip_radius:
+            raise ValueError(
+                f"length is {self.length:g}; it must be more than the tip's diameter "
+                f"({2 * self.tip_radius:g} m)"
+            )
+        if not self._compliance() > 0:
+            raise ValueError(
+                f"coefficient_of_friction is {self.coefficient_of_friction:g}; "
+                f"at {self.angle:g} degrees it would jam the rod"
+            )
+
+    @property
+    def inertia(self) -> float:
+        """About the centre [kg m^2], m L^2/12. The paper does not give it."""
+        return self.mass * self.length**2 / 12
+
+    @property
+    def tip_mass(self) -> float:
+        """Mass of each end of three equal spheres that are the rod [kg]: with the rest of the mass
+        in the middle one they have its inertia, their own included."""
+        return self.mass * (1 / 6 - 0.8 * (self.tip_radius / self.length) ** 2)
+
+    @property
+    def arm(self) -> tuple[float, float]:
+        """The centre from the point of contact (x_c, y_c) at first touch [m]."""
+        half, angle = self.length / 2, radians(self.angle)
+        return half * cos(angle), self.tip_radius + half * sin(angle)
+
+    def _compliance(self) -> float:
+        x_c, y_c = self.arm
+        return 1 / self.mass + x_c * (x_c - self.coefficient_of_friction * y_c) / self.inertia
+
+    @property
+    def mass_eff(self) -> float:
+        """Mass the normal motion of a tip that slides throughout feels [kg].
+
+        1/m_eff = 1/m + x_c (x_c - mu y_c)/I, with the rod where it was at first touch.
+        """
+        return 1 / self._compliance()
+
+    def angular_velocity(self, impulse: float) -> float:
+        """Angular velocity a normal impulse [N s] leaves [rad/s], as `mass_eff` takes the rod.
+
+        -(x_c - mu y_c)/I times the impulse, which is m_eff v (1 + e) or the centre's change of
+        velocity times the mass.
+        """
+        x_c, y_c = self.arm
+        return -(x_c - self.coefficient_of_friction * y_c) / self.inertia * impulse
+
+
+@attrs.frozen(eq=False)
+class RodOutcome:
+    """What one impact of a rod did, measured or predicted.
+
+    Attributes:
+        coefficient_of_restitution: Of the normal velocity of the tip [-].
+        angular_velocity: When the tip lets go [rad/s].
+        force_max: Largest normal force [N].
+        overlap_max: Largest overlap [m].
+        overlap_res: Overlap at which the force vanished [m], the permanent deformation.
+        loading_time: From first touch to largest overlap [s].
+        contact_time: From first touch to zero force [s].
+        history: (N,) columns time [s], overlap [m], force (normal) [N], friction_force (along x)
+            [N], displacement_x, displacement_y (of the centre since first touch) [m], velocity_x,
+            velocity_y (of the centre) [m/s], angular_velocity [rad/s], slip_velocity (of the tip
+            along x) [m/s].
+    """
+
+    coefficient_of_restitution: float
+    angular_velocity: float
+    force_max: float
+    overlap_max: float
+    overlap_res: float
+    loading_time: float
+    contact_time: float
+    history: pd.DataFrame

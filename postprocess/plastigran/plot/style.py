@@ -3,12 +3,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+from contextlib import AbstractContextManager
 from pathlib import Path
 
 import matplotlib
-
-matplotlib.use("Agg")
-import matplotlib.pyplot as plt
+import numpy as np
+from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 STYLE = {
@@ -37,6 +38,41 @@ def title(name: str) -> str:
     return names.get(name, words.replace("–20", " 20"))
 
 
+def styled(changes: Mapping[str, object] | None = None) -> AbstractContextManager[None]:
+    """Context, or decorator of a function, in which figures are made in the style.
+
+    Args:
+        changes: Other values for matplotlib's settings.
+    """
+    return matplotlib.rc_context(STYLE | dict(changes or {}))
+
+
+def subplots(
+    rows: int = 1, columns: int = 1, *, figsize: tuple[float, float], **arrangement: object
+) -> tuple[Figure, Axes | np.ndarray]:
+    """A figure that no window shows, with its axes.
+
+    Args:
+        rows: Of axes.
+        columns: Of axes.
+        figsize: Width and height [inch].
+        **arrangement: Keywords of `matplotlib.figure.Figure.subplots` and of its grid's ratios.
+
+    Returns:
+        The figure, and one Axes or an array of them as `Figure.subplots` has it.
+    """
+    figure = Figure(figsize=figsize, layout="constrained")
+    return figure, figure.subplots(rows, columns, **arrangement)
+
+
+def subplot_mosaic(
+    mosaic: list[list[str]], *, figsize: tuple[float, float]
+) -> tuple[Figure, dict[str, Axes]]:
+    """A figure that no window shows, with axes named and placed as in `Figure.subplot_mosaic`."""
+    figure = Figure(figsize=figsize, layout="constrained")
+    return figure, figure.subplot_mosaic(mosaic)
+
+
 def save(figure: Figure, path: Path, suffixes: tuple[str, ...] = (".png", ".svg")) -> list[Path]:
     """Write a figure, as PNG and SVG beside each other unless told otherwise; returns the paths."""
     path.parent.mkdir(parents=True, exist_ok=True)
@@ -44,7 +80,6 @@ def save(figure: Figure, path: Path, suffixes: tuple[str, ...] = (".png", ".svg"
     for suffix in suffixes:
         written.append(path.with_suffix(suffix))
         metadata = {"Date": None} if suffix == ".svg" else None
-        with plt.rc_context(STYLE):  # its salt makes the same figure the same file
+        with styled():  # its salt makes the same figure the same file
             figure.savefig(written[-1], dpi=160, metadata=metadata)
-    plt.close(figure)
     return written

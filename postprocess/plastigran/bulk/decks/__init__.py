@@ -1,65 +1,39 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""What to check and draw of each bulk deck: one module or package a deck, of the deck's name.
+"""One module or package for each bulk deck that is checked and drawn, of the deck's name.
 
-It has two functions; both raise ValueError for what they cannot take.
-
-    check_settings(settings: Settings) -> None
-        Before anything runs: settings out of range are named.
-    analyse(settings: Settings, series: pd.DataFrame) -> Analysis
-        After the run: `series` is the log from step 0, whatever checkpoints it went on from.
-
-and may have CONTINUABLE, names of settings that `--restart` may change beside `frames`: those that
-leave steps before the checkpoint and the restored grains what they were.
+It defines one class, a `plastigran.bulk.deck.BulkDeck`. In a package the class is in `__init__.py`,
+what it measures in `measurement.py`, and its figure in `figure.py`.
 """
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
 from importlib import import_module
 from pkgutil import iter_modules
-from types import ModuleType
 
-import pandas as pd
-from matplotlib.figure import Figure
+from plastigran.bulk.deck import BulkDeck
 
 
-@dataclass(frozen=True)
-class Check:
-    """An invariant of a deck.
+def deck_names() -> list[str]:
+    """Names of the decks that have a class."""
+    return sorted(module.name for module in iter_modules(__path__))
 
-    Attributes:
-        name: What must be small, in words.
-        value: What was found.
-        limit: What it may be at most.
-        reason: Why that much.
+
+def deck_class(name: str) -> type[BulkDeck] | None:
+    """The class of a deck; None for a deck without one, which just runs.
+
+    Raises:
+        TypeError: Its module defines no such class, or several.
     """
-
-    name: str
-    value: float
-    limit: float
-    reason: str
-
-    @property
-    def passed(self) -> bool:
-        return bool(self.value <= self.limit)  # never for nan
-
-
-@dataclass(frozen=True)
-class Analysis:
-    """What a deck's module makes of a run.
-
-    Attributes:
-        table: One row a line of the log, written as CSV.
-        checks: The deck's invariants.
-        figures: By name, written as PNG and SVG.
-    """
-
-    table: pd.DataFrame
-    checks: list[Check]
-    figures: dict[str, Figure] = field(default_factory=dict)
-
-
-def module_of(deck: str) -> ModuleType | None:
-    """The module or package of a deck's name; None for a deck that has none."""
-    found = {module.name for module in iter_modules(__path__)}
-    return import_module(f"{__name__}.{deck}") if deck in found else None
+    if name not in deck_names():
+        return None
+    module = import_module(f"{__name__}.{name}")
+    found = [
+        value
+        for value in vars(module).values()
+        if isinstance(value, type)
+        and issubclass(value, BulkDeck)
+        and value.__module__ == module.__name__
+    ]
+    if len(found) != 1:
+        raise TypeError(f"{module.__name__} defines {len(found)} bulk decks; it must define one")
+    return found[0]

@@ -7,13 +7,16 @@ import argparse
 import re
 import signal
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from plastigran.cli.arguments import positive_integer
 from plastigran.engine.checkpoints import newest_checkpoint
 from plastigran.engine.process import EngineError, EngineStopped
 
-HELP = "run a bulk deck, check its invariants, draw its figures"
+if TYPE_CHECKING:
+    from plastigran.bulk.run import BulkRun
 
+HELP = "run a bulk deck, check its invariants, draw its figures"
 
 #: What our models warn of, without the place in the source.
 _WARNING = re.compile(r"^WARNING: ((?:model|the time step) .*?)(?: \(\S+:\d+\))?$", re.MULTILINE)
@@ -50,7 +53,7 @@ def add_arguments(command: argparse.ArgumentParser) -> None:
 
 
 def run(arguments: argparse.Namespace) -> None:
-    from plastigran.bulk.run import CheckError, run_bulk  # matplotlib is slow to load
+    from plastigran.bulk.run import run_bulk  # matplotlib is slow to load
 
     # A batch system's SIGTERM stops the ranks as Ctrl-C does.
     signal.signal(signal.SIGTERM, signal.default_int_handler)
@@ -60,7 +63,7 @@ def run(arguments: argparse.Namespace) -> None:
             earlier.with_name(f"{earlier.name}_continued") if earlier else Path("results") / name
         )
     try:
-        analysis = run_bulk(
+        bulk_run = run_bulk(
             arguments.deck,
             dict(arguments.settings),
             arguments.output,
@@ -72,13 +75,10 @@ def run(arguments: argparse.Namespace) -> None:
         raise KeyboardInterrupt(how_to_go_on(arguments.output)) from None
     except EngineStopped as error:
         raise EngineError(f"{error}; {how_to_go_on(arguments.output)}") from None
-    except CheckError:
-        report(arguments.output)
-        raise
-    if analysis is None:
+    if bulk_run.deck is None:
         print(f"{name} has no checks and figures")
     else:
-        report(arguments.output)
+        report(bulk_run)
     print(f"written: {arguments.output}")
 
 
@@ -90,14 +90,17 @@ def how_to_go_on(folder: Path) -> str:
     return f"go on from its newest checkpoint with --restart {folder}"
 
 
-def report(folder: Path) -> None:
-    """Print every check of a run, and what the models warned of."""
-    import pandas as pd  # slow to load
+def report(run: BulkRun) -> None:
+    """Print every check of a run, and what the models warned of.
 
-    for check in pd.read_csv(folder / "checks.csv").itertuples():
+    Raises:
+        CheckError: A check failed.
+    """
+    for check in run.checks.itertuples():
         word = "ok" if check.passed else "NO"
         print(
             f"{word}  {check.name}: {check.value:.3g}, at most {check.limit:.3g} ({check.reason})"
         )
-    for warning in dict.fromkeys(_WARNING.findall((folder / "log.liggghts").read_text())):
+    for warning in dict.fromkeys(_WARNING.findall((run.folder / "log.liggghts").read_text())):
         print(f"the engine warned: {warning}")
+    run.raise_if_failed()

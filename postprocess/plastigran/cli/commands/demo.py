@@ -8,9 +8,10 @@ from pathlib import Path
 
 from plastigran.cli.arguments import add_jobs, law_names
 from plastigran.cli.commands.bulk import report
-from plastigran.cli.commands.impact import run_impacts
+from plastigran.cli.experiments import run_study
 from plastigran.engine.process import PROJECT
-from plastigran.experiments.central import GEOMETRIES, PAPER_SPEEDS, plan, sweep
+from plastigran.experiments.central import GEOMETRIES, PAPER_SPEEDS, CentralImpact
+from plastigran.experiments.runs import sweep
 
 HELP = "the tour: collisions, a gas that cools and a hopper, with figures"
 
@@ -28,28 +29,20 @@ def run(arguments: argparse.Namespace) -> None:
 
     folder = arguments.output
     names = law_names(["all"], ["aluminium_zv02"])
-    run_impacts(
-        plan(names, PAPER_SPEEDS, ["aluminium_zv02"], 0.1),
-        folder / "speeds",
-        arguments.jobs,
-    )
+    run_study(CentralImpact, folder / "speeds", arguments.jobs, law=names, speed=PAPER_SPEEDS)
     print("\nThe same impact, 0.1 m/s, as a pair, on a primitive wall and on a mesh:")
-    through = [
-        impact
-        for geometry in GEOMETRIES
-        for impact in plan(names, [0.1], ["aluminium_zv02"], 0.1, geometry)
-    ]
-    table, _ = sweep(through, folder / "geometries", arguments.jobs, progress=False)
+    through = CentralImpact.plan(
+        geometry=GEOMETRIES, law=names, speed=0.1, material="aluminium_zv02", radius=0.1
+    )
+    table = sweep(through, folder / "geometries", arguments.jobs, progress=False).table
     pivot = table.pivot(index="law", columns="geometry", values="coefficient_of_restitution")
     print(pivot.rename_axis(index=None, columns=None).to_string(float_format="{:.6f}".format))
     print("\nA freely cooling gas of 512 grains, on two ranks:")
     gas = folder / "cooling_gas"
-    run_bulk("cooling_gas", {"side": "8"}, gas, ranks=2, force=True)
-    report(gas)
+    report(run_bulk("cooling_gas", {"side": "8"}, gas, ranks=2, force=True))
     print("\nA hopper of 2080 yielding grains runs out, on two ranks:")
     hopper = folder / "hopper"
-    run_bulk("hopper", {"layers": "10", "frames": "8"}, hopper, ranks=2, force=True)
-    report(hopper)
+    report(run_bulk("hopper", {"layers": "10", "frames": "8"}, hopper, ranks=2, force=True))
     picture = hopper / "figures" / "grains.png"
     frames = read_frames(hopper)
     draw(frames[len(frames) // 2], picture, view="front")

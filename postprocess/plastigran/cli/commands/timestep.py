@@ -6,14 +6,22 @@ from __future__ import annotations
 import argparse
 
 from plastigran import materials
-from plastigran.cli.arguments import add_law_and_sphere, law_names, positive
-from plastigran.experiments.central import Impact
+from plastigran.cli.arguments import law_names, positive
+from plastigran.experiments.central import GEOMETRIES, CentralImpact
 
 HELP = "recommended time step of an impact"
 
 
 def add_arguments(command: argparse.ArgumentParser) -> None:
-    add_law_and_sphere(command)
+    command.add_argument(
+        "--law",
+        nargs="+",
+        default=["all"],
+        metavar="LAW",
+        help="laws, or all (default) that the material has the constants for",
+    )
+    command.add_argument("--radius", type=positive, default=0.1, help="m, default 0.1")
+    command.add_argument("--geometry", choices=list(GEOMETRIES), default="sphere_wall")
     command.add_argument("--speed", type=positive, required=True, help="impact speed, m/s")
     command.add_argument("--material", default="aluminium_zv02")
 
@@ -21,5 +29,5 @@ def add_arguments(command: argparse.ArgumentParser) -> None:
 def run(arguments: argparse.Namespace) -> None:
     material = materials.read_material(arguments.material)
     for name in law_names(arguments.law, [arguments.material]):
-        impact = Impact(name, arguments.speed, material, arguments.radius, arguments.geometry)
-        print(f"{name:20s} {impact.time_step():.4g} s")
+        case = CentralImpact(name, arguments.speed, material, arguments.radius, arguments.geometry)
+        print(f"{name:20s} {case.timestep:.4g} s")

@@ -1,22 +1,172 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The oblique rod: the rigid body that falls on a flat, its motion, its runs, its figures."""
+"""The oblique rod of Ghaednia, Cermik & Marghitu 2015, held against its equations of motion."""
 
-from plastigran.experiments.rod.body import (
-    PAPER_FRICTION,
-    PAPER_RESTITUTION,
-    MeasuredRun,
-    Rod,
-    RodImpact,
-    paper_rods,
-)
-from plastigran.physics.rod import simulate
+from __future__ import annotations
 
-__all__ = [
-    "PAPER_FRICTION",
-    "PAPER_RESTITUTION",
-    "MeasuredRun",
-    "Rod",
-    "RodImpact",
-    "paper_rods",
-    "simulate",
-]
+from collections.abc import Callable, Iterable, Mapping
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, ClassVar
+
+import attrs
+
+from plastigran import laws
+from plastigran.declared import declaration, number, word
+from plastigran.experiments.base import Experiment, Flag
+from plastigran.experiments.central import OVERLAP_LIMIT
+from plastigran.experiments.fields import check_overlap, law_field
+from plastigran.experiments.rod.measurement import measure_rod
+from plastigran.experiments.rod.paper import PAPER_FRICTION, PAPER_SPEEDS
+from plastigran.experiments.runs import Runs
+from plastigran.experiments.tables import HEADS
+from plastigran.materials import Material, material_field
+from plastigran.physics.rod import Rod, RodOutcome
+from plastigran.physics.rod_motion import simulate
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+_ROD = declaration(Rod)
+
+
+@attrs.frozen
+class RodImpact(Experiment):
+    """One impact of a rod that falls straight down.
+
+    The engine's friction is `tangential`: `history` holds the tip by a spring until it pulls with
+    mu F, `no_history` is mu F as soon as the tip slides, as in the paper.
+
+    Raises:
+        ValueError: A field is out of range, the engine cannot do it, or the tip would overlap too
+            far for any law.
+    """
+
+    law: str = law_field("sphere")
+    speed: float = number("impact speed, straight down", "m/s", 0)
+    rod: Rod = attrs.field(factory=Rod)
+    tangential: str = word("friction", ("history", "no_history", "off"), default="history")
+    material: Material = material_field("of the rod", "steel_gcm15")
+    flat: Material = material_field("of the flat", "iron_gcm15")
+    # The paper prints (2/H_rod + 2/H_flat)^-1 of the Brinell hardnesses 327 and 105.
+    indentation_pressure: float = number(
+        "indentation pressure, for the laws that take one", "Pa", 0, default=3.8971e8
+    )
+
+    command: ClassVar[str] = "rod"
+    help: ClassVar[str] = "drop the paper's oblique rod, table and figures"
+    deck: ClassVar[str] = "collision/rod.in"
+    flags: ClassVar[Mapping[str, Flag]] = {
+        "angle": Flag(tuple(PAPER_FRICTION), said=_ROD["angle"]),
+        "coefficient_of_friction": Flag(
+            None, "friction", _ROD["coefficient_of_friction"], many=False
+        ),
+        "law": Flag(("all",)),
+        "speed": Flag(PAPER_SPEEDS),
+        "tangential": Flag("history", many=False),
+    }
+    usual_materials: ClassVar[tuple[str, ...]] = ("steel_gcm15",)
+    quantities: ClassVar[tuple[str, ...]] = (
+        "coefficient_of_restitution",
+        "angular_velocity",
+        "force_max",
+        "overlap_max",
+        "overlap_res",
+        "loading_time",
+        "contact_time",
+    )
+    shown: ClassVar[tuple[str, ...]] = tuple(HEADS)
+    docs_figures: ClassVar[Mapping[str, str]] = {"outcome": "rod.png"}
+
+    def __attrs_post_init__(self) -> None:
+        if self.law == "hertz" and self.tangential == "no_history":
+            raise ValueError(
+                "the engine's own hertz, undamped, has no friction with tangential no_history"
+            )
+        overlap, radius = self.frozen().overlap_max, self.rod.tip_radius
+        check_overlap(self, overlap, radius, OVERLAP_LIMIT, "tip radii")
+
+    @property
+    def pair(self) -> laws.MaterialPair:
+        return laws.combine(self.material.body(), self.flat.body())
+
+    def contact_law(self, **options: str | float):
+        """The law between rod and flat; `options` are its own."""
+        if any(row["name"] == "indentation_pressure" for row in laws.LAWS[self.law].parameters()):
+            options = {"indentation_pressure": self.indentation_pressure, **options}
+        return self.material.law(self.law, self.pair, **options)
+
+    def frozen(self) -> laws.Impact:
+        """The impact as a central one of the mass the tip feels, `Rod.mass_eff`."""
+        rod = self.rod
+        return self.contact_law().central_impact(rod.tip_radius, rod.mass_eff, self.speed)
+
+    @property
+    def label(self) -> str:
+        return f"rod_{self.rod.angle:g}_{self.law}_{self.speed:.3g}"
+
+    @property
+    def timestep(self) -> float:
+        """Half the step recommended for the tip's sphere alone [s], a sixth of the rod's mass: the
+        engine's check of the time step knows no more of the rod than that."""
+        rod = self.rod
+        law = self.contact_law()
+        return 0.5 * law.recommended_time_step(rod.tip_radius, rod.tip_mass, self.speed)
+
+    def variables(self) -> dict[str, object]:
+        flat = {f"flat_{name}": value for name, value in self.flat.variables().items()}
+        del flat["flat_density"]  # it does not move
+        names = ("law", "speed", "tangential", "indentation_pressure")
+        own = {name: getattr(self, name) for name in names}
+        return own | attrs.asdict(self.rod) | self.material.variables() | flat
+
+    def predict(self) -> RodOutcome:
+        """The impact by the equations of motion with the same friction, without the engine."""
+        rod = self.rod
+        if self.tangential == "off":
+            rod = attrs.evolve(rod, coefficient_of_friction=0.0)
+        spring = self.pair.shear_modulus_eff if self.tangential == "history" else None
+        return simulate(rod, self.contact_law(), self.speed, spring)
+
+    def measure(self, folder: Path) -> RodOutcome:
+        return measure_rod(Path(folder) / "trajectory.dump", self.rod.gravitational_acceleration)
+
+    def facts(self) -> dict[str, object]:
+        return {
+            "law": self.law,
+            "angle": self.rod.angle,
+            "coefficient_of_friction": self.rod.coefficient_of_friction,
+            "speed": self.speed,
+        }
+
+    def notes(self, measured: RodOutcome, predicted: RodOutcome) -> dict[str, object]:
+        return {"in_range": self.frozen().in_range, "time_step": self.timestep}
+
+    @classmethod
+    def cases(
+        cls, angle: Iterable[float], coefficient_of_friction: float | None = None, **settings: Any
+    ) -> list[RodImpact]:
+        """The paper's rod at some angles [degrees], with the friction the paper gives or another.
+
+        Raises:
+            ValueError: The paper gives none for an angle.
+        """
+        frictions = {each: PAPER_FRICTION.get(each, coefficient_of_friction) for each in angle}
+        if coefficient_of_friction is not None:
+            frictions = dict.fromkeys(frictions, coefficient_of_friction)
+        if None in frictions.values():
+            known = " and ".join(f"{paper:g}" for paper in PAPER_FRICTION)
+            raise ValueError(f"the paper gives friction at {known} degrees only; add --friction")
+        return cls.plan(rod=[Rod(*set_up) for set_up in frictions.items()], **settings)
+
+    @classmethod
+    def figures(cls, runs: Runs) -> dict[str, Callable[[], Figure]]:
+        from plastigran.experiments.rod import figures  # matplotlib is slow to load
+
+        def motion() -> Figure:
+            closest = figures.closest_to_measured(runs.outcomes)
+            return figures.motion_figure(closest, runs.outcomes[closest])
+
+        return {
+            "outcome": lambda: figures.outcome_figure(runs.table),
+            "deformation": lambda: figures.deformation_figure(runs.table),
+            "motion": motion,
+        }

@@ -8,19 +8,20 @@ import pandas as pd
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from plastigran.experiments.rod.body import PAPER_RESTITUTION, MeasuredRun, RodImpact, paper_rods
-from plastigran.experiments.rod.runs import RodRun
-from plastigran.plot.style import COLOURS, MARKERS, STYLE, plt, title
+from plastigran.experiments.rod import RodImpact
+from plastigran.experiments.rod.paper import PAPER_RESTITUTION, MeasuredRun, paper_rods
+from plastigran.physics.rod import RodOutcome
+from plastigran.plot.style import COLOURS, MARKERS, styled, subplots, title
 
 MEASURED = MeasuredRun()
 #: Engine points drawn of a motion.
 POINTS = 30
 
 
-def closest_to_measured(impacts: dict[RodRun, RodImpact]) -> RodRun:
+def closest_to_measured(impacts: dict[RodImpact, RodOutcome]) -> RodImpact:
     """The run nearest the paper's measured one: in angle, then speed, then angular velocity."""
 
-    def distance(run: RodRun) -> tuple[float, float, float]:
+    def distance(run: RodImpact) -> tuple[float, float, float]:
         return (
             abs(run.rod.angle - MEASURED.angle),
             abs(run.speed + MEASURED.velocity_before),
@@ -30,13 +31,13 @@ def closest_to_measured(impacts: dict[RodRun, RodImpact]) -> RodRun:
     return min(impacts, key=distance)
 
 
-def motion_figure(run: RodRun, measured: RodImpact) -> Figure:
+def motion_figure(run: RodImpact, measured: RodOutcome) -> Figure:
     """Forces, displacement, velocities and angular velocity over the time of contact.
 
     Lines are the equations of motion, points the engine; dotted, where the run is the paper's
     measured one, what it measured afterwards.
     """
-    predicted = run.predicted().history
+    predicted = run.predict().history
     points = measured.history.iloc[:: max(1, len(measured.history) // POINTS)]
     panels = [
         ("force (kN)", 1e-3, {"normal": "force", "friction": "friction_force"}, {}),
@@ -60,8 +61,8 @@ def motion_figure(run: RodRun, measured: RodImpact) -> Figure:
         ),
     ]
     is_measured = run.rod.angle == MEASURED.angle and run.speed == -MEASURED.velocity_before
-    with plt.rc_context(STYLE):
-        figure, grid = plt.subplots(2, 2, figsize=(8.2, 6), sharex=True, layout="constrained")
+    with styled():
+        figure, grid = subplots(2, 2, figsize=(8.2, 6), sharex=True)
         for axes, (name, scale, columns, levels) in zip(grid.flat, panels, strict=True):
             for colour, (label, column) in zip(COLOURS, columns.items(), strict=False):
                 axes.plot(predicted["time"] * 1e6, predicted[column] * scale, color=colour)
@@ -94,9 +95,9 @@ def outcome_figure(table: pd.DataFrame) -> Figure:
     The star is the paper's measured run; its restitution is the one its velocities imply.
 
     Args:
-        table: Columns of `RodRun.row`.
+        table: Columns of `RodImpact.row`.
     """
-    with plt.rc_context(STYLE):
+    with styled():
         figure, grid = _grid(table, 2)
         for column, angle in zip(grid.T, table["angle"].unique(), strict=True):
             _curves(column[0], table, angle, "coefficient_of_restitution", 1)
@@ -124,9 +125,9 @@ def deformation_figure(table: pd.DataFrame) -> Figure:
     """Permanent deformation over impact speed, one column an angle.
 
     Args:
-        table: Columns of `RodRun.row`.
+        table: Columns of `RodImpact.row`.
     """
-    with plt.rc_context(STYLE):
+    with styled():
         figure, grid = _grid(table, 1)
         for axes, angle in zip(grid[0], table["angle"].unique(), strict=True):
             _curves(axes, table, angle, "overlap_res", 1e6)
@@ -139,14 +140,13 @@ def deformation_figure(table: pd.DataFrame) -> Figure:
 
 def _grid(table: pd.DataFrame, rows: int) -> tuple[Figure, np.ndarray]:
     columns = table["angle"].nunique()
-    figure, grid = plt.subplots(
+    figure, grid = subplots(
         rows,
         columns,
         figsize=(3.6 * columns + 2, 3.3 * rows + 0.3),
         sharex=True,
         sharey="row",
         squeeze=False,
-        layout="constrained",
     )
     for axes in grid[-1]:
         axes.set_xlabel("impact speed (m/s)")

@@ -3,14 +3,14 @@
 
 from __future__ import annotations
 
-from math import floor, inf
-from pathlib import Path
+from typing import ClassVar
 
+import attrs
 import numpy as np
 import pandas as pd
 
-from plastigran.bulk.checks import count_check, ledger_checks, since_first
-from plastigran.bulk.decks import Analysis, Check
+from plastigran.bulk.checks import Check, count_check, since_first
+from plastigran.bulk.deck import Analysis, Brief, GranularDeck
 from plastigran.bulk.decks.bed_impact.figure import bed_figure, plate_figure
 from plastigran.bulk.decks.bed_impact.measurement import (
     measure_shots,
@@ -18,89 +18,107 @@ from plastigran.bulk.decks.bed_impact.measurement import (
     predicted_rebound,
     read_grains_dump,
 )
-from plastigran.bulk.grains import Grains, read_grains, read_options
-from plastigran.bulk.settings import check_contact, check_course
-from plastigran.engine.deck import Settings
-from plastigran.plot.ledger import ledger_figure
+from plastigran.declared import number, require, whole, word
 
 #: Error of the integrator at a sound time step: restitution, rebound speed and plastic work.
 INTEGRATOR = 1e-3
 #: Plastic work of a last step of pouring, over that of the shot.
 STEP = 1e-4
+#: What the closed form takes on a plate.
+PLATE = {"shot_layers": 1, "gravitational_acceleration": 0, "bed_layers": 0, "filling": 0}
 
 
-def check_settings(settings: Settings) -> None:
-    grains = read_grains(settings)
-    check_contact(settings)
-    check_course(settings)
-    if settings["ledger"] != "on":
-        raise ValueError("ledger is off; the plastic work of grains is part of it: set ledger=on")
-    settings.whole("side", 2)
-    settings.whole("shot_layers", 1)
-    slowest = settings.number("slowest", 0, unit="m/s")
-    settings.number("fastest", slowest, unit="m/s")
-    settings.number("duration", 0, unit="s")
-    if settings["target"] == "plate":
-        check_plate(settings, grains)
-    else:
-        settings.whole("bed_layers", 1)
-        settings.number("filling", 0, unit="s")
-        settings.number("gravitational_acceleration", 0, unit="m/s^2")
+@attrs.frozen(kw_only=True)
+class BedImpact(GranularDeck):
+    """Shot hits a plate, every one once, or a stream of it hits a bed of grains."""
 
-
-def check_plate(settings: Settings, grains: Grains) -> None:
-    """What the closed form takes. Raises ValueError for what it does not."""
-    for name, needed in {
-        "shot_layers": 1,
-        "gravitational_acceleration": 0,
-        "bed_layers": 0,
-        "filling": 0,
-    }.items():
-        if settings.number(name, -inf) != needed:
-            raise ValueError(f"{name} is {settings[name]}; it must be {needed} for target plate")
-    for name, choice in read_options(settings).items():
-        if name not in grains.options and choice != "off":
-            raise ValueError(f"options: {name} {choice} changes the restitution or is unknown")
-
-
-def analyse(settings: Settings, series: pd.DataFrame) -> Analysis:
-    grains = read_grains(settings)
-    table = since_first(series)  # which is when the shot begins
-    everything = read_grains_dump(Path(settings["output"]) / "grains.dump")
-    bed = bed_count(settings)
-    gravitational_acceleration = float(settings["gravitational_acceleration"])
-    shot = measure_shots(everything.iloc[bed:], grains.radius, gravitational_acceleration)
-    shot["rebound_predicted"] = predicted_rebound(
-        grains.contact_law(), grains.radius, grains.mass, shot["impact_speed"]
-    )
-    of_grains, in_all = everything["plastic_work"].sum(), table["plastic"].iloc[-1]
-    checks = [
-        count_check(table, bed + int(settings["side"]) ** 2 * int(settings["shot_layers"])),
-        *ledger_checks(settings, table),
-        Check(
-            "plastic work of the grains against the ledger's, relative",
-            abs(of_grains - in_all) / max(in_all, 1e-300),
-            STEP,
-            "the same work, summed by grain and in all but for a step of the pouring",
+    briefs: ClassVar = {
+        "plate": Brief(
+            {"side": 6, "slowest": 0.1, "duration": 0.02, "rows": 40},
+            start={"duration": 0.004},
+            restart=0,
         ),
-    ]
-    if settings["target"] == "plate":
-        checks += plate_checks(shot, grains.mass, table["plastic"] + table["viscous"])
-        figure = plate_figure(shot)
-    else:
-        surface = everything["z_before"].iloc[bed:].min() - 2 * grains.radius
-        by_depth = plastic_work_by_depth(everything, surface, 2 * grains.radius)
-        figure = bed_figure(shot, by_depth, 2 * grains.radius)
-    return Analysis(table, checks, {"bed_impact": figure, "ledger": ledger_figure(table)})
+        "bed": Brief(
+            {"target": "bed", "side": 4, "shot_layers": 1, "bed_layers": 5, "duration": 0.02}
+            | {"rows": 40},
+            start={"filling": 0.002, "duration": 0.002},
+            # The bed multiplies rounding.
+            restart=1e-6,
+        ),
+    }
 
+    target: str = word("what the shot hits", ("plate", "bed"))
+    side: int = whole("shots along either side", 2)
+    shot_layers: int = whole("of shot above each other", 1)
+    slowest: float = number("of the shot", "m/s", 0)
+    fastest: float = number("of the shot", "m/s", 0)
+    duration: float = number("from the shot's start", "s", 0)
+    bed_layers: int = whole("of grains poured, on a cubic lattice", 0)
+    filling: float = number("for the bed to come to rest", "s", 0, closed=True)
+    gravitational_acceleration: float = number("downwards", "m/s^2", 0, closed=True)
 
-def bed_count(settings: Settings) -> int:
-    """Grains of the bed, which were there before the shot: 0 for a plate."""
-    if settings["target"] == "plate":
-        return 0
-    # In radii; the deck rounds the same quotient.
-    across = floor(3 * int(settings["side"]) / 2.04)
-    return across**2 * int(settings["bed_layers"])
+    def check(self) -> None:
+        require(self, "fastest", lower=self.slowest)
+        if self.ledger != "on":
+            raise ValueError(
+                "ledger is off; the plastic work of grains is part of it: set ledger=on"
+            )
+        if self.target == "plate":
+            self._check_plate()
+        else:
+            require(self, "bed_layers", lower=1)
+            for name in ("filling", "gravitational_acceleration"):
+                require(self, name, closed=False)
+        GranularDeck.check(self)
+
+    def _check_plate(self) -> None:
+        for name, needed in PLATE.items():
+            if (value := getattr(self, name)) != needed:
+                raise ValueError(f"{name} is {value:g}; it must be {needed} for target plate")
+        for name, choice in self.model_options.items():
+            if name not in self.grains.options and choice != "off":
+                raise ValueError(f"options: {name} {choice} changes the restitution or is unknown")
+
+    def shots(self, grains: pd.DataFrame) -> pd.DataFrame:
+        """Speeds of each shot as measured, and its rebound as predicted on a plate [m/s].
+
+        Args:
+            grains: Rows of `read_grains_dump`, of bed and shot.
+        """
+        shot = measure_shots(
+            grains.iloc[int(self.derived("bed")) :], self.radius, self.gravitational_acceleration
+        )
+        law = self.grains.contact_law()
+        shot["rebound_predicted"] = predicted_rebound(
+            law, self.radius, self.grains.mass, shot["impact_speed"]
+        )
+        return shot
+
+    def analyse(self, series: pd.DataFrame) -> Analysis:
+        table = since_first(series)  # which is when the shot begins
+        grains = read_grains_dump(self.output / "grains.dump")
+        shot = self.shots(grains)
+        of_grains, in_all = grains["plastic_work"].sum(), table["plastic"].iloc[-1]
+        checks = [
+            count_check(table, self.derived("grains")),
+            *self.ledger_checks(table),
+            Check(
+                "plastic work of the grains against the ledger's, relative",
+                abs(of_grains - in_all) / max(in_all, 1e-300),
+                STEP,
+                "the same work, summed by grain and in all but for a step of the pouring",
+            ),
+        ]
+        if self.target == "plate":
+            checks += plate_checks(shot, self.grains.mass, table["plastic"] + table["viscous"])
+            figure = plate_figure(shot)
+        else:
+            before = grains["z_before"].iloc[int(self.derived("bed")) :]
+            by_depth = plastic_work_by_depth(
+                grains, before.min() - 2 * self.radius, 2 * self.radius
+            )
+            figure = bed_figure(shot, by_depth, 2 * self.radius)
+        return Analysis(table, checks, {"bed_impact": figure, **self.ledger_figure(table)})
 
 
 def plate_checks(shot: pd.DataFrame, mass: float, dissipated: pd.Series) -> list[Check]:

@@ -8,7 +8,7 @@ import pandas as pd
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from plastigran.plot.style import COLOURS, STYLE, plt
+from plastigran.plot.style import COLOURS, styled, subplots
 
 #: Shots drawn one by one where all lie on a curve.
 SHOWN = 30
@@ -20,8 +20,8 @@ def plate_figure(shot: pd.DataFrame) -> Figure:
     Args:
         shot: Columns impact_speed, rebound_speed, rebound_predicted [m/s], one row a shot.
     """
-    with plt.rc_context(STYLE):
-        figure, (left, right) = plt.subplots(1, 2, figsize=(9.2, 3.8), layout="constrained")
+    with styled():
+        figure, (left, right) = subplots(1, 2, figsize=(9.2, 3.8))
         ordered = shot.sort_values("impact_speed")
         shown = np.unique(np.linspace(0, len(shot) - 1, SHOWN).astype(int))
         _restitution(left, ordered, ordered.iloc[shown])
@@ -54,8 +54,8 @@ def bed_figure(shot: pd.DataFrame, by_depth: pd.DataFrame, diameter: float) -> F
         by_depth: Columns depth [m], plastic_work [J], one row a layer.
         diameter: Of the grains [m].
     """
-    with plt.rc_context(STYLE):
-        figure, (left, right) = plt.subplots(1, 2, figsize=(9.2, 3.8), layout="constrained")
+    with styled():
+        figure, (left, right) = subplots(1, 2, figsize=(9.2, 3.8))
         _restitution(left, shot.sort_values("impact_speed"), shot)
         left.set_ylim(-0.02, 1)
         total = by_depth["plastic_work"].sum()

@@ -10,7 +10,7 @@ from matplotlib.figure import Figure
 from plastigran.bulk.checks import dissipated
 from plastigran.physics.bagnold import Profile
 from plastigran.plot.grains import draw_grains, mean_power
-from plastigran.plot.style import COLOURS, STYLE, plt
+from plastigran.plot.style import COLOURS, styled, subplots
 
 #: Time over which powers are averaged [s].
 WINDOW = 0.12
@@ -27,9 +27,9 @@ def chute_figure(
         profile: Of the frames.
         settling: Time before profile and powers are taken [s].
     """
-    with plt.rc_context(STYLE):
-        figure, (bed, speeds, powers) = plt.subplots(
-            1, 3, figsize=(10.5, 3.8), width_ratios=(0.6, 0.9, 1.2), layout="constrained"
+    with styled():
+        figure, (bed, speeds, powers) = subplots(
+            1, 3, figsize=(10.5, 3.8), width_ratios=(0.6, 0.9, 1.2)
         )
         _draw_grains(figure, bed, grains[grains["step"] == grains["step"].max()])
         _draw_profile(speeds, profile)

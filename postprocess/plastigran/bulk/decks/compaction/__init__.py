@@ -4,23 +4,16 @@
 from __future__ import annotations
 
 from math import pi
+from typing import ClassVar
 
-import numpy as np
+import attrs
 import pandas as pd
 
-from plastigran.bulk.checks import count_check, ledger_checks, since_first
-from plastigran.bulk.decks import Analysis, Check
+from plastigran.bulk.checks import Check, count_check, since_first
+from plastigran.bulk.deck import Analysis, Brief, GranularDeck
 from plastigran.bulk.decks.compaction.figure import compaction_figure
-from plastigran.bulk.grains import read_grains
-from plastigran.bulk.settings import check_contact, check_course
-from plastigran.engine.deck import Settings
-from plastigran.physics.heckel import (
-    TOUCH,
-    Loop,
-    measure_loop,
-    punch_work,
-)
-from plastigran.plot.ledger import ledger_figure
+from plastigran.declared import number, require, whole
+from plastigran.physics.heckel import TOUCH, Loop, measure_loop, punch_work
 from plastigran.plot.style import title
 
 #: What the sum over a hundred rows of the log may miss of the punch's work; trapezia of half the
@@ -32,38 +25,65 @@ SLOW = 0.02
 LOADED = 0.2
 
 
-def check_settings(settings: Settings) -> None:
-    grains = read_grains(settings)
-    check_contact(settings)
-    check_course(settings)
-    settings.number("die_radius", 4 * grains.radius, unit="m")
-    settings.whole("layers", 3)
+@attrs.frozen(kw_only=True)
+class Compaction(GranularDeck):
+    """Grains in a die are pressed by a punch and released."""
+
+    briefs: ClassVar = {
+        "": Brief(
+            {"layers": 5, "die_radius": 0.005, "duration": 0.15, "filling": 0.1, "rows": 100}
+            | {"checkpoints": 10, "relative_density": 0.7, "release": 0.25},
+            start={"filling": 0.001, "duration": 0.004, "rows": 20, "checkpoints": 20},
+            # The bed multiplies rounding a thousandfold.
+            restart=1e-8,
+        )
+    }
+
+    die_radius: float = number("of the die and the punch", "m", 0)
+    layers: int = whole("of grains poured in, on a cubic lattice", 3)
     # Spheres stand at 0.5236 on the lattice; pressed flat they fill the die.
-    settings.number("relative_density", 0.5236, 1)
-    settings.number("release", 0, 1 + 1e-12)
-    for name in ("duration", "filling"):
-        settings.number(name, 0, unit="s")
-    settings.number("gravitational_acceleration", 0, unit="m/s^2")
+    relative_density: float = number("below the punch at its lowest", "-", 0.5236, 1)
+    release: float = number("share of its stroke the punch goes up again", "-", 0, 1 + 1e-12)
+    duration: float = number("of the stroke down and up", "s", 0)
+    filling: float = number("for the grains to come to rest", "s", 0)
 
+    def check(self) -> None:
+        require(self, "die_radius", lower=4 * self.radius)
+        GranularDeck.check(self)
 
-def analyse(settings: Settings, series: pd.DataFrame) -> Analysis:
-    table = stroke(settings, series)
-    loop = measure_loop(table["relative_density"], table["pressure"])
-    checks = [
-        count_check(table, poured(settings)),
-        Check(
-            "pressure left at the end, over its peak",
-            table["pressure"].iloc[-1] / loop.pressure,
-            TOUCH,
-            "the punch has left the grains; raise release",
-        ),
-    ]
-    strength = settings.number("yield_strength", 0, unit="Pa")
-    figures = {"compaction": compaction_figure({title(settings["law"]): table}, [strength])}
-    if settings["ledger"] == "on":
-        checks += [*ledger_checks(settings, table), *energy_checks(table, loop)]
-        figures["ledger"] = ledger_figure(table)
-    return Analysis(table, checks, figures)
+    def analyse(self, series: pd.DataFrame) -> Analysis:
+        table = self.stroke(series)
+        loop = measure_loop(table["relative_density"], table["pressure"])
+        checks = [
+            count_check(table, self.derived("grains")),
+            Check(
+                "pressure left at the end, over its peak",
+                table["pressure"].iloc[-1] / loop.pressure,
+                TOUCH,
+                "the punch has left the grains; raise release",
+            ),
+        ]
+        if self.ledger == "on":
+            checks += [*self.ledger_checks(table), *energy_checks(table, loop)]
+        figure = compaction_figure({title(self.law): table}, [self.yield_strength])
+        return Analysis(table, checks, {"compaction": figure, **self.ledger_figure(table)})
+
+    def stroke(self, series: pd.DataFrame) -> pd.DataFrame:
+        """The log of the stroke, with what is measured of it.
+
+        Args:
+            series: Columns time [s], height of the punch [m], force on it [N], and the ledger [J].
+
+        Returns:
+            The log with `time` [s] and the ledger from the stroke's start, and relative_density
+            [-], pressure [Pa] and punch_work [J].
+        """
+        table = since_first(series)
+        area, solid = pi * self.die_radius**2, table["atoms"] * 4 / 3 * pi * self.radius**3
+        table["relative_density"] = solid / (area * table["height"])
+        table["pressure"] = table["force"] / area
+        table["punch_work"] = punch_work(table["height"], table["force"])
+        return table
 
 
 def energy_checks(table: pd.DataFrame, loop: Loop) -> list[Check]:
@@ -84,28 +104,3 @@ def energy_checks(table: pd.DataFrame, loop: Loop) -> list[Check]:
             "slow enough to be quasi-static",
         ),
     ]
-
-
-def poured(settings: Settings) -> int:
-    """Grains of the lattice that find place in the die."""
-    radius, die_radius = float(settings["radius"]), float(settings["die_radius"])
-    spacing = 2.04 * radius
-    reach = int(die_radius / spacing) + 1
-    x, y = np.meshgrid(*[(np.arange(-reach, reach) + 0.5) * spacing] * 2)
-    return int(np.sum(np.hypot(x, y) <= die_radius - radius)) * int(settings["layers"])
-
-
-def stroke(settings: Settings, series: pd.DataFrame) -> pd.DataFrame:
-    """The log of the stroke, with what is measured of it.
-
-    Returns:
-        The log with `time` [s] and the ledger from the stroke's start, and relative_density [-],
-        pressure [Pa], punch_work [J], and heckel, ln(1/(1 - relative density)) [-].
-    """
-    radius, die_radius = float(settings["radius"]), float(settings["die_radius"])
-    table = since_first(series)
-    area, solid = pi * die_radius**2, table["atoms"] * 4 / 3 * pi * radius**3
-    table["relative_density"] = solid / (area * table["height"])
-    table["pressure"] = table["force"] / area
-    table["punch_work"] = punch_work(table["height"], table["force"])
-    return table

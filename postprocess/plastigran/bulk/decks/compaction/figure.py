@@ -8,7 +8,7 @@ import pandas as pd
 from matplotlib.figure import Figure
 
 from plastigran.physics.heckel import STRAIGHT, heckel_line
-from plastigran.plot.style import COLOURS, STYLE, plt
+from plastigran.plot.style import COLOURS, styled, subplots
 
 
 def compaction_figure(runs: dict[str, pd.DataFrame], yield_strengths: list[float]) -> Figure:
@@ -19,8 +19,8 @@ def compaction_figure(runs: dict[str, pd.DataFrame], yield_strengths: list[float
         yield_strengths: Of each run's grains [Pa], for the slope 1/(3 sigma_Y); one that makes the
             grains elastic draws none.
     """
-    with plt.rc_context(STYLE):
-        figure, (loops, heckel) = plt.subplots(1, 2, figsize=(9.2, 4.0), layout="constrained")
+    with styled():
+        figure, (loops, heckel) = subplots(1, 2, figsize=(9.2, 4.0))
         highest = 0.0
         for colour, (label, table), strength in zip(
             COLOURS, runs.items(), yield_strengths, strict=False

@@ -3,48 +3,65 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from math import pi
+from typing import ClassVar
 
+import attrs
 import pandas as pd
 
 from plastigran import laws
-from plastigran.bulk.checks import count_check, ledger_checks
-from plastigran.bulk.decks import Analysis, Check
+from plastigran.bulk.checks import Check, count_check
+from plastigran.bulk.deck import Analysis, Brief, BulkDeck
 from plastigran.bulk.decks.cooling_gas.figure import cooling_figure
-from plastigran.bulk.grains import Grains, read_grains, read_options
-from plastigran.bulk.settings import check_course
-from plastigran.engine.deck import Settings
+from plastigran.bulk.settings import continuable
+from plastigran.declared import number, whole
 from plastigran.physics import central
 from plastigran.physics.kinetic_theory import FREEZING, Gas, cool, law_restitution
-from plastigran.plot.ledger import ledger_figure
 from plastigran.plot.style import title
 
 #: What mean field itself may be off by: up to 7 % was found (docs/decks/cooling_gas.md).
 MEAN_FIELD = 0.08
 #: Statistical standard deviations allowed.
 DEVIATIONS = 4
-#: They say when it ends and where lines of the log and checkpoints are.
-CONTINUABLE = frozenset({"duration", "rows", "checkpoints"})
 #: The model's settings that leave the restitution alone, beside the law's options.
 HARMLESS = ("tangential_damping", "energy_ledger", "overlap_limit")
 
 
-@dataclass(frozen=True)
-class Case:
-    """A run's grains and what theory needs of them.
+@attrs.frozen(kw_only=True)
+class CoolingGas(BulkDeck):
+    """Smooth spheres in a periodic box, which cool by their own impacts."""
 
-    Attributes:
-        grains: Size, material and law.
-        volume_fraction: [-].
-        temperature: Granular temperature at step 0 [m^2/s^2].
-        count: Grains.
-    """
+    briefs: ClassVar = {
+        "": Brief(
+            {"side": 6, "duration": 40, "rows": 40, "checkpoints": 4},
+            start={"side": 4, "mixing": 0.1, "duration": 1.5, "rows": 6, "checkpoints": 1},
+            restart=0,
+        )
+    }
 
-    grains: Grains
-    volume_fraction: float
-    temperature: float
-    count: int
+    side: int = whole("grains along the box, the cube of it in all", 3)
+    volume_fraction: float = number("share of the box the grains fill", "-", 0, FREEZING)
+    temperature: float = number("of each direction's velocity at the start", "m^2/s^2", 0)
+    mixing: float = number("impacts a grain has before it may yield", "-", 0)
+    # These say when it ends and where lines of the log and checkpoints are.
+    duration: float = continuable(number("in mean times between a grain's first impacts", "-", 0))
+    rows: int = continuable(whole("lines of the log", 1))
+    checkpoints: int = continuable(whole("restart files on the way, a divisor of rows", 1))
+
+    def check(self) -> None:
+        for name, choice in self.model_options.items():
+            if name not in self.grains.options and name not in HARMLESS and choice != "off":
+                known = sorted({*(o["name"] for o in laws.LAWS[self.law].options()), *HARMLESS})
+                raise ValueError(
+                    f"options: {name} {choice} changes the restitution or is unknown; {self.law} "
+                    f"takes {', '.join(known)}"
+                )
+        BulkDeck.check(self)
+
+    @property
+    def count(self) -> int:
+        """Grains."""
+        return self.side**3
 
     @property
     def stall(self) -> float | None:
@@ -59,86 +76,56 @@ class Case:
         restitution = law_restitution(grains.contact_law(), grains.radius, grains.mass, speeds)
         return Gas(grains.radius, self.volume_fraction, restitution, self.count)
 
+    def analyse(self, series: pd.DataFrame) -> Analysis:
+        # Without drift N grains have 3(N - 1) free velocities.
+        scale = 2 / (3 * (self.count - 1) * self.grains.mass)
+        series = series.assign(temperature=scale * series["kinetic_energy"])
+        gas = self.gas()
+        predicted = cool(gas, self.temperature, series["time"])
+        for name in ("temperature", "temperature_error", "collisions"):
+            column = "temperature_predicted" if name == "temperature" else name
+            series[column] = predicted[name]
+        ratio = series["temperature"] / series["temperature_predicted"] - 1
+        elastic = gas.loss(self.temperature) < 1e-9
+        stored = self.stored_share(gas)
+        tolerance = stored + (not elastic) * MEAN_FIELD + DEVIATIONS * series["temperature_error"]
+        gained = (series["temperature"] - series["temperature"].cummin()).max()
+        checks = [
+            count_check(series, self.count),
+            Check(
+                "mean velocity of the gas over its thermal speed",
+                (series["flow"] / series["temperature"] ** 0.5).max(),
+                1e-9,
+                "impacts conserve momentum, to rounding",
+            ),
+            Check(
+                "temperature gained, of that at the start",
+                gained / self.temperature,
+                stored,
+                "energy only moves in and out of impacts under way",
+            ),
+            Check(
+                "temperature against mean field, relative, in tolerances",
+                (abs(ratio) / tolerance).max(),
+                1,
+                f"{MEAN_FIELD:g} for mean field, {DEVIATIONS} standard deviations of {self.count} "
+                "grains",
+            ),
+            *self.ledger_checks(series),
+        ]
+        cooling_rate = gas.cooling_rate(self.temperature)
+        course = cooling_figure({title(self.law): series}, self.stall, cooling_rate)
+        return Analysis(series, checks, {"cooling_gas": course, **self.ledger_figure(series)})
 
-def read_case(settings: Settings) -> Case:
-    """The case of a deck's settings. Raises ValueError naming one out of range."""
-    grains = read_grains(settings)
-    for name, choice in read_options(settings).items():
-        if name not in grains.options and name not in HARMLESS and choice != "off":
-            known = sorted({*(o["name"] for o in laws.LAWS[grains.law].options()), *HARMLESS})
-            raise ValueError(
-                f"options: {name} {choice} changes the restitution or is unknown; {grains.law} "
-                f"takes {', '.join(known)}"
-            )
-    return Case(
-        grains,
-        settings.number("volume_fraction", 0, FREEZING),
-        settings.number("temperature", 0, unit="m^2/s^2"),
-        settings.whole("side", 3) ** 3,
-    )
+    def stored_share(self, gas: Gas) -> float:
+        """Bound on the share of the kinetic energy that impacts under way store at the start [-].
 
-
-def check_settings(settings: Settings) -> None:
-    read_case(settings)
-    settings.number("mixing", 0)
-    settings.number("duration", 0)
-    check_course(settings)
-
-
-def analyse(settings: Settings, series: pd.DataFrame) -> Analysis:
-    case = read_case(settings)
-    # Without drift N grains have 3(N - 1) free velocities.
-    scale = 2 / (3 * (case.count - 1) * case.grains.mass)
-    series = series.assign(temperature=scale * series["kinetic_energy"])
-    gas = case.gas()
-    predicted = cool(gas, case.temperature, series["time"])
-    series["temperature_predicted"] = predicted["temperature"]
-    series["temperature_error"] = predicted["temperature_error"]
-    series["collisions"] = predicted["collisions"]
-    ratio = series["temperature"] / series["temperature_predicted"] - 1
-    cooling_rate = gas.cooling_rate(case.temperature)
-    elastic = gas.loss(case.temperature) < 1e-9
-    stored = stored_share(case, gas)
-    tolerance = stored + (not elastic) * MEAN_FIELD + DEVIATIONS * series["temperature_error"]
-    checks = [
-        count_check(series, case.count),
-        Check(
-            "mean velocity of the gas over its thermal speed",
-            (series["flow"] / series["temperature"] ** 0.5).max(),
-            1e-9,
-            "impacts conserve momentum, to rounding",
-        ),
-        Check(
-            "temperature gained, of that at the start",
-            (series["temperature"] - series["temperature"].cummin()).max() / case.temperature,
-            stored,
-            "energy only moves in and out of impacts under way",
-        ),
-        Check(
-            "temperature against mean field, relative, in tolerances",
-            (abs(ratio) / tolerance).max(),
-            1,
-            f"{MEAN_FIELD:g} for mean field, {DEVIATIONS} standard deviations of {case.count} "
-            "grains",
-        ),
-        *ledger_checks(settings, series),
-    ]
-    course = cooling_figure({title(case.grains.law): series}, case.stall, cooling_rate)
-    figures = {"cooling_gas": course}
-    if settings["ledger"] == "on":
-        figures["ledger"] = ledger_figure(series)
-    return Analysis(series, checks, figures)
-
-
-def stored_share(case: Case, gas: Gas) -> float:
-    """Bound on the share of the kinetic energy that impacts under way store at the start [-].
-
-    Of N grains N s/2 pairs touch, s the collision rate times the elastic duration of the mean
-    impact. Each took m g^2/4 of 3/2 N m T, exponentially distributed about m T, and stores half of
-    it or so: in the mean s/6, with a standard deviation of s^(1/2)/(3 N^(1/2)).
-    """
-    grains = case.grains
-    modulus, speed = grains.pair.youngs_modulus_eff, (pi * case.temperature) ** 0.5
-    duration = central.hertz_duration(grains.radius / 2, grains.mass / 2, modulus, speed)
-    touching = float(duration * gas.collision_rate(case.temperature))
-    return touching / 6 + DEVIATIONS * (touching / case.count) ** 0.5 / 3
+        Of N grains N s/2 pairs touch, s the collision rate times the elastic duration of the mean
+        impact. Each took m g^2/4 of 3/2 N m T, exponentially distributed about m T, and stores half
+        of it or so: in the mean s/6, with a standard deviation of s^(1/2)/(3 N^(1/2)).
+        """
+        grains = self.grains
+        modulus, speed = grains.pair.youngs_modulus_eff, (pi * self.temperature) ** 0.5
+        duration = central.hertz_duration(grains.radius / 2, grains.mass / 2, modulus, speed)
+        touching = float(duration * gas.collision_rate(self.temperature))
+        return touching / 6 + DEVIATIONS * (touching / self.count) ** 0.5 / 3

@@ -8,7 +8,7 @@ import pandas as pd
 from matplotlib.figure import Figure
 
 from plastigran.physics.kinetic_theory import haff
-from plastigran.plot.style import COLOURS, MARKERS, STYLE, plt
+from plastigran.plot.style import COLOURS, MARKERS, styled, subplots
 
 
 def cooling_figure(
@@ -23,9 +23,9 @@ def cooling_figure(
         cooling_rate: -d ln T/dt at the start [1/s], for the course it would take at a constant
             restitution; None draws none.
     """
-    with plt.rc_context(STYLE):
-        figure, (axes, below) = plt.subplots(
-            2, 1, figsize=(6.4, 5.8), sharex=True, height_ratios=(3, 1), layout="constrained"
+    with styled():
+        figure, (axes, below) = subplots(
+            2, 1, figsize=(6.4, 5.8), sharex=True, height_ratios=(3, 1)
         )
         for colour, marker, (label, series) in zip(COLOURS, MARKERS, runs.items(), strict=False):
             shown = series[series["time"] > 0]

@@ -6,10 +6,11 @@ from __future__ import annotations
 import numpy as np
 import pandas as pd
 from matplotlib.figure import Figure
+from matplotlib.patches import Circle
 
 from plastigran.bulk.checks import dissipated
 from plastigran.plot.grains import draw_grains, mean_power
-from plastigran.plot.style import COLOURS, STYLE, plt
+from plastigran.plot.style import COLOURS, styled, subplot_mosaic
 
 #: Revolutions over which powers are averaged: avalanches come and go within less.
 WINDOW = 0.05
@@ -29,10 +30,8 @@ def drum_figure(
     """
     steady = series[series["time"] >= settling]
     angle = steady["angle"].mean()
-    with plt.rc_context(STYLE):
-        figure, panels = plt.subplot_mosaic(
-            [["bed", "angle"], ["bed", "power"]], figsize=(9.6, 4.2), layout="constrained"
-        )
+    with styled():
+        figure, panels = subplot_mosaic([["bed", "angle"], ["bed", "power"]], figsize=(9.6, 4.2))
         _draw_bed(panels["bed"], grains, drum_radius, angle)
         axes = panels["angle"]
         axes.plot(series["revolutions"], series["angle"], color=COLOURS[0], lw=1)
@@ -55,7 +54,7 @@ def drum_figure(
 def _draw_bed(axes, grains, drum_radius, angle) -> None:
     speed = np.hypot(grains["vx"], grains["vz"])
     discs = draw_grains(axes, grains.assign(speed=speed), "speed")
-    axes.add_patch(plt.Circle((0, 0), drum_radius, fill=False, color="0.3", lw=1.5))
+    axes.add_patch(Circle((0, 0), drum_radius, fill=False, color="0.3", lw=1.5))
     lean = np.radians(angle)
     half_chord = drum_radius * np.array([-1, 1])
     axes.plot(half_chord * np.cos(lean), half_chord * np.sin(lean), "--", color="0.2", lw=1)

@@ -8,13 +8,8 @@ import pandas as pd
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from plastigran.physics.beverloo import (
-    COEFFICIENT,
-    EMPTY_ANNULUS,
-    Discharge,
-    fit_constants,
-)
-from plastigran.plot.style import COLOURS, STYLE, plt
+from plastigran.physics.beverloo import Discharge, fit_constants
+from plastigran.plot.style import COLOURS, styled, subplots
 
 
 def discharge_figure(series: pd.DataFrame, discharge: Discharge | None, mass: float) -> Figure:
@@ -25,8 +20,8 @@ def discharge_figure(series: pd.DataFrame, discharge: Discharge | None, mass: fl
         discharge: The run's; None where it has no steady part.
         mass: Of a grain [kg].
     """
-    with plt.rc_context(STYLE):
-        figure, axes = plt.subplots(figsize=(6.4, 4.4), layout="constrained")
+    with styled():
+        figure, axes = subplots(figsize=(6.4, 4.4))
         draw_course(
             axes, series, discharge, mass, COLOURS[0], "discharge, thick where its rate is taken"
         )
@@ -57,8 +52,8 @@ def orifices_figure(runs: list[tuple[pd.DataFrame, Discharge, float]]) -> Figure
     discharges = [discharge for _, discharge, _ in runs]
     constants = fit_constants(discharges)
     diameter = discharges[0].diameter
-    with plt.rc_context(STYLE):
-        figure, (left, right) = plt.subplots(1, 2, figsize=(9.6, 4.2), layout="constrained")
+    with styled():
+        figure, (left, right) = subplots(1, 2, figsize=(9.6, 4.2))
         for colour, (series, discharge, mass) in zip(COLOURS, runs, strict=False):
             label = f"{discharge.orifice / diameter:.3g} d"
             draw_course(left, series, discharge, mass, colour, label)
@@ -83,13 +78,14 @@ def orifices_figure(runs: list[tuple[pd.DataFrame, Discharge, float]]) -> Figure
             label=f"fit: C = {constants.coefficient:.3f} ± {constants.coefficient_error:.3f}, "
             f"k = {constants.empty_annulus:.2f} ± {constants.empty_annulus_error:.2f}",
         )
+        coefficient, annulus = discharges[0].coefficient, discharges[0].empty_annulus
         right.plot(
             width,
-            np.clip(COEFFICIENT**0.4 * (width - EMPTY_ANNULUS), 0, None),
+            np.clip(coefficient**0.4 * (width - annulus), 0, None),
             "--",
             color="0.5",
             lw=1.3,
-            label=f"Beverloo: C = {COEFFICIENT}, k = {EMPTY_ANNULUS}",
+            label=f"Beverloo: C = {coefficient}, k = {annulus}",
         )
         right.set_xlim(0)
         right.set_ylim(0)

@@ -1,0 +1,160 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Whether two states of the project compute the same: byte by byte.
+
+    ./run compare HEAD~20          # that commit, checked out and built in build/compare
+    ./run compare ../elsewhere     # or a built tree
+
+Each state runs its own decks through its own engine with the same settings: every law through every
+collision deck, the rod, the benchmark impacts, and each bulk deck for a moment, on one rank and on
+two. Dumps must be the same bytes, lines of the log the same text, refusals the same words. What
+differs is listed, and the command ends with 1.
+"""
+
+from __future__ import annotations
+
+import argparse
+import os
+import re
+import subprocess
+import sys
+import tempfile
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass, field
+from pathlib import Path
+
+PROJECT = Path(__file__).resolve().parents[1]
+
+#: Settings that make a bulk deck short enough to be run to its end in seconds.
+BRIEF = {
+    "bed_impact": {"duration": 0.02, "rows": 20},
+    "chute": {"length": 4, "width": 3, "depth": 6, "duration": 0.06, "settling": 0, "rows": 12},
+    "compaction": {"layers": 4, "die_radius": 0.005, "duration": 0.04, "filling": 0.02, "rows": 40},
+    "cooling_gas": {"side": 5, "duration": 12, "rows": 12, "mixing": 1},
+    "drum": {"drum_radius": 0.05, "length": 0.03, "duration": 0.02, "settling": 0, "rows": 12},
+    "hopper": {"orifice": 8, "layers": 2, "filling": 0.05, "duration": 0.05, "rows": 12},
+}
+#: A material that has every constant a law may ask for, where the deck's own lacks one.
+MATERIAL = {"viscoelastic_hertz": "ice"}
+CYLINDER_LAWS = ("katta_polycarpou", "lim_stronge")
+
+
+@dataclass(frozen=True)
+class Run:
+    """One deck with settings that differ from its own."""
+
+    deck: str
+    ranks: int = 1
+    settings: dict[str, object] = field(default_factory=dict, hash=False)
+
+    @property
+    def name(self) -> str:
+        said = "_".join(str(value) for key, value in self.settings.items() if key == "law")
+        return f"{self.deck.removesuffix('.in').replace('/', '_')}_{said}_{self.ranks}"
+
+
+def runs(tree: Path) -> list[Run]:
+    """What is run: laws and decks are found in the tree."""
+    laws = sorted(page.stem for page in (tree / "docs" / "laws").glob("*.md"))
+    found = []
+    for law in laws:
+        settings = {"law": law}
+        if law in MATERIAL:
+            settings["material"] = MATERIAL[law]
+        for deck in ("sphere_wall", "sphere_mesh", "two_spheres", "cylinder_wall", "rod"):
+            if (law in CYLINDER_LAWS) == (deck == "cylinder_wall"):
+                found += [Run(f"collision/{deck}.in", 1, settings)]
+        found += [Run("collision/two_spheres.in", 2, settings)]
+    for deck in sorted((tree / "inputs" / "collision" / "chung_ooi").glob("*.in")):
+        found += [Run(f"collision/chung_ooi/{deck.name}")]
+    for deck in sorted((tree / "inputs" / "bulk").glob("*.in")):
+        settings = {"checkpoints": 1, **BRIEF.get(deck.stem, {})}
+        found += [Run(f"bulk/{deck.name}", ranks, settings) for ranks in (1, 2)]
+    return found
+
+
+def execute(tree: Path, run: Run, folder: Path) -> dict[str, bytes]:
+    """Run a deck in a tree; what it leaves that must not change, by name."""
+    folder.mkdir(parents=True)
+    line = [str(tree / "build" / "liggghts-plastigran"), "-in", str(tree / "inputs" / run.deck)]
+    line += ["-log", str(folder / "log.liggghts")]
+    settings = {"inputs": tree / "inputs", "output": folder, **run.settings}
+    for name, value in settings.items():
+        line += ["-var", name, str(value)]
+    if run.ranks > 1:
+        line = ["mpirun", "--oversubscribe", "-np", str(run.ranks), *line]
+    allowed = {"OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1"}
+    shared = {"OMPI_MCA_mpi_yield_when_idle": "1"}
+    done = subprocess.run(
+        line, cwd=folder, env=os.environ | allowed | shared, capture_output=True, check=False
+    )
+    log = folder / "log.liggghts"
+    text = log.read_text(errors="replace") if log.exists() else ""
+    left = {file.name: file.read_bytes() for file in sorted(folder.glob("*.dump"))}
+    left["log"] = "\n".join(lines_that_stay(text, done.stdout.decode(errors="replace"))).encode()
+    left["end"] = str(done.returncode).encode()
+    return left
+
+
+def lines_that_stay(log: str, screen: str) -> list[str]:
+    """Rows of numbers, and errors without their place in a source."""
+    rows = [
+        line for line in log.splitlines() if re.fullmatch(r"\s*\d+(\s+[-+.\deE]+|\s+nan)+\s*", line)
+    ]
+    errors = [line for line in (log + screen).splitlines() if line.startswith("ERROR")]
+    return rows + sorted({re.sub(r" \(\S+:\d+\)$", "", line) for line in errors})
+
+
+def built(state: str) -> Path:
+    """The folder of a built tree: the one named, or a commit checked out and built."""
+    if (Path(state) / "build" / "liggghts-plastigran").exists():
+        return Path(state).resolve()
+    commit = subprocess.run(
+        ["git", "rev-parse", "--verify", f"{state}^{{commit}}"],
+        cwd=PROJECT,
+        capture_output=True,
+        text=True,
+        check=False,
+    ).stdout.strip()
+    if not commit:
+        sys.exit(f"{state} is neither a built tree nor a commit")
+    tree = PROJECT / "build" / "compare" / commit[:12]
+    if not tree.exists():
+        subprocess.run(
+            ["git", "worktree", "add", "--detach", str(tree), commit], cwd=PROJECT, check=True
+        )
+    subprocess.run(["./run", "setup"], cwd=tree, check=True)
+    return tree
+
+
+def main() -> int:
+    parser = argparse.ArgumentParser(description=__doc__.partition("\n")[0])
+    parser.add_argument("state", help="a commit, or the folder of a built tree")
+    parser.add_argument("--only", default="", help="runs whose name holds this word")
+    parser.add_argument("--jobs", type=int, default=os.cpu_count())
+    arguments = parser.parse_args()
+    other = built(arguments.state)
+    chosen = [run for run in runs(other) if arguments.only in run.name]
+    if not chosen:
+        sys.exit(f"no run is called {arguments.only}")
+    differing = []
+    with tempfile.TemporaryDirectory() as scratch, ThreadPoolExecutor(arguments.jobs) as pool:
+
+        def compare(run: Run) -> tuple[str, list[str]]:
+            before = execute(other, run, Path(scratch) / "before" / run.name)
+            after = execute(PROJECT, run, Path(scratch) / "after" / run.name)
+            names = sorted(before.keys() | after.keys())
+            size = sum(map(len, before.values()))
+            said = f"{size:9d} bytes" + (", refused" if before["end"] != b"0" else "")
+            return said, [name for name in names if before.get(name) != after.get(name)]
+
+        for run, (said, different) in zip(chosen, pool.map(compare, chosen), strict=True):
+            verdict = f"differs: {', '.join(different)}" if different else "same"
+            print(f"{run.name:48s} {said:26s} {verdict}", flush=True)
+            differing += [run.name] if different else []
+    print(f"{len(chosen)} runs, {len(differing)} differ")
+    return 1 if differing else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+//
+// Naming a private member in an explicit instantiation is the language's own way in.
+#include "liggghts/fixes/engine_access.h"
+
+#include <map>
+
+#include "fix.h"
+#include "modify.h"
+#include "output.h"
+#include "settings.h"
+#include "thermo.h"
+
+namespace plastigran {
+
+namespace {
+
+struct SettingsByName {
+  typedef std::map<std::string, Setting*> Settings::*type;
+  friend type reach(SettingsByName);
+};
+struct FixCreators {
+  typedef std::map<std::string, FixCreator>* LAMMPS_NS::Modify::*type;
+  friend type reach(FixCreators);
+};
+struct LostFlag {
+  typedef int LAMMPS_NS::Thermo::*type;
+  friend type reach(LostFlag);
+};
+struct NextRestart {
+  typedef LAMMPS_NS::bigint LAMMPS_NS::Output::*type;
+  friend type reach(NextRestart);
+};
+
+template <class Tag, typename Tag::type Member>
+struct Reach {
+  friend typename Tag::type reach(Tag) { return Member; }
+};
+template struct Reach<SettingsByName, &Settings::settings>;
+template struct Reach<FixCreators, &LAMMPS_NS::Modify::fix_map>;
+template struct Reach<LostFlag, &LAMMPS_NS::Thermo::lostflag>;
+template struct Reach<NextRestart, &LAMMPS_NS::Output::next_restart>;
+
+}  // namespace
+
+void add_choice(Settings& settings, const std::string& name, const char* const* words,
+                std::size_t count, int& chosen) {
+  EnumSetting<int>* const setting = new EnumSetting<int>(name);  // Settings deletes it
+  for (std::size_t k = 0; k < count; ++k)
+    if (words[k]) setting->addOption(words[k], k);
+  setting->setDefault(words[chosen]);
+  setting->registerTarget(chosen);
+  (settings.*reach(SettingsByName()))[name] = setting;
+}
+
+void add_fix_style(LAMMPS_NS::Modify* modify, const std::string& style, FixCreator creator) {
+  (*(modify->*reach(FixCreators())))[style] = creator;
+}
+
+bool lost_is_error(const LAMMPS_NS::Output* output) {
+  constexpr int error = 2;  // of Thermo's IGNORE, WARN, ERROR
+  return output->thermo->*reach(LostFlag()) == error;
+}
+
+LAMMPS_NS::bigint next_restart(const LAMMPS_NS::Output* output) {
+  return output->*reach(NextRestart());
+}
+
+}  // namespace plastigran

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+//
+// What the adapter must reach in the engine and the engine keeps private.
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+#include "lmptype.h"
+
+class Settings;
+
+namespace LAMMPS_NS {
+class Fix;
+class LAMMPS;
+class Modify;
+class Output;
+}  // namespace LAMMPS_NS
+
+namespace plastigran {
+
+// Adds a setting of the model line whose value is one of several words. `chosen` is the index of
+// the word: the default now, the deck's word once the line is read. The engine's Settings offers
+// models only on/off and numbers. Words that are null are left out.
+void add_choice(Settings& settings, const std::string& name, const char* const* words,
+                std::size_t count, int& chosen);
+
+// Adds a style of fixes. A plugin has no other way to do that.
+typedef LAMMPS_NS::Fix* (*FixCreator)(LAMMPS_NS::LAMMPS*, int, char**);
+void add_fix_style(LAMMPS_NS::Modify* modify, const std::string& style, FixCreator creator);
+
+// Whether lost particles are an error (thermo_modify lost error).
+bool lost_is_error(const LAMMPS_NS::Output* output);
+
+// The step of the next file of the `restart` command.
+LAMMPS_NS::bigint next_restart(const LAMMPS_NS::Output* output);
+
+}  // namespace plastigran

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "liggghts/fixes/motion_watch.h"
+
+#include <cmath>
+#include <sstream>
+
+#include "atom.h"
+#include "domain.h"
+#include "error.h"
+#include "liggghts/fixes/engine_access.h"
+#include "update.h"
+
+namespace plastigran {
+
+std::string describe(const LAMMPS_NS::Atom* atom, int i) {
+  std::ostringstream text;
+  text << "particle " << atom->tag[i] << " at (" << atom->x[i][0] << ' ' << atom->x[i][1] << ' '
+       << atom->x[i][2] << ')';
+  return text.str();
+}
+
+MotionWatch::MotionWatch(LAMMPS_NS::LAMMPS* engine, int count, char** words)
+    : Fix(engine, count, words) {
+  nevery = 1;
+}
+
+int MotionWatch::setmask() {
+  using namespace LAMMPS_NS::FixConst;
+  return PRE_INITIAL_INTEGRATE | PRE_EXCHANGE | END_OF_STEP;
+}
+
+// The forces of the start: one step later positions would be lost too.
+void MotionWatch::pre_initial_integrate() {
+  if (!first_) return;
+  first_ = false;
+  for (int i = 0; i < atom->nlocal; ++i) {
+    const double* const f = atom->f[i];
+    if (!std::isfinite(f[0] + f[1] + f[2]))
+      stop(i, "has a force that is no number",
+           "Look for particles that start in the middle of a wall or of one another");
+  }
+}
+
+void MotionWatch::end_of_step() {
+  const double step_squared = update->dt * update->dt;
+  for (int i = 0; i < atom->nlocal; ++i) {
+    const double* const v = atom->v[i];
+    const double travel = step_squared * (v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+    if (!(travel <= atom->radius[i] * atom->radius[i])) lost_control(i, std::sqrt(travel));
+  }
+}
+
+void MotionWatch::pre_exchange() {
+  if (!lost_is_error(output)) return;
+  for (int i = 0; i < atom->nlocal; ++i)
+    for (int axis = 0; axis < 3; ++axis) {
+      if (domain->periodicity[axis]) continue;
+      const bool below = domain->boundary[axis][0] == 1 && atom->x[i][axis] < domain->boxlo[axis];
+      const bool above = domain->boundary[axis][1] == 1 && atom->x[i][axis] > domain->boxhi[axis];
+      if (below || above)
+        stop(i,
+             std::string("leaves the box at its ") + (below ? "lower " : "upper ") + "xyz"[axis] +
+                 " side",
+             "Close the walls (facing triangles without gaps), make the time step shorter, "
+             "enlarge the box, or allow it: thermo_modify lost ignore");
+    }
+}
+
+void MotionWatch::lost_control(int i, double travel) {
+  if (!std::isfinite(travel))
+    stop(i, "has a velocity that is no number",
+         "Look at its last contacts, and for particles in the middle of a wall");
+  std::ostringstream text;
+  text << "moves " << travel / atom->radius[i] << " of its radius in a step";
+  stop(i, text.str(),
+       "Its contacts were not resolved: make the time step shorter (the log recommends one, or "
+       "`plastigran timestep`), and look for overlapping particles where it comes from");
+}
+
+// On this rank alone.
+void MotionWatch::stop(int i, const std::string& what, const std::string& try_this) {
+  error->one(FLERR, (describe(atom, i) + ' ' + what + ". " + try_this).c_str());
+}
+
+}  // namespace plastigran

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+//
+// Stops a run that has gone wrong, and says which particle, where, and what to try: one whose
+// velocity is no number, one that outruns its contacts, one that leaves the box where particles
+// must not be lost (thermo_modify lost error). Each is found by the rank that has the particle,
+// before the engine's next output, so that no restart file is written of it.
+#pragma once
+
+#include <string>
+
+#include "fix.h"
+
+namespace plastigran {
+
+// A particle's number and place, for messages.
+std::string describe(const LAMMPS_NS::Atom* atom, int i);
+
+class MotionWatch : public LAMMPS_NS::Fix {
+ public:
+  MotionWatch(LAMMPS_NS::LAMMPS* engine, int count, char** words);
+  static const char* id() { return "plastigran_motion"; }
+  static const char* style() { return "plastigran/motion"; }
+
+  int setmask() override;
+  void setup(int) override { first_ = true; }
+  void pre_initial_integrate() override;
+  void end_of_step() override;
+  void setup_pre_exchange() override { pre_exchange(); }
+  void pre_exchange() override;
+
+ private:
+  void lost_control(int i, double travel);
+  void stop(int i, const std::string& what, const std::string& try_this);
+
+  bool first_ = true;
+};
+
+}  // namespace plastigran

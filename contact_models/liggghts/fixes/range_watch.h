@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+//
+// Counts the contacts that leave the range of their law while the engine runs, and says so once at
+// the end of a run.
+#pragma once
+
+#include <map>
+#include <string>
+
+#include "fix.h"
+
+namespace plastigran {
+
+class RangeWatch : public LAMMPS_NS::Fix {
+ public:
+  // Of one model, on this rank.
+  struct Excess {
+    const char* range = "";
+    double contacts = 0;      // one seen from both sides of a border counts half on each
+    double furthest = 0;      // largest overlap over the range's
+    double announced = 0;     // contacts, over all ranks, when it was last said
+    double warned_speed = 0;  // of impacts before a run that leave the range [m/s]
+  };
+
+  RangeWatch(LAMMPS_NS::LAMMPS* engine, int count, char** words) : Fix(engine, count, words) {}
+  static const char* id() { return "plastigran_range"; }
+  static const char* style() { return "plastigran/range"; }
+
+  // What is counted for a model; the watch is made when the first one asks. All ranks together.
+  static Excess* of(LAMMPS_NS::LAMMPS* engine, const std::string& model, const char* range);
+
+  int setmask() override { return 0; }
+  void post_run() override;
+
+ private:
+  std::map<std::string, Excess> models_;
+};
+
+}  // namespace plastigran

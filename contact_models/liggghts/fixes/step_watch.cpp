@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "liggghts/fixes/step_watch.h"
+
+#include <mpi.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <sstream>
+
+#include "comm.h"
+#include "error.h"
+#include "update.h"
+
+namespace plastigran {
+
+StepWatch::StepWatch(LAMMPS_NS::LAMMPS* engine, int count, char** words)
+    : Fix(engine, count, words) {
+  nevery = 1000;  // steps; one small reduction each
+}
+
+void StepWatch::expect(const std::string& model, const Recommended& impact, double rayleigh,
+                       double hertz) {
+  rayleigh_ = std::min(rayleigh_, rayleigh);
+  hertz_ = std::min(hertz_, hertz);
+  if (impact.step < impact_.step) impact_ = impact, model_ = model;
+}
+
+int StepWatch::setmask() { return LAMMPS_NS::FixConst::END_OF_STEP; }
+
+void StepWatch::setup(int) {
+  gather();
+  if (comm->me == 0) announce();
+  if (update->dt > impact_.step && impact_.step < 0.99 * warned_impact_) {
+    warned_impact_ = impact_.step;
+    std::ostringstream text;
+    text << model_ << ": the time step " << update->dt << " is too long for rebound from "
+         << (impact_.wall ? "wall " : "") << "impacts at the present speeds (up to "
+         << impact_.speed << "); restitution may be off by more than 0.1 %. Recommended: timestep "
+         << impact_.step;
+    warn(text.str());
+  }
+  impact_ = Recommended(), rayleigh_ = hertz_ = unknown;
+}
+
+void StepWatch::end_of_step() {
+  gather();
+  if (update->dt <= stiffest_.step || stiffest_.step > 0.9 * warned_contact_) return;
+  warned_contact_ = stiffest_.step;
+  std::ostringstream text;
+  text << "the time step " << update->dt << " is too long for the contact of particle "
+       << stiffest_.i << " with ";
+  stiffest_.j ? text << "particle " << stiffest_.j : text << "a wall";
+  text << " at (" << stiffest_.x[0] << ' ' << stiffest_.x[1] << ' ' << stiffest_.x[2]
+       << "), loaded as by an impact at " << stiffest_.speed
+       << "; restitution may be off by more than 0.1 %. Recommended: timestep " << stiffest_.step;
+  warn(text.str());
+}
+
+// The stiffest contact of all ranks, on all of them.
+void StepWatch::gather() {
+  struct {
+    double step;
+    int rank;
+  } mine{stiffest_.step, comm->me}, least;
+  MPI_Allreduce(&mine, &least, 1, MPI_DOUBLE_INT, MPI_MINLOC, world);
+  if (least.step < unknown) MPI_Bcast(&stiffest_, sizeof stiffest_, MPI_BYTE, least.rank, world);
+}
+
+void StepWatch::announce() {
+  std::ostringstream text;
+  text.precision(2);
+  text << "time step " << update->dt << ":";
+  const auto ratio = [&](double time, const char* of) {
+    if (time < unknown) text << ' ' << update->dt / time << " of " << of << ',';
+  };
+  ratio(rayleigh_, "the Rayleigh time");
+  ratio(hertz_, "the shortest Hertz impact at the present speeds");
+  ratio(impact_.step, "the recommended step for those");
+  ratio(stiffest_.step, "that for the stiffest contact");
+  std::string line = text.str();
+  line.back() = '\n';
+  if (screen) fputs(line.c_str(), screen);
+  if (logfile) fputs(line.c_str(), logfile);
+}
+
+void StepWatch::warn(const std::string& text) {
+  if (comm->me == 0) error->warning(FLERR, text.c_str());
+}
+
+}  // namespace plastigran

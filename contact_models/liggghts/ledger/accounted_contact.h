@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+//
+// The engine's contact model with one setting more, `energy_ledger on|off`: the place where the
+// forces of all models of a contact are known together. The normal model tells its own part.
+#pragma once
+
+#include "contact_models.h"
+#include "error.h"
+#include "liggghts/fixes/own_fix.h"
+#include "liggghts/ledger/energy_ledger.h"
+#include "liggghts/model/accounted_load.h"
+#include "liggghts/model/history_names.h"
+
+namespace plastigran {
+
+// The names come first: models register their history values as the contact model is made.
+template <class Style>
+class AccountedContact : private HistoryNames,
+                         public LIGGGHTS::ContactModels::ContactModel<Style>,
+                         public AccountTaker {
+  typedef LIGGGHTS::ContactModels::ContactModel<Style> Base;
+  typedef LIGGGHTS::ContactModels::SurfacesIntersectData Contact;
+  typedef LIGGGHTS::ContactModels::ForceData Load;
+
+ public:
+  template <class Owner>
+  AccountedContact(LAMMPS_NS::LAMMPS* engine, Owner* owner, bool is_wall, int64_t hash)
+      : HistoryNames(owner),
+        Base(engine, static_cast<HistoryNames*>(this), is_wall, hash),
+        engine_(engine),
+        owner_(owner),
+        spring_offset_(offset_of("shearx")) {}
+
+  void registerSettings(Settings& settings) {
+    Base::registerSettings(settings);
+    settings.registerOnOff("energy_ledger", asked_, false);
+  }
+
+  void postSettings(LIGGGHTS::IContactHistorySetup* owner) {
+    Base::postSettings(owner);
+    // Not for a wall: its fix is only being made, and the engine adds one fix at a time.
+    if (asked_ && !this->is_wall()) EnergyLedger::open(engine_);
+  }
+
+  void connectToProperties(PropertyRegistry& registry) {
+    ledger_ = asked_ ? find_own_fix<EnergyLedger>(engine_) : nullptr;
+    if (asked_ && !ledger_)
+      engine_->error->all(FLERR, "energy_ledger on: the pair_style line must have it too");
+    if (ledger_) ledger_->attach(owner_);
+    takes_accounts = ledger_;
+    Base::connectToProperties(registry);
+  }
+
+  void surfacesIntersect(Contact& contact, Load& on_i, Load& on_j) {
+    if (ledger_ && contact.computeflag)
+      account(contact, on_i, on_j);
+    else
+      Base::surfacesIntersect(contact, on_i, on_j);
+  }
+
+ private:
+  [[gnu::noinline]] void account(Contact& contact, Load& on_i, Load& on_j) {
+    AccountedLoad load(on_i);
+    Base::surfacesIntersect(contact, load, on_j);
+    on_i = load;
+    ledger_->add(contact, load, on_j, spring_energy(contact));
+  }
+
+  double spring_energy(const Contact& contact) const {
+    if (spring_offset_ < 0) return 0;
+    const double* const spring = contact.contact_history + spring_offset_;
+    return 0.5 * contact.kt *
+           (spring[0] * spring[0] + spring[1] * spring[1] + spring[2] * spring[2]);
+  }
+
+  LAMMPS_NS::LAMMPS* engine_;
+  const void* owner_;  // the PairGran or FixWallGran
+  EnergyLedger* ledger_ = nullptr;
+  int spring_offset_;  // of the tangential model's three values, -1 when it has no spring
+  bool asked_ = false;
+};
+
+}  // namespace plastigran

@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "liggghts/ledger/energy_ledger.h"
+
+#include <mpi.h>
+
+#include <cstring>
+
+#include "atom.h"
+#include "comm.h"
+#include "domain.h"
+#include "error.h"
+#include "fix_gravity.h"
+#include "fix_property_atom.h"
+#include "liggghts/fixes/own_fix.h"
+#include "modify.h"
+#include "update.h"
+
+namespace plastigran {
+
+namespace {
+
+template <class A, class B>
+double dot(const A& a, const B& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+template <class Term>
+void add_to(Vector& sum, const Term& term, double sign) {
+  for (int axis = 0; axis < 3; ++axis) sum[axis] += sign * term[axis];
+}
+
+}  // namespace
+
+EnergyLedger::EnergyLedger(LAMMPS_NS::LAMMPS* engine, int count, char** words)
+    : Fix(engine, count, words) {
+  vector_flag = scalar_flag = 1;
+  size_vector = ENTRIES;
+  global_freq = 1;
+  extvector = extscalar = 1;
+  restart_global = 1;
+}
+
+void EnergyLedger::open(LAMMPS_NS::LAMMPS* engine) {
+  if (!engine->domain->box_exist)
+    engine->error->all(FLERR, "energy_ledger on: give the pair_style line after create_box");
+  if (find_own_fix<EnergyLedger>(engine)) return;
+  own_fix<EnergyLedger>(engine);
+  // Restarts with the particles, needs no values on ghosts, and starts at zero.
+  add_fix(engine->modify, {"plastic_work", "all", "property/atom", "plastic_work", "scalar", "yes",
+                           "no", "no", "0.0"});
+}
+
+int EnergyLedger::setmask() {
+  using namespace LAMMPS_NS::FixConst;
+  return PRE_INITIAL_INTEGRATE | POST_INTEGRATE | PRE_EXCHANGE | PRE_NEIGHBOR | PRE_FORCE |
+         PRE_FINAL_INTEGRATE | POST_RUN;
+}
+
+void EnergyLedger::init() {
+  particle_plastic_work_ = static_cast<LAMMPS_NS::FixPropertyAtom*>(
+      modify->find_fix_property("plastic_work", "property/atom", "scalar", 0, 0, "energy_ledger"));
+  gravity_.clear();
+  for (int k = 0; k < modify->n_fixes_style_strict("gravity"); ++k)
+    gravity_.push_back(
+        static_cast<LAMMPS_NS::FixGravity*>(modify->find_fix_style_strict("gravity", k)));
+}
+
+void EnergyLedger::setup_pre_exchange() {
+  warn_of_strangers();
+  if (ran_) inserted_ += mechanical_energy() - before_;
+}
+
+bool EnergyLedger::has_local_partner(const Contact& contact) const {
+  return !contact.is_wall && contact.j < atom->nlocal;
+}
+
+// A contact with a ghost is seen from its other side as well.
+double EnergyLedger::share_of(const Contact& contact) const {
+  return contact.is_wall || has_local_partner(contact) ? 1 : 0.5;
+}
+
+// A contact's law at the present overlap.
+void EnergyLedger::add_law(const Contact& contact, const AccountedLoad& on_i) {
+  const double share = share_of(contact);
+  elastic_ += share * on_i.elastic_energy;
+  if (!contact.shearupdate) {
+    unwritten_plastic_work_ += share * on_i.plastic_work;
+    return;
+  }
+  plastic_work_ += share * on_i.plastic_work;
+  double* const of_particle = particle_plastic_work_->vector_atom;
+  of_particle[contact.i] += contact.is_wall ? on_i.plastic_work : 0.5 * on_i.plastic_work;
+  if (has_local_partner(contact)) of_particle[contact.j] += 0.5 * on_i.plastic_work;
+}
+
+void EnergyLedger::add(const Contact& contact, const AccountedLoad& on_i, const Load& on_j,
+                       double spring_energy) {
+  add_law(contact, on_i);
+  const double along = dot(on_i.delta_F, contact.en);
+  Vector friction, dashpot;
+  for (int axis = 0; axis < 3; ++axis) {
+    friction[axis] = on_i.delta_F[axis] - along * contact.en[axis];
+    dashpot[axis] = on_i.dashpot_force * contact.en[axis];
+  }
+  add_to(friction_force_[contact.i], friction, 1);
+  add_to(friction_torque_[contact.i], on_i.delta_torque, 1);
+  add_to(damping_force_[contact.i], dashpot, 1);
+  if (has_local_partner(contact)) {
+    add_to(friction_force_[contact.j], friction, -1);
+    add_to(friction_torque_[contact.j], on_j.delta_torque, 1);
+    add_to(damping_force_[contact.j], dashpot, -1);
+  }
+  if (contact.is_wall) {
+    const Vector force{on_i.delta_F[0], on_i.delta_F[1], on_i.delta_F[2]};
+    walls_.push_back({WallPoint(contact, atom->x[contact.i]), force, friction, dashpot});
+  }
+  tangential_springs_ += share_of(contact) * spring_energy;
+}
+
+void EnergyLedger::begin_pass() {
+  elastic_ = unwritten_plastic_work_ = tangential_springs_ = 0;
+  summed_ = false;
+  walls_.clear();
+  for (std::vector<Vector>* sum : {&friction_force_, &friction_torque_, &damping_force_})
+    sum->assign(atom->nlocal, Vector{0, 0, 0});
+}
+
+// Half a step's work of the forces at hand.
+void EnergyLedger::add_work() {
+  double friction = 0, viscous = 0, wall = 0;
+  for (const WallContact& contact : walls_) {
+    const Vector velocity = contact.point.velocity();
+    wall += dot(contact.force, velocity);
+    friction += dot(contact.friction, velocity);
+    viscous += dot(contact.dashpot, velocity);
+  }
+  for (std::size_t i = 0; i < friction_force_.size(); ++i) {
+    friction -= dot(friction_force_[i], atom->v[i]) + dot(friction_torque_[i], atom->omega[i]);
+    viscous -= dot(damping_force_[i], atom->v[i]);
+  }
+  summed_ = false;
+  const double half_step = 0.5 * update->dt;
+  friction_ += half_step * friction;
+  viscous_ += half_step * viscous;
+  wall_work_ += half_step * wall;
+}
+
+double EnergyLedger::kinetic_energy() const {
+  const double inertia =
+      domain->dimension == 2 ? 0.5 : 0.4;  // over m R^2: as fix nve/sphere has it
+  double energy = 0;
+  for (int i = 0; i < atom->nlocal; ++i) {
+    const double* const v = atom->v[i];
+    const double* const omega = atom->omega[i];
+    energy += 0.5 * atom->rmass[i] *
+              (dot(v, v) + inertia * atom->radius[i] * atom->radius[i] * dot(omega, omega));
+  }
+  return energy;
+}
+
+double EnergyLedger::gravitational_energy() const {
+  double energy = 0;
+  for (LAMMPS_NS::FixGravity* field : gravity_) {
+    double acceleration[3];
+    field->get_gravity(acceleration);
+    for (int i = 0; i < atom->nlocal; ++i) {
+      if (!(atom->mask[i] & field->groupbit)) continue;
+      double position[3];  // as if the box had no periodic sides
+      domain->unmap(atom->x[i], atom->image[i], position);
+      energy -= atom->rmass[i] * dot(acceleration, position);
+    }
+  }
+  return energy;
+}
+
+void EnergyLedger::sum() {
+  const double local[ENTRIES] = {kinetic_energy(),
+                                 gravitational_energy(),
+                                 elastic_,
+                                 plastic_work_ + unwritten_plastic_work_,
+                                 friction_,
+                                 viscous_,
+                                 wall_work_,
+                                 inserted_,
+                                 0,
+                                 tangential_springs_};
+  MPI_Allreduce(local, sums_, ENTRIES, MPI_DOUBLE, MPI_SUM, world);
+  double total = -sums_[WALL_WORK] - sums_[INSERTED];
+  for (int entry = KINETIC; entry < WALL_WORK; ++entry) total += sums_[entry];
+  if (!started_ && update->whichflag) started_ = true, initial_ = total;
+  sums_[DRIFT] = started_ ? total - initial_ : 0;
+  summed_ = true;
+}
+
+// Walls that do not report would show up as drift without a word.
+void EnergyLedger::warn_of_strangers() {
+  std::string strangers;
+  for (int k = 0; k < modify->nfix; ++k) {
+    LAMMPS_NS::Fix* const wall = modify->fix[k];
+    if (std::strncmp(wall->style, "wall/gran", 9) == 0 && !attached_.count(wall))
+      strangers += std::string(strangers.empty() ? "" : ", ") + wall->id;
+  }
+  if (strangers == strangers_) return;
+  strangers_ = strangers;
+  if (comm->me == 0 && !strangers.empty())
+    error->warning(FLERR, ("energy_ledger: what these walls store, dissipate and put in shows as "
+                           "drift, they have no energy_ledger on: " +
+                           strangers)
+                              .c_str());
+}
+
+void EnergyLedger::write_restart(FILE* file) {
+  double local[4] = {plastic_work_, friction_, viscous_, wall_work_}, kept[6];
+  MPI_Reduce(local, kept, 4, MPI_DOUBLE, MPI_SUM, 0, world);
+  MPI_Reduce(&inserted_, &kept[4], 1, MPI_DOUBLE, MPI_SUM, 0, world);
+  kept[5] = initial_;
+  if (comm->me != 0) return;
+  const int size = sizeof kept;
+  fwrite(&size, sizeof size, 1, file);
+  fwrite(kept, sizeof kept, 1, file);
+}
+
+void EnergyLedger::restart(char* data) {
+  double kept[6];
+  std::memcpy(kept, data, sizeof kept);
+  initial_ = kept[5];
+  started_ = true;
+  if (comm->me != 0) return;  // a sum over ranks: the first one has it all
+  plastic_work_ = kept[0], friction_ = kept[1], viscous_ = kept[2], wall_work_ = kept[3];
+  inserted_ = kept[4];
+}
+
+}  // namespace plastigran

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+//
+// The energy ledger: where the energy of the particles is and where it went, as a fix with the
+// fixed ID `energy_ledger`. `energy_ledger on` in the pair_style line adds it, with a second fix
+// that keeps every particle's plastic work (ID `plastic_work`). docs/energy_ledger.md says what is
+// counted.
+//
+// No entry is the remainder of others. Elastic energy and plastic work are state functions of each
+// contact, from its law. Friction and damping have no such function: their work is summed as
+// velocity Verlet does it, half a step of the old force and half a step of the new one along the
+// displacement between them. Work is linear in the forces, so the forces of each kind are summed by
+// particle first and nothing has to be kept by contact; a sum lives from one force computation to
+// the next step's displacement, and no particle changes its index in between.
+#pragma once
+
+#include <array>
+#include <cstdio>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "contact_interface.h"
+#include "fix.h"
+#include "liggghts/ledger/wall_point.h"
+#include "liggghts/model/accounted_load.h"
+
+namespace LAMMPS_NS {
+class FixGravity;
+class FixPropertyAtom;
+}  // namespace LAMMPS_NS
+
+namespace plastigran {
+
+typedef std::array<double, 3> Vector;
+
+class EnergyLedger : public LAMMPS_NS::Fix {
+  typedef LIGGGHTS::ContactModels::SurfacesIntersectData Contact;
+  typedef LIGGGHTS::ContactModels::ForceData Load;
+
+ public:
+  // Elements of the fix's vector, in the order users see, from 1 on [J].
+  enum Entry {
+    KINETIC,             // translation and rotation
+    GRAVITATIONAL,       // -m g.x in every fix gravity
+    ELASTIC,             // stored by the laws in the contacts
+    PLASTIC,             // plastic work
+    FRICTION,            // taken by tangential and rolling models, springs and dashpots included
+    VISCOUS,             // taken by the normal dashpot
+    WALL_WORK,           // put in by moving walls
+    INSERTED,            // came with inserted particles, less what left with deleted ones
+    DRIFT,               // the first six - their sum at the start - wall work - inserted
+    TANGENTIAL_SPRINGS,  // the part of friction that tangential springs hold at present
+    ENTRIES
+  };
+
+  EnergyLedger(LAMMPS_NS::LAMMPS* engine, int count, char** words);
+  static const char* id() { return "energy_ledger"; }
+  static const char* style() { return "plastigran/energy_ledger"; }
+
+  // Adds the ledger unless there is one. All ranks together.
+  static void open(LAMMPS_NS::LAMMPS* engine);
+
+  // The pair style or wall `owner` reports to the ledger.
+  void attach(const void* owner) { attached_.insert(owner); }
+
+  // What all models of a contact did together, and what its normal model says of that. All of the
+  // force that is not along the normal, and all torques, are the work of tangential and rolling
+  // models. `spring_energy` is held by the tangential spring [J].
+  void add(const Contact& contact, const AccountedLoad& on_i, const Load& on_j,
+           double spring_energy);
+
+  int setmask() override;
+  void init() override;
+
+  // Between two runs a deck may have added, deleted or set particles.
+  void setup_pre_exchange() override;
+
+  void setup_pre_force(int) override { begin_pass(); }
+  void pre_force(int) override { begin_pass(); }
+
+  // The sum at the start is taken when all forces of the first set-up are there, walls' too.
+  void pre_initial_integrate() override {
+    if (!started_) sum();
+  }
+
+  // Positions are new, velocities those at mid-step, forces still the old ones.
+  void post_integrate() override {
+    add_work();
+    before_ = mechanical_energy();
+  }
+
+  void pre_neighbor() override { inserted_ += mechanical_energy() - before_; }
+
+  // The new forces, and still the velocities at mid-step.
+  void pre_final_integrate() override { add_work(); }
+
+  void post_run() override {
+    before_ = mechanical_energy();
+    ran_ = true;
+  }
+
+  double compute_scalar() override { return compute_vector(DRIFT); }
+
+  // All ranks together.
+  double compute_vector(int entry) override {
+    if (!summed_) sum();
+    return sums_[entry];
+  }
+
+  void write_restart(FILE* file) override;
+  void restart(char* data) override;
+
+ private:
+  // A contact on a wall: its forces on the particle, and where the wall's velocity is found. A mesh
+  // moves with the particles, between two force computations: its nodes are asked when needed.
+  struct WallContact {
+    WallPoint point;
+    Vector force, friction, dashpot;
+  };
+
+  bool has_local_partner(const Contact& contact) const;
+  double share_of(const Contact& contact) const;
+  void add_law(const Contact& contact, const AccountedLoad& on_i);
+  void begin_pass();
+  void add_work();
+  double kinetic_energy() const;
+  double gravitational_energy() const;
+  double mechanical_energy() const { return kinetic_energy() + gravitational_energy(); }
+  void sum();
+  void warn_of_strangers();
+
+  LAMMPS_NS::FixPropertyAtom* particle_plastic_work_ = nullptr;
+  std::vector<LAMMPS_NS::FixGravity*> gravity_;
+  std::set<const void*> attached_;
+  std::string strangers_;
+
+  // Of the last force computation, on this rank.
+  double elastic_ = 0, tangential_springs_ = 0;
+  double unwritten_plastic_work_ = 0;  // set-up computes forces, and writes no history
+  std::vector<WallContact> walls_;
+  std::vector<Vector> friction_force_, friction_torque_, damping_force_;  // by local particle
+
+  // Since the ledger was opened, on this rank.
+  double plastic_work_ = 0, friction_ = 0, viscous_ = 0, wall_work_ = 0, inserted_ = 0;
+  double before_ = 0;  // kinetic and gravitational energy when the particles were last known
+  bool ran_ = false;
+
+  double initial_ = 0;  // over all ranks
+  bool started_ = false;
+  double sums_[ENTRIES] = {};
+  bool summed_ = false;  // sums_ are those of the present forces and velocities
+};
+
+}  // namespace plastigran

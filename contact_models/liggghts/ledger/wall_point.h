@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+//
+// The point of a wall that a particle touches, and how fast the wall moves there. A mesh moves by
+// its velocity times the time step, before forces are computed: asked after the move, the velocity
+// is the one of the step under way.
+#pragma once
+
+#include <array>
+
+#include "contact_interface.h"
+#include "tri_mesh.h"
+
+namespace plastigran {
+
+class WallPoint {
+ public:
+  // `centre`: of the particle. Good until triangles are exchanged between ranks.
+  WallPoint(const LIGGGHTS::ContactModels::SurfacesIntersectData& contact, double* centre)
+      : mesh_(contact.mesh),
+        triangle_(contact.j),
+        velocity_{contact.v_j[0], contact.v_j[1], contact.v_j[2]} {
+    double delta[3];
+    int where;
+    if (mesh_)
+      mesh_->resolveTriSphereContactBary(contact.i, triangle_, contact.radi, centre, delta,
+                                         weights_, where);
+  }
+
+  std::array<double, 3> velocity() const {
+    if (!mesh_) return velocity_;
+    const auto moving =
+        mesh_->prop().getElementProperty<LAMMPS_NS::MultiVectorContainer<double, 3, 3>>("v");
+    std::array<double, 3> velocity{0, 0, 0};
+    if (!moving) return velocity;
+    for (int node = 0; node < 3; ++node)
+      for (int axis = 0; axis < 3; ++axis)
+        velocity[axis] += weights_[node] * moving->begin()[triangle_][node][axis];
+    return velocity;
+  }
+
+ private:
+  LAMMPS_NS::TriMesh* mesh_;  // null for a primitive wall
+  int triangle_;
+  double weights_[3] = {0, 0, 0};   // of the triangle's nodes
+  std::array<double, 3> velocity_;  // of a primitive wall
+};
+
+}  // namespace plastigran

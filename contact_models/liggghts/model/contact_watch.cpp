@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "liggghts/model/contact_watch.h"
+
+#include <sstream>
+
+#include "liggghts/fixes/motion_watch.h"
+
+namespace plastigran {
+
+std::string describe_overlap(const LAMMPS_NS::Atom* atom,
+                             const LIGGGHTS::ContactModels::SurfacesIntersectData& contact,
+                             double overlap, double overlap_limit) {
+  std::ostringstream text;
+  text << describe(atom, contact.i) << " overlaps "
+       << (contact.is_wall ? "a wall" : describe(atom, contact.j)) << " by " << overlap
+       << " of the smaller radius, more than overlap_limit " << overlap_limit
+       << ". Look for particles inserted into each other or in a wall, a time step that is too "
+          "long, or bodies too soft for their load";
+  return text.str();
+}
+
+}  // namespace plastigran

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+//
+// Looks at contacts as they grow deeper, for a model: is the law still good for the load, is the
+// time step short enough for it, has the overlap left all bounds? A contact is looked at only when
+// it is a tenth deeper than those of its pair of types were, or near a limit.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <sstream>
+#include <string>
+
+#include "atom.h"
+#include "contact_interface.h"
+#include "error.h"
+#include "force.h"
+#include "liggghts/fixes/own_fix.h"
+#include "liggghts/fixes/range_watch.h"
+#include "liggghts/fixes/step_watch.h"
+#include "liggghts/model/impact_forecast.h"
+#include "liggghts/model/type_pair.h"
+#include "pointers.h"
+
+namespace plastigran {
+
+// What to say of an overlap beyond `overlap_limit`, both in radii of the smaller body.
+std::string describe_overlap(const LAMMPS_NS::Atom* atom,
+                             const LIGGGHTS::ContactModels::SurfacesIntersectData& contact,
+                             double overlap, double overlap_limit);
+
+template <class Law>
+class ContactWatch : protected LAMMPS_NS::Pointers {
+  typedef LIGGGHTS::ContactModels::SurfacesIntersectData Contact;
+  typedef typename Law::State State;
+
+ public:
+  explicit ContactWatch(LAMMPS_NS::LAMMPS* engine) : Pointers(engine) {}
+
+  // Before a run, when the laws were built anew: contacts are looked at again. All ranks together.
+  void begin(const std::string& model, double overlap_limit) {
+    model_ = model;
+    overlap_limit_ = overlap_limit;
+    excess_ = RangeWatch::of(lmp, model, Law::range);
+    step_watch_ = own_fix<StepWatch>(lmp);
+    step_watch_->forget();
+  }
+
+  // Before a run, on the first rank. Unloading is stiffer than the elastic loading other checks
+  // know, and a law is good for so much load: the step watch compares the time step with the
+  // fastest impact, and a law out of its range is warned of here.
+  void expect(const ImpactTimes& times) {
+    step_watch_->expect(model_, times.fastest, times.rayleigh, times.hertz);
+    if (times.outside_speed <= 1.01 * excess_->warned_speed) return;
+    excess_->warned_speed = times.outside_speed;  // once for all walls, unless it gets worse
+    std::ostringstream text;
+    text << model_ << ": impacts at the present speeds (up to " << times.outside_speed
+         << ") leave the law's range (" << Law::range << ')';
+    error->warning(FLERR, text.str().c_str());
+  }
+
+  // A contact deeper than `pair.watched`, whose state before this step is `before`.
+  [[gnu::noinline]] void note(const Contact& contact, TypePair<Law>& pair, double radius_eff,
+                              const State& before) {
+    const double smaller = contact.is_wall ? contact.radi : std::min(contact.radi, contact.radj);
+    if (contact.deltan > overlap_limit_ * smaller)
+      stop(describe_overlap(atom, contact, contact.deltan / smaller, overlap_limit_));
+    if (contact.shearupdate && contact.deltan > pair.range * radius_eff)
+      note_excess(contact, pair, radius_eff, before);
+    const double depth = contact.deltan / radius_eff;
+    if (depth <= pair.noted) return;
+    pair.noted = 1.1 * depth;
+    pair.watched = std::min({pair.noted, pair.range, overlap_limit_});  // R* <= smaller
+    State state;
+    const Response virgin = pair.law.respond(radius_eff, contact.deltan, state);
+    const double energy = virgin.elastic_energy + virgin.plastic_work;
+    const double speed = std::sqrt(2 * energy / contact.meff);
+    const double* const x = atom->x[contact.i];
+    step_watch_->met({recommended_time_step(pair.law, radius_eff, contact.meff, speed),
+                      speed,
+                      {x[0], x[1], x[2]},
+                      atom->tag[contact.i],
+                      contact.is_wall ? 0 : atom->tag[contact.j]});
+  }
+
+  // On this rank alone: the others are not in the force loop at the same contact.
+  [[gnu::noinline]] void stop(const std::string& reason) {
+    error->one(FLERR, (model_ + ": " + reason).c_str());
+  }
+
+ private:
+  // A contact is counted when it passes the end of its law's range for the first time: when what it
+  // had reached before this step is less than loading to that end makes of it.
+  void note_excess(const Contact& contact, const TypePair<Law>& pair, double radius_eff,
+                   const State& before) {
+    const double limit = pair.range * radius_eff;
+    excess_->furthest = std::max(excess_->furthest, contact.deltan / limit);
+    State reached = before;
+    pair.law.respond(radius_eff, limit, reached);
+    if (std::memcmp(&before, &reached, Law::state_names.size() * sizeof(double)) == 0) return;
+    const bool shared = !contact.is_wall && !force->newton_pair && contact.j >= atom->nlocal;
+    excess_->contacts += shared ? 0.5 : 1;
+  }
+
+  std::string model_;
+  double overlap_limit_ = 1;
+  RangeWatch::Excess* excess_ = nullptr;
+  StepWatch* step_watch_ = nullptr;
+};
+
+}  // namespace plastigran

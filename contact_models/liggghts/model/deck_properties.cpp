@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "liggghts/model/deck_properties.h"
+
+#include <cctype>
+#include <sstream>
+
+#include "error.h"
+#include "fix_property_global.h"
+#include "modify.h"
+#include "plastigran/impact/validate.h"
+
+namespace plastigran {
+
+std::string property_name(const std::string& field) {
+  std::string name;
+  bool capital = false;
+  for (const char letter : field) {
+    if (letter != '_') name += capital ? static_cast<char>(std::toupper(letter)) : letter;
+    capital = letter == '_';
+  }
+  return name;
+}
+
+LAMMPS_NS::FixPropertyGlobal* DeckProperties::find(const char* field, const char* shape, int rows,
+                                                   int columns, bool required) const {
+  return static_cast<LAMMPS_NS::FixPropertyGlobal*>(
+      modify->find_fix_property(property_name(field).c_str(), "property/global", shape, rows,
+                                columns, model_.c_str(), required));
+}
+
+bool DeckProperties::given(const char* field) const {
+  return find(field, "scalar", 0, 0, false) || find(field, "vector", 0, 0, false) ||
+         find(field, "matrix", 0, 0, false);
+}
+
+// The values the deck gives for a property; null when it gives none. Values of the wrong shape are
+// the engine's error, not a silent default.
+LAMMPS_NS::FixPropertyGlobal* DeckProperties::values(const char* field, const char* shape, int rows,
+                                                     int columns) const {
+  return given(field) ? find(field, shape, rows, columns, true) : nullptr;
+}
+
+double DeckProperties::per_type(const char* field, int type, const char* unit,
+                                double fallback) const {
+  if (const auto found = values(field, "peratomtype", type_count_, 0))
+    return found->compute_vector(type - 1);
+  const std::string name = property_name(field);
+  if (std::isnan(fallback))
+    fail(name + " is missing; give it for every atom type [" + unit + "]: fix ID all " +
+         "property/global " + name + " peratomtype VALUE ...");
+  return fallback;
+}
+
+double DeckProperties::per_pair(const char* field, int type, int other_type,
+                                double fallback) const {
+  const auto found = values(field, "peratomtypepair", type_count_, type_count_);
+  return found ? found->compute_array(type - 1, other_type - 1) : fallback;
+}
+
+std::vector<Material> DeckProperties::bodies(bool yields) const {
+  std::vector<Material> bodies(type_count_);
+  for (int type = 1; type <= type_count_; ++type) {
+    Material& body = bodies[type - 1];
+    body.youngs_modulus = per_type("youngs_modulus", type, "Pa");
+    body.poissons_ratio = per_type("poissons_ratio", type, "-");
+    body.yield_strength = per_type("yield_strength", type, "Pa", yields ? NAN : unlimited);
+    body.yield_pressure_factor = per_type("yield_pressure_factor", type, "-", 0);
+    check(validate(body), type);
+  }
+  return bodies;
+}
+
+void DeckProperties::fail(const std::string& reason) const {
+  error->all(FLERR, (model_ + ": " + reason).c_str());
+}
+
+void DeckProperties::check(const Complaint& complaint, int type, int other_type) const {
+  if (!complaint.empty()) fail(about_types(worded(complaint), type, other_type));
+}
+
+std::string DeckProperties::worded(const Complaint& complaint) {
+  return complaint.worded(property_name);
+}
+
+std::string DeckProperties::about_types(const std::string& sentence, int type, int other_type) {
+  std::ostringstream text;
+  text << sentence << (other_type ? " (atom types " : " (atom type ") << type;
+  if (other_type) text << " and " << other_type;
+  text << ')';
+  return text.str();
+}
+
+}  // namespace plastigran

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+//
+// What the deck says of materials: `fix property/global`, read by the names of the laws' fields.
+#pragma once
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "plastigran/shared/complaint.h"
+#include "plastigran/shared/contact.h"
+#include "pointers.h"
+
+namespace LAMMPS_NS {
+class FixPropertyGlobal;
+}
+
+namespace plastigran {
+
+// What decks call a field of the laws: yieldStrength for yield_strength. LIGGGHTS names properties
+// in camel case.
+std::string property_name(const std::string& field);
+
+class DeckProperties : protected LAMMPS_NS::Pointers {
+ public:
+  // `model` words who asks, in messages.
+  DeckProperties(LAMMPS_NS::LAMMPS* engine, const std::string& model, int type_count)
+      : Pointers(engine), model_(model), type_count_(type_count) {}
+
+  // Whether the deck gives the property at all.
+  bool given(const char* field) const;
+
+  // The value for an atom type. Without a fallback it must be given.
+  double per_type(const char* field, int type, const char* unit, double fallback = NAN) const;
+
+  // The value for a pair of atom types, the fallback when the deck gives none.
+  double per_pair(const char* field, int type, int other_type, double fallback) const;
+
+  // The bulk constants of every atom type. Their strength may be left out where nothing yields.
+  std::vector<Material> bodies(bool yields) const;
+
+  // Stops on all ranks together.
+  void fail(const std::string& reason) const;
+
+  // Stops with a complaint about these atom types (other_type 0: about one), unless it is empty.
+  void check(const Complaint& complaint, int type, int other_type = 0) const;
+
+  // A complaint with the properties' names.
+  static std::string worded(const Complaint& complaint);
+
+  // A sentence and the atom types it is about.
+  static std::string about_types(const std::string& sentence, int type, int other_type);
+
+ private:
+  LAMMPS_NS::FixPropertyGlobal* find(const char* field, const char* shape, int rows, int columns,
+                                     bool required) const;
+  LAMMPS_NS::FixPropertyGlobal* values(const char* field, const char* shape, int rows,
+                                       int columns) const;
+
+  std::string model_;
+  int type_count_;
+};
+
+}  // namespace plastigran

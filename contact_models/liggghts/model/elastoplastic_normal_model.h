@@ -1,0 +1,248 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+//
+// A normal contact model of the engine over any law: it keeps the law's state in the engine's
+// contact history and hands force and tangential stiffness on.
+//
+// History values carry the flag "0": they are scalars, the same seen from either particle. ("1"
+// would flip their sign whenever the pair is stored from the other side.)
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstring>
+#include <string>
+
+#include "atom.h"
+#include "comm.h"
+#include "domain.h"
+#include "error.h"
+#include "global_properties.h"
+#include "liggghts/fixes/engine_access.h"
+#include "liggghts/fixes/history_keeper.h"
+#include "liggghts/fixes/motion_watch.h"
+#include "liggghts/fixes/own_fix.h"
+#include "liggghts/model/accounted_load.h"
+#include "liggghts/model/contact_owner.h"
+#include "liggghts/model/contact_watch.h"
+#include "liggghts/model/deck_properties.h"
+#include "liggghts/model/history_names.h"
+#include "liggghts/model/impact_forecast.h"
+#include "liggghts/model/type_pair.h"
+#include "neighbor.h"
+#include "normal_model_base.h"
+#include "plastigran/shared/contact.h"
+#include "settings.h"
+
+namespace LIGGGHTS {
+namespace ContactModels {
+
+template <class Law>
+class ElastoplasticNormalModel : public NormalModelBase {
+  typedef typename Law::State State;
+  typedef plastigran::TypePair<Law> TypePair;
+  static constexpr std::size_t state_size = Law::state_names.size() * sizeof(double);
+  static_assert(state_size == 0 || state_size == sizeof(State),
+                "a law's State is its named doubles and nothing else");
+  static constexpr bool is_cylinder = plastigran::is_cylinder<Law>;
+
+ public:
+  ElastoplasticNormalModel(LAMMPS* lmp, IContactHistorySetup* setup,
+                           ContactModelBase* contact_model)
+      : NormalModelBase(lmp, setup, contact_model),
+        contact_model_(contact_model),
+        owner_(plastigran::HistoryNames::owner_of(setup), contact_model->is_wall()),
+        watch_(lmp) {
+    for (std::size_t k = 0; k < Law::state_names.size(); ++k) {
+      const int offset = setup->add_history_value(Law::state_names[k], "0");
+      if (k == 0) history_offset_ = offset;
+    }
+  }
+
+  void registerSettings(Settings& settings) override {
+    settings.registerOnOff("viscous_damping", viscous_damping_, false);
+    settings.registerOnOff("tangential_damping", tangential_damping_, true);
+    settings.registerDoubleSetting("overlap_limit", overlap_limit_, 1.0);
+    for (const auto& option : Law::options)
+      plastigran::add_choice(settings, option.name, option.choices.data(), option.choices.size(),
+                             choices_.*option.value);
+    settings.registerOnOff("computeElasticPotential", engine_elastic_potential_, false);
+    settings.registerOnOff("computeDissipatedEnergy", engine_dissipated_energy_, false);
+  }
+
+  void postSettings(IContactHistorySetup*, ContactModelBase*) override {
+    if (engine_elastic_potential_) refuse("computeElasticPotential");
+    if (engine_dissipated_energy_) refuse("computeDissipatedEnergy");
+    if (!(overlap_limit_ > 0 && overlap_limit_ <= 2))
+      fail("overlap_limit is " + std::to_string(overlap_limit_) +
+           "; it must be above 0 and at most 2, of the smaller radius");
+  }
+
+  // Called by the engine before every run, on all ranks together.
+  void connectToProperties(PropertyRegistry& registry) override {
+#ifdef SUPERQUADRIC_ACTIVE_FLAG
+    if (atom->superquadric_flag) fail("it is for spheres; this atom style is not");
+#endif
+    if (is_cylinder && domain->dimension != 2)
+      fail("it is for cylinders, the discs of a 2D deck (dimension 2); this deck is 3D");
+    const plastigran::DeckProperties deck(lmp, caller(), registry.max_type());
+    pairs_.build(deck, registry.max_type(), choices_);
+    watch_.begin(caller(), overlap_limit_);
+    plastigran::own_fix<plastigran::MotionWatch>(lmp);
+    plastigran::own_fix<plastigran::HistoryKeeper>(lmp);
+    const auto taker = dynamic_cast<plastigran::AccountTaker*>(contact_model_);
+    accounts_ = taker && taker->takes_accounts;
+    if (viscous_damping_) {
+      registry.registerProperty("betaeff", &MODEL_PARAMS::createBetaEff);
+      registry.connect("betaeff", damping_, caller().c_str());
+    }
+    smooth_friction_ = owner_.tangential_model_is("no_history");
+    // Ask for surfacesClose() just outside contact, where the history is cleared: otherwise a pair
+    // that parts and meets again before the next neighbour build would remember its dent.
+    neighbor->register_contact_dist_factor(1.01);
+    if (!reported_) report_constants(deck);
+    reported_ = true;
+    forecast_impacts(deck);
+  }
+
+  // Force as a power of overlap while elastic: Hertz, or the nearly straight line contact.
+  double stressStrainExponent() override { return is_cylinder ? 1 : 1.5; }
+
+  // Flattened: only with the law inlined can the compiler drop the energies nobody reads here,
+  // among them Vu-Quoc-Zhang's quadrature; without it that law costs half as much again.
+  [[gnu::flatten]] void surfacesIntersect(SurfacesIntersectData& contact, ForceData& i_forces,
+                                          ForceData& j_forces) override {
+    if (contact.contact_flags) *contact.contact_flags |= CONTACT_NORMAL_MODEL;
+    const double radius_eff = contact.is_wall
+                                  ? contact.radi
+                                  : contact.radi * contact.radj / (contact.radi + contact.radj);
+    TypePair& pair = pairs_(contact.itype, contact.jtype);
+    if constexpr (plastigran::takes_bodies<Law>)  // particles that came after the check before
+      if (!pair.lacking.empty()) watch_.stop(pair.lacking);
+
+    double* const history = contact.contact_history + history_offset_;
+    State state;
+    std::memcpy(&state, history, state_size);
+    const plastigran::Response response =
+        plastigran::respond(pair.law, radius_eff, contact.deltan, state, -contact.vn);
+    if (contact.computeflag) {
+      if (contact.deltan > pair.watched * radius_eff) note(contact, pair, radius_eff);
+      if (accounts_) account(contact, pair, radius_eff, i_forces);
+      if (contact.shearupdate) std::memcpy(history, &state, state_size);
+    }
+
+    // A residual dent carries no force and so no friction, but a tangential spring needs a
+    // stiffness to be released against: give it the undeformed sphere's.
+    const double contact_radius =
+        response.force > 0 ? response.contact_radius : std::sqrt(radius_eff * contact.deltan);
+    const plastigran::Stiffness elastic = plastigran::elastic_stiffness(
+        pair.law, pair.bodies.youngs_modulus_eff, pair.bodies.shear_modulus_eff, contact_radius);
+    contact.kt = elastic.tangential;
+    contact.kn = contact.deltan > 0 ? response.force / contact.deltan : 0;  // secant
+    contact.gamman = 0;
+    // Friction without a spring is a viscous force cut at mu F: critical damping of the spring it
+    // stands for makes the cut the rule and creep the exception.
+    contact.gammat = smooth_friction_ ? 2 * std::sqrt(contact.kt * contact.meff) : 0;
+    double force = response.force;
+    if (viscous_damping_) {
+      // Tsuji, Tanaka & Ishida 1992 (Powder Technol. 71:239) with the law's own contact radius.
+      const double beta =
+          -1.8257418583505538 * damping_[contact.itype][contact.jtype];  // 2 sqrt(5/6)
+      contact.gamman = beta * std::sqrt(elastic.normal * contact.meff);
+      if (tangential_damping_ && !smooth_friction_)
+        contact.gammat = beta * std::sqrt(contact.kt * contact.meff);
+      force = std::max(0.0, force - contact.gamman * contact.vn);
+    }
+    contact.Fn = force;
+    if (accounts_ && contact.computeflag)
+      accounted(i_forces).dashpot_force = force - response.force + response.viscous_force;
+
+    const double applied = contact.is_wall ? force * contact.area_ratio : force;
+    for (int axis = 0; axis < 3; ++axis) {
+      i_forces.delta_F[axis] += applied * contact.en[axis];
+      if (!contact.is_wall) j_forces.delta_F[axis] -= applied * contact.en[axis];
+    }
+  }
+
+  void surfacesClose(SurfacesCloseData& contact, ForceData&, ForceData&) override {
+    if (contact.contact_flags) *contact.contact_flags &= ~CONTACT_NORMAL_MODEL;
+    if (contact.contact_history)
+      std::memset(contact.contact_history + history_offset_, 0, state_size);
+  }
+
+  void beginPass(SurfacesIntersectData&, ForceData&, ForceData&) override {}
+  void endPass(SurfacesIntersectData&, ForceData&, ForceData&) override {}
+
+ private:
+  static std::string caller() { return std::string("model ") + Law::name; }
+  void fail(const std::string& reason) { error->all(FLERR, (caller() + ": " + reason).c_str()); }
+  void refuse(const char* setting) {
+    fail(std::string(setting) + " is not available with this model; leave it off");
+  }
+
+  // The state before this step: the history is written at the end of it.
+  State state_before(const SurfacesIntersectData& contact) const {
+    State before;
+    std::memcpy(&before, contact.contact_history + history_offset_, state_size);
+    return before;
+  }
+
+  [[gnu::noinline]] void note(const SurfacesIntersectData& contact, TypePair& pair,
+                              double radius_eff) {
+    watch_.note(contact, pair, radius_eff, state_before(contact));
+  }
+
+  static plastigran::AccountedLoad& accounted(ForceData& load) {
+    return static_cast<plastigran::AccountedLoad&>(load);
+  }
+
+  // The law's energies, from the state before this step; apart, so that the force is computed
+  // without them. At no overlap a law answers with the plastic work of the state alone.
+  [[gnu::noinline]] void account(const SurfacesIntersectData& contact, const TypePair& pair,
+                                 double radius_eff, ForceData& load) const {
+    State before = state_before(contact), reached = before;
+    const plastigran::Response now = pair.law.respond(radius_eff, contact.deltan, reached);
+    accounted(load).elastic_energy = now.elastic_energy;
+    if (std::memcmp(&before, &reached, state_size) != 0)
+      accounted(load).plastic_work =
+          now.plastic_work - pair.law.respond(radius_eff, 0, before).plastic_work;
+  }
+
+  // What the model was given and what it assumed: a misspelt optional property shows here.
+  void report_constants(const plastigran::DeckProperties& deck) {
+    if (comm->me != 0) return;
+    const std::string text =
+        pairs_.describe(caller() + (owner_.is_wall() ? ", wall" : ""), deck, choices_);
+    if (screen) fputs(text.c_str(), screen);
+    if (logfile) fputs(text.c_str(), logfile);
+  }
+
+  // On all ranks together.
+  void forecast_impacts(const plastigran::DeckProperties& deck) {
+    const plastigran::ImpactForecast forecast(lmp, owner_, pairs_.type_count());
+    for (const auto& meeting : forecast.meetings()) {
+      const TypePair& pair = pairs_(meeting.type, meeting.partner_type);
+      if (!pair.lacking.empty()) deck.fail(pair.lacking);
+    }
+    if (comm->me == 0) watch_.expect(plastigran::impact_times(forecast, pairs_));
+  }
+
+  ContactModelBase* contact_model_;
+  plastigran::ContactOwner owner_;
+  plastigran::TypePairs<Law> pairs_;
+  plastigran::ContactWatch<Law> watch_;
+  int history_offset_ = 0;
+  typename Law::Parameters choices_;  // the law's options as set; its constants at their defaults
+  bool viscous_damping_ = false;
+  bool tangential_damping_ = true;  // the dashpot beside the tangential spring too
+  double overlap_limit_ = 1.0;      // of the smaller radius; beyond it the run is stopped
+  bool engine_elastic_potential_ = false;
+  bool engine_dissipated_energy_ = false;
+  bool smooth_friction_ = false;
+  bool accounts_ = false;       // the loads on particle i are AccountedLoads
+  double** damping_ = nullptr;  // the engine's beta(coefficientRestitution) of each type pair
+  bool reported_ = false;
+};
+
+}  // namespace ContactModels
+}  // namespace LIGGGHTS

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+//
+// The hardest impacts the present velocities allow, before a run: of each two types that can meet,
+// the smallest particles at the largest speeds.
+#pragma once
+
+#include <algorithm>
+#include <vector>
+
+#include "liggghts/fixes/step_watch.h"
+#include "liggghts/model/contact_owner.h"
+#include "liggghts/model/type_pair.h"
+#include "plastigran/impact/central_impact.h"
+#include "plastigran/impact/elastic_times.h"
+#include "plastigran/shared/contact.h"
+#include "pointers.h"
+
+namespace plastigran {
+
+class ImpactForecast : protected LAMMPS_NS::Pointers {
+ public:
+  static constexpr double unknown = 1e300;
+
+  // Two types that can meet.
+  struct Meeting {
+    int type, partner_type;
+    double radius_eff, mass_eff;  // of the smallest and lightest particles [m], [kg]
+    double speed;                 // may be 0 [m/s]
+  };
+
+  // Looks at the particles of all ranks, which do so together.
+  ImpactForecast(LAMMPS_NS::LAMMPS* engine, const ContactOwner& owner, int type_count);
+
+  bool is_wall() const { return is_wall_; }
+  const std::vector<Meeting>& meetings() const { return meetings_; }
+
+  // The shortest Rayleigh time of the particles, spheres of these materials (by type - 1) [s].
+  double rayleigh_time(const std::vector<Material>& materials) const;
+
+ private:
+  // Of the particles of one type.
+  struct Extremes {
+    double count = 0, radius = unknown, mass = unknown, speed = -unknown;
+  };
+  void gather();
+
+  bool is_wall_;
+  std::vector<Extremes> types_;  // by type
+  std::vector<Meeting> meetings_;
+};
+
+// What a law says of the impacts of a forecast.
+struct ImpactTimes {
+  StepWatch::Recommended fastest;             // of the steps the impacts ask for, the shortest
+  double hertz = ImpactForecast::unknown;     // shortest duration of an elastic impact [s]
+  double rayleigh = ImpactForecast::unknown;  // [s]
+  double outside_speed = 0;                   // largest that leaves the law's range [m/s]
+};
+
+template <class Law>
+ImpactTimes impact_times(const ImpactForecast& forecast, TypePairs<Law>& pairs) {
+  ImpactTimes times;
+  times.fastest.wall = forecast.is_wall();
+  if (!is_cylinder<Law>) times.rayleigh = forecast.rayleigh_time(pairs.bodies());
+  for (const auto& [type, partner_type, radius_eff, mass_eff, speed] : forecast.meetings()) {
+    if (!(speed > 0)) continue;
+    const TypePair<Law>& pair = pairs(type, partner_type);
+    const double step = recommended_time_step(pair.law, radius_eff, mass_eff, speed);
+    if (step < times.fastest.step) times.fastest.step = step, times.fastest.speed = speed;
+    if (!is_cylinder<Law>)
+      times.hertz = std::min(
+          times.hertz, hertz_duration(radius_eff, mass_eff, pair.bodies.youngs_modulus_eff, speed));
+    if (!central_impact(pair.law, radius_eff, mass_eff, speed).in_range)
+      times.outside_speed = std::max(times.outside_speed, speed);
+  }
+  return times;
+}
+
+}  // namespace plastigran

@@ -1,0 +1,198 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""What a bulk deck is: settings, declared once, and what to check and draw of its runs."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from pathlib import Path
+from typing import ClassVar, Self
+
+import attrs
+import pandas as pd
+from matplotlib.figure import Figure
+
+from plastigran import laws
+from plastigran.bulk.checks import LEDGER, TAKEN, Check, energy_input, ledger_checks
+from plastigran.bulk.folder import read_derived
+from plastigran.bulk.grains import Grains
+from plastigran.bulk.settings import continuable, text
+from plastigran.declared import number, whole, word
+from plastigran.materials import Material
+from plastigran.plot.ledger import ledger_figure
+
+
+@attrs.frozen
+class Analysis:
+    """What a deck makes of a run.
+
+    Attributes:
+        series: One row a line of the log, with what is measured and predicted beside it.
+        checks: The deck's invariants.
+        figures: By name.
+    """
+
+    series: pd.DataFrame
+    checks: list[Check] = attrs.field(factory=list)
+    figures: dict[str, Figure] = attrs.field(factory=dict)
+
+    @property
+    def failed(self) -> list[Check]:
+        """The checks that have not passed."""
+        return [check for check in self.checks if not check.passed]
+
+
+@attrs.frozen
+class Brief:
+    """A short run of a deck, by which the conformance suite takes it.
+
+    Attributes:
+        settings: That make the run short.
+        start: Beside them, settings that end it so soon after its first impacts that runs on
+            several ranks agree to 1e-9.
+        restart: Difference that a run gone on from a checkpoint may have, over the largest value of
+            its column [-]: 0 where it goes on to every digit.
+    """
+
+    settings: Mapping[str, object]
+    start: Mapping[str, object]
+    restart: float = 1e-10
+
+
+@attrs.frozen(kw_only=True)
+class BulkDeck:
+    """Settings of every bulk deck, made from text or numbers; a deck's class adds its own.
+
+    Attributes:
+        output: Folder of the run, for what a deck reads beside the log.
+
+    Raises:
+        ValueError: A setting is out of range; the message names it, its value and what is allowed.
+    """
+
+    #: Short runs of the deck, by a label that tells them apart.
+    briefs: ClassVar[Mapping[str, Brief]] = {}
+
+    output: Path = attrs.field(converter=Path)
+    law: str = word(
+        "between two grains", sorted(n for n, law in laws.LAWS.items() if law.shape == "sphere")
+    )
+    options: str = text("of the model, pairs NAME CHOICE")
+    material: str = text("a file of inputs/materials")
+    youngs_modulus: float = number("of the grains", "Pa", 0)
+    poissons_ratio: float = number("of the grains", "-", -1, 0.5)
+    density: float = number("of a grain", "kg/m^3", 0)
+    yield_strength: float = number("of the grains", "Pa", 0)
+    yield_pressure_factor: float = number("contact yield pressure over yield strength; 0: Hertz's")
+    dissipative_constant: float = number("viscous over elastic constants", "s", 0, closed=True)
+    radius: float = number("of a grain, in the mean", "m", 0)
+    timestep: float = number("of the engine", "s", 0)
+    seed: float = number("another gives other grains")
+    frames: int = continuable(whole("VTK files on the way"))
+    rows: int = whole("lines of the log", 1)
+    checkpoints: int = whole("restart files on the way, a divisor of rows", 1)
+    ledger: str = word("the energy ledger", ("on", "off"))
+
+    def __attrs_post_init__(self) -> None:
+        self.check()
+
+    def check(self) -> None:
+        """Check what must hold between settings; a deck that adds to it calls this one too.
+
+        A checkpoint is made at steps that have a line of the log: `checkpoints` divides `rows`.
+
+        Raises:
+            ValueError: It does not hold; the message names the setting.
+        """
+        if self.rows % self.checkpoints:
+            raise ValueError(f"checkpoints is {self.checkpoints}; it must divide rows, {self.rows}")
+        if self.law == "hertz" and self.ledger == "on":
+            raise ValueError("ledger is on; the engine's own hertz keeps none: set ledger=off")
+        self.grains.contact_law()  # raises for constants it cannot take
+
+    def check_inputs(self) -> None:
+        """Before a run: what the deck reads is there. Raises ValueError for what is not."""
+
+    def analyse(self, series: pd.DataFrame) -> Analysis:
+        """What to make of a run.
+
+        Args:
+            series: The log from step 0, whatever checkpoints the run went on from: `step`, `time`
+                [s], and the deck's columns.
+
+        Raises:
+            ValueError: There is nothing to measure in it.
+        """
+        raise NotImplementedError
+
+    @classmethod
+    def read(cls, settings: Mapping[str, object]) -> Self:
+        """The deck with the settings of a run, as text or numbers; others are let be.
+
+        Raises:
+            ValueError: One is missing or out of range.
+        """
+        names = [field.name for field in attrs.fields(cls)]
+        if missing := [name for name in names if name not in settings]:
+            raise ValueError(f"{cls.__name__} declares {missing[0]}; the deck has no such setting")
+        return cls(**{name: settings[name] for name in names})
+
+    @classmethod
+    def continuable_settings(cls) -> frozenset[str]:
+        """Names of the settings that a run that goes on may change."""
+        return frozenset(f.name for f in attrs.fields(cls) if "continuable" in f.metadata)
+
+    @property
+    def model_options(self) -> dict[str, str]:
+        """The setting `options` by name. Raises ValueError when they are not pairs."""
+        words = self.options.split()
+        if len(words) % 2:
+            raise ValueError(f"options is {self.options!r}; it must be pairs, NAME CHOICE")
+        return dict(zip(words[::2], words[1::2], strict=True))
+
+    @property
+    def grains(self) -> Grains:
+        """The grains, with those of the options that are the law's."""
+        material = Material(
+            self.material,
+            youngs_modulus=self.youngs_modulus,
+            poissons_ratio=self.poissons_ratio,
+            density=self.density,
+            yield_strength=self.yield_strength,
+            yield_pressure_factor=self.yield_pressure_factor,
+            dissipative_constant=self.dissipative_constant or None,
+        )
+        known = {option["name"] for option in laws.LAWS[self.law].options()}
+        options = {name: choice for name, choice in self.model_options.items() if name in known}
+        return Grains(self.law, options, material, self.radius)
+
+    def derived(self, name: str) -> float:
+        """A number the deck derives from its settings and prints, `print "derived NAME = VALUE"`.
+
+        Raises:
+            ValueError: The run in `output` has printed none of that name.
+        """
+        return read_derived(self.output, name)
+
+    def ledger_checks(self, series: pd.DataFrame) -> list[Check]:
+        """Checks of the energy ledger; none of a run without one."""
+        return ledger_checks(series) if self.ledger == "on" else []
+
+    def ledger_figure(self, series: pd.DataFrame) -> dict[str, Figure]:
+        """Figure of the energy ledger by its name; none of a run without one."""
+        if self.ledger == "off":
+            return {}
+        return {"ledger": ledger_figure(series, TAKEN, energy_input(series), LEDGER)}
+
+
+@attrs.frozen(kw_only=True)
+class GranularDeck(BulkDeck):
+    """Settings of decks whose grains rub and have weight: inputs/bulk/parts/friction.in."""
+
+    tangential: str = word("friction of sliding", ("off", "no_history", "history"))
+    coefficient_of_friction: float = number("of sliding", "-", 0, closed=True)
+    rolling_friction: str = word("friction of rolling", ("off", "cdt", "epsd2"))
+    coefficient_of_rolling_friction: float = number("of rolling", "-", 0, closed=True)
+    coefficient_of_restitution: float = number(
+        "of the dashpot of viscous_damping, and of the engine's own hertz", "-", 0.05, 1, True
+    )
+    gravitational_acceleration: float = number("downwards", "m/s^2", 0)

@@ -1,0 +1,157 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""The folder of a bulk run: its record, the series of its log, the numbers its deck derived.
+
+It holds `run.json` (deck, every setting, ranks, versions), `deck/` (the deck as it ran, with its
+includes), the logs, numbered checkpoints, and at the end `series.csv`, `checks.csv` and `figures/`.
+"""
+
+from __future__ import annotations
+
+import json
+import re
+import shutil
+import warnings
+from pathlib import Path
+
+import pandas as pd
+
+from plastigran.engine.checkpoints import PATTERN, newest_checkpoint
+from plastigran.engine.deck import Settings
+from plastigran.engine.dumps import DumpError, TruncatedFileWarning
+from plastigran.engine.log import read_thermo
+from plastigran.engine.process import EngineError
+
+RECORD = "run.json"
+LOG = "log.liggghts"
+#: The log's lines up to the checkpoint a run went on from.
+BEFORE = "before.csv"
+SERIES = "series.csv"
+CHECKS = "checks.csv"
+#: Frames of the grains, which decks append to.
+DUMP = "grains.dump"
+#: What a run leaves, for one that may overwrite it.
+LEFT = (
+    RECORD,
+    f"{RECORD}.new",
+    BEFORE,
+    LOG,
+    "screen.txt",
+    PATTERN,
+    "restart_forced_*",
+    DUMP,
+    SERIES,
+    CHECKS,
+)
+
+_DERIVED = re.compile(r"^derived (\w+) = (\S+)\s*$", re.MULTILINE)
+
+
+def read_record(folder: str | Path) -> dict:
+    """What `run.json` says, `settings` as Settings. Raises EngineError when there is none."""
+    path = Path(folder) / RECORD
+    if not path.is_file():
+        raise EngineError(f"{folder} holds no {RECORD}; it is not a run of `plastigran bulk`")
+    record = json.loads(path.read_text())
+    return record | {"settings": Settings(record["settings"])}
+
+
+def write_record(folder: Path, record: dict) -> None:
+    """Write `run.json`, whole or not at all."""
+    draft = folder / f"{RECORD}.new"
+    draft.write_text(json.dumps(record, indent=2) + "\n")
+    draft.replace(folder / RECORD)
+
+
+def prepare_folder(folder: Path, force: bool) -> None:
+    """An empty folder for a run; of one that holds a run only that run's own files are removed.
+
+    Raises:
+        ValueError: It holds files and `force` is not given, or they are not those of a run.
+    """
+    if folder.exists() and any(folder.iterdir()):
+        if not force:
+            raise ValueError(f"{folder} holds results; choose another --output, or add --force")
+        if not (folder / RECORD).is_file():
+            raise ValueError(f"{folder} holds files but no {RECORD}; --force overwrites runs only")
+        for pattern in LEFT:  # above all checkpoints, which may be newer than ours
+            for file in folder.glob(pattern):
+                file.unlink()
+        for name in ("deck", "figures", "frames"):
+            shutil.rmtree(folder / name, ignore_errors=True)
+    folder.mkdir(parents=True, exist_ok=True)
+
+
+def read_series(folder: str | Path) -> pd.DataFrame:
+    """The log of a run from step 0 on, whatever checkpoints it went on from.
+
+    Returns:
+        One row a line: `step`, `time` [s] from step 0, then the deck's columns in SI units.
+
+    Raises:
+        DumpError: The log shows nothing yet.
+    """
+    folder = Path(folder)
+    parts = [pd.read_csv(folder / BEFORE)] if (folder / BEFORE).exists() else []
+    try:
+        parts.append(_read_log(folder))
+    except (DumpError, FileNotFoundError):
+        if not parts:  # else the run was stopped before its first line
+            raise
+    # The checkpoint's line is the earlier log's: while setting up, meshes know no forces.
+    return pd.concat(parts, ignore_index=True).drop_duplicates("step", ignore_index=True)
+
+
+def _read_log(folder: Path) -> pd.DataFrame:
+    with warnings.catch_warnings():
+        # The run was stopped: its end is known.
+        warnings.simplefilter("ignore", TruncatedFileWarning)
+        log = read_thermo(folder / LOG)
+    series = log[log["run"] == log["run"].max()].drop(columns="run").reset_index(drop=True)
+    series.insert(1, "time", series["step"] * series.pop("timestep"))
+    return series.rename(columns=lambda name: name.removeprefix("v_"))
+
+
+def all_derived(folder: str | Path) -> dict[str, float]:
+    """What a run's deck has printed as `derived NAME = VALUE`; a run gone on has its start's too.
+
+    Raises:
+        EngineError: The folder holds no run.
+    """
+    log = Path(folder) / LOG
+    printed = _DERIVED.findall(log.read_text(errors="replace")) if log.exists() else []
+    earlier = read_record(folder).get("derived", {})
+    return earlier | {name: float(value) for name, value in printed}
+
+
+def read_derived(folder: str | Path, name: str) -> float:
+    """One of `all_derived`. Raises ValueError when it was not printed."""
+    try:
+        return all_derived(folder)[name]
+    except KeyError:
+        raise ValueError(f"{folder}: its log says no `derived {name} = `") from None
+
+
+def carry_dump(earlier: Path, folder: Path, last: int) -> None:
+    """Copy the frames of an earlier run before a step, for the engine to append to."""
+    mark = "ITEM: TIMESTEP\n"
+    if not (earlier / DUMP).exists():
+        return
+    with open(folder / DUMP, "w") as kept:
+        for frame in (earlier / DUMP).read_text().split(mark)[1:]:
+            if int(frame.partition("\n")[0]) < last:
+                kept.write(mark + frame)
+
+
+def restart_point(folder: Path, record: dict) -> Path:
+    """The newest whole checkpoint of a run; of one stopped before its first, where it began.
+
+    Raises:
+        EngineError: There is none.
+    """
+    try:
+        return newest_checkpoint(folder)
+    except EngineError:
+        began = Path(record["values"].get("checkpoint", "none"))
+        if not began.is_file():
+            raise
+        return began

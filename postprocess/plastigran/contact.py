@@ -1,0 +1,146 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""A contact of two bodies under a law, without the engine."""
+
+from __future__ import annotations
+
+from math import inf, pi
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from plastigran import laws
+from plastigran.materials import RIGID, Material, read_material
+from plastigran.physics import central
+
+if TYPE_CHECKING:
+    import pandas as pd
+
+Body = Material | laws.Material | str
+
+
+class Contact:
+    """Two bodies that meet under a law.
+
+    Args:
+        law: Name of the law.
+        a, b: The bodies' materials: one of `plastigran.material`, its name, or `plastigran.RIGID`.
+        radius: Of body a [m].
+        radius_other: Of body b [m]; None for a flat.
+        mass_eff: m* [kg]; None takes spheres, or cylinders of `cylinder_length`, of the materials'
+            densities. A flat and a body without density do not move.
+        constants: The law's own constants and options; those that materials give need not be said.
+
+    Attributes:
+        law: The law between the bodies, an instance of a class of `plastigran.laws.LAWS`.
+        pair: What the bodies bring to the contact.
+        radius_eff: R* [m].
+
+    Raises:
+        ValueError: There is no such law or material, a constant is missing or out of range; the
+            message names it.
+    """
+
+    def __init__(
+        self,
+        law: str,
+        a: Body,
+        b: Body,
+        *,
+        radius: float,
+        radius_other: float | None = None,
+        mass_eff: float | None = None,
+        **constants: float | str,
+    ) -> None:
+        if law not in laws.LAWS:
+            raise ValueError(f"no law {law!r}; there are {', '.join(sorted(laws.LAWS))}")
+        self._bodies = [read_material(body) if isinstance(body, str) else body for body in (a, b)]
+        self._radii = [radius, inf if radius_other is None else radius_other]
+        for name, value in zip(("radius", "radius_other"), self._radii, strict=True):
+            if not value > 0 or (name == "radius" and value == inf):
+                raise ValueError(f"{name} is {value:g}; it must be positive and finite [m]")
+        if mass_eff is not None and not 0 < mass_eff < inf:
+            raise ValueError(f"mass_eff is {mass_eff:g}; it must be positive and finite [kg]")
+        self._mass_eff, self._constants = mass_eff, constants
+        self.pair = laws.combine(*(_properties(body) for body in self._bodies))
+        giver = next((body for body in self._bodies if isinstance(body, Material)), None)
+        make = giver.law if giver else lambda name, *args, **keys: laws.LAWS[name](*args, **keys)
+        self.law = make(law, self.pair, **constants)
+        self.radius_eff = 1 / sum(1 / each for each in self._radii)
+
+    @property
+    def mass_eff(self) -> float:
+        """m* [kg].
+
+        Raises:
+            ValueError: No body has a mass.
+        """
+        if self._mass_eff is None:
+            inverse = sum(1 / mass for mass in map(self._mass, self._bodies, self._radii))
+            if inverse == 0:
+                raise ValueError("no body has a density and a radius; give mass_eff [kg]")
+            return 1 / inverse
+        return self._mass_eff
+
+    def _mass(self, body: Material | laws.Material, radius: float) -> float:
+        if not isinstance(body, Material) or radius == inf:
+            return inf
+        if self.law.shape == "sphere":
+            return 4 / 3 * pi * radius**3 * body.density
+        return pi * radius**2 * self._constants["cylinder_length"] * body.density
+
+    def path(self, overlaps: ArrayLike) -> pd.DataFrame:
+        """What the contact answers along a path of overlaps, from its first touch.
+
+        Args:
+            overlaps: (N,) [m].
+
+        Returns:
+            (N,) rows: overlap [m], force [N], contact_radius [m], elastic_energy [J], what
+            unloading would give back, and plastic_work [J], what it would not.
+        """
+        import pandas as pd  # slow to load
+
+        overlaps = np.array(overlaps, dtype=float, ndmin=1)
+        answer = self.law.follow(self.radius_eff, overlaps, self.law.State())
+        names = ("force", "contact_radius", "elastic_energy", "plastic_work")
+        return pd.DataFrame({"overlap": overlaps} | {name: answer[name] for name in names})
+
+    def impact(self, speeds: ArrayLike) -> central.CentralImpacts:
+        """Central impacts at closing speeds of any shape [m/s].
+
+        Raises:
+            ValueError: A speed is out of range, or no body has a mass.
+        """
+        return central.central_impacts(self.law, self.radius_eff, self.mass_eff, speeds)
+
+    def restitution(self, speeds: ArrayLike) -> np.ndarray:
+        """Coefficient of restitution at closing speeds of any shape [m/s]; see `impact`."""
+        return self.impact(speeds).coefficient_of_restitution
+
+    def timestep(self, speed: float) -> float:
+        """Time step that resolves the rebound at a closing speed [m/s] to 1e-3 in restitution [s].
+
+        Raises:
+            ValueError: The speed is out of range, or no body has a mass.
+        """
+        return self.law.recommended_time_step(self.radius_eff, self.mass_eff, speed)
+
+    def __repr__(self) -> str:
+        a, b = (_name(body) for body in self._bodies)
+        said: dict[str, Any] = {"radius": self._radii[0]}
+        if self._radii[1] != inf:
+            said["radius_other"] = self._radii[1]
+        said |= self._constants
+        listed = ", ".join(f"{name}={value!r}" for name, value in said.items())
+        return f"Contact({self.law.name!r}, {a}, {b}, {listed})"
+
+
+def _properties(body: Material | laws.Material) -> laws.Material:
+    return body.body() if isinstance(body, Material) else body
+
+
+def _name(body: Material | laws.Material) -> str:
+    if body is RIGID:
+        return "RIGID"
+    return body.name if isinstance(body, Material) else repr(body)

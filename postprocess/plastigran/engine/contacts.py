@@ -1,0 +1,148 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Read dumps of pair and wall contacts, whole or frame by frame."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+
+import numpy as np
+import pandas as pd
+
+from plastigran.engine.dumps import BATCH, DumpError, read_tables, split_frames
+
+# Columns of `compute pair/gran/local` and `compute wall/gran/local` by field, in the order in
+# which the engine writes them, whatever the order in the input script.
+PAIR_COLUMNS = {
+    "pos": ("x_i", "y_i", "z_i", "x_j", "y_j", "z_j"),
+    "vel": ("vx_i", "vy_i", "vz_i", "vx_j", "vy_j", "vz_j"),
+    "id": ("id_i", "id_j", "periodic"),
+    "force": ("fx", "fy", "fz"),
+    "force_normal": ("fnx", "fny", "fnz"),
+    "force_tangential": ("ftx", "fty", "ftz"),
+    "torque": ("tx", "ty", "tz"),
+    "torque_normal": ("tnx", "tny", "tnz"),
+    "torque_tangential": ("ttx", "tty", "ttz"),
+    "history": None,  # as many as the model keeps
+    "contactArea": ("contact_area",),
+    "delta": ("overlap",),
+    "contactPoint": ("contact_x", "contact_y", "contact_z"),
+    "ms_id": ("multisphere_i", "multisphere_j"),
+    "heatFlux": ("heat_flux",),  # always last
+}
+WALL_COLUMNS = PAIR_COLUMNS | {
+    "pos": ("contact_x", "contact_y", "contact_z", "x", "y", "z"),
+    "vel": ("wall_vx", "wall_vy", "wall_vz", "vx", "vy", "vz"),
+    "id": ("mesh_id", "triangle_id", "id"),
+}
+
+
+def contact_columns(kind: str, fields: list[str], total: int) -> list[str]:
+    """Names of a local dump's columns from the compute's fields.
+
+    Args:
+        kind: "PAIR" or "WALL".
+        fields: Fields of `compute pair/gran/local` or `wall/gran/local`, in any order.
+        total: Number of columns; what the other fields leave is the contact history's.
+
+    Returns:
+        `total` names.
+
+    Raises:
+        DumpError: Unknown field, or a total that does not fit.
+    """
+    table = {"PAIR": PAIR_COLUMNS, "WALL": WALL_COLUMNS}[kind]
+    unknown = [field for field in fields if field not in table]
+    if unknown:
+        raise DumpError(f"unknown contact field {unknown[0]!r}; known: {' '.join(table)}")
+    spare = total - sum(len(table[field] or ()) for field in fields)
+    names: list[str] = []
+    for field, columns in table.items():
+        if field not in fields:
+            continue
+        if columns is None:
+            names += [f"history_{k}" for k in range(1, spare + 1)]
+        else:
+            names += columns
+    if len(names) != total:
+        raise DumpError(
+            f"fields {' '.join(fields)} make {len(names)} columns, the file has {total}"
+        )
+    return names
+
+
+def read_contacts(
+    path: str | Path, kind: str | None = None, fields: str | None = None, touching: bool = True
+) -> pd.DataFrame:
+    """Read a `dump local` file of a `compute pair/gran/local` or `wall/gran/local`.
+
+    Args:
+        path: The file. Its label says kind and fields (`dump_modify ID label "PAIR pos id ..."`).
+        kind: "PAIR" or "WALL", for a file without such a label.
+        fields: The compute's fields, e.g. "pos id force delta", for a file without such a label.
+        touching: Drop the near neighbours without overlap and force that the engine lists too.
+
+    Returns:
+        One row per contact and frame: `step`, then columns named as in `PAIR_COLUMNS` and
+        `WALL_COLUMNS`.
+
+    Raises:
+        DumpError: The file is not a local dump, or its columns do not fit the fields.
+    """
+    ((label, _, table),) = read_tables(path, None)
+    return _contacts(path, label, table, kind, fields, touching)
+
+
+def read_contact_frames(
+    path: str | Path, kind: str | None = None, fields: str | None = None, touching: bool = True
+) -> Iterator[pd.DataFrame]:
+    """Read a dump of contacts frame by frame; the file may be larger than memory.
+
+    Args:
+        path: The file.
+        kind: As for `read_contacts`.
+        fields: As for `read_contacts`.
+        touching: As for `read_contacts`.
+
+    Yields:
+        Each frame as `read_contacts` gives it.
+
+    Raises:
+        DumpError: As for `read_contacts`.
+    """
+    for label, counts, table in read_tables(path, BATCH):
+        for frame in split_frames(table, counts):
+            yield _contacts(path, label, frame, kind, fields, touching)
+
+
+def _contacts(
+    path: str | Path,
+    label: str,
+    table: pd.DataFrame,
+    kind: str | None,
+    fields: str | None,
+    touching: bool,
+) -> pd.DataFrame:
+    words = label.split()
+    if kind is None or fields is None:
+        if not words or words[0] not in ("PAIR", "WALL"):
+            raise DumpError(f"{path}: label {label!r} names no fields; pass kind and fields")
+        kind, fields = words[0], " ".join(words[1:])
+    try:
+        names = contact_columns(kind, fields.split(), table.shape[1] - 1)
+    except DumpError as error:
+        raise DumpError(f"{path}: {error}") from error
+    table.columns = ["step", *names]
+    if touching:
+        keep = np.zeros(len(table), dtype=bool)
+        judged = False
+        if "overlap" in table:
+            keep |= table["overlap"].to_numpy() > 0
+            judged = True
+        for group in (("fx", "fy", "fz"), ("fnx", "fny", "fnz")):
+            if set(group) <= set(names):
+                keep |= (table[list(group)].to_numpy() != 0).any(axis=1)
+                judged = True
+        if judged:
+            table = table[keep].reset_index(drop=True)
+    return table

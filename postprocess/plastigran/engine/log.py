@@ -1,0 +1,141 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""The engine's log: how far a run is, its thermodynamic output, and the error that ended it."""
+
+from __future__ import annotations
+
+import re
+import warnings
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+import pandas as pd
+
+from plastigran.engine.dumps import DumpError, TruncatedFileWarning
+
+THERMO_COLUMNS = {
+    "Step": "step",
+    "Dt": "timestep",
+    "Time": "time",
+    "Atoms": "atoms",
+    "KinEng": "kinetic_energy",
+    "CPU": "cpu_time",
+}
+_RUN = re.compile(r"run\s+(\d+)(\s+upto)?\s*$")
+_ERROR = re.compile(r"^ERROR\b.*", re.MULTILINE)  # a deck's echoed comment begins with #
+
+
+def find_error(text: str) -> str | None:
+    """The first error line that the engine wrote to a log or screen; None when there is none."""
+    found = _ERROR.search(text)
+    return found[0] if found else None
+
+
+@dataclass
+class Progress:
+    """How far a run is, by its log.
+
+    Attributes:
+        run: Number of the present `run` command, from 1; 0 before the first.
+        first: Step it began with.
+        last: Step it will end with.
+        step: Step of the newest line.
+        time_step: Of the newest line [s]; 0 when the log does not show it.
+    """
+
+    run: int = 0
+    first: int = 0
+    last: int = 0
+    step: int = 0
+    time_step: float = 0.0
+
+
+class LogFollower:
+    """Reads a growing log, each line once and only when it is whole."""
+
+    def __init__(self, log: Path) -> None:
+        self.log = log
+        self.progress = Progress()
+        self._offset = 0
+        self._asked: tuple[int, bool] = (0, False)  # steps of the `run` command, upto
+        self._columns: list[str] = []
+        self._begun = False
+
+    def read(self) -> Progress:
+        """Take in what the log has gained."""
+        if not self.log.exists():
+            return self.progress
+        with open(self.log, "rb") as file:
+            file.seek(self._offset)
+            text = file.read()
+        whole = text.rfind(b"\n") + 1
+        self._offset += whole
+        for line in text[:whole].decode(errors="replace").splitlines():
+            self._take(line)
+        return self.progress
+
+    def _take(self, line: str) -> None:
+        words = line.split()
+        if found := _RUN.match(line):
+            self._asked = int(found[1]), bool(found[2])
+        elif words[:1] == ["Step"]:
+            self._columns, self._begun = words, False
+        elif line.startswith("Loop time of"):
+            self._columns = []
+        elif self._columns and len(words) == len(self._columns) and words[0].isdigit():
+            step, progress = int(words[0]), self.progress
+            if not self._begun:
+                steps, upto = self._asked
+                progress.run, progress.first = progress.run + 1, step
+                progress.last = steps if upto else step + steps
+                self._begun = True
+            progress.step = step
+            if "Dt" in self._columns:
+                progress.time_step = float(words[self._columns.index("Dt")])
+
+
+def read_thermo(path: str | Path) -> pd.DataFrame:
+    """Read the thermodynamic output of a log file.
+
+    Args:
+        path: The log.
+
+    Returns:
+        One row per output line: `run` (0, 1, … in the order of the `run` commands), then the
+        log's columns, the common ones under the names of `THERMO_COLUMNS`.
+
+    Raises:
+        DumpError: The log holds no thermodynamic output.
+    """
+    path = Path(path)
+    tables, header, rows, whole = [], None, [], True
+    run = -1
+    with open(path, encoding="utf-8", errors="replace") as file:
+        for line in file:
+            words = line.split()
+            if words[:1] == ["Step"]:
+                header, rows, whole = words, [], False
+                run += 1
+                tables.append((run, header, rows))
+            elif header and line.startswith("Loop time of"):
+                header, whole = None, True
+            elif header and len(words) == len(header) and line.endswith("\n"):
+                try:
+                    rows.append([float(word) for word in words])
+                except ValueError:
+                    continue  # a message between two rows
+    if not tables:
+        raise DumpError(f"{path}: no thermodynamic output (no line starting with 'Step')")
+    if not whole:
+        warnings.warn(
+            f"{path} ends within run {run}; the rows before the end were read",
+            TruncatedFileWarning,
+            stacklevel=2,
+        )
+    frames = []
+    for number, names, values in tables:
+        frame = pd.DataFrame(values, columns=[THERMO_COLUMNS.get(name, name) for name in names])
+        frame.insert(0, "run", number)
+        frames.append(frame)
+    table = pd.concat(frames, ignore_index=True)
+    return table.astype({"step": np.int64})

@@ -1,0 +1,246 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""What every experiment is: a case with its prediction and measurement, and a sweep of many.
+
+docs/add_an_experiment.md shows how one is written.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from itertools import product
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, ClassVar
+
+import attrs
+import numpy as np
+
+from plastigran.declared import Declaration, declaration
+from plastigran.engine.process import run_deck
+from plastigran.experiments.runs import Runs, sweep
+from plastigran.experiments.tables import format_range, format_table
+from plastigran.materials import Material, laws_for, read_material
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+
+@attrs.frozen
+class Flag:
+    """A setting of an experiment's study, and the flag of its command.
+
+    Attributes:
+        default: Its value, or a tuple of values; "all" stands for every usable law.
+        name: Of the flag, where it is not the setting's.
+        said: What is declared of it, where it is not a field of the case.
+        many: Whether it takes several values.
+        span: From, to and how many: a range that it is swept over by default.
+    """
+
+    default: Any = None
+    name: str = ""
+    said: Declaration | None = None
+    many: bool = True
+    span: tuple[float, float, int] | None = None
+
+    def values(self) -> Any:
+        """The default, of a span its values, evenly apart in their logarithms."""
+        return tuple(np.geomspace(*self.span)) if self.span else self.default
+
+
+@attrs.frozen
+class Experiment:
+    """One case of an experiment: what is to be run. Its fields are declared quantities.
+
+    A subclass is an experiment: it gives `deck` and `measure`, and more where it has more to say.
+    One with a `command` is found, has that command and is drawn in the docs.
+
+    Attributes:
+        command: Name of its command.
+        help: Of the command, in a line.
+        deck: Path of its input script, in the folder of the input scripts.
+        shape: Of its bodies, "sphere" or "cylinder".
+        flags: Settings of its study, by name; by default its declared fields.
+        usual_materials: Their constants tell which laws are usable, where no flag names a material.
+        quantities: Attributes of its outcome that make columns of the table.
+        shown: Columns that are printed, all by default.
+        docs: Settings of the study that the docs show.
+        docs_figures: Names of its figures in the docs, by name in `figures`.
+    """
+
+    command: ClassVar[str] = ""
+    help: ClassVar[str] = ""
+    deck: ClassVar[str]
+    shape: ClassVar[str] = "sphere"
+    flags: ClassVar[Mapping[str, Flag]] = {}
+    usual_materials: ClassVar[tuple[str, ...]] = ()
+    quantities: ClassVar[tuple[str, ...]] = ()
+    shown: ClassVar[tuple[str, ...]] = ()
+    docs: ClassVar[Mapping[str, Any]] = {}
+    docs_figures: ClassVar[Mapping[str, str]] = {}
+
+    # What one case says of itself.
+
+    def variables(self) -> dict[str, object]:
+        """The case as the deck's variables: its fields, a material's constants by their names."""
+        found: dict[str, object] = {}
+        for name in declaration(type(self)):
+            value = getattr(self, name)
+            found |= value.variables() if isinstance(value, Material) else {name: value}
+        return found
+
+    @property
+    def label(self) -> str:
+        """What tells its folder from others."""
+        return self.command or type(self).__name__
+
+    @property
+    def timestep(self) -> float | None:
+        """Time step [s]; None leaves it to the deck."""
+        return None
+
+    def predict(self) -> Any:
+        """The outcome by theory; None where there is none."""
+        return None
+
+    def measure(self, folder: Path) -> Any:
+        """The outcome from the files that the deck has left in a folder.
+
+        Raises:
+            ValueError: They hold no whole outcome.
+        """
+        raise NotImplementedError
+
+    def facts(self) -> dict[str, object]:
+        """Columns that tell the case: its fields, a material by its name."""
+        values = {name: getattr(self, name) for name in declaration(type(self))}
+        return {k: v.name if isinstance(v, Material) else v for k, v in values.items()}
+
+    def notes(self, measured: Any, predicted: Any) -> dict[str, object]:
+        """Further columns."""
+        return {}
+
+    def row(self, measured: Any) -> dict[str, object]:
+        """One line of the results table: the case, what was measured, and `*_predicted`."""
+        predicted, line = self.predict(), self.facts()
+        for name in self.quantities:
+            line[name] = getattr(measured, name)
+            if (expected := getattr(predicted, name, None)) is not None:
+                line[f"{name}_predicted"] = expected
+        return line | self.notes(measured, predicted)
+
+    # Running one.
+
+    def execute(
+        self, folder: str | Path, timestep: float | None = None, gap: float = 0.0, ranks: int = 1
+    ) -> None:
+        """Run the deck in the engine; arguments and errors as for `run`."""
+        variables, step = self.variables(), self.timestep if timestep is None else timestep
+        if step is not None:
+            variables["timestep"] = step
+        if gap:
+            variables["gap"] = gap
+        run_deck(self.deck, variables, folder, ranks=ranks)
+
+    def run(
+        self, folder: str | Path, timestep: float | None = None, gap: float = 0.0, ranks: int = 1
+    ) -> Any:
+        """Run the deck in the engine and measure.
+
+        Args:
+            folder: Where the engine writes.
+            timestep: [s]; the case's own by default.
+            gap: Distance between the surfaces at the start, for decks that have one [m].
+            ranks: MPI ranks.
+
+        Raises:
+            EngineError: The engine stopped with an error.
+            ValueError: What it left holds no whole outcome.
+        """
+        self.execute(folder, timestep, gap, ranks)
+        return self.measure(Path(folder))
+
+    # Running many.
+
+    @classmethod
+    def plan(cls, **values: Any) -> list[Experiment]:
+        """Every combination of field values, each case once; the first field named varies slowest.
+
+        Args:
+            values: By field, one value or an iterable of them.
+
+        Raises:
+            ValueError: A case cannot be run; the message says why.
+        """
+        axes = [_several(value) for value in values.values()]
+        named = (dict(zip(values, chosen, strict=True)) for chosen in product(*axes))
+        return list(dict.fromkeys(cls(**case) for case in named))
+
+    @classmethod
+    def study_settings(cls, **given: Any) -> dict[str, Any]:
+        """The settings of a study: a value for each flag, as given or by default.
+
+        Raises:
+            ValueError: There is no such setting.
+        """
+        if unknown := sorted(set(given) - set(cls.all_flags())):
+            raise ValueError(
+                f"{cls.command} has no setting {unknown[0]!r}; it takes {' '.join(cls.all_flags())}"
+            )
+        found = {name: flag.values() for name, flag in cls.all_flags().items()} | given
+        if "law" in found and cls.all_flags()["law"].many:
+            names = _several(found.get("material", cls.usual_materials))
+            usable = laws_for(cls.shape, [read_material(name) for name in names])
+            chosen = [usable if law == "all" else [law] for law in _several(found["law"])]
+            found["law"] = tuple(dict.fromkeys(law for some in chosen for law in some))
+        return found
+
+    @classmethod
+    def cases(cls, **settings: Any) -> list[Experiment]:
+        """The cases of a study; its settings are those of `flags`. By default their `plan`."""
+        return cls.plan(**settings)
+
+    @classmethod
+    def study(
+        cls, folder: str | Path, jobs: int | None = None, progress: bool = True, **settings: Any
+    ) -> Runs:
+        """Run what the experiment's command runs.
+
+        Args:
+            folder, jobs, progress: As for `sweep`.
+            settings: Of `flags`; others have their defaults.
+        """
+        settings = cls.study_settings(**settings)
+        return sweep(cls.cases(**settings), folder, jobs, progress, settings)
+
+    @classmethod
+    def all_flags(cls) -> Mapping[str, Flag]:
+        """The settings of its study; a field without a default must be given."""
+        defaults = {field.name: field.default for field in attrs.fields(cls)}
+        return cls.flags or {name: Flag(defaults[name]) for name in declaration(cls)}
+
+    # What came of many.
+
+    @classmethod
+    def tables(cls, runs: Runs) -> dict[str, Any]:
+        """Tables made of the runs, by name."""
+        return {}
+
+    @classmethod
+    def figures(cls, runs: Runs) -> dict[str, Callable[[], Figure]]:
+        """Figures of the runs, by name: a function that draws each."""
+        return {}
+
+    @classmethod
+    def summary(cls, runs: Runs) -> str:
+        """What the command prints: the results table, and which laws left their range."""
+        text = [format_table(runs.table, cls.shown)]
+        if "in_range" in runs.table:
+            text.append(format_range(runs.table))
+        return "\n".join(filter(None, text))
+
+
+def _several(value: Any) -> tuple:
+    """One value, or an iterable of them, as a tuple."""
+    if isinstance(value, str | Path | Material) or not np.iterable(value):
+        return (value,)
+    return tuple(value)

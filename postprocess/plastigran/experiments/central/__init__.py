@@ -1,0 +1,169 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Central impacts of spheres: on a rigid plane, on a mesh, and of two equal ones."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from math import nan, pi
+from pathlib import Path
+from typing import TYPE_CHECKING, ClassVar
+
+import attrs
+
+from plastigran import laws
+from plastigran.declared import number, word
+from plastigran.experiments.base import Experiment, Flag
+from plastigran.experiments.collision import CollisionOutcome, measure
+from plastigran.experiments.fields import check_overlap, law_field
+from plastigran.experiments.runs import Runs
+from plastigran.experiments.tables import HEADS
+from plastigran.materials import RIGID, Material, material_field
+from plastigran.physics import central
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+#: Decks and how many bodies take part; the other body of one is a rigid wall.
+GEOMETRIES = {"sphere_wall": 1, "sphere_mesh": 1, "two_spheres": 2}
+
+#: Speeds that take the paper's sphere (aluminium_zv02, 0.1 m) to 120 yield speeds [m/s].
+PAPER_SPEEDS = (0.0005, 0.001, 0.002, 0.005, 0.01, 0.02, 0.06, 0.1, 0.2)
+
+#: Largest overlap a sphere's run is allowed, over the effective radius.
+OVERLAP_LIMIT = 0.3
+
+
+@attrs.frozen
+class CentralImpact(Experiment):
+    """One central impact of spheres.
+
+    Raises:
+        ValueError: A field is out of range, or the bodies would overlap too far for any law.
+    """
+
+    law: str = law_field("sphere")
+    speed: float = number("speed of each sphere", "m/s", 0)
+    material: Material = material_field("of the spheres, a name or the path of a file")
+    radius: float = number("radius of the spheres", "m", 0)
+    geometry: str = word("deck", tuple(GEOMETRIES), default="sphere_wall")
+
+    command: ClassVar[str] = "impact"
+    help: ClassVar[str] = "run collisions in the engine, table and figures"
+    geometries: ClassVar[Mapping[str, int]] = GEOMETRIES
+    overlap_limit: ClassVar[float] = OVERLAP_LIMIT
+    flags: ClassVar[Mapping[str, Flag]] = {
+        "material": Flag(("aluminium_zv02",)),
+        "law": Flag(("all",)),
+        "speed": Flag(span=(0.001, 0.2, 9)),
+        "radius": Flag(0.1),
+        "geometry": Flag("sphere_wall"),
+    }
+    quantities: ClassVar[tuple[str, ...]] = (
+        "coefficient_of_restitution",
+        "force_max",
+        "overlap_max",
+        "overlap_res",
+        "loading_time",
+        "contact_time",
+    )
+    shown: ClassVar[tuple[str, ...]] = tuple(HEADS)
+    docs: ClassVar[Mapping[str, object]] = {"speed": PAPER_SPEEDS}
+    docs_figures: ClassVar[Mapping[str, str]] = {"restitution": "restitution.png"}
+
+    def __attrs_post_init__(self) -> None:
+        check_overlap(
+            self,
+            self.predict().overlap_max,
+            self.radius_eff,
+            self.overlap_limit,
+            "effective radii",
+        )
+
+    @property
+    def bodies(self) -> int:
+        """Bodies that take part; their effective radius and mass are one body's over this."""
+        return self.geometries[self.geometry]
+
+    @property
+    def pair(self) -> laws.MaterialPair:
+        body = self.material.body()
+        return laws.combine(body, body if self.bodies == 2 else RIGID)
+
+    @property
+    def radius_eff(self) -> float:
+        """R* [m]."""
+        return self.radius / self.bodies
+
+    @property
+    def mass_eff(self) -> float:
+        """m* [kg]."""
+        return 4 / 3 * pi * self.radius**3 * self.material.density / self.bodies
+
+    @property
+    def closing_speed(self) -> float:
+        """Of the two bodies [m/s]."""
+        return self.speed * self.bodies
+
+    def contact_law(self, **options: str):
+        """The law between the two bodies; `options` are its own."""
+        return self.material.law(self.law, self.pair, **options)
+
+    @property
+    def deck(self) -> str:
+        return f"collision/{self.geometry}.in"
+
+    @property
+    def label(self) -> str:
+        return f"{self.geometry}_{self.material.name}_{self.law}"
+
+    @property
+    def timestep(self) -> float:
+        """The recommended one [s]."""
+        return self.contact_law().recommended_time_step(
+            self.radius_eff, self.mass_eff, self.closing_speed
+        )
+
+    def yield_speed(self) -> float:
+        """Speed of each body at which the impact just reaches yield [m/s]."""
+        return central.yield_speed(self.pair, self.radius_eff, self.mass_eff) / self.bodies
+
+    def variables(self) -> dict[str, object]:
+        found = super().variables()
+        del found["geometry"]
+        return found
+
+    def predict(self) -> CollisionOutcome:
+        """The impact as the law alone has it, without the engine."""
+        law, speed = self.contact_law(), self.closing_speed
+        found = law.central_impact(self.radius_eff, self.mass_eff, speed)
+        return CollisionOutcome(
+            closing_speed=speed,
+            coefficient_of_restitution=found.coefficient_of_restitution,
+            force_max=found.force_max,
+            overlap_max=found.overlap_max,
+            overlap_res=found.overlap_res,
+            in_range=found.in_range,
+        )
+
+    def measure(self, folder: Path) -> CollisionOutcome:
+        return measure(Path(folder) / "trajectory.dump")
+
+    def facts(self) -> dict[str, object]:
+        said = super().facts()
+        named = ("geometry", "material", "law", "radius", "speed")
+        ratio = self.speed / self.yield_speed() if laws.LAWS[self.law].yields else nan
+        return {name: said[name] for name in named} | {"speed_ratio": ratio}
+
+    def notes(self, measured: CollisionOutcome, predicted: CollisionOutcome) -> dict[str, object]:
+        step = self.timestep
+        steps = round(measured.contact_time / step)
+        return {"in_range": predicted.in_range, "time_step": step, "steps": steps}
+
+    @classmethod
+    def figures(cls, runs: Runs) -> dict[str, Callable[[], Figure]]:
+        from plastigran.experiments.central import figures  # matplotlib is slow to load
+
+        return {
+            "restitution": lambda: figures.restitution_figure(runs.table, runs.cases),
+            "loops": lambda: figures.loops_figure(runs.outcomes),
+        }

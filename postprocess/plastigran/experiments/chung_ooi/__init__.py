@@ -1,0 +1,238 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""The eight benchmark impacts of Chung & Ooi (2011, Granular Matter 13:643): run in the engine and
+held against theory.
+
+What a benchmark is stands in its deck in `inputs/collision/chung_ooi`; which impacts it takes, in
+`points.csv` beside the decks.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Collection, Mapping
+from functools import cached_property, partial
+from math import cos, inf, pi, radians, sin
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, ClassVar
+
+import attrs
+import pandas as pd
+
+from plastigran import declared, laws
+from plastigran.engine.deck import index_variables
+from plastigran.engine.dumps import read_dump
+from plastigran.engine.process import inputs_folder
+from plastigran.experiments.base import Experiment, Flag
+from plastigran.experiments.chung_ooi.comparison import (
+    BenchmarkOutcome,
+    agreement,
+    compare,
+    motion,
+    predict,
+)
+from plastigran.experiments.collision import measure
+from plastigran.experiments.fields import law_field
+from plastigran.experiments.runs import Runs
+from plastigran.materials import RIGID, Material, read_material
+from plastigran.physics.oblique import Motion, ObliqueImpact
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+#: What the eight are, by number.
+TITLES = {
+    1: "Elastic normal impact of two equal spheres",
+    2: "Elastic normal impact on a rigid plane",
+    3: "Normal impact with different restitutions",
+    4: "Oblique impact at different incident angles",
+    5: "Oblique impact at different tangential speeds",
+    6: "Spinning sphere on a rigid plane",
+    7: "Two equal spheres spinning against each other",
+    8: "Spinning sphere on a larger sphere",
+}
+
+#: What makes the engine's own hertz the model the decks ask of the others: damped, never pulling.
+HERTZ_OPTIONS = "limitForce on tangential_damping off"
+
+
+def folder() -> Path:
+    """Where the decks are. Raises EngineError when there are no input scripts."""
+    return inputs_folder() / "collision" / "chung_ooi"
+
+
+@attrs.frozen
+class BenchmarkImpact(Experiment):
+    """One impact of one benchmark.
+
+    Attributes:
+        deck_name: Name of the deck, without `.in`; it begins with the benchmark's number.
+        material: Of the sphere, a file of `materials` beside the deck.
+        knob: The deck's variable that the benchmark sweeps.
+        value: Its value, in the deck's unit.
+        modulus_ratio: Young's modulus of the second sphere over the first's; None leaves it to the
+            deck.
+        law: The model, or `hertz` for the engine's own.
+        steps_per_contact: Time steps in an undamped contact.
+    """
+
+    deck_name: str
+    material: str
+    knob: str
+    value: float
+    modulus_ratio: float | None = declared.number(
+        "of the second sphere to the first", "-", 0, default=None
+    )
+    law: str = law_field("sphere", "vu_quoc_zhang")
+    steps_per_contact: int = declared.whole("time steps in an undamped contact", 1, default=1000)
+
+    command: ClassVar[str] = "chung-ooi"
+    help: ClassVar[str] = "the eight benchmark impacts of Chung & Ooi (2011), against theory"
+    flags: ClassVar[Mapping[str, Flag]] = {
+        "benchmark": Flag(
+            tuple(TITLES),
+            said=declared.Declaration("numbers of benchmarks", "-", 1, 8, closed=True, kind=int),
+        ),
+        "law": Flag("vu_quoc_zhang", many=False),
+        "steps_per_contact": Flag(1000, "steps", many=False),
+    }
+    docs: ClassVar[Mapping[str, Any]] = {"benchmark": (4, 6)}
+    docs_figures: ClassVar[Mapping[str, str]] = {
+        f"benchmark_{number}": f"chung_ooi_{number}.png" for number in (4, 6)
+    }
+
+    @property
+    def benchmark(self) -> int:
+        return int(self.deck_name.split("_")[0])
+
+    @property
+    def deck(self) -> str:
+        return f"collision/chung_ooi/{self.deck_name}.in"
+
+    def variables(self) -> dict[str, object]:
+        """What differs from the deck's defaults."""
+        changed = {
+            "material": self.material,
+            self.knob: self.value,
+            "law": self.law,
+            "steps_per_contact": self.steps_per_contact,
+        }
+        if self.law == "hertz":
+            changed["options"] = HERTZ_OPTIONS
+        if self.modulus_ratio is not None:
+            changed["modulus_ratio"] = self.modulus_ratio
+        return changed
+
+    @cached_property
+    def settings(self) -> dict[str, str]:
+        """The deck's variables, as text, with what this case changes."""
+        defaults = index_variables(folder() / f"{self.deck_name}.in")
+        unknown = set(self.variables()) - set(defaults)
+        if unknown:
+            raise ValueError(f"{self.deck_name}.in has no variable {', '.join(sorted(unknown))}")
+        return defaults | {name: str(value) for name, value in self.variables().items()}
+
+    def number(self, name: str, default: float | None = None) -> float:
+        """A setting as a number; one that names another with ${} has that one's value."""
+        text = self.settings.get(name)
+        if text is None and default is not None:
+            return default
+        if text is None:
+            raise ValueError(f"{self.deck_name}.in has no variable {name}")
+        return self.number(text[2:-1]) if text.startswith("${") else float(text)
+
+    @cached_property
+    def sphere(self) -> Material:
+        return read_material(folder() / "materials" / f"{self.material}.in")
+
+    def before(self) -> Motion:
+        """Motion before the impact."""
+        if "incident_angle" in self.settings:
+            angle, speed = radians(self.number("incident_angle")), self.number("speed")
+            normal, along = speed * cos(angle), speed * sin(angle)
+        else:
+            normal = self.number("speed_normal") + self.number("speed_normal_other", 0.0)
+            along = self.number("speed_tangential", 0.0)
+        return Motion(normal, along, self.number("spin"), spin_other=self.number("spin_other", 0.0))
+
+    def impact(self) -> ObliqueImpact:
+        """The impact as theory takes it."""
+        body, radius = self.sphere.body(), self.number("radius")
+        mass = 4 / 3 * pi * radius**3 * self.sphere.density
+        other, radius_other, mass_other = RIGID, inf, inf
+        if "radius_ratio" in self.settings:
+            modulus = body.youngs_modulus * self.number("modulus_ratio")
+            other = laws.Material(modulus, body.poissons_ratio, 1e30, 1.61)
+            radius_other = radius * self.number("radius_ratio")
+            mass_other = mass * self.number("density_ratio") * self.number("radius_ratio") ** 3
+        return ObliqueImpact(
+            pair=laws.combine(body, other),
+            radius=radius,
+            mass=mass,
+            coefficient_of_friction=self.number("coefficient_of_friction"),
+            coefficient_of_restitution=self.number("coefficient_of_restitution"),
+            before=self.before(),
+            radius_other=radius_other,
+            mass_other=mass_other,
+        )
+
+    @property
+    def label(self) -> str:
+        """What tells its folder from others."""
+        return f"{self.deck_name}_{self.material}"
+
+    def predict(self) -> BenchmarkOutcome:
+        return predict(self.impact())
+
+    def measure(self, folder: Path) -> BenchmarkOutcome:
+        trajectory = read_dump(Path(folder) / "trajectory.dump")
+        return BenchmarkOutcome(motion(trajectory, -1), measure(trajectory))
+
+    def row(self, measured: BenchmarkOutcome) -> dict[str, object]:
+        names = ("benchmark", "law", "material", "modulus_ratio", "knob", "value")
+        return {name: getattr(self, name) for name in names} | compare(self.impact(), measured)
+
+    @classmethod
+    def cases(
+        cls,
+        benchmark: Collection[int] = tuple(TITLES),
+        law: str = "vu_quoc_zhang",
+        steps_per_contact: int = 1000,
+    ) -> list[BenchmarkImpact]:
+        """Every impact of some benchmarks in `points.csv`, in its order."""
+        table = pd.read_csv(folder() / "points.csv", comment="#", dtype={"values": str})
+        found = [
+            cls(
+                sweep["deck"],
+                sweep["material"],
+                sweep["knob"],
+                float(value),
+                None if pd.isna(sweep["modulus_ratio"]) else sweep["modulus_ratio"],
+                law,
+                steps_per_contact,
+            )
+            for sweep in table.to_dict("records")
+            for value in sweep["values"].split()
+        ]
+        return [case for case in found if case.benchmark in benchmark]
+
+    @classmethod
+    def tables(cls, runs: Runs) -> dict[str, pd.DataFrame]:
+        """How far off theory, and the results of each benchmark."""
+        parts = {
+            f"benchmark_{number}": part.dropna(axis="columns", how="all")
+            for number, part in runs.table.groupby("benchmark")
+        }
+        return {"agreement": agreement(runs.table)} | parts
+
+    @classmethod
+    def figures(cls, runs: Runs) -> dict[str, Callable[[], Figure]]:
+        from plastigran.experiments.chung_ooi import figures  # matplotlib is slow to load
+
+        return {
+            f"benchmark_{number}": partial(figures.figure, number, runs.outcomes)
+            for number in sorted(runs.table["benchmark"].unique())
+        }
+
+    @classmethod
+    def summary(cls, runs: Runs) -> str:
+        table = runs.tables["agreement"].to_string(float_format="{:.1e}".format, na_rep="")
+        return f"Largest deviations from theory:\n\n{table}"

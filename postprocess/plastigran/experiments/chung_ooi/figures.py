@@ -1,0 +1,212 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Figures of the benchmark impacts, one a benchmark, in the quantities Chung & Ooi (2011) plot:
+points from the engine, lines from theory."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+from attrs import evolve
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+from plastigran.experiments.chung_ooi import TITLES, BenchmarkImpact, BenchmarkOutcome
+from plastigran.physics import central
+from plastigran.physics.oblique import Motion, ObliqueImpact
+from plastigran.plot.style import COLOURS, MARKERS, styled, subplots
+
+Entry = tuple[BenchmarkImpact, BenchmarkOutcome]
+
+
+@dataclass(frozen=True)
+class Quantity:
+    """One axis: its label and its value from an impact and the motion after it."""
+
+    label: str
+    value: Callable[[ObliqueImpact, Motion], float]
+
+
+def _friction(impact: ObliqueImpact) -> float:
+    return impact.coefficient_of_friction * impact.before.normal
+
+
+def _before(impact: ObliqueImpact) -> float:
+    return impact.surface_speed(impact.before)
+
+
+ANGLE = Quantity(
+    "incident angle (°)",
+    lambda impact, _: np.degrees(np.arctan2(impact.before.along, impact.before.normal)),
+)
+TANGENTIAL_RESTITUTION = Quantity(
+    "tangential restitution $v_t'/v_t$", lambda impact, after: after.along / impact.before.along
+)
+SPIN_GAINED = Quantity("spin after (rad/s)", lambda _, after: -after.spin)
+SURFACE_ANGLE = Quantity(
+    "rebound angle of the surface (°)",
+    lambda impact, after: np.degrees(np.arctan2(impact.surface_speed(after), after.normal)),
+)
+INCIDENT = Quantity(r"$v_t/(\mu v_n)$", lambda impact, _: impact.before.along / _friction(impact))
+RECOIL = Quantity(
+    r"surface speed after, $v_s'/(\mu v_n')$",
+    lambda impact, after: (
+        impact.surface_speed(after) / (impact.coefficient_of_friction * after.normal)
+    ),
+)
+SPIN_SCALED = Quantity(
+    r"spin after, $R\omega'/(\mu v_n)$",
+    lambda impact, after: after.spin * impact.radius / _friction(impact),
+)
+SLIDING_SHARE = Quantity(
+    r"$\frac{7}{2}\mu(1+e)\,v_n/v_s$",
+    lambda impact, _: 3.5 * _friction(impact) * (1 + impact.restitution()) / _before(impact),
+)
+SURFACE_RESTITUTION = Quantity(
+    "surface restitution $-v_s'/v_s$",
+    lambda impact, after: -impact.surface_speed(after) / _before(impact),
+)
+TANGENT = Quantity("$v_s/v_n$", lambda impact, _: _before(impact) / impact.before.normal)
+TANGENT_AFTER = Quantity(
+    "$v_s'/v_n'$", lambda impact, after: impact.surface_speed(after) / after.normal
+)
+SPIN = Quantity("spin (rad/s)", lambda impact, _: impact.before.spin)
+SPIN_AFTER = Quantity("spin after (rad/s)", lambda _, after: after.spin)
+ALONG = Quantity("speed along the surface after (m/s)", lambda _, after: after.along)
+
+#: Panels of the oblique benchmarks: (abscissa, ordinate).
+PANELS = {
+    4: [(ANGLE, TANGENTIAL_RESTITUTION), (ANGLE, SPIN_GAINED), (ANGLE, SURFACE_ANGLE)],
+    5: [(INCIDENT, RECOIL), (INCIDENT, SPIN_SCALED)],
+    6: [(SLIDING_SHARE, SURFACE_RESTITUTION), (TANGENT, TANGENT_AFTER)],
+    7: [(SPIN, ALONG), (SPIN, SPIN_AFTER)],
+    8: [(SLIDING_SHARE, SURFACE_RESTITUTION), (TANGENT, TANGENT_AFTER)],
+}
+
+
+def _label(case: BenchmarkImpact) -> str:
+    name = case.material.replace("_", " ")
+    if case.modulus_ratio is None:
+        return name
+    return f"{name}, $E_2/E_1$ = {case.modulus_ratio:g}"
+
+
+def figure(number: int, outcomes: dict[BenchmarkImpact, BenchmarkOutcome]) -> Figure:
+    """The page of one benchmark.
+
+    Args:
+        number: 1 to 8.
+        outcomes: As `Runs.outcomes` has them, of any benchmarks.
+
+    Raises:
+        ValueError: There are no impacts of that benchmark.
+    """
+    series: dict[str, list[Entry]] = {}
+    for case, outcome in outcomes.items():
+        if case.benchmark == number:
+            series.setdefault(_label(case), []).append((case, outcome))
+    if not series:
+        raise ValueError(f"no impacts of benchmark {number}")
+    columns = len(PANELS.get(number, [0, 0] if number < 3 else [0]))
+    with styled():
+        page, panels = subplots(1, columns, figsize=(4.0 * columns + 0.4, 3.8), squeeze=False)
+        page.suptitle(f"{number}. {TITLES[number]}", fontsize=11)
+        for k, (label, entries) in enumerate(series.items()):
+            style = {"color": COLOURS[k], "marker": MARKERS[k], "label": label}
+            if number < 3:
+                _loops(panels[0], entries, style)
+            elif number == 3:
+                _restitutions(panels[0][0], entries, style, last=k == len(series) - 1)
+            else:
+                for axes, panel in zip(panels[0], PANELS[number], strict=True):
+                    _oblique(axes, panel, entries, style)
+        first = panels[0][0]
+        first.plot([], [], color="0.3", lw=1.3, label="theory")
+        shown = (case for entries in series.values() for case, _ in entries)
+        if number in PANELS and any(case.impact().slides() for case in shown):
+            first.plot([], [], ":", color="0.3", lw=1.3, label="rigid bodies, sliding")
+        first.legend(title="points: LIGGGHTS", fontsize=8, title_fontsize=8)
+    return page
+
+
+def _loops(panels: np.ndarray, entries: list[Entry], style: dict) -> None:
+    """Force over overlap and over time, with Hertz's curves."""
+    for case, outcome in entries:
+        impact, collision = case.impact(), outcome.collision
+        pair = impact.pair
+        loop = collision.loop[collision.loop["overlap"] >= 0]
+        every = max(1, len(loop) // 24)
+        overlap = np.linspace(0, collision.overlap_max, 100)
+        force = central.hertz_force(impact.radius_eff, pair.youngs_modulus_eff, overlap)
+        panels[0].plot(overlap * 1e6, force / 1e3, color=style["color"], lw=1.3)
+        panels[0].plot(
+            loop["overlap"][::every] * 1e6, loop["force"][::every] / 1e3, ls="", mfc="none", **style
+        )
+        panels[0].set(xlabel="overlap (µm)", ylabel="force (kN)")
+        time, rise = central.hertz_history(
+            impact.radius_eff, impact.mass_eff, pair.youngs_modulus_eff, impact.before.normal
+        )
+        curve = central.hertz_force(impact.radius_eff, pair.youngs_modulus_eff, rise)
+        panels[1].plot(time * 1e6, curve / 1e3, color=style["color"], lw=1.3)
+        panels[1].plot(
+            loop["time"][::every] * 1e6, loop["force"][::every] / 1e3, ls="", mfc="none", **style
+        )
+        panels[1].set(xlabel="time (µs)", ylabel="force (kN)")
+
+
+def _restitutions(axes: Axes, entries: list[Entry], style: dict, last: bool) -> None:
+    impacts = [case.impact() for case, _ in entries]
+    asked = [impact.coefficient_of_restitution for impact in impacts]
+    found = [
+        outcome.after.normal / impact.before.normal
+        for impact, (_, outcome) in zip(impacts, entries, strict=True)
+    ]
+    if last:
+        fine = np.linspace(0.02, 1, 200)
+        axes.plot(fine, central.restitution_without_pull(fine), color="0.3", lw=1.3)
+        axes.plot(fine, fine, ":", color="0.3", lw=1.3, label="a dashpot that may pull")
+    axes.plot(asked, found, ls="", mfc="none", ms=7 if last else 10, **style)
+    axes.set(xlabel="restitution asked of the dashpot", ylabel="restitution", xlim=(0, 1.03))
+    axes.set_ylim(0, 1.03)
+
+
+def _oblique(
+    axes: Axes, panel: tuple[Quantity, Quantity], entries: list[Entry], style: dict
+) -> None:
+    across, up = panel
+    impacts = [case.impact() for case, _ in entries]
+    found = [outcome.after for _, outcome in entries]
+    axes.plot(
+        [across.value(i, m) for i, m in zip(impacts, found, strict=True)],
+        [up.value(i, m) for i, m in zip(impacts, found, strict=True)],
+        ls="",
+        mfc="none",
+        ms=5,
+        **style,
+    )
+    values = [case.value for case, _ in entries]
+    fine = np.union1d(
+        np.geomspace(min(values), max(values), 50), np.linspace(min(values), max(values), 50)
+    )
+    swept = [evolve(entries[0][0], value=float(value)).impact() for value in fine]
+    after = [(impact, impact.spring_slider()) for impact in swept]
+    axes.plot(
+        [across.value(*pair) for pair in after],
+        [up.value(*pair) for pair in after],
+        color=style["color"],
+        lw=1.1,
+    )
+    sliding = [(impact, impact.rigid_sliding()) for impact in swept if impact.slides()]
+    axes.plot(
+        [across.value(*pair) for pair in sliding],
+        [up.value(*pair) for pair in sliding],
+        ":",
+        color="0.3",
+        lw=1.6,
+    )
+    axes.set(xlabel=across.label, ylabel=up.label)
+    if across is SLIDING_SHARE:
+        axes.set_xlim(0, 10)
+    if up is ALONG:  # rounding is all there is; show it on the scale of the impact
+        axes.set_ylim(-impacts[0].before.normal, impacts[0].before.normal)

@@ -1,0 +1,122 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Central impacts of a cylinder on a rigid plane, and the study of Katta & Polycarpou 2010.
+
+Their slider of 1.59 mg is carried by a rigid cylinder and hits glass (J. Tribol. 132).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from math import sqrt
+from typing import TYPE_CHECKING, Any, ClassVar
+
+import attrs
+import pandas as pd
+
+from plastigran.declared import Declaration, number, word
+from plastigran.experiments.base import Flag
+from plastigran.experiments.central import CentralImpact
+from plastigran.experiments.cylinder import study
+from plastigran.experiments.fields import law_field
+from plastigran.experiments.runs import Runs
+from plastigran.materials import laws_for
+from plastigran.physics import central
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+
+@attrs.frozen
+class CylinderImpact(CentralImpact):
+    """One central impact of a cylinder, a disc in a deck of two dimensions.
+
+    The material is that of the body that yields; the other is rigid.
+
+    Raises:
+        ValueError: A field is out of range, or the bodies would overlap too far for any law.
+    """
+
+    law: str = law_field("cylinder")
+    geometry: str = word("deck", ("cylinder_wall",), default="cylinder_wall")
+    mass: float = number("mass of all that moves with the cylinder", "kg", 0, default=1.59e-6)
+    length_ratio: float = number("length of the cylinder over its radius", "-", 0, default=10.0)
+    body_thickness: float = number("thickness of the body that yields", "m", 0, default=1e-4)
+
+    command: ClassVar[str] = "cylinder"
+    help: ClassVar[str] = "the cylinder study: maps and comparison"
+    shape: ClassVar[str] = "cylinder"
+    geometries: ClassVar[Mapping[str, int]] = {"cylinder_wall": 1}
+    # Beyond, the disc's centre passes the wall. The source goes as far; `in_range` is stricter.
+    overlap_limit: ClassVar[float] = 1.0
+    flags: ClassVar[Mapping[str, Flag]] = {
+        "points": Flag(
+            30,
+            said=Declaration("radii and speeds of a map", lower=1, closed=True, kind=int),
+            many=False,
+        )
+    }
+    docs: ClassVar[Mapping[str, Any]] = {}
+    docs_figures: ClassVar[Mapping[str, str]] = {
+        "maps_10": "cylinder_maps.png",
+        "comparison": "cylinder_comparison.svg",
+    }
+
+    @property
+    def mass_eff(self) -> float:
+        return self.mass / self.bodies
+
+    @property
+    def cylinder_length(self) -> float:
+        """Length of the cylinder [m]."""
+        return self.length_ratio * self.radius
+
+    def contact_law(self, **options: str):
+        return super().contact_law(
+            cylinder_length=self.cylinder_length, body_thickness=self.body_thickness, **options
+        )
+
+    def variables(self) -> dict[str, object]:
+        found = super().variables() | {"cylinder_length": self.cylinder_length}
+        del found["length_ratio"]
+        return found
+
+    def yield_speed(self) -> float:
+        """Speed of the cylinder at which the mean pressure just reaches 1.5 sigma_Y [m/s]."""
+        *_, work = central.line_yield(
+            self.pair, self.radius_eff, self.cylinder_length, self.body_thickness
+        )
+        return sqrt(2 * work / self.mass_eff) / self.bodies
+
+    @classmethod
+    def cases(cls, points: int = 30) -> list[CylinderImpact]:
+        """The impact of the source's finite elements, by both laws."""
+        return cls.plan(law=laws_for("cylinder"), material=study.MATERIAL, **study.FINITE_ELEMENTS)
+
+    @classmethod
+    def tables(cls, runs: Runs) -> dict[str, pd.DataFrame]:
+        """The study's maps, and the finite elements' impact by law and in the engine."""
+        table = study.comparison()
+        for case, found in runs.outcomes.items():
+            for column in ("overlap_res", "contact_time", "coefficient_of_restitution"):
+                table.loc[case.law, f"{column}_engine"] = getattr(found, column)
+        return {"maps": study.maps(runs.settings.get("points", 30)), "comparison": table}
+
+    @classmethod
+    def figures(cls, runs: Runs) -> dict[str, Callable[[], Figure]]:
+        from plastigran.experiments.cylinder import figures  # matplotlib is slow to load
+
+        def maps(ratio: float) -> Callable[[], Figure]:
+            return lambda: figures.maps_figure(
+                runs.tables["maps"].query(f"length_ratio == {ratio}")
+            )
+
+        drawn = {f"maps_{ratio:g}": maps(ratio) for ratio in study.LENGTH_RATIOS}
+        return drawn | {"comparison": figures.comparison_figure}
+
+    @classmethod
+    def summary(cls, runs: Runs) -> str:
+        table = runs.tables["comparison"].T
+        return (
+            "Cylinder of 10 um, 0.1 mm long, at 1 m/s: laws, engine and finite elements\n"
+            + table.to_string(float_format="{:.4g}".format, na_rep="")
+        )

@@ -1,0 +1,121 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""The study of Katta & Polycarpou 2010 (J. Tribol. 132) by the laws alone: over radius and speed.
+
+It holds the laws as published, without the energy guard; the restitution is cut off at 1, as the
+source does. Its maps go beyond an overlap of one radius.
+"""
+
+from __future__ import annotations
+
+from itertools import product
+from math import sqrt
+
+import numpy as np
+import pandas as pd
+from numpy.typing import ArrayLike
+from tqdm import tqdm
+
+from plastigran import laws
+from plastigran.materials import RIGID, laws_for, read_material
+from plastigran.physics import central
+from plastigran.physics.contact_time import contact_time
+
+MATERIAL = "glass_kp10"
+MASS = 1.59e-6  # of the slider [kg]
+BODY_THICKNESS = 1e-4  # [m]
+#: Length over radius of the source's cylinders, and the fastest impact of its maps [m/s].
+LENGTH_RATIOS = {10.0: 1.0, 100.0: 5.0}
+RADII = (1e-6, 1e-5)  # from, to [m]
+
+#: Finite elements of the source: cylinder of 10 um, length ratio 10, 1 m/s; residual overlap [m],
+#: and the time its whole run took, an upper bound of the contact's [s].
+FINITE_ELEMENTS = {"radius": 1e-5, "length_ratio": 10.0, "speed": 1.0}
+FINITE_ELEMENTS_OVERLAP_RES = 0.12e-6
+FINITE_ELEMENTS_TIME_BOUND = 3e-6
+
+
+def impact(name: str, radius: float, speed: float, length_ratio: float) -> dict[str, object]:
+    """One impact of the study; columns of `study`.
+
+    Args:
+        name: Of the law.
+        radius: Of the cylinder [m].
+        speed: Of impact [m/s].
+        length_ratio: Length over radius of the cylinder [-].
+    """
+    material = read_material(MATERIAL)
+    pair, length = laws.combine(material.body(), RIGID), length_ratio * radius
+    lengths = {"cylinder_length": length, "body_thickness": BODY_THICKNESS}
+    law = material.law(name, pair, **lengths, energy_guard="off")
+    found = law.central_impact(radius, MASS, speed)
+    contact_radius = law.respond(radius, found.overlap_max, law.State()).contact_radius
+    *_, work = central.line_yield(pair, radius, length, BODY_THICKNESS)
+    loading, total = contact_time(law, radius, MASS, speed)
+    return {
+        "law": name,
+        "length_ratio": length_ratio,
+        "radius": radius,
+        "speed": speed,
+        "speed_ratio": speed / sqrt(2 * work / MASS),
+        "overlap_max": found.overlap_max,
+        "overlap_res": found.overlap_res,
+        "force_max": found.force_max,
+        "contact_radius": contact_radius,
+        "pressure_ratio": found.force_max / (2 * contact_radius * length) / material.yield_strength,
+        "loading_time": loading,
+        "contact_time": total,
+        "coefficient_of_restitution": min(1.0, found.coefficient_of_restitution),
+        "in_range": found.in_range,
+    }
+
+
+def study(
+    radii: ArrayLike, speeds: ArrayLike, length_ratio: float, progress: bool = False
+) -> pd.DataFrame:
+    """Both laws as published over radii [m] and speeds [m/s].
+
+    Args:
+        radii: (N,) of the cylinder [m].
+        speeds: (M,) of impact [m/s].
+        length_ratio: Length over radius of the cylinder [-].
+        progress: Show a progress bar.
+
+    Returns:
+        (2 N M,) rows; columns law, length_ratio [-], radius [m], speed [m/s], speed_ratio (over the
+        yield speed), overlap_max, overlap_res [m], force_max [N], contact_radius (half-width at the
+        largest overlap) [m], pressure_ratio (mean pressure there over the yield strength) [-],
+        loading_time, contact_time [s], coefficient_of_restitution [-] and in_range.
+    """
+    axes = laws_for("cylinder"), np.asarray(radii).tolist(), np.asarray(speeds).tolist()
+    bar = tqdm(list(product(*axes)), unit="impact", disable=None if progress else True)
+    return pd.DataFrame(impact(*case, length_ratio) for case in bar)
+
+
+def maps(points: int) -> pd.DataFrame:
+    """The study over the source's ranges, every length ratio, `points` radii and speeds each."""
+    radii = np.linspace(*RADII, points)
+    return pd.concat(
+        [
+            study(radii, np.linspace(fastest / points, fastest, points), ratio, progress=True)
+            for ratio, fastest in LENGTH_RATIOS.items()
+        ],
+        ignore_index=True,
+    )
+
+
+def comparison() -> pd.DataFrame:
+    """The impact the source's finite elements were run for, by each law.
+
+    Returns:
+        (3,) rows by law and for the finite elements: overlap_res [m] and its error over the finite
+        elements'; contact_time [s], of the finite elements only contact_time_bound, which it is
+        shorter than; coefficient_of_restitution [-] of the laws.
+    """
+    at = FINITE_ELEMENTS
+    table = study([at["radius"]], [at["speed"]], at["length_ratio"]).set_index("law")
+    columns = ["overlap_res", "contact_time", "coefficient_of_restitution"]
+    table = table[columns].reindex([*table.index, "finite elements"])
+    table.loc["finite elements", "overlap_res"] = FINITE_ELEMENTS_OVERLAP_RES
+    table.loc["finite elements", "contact_time_bound"] = FINITE_ELEMENTS_TIME_BOUND
+    table["overlap_res_error"] = table["overlap_res"] / FINITE_ELEMENTS_OVERLAP_RES - 1
+    return table

@@ -1,0 +1,155 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Cases run side by side, and what came of them: table, outcomes, figures."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterable, Mapping
+from concurrent.futures import ThreadPoolExecutor, as_completed
+from functools import cached_property
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import attrs
+import pandas as pd
+from tqdm import tqdm
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+    from plastigran.experiments.base import Experiment
+
+#: The results table in a sweep's folder.
+TABLE = "impacts.csv"
+
+
+@attrs.frozen(slots=False, eq=False, repr=False)
+class Runs:
+    """What came of a sweep.
+
+    Attributes:
+        experiment: The class of its cases.
+        outcomes: What was measured, by case.
+        table: One row a case, in the order given; columns of `Experiment.row`.
+        settings: Of the study, where it is one.
+    """
+
+    experiment: type[Experiment]
+    outcomes: Mapping[Experiment, Any]
+    table: pd.DataFrame
+    settings: Mapping[str, Any] = attrs.field(factory=dict)
+
+    @property
+    def cases(self) -> list[Experiment]:
+        return list(self.outcomes)
+
+    @cached_property
+    def tables(self) -> dict[str, pd.DataFrame]:
+        """Further tables of the experiment, by name."""
+        return self.experiment.tables(self)
+
+    @cached_property
+    def figures(self) -> dict[str, Figure]:
+        """Every figure, by name."""
+        return {name: draw() for name, draw in self.experiment.figures(self).items()}
+
+    def figure(self, name: str) -> Figure:
+        """Draw one figure.
+
+        Raises:
+            ValueError: There is none of that name.
+        """
+        drawings = self.experiment.figures(self)
+        if name not in drawings:
+            raise ValueError(f"no figure {name!r}; there are {', '.join(drawings) or 'none'}")
+        return drawings[name]()
+
+    def write(self, folder: str | Path) -> list[Path]:
+        """Write every table, as CSV, and figure, as PNG and SVG, into a folder.
+
+        Returns:
+            The files, the results table first.
+        """
+        from plastigran.plot import style  # matplotlib is slow to load
+
+        folder = Path(folder)
+        folder.mkdir(parents=True, exist_ok=True)
+        written = [folder / TABLE]
+        self.table.to_csv(written[0], index=False)
+        for name, table in self.tables.items():
+            written.append(folder / f"{name}.csv")
+            table.to_csv(written[-1], index=table.index.name is not None)
+        for name, draw in self.experiment.figures(self).items():
+            written += style.save(draw(), folder / name)
+        return written
+
+    def __str__(self) -> str:
+        return self.experiment.summary(self)
+
+    def __repr__(self) -> str:
+        names = ", ".join(self.experiment.figures(self))
+        return (
+            f"<Runs of {len(self.outcomes)} {self.experiment.__name__} cases; "
+            f"table: {self.table.shape[0]} rows x {self.table.shape[1]} columns; figures: {names}>"
+        )
+
+
+def sweep(
+    cases: Iterable[Experiment],
+    folder: str | Path,
+    jobs: int | None = None,
+    progress: bool = True,
+    settings: Mapping[str, Any] | None = None,
+) -> Runs:
+    """Run cases of one experiment in parallel.
+
+    Every finished one is appended to `impacts.csv` at once, so a run cut short keeps what it has.
+
+    Args:
+        cases: What to run.
+        folder: Results go to `impacts.csv` here and to one folder a case under `runs/`.
+        jobs: Engines at a time; all cores by default.
+        progress: Show a progress bar.
+        settings: Of the study that the cases are of.
+
+    Raises:
+        EngineError, ValueError: From the first case that failed; the others' rows are written
+            before it is raised.
+    """
+    cases, folder = list(cases), Path(folder)
+    if not cases:
+        raise ValueError("there is no case to run")
+    folder.mkdir(parents=True, exist_ok=True)
+    path = folder / TABLE
+    path.unlink(missing_ok=True)
+
+    def run(number: int, case: Experiment) -> Any:
+        return case.run(folder / "runs" / f"{number:04d}_{case.label}")
+
+    measured: dict[Experiment, Any] = {}
+    rows: dict[Experiment, dict[str, object]] = {}
+    failure: Exception | None = None
+    pool = ThreadPoolExecutor(jobs or os.cpu_count())
+    waiting = {pool.submit(run, number, case): case for number, case in enumerate(cases)}
+    bar = tqdm(total=len(cases), unit="impact", disable=None if progress else True)
+    try:
+        for done in as_completed(waiting):
+            case = waiting[done]
+            bar.update()
+            try:
+                measured[case] = done.result()
+            except Exception as error:
+                failure = failure or error
+                continue
+            rows[case] = case.row(measured[case])
+            line = pd.DataFrame([rows[case]])
+            line.to_csv(path, mode="a", header=not path.exists(), index=False)
+    finally:  # an interrupt starts no further engine
+        pool.shutdown(wait=True, cancel_futures=True)
+        bar.close()
+    if failure:
+        raise failure
+    table = pd.DataFrame([rows[case] for case in cases])
+    table.to_csv(path, index=False)
+    outcomes = {case: measured[case] for case in cases}
+    return Runs(type(cases[0]), outcomes, table, dict(settings or {}))

@@ -1,0 +1,58 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Results of impacts as text."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import pandas as pd
+
+from plastigran import laws
+
+#: Names and units of columns, as heads of two lines.
+HEADS = {
+    "material": "material",
+    "law": "law",
+    "angle": "angle\ndeg",
+    "speed": "speed\nm/s",
+    "speed_ratio": "v/v_Y",
+    "coefficient_of_restitution": "COR",
+    "coefficient_of_restitution_predicted": "COR\ntheory",
+    "angular_velocity": "rad/s",
+    "angular_velocity_predicted": "rad/s\ntheory",
+    "force_max": "peak force\nN",
+    "overlap_max": "overlap\nmax, m",
+    "overlap_res": "overlap\nresidual, m",
+    "contact_time": "contact\ntime, s",
+}
+
+
+def format_table(table: pd.DataFrame, shown: Sequence[str] = ()) -> str:
+    """A results table as text: names and units in two head lines, five digits.
+
+    Args:
+        table: Of results.
+        shown: Columns, as far as the table has them and they hold something; all by default.
+    """
+    columns = [name for name in shown or table if name in table and not table[name].isna().all()]
+    heads = [(HEADS.get(name, name) + "\n").split("\n")[:2] for name in columns]
+    cells = [
+        [f"{value:.5g}" if isinstance(value, float) else str(value) for value in line]
+        for line in table[columns].itertuples(index=False)
+    ]
+    lines = [[head[k] for head in heads] for k in (0, 1)] + cells
+    widths = [max(len(line[k]) for line in lines) for k in range(len(columns))]
+    text = [
+        "  ".join(cell.rjust(width) for cell, width in zip(line, widths, strict=True))
+        for line in lines
+    ]
+    return "\n".join([*text[:2], "-" * len(text[0]), *text[2:]])
+
+
+def format_range(table: pd.DataFrame) -> str:
+    """From which speed on a law was used beyond its range, one line a law."""
+    outside = table.loc[~table["in_range"], ["law", "speed"]]
+    return "\n".join(
+        f"outside the range of {law} ({laws.LAWS[law].range}): {speeds.min():g} m/s and faster"
+        for law, speeds in outside.groupby("law")["speed"]
+    )

@@ -1,0 +1,45 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""How long a central impact lasts, from a law's energies."""
+
+from __future__ import annotations
+
+import numpy as np
+from scipy.special import roots_legendre
+
+_NODES, _WEIGHTS = roots_legendre(200)
+
+
+def contact_time(law, radius_eff: float, mass_eff: float, speed: float) -> tuple[float, float]:
+    """Time to the largest overlap and to the end of the contact.
+
+    dt = d(overlap)/speed with 1/2 m* speed^2 the energy left, by Gauss-Legendre quadrature in the
+    square root of the way to the largest overlap, where the speed vanishes.
+
+    Args:
+        law: An instance of a class of `plastigran.laws.LAWS` whose force depends on overlap alone.
+        radius_eff: R* [m].
+        mass_eff: m* [kg].
+        speed: Closing speed [m/s].
+
+    Returns:
+        Loading time and contact time [s].
+    """
+    impact = law.central_impact(radius_eff, mass_eff, speed)
+    root = 0.5 * (1 - _NODES)  # descending: the overlaps ascend, along the virgin curve
+
+    def time(start: float, energy) -> float:
+        way = impact.overlap_max - start
+        left = energy(impact.overlap_max - way * root**2)
+        return float(np.sum(0.5 * _WEIGHTS * 2 * root * way / np.sqrt(2 * left / mass_eff)))
+
+    def left_to_load(overlap: np.ndarray) -> np.ndarray:
+        answer = law.follow(radius_eff, overlap, law.State())
+        return 0.5 * mass_eff * speed**2 - answer["elastic_energy"] - answer["plastic_work"]
+
+    def given_back(overlap: np.ndarray) -> np.ndarray:
+        state = law.State()
+        stored = law.respond(radius_eff, impact.overlap_max, state).elastic_energy
+        return stored - law.follow(radius_eff, overlap, state)["elastic_energy"]
+
+    loading = time(0.0, left_to_load)
+    return loading, loading + time(impact.overlap_res, given_back)

@@ -1,0 +1,84 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Settings of every bulk deck: declared once, and refused out of range before anything runs."""
+
+from __future__ import annotations
+
+from math import inf
+
+import attrs
+import pytest
+
+from plastigran.bulk.deck import BulkDeck
+from plastigran.bulk.decks import deck_class, deck_names
+from plastigran.bulk.run import PLACES, run_bulk
+from plastigran.declared import Declaration
+from plastigran.engine.process import inputs_folder
+
+
+def test_every_deck_has_a_class_and_a_short_run():
+    scripts = {file.stem for file in (inputs_folder() / "bulk").glob("*.in")}
+    assert scripts == set(deck_names())
+    assert all(deck_class(name).briefs for name in deck_names())
+
+
+def test_declared_settings_are_the_decks(case):
+    """A setting that one of them lacks would go unchecked, or be asked for in vain."""
+    assert attrs.fields_dict(case.kind).keys() - {"output"} == case.settings().keys() - PLACES
+
+
+def wrong_values(field: attrs.Attribute) -> list[object]:
+    """Values a declaration does not allow, and of text none."""
+    said: Declaration = field.metadata["declaration"]
+    if said.choices:
+        return ["nonsense"]
+    if field.type == "str":
+        return []
+    wrong: list[object] = ["many", inf]
+    for bound, beyond in ((said.lower, -1), (said.upper, 1)):
+        if abs(bound) < inf:
+            wrong.append(bound + beyond if said.closed else bound)
+    return [*wrong, 1.5] if field.type == "int" else wrong
+
+
+def test_impossible_values_are_refused_by_name(case, field):
+    settings = case.settings(output="results")
+    for value in wrong_values(attrs.fields_dict(case.kind)[field]):
+        with pytest.raises(ValueError, match=rf"^{field} is .*(must|not a)"):
+            case.kind.read({**settings, field: value})
+
+
+@pytest.mark.parametrize(
+    ("change", "said"),
+    [
+        ({"law": "lim_stronge"}, "law is 'lim_stronge'; it must be brake_2012, "),
+        ({"law": "hertz"}, "ledger is on; the engine's own hertz keeps none"),
+        ({"rows": 20, "checkpoints": 3}, "checkpoints is 3; it must divide rows, 20"),
+        ({"options": "viscous"}, "options is 'viscous'; it must be pairs"),
+        ({"law": "viscoelastic_hertz"}, "gives no dissipative_constant"),
+        ({"material": "cheese"}, "includes .*cheese.in, which is not there"),
+        ({"colour": "red"}, "has no setting 'colour'; it takes "),
+    ],
+)
+def test_impossible_runs_are_refused_before_anything_runs(case, change, said, tmp_path):
+    with pytest.raises((ValueError, RuntimeError), match=said):
+        run_bulk(case.name, {**case.brief.settings, **change}, tmp_path / "run", show=False)
+    assert not (tmp_path / "run").exists()
+
+
+def test_every_law_is_taken(case, sphere_law):
+    settings = case.settings(law=sphere_law, dissipative_constant=1e-5)
+    assert case.kind.read(settings).grains.contact_law() is not None
+
+
+def test_a_setting_that_a_deck_lacks_is_said(case):
+    settings = case.settings()
+    del settings["radius"]
+    with pytest.raises(ValueError, match="declares radius; the deck has no such setting"):
+        case.kind.read(settings)
+
+
+def test_frames_may_change_when_a_run_goes_on(case):
+    """And nothing of the grains or the time step may, in any deck."""
+    allowed = case.kind.continuable_settings()
+    shared = {field.name for field in attrs.fields(BulkDeck)}
+    assert "frames" in allowed and allowed & shared <= {"frames", "rows", "checkpoints"}

@@ -1,0 +1,105 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""The runner: it quotes what ended a run, keeps to its time, and leaves no engine behind."""
+
+from __future__ import annotations
+
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import pytest
+
+from plastigran.engine.process import EngineStopped, engines, run_deck
+
+SHORT = """
+# An ERROR in a comment is none in the run.
+variable output index .
+variable inputs index inputs
+units si
+atom_style granular
+newton off
+region box block 0 1 0 1 0 1 units box
+create_box 1 box
+"""
+#: Runs for hours.
+ENDLESS = (
+    SHORT
+    + """
+communicate single vel yes
+neighbor 0.001 bin
+fix youngs all property/global youngsModulus peratomtype 5e6
+fix poisson all property/global poissonsRatio peratomtype 0.3
+fix strength all property/global yieldStrength peratomtype 1e5
+pair_style gran model thornton tangential off
+pair_coeff * *
+create_atoms 1 single 0.5 0.5 0.5
+set group all diameter 0.005 density 1500
+fix integrate all nve/sphere
+timestep 1e-6
+thermo 100000
+thermo_modify flush yes
+run 1000000000
+"""
+)
+
+
+@pytest.fixture
+def deck(tmp_path):
+    """Writes a deck; returns its path."""
+
+    def write(text: str) -> Path:
+        (tmp_path / "deck.in").write_text(text)
+        return tmp_path / "deck.in"
+
+    return write
+
+
+def test_the_word_error_in_a_comment_is_no_error(deck, tmp_path):
+    assert "An ERROR in a comment" in run_deck(deck(SHORT), {}, tmp_path)
+
+
+@pytest.mark.parametrize("ranks", [1, 2])
+def test_the_error_is_quoted(deck, ranks, tmp_path):
+    with pytest.raises(EngineStopped, match=r"deck.in: ERROR: Unknown command: mistake \(.*log: "):
+        run_deck(deck(SHORT + "mistake\n"), {}, tmp_path, ranks)
+
+
+@pytest.mark.parametrize("ranks", [1, 2])
+def test_a_run_that_takes_too_long_is_stopped(deck, ranks, tmp_path):
+    with pytest.raises(EngineStopped, match=r"deck.in: stopped after 0.5 s"):
+        run_deck(deck(ENDLESS), {}, tmp_path, ranks, timeout=0.5)
+    assert not engines(tmp_path)
+
+
+@pytest.mark.parametrize("ranks", [1, 2])
+@pytest.mark.parametrize("sent", [signal.SIGTERM, signal.SIGKILL, signal.SIGHUP])
+def test_engines_end_with_whoever_started_them(deck, ranks, sent, tmp_path):
+    """Python cannot act on these signals; SIGINT is ignored, as in the background of a shell."""
+    script = "import signal, sys; from plastigran.engine.process import run_deck\n"
+    script += "signal.signal(signal.SIGHUP, signal.SIG_DFL)\n"
+    script += "run_deck(sys.argv[1], {}, sys.argv[2], int(sys.argv[3]), timeout=None)"
+    words = [sys.executable, "-c", script, deck(ENDLESS), tmp_path, str(ranks)]
+    python = subprocess.Popen(
+        words, preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_IGN)
+    )
+    try:
+        wait_until(lambda: at_work(tmp_path) or python.poll() is not None)
+        assert len(engines(tmp_path)) == (1 if ranks == 1 else 3)
+    finally:
+        python.send_signal(sent)
+        python.wait()
+    wait_until(lambda: not engines(tmp_path))
+
+
+def at_work(folder: Path) -> bool:
+    log = folder / "log.liggghts"
+    return log.exists() and "Step" in log.read_text(errors="replace")
+
+
+def wait_until(true) -> None:
+    deadline = time.monotonic() + 60
+    while not true():
+        assert time.monotonic() < deadline
+        time.sleep(0.02)

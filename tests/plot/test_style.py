@@ -1,0 +1,43 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Figures are made without pyplot, which would choose a backend for whoever imports us."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+from pkgutil import walk_packages
+
+import matplotlib
+
+import plastigran
+from plastigran.plot.style import STYLE, save, styled, subplots
+
+
+def test_no_module_loads_pyplot():
+    modules = [
+        module.name
+        for module in walk_packages(plastigran.__path__, "plastigran.")
+        if not module.name.endswith("__main__")
+    ]
+    script = f"import sys, {', '.join(modules)}\nsys.exit('matplotlib.pyplot' in sys.modules)"
+    assert len(modules) > 40
+    assert subprocess.run([sys.executable, "-c", script]).returncode == 0
+
+
+def settings() -> list[object]:
+    return [matplotlib.rcParams[name] for name in STYLE]
+
+
+def test_the_style_is_left_with_the_figure(tmp_path):
+    """Settings of the user are the same afterwards, and the same figure is the same file."""
+    before, backend = settings(), matplotlib.get_backend(auto_select=False)
+    written = []
+    for name in ("one", "two"):
+        with styled():
+            figure, axes = subplots(figsize=(2, 1))
+            axes.plot([0, 1], label="a line")
+            axes.legend()
+        written.append(save(figure, tmp_path / name))
+    assert settings() == before
+    assert matplotlib.get_backend(auto_select=False) == backend
+    assert [path.read_bytes() for path in written[0]] == [path.read_bytes() for path in written[1]]

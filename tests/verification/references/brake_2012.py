@@ -1,0 +1,49 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""M. R. Brake, Int. J. Solids Struct. 49 (2012) 3129.
+
+Yield at d_y = R* (pi p_y/2E*)^2. Fully plastic from a_p = 3 pi P0 R*/(4 E*), d_p = a_p^2/R*:
+F = pi P0 a^2, a^2 = 2 R* d - a_p^2. In between F and a are the cubics with the values and slopes of
+both ends. The rebound keeps the contact area: d_m - d_r = 3 F_m/(4 E* a_m), F = F_m y^1.5.
+P0 = 2.8 Y.
+"""
+
+from __future__ import annotations
+
+from math import inf, pi, sqrt
+
+from references.central_impact import CentralImpact
+from scipy.interpolate import CubicHermiteSpline
+
+
+class Reference(CentralImpact):
+    energy_guard = True
+
+    def __init__(self, material, radius, speed):
+        super().__init__(material, radius, speed)
+        modulus, hardness = material.modulus, 2.8 * material.yield_strength
+        pressure = material.yield_pressure
+        overlap_y = self.overlap_at(pressure)
+        radius_y, radius_p = sqrt(radius * overlap_y), 0.75 * pi * hardness * radius / modulus
+        self.overlap_p = radius_p**2 / radius
+        ends = [overlap_y, self.overlap_p]
+        force = CubicHermiteSpline(
+            ends,
+            [self.hertz(overlap_y), pi * hardness * radius_p**2],
+            [2 * modulus * radius_y, 2 * pi * hardness * radius],
+        )
+        self.cubic_radius = CubicHermiteSpline(
+            ends, [radius_y, radius_p], [radius / (2 * radius_y), radius / radius_p]
+        )
+        self.pieces = [
+            (overlap_y, self.hertz),
+            (self.overlap_p, force),
+            (inf, lambda d: pi * hardness * (2 * radius * d - radius_p**2)),
+        ]
+
+    def published_rebound(self, overlap_max):
+        if overlap_max <= self.overlap_p:
+            contact_radius = self.cubic_radius(overlap_max)
+        else:
+            contact_radius = sqrt(self.radius * (2 * overlap_max - self.overlap_p))
+        recovery = 3 * self.virgin_force(overlap_max) / (4 * self.material.modulus * contact_radius)
+        return min(recovery, overlap_max), lambda y: y**1.5

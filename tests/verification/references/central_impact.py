@@ -1,0 +1,135 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""A central impact found two ways from a law's equations: from energies and from the motion."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import astuple, dataclass, replace
+from functools import cached_property
+from math import pi, sqrt
+
+import numpy as np
+from references.contact import Contact, Material, work
+from scipy.integrate import quad, solve_ivp
+from scipy.optimize import brentq
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """What comes of an impact, as a case file's columns: -, N, m, m, s."""
+
+    coefficient_of_restitution: float
+    force_max: float
+    overlap_max: float
+    overlap_res: float
+    contact_time: float
+
+    def agrees_with(self, other: Outcome) -> bool:
+        """Every number to 1e-9 of itself, the residual overlap to 1e-9 of the largest."""
+        scale = astuple(replace(self, overlap_res=self.overlap_max))
+        off = np.abs(np.subtract(astuple(self), astuple(other)))
+        return bool((off <= 1e-9 * np.array(scale)).all())
+
+
+class CentralImpact(Contact):
+    """The central impact of a sphere on a rigid plane; each reference is a subclass.
+
+    Attributes:
+        cases: What the law's case file holds beside the outcomes.
+        comment: Its head.
+        digits: Format of its numbers.
+        untimed: Speeds whose contact time it leaves open.
+    """
+
+    cases = """\
+material,radius,speed
+aluminium_zv02,0.1,0.02
+aluminium_zv02,0.1,0.10
+aluminium_zv02,0.1,0.20
+"""
+    comment = ""
+    digits = "#.6g"
+    untimed: tuple[str, ...] = ()
+
+    def __init__(self, material: Material, radius: float, speed: float) -> None:
+        super().__init__(material, radius)
+        self.speed = speed
+        self.mass = 4 / 3 * pi * radius**3 * material.density
+
+    def two_ways(self) -> tuple[Outcome, Outcome]:
+        return self.by_energies(), self.by_motion()
+
+    @cached_property
+    def overlap_max(self) -> float:
+        """Largest overlap [m]: the virgin work is the kinetic energy."""
+        energy, reach = 0.5 * self.mass * self.speed**2, 1e-9 * self.radius
+        while self.virgin_work(reach) < energy:
+            reach *= 2
+        return brentq(lambda x: self.virgin_work(x) - energy, 0, reach, xtol=1e-30, rtol=1e-15)
+
+    def by_energies(self) -> Outcome:
+        """Work and time by quadrature."""
+        top, energy = self.overlap_max, 0.5 * self.mass * self.speed**2
+        force_max, (recovery, shape) = self.virgin_force(top), self.rebound(top)
+        returned = force_max * recovery * work(shape, 0, 1)
+        time, begin = 0.0, 0.0
+        for end, force in self.pieces:
+            if end < top:
+                time += self.duration(force, begin, end, energy - self.virgin_work(end))
+                begin = end
+            else:
+                time += self.duration(force, begin, top)
+                break
+        # The way back, with the share that is left in place of the overlap.
+        time += recovery * self.duration(lambda left: force_max * recovery * shape(left), 0, 1)
+        return Outcome(sqrt(returned / energy), force_max, top, top - recovery, time)
+
+    def duration(self, force: Callable, begin: float, end: float, kinetic: float = 0) -> float:
+        """Time [s] between two overlaps [m], given the kinetic energy [J] at the second; taken over
+        the root of what is left of the way, in which a turning point is no singularity."""
+
+        def pace(root: float) -> float:
+            energy = kinetic + work(force, end - root**2, end)
+            return 2 * root * sqrt(0.5 * self.mass / energy)
+
+        return quad(pace, 0, sqrt(end - begin), epsabs=0, epsrel=1e-11, limit=200)[0]
+
+    def by_motion(self) -> Outcome:
+        """The equation of motion by DOP853, in units of the speed and of the largest overlap; each
+        formula of the force is followed to its end, so that no step crosses a jump."""
+        unit = self.overlap_max
+        scale = unit / (self.mass * self.speed**2)
+        state, loading = np.array([0.0, 1.0]), 0.0
+        for end, force in self.pieces:
+            if state[1] > 1e-9:
+                closing = motion(state, lambda x, f=force: scale * f(unit * x), end / unit, 0.0)
+                spent, state = closing
+                loading += spent
+        top = unit * state[0]
+        force_max, (recovery, shape) = self.virgin_force(top), self.rebound(top)
+
+        def released(x: float) -> float:
+            return scale * force_max * shape(max(0.0, 1 - (top - unit * x) / recovery))
+
+        unloading, end = motion([state[0], 0.0], released, (top - recovery) / unit)
+        duration = (loading + unloading) * unit / self.speed
+        return Outcome(-end[1], force_max, top, top - recovery, duration)
+
+
+def motion(begin, force: Callable, *ends: float) -> tuple[float, np.ndarray]:
+    """Time taken, and overlap and rate at its end, of a unit mass that is pushed back by a force.
+    Ends where the overlap reaches the first end or, if there is one, the rate the second."""
+    events = [lambda _, y, i=i, end=end: y[i] - end for i, end in enumerate(ends)]
+    for event in events:
+        event.terminal = True
+    found = solve_ivp(
+        lambda _, y: [y[1], -float(force(y[0]))],
+        (0, 99),
+        begin,
+        "DOP853",
+        events=events,
+        rtol=1e-12,
+        atol=1e-15,
+        max_step=0.02,
+    )
+    return found.t[-1], found.y[:, -1]

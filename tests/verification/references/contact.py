@@ -1,0 +1,157 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""A contact law as its source prints it, with dimensions; nothing here uses the compiled laws."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import cached_property
+from math import inf, pi
+
+import numpy as np
+from scipy.integrate import quad
+from scipy.optimize import minimize_scalar
+
+
+@dataclass(frozen=True)
+class Material:
+    """A body that meets a rigid plane: elastic constants [Pa, -], density [kg/m^3], uniaxial yield
+    strength [Pa], contact yield pressure over it, and its own constants of a law [SI]."""
+
+    youngs_modulus: float
+    poissons_ratio: float
+    density: float
+    yield_strength: float = inf
+    yield_pressure_factor: float = 0.0
+    dissipative_constant: float = 0.0
+
+    @property
+    def modulus(self) -> float:
+        """E* [Pa] against a rigid plane."""
+        return self.youngs_modulus / (1 - self.poissons_ratio**2)
+
+    @property
+    def yield_pressure(self) -> float:
+        """Contact yield pressure p_y [Pa]."""
+        return self.yield_pressure_factor * self.yield_strength
+
+
+MATERIALS = {
+    # Zhang & Vu-Quoc 2002, Int. J. Impact Eng. 27:317, sec. 3.
+    "aluminium_zv02": Material(7e10, 0.3, 2699.0, 1e8, 1.61),
+    # Katta & Polycarpou 2010, J. Tribol. 132: E* of the pair is 83.96 GPa.
+    "glass_kp10": Material(83.96e9 * (1 - 0.23**2), 0.23, 2500.0, 2.41e9),
+    # Rounded constants of ice; A fitted to Bridges, Hatzes & Lin 1984, Nature 309:333.
+    "ice": Material(9.3e9, 0.25, 900.0, dissipative_constant=1e-4),
+}
+
+
+def work(force: Callable[[float], float], begin: float, end: float) -> float:
+    """Integral of a smooth force, to rounding."""
+    return quad(force, begin, end, epsabs=0, epsrel=1e-12, limit=200)[0]
+
+
+class Contact:
+    """A sphere, or what a subclass makes of it, on a rigid plane.
+
+    Attributes:
+        pieces: Where each formula of the virgin force ends [m] and the formula, ascending. The
+            first is elastic; the last ends at infinity. A subclass sets them.
+        energy_guard: Whether the rebound is shortened where the work lost would fall as the contact
+            is pressed further.
+        readings: Other readings of the source, each an option or a constant and its value.
+        reading: The one taken; empty for the usual one.
+    """
+
+    pieces: list[tuple[float, Callable]]
+    energy_guard = False
+    readings: tuple[str, ...] = ()
+    reading = ""
+
+    def __init__(self, material: Material, radius: float) -> None:
+        self.material, self.radius = material, radius
+
+    def hertz(self, overlap: float) -> float:
+        """4/3 E* sqrt(R*) d^1.5 [N]."""
+        return 4 / 3 * self.material.modulus * np.sqrt(self.radius) * overlap**1.5
+
+    def overlap_at(self, pressure: float) -> float:
+        """Overlap [m] at which Hertz's largest pressure is a given one [Pa]: R* (pi p/2E*)^2."""
+        return self.radius * (pi * pressure / (2 * self.material.modulus)) ** 2
+
+    def published_rebound(self, overlap_max: float) -> tuple[float, Callable]:
+        """The source's rebound from a largest overlap [m] beyond yield.
+
+        Returns:
+            The overlap recovered, down to the residual one [m], and the force over the largest, as
+            a function of the share of that way that is left.
+        """
+        raise NotImplementedError
+
+    def virgin_force(self, overlap: float) -> float:
+        return next(float(force(overlap)) for end, force in self.pieces if overlap <= end)
+
+    @cached_property
+    def works(self) -> list[tuple[float, float]]:
+        """Overlap [m] at which each formula begins and the virgin work [J] up to there."""
+        found = [(0.0, 0.0)]
+        for end, force in self.pieces[:-1]:
+            begin, before = found[-1]
+            found.append((end, before + work(force, begin, end)))
+        return found
+
+    def virgin_work(self, overlap: float) -> float:
+        (begin, before), force = next(
+            (start, force)
+            for start, (end, force) in zip(self.works, self.pieces, strict=True)
+            if overlap <= end
+        )
+        return before + work(force, begin, overlap)
+
+    def rebound(self, overlap_max: float) -> tuple[float, Callable]:
+        """The rebound from any largest overlap [m], with the energy guard; as published_rebound."""
+        end, elastic = self.pieces[0]
+        force_max = self.virgin_force(overlap_max)
+        if overlap_max <= end:
+            return overlap_max, lambda left: elastic(left * overlap_max) / force_max
+        recovery, shape = self.published_rebound(overlap_max)
+        if self.energy_guard:
+            returned = self.virgin_work(overlap_max) - self.largest_loss(overlap_max)
+            recovery = min(recovery, returned / force_max / work(shape, 0, 1))
+        return recovery, shape
+
+    def published_loss(self, overlap_max: float) -> float:
+        recovery, shape = self.published_rebound(overlap_max)
+        returned = self.virgin_force(overlap_max) * recovery * work(shape, 0, 1)
+        return self.virgin_work(overlap_max) - returned
+
+    def largest_loss(self, reach: float) -> float:
+        """Largest work lost [J] in loading up to an overlap: a scan, made exact at its maximum."""
+        breaks = [end * side for end, _ in self.pieces for side in (1, 1 + 1e-12)]
+        scan = {*np.geomspace(breaks[1], reach, 40)[:-1], *breaks, reach}
+        scan = sorted(x for x in scan if breaks[0] < x <= reach)
+        loss = [self.published_loss(x) for x in scan]
+        top = int(np.argmax(loss))
+        if 0 < top < len(scan) - 1:
+            found = minimize_scalar(
+                lambda share: -self.published_loss(share * reach),
+                bounds=(scan[top - 1] / reach, scan[top + 1] / reach),
+                method="bounded",
+                options={"xatol": 1e-9},
+            )
+            loss.append(-found.fun)
+        return max(0.0, *loss)
+
+    def follow(self, overlaps) -> np.ndarray:
+        """Force [N] along a path of overlaps [m], from a virgin contact on."""
+        forces, overlap_max, rebound = [], 0.0, None
+        for overlap in overlaps:
+            if overlap >= overlap_max:
+                overlap_max, rebound = overlap, None
+            if overlap == overlap_max or overlap_max <= self.pieces[0][0]:
+                forces.append(self.virgin_force(overlap))
+                continue
+            recovery, shape = rebound = rebound or self.rebound(overlap_max)
+            left = max(0.0, 1 - (overlap_max - overlap) / recovery)
+            forces.append(self.virgin_force(overlap_max) * float(shape(left)))
+        return np.array(forces)

@@ -1,0 +1,42 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""L. Kogut & K. Komvopoulos, J. Mater. Res. 19 (2004) 3641; Ghaednia et al., Int. J. Impact Eng. 86
+(2015) 307, eqs 20-22.
+
+r'^2 = d (2R* - d), t = d/r'. Hertz up to (E*/Y) t = 1.78, then
+
+    F = pi r'^2 Y (0.839 + ln((E*/Y)^0.656 t^0.651))/(2.192 - ln((E*/Y)^0.394 t^0.419))
+    d_m - d_r = 0.591 (E*/Y)^-0.156 d_m,  F = F_m y^1.5
+
+The denominator is held at 0.71.
+"""
+
+from __future__ import annotations
+
+from math import exp, inf, pi
+
+import numpy as np
+from references.central_impact import CentralImpact
+
+
+class Reference(CentralImpact):
+    energy_guard = True
+
+    def __init__(self, material, radius, speed):
+        super().__init__(material, radius, speed)
+        self.ratio = ratio = material.modulus / material.yield_strength
+
+        def beyond(overlap):
+            area = overlap * (2 * radius - overlap)
+            slope = overlap / np.sqrt(area)
+            pressure = 0.839 + np.log(ratio**0.656 * slope**0.651)
+            share = np.maximum(0.71, 2.192 - np.log(ratio**0.394 * slope**0.419))
+            return pi * area * material.yield_strength * pressure / share
+
+        def end(slope):
+            return 2 * radius * slope**2 / (1 + slope**2)
+
+        held = (exp(2.192 - 0.71) / ratio**0.394) ** (1 / 0.419)
+        self.pieces = [(end(1.78 / ratio), self.hertz), (end(held), beyond), (inf, beyond)]
+
+    def published_rebound(self, overlap_max):
+        return 0.591 * self.ratio**-0.156 * overlap_max, lambda y: y**1.5

@@ -1,0 +1,110 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Every law against its reference, numpy's own account of the source's equations."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from references import make_cases
+from references.contact import MATERIALS, work
+from test_cases import CASES, OUTCOMES, impact
+
+from plastigran import laws
+
+RADIUS, LENGTH = 0.1, 1.0  # of sphere or cylinder, and of the cylinder; m
+#: Largest overlaps, over that at which the law's elastic formula ends.
+PEAKS = (0.5, 0.9, 1.001, 1.05, 1.5, 3, 6.03, 20, 60, 139.3, 1500)
+#: The two ways of a reference agree to 1e-9; vu_quoc_zhang's default constants keep six digits.
+TOLERANCE = dict.fromkeys(make_cases.LAWS, 1e-9) | {"vu_quoc_zhang": 3e-6}
+#: The energy guard looks at a jump of the force from 1e-9 of the overlap to its sides.
+GUARDED = {name: max(tolerance, 2e-8) for name, tolerance in TOLERANCE.items()}
+
+
+def test_every_case_file_has_a_reference():
+    assert make_cases.LAWS == sorted(path.stem for path in make_cases.CASES.glob("*.csv"))
+
+
+@pytest.mark.parametrize("name", make_cases.LAWS)
+def test_impacts(name):
+    """The reference gives the case file to its last digit, and the law gives the same impacts."""
+    outcomes = make_cases.outcomes(name)
+    stored = (make_cases.CASES / f"{name}.csv").read_text()
+    assert make_cases.case_file(name, outcomes) == stored
+    rows = [row for law, row in CASES.values() if law == name]
+    for row, expected in zip(rows, outcomes, strict=True):
+        found = impact(name, row).predict()
+        for quantity in OUTCOMES:
+            # A residual overlap is a difference: to the tolerance's share of the largest overlap.
+            margin = expected.overlap_max if quantity == "overlap_res" else 0
+            assert getattr(found, quantity) == pytest.approx(
+                getattr(expected, quantity), rel=TOLERANCE[name], abs=TOLERANCE[name] * margin
+            ), quantity
+
+
+def options(name: str) -> list[str]:
+    """What a law is told: nothing, each other reading of its source, and no energy guard."""
+    kind = make_cases.reference(name)
+    return ["", *kind.readings, *(["energy_guard off"] if kind.energy_guard else [])]
+
+
+@pytest.fixture(
+    params=[
+        pytest.param((name, option), id=f"{name} {option}".strip())
+        for name in make_cases.LAWS
+        for option in options(name)
+    ]
+)
+def twins(request, paper_pair, law_between):
+    """A law's name, the law and its reference, of the paper's aluminium on a rigid plane."""
+    name, option = request.param
+    kind, aluminium = make_cases.reference(name), MATERIALS["aluminium_zv02"]
+    others = {"mass": 1.0, "length_ratio": LENGTH / RADIUS, "body_thickness": LENGTH}
+    reference = kind(aluminium, RADIUS, speed=1.0, **(others if "mass" in kind.cases else {}))
+    if option == "energy_guard off":
+        reference.energy_guard = False
+    else:
+        reference.reading = option
+    given = dict([option.split()]) if option else {}
+    given = {key: float(word) if word[0].isdigit() else word for key, word in given.items()}
+    return name, law_between(name, paper_pair, LENGTH, **given), reference
+
+
+def test_every_option_is_held(law_name):
+    """Each choice of a law is its default or one that a reference takes."""
+    given = [option.split() for option in options(law_name) if option]
+    for option in laws.LAWS[law_name].options():
+        taken = {choice for name, choice in given if name == option["name"]}
+        assert taken == {*option["choices"]} - {option["default"]}
+
+
+def peaks(reference) -> np.ndarray:
+    elastic = reference.pieces[0][0]
+    if elastic == np.inf:
+        elastic = reference.overlap_at(reference.material.yield_pressure)
+    return elastic * np.array(PEAKS)
+
+
+def test_force_on_a_path(twins):
+    """Pressed further and further, let go to nothing in between."""
+    name, law, reference = twins
+    share = np.concatenate([np.linspace(0, 1, 7), np.linspace(0.97, 0, 12)])
+    path = np.concatenate([peak * share for peak in peaks(reference)])
+    found = law.follow(RADIUS, path, law.State())["force"]
+    expected = reference.follow(path)
+    scale = np.maximum.accumulate(expected)
+    assert (expected > 0).sum() > 60
+    off = np.abs(found - expected)
+    assert (off <= GUARDED[name] * scale).all()
+
+
+def test_energies(twins):
+    """What is lost and what is stored at the largest overlap: the force's work by quadrature."""
+    name, law, reference = twins
+    for peak in peaks(reference):
+        found = law.respond(RADIUS, peak, law.State())
+        recovery, shape = reference.rebound(peak)
+        stored = reference.virgin_force(peak) * recovery * work(shape, 0, 1)
+        put_in = reference.virgin_work(peak)
+        within = GUARDED[name] * put_in
+        assert found.elastic_energy == pytest.approx(stored, rel=0, abs=within)
+        assert found.plastic_work == pytest.approx(put_in - stored, rel=0, abs=within)
