@@ -17,6 +17,8 @@ from pathlib import Path
 
 import pytest
 from attrs import evolve
+from engine_marker import mark
+from hypothesis import settings
 
 from plastigran import laws
 from plastigran.bulk.decks import deck_class
@@ -29,6 +31,21 @@ ENGINE_LAWS = sorted(
     path.stem.removeprefix("normal_model_")
     for path in (PROJECT / "contact_models" / "liggghts" / "models").glob("normal_model_*.h")
 )
+
+
+# Random paths: the same ones every time in `./run test`, others at each `./run search`.
+settings.register_profile("test", max_examples=60, deadline=None, derandomize=True)
+settings.register_profile("search", max_examples=3000, deadline=None)
+settings.load_profile("test")
+
+
+def pytest_configure(config: pytest.Config) -> None:
+    if config.option.markexpr == "not engine":
+        os.environ["PLASTIGRAN_ENGINE"] = "no engine: a test that starts it was not found to"
+
+
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    mark(items)
 
 
 def pytest_generate_tests(metafunc: pytest.Metafunc) -> None:

@@ -75,13 +75,28 @@ install_models() {
   "$models/in_tree/install.sh" "$tree"
 }
 
+# What nearly every source of the engine includes is compiled once, and without MPI's C++ classes,
+# which nothing uses: a third of the time.
+flags="-O1 -std=c++17 -w -DOMPI_SKIP_MPICXX -DSUPERQUADRIC_ACTIVE_FLAG -DNONSPHERICAL_ACTIVE_FLAG"
+precompile() {
+  printf '#include <%s>\n' mpi.h algorithm cmath cstring fstream iostream list map set sstream \
+    string vector >"$work/common.h"
+  printf '#include "pointers.h"\n' >>"$work/common.h"
+  # shellcheck disable=SC2046,SC2086
+  c++ $flags $(mpicxx --showme:compile) -I"$tree/src" -x c++-header "$work/common.h" \
+    -o "$work/common.h.gch"
+}
+
 # Superquadrics are on as in LIGGGHTS' `make auto`, and off in Debian's package: between them the
 # plugin and this binary cover both layouts of the engine's contact data.
 build() {
-  [ -e "$work/build/build.ninja" ] ||
+  export CCACHE_SLOPPINESS=pch_defines,time_macros  # without it a ccache refuses what is precompiled
+  [ -e "$work/build/build.ninja" ] || {
+    precompile
     cmake -S "$tree/src" -B "$work/build" -G Ninja -Wno-dev \
-      -DCMAKE_CXX_FLAGS="-O1 -std=c++17 -w -DSUPERQUADRIC_ACTIVE_FLAG -DNONSPHERICAL_ACTIVE_FLAG" \
+      -DCMAKE_CXX_FLAGS="$flags -fpch-preprocess -include \"$work/common.h\"" \
       -DCMAKE_DISABLE_FIND_PACKAGE_VTK=ON -DCMAKE_DISABLE_FIND_PACKAGE_JPEG=ON
+  }
   # By themselves first: ninja does not look again at headers that a step of the same run rewrote.
   cmake --build "$work/build" --target GenerateHeaders
   cmake --build "$work/build" --target liggghts_bin --parallel "$(nproc)"

@@ -1,0 +1,53 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Which tests start the engine, found in what they, their fixtures and their helpers call.
+
+`pytest -m "not engine"` runs the others. It does so without an engine, so that one which is missed
+here fails there.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+from types import CodeType, FunctionType
+
+import pytest
+
+#: Names of functions and methods that start it, of the package and of `subprocess`.
+STARTERS = {"Popen", "bulk", "collide", "main", "run", "run_bulk", "run_cases", "run_deck", "sweep"}
+TESTS = Path(__file__).parent
+
+
+def mark(items: list[pytest.Item]) -> None:
+    """Give every test that starts the engine the marker `engine`."""
+    for item in items:
+        if isinstance(item, pytest.Function) and any(map(_starts, _functions(item))):
+            item.add_marker("engine")
+
+
+def _functions(item: pytest.Function) -> Iterator[FunctionType]:
+    """The test, its fixtures and the functions of the tests' files that they name."""
+    fixtures = item._fixtureinfo.name2fixturedefs.values()
+    waiting = [item.function, *(fixture.func for found in fixtures for fixture in found)]
+    seen = set()
+    while waiting:
+        function = waiting.pop()
+        inner = getattr(function, "hypothesis", None)  # what @given has wrapped
+        function = inner.inner_test if inner else function
+        if not isinstance(function, FunctionType) or function in seen:
+            continue
+        if not Path(function.__code__.co_filename).is_relative_to(TESTS):
+            continue
+        seen.add(function)
+        yield function
+        waiting += [function.__globals__.get(name) for name in _names(function.__code__)]
+
+
+def _starts(function: FunctionType) -> bool:
+    return not STARTERS.isdisjoint(_names(function.__code__))
+
+
+def _names(code: CodeType) -> set[str]:
+    """Global names and attributes of a function and of those inside it."""
+    inside = (constant for constant in code.co_consts if isinstance(constant, CodeType))
+    return set(code.co_names).union(*map(_names, inside))
