@@ -25,18 +25,16 @@ STEADY = 0.05
 #: Root mean square of what Bagnold's profile leaves over, over the speed at the surface.
 PROFILE = 0.05
 
+#: A short run of few grains.
+BRIEF = {"length": 4, "width": 3, "depth": 6, "start_speed": 0.9, "angle": 26}
+BRIEF |= {"duration": 0.06, "settling": 0, "rows": 12, "checkpoints": 4}
+
 
 @attrs.frozen(kw_only=True)
 class Chute(FlowDeck):
     """Grains flow down a rough chute, periodic along the flow and across."""
 
-    briefs: ClassVar = {
-        "": Brief(
-            {"length": 4, "width": 3, "depth": 6, "start_speed": 0.9, "angle": 26}
-            | {"duration": 0.06, "settling": 0, "rows": 12, "checkpoints": 4},
-            start={"duration": 0.012},
-        )
-    }
+    briefs: ClassVar = {"": Brief(BRIEF, start={"duration": 0.012})}
 
     angle: float = number("of the chute", "degrees", 0, 90)
     length: int = whole("along the flow, in cells of two grains", 3)

@@ -25,18 +25,16 @@ LEVER_ARM = 2e-3
 #: Share of it that the bed may keep, as potential energy above all, while it swings.
 STEADY = 0.05
 
+#: A short run of few grains.
+BRIEF = {"drum_radius": 0.05, "length": 0.03, "froude": 0.05, "duration": 0.05, "settling": 0}
+BRIEF |= {"rows": 12, "checkpoints": 4}
+
 
 @attrs.frozen(kw_only=True)
 class Drum(FlowDeck):
     """A drum about half full of grains turns about its axis."""
 
-    briefs: ClassVar = {
-        "": Brief(
-            {"drum_radius": 0.05, "length": 0.03, "froude": 0.05, "duration": 0.05, "settling": 0}
-            | {"rows": 12, "checkpoints": 4},
-            start={"duration": 0.01},
-        )
-    }
+    briefs: ClassVar = {"": Brief(BRIEF, start={"duration": 0.01})}
 
     drum_radius: float = number("of the shell", "m", 0)
     length: float = number("along the axis", "m", 0)
