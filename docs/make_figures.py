@@ -9,11 +9,11 @@ from __future__ import annotations
 
 import sys
 import tempfile
-from dataclasses import replace
 from itertools import pairwise
 from pathlib import Path
 
 import numpy as np
+from attrs import evolve
 from matplotlib.figure import Figure
 from scipy.integrate import solve_ivp
 
@@ -23,17 +23,7 @@ from plastigran.bulk.decks.cooling_gas.figure import cooling_figure
 from plastigran.bulk.decks.hopper import orifices
 from plastigran.bulk.decks.hopper.figure import orifices_figure
 from plastigran.bulk.run import run_bulk
-from plastigran.experiments import (
-    central_figures,
-    chung_ooi,
-    chung_ooi_figures,
-    cylinder,
-    cylinder_figures,
-)
-from plastigran.experiments.central import PAPER_SPEEDS, laws_for, plan, sweep
-from plastigran.experiments.rod import figures as rod_figures
-from plastigran.experiments.rod import paper_rods
-from plastigran.experiments.rod import runs as rod_runs
+from plastigran.experiments import find_experiments
 from plastigran.materials import RIGID, read_material
 from plastigran.physics import central
 from plastigran.plot.snapshot import draw, read_frames
@@ -56,7 +46,7 @@ def cylinder_law(name: str):
     """The same for a cylinder ten radii long on a body ten radii thick."""
     glass = read_material("glass_kp10")
     pair, strong = (
-        laws.combine(body.body(), RIGID) for body in (glass, replace(glass, yield_strength=1e20))
+        laws.combine(body.body(), RIGID) for body in (glass, evolve(glass, yield_strength=1e20))
     )
     lengths = {"cylinder_length": 10 * RADIUS, "body_thickness": 10 * RADIUS}
     law, elastic = (laws.LAWS[name](bodies, **lengths) for bodies in (pair, strong))
@@ -238,21 +228,18 @@ def draw_laws(names: list[str]) -> None:
         save(figure, FOLDER / name, (".svg",))
 
 
-def draw_studies() -> None:
-    study = cylinder.study(np.linspace(*cylinder.RADII, 30), np.linspace(1, 30, 30) / 30, 10.0)
-    save(cylinder_figures.maps_figure(study), FOLDER / "cylinder_maps", (".png",))
-    save(cylinder_figures.comparison_figure(), FOLDER / "cylinder_comparison", (".svg",))
-    aluminium = read_material("aluminium_zv02")
-    shown = [name for name in laws_for("sphere") if not aluminium.missing(name)]
-    impacts = plan(shown, PAPER_SPEEDS, [aluminium.name], 0.1)
-    rods = rod_runs.plan(shown, rod_runs.PAPER_SPEEDS, paper_rods())
-    with tempfile.TemporaryDirectory() as folder:
-        table, _ = sweep(impacts, folder)
-        rod_table, _ = sweep(rods, folder)
-        benchmarks = [case for case in chung_ooi.cases() if case.benchmark in (4, 6)]
-        results = chung_ooi.run_cases(benchmarks, folder)
-    save(central_figures.restitution_figure(table, impacts), FOLDER / "restitution", (".png",))
-    save(rod_figures.outcome_figure(rod_table), FOLDER / "rod", (".png",))
+def draw_experiments() -> None:
+    """The figures that experiments have in the docs, as they name them."""
+    for experiment in find_experiments().values():
+        if not experiment.docs_figures:
+            continue
+        with tempfile.TemporaryDirectory() as folder:
+            runs = experiment.study(folder, **experiment.docs)
+        for name, file in experiment.docs_figures.items():
+            save(runs.figure(name), FOLDER / file, (Path(file).suffix,))
+
+
+def draw_bulk_decks() -> None:
     save(cooling_gases(), FOLDER / "cooling_gas", (".png",))
     for deck in ("drum", "chute"):
         draw_bulk(deck)
@@ -261,12 +248,10 @@ def draw_studies() -> None:
         save(figure, FOLDER / name, (".png",))
     save(hoppers(), FOLDER / "hopper", (".png",))
     draw_hopper_grains()
-    for number in (4, 6):
-        figure = chung_ooi_figures.figure(number, *results)
-        save(figure, FOLDER / f"chung_ooi_{number}", (".png",))
 
 
 if __name__ == "__main__":
     draw_laws(sys.argv[1:] or sorted(laws.LAWS))
     if len(sys.argv) == 1:
-        draw_studies()
+        draw_experiments()
+        draw_bulk_decks()

@@ -17,16 +17,18 @@ from plastigran.physics.beverloo import (
 )
 
 DIAMETER, DENSITY, GRAVITY = 0.01, 1500.0, 9.81
+#: C and k.
+SPHERES = 0.58, 1.4
 MASS = pi / 6 * DIAMETER**3 * DENSITY
 
 
 def test_rate_grows_with_the_power_five_halves_of_what_is_open():
     """W = 0.58 rho_b sqrt(g) (D0 - 1.4 d)^(5/2); twice what is open lets 2^2.5 as much pass."""
-    rate = discharge_rate(0.064, DIAMETER, 900.0, GRAVITY)
+    rate = discharge_rate(0.064, DIAMETER, 900.0, GRAVITY, *SPHERES)
     assert rate == pytest.approx(0.58 * 900 * 9.81**0.5 * 0.05**2.5, rel=1e-12)
-    assert discharge_rate(0.114, DIAMETER, 900.0, GRAVITY) == pytest.approx(2**2.5 * rate)
+    assert discharge_rate(0.114, DIAMETER, 900.0, GRAVITY, *SPHERES) == pytest.approx(2**2.5 * rate)
     with pytest.raises(ValueError, match=r"needs more than 1\.4 grains"):
-        discharge_rate(0.013, DIAMETER, 900.0, GRAVITY)
+        discharge_rate(0.013, DIAMETER, 900.0, GRAVITY, *SPHERES)
 
 
 def course(rate: float, packing: float = 0.6, last: float = 1.5) -> pd.DataFrame:
@@ -40,7 +42,7 @@ def course(rate: float, packing: float = 0.6, last: float = 1.5) -> pd.DataFrame
 
 def test_steady_rate_is_found():
     """Neither start nor end enters, and a discharge without scatter has no error."""
-    found = measure_discharge(course(800.0), 0.08, DIAMETER, DENSITY, GRAVITY)
+    found = measure_discharge(course(800.0), 0.08, DIAMETER, DENSITY, GRAVITY, *SPHERES)
     assert found.rate == pytest.approx(800 * MASS, rel=1e-9)
     assert found.rate_error < 1e-9 * found.rate
     assert found.bulk_density == pytest.approx(900)
@@ -52,10 +54,10 @@ def test_change_of_the_rate_is_told_from_scatter():
     # It runs from 51 grains out to 500.
     half = series["counted"].between(275, 500)
     series.loc[half, "counted"] = 275 + 0.9 * (series.loc[half, "counted"] - 275)
-    found = measure_discharge(series, 0.08, DIAMETER, DENSITY, GRAVITY)
+    found = measure_discharge(series, 0.08, DIAMETER, DENSITY, GRAVITY, *SPHERES)
     assert found.change == pytest.approx(-80 * MASS, rel=0.05)  # a row off the middle
     assert abs(found.change) > 4 * found.change_error
-    steady = measure_discharge(course(800.0), 0.08, DIAMETER, DENSITY, GRAVITY)
+    steady = measure_discharge(course(800.0), 0.08, DIAMETER, DENSITY, GRAVITY, *SPHERES)
     assert abs(steady.change) < 1e-9 * steady.rate
 
 
@@ -67,7 +69,7 @@ def test_scatter_is_in_the_error():
         series = course(800.0)
         steps = rng.poisson(np.diff(series["counted"], prepend=0))
         series["counted"] = np.cumsum(steps)
-        found = measure_discharge(series, 0.08, DIAMETER, DENSITY, GRAVITY)
+        found = measure_discharge(series, 0.08, DIAMETER, DENSITY, GRAVITY, *SPHERES)
         ratios.append([found.rate / MASS / 800 - 1, found.rate_error / found.rate])
     off, error = np.array(ratios).T
     # About 440 grains are in the steady part: 0.048. A fitted line scatters somewhat more (6/5 in
@@ -79,14 +81,19 @@ def test_scatter_is_in_the_error():
 @pytest.mark.parametrize("change", [{"last": 0.5}, {"packing": 0.3}])
 def test_no_rate_without_a_steady_part(change):
     """The run ended before half was out; the bed did not fill the volume it was weighed in."""
-    assert measure_discharge(course(800.0, **change), 0.08, DIAMETER, DENSITY, GRAVITY) is None
+    assert (
+        measure_discharge(course(800.0, **change), 0.08, DIAMETER, DENSITY, GRAVITY, *SPHERES)
+        is None
+    )
 
 
 def discharges(coefficient: float, annulus: float) -> list[Discharge]:
     found = []
     for orifice in (0.05, 0.06, 0.08, 0.1):
         bed = orifice, DIAMETER, 900.0, GRAVITY
-        found.append(Discharge(*bed, discharge_rate(*bed, coefficient, annulus), *[0.0] * 5))
+        found.append(
+            Discharge(*bed, discharge_rate(*bed, coefficient, annulus), *[0.0] * 5, *SPHERES)
+        )
     return found
 
 

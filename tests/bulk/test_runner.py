@@ -13,7 +13,8 @@ from pathlib import Path
 
 import pytest
 
-from plastigran.bulk.run import carry_dump, read_series, run_bulk
+from plastigran.bulk.folder import carry_dump, read_series
+from plastigran.bulk.run import run_bulk
 from plastigran.cli import main
 from plastigran.engine.checkpoints import PATTERN, newest_checkpoint, step_of
 from plastigran.engine.deck import read_deck
@@ -27,11 +28,9 @@ LONG = SHORT | {"duration": 20000, "rows": 20000, "checkpoints": 5000}
 
 
 @pytest.fixture(scope="module")
-def whole(tmp_path_factory) -> Path:
+def whole(bulk_run) -> Path:
     """Folder of a finished run on one rank."""
-    folder = tmp_path_factory.mktemp("whole") / "run"
-    run_bulk("cooling_gas", SHORT, folder, show=False)
-    return folder
+    return bulk_run("cooling_gas", SHORT).folder
 
 
 def cut(whole: Path, folder: Path, lines: int) -> Path:
@@ -59,19 +58,6 @@ def test_folder_tells_the_whole(whole):
         "figures/cooling_gas.svg",
     ):
         assert (whole / name).stat().st_size > 0
-
-
-def test_restart_continues_the_same_trajectory(whole, tmp_path):
-    """Killed a third before its end, gone on from the newest checkpoint: every digit the same."""
-    stopped = cut(whole, tmp_path / "stopped", lines=8)
-    run_bulk("cooling_gas", {}, tmp_path / "rest", restart=stopped, show=False)
-    expected, found = read_series(whole), read_series(tmp_path / "rest")
-    first = read_series(tmp_path / "rest").iloc[-1]["step"] - step_of(newest_checkpoint(stopped))
-    assert 0 < first < expected["step"].max()
-    # The drift is rounding, and summed over the grains in another order.
-    columns = ["step", "time", "atoms", "kinetic_energy"]
-    assert (found[columns] == expected[columns]).all(axis=None)
-    assert (tmp_path / "rest" / "checks.csv").exists()
 
 
 def test_checkpoint_cut_short_is_not_the_newest(whole, tmp_path):

@@ -35,7 +35,7 @@ def impact(law: str, row, **geometry: str) -> CentralImpact:
     """The impact of a row; columns beside material, radius and speed are a cylinder's."""
     kind = IMPACTS[laws.LAWS[law].shape]
     fields = {name: getattr(row, name) for name in declaration(kind) if hasattr(row, name)}
-    return kind(law, **fields, **geometry)
+    return kind(law=law, **fields, **geometry)
 
 
 def test_every_law_has_cases(law_name):

@@ -21,7 +21,8 @@ from plastigran.cli.arguments import (
     positive_integer,
 )
 from plastigran.declared import Declaration, declaration
-from plastigran.experiments.base import Experiment, Flag
+from plastigran.experiments.base import Experiment
+from plastigran.experiments.fields import Flag
 
 
 def add_command(subcommands: Any, experiment: type[Experiment]) -> None:
@@ -38,7 +39,6 @@ def add_command(subcommands: Any, experiment: type[Experiment]) -> None:
 def _add_flag(command: argparse.ArgumentParser, name: str, flag: Flag, said: Declaration) -> None:
     word = flag.name or name.replace("_", "-")
     unit = f", {said.unit}" if said.unit != "-" else ""
-    usual = "" if flag.span or flag.default in (None, attrs.NOTHING) else f", default {_show(flag)}"
     command.add_argument(
         f"--{word}",
         dest=name,
@@ -46,7 +46,7 @@ def _add_flag(command: argparse.ArgumentParser, name: str, flag: Flag, said: Dec
         choices=said.choices or None,
         nargs="+" if flag.many else None,
         required=flag.default is attrs.NOTHING and not flag.span,
-        help=f"{said.meaning}{unit}{usual}{_choices(name)}",
+        help=f"{said.meaning}{unit}{_usual(flag)}{_choices(name)}",
         **({"metavar": word.upper()} if not said.choices else {}),
     )
     if flag.span:
@@ -68,9 +68,16 @@ def _choices(name: str) -> str:
     return f"; there are {', '.join(materials.names())}" if name == "material" else ""
 
 
-def _show(flag: Flag) -> str:
+def _usual(flag: Flag) -> str:
+    if (
+        flag.span
+        or flag.default in (None, attrs.NOTHING)
+        or isinstance(flag.default, attrs.Factory)
+    ):
+        return ""
     several = flag.default if isinstance(flag.default, tuple) else (flag.default,)
-    return " ".join(f"{value:g}" if isinstance(value, float) else str(value) for value in several)
+    shown = (f"{value:g}" if isinstance(value, float) else str(value) for value in several)
+    return f", default {' '.join(shown)}"
 
 
 def _reader(word: str, said: Declaration) -> Callable[[str], Any]:

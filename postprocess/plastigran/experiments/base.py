@@ -14,37 +14,15 @@ from typing import TYPE_CHECKING, Any, ClassVar
 import attrs
 import numpy as np
 
-from plastigran.declared import Declaration, declaration
+from plastigran.declared import declaration
 from plastigran.engine.process import run_deck
+from plastigran.experiments.fields import Flag
 from plastigran.experiments.runs import Runs, sweep
 from plastigran.experiments.tables import format_range, format_table
 from plastigran.materials import Material, laws_for, read_material
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
-
-
-@attrs.frozen
-class Flag:
-    """A setting of an experiment's study, and the flag of its command.
-
-    Attributes:
-        default: Its value, or a tuple of values; "all" stands for every usable law.
-        name: Of the flag, where it is not the setting's.
-        said: What is declared of it, where it is not a field of the case.
-        many: Whether it takes several values.
-        span: From, to and how many: a range that it is swept over by default.
-    """
-
-    default: Any = None
-    name: str = ""
-    said: Declaration | None = None
-    many: bool = True
-    span: tuple[float, float, int] | None = None
-
-    def values(self) -> Any:
-        """The default, of a span its values, evenly apart in their logarithms."""
-        return tuple(np.geomspace(*self.span)) if self.span else self.default
 
 
 @attrs.frozen
@@ -180,13 +158,17 @@ class Experiment:
         """The settings of a study: a value for each flag, as given or by default.
 
         Raises:
-            ValueError: There is no such setting.
+            ValueError: There is no such setting, or one that must be given is missing.
         """
         if unknown := sorted(set(given) - set(cls.all_flags())):
             raise ValueError(
                 f"{cls.command} has no setting {unknown[0]!r}; it takes {' '.join(cls.all_flags())}"
             )
-        found = {name: flag.values() for name, flag in cls.all_flags().items()} | given
+        usual = {name: flag.values() for name, flag in cls.all_flags().items()}
+        found = {k: value for k, value in usual.items() if not isinstance(value, attrs.Factory)}
+        found |= given
+        if missing := [name for name, value in found.items() if value is attrs.NOTHING]:
+            raise ValueError(f"{cls.command} must be given {', '.join(missing)}")
         if "law" in found and cls.all_flags()["law"].many:
             names = _several(found.get("material", cls.usual_materials))
             usable = laws_for(cls.shape, [read_material(name) for name in names])

@@ -1,27 +1,51 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Fields and checks that cases of several experiments have."""
+"""What cases declare of themselves: flags of a study, fields and checks several of them have."""
 
 from __future__ import annotations
 
 from typing import Any
 
 import attrs
+import numpy as np
 
 from plastigran import laws
 from plastigran.declared import Declaration
 from plastigran.materials import laws_for
 
 
-def law_field(shape: str, default: Any = attrs.NOTHING) -> Any:
-    """A field of a case for the name of a law that is for bodies of a shape."""
+@attrs.frozen
+class Flag:
+    """A setting of an experiment's study, and the flag of its command.
 
-    def check(_: Any, field: attrs.Attribute, name: str) -> None:
+    Attributes:
+        default: Its value, or a tuple of values; "all" stands for every usable law.
+        name: Of the flag, where it is not the setting's.
+        said: What is declared of it, where it is not a field of the case.
+        many: Whether it takes several values.
+        span: From, to and how many: a range that it is swept over by default.
+    """
+
+    default: Any = None
+    name: str = ""
+    said: Declaration | None = None
+    many: bool = True
+    span: tuple[float, float, int] | None = None
+
+    def values(self) -> Any:
+        """The default, of a span its values, evenly apart in their logarithms."""
+        return tuple(np.geomspace(*self.span)) if self.span else self.default
+
+
+def law_field(default: Any = attrs.NOTHING) -> Any:
+    """A field of a case for the name of a law, one that is for bodies of the case's `shape`."""
+
+    def check(case: Any, field: attrs.Attribute, name: str) -> None:
         if name not in laws.LAWS:
             raise ValueError(f"no law {name!r}; there are {', '.join(sorted(laws.LAWS))}")
-        if (meant := laws.LAWS[name].shape) != shape:
+        if (meant := laws.LAWS[name].shape) != case.shape:
             raise ValueError(
-                f"{name} is a law for {meant}s, not for {shape}s; "
-                f"laws for them are {', '.join(laws_for(shape))}"
+                f"{name} is a law for {meant}s, not for {case.shape}s; "
+                f"laws for them are {', '.join(laws_for(case.shape))}"
             )
 
     said = Declaration("name of the law", kind=str)

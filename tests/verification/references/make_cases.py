@@ -88,5 +88,7 @@ def case_file(law: str, found: list[Outcome]) -> str:
 
 
 if __name__ == "__main__":
+    if unknown := {*sys.argv[1:]} - {*LAWS}:
+        sys.exit(f"no reference for {', '.join(sorted(unknown))}; there are {', '.join(LAWS)}")
     for law in sys.argv[1:] or LAWS:
         (CASES / f"{law}.csv").write_text(case_file(law, outcomes(law)))

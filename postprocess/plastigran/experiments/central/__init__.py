@@ -12,9 +12,9 @@ import attrs
 
 from plastigran import laws
 from plastigran.declared import number, word
-from plastigran.experiments.base import Experiment, Flag
+from plastigran.experiments.base import Experiment
 from plastigran.experiments.collision import CollisionOutcome, measure
-from plastigran.experiments.fields import check_overlap, law_field
+from plastigran.experiments.fields import Flag, check_overlap, law_field
 from plastigran.experiments.runs import Runs
 from plastigran.experiments.tables import HEADS
 from plastigran.materials import RIGID, Material, material_field
@@ -41,7 +41,7 @@ class CentralImpact(Experiment):
         ValueError: A field is out of range, or the bodies would overlap too far for any law.
     """
 
-    law: str = law_field("sphere")
+    law: str = law_field()
     speed: float = number("speed of each sphere", "m/s", 0)
     material: Material = material_field("of the spheres, a name or the path of a file")
     radius: float = number("radius of the spheres", "m", 0)

@@ -21,7 +21,7 @@ from plastigran import declared, laws
 from plastigran.engine.deck import index_variables
 from plastigran.engine.dumps import read_dump
 from plastigran.engine.process import inputs_folder
-from plastigran.experiments.base import Experiment, Flag
+from plastigran.experiments.base import Experiment
 from plastigran.experiments.chung_ooi.comparison import (
     BenchmarkOutcome,
     agreement,
@@ -30,7 +30,7 @@ from plastigran.experiments.chung_ooi.comparison import (
     predict,
 )
 from plastigran.experiments.collision import measure
-from plastigran.experiments.fields import law_field
+from plastigran.experiments.fields import Flag, law_field
 from plastigran.experiments.runs import Runs
 from plastigran.materials import RIGID, Material, read_material
 from plastigran.physics.oblique import Motion, ObliqueImpact
@@ -81,7 +81,7 @@ class BenchmarkImpact(Experiment):
     modulus_ratio: float | None = declared.number(
         "of the second sphere to the first", "-", 0, default=None
     )
-    law: str = law_field("sphere", "vu_quoc_zhang")
+    law: str = law_field("vu_quoc_zhang")
     steps_per_contact: int = declared.whole("time steps in an undamped contact", 1, default=1000)
 
     command: ClassVar[str] = "chung-ooi"

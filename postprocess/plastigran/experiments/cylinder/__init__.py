@@ -14,10 +14,9 @@ import attrs
 import pandas as pd
 
 from plastigran.declared import Declaration, number, word
-from plastigran.experiments.base import Flag
 from plastigran.experiments.central import CentralImpact
 from plastigran.experiments.cylinder import study
-from plastigran.experiments.fields import law_field
+from plastigran.experiments.fields import Flag
 from plastigran.experiments.runs import Runs
 from plastigran.materials import laws_for
 from plastigran.physics import central
@@ -36,7 +35,6 @@ class CylinderImpact(CentralImpact):
         ValueError: A field is out of range, or the bodies would overlap too far for any law.
     """
 
-    law: str = law_field("cylinder")
     geometry: str = word("deck", ("cylinder_wall",), default="cylinder_wall")
     mass: float = number("mass of all that moves with the cylinder", "kg", 0, default=1.59e-6)
     length_ratio: float = number("length of the cylinder over its radius", "-", 0, default=10.0)

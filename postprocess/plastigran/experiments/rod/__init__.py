@@ -11,9 +11,9 @@ import attrs
 
 from plastigran import laws
 from plastigran.declared import declaration, number, word
-from plastigran.experiments.base import Experiment, Flag
+from plastigran.experiments.base import Experiment
 from plastigran.experiments.central import OVERLAP_LIMIT
-from plastigran.experiments.fields import check_overlap, law_field
+from plastigran.experiments.fields import Flag, check_overlap, law_field
 from plastigran.experiments.rod.measurement import measure_rod
 from plastigran.experiments.rod.paper import PAPER_FRICTION, PAPER_SPEEDS
 from plastigran.experiments.runs import Runs
@@ -40,7 +40,7 @@ class RodImpact(Experiment):
             far for any law.
     """
 
-    law: str = law_field("sphere")
+    law: str = law_field()
     speed: float = number("impact speed, straight down", "m/s", 0)
     rod: Rod = attrs.field(factory=Rod)
     tangential: str = word("friction", ("history", "no_history", "off"), default="history")

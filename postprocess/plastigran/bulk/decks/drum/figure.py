@@ -86,7 +86,7 @@ def _draw_powers(axes, series) -> None:
     )
     axes.plot(revolutions, taken, color=COLOURS[1], lw=1, label="taken by the bed")
     axes.plot(revolutions, yielding, color=COLOURS[1], lw=1, ls=":", label="by yielding")
-    axes.set_ylim(0, 2.2 * wall.max())
+    axes.set_ylim(0, 2.2 * wall.max() or None)  # no wall work is known without a ledger
     axes.set_ylabel("power (mW)")
     axes.set_xlabel("revolutions")
     axes.legend(loc="upper right", ncols=2, fontsize="small")

@@ -1,0 +1,150 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""What a notebook calls: `import plastigran as pg`."""
+
+from __future__ import annotations
+
+import re
+import subprocess
+import sys
+
+import numpy as np
+import pytest
+from attrs import evolve
+
+import plastigran as pg
+from plastigran import materials
+from plastigran.cli import main
+from plastigran.engine.process import PROJECT
+from plastigran.experiments.central import CentralImpact
+from plastigran.experiments.cylinder import CylinderImpact
+
+STEEL = pg.material("steel")
+
+
+def test_the_readmes_example_runs():
+    """As written, but for the number of speeds, each of which is an engine per law."""
+    example = re.search(r"```python\n(.*?)```", (PROJECT / "README.md").read_text(), re.DOTALL)[1]
+    assert "geomspace(1e-3, 1, 40)" in example
+    found = {}
+    collisions = example.split("flow =")[0]  # bulk decks have tests of their own
+    exec(collisions.replace("geomspace(1e-3, 1, 40)", "geomspace(1e-3, 1, 3)"), found)
+    assert found["contact"].restitution(found["speeds"]).shape == (3,)
+    table = found["runs"].table
+    assert len(table) == 6
+    # What the recommended time step promises.
+    assert table["coefficient_of_restitution"].tolist() == pytest.approx(
+        table["coefficient_of_restitution_predicted"].tolist(), rel=1e-3
+    )
+
+
+def test_import_is_light():
+    """Under 0.1 s, the best of three beside other work; no figure is made ready."""
+    code = (
+        "import sys, time; start = time.perf_counter(); import plastigran; "
+        "print(time.perf_counter() - start, *sys.modules)"
+    )
+    done = [
+        subprocess.run([sys.executable, "-c", code], capture_output=True, text=True) for _ in "123"
+    ]
+    assert min(float(one.stdout.split()[0]) for one in done) < 0.1
+    assert "matplotlib" not in done[0].stdout.split()
+
+
+@pytest.mark.parametrize("law", ["thornton", "viscoelastic_hertz"])
+def test_a_contact_is_the_case_without_the_engine(law):
+    """The same law, radius and mass as the impact of an experiment: equal to rounding."""
+    ice = pg.material("ice")
+    body = evolve(STEEL, dissipative_constant=1e-6) if law == "thornton" else ice
+    case = CentralImpact(law, 0.1, body, 0.01, "two_spheres")
+    contact = pg.Contact(law, body, body, radius=0.01, radius_other=0.01)
+    assert contact.restitution(case.closing_speed) == pytest.approx(
+        case.predict().coefficient_of_restitution, rel=1e-12
+    )
+    assert contact.timestep(case.closing_speed) == pytest.approx(case.timestep, rel=1e-12)
+
+
+def test_a_contact_of_cylinders_has_their_mass():
+    lengths = {"cylinder_length": 1e-4, "body_thickness": 1e-4}
+    glass = pg.material("glass_kp10")
+    contact = pg.Contact("lim_stronge", glass, pg.RIGID, radius=1e-5, **lengths)
+    case = CylinderImpact("lim_stronge", 20.0, glass, 1e-5, mass=contact.mass_eff)
+    assert contact.mass_eff == pytest.approx(np.pi * 1e-10 * 1e-4 * glass.density, rel=1e-12)
+    found = contact.impact([20.0])
+    assert found.overlap_max[0] == pytest.approx(case.predict().overlap_max, rel=1e-12)
+
+
+def test_speeds_of_any_shape():
+    contact = pg.Contact("kogut_etsion", STEEL, pg.RIGID, radius=5e-3)
+    speeds = np.array([[0.1, 0.2], [0.5, 1.0]])
+    assert contact.restitution(speeds).shape == (2, 2)
+    assert contact.restitution(0.2) == contact.restitution(speeds)[0, 1]
+    assert contact.impact(speeds).in_range.dtype == bool
+
+
+def test_a_path_accounts_for_its_work():
+    """Work of the force along it = what is stored and what is lost; 1e-4: the trapezoidal rule."""
+    path = pg.Contact("thornton", STEEL, "steel", radius=5e-3).path(np.linspace(0, 2e-5, 2000))
+    work = np.trapezoid(path["force"], path["overlap"])
+    last = path.iloc[-1]
+    assert last["elastic_energy"] + last["plastic_work"] == pytest.approx(work, rel=1e-4)
+    assert (path["contact_radius"].diff().iloc[1:] > 0).all()
+
+
+@pytest.mark.parametrize(
+    ("changes", "said"),
+    [
+        ({"law": "hook"}, "no law 'hook'; there are brake_2012"),
+        ({"radius": 0}, "radius is 0; it must be positive and finite"),
+        ({"radius_other": -1.0}, "radius_other is -1"),
+        ({"mass_eff": 0.0}, "mass_eff is 0"),
+        ({"b": "cheese"}, "no material 'cheese'; there are aluminium_zv02"),
+        ({"law": "viscoelastic_hertz"}, "material steel gives no dissipative_constant"),
+        ({"meyer_index": 2.0}, "has no constant 'meyer_index'"),
+    ],
+)
+def test_impossible_contacts_are_named(changes, said):
+    given = {"law": "thornton", "a": STEEL, "b": pg.RIGID, "radius": 1e-3} | changes
+    with pytest.raises(ValueError, match=said):
+        pg.Contact(**given)
+
+
+def test_bodies_without_mass_are_named():
+    with pytest.raises(ValueError, match="no body has a density and a radius; give mass_eff"):
+        pg.Contact("hertz", pg.RIGID, STEEL.body(), radius=1e-3).restitution(1.0)
+
+
+def test_a_contact_says_what_it_is():
+    assert repr(pg.Contact("thornton", STEEL, pg.RIGID, radius=1e-3)) == (
+        "Contact('thornton', steel, RIGID, radius=0.001)"
+    )
+
+
+def test_without_input_scripts(monkeypatch, tmp_path, capsys):
+    """Laws, materials, contacts and help need none."""
+    monkeypatch.setenv("PLASTIGRAN_INPUTS", str(tmp_path / "none"))
+    assert materials.table().loc["steel", "youngs_modulus"] == 2.1e11
+    assert pg.Contact("thornton", "steel", pg.RIGID, radius=1e-3).restitution(1.0) < 1
+    assert main(["laws", "thornton"]) == 0
+    with pytest.raises(SystemExit) as stop:
+        main(["impact", "--help"])
+    assert stop.value.code == 0
+    assert "aluminium_zv02" in capsys.readouterr().out
+
+
+@pytest.mark.parametrize(
+    ("change", "said"),
+    [
+        (("7850.0", "-1"), "density is -1; it must be positive and finite"),
+        (("0.3 ", "0.5 "), "poissons_ratio is 0.5; it must lie between -1 and 0.5"),
+        (("2.1e11", "stiff"), "youngs_modulus is 'stiff', not a number"),
+        (("yield_strength ", "strength "), "no value for yield_strength"),
+        (("factor  index 0 ", "factor  index 0.3 "), "yield_pressure_factor is 0.3"),
+    ],
+)
+def test_material_files_that_cannot_be_are_named(change, said, tmp_path):
+    text = (materials.folder() / "steel.in").read_text()
+    assert change[0] in text
+    own = tmp_path / "steel.in"
+    own.write_text(text.replace(*change))
+    with pytest.raises(ValueError, match=re.escape(str(own)) + ".*" + re.escape(said)):
+        pg.material(own)

@@ -1,0 +1,53 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""A file in a folder of $PLASTIGRAN_EXPERIMENTS is an experiment with its command, as
+docs/add_an_experiment.md says."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import pandas as pd
+import pytest
+
+OWN = Path(__file__).parent / "own"
+
+
+def plastigran(*line: str) -> subprocess.CompletedProcess:
+    return subprocess.run(
+        [sys.executable, "-m", "plastigran.cli", *line],
+        env={**os.environ, "PLASTIGRAN_EXPERIMENTS": str(OWN)},
+        capture_output=True,
+        text=True,
+    )
+
+
+def test_one_file_is_an_experiment(tmp_path):
+    """Hertz to 2e-3: second order in a time step of 1/200 of the contact."""
+    done = plastigran("touch", "--speed", "0.05", "0.2", "--output", str(tmp_path))
+    assert done.returncode == 0, done.stderr
+    table = pd.read_csv(tmp_path / "impacts.csv")
+    assert table["speed"].tolist() == [0.05, 0.2]
+    assert (table["radius"] == 0.01).all() and (table["material"] == "steel").all()
+    for name in ("contact_time", "force_max"):
+        assert table[name].tolist() == pytest.approx(table[f"{name}_predicted"].tolist(), rel=2e-3)
+        assert name in done.stdout
+    assert "<svg" in (tmp_path / "contact_time.svg").read_text()[:1000]
+
+
+@pytest.mark.parametrize(
+    ("line", "said"),
+    [
+        (["--help"], "elastic impacts of a sphere, against Hertz"),
+        (["touch", "--help"], "radius of the sphere, m, default 0.01"),
+        (["touch"], "required: --speed"),
+        (["touch", "--speed", "-1"], "speed is -1; it must be positive and finite [m/s]"),
+        (["touch", "--speed", "fast"], "'fast' is not a number"),
+        (["touch", "--speed", "1", "--material", "cheese"], "no material 'cheese'"),
+    ],
+)
+def test_the_command_follows_from_the_fields(line, said):
+    done = plastigran(*line)
+    assert said in " ".join((done.stdout + done.stderr).split())
