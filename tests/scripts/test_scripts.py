@@ -46,7 +46,6 @@ def test_pair_time(tmp_path, monkeypatch, capsys):
     """Two steps of a bed of 72 spheres, once."""
     script = load("benchmarks/pair_time.py")
     monkeypatch.setattr(script, "WORK", tmp_path)
-    monkeypatch.setattr(script, "PROJECT", tmp_path)
     monkeypatch.setattr(script, "RESULTS", tmp_path / "pair_time.csv")
     run_deck(script.HERE / "bed.in", {"across": 6, "high": 6, "steps": 200}, tmp_path)
     words = ["pair_time.py", "--law", "thornton", "--repeats", "1", "--steps", "2"]
@@ -65,7 +64,7 @@ def test_reliability(part, tmp_path, monkeypatch):
     page = PROJECT / "docs" / "reliability.md"
     monkeypatch.setattr(script, "WORK", tmp_path / "work")
     monkeypatch.setattr(script, "PAGE", tmp_path / "page.md")
-    monkeypatch.setattr(script, "SMALL", script.SMALL | {"duration": "24", "rows": "48"})
+    monkeypatch.setattr(script, "SMALL", script.SMALL | {"duration": "25", "rows": "50"})
     script.PAGE.write_text(page.read_text())
     monkeypatch.setattr(sys, "argv", ["reliability.py", part, "--count", "2"])
     script.main()
