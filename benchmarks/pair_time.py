@@ -173,7 +173,7 @@ def main() -> None:
     control = table.loc[table["law"] == CONTROL, ["ratio_q25", "ratio_q75"]]
     noise = (control - 1).abs().max(axis=None)
     print(f"\n'{CONTROL}' over {REFERENCE} should be 1; its quartiles are off by up to {noise:.0%}")
-    print(f"wrote {RESULTS.relative_to(PROJECT)}")
+    print(f"wrote {RESULTS}")
 
 
 if __name__ == "__main__":

@@ -1,0 +1,74 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""The scripts of docs and benchmarks run to their end, on little."""
+
+from __future__ import annotations
+
+import sys
+from importlib.util import module_from_spec, spec_from_file_location
+from pathlib import Path
+from types import ModuleType
+
+import pandas as pd
+import pytest
+
+from plastigran.engine.process import PROJECT, run_deck
+
+
+def load(path: str) -> ModuleType:
+    spec = spec_from_file_location(Path(path).stem, PROJECT / path)
+    module = sys.modules[spec.name] = module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module
+
+
+def test_a_figure_of_each_kind_of_law(tmp_path):
+    script = load("docs/make_figures.py")
+    script.FOLDER = tmp_path
+    names = ["brake_2015", "katta_polycarpou", "viscoelastic_hertz"]
+    script.draw_laws(names)
+    assert sorted(path.stem for path in tmp_path.iterdir()) == names
+
+
+def test_figures_of_the_bulk_decks(brief_run, tmp_path, monkeypatch):
+    script = load("docs/make_figures.py")
+    script.FOLDER = tmp_path
+    monkeypatch.setattr(script, "run_bulk", lambda deck, *_: brief_run(deck))
+    for deck in ("drum", "chute"):
+        script.draw_bulk(deck)
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["chute.png", "drum.png"]
+    assert len(script.cooling_gases().axes) == 2
+    assert len(script.compactions().axes) == 2
+    assert len(script.shot_figures()) == 2
+    assert script.hoppers().axes
+
+
+def test_pair_time(tmp_path, monkeypatch, capsys):
+    """Two steps of a bed of 72 spheres, once."""
+    script = load("benchmarks/pair_time.py")
+    monkeypatch.setattr(script, "WORK", tmp_path)
+    monkeypatch.setattr(script, "RESULTS", tmp_path / "pair_time.csv")
+    run_deck(script.HERE / "bed.in", {"across": 6, "high": 6, "steps": 200}, tmp_path)
+    words = ["pair_time.py", "--law", "thornton", "--repeats", "1", "--steps", "2"]
+    monkeypatch.setattr(sys, "argv", words)
+    script.main()
+    table = pd.read_csv(tmp_path / "pair_time.csv")
+    assert set(table["law"]) == {"thornton", "hertz again"}
+    assert (table["ratio"] > 0).all()
+    assert "median (quartiles) of 1 rounds" in capsys.readouterr().out
+
+
+@pytest.mark.parametrize("part", ["kills", "restarts"])
+def test_reliability(part, tmp_path, monkeypatch):
+    """Two kills or restarts; the page's table is written again and nothing else of the page."""
+    script = load("benchmarks/reliability.py")
+    page = PROJECT / "docs" / "reliability.md"
+    monkeypatch.setattr(script, "WORK", tmp_path / "work")
+    monkeypatch.setattr(script, "PAGE", tmp_path / "page.md")
+    monkeypatch.setattr(script, "SMALL", script.SMALL | {"duration": "25", "rows": "50"})
+    script.PAGE.write_text(page.read_text())
+    monkeypatch.setattr(sys, "argv", ["reliability.py", part, "--count", "2"])
+    script.main()
+    before, table, after = script.PAGE.read_text().partition(f"<!-- {part} -->\n")
+    assert page.read_text().startswith(before + table)
+    assert page.read_text().endswith(after.partition("<!-- end -->\n")[2])
+    assert "|" in after
