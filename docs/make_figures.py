@@ -22,7 +22,7 @@ from plastigran.bulk.decks.compaction.figure import compaction_figure
 from plastigran.bulk.decks.cooling_gas.figure import cooling_figure
 from plastigran.bulk.decks.hopper import orifices
 from plastigran.bulk.decks.hopper.figure import orifices_figure
-from plastigran.bulk.run import run_bulk
+from plastigran.bulk.run import BulkRun, run_bulk
 from plastigran.experiments import find_experiments
 from plastigran.materials import RIGID, read_material
 from plastigran.physics import central
@@ -145,13 +145,15 @@ def viscoelastic_figure() -> Figure:
 OWN_FIGURES = {"viscoelastic_hertz": viscoelastic_figure}
 
 
+def bulk(deck: str, **settings: object) -> BulkRun:
+    """A run of a bulk deck whose checks have passed; its folder is gone."""
+    with tempfile.TemporaryDirectory() as folder:
+        return run_bulk(deck, settings, Path(folder) / deck).raise_if_failed()
+
+
 def cooling_gases() -> Figure:
     """A gas that yields beside a viscoelastic one of the same grains: a minute or two each."""
-    with tempfile.TemporaryDirectory() as folder:
-        runs = {
-            law: run_bulk("cooling_gas", {"law": law, "side": 10, **changes}, Path(folder) / law)
-            for law, changes in COOLING.items()
-        }
+    runs = {law: bulk("cooling_gas", law=law, side=10, **given) for law, given in COOLING.items()}
     gas = runs["vu_quoc_zhang"].deck
     rate = gas.gas().cooling_rate(gas.temperature)
     return cooling_figure({title(law): run.series for law, run in runs.items()}, gas.stall, rate)
@@ -159,33 +161,27 @@ def cooling_gases() -> Figure:
 
 def draw_bulk(deck: str) -> None:
     """The figure of a bulk deck at its defaults, about a minute each."""
-    with tempfile.TemporaryDirectory() as folder:
-        run = run_bulk(deck, {}, Path(folder) / deck)
-        save(run.figures[deck], FOLDER / deck, (".png",))
+    save(bulk(deck).figures[deck], FOLDER / deck, (".png",))
 
 
 def compactions() -> Figure:
     """Grains of three strengths pressed to the same density: a minute each."""
     settings = {"die_radius": 0.0075, "layers": 9, "relative_density": 0.7, "release": 0.3}
-    with tempfile.TemporaryDirectory() as folder:
-        runs = {
-            f"$\\sigma_Y$ = {strength / 1e3:g} kPa": run_bulk(
-                "compaction", settings | {"yield_strength": strength}, Path(folder) / str(strength)
-            ).series
-            for strength in STRENGTHS
-        }
+    runs = {
+        f"$\\sigma_Y$ = {strength / 1e3:g} kPa": bulk(
+            "compaction", yield_strength=strength, **settings
+        ).series
+        for strength in STRENGTHS
+    }
     return compaction_figure(runs, STRENGTHS)
 
 
 def shot_figures() -> dict[str, Figure]:
     """Shot on a plate and on a bed, at the deck's defaults: a minute or two each."""
-    with tempfile.TemporaryDirectory() as folder:
-        return {
-            f"bed_impact_{target}": run_bulk(
-                "bed_impact", {"target": target}, Path(folder) / target
-            ).figures["bed_impact"]
-            for target in ("plate", "bed")
-        }
+    return {
+        f"bed_impact_{target}": bulk("bed_impact", target=target).figures["bed_impact"]
+        for target in ("plate", "bed")
+    }
 
 
 # Yield strengths of the compacted grains [Pa].
@@ -201,13 +197,9 @@ COOLING = {
 
 def hoppers() -> Figure:
     """The same bed run out of every orifice: one to four minutes each, narrow ones the longest."""
-    runs = []
-    with tempfile.TemporaryDirectory() as folder:
-        for orifice in orifices():
-            run = run_bulk("hopper", {"orifice": orifice}, Path(folder) / orifice)
-            discharge = run.deck.discharge(run.series)
-            runs.append((run.series, discharge, run.deck.grains.mass))
-    return orifices_figure(runs)
+    runs = [bulk("hopper", orifice=orifice) for orifice in orifices()]
+    courses = [(r.series, r.deck.discharge(r.series), r.deck.grains.mass) for r in runs]
+    return orifices_figure(courses)
 
 
 def draw_hopper_grains() -> None:
