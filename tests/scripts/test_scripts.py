@@ -32,7 +32,9 @@ def test_a_figure_of_each_kind_of_law(tmp_path):
 def test_figures_of_the_bulk_decks(brief_run, tmp_path, monkeypatch):
     script = load("docs/make_figures.py")
     script.FOLDER = tmp_path
-    monkeypatch.setattr(script, "run_bulk", lambda deck, *_: brief_run(deck))
+    monkeypatch.setattr(
+        script, "run_bulk", lambda deck, values, _: brief_run(deck, values.get("target", ""))
+    )
     for deck in ("drum", "chute"):
         script.draw_bulk(deck)
     assert sorted(path.name for path in tmp_path.iterdir()) == ["chute.png", "drum.png"]
