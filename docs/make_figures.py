@@ -72,10 +72,9 @@ def law_figure(name: str) -> Figure:
         left.set_ylabel("force / force at yield")
         left.legend(loc="upper left")
         ratio = np.geomspace(0.3, 120, 120)
-        restitution = [
-            law.central_impact(RADIUS, 1.0, q * yield_speed).coefficient_of_restitution
-            for q in ratio
-        ]
+        restitution = law.central_impact(
+            RADIUS, 1.0, ratio * yield_speed
+        ).coefficient_of_restitution
         right.semilogx(ratio, restitution, color=COLOURS[0])
         right.set_ylim(0, 1.05)
         right.set_xlabel("impact speed / yield speed")
@@ -125,10 +124,7 @@ def viscoelastic_figure() -> Figure:
             law = laws.ViscoelasticHertz(pair, dissipative_constant=2e-6)
             right.semilogx(
                 speeds,
-                [
-                    law.central_impact(radius, mass_eff, v).coefficient_of_restitution
-                    for v in speeds
-                ],
+                law.central_impact(radius, mass_eff, speeds).coefficient_of_restitution,
                 color=colour,
                 label=f"R = {1e3 * radius:g} mm",
             )

@@ -11,7 +11,6 @@ from numpy.typing import ArrayLike
 
 from plastigran import laws
 from plastigran.materials import RIGID, Material, read_material
-from plastigran.physics import central
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -102,24 +101,25 @@ class Contact:
         import pandas as pd  # slow to load
 
         overlaps = np.array(overlaps, dtype=float, ndmin=1)
-        answer = self.law.follow(self.radius_eff, overlaps, self.law.State())
+        answer = self.law.follow(self.radius_eff, overlaps)
         names = ("force", "contact_radius", "elastic_energy", "plastic_work")
         return pd.DataFrame({"overlap": overlaps} | {name: answer[name] for name in names})
 
-    def impact(self, speeds: ArrayLike) -> central.CentralImpacts:
-        """Central impacts at closing speeds of any shape [m/s].
+    def impact(self, speeds: ArrayLike) -> laws.Impact:
+        """Central impacts at closing speeds of any shape [m/s]; what came of them has that shape.
 
         Raises:
             ValueError: A speed is out of range, or no body has a mass.
         """
-        return central.central_impacts(self.law, self.radius_eff, self.mass_eff, speeds)
+        return self.law.central_impact(self.radius_eff, self.mass_eff, speeds)
 
-    def restitution(self, speeds: ArrayLike) -> np.ndarray:
+    def restitution(self, speeds: ArrayLike) -> float | np.ndarray:
         """Coefficient of restitution at closing speeds of any shape [m/s]; see `impact`."""
         return self.impact(speeds).coefficient_of_restitution
 
-    def timestep(self, speed: float) -> float:
-        """Time step that resolves the rebound at a closing speed [m/s] to 1e-3 in restitution [s].
+    def timestep(self, speed: ArrayLike) -> float | np.ndarray:
+        """Time step that resolves the rebound at closing speeds of any shape [m/s] to 1e-3 in
+        restitution [s].
 
         Raises:
             ValueError: The speed is out of range, or no body has a mass.

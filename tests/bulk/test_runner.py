@@ -8,11 +8,13 @@ import os
 import shutil
 import signal
 import subprocess
+import sys
 import time
 from pathlib import Path
 
 import pytest
 
+import plastigran as pg
 from plastigran.bulk.folder import carry_dump, read_series
 from plastigran.bulk.run import run_bulk
 from plastigran.cli import main
@@ -58,6 +60,24 @@ def test_folder_tells_the_whole(whole):
         "figures/cooling_gas.svg",
     ):
         assert (whole / name).stat().st_size > 0
+
+
+def test_package_is_called(tmp_path, monkeypatch):
+    """By the deck's name and settings, into results/DECK; the run is read again from there."""
+    monkeypatch.chdir(tmp_path)
+    settings = {"side": 4, "duration": 2, "rows": 10, "checkpoints": 1, "mixing": 0.1}
+    run = pg.bulk("cooling_gas", law="thornton", show=False, **settings)
+    assert run.folder == tmp_path / "results" / "cooling_gas" and run.deck.law == "thornton"
+    again = pg.open("results/cooling_gas")
+    assert again.checks.equals(run.checks) and again.figures.keys() == run.figures.keys()
+    assert "run of cooling_gas" in repr(again)
+
+
+def test_backend_of_matplotlib_is_left_alone():
+    line = "import sys, matplotlib, plastigran.bulk, plastigran.bulk.decks as d; "
+    line += "[d.deck_class(name) for name in d.deck_names()]; "
+    line += "sys.exit('matplotlib.pyplot' in sys.modules)"
+    subprocess.run([sys.executable, "-c", line], check=True)
 
 
 def test_checkpoint_cut_short_is_not_the_newest(whole, tmp_path):

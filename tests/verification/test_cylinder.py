@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import numpy as np
 import pandas as pd
 import pytest
@@ -19,67 +21,32 @@ from plastigran.physics.contact_time import contact_time
 
 CYLINDER_LAWS = laws_for("cylinder")
 
-# radius um, L/R, m/s: v_Y m/s, overlap_max um, force_max N, half-width um, mean pressure over yield
-# strength; then residual overlap um and restitution as published, above 1 where it is, of Lim &
-# Stronge and of Katta & Polycarpou. By energy quadrature and by integrating the motion.
-PUBLISHED = [
-    ((10, 10, 0.2), (0.379536, 0.165158, 0.4038, 0.782532, 1.07058), (0, 1), (0, 1)),
-    (
-        (10, 10, 0.6),
-        (0.379536, 0.436284, 1.73604, 1.96182, 1.83592),
-        (0.0608031, 1.06715),
-        (0.0291978, 1.07967),
-    ),
-    (
-        (10, 10, 1.0),
-        (0.379536, 0.65588, 2.84437, 2.87065, 2.05569),
-        (0.196361, 0.906665),
-        (0.126752, 0.942746),
-    ),
-    (
-        (2, 10, 1.0),
-        (0.0392201, 1.95178, 0.635067, 2.74493, 2.4),
-        (1.64289, 0.351244),
-        (1.53073, 0.397511),
-    ),
-    ((10, 100, 1.0), (1.2002, 0.255527, 6.53971, 0.99586, 1.36243), (0, 1), (0, 1)),
-    (
-        (10, 100, 3.0),
-        (1.2002, 0.627289, 27.162, 2.76927, 2.03493),
-        (0.177488, 0.923999),
-        (0.112321, 0.958283),
-    ),
-    (
-        (5, 100, 5.0),
-        (0.453898, 1.54709, 21.6753, 3.74745, 2.4),
-        (1.07564, 0.507031),
-        (0.93307, 0.559423),
-    ),
-]
+PUBLISHED = list(pd.read_csv(Path(__file__).parent / "cylinder_kp10.csv", comment="#").itertuples())
 
 
 def glass(law: str, speed: float = 1.0, radius: float = 1e-5, ratio: float = 10) -> CylinderImpact:
     return CylinderImpact(law, speed, read_material("glass_kp10"), radius, length_ratio=ratio)
 
 
-@pytest.mark.parametrize(("case", "loading", "straight", "curved"), PUBLISHED)
-def test_published_laws(case, loading, straight, curved):
+@pytest.mark.parametrize("row", PUBLISHED, ids=lambda row: f"{row.radius}-{row.speed}")
+@pytest.mark.parametrize("name", CYLINDER_LAWS)
+def test_published_laws(name, row):
     """Without the guard, to the digits given: 1e-5."""
-    radius, ratio, speed = case
-    yield_speed, overlap_max, force_max, half_width, pressure = loading
-    for name, (residual, restitution) in (("lim_stronge", straight), ("katta_polycarpou", curved)):
-        impact = glass(name, speed, radius * 1e-6, ratio)
-        law = impact.contact_law(energy_guard="off")
-        found = law.central_impact(impact.radius_eff, impact.mass_eff, speed)
-        peak = law.respond(impact.radius_eff, found.overlap_max, law.State())
-        width = 2 * peak.contact_radius * impact.cylinder_length
-        assert impact.yield_speed() == pytest.approx(yield_speed, rel=1e-5)
-        assert found.overlap_max == pytest.approx(overlap_max * 1e-6, rel=1e-5)
-        assert found.force_max == pytest.approx(force_max, rel=1e-5)
-        assert peak.contact_radius == pytest.approx(half_width * 1e-6, rel=1e-5)
-        assert found.force_max / width / 2.41e9 == pytest.approx(pressure, rel=1e-5)
-        assert found.overlap_res == pytest.approx(residual * 1e-6, rel=1e-5)
-        assert found.coefficient_of_restitution == pytest.approx(restitution, rel=1e-5)
+    impact = glass(name, row.speed, row.radius * 1e-6, row.length_ratio)
+    law = impact.contact_law(energy_guard="off")
+    found = law.central_impact(impact.radius_eff, impact.mass_eff, row.speed)
+    peak = law.respond(impact.radius_eff, found.overlap_max, law.State())
+    width = 2 * peak.contact_radius * impact.cylinder_length
+    overlap_res = getattr(row, f"{name}_overlap_res") * 1e-6
+    assert impact.yield_speed() == pytest.approx(row.yield_speed, rel=1e-5)
+    assert found.overlap_max == pytest.approx(row.overlap_max * 1e-6, rel=1e-5)
+    assert found.force_max == pytest.approx(row.force_max, rel=1e-5)
+    assert peak.contact_radius == pytest.approx(row.half_width * 1e-6, rel=1e-5)
+    assert found.force_max / width / 2.41e9 == pytest.approx(row.pressure_ratio, rel=1e-5)
+    assert found.overlap_res == pytest.approx(overlap_res, rel=1e-5)
+    assert found.coefficient_of_restitution == pytest.approx(
+        getattr(row, f"{name}_restitution"), rel=1e-5
+    )
 
 
 @pytest.mark.parametrize("name", CYLINDER_LAWS)

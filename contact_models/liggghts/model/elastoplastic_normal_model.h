@@ -5,7 +5,11 @@
 //
 // History values carry the flag "0": they are scalars, the same seen from either particle. ("1"
 // would flip their sign whenever the pair is stored from the other side.)
-#pragma once
+//
+// The engine's contact_models.h includes every model, and so this file: it comes before the guard.
+#include "contact_models.h"
+#ifndef PLASTIGRAN_ELASTOPLASTIC_NORMAL_MODEL_H
+#define PLASTIGRAN_ELASTOPLASTIC_NORMAL_MODEL_H
 
 #include <algorithm>
 #include <cmath>
@@ -25,12 +29,10 @@
 #include "liggghts/model/accounted_load.h"
 #include "liggghts/model/contact_owner.h"
 #include "liggghts/model/contact_watch.h"
-#include "liggghts/model/deck_properties.h"
 #include "liggghts/model/history_names.h"
 #include "liggghts/model/impact_forecast.h"
 #include "liggghts/model/type_pair.h"
 #include "neighbor.h"
-#include "normal_model_base.h"
 #include "plastigran/shared/contact.h"
 #include "settings.h"
 
@@ -100,7 +102,7 @@ class ElastoplasticNormalModel : public NormalModelBase {
     // Ask for surfacesClose() just outside contact, where the history is cleared: otherwise a pair
     // that parts and meets again before the next neighbour build would remember its dent.
     neighbor->register_contact_dist_factor(1.01);
-    if (!reported_) report_constants(deck);
+    if (!reported_ && comm->me == 0) report_constants(deck);
     reported_ = true;
     forecast_impacts(deck);
   }
@@ -210,14 +212,12 @@ class ElastoplasticNormalModel : public NormalModelBase {
 
   // What the model was given and what it assumed: a misspelt optional property shows here.
   void report_constants(const plastigran::DeckProperties& deck) {
-    if (comm->me != 0) return;
     const std::string text =
         pairs_.describe(caller() + (owner_.is_wall() ? ", wall" : ""), deck, choices_);
     if (screen) fputs(text.c_str(), screen);
     if (logfile) fputs(text.c_str(), logfile);
   }
 
-  // On all ranks together.
   void forecast_impacts(const plastigran::DeckProperties& deck) {
     const plastigran::ImpactForecast forecast(lmp, owner_, pairs_.type_count());
     for (const auto& meeting : forecast.meetings()) {
@@ -246,3 +246,5 @@ class ElastoplasticNormalModel : public NormalModelBase {
 
 }  // namespace ContactModels
 }  // namespace LIGGGHTS
+
+#endif

@@ -25,14 +25,11 @@ struct Brake2012Curve {
       "small strain; indentation pressure above 2/3 of the yield pressure";
   struct Parameters {
     double indentation_pressure = 0;  // P0 [Pa]
-    int energy_guard = 1;
   };
   static constexpr std::array<Parameter<Parameters>, 1> parameters{{
       indentation_pressure_parameter(&Parameters::indentation_pressure),
   }};
-  static constexpr std::array<Option<Parameters>, 1> options{{
-      energy_guard_option(&Parameters::energy_guard),
-  }};
+  static constexpr std::array<Option<Parameters>, 0> options{};
 
   // Yield must come before full plasticity.
   static bool admissible(const MaterialPair& pair, const Parameters& constants) {

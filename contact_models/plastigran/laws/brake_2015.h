@@ -27,16 +27,13 @@ struct Brake2015Curve {
   struct Parameters {
     double indentation_pressure = 0;  // P0 [Pa]
     double meyer_index = 2;           // n [-]
-    int energy_guard = 1;
   };
   static constexpr std::array<Parameter<Parameters>, 2> parameters{{
       indentation_pressure_parameter(&Parameters::indentation_pressure),
       {"meyer_index", "-", &Parameters::meyer_index, 2, 2.7,
        "Meyer's hardening index; 2 is perfectly plastic"},
   }};
-  static constexpr std::array<Option<Parameters>, 1> options{{
-      energy_guard_option(&Parameters::energy_guard),
-  }};
+  static constexpr std::array<Option<Parameters>, 0> options{};
 
   // Yield must come before full plasticity.
   static bool admissible(const MaterialPair& pair, const Parameters& constants) {

@@ -25,15 +25,13 @@ struct GhaedniaCurve : JacksonGreenCurve {
   enum Loading { exponent_of_overlap, prefactor };
   struct Parameters {
     int loading = exponent_of_overlap;
-    int energy_guard = 1;
   };
   static constexpr std::array<Parameter<Parameters>, 0> parameters{};
-  static constexpr std::array<Option<Parameters>, 2> options{{
+  static constexpr std::array<Option<Parameters>, 1> options{{
       {"loading",
        &Parameters::loading,
        {"exponent", "prefactor", nullptr},
        "reading of the 1.1 in the loading curve"},
-      energy_guard_option(&Parameters::energy_guard),
   }};
 
   int loading;

@@ -12,15 +12,12 @@
 
 namespace plastigran {
 
-class Hertz {
+class Hertz : public NoConstants {
  public:
   static constexpr const char* name = "hertz";
   static constexpr const char* source = "Hertz 1881, J. reine angew. Math. 92:156";
   static constexpr const char* range = "elastic contact, a << R*";
   static constexpr bool yields = false;
-  struct Parameters {};
-  static constexpr std::array<Parameter<Parameters>, 0> parameters{};
-  static constexpr std::array<Option<Parameters>, 0> options{};
   struct State {};
   static constexpr std::array<const char*, 0> state_names{};
 

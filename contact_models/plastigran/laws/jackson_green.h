@@ -27,15 +27,13 @@ struct JacksonGreenCurve {
   enum Hardness { cosine, exponential };
   struct Parameters {
     int hardness = cosine;
-    int energy_guard = 1;
   };
   static constexpr std::array<Parameter<Parameters>, 0> parameters{};
-  static constexpr std::array<Option<Parameters>, 2> options{{
+  static constexpr std::array<Option<Parameters>, 1> options{{
       {"hardness",
        &Parameters::hardness,
        {"cosine", "exponential", nullptr},
        "how hardness falls with contact radius"},
-      energy_guard_option(&Parameters::energy_guard),
   }};
 
   std::array<double, 1> breaks{1.9};

@@ -26,15 +26,13 @@ struct KogutEtsionCurve {
   static constexpr const char* range = "overlap <= 110 times that at yield, flattening";
   struct Parameters {
     int fully_plastic = 0;
-    int energy_guard = 1;
   };
   static constexpr std::array<Parameter<Parameters>, 0> parameters{};
-  static constexpr std::array<Option<Parameters>, 2> options{{
+  static constexpr std::array<Option<Parameters>, 1> options{{
       {"fully_plastic",
        &Parameters::fully_plastic,
        {"off", "on", nullptr},
        "constant pressure beyond 110 times the yield overlap"},
-      energy_guard_option(&Parameters::energy_guard),
   }};
 
   std::array<double, 3> breaks{1, 6, 110};

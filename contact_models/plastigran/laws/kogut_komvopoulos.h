@@ -19,17 +19,10 @@
 
 namespace plastigran {
 
-struct KogutKomvopoulosCurve {
+struct KogutKomvopoulosCurve : NoConstants {
   static constexpr const char* name = "kogut_komvopoulos";
   static constexpr const char* source = "Kogut & Komvopoulos 2004, J. Mater. Res. 19:3641";
   static constexpr const char* range = "well-developed plasticity; overlap <= 0.1 R*";
-  struct Parameters {
-    int energy_guard = 1;
-  };
-  static constexpr std::array<Parameter<Parameters>, 0> parameters{};
-  static constexpr std::array<Option<Parameters>, 1> options{{
-      energy_guard_option(&Parameters::energy_guard),
-  }};
 
   std::array<double, 3> breaks;
   double yield_radius_ratio;

@@ -30,15 +30,13 @@ struct StrongeCurve {
   enum Unloading { book, area, original_radius };
   struct Parameters {
     int unloading = book;
-    int energy_guard = 1;
   };
   static constexpr std::array<Parameter<Parameters>, 0> parameters{};
-  static constexpr std::array<Option<Parameters>, 2> options{{
+  static constexpr std::array<Option<Parameters>, 1> options{{
       {"unloading",
        &Parameters::unloading,
        {"book", "area", "original_radius"},
        "reading of the unloading curve"},
-      energy_guard_option(&Parameters::energy_guard),
   }};
 
   static constexpr double threshold = 1.1;      // th: mean pressure at yield over sigma_Y

@@ -25,15 +25,12 @@
 
 namespace plastigran {
 
-class Thornton {
+class Thornton : public NoConstants {
  public:
   static constexpr const char* name = "thornton";
   static constexpr const char* source = "Thornton 1997, J. Appl. Mech. 64:383";
   static constexpr const char* range =
       "a << R*; force too low well beyond yield (-43 % at 120 v_Y)";
-  struct Parameters {};
-  static constexpr std::array<Parameter<Parameters>, 0> parameters{};
-  static constexpr std::array<Option<Parameters>, 0> options{};
   struct State {
     double overlap_max = 0;  // largest overlap beyond yield [m]; 0 while elastic
   };

@@ -18,17 +18,10 @@
 
 namespace plastigran {
 
-struct YeKomvopoulosCurve {
+struct YeKomvopoulosCurve : NoConstants {
   static constexpr const char* name = "ye_komvopoulos";
   static constexpr const char* source = "Ye & Komvopoulos 2003, J. Tribol. 125:685";
   static constexpr const char* range = "indentation; overlap <= 0.1 R*";
-  struct Parameters {
-    int energy_guard = 1;
-  };
-  static constexpr std::array<Parameter<Parameters>, 0> parameters{};
-  static constexpr std::array<Option<Parameters>, 1> options{{
-      energy_guard_option(&Parameters::energy_guard),
-  }};
 
   double yield_radius_ratio;
   double compliance;  // sigma_Y/E*

@@ -124,6 +124,13 @@ struct Parameter {
   bool per_body = false;
 };
 
+// Laws without constants or choices of their own say so with this base.
+struct NoConstants {
+  struct Parameters {};
+  static constexpr std::array<Parameter<Parameters>, 0> parameters{};
+  static constexpr std::array<Option<Parameters>, 0> options{};
+};
+
 // p_y / sigma_Y at which a Hertzian contact first yields (von Mises) below its centre: the inverse
 // of the largest shear over peak pressure on the axis, max over z (depth / contact radius) of
 // 1.5/(1+z^2) - (1+nu)(1 - z atan(1/z)). Johnson, Contact Mechanics (1985), sec. 3.4 and 4.1.

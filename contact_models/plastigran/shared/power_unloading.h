@@ -15,9 +15,8 @@
 //   contact_radius(x)   a/a_y beyond the first break
 //   overlap_range()     optional: largest overlap over R* the curve is good for
 //
-// It says the rest of a law as contact.h has it: name, source, range, Parameters with
-// `energy_guard` among them, parameters, options; it is made from (MaterialPair, Parameters). The
-// law itself is
+// It says the rest of a law as contact.h has it: name, source, range, Parameters, parameters,
+// options; it is made from (MaterialPair, Parameters). The law itself is
 //
 //   using KogutEtsion = PowerUnloading<KogutEtsionCurve>;
 //
@@ -37,6 +36,23 @@ namespace plastigran {
 template <class Curve>
 class PowerUnloading : public Curve {
  public:
+  struct Parameters : Curve::Parameters {
+    int energy_guard = 1;
+  };
+  static constexpr auto parameters = [] {
+    std::array<Parameter<Parameters>, Curve::parameters.size()> all{};
+    std::size_t k = 0;
+    for (const auto& p : Curve::parameters)
+      all[k++] = {p.name, p.unit, p.value, p.lower, p.upper, p.meaning, p.per_body};
+    return all;
+  }();
+  static constexpr auto options = [] {
+    std::array<Option<Parameters>, Curve::options.size() + 1> all{};
+    std::size_t k = 0;
+    for (const auto& o : Curve::options) all[k++] = {o.name, o.value, o.choices, o.meaning};
+    all[k] = energy_guard_option<Parameters>(&Parameters::energy_guard);
+    return all;
+  }();
   struct State {
     double overlap_max = 0;  // largest overlap beyond yield [m]; 0 while elastic
     double force_max = 0;    // force there [N]
@@ -44,7 +60,7 @@ class PowerUnloading : public Curve {
   };
   static constexpr std::array<const char*, 3> state_names{"overlap_max", "force_max", "recovery"};
 
-  PowerUnloading(const MaterialPair& pair, const typename Curve::Parameters& constants)
+  PowerUnloading(const MaterialPair& pair, const Parameters& constants)
       : Curve(pair, constants),
         modulus_(4.0 / 3.0 * pair.youngs_modulus_eff),
         overlap_ratio_(Curve::yield_radius_ratio * Curve::yield_radius_ratio) {

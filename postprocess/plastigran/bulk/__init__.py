@@ -22,22 +22,22 @@ class _Package(ModuleType):
         deck: str | Path,
         /,
         *,
-        ranks: int = 1,
         folder: str | Path | None = None,
-        restart: str | Path | None = None,
-        force: bool = False,
         show: bool = True,
+        force: bool = False,
+        ranks: int = 1,
+        restart: str | Path | None = None,
         **settings: object,
     ) -> BulkRun:
         """Run a bulk deck; see `plastigran.bulk.run.run_bulk`.
 
         Args:
             deck: Name of a deck of `inputs/bulk`, or path of an input script.
-            ranks: MPI ranks.
             folder: Where results go; results/DECK of the present folder without one.
-            restart: Folder of an earlier run to go on from.
-            force: Overwrite an earlier run in `folder`.
             show: Show a progress bar.
+            force: Overwrite an earlier run in `folder`.
+            ranks: MPI ranks.
+            restart: Folder of an earlier run to go on from.
             settings: Of the deck, given another value than the deck's.
         """
         folder = folder or Path("results") / Path(deck).stem

@@ -16,8 +16,8 @@ from plastigran.bulk.checks import LEDGER, TAKEN, Check, energy_input, ledger_ch
 from plastigran.bulk.folder import read_derived
 from plastigran.bulk.grains import Grains
 from plastigran.bulk.settings import continuable, text
-from plastigran.declared import number, whole, word
-from plastigran.materials import Material
+from plastigran.declared import declaration, number, require, whole, word
+from plastigran.materials import Material, laws_for
 from plastigran.plot.ledger import ledger_figure
 
 
@@ -73,9 +73,7 @@ class BulkDeck:
     briefs: ClassVar[Mapping[str, Brief]] = {}
 
     output: Path = attrs.field(converter=Path)
-    law: str = word(
-        "between two grains", sorted(n for n, law in laws.LAWS.items() if law.shape == "sphere")
-    )
+    law: str = word("between two grains", laws_for("sphere"))
     options: str = text("of the model, pairs NAME CHOICE")
     material: str = text("a file of inputs/materials")
     youngs_modulus: float = number("of the grains", "Pa", 0)
@@ -196,3 +194,30 @@ class GranularDeck(BulkDeck):
         "of the dashpot of viscous_damping, and of the engine's own hertz", "-", 0.05, 1, True
     )
     gravitational_acceleration: float = number("downwards", "m/s^2", 0)
+
+
+@attrs.frozen(kw_only=True)
+class FlowDeck(GranularDeck):
+    """Settings of decks whose grains, of two sizes, come to flow steadily after `settling`."""
+
+    #: Rows of the log the steady part has at least: a line goes through them.
+    steady_rows: ClassVar[int] = 10
+
+    size_spread: float = number("half of the grains are so much smaller", "-", 0, 0.5, True)
+    volume_fraction: float = number("of the lattice", "-", 0, 0.64)
+    temperature: float = number("of the grains' velocities at the start", "m^2/s^2", 0)
+    duration: float = number("of the run", "s", 0)
+    settling: float = number("before the flow is measured", "s", 0, closed=True)
+
+    def check(self) -> None:
+        """Check that `duration` goes on after `settling` for `steady_rows` or more."""
+        require(self, "settling", upper=self.duration)
+        require(self, "rows", lower=self.steady_rows)
+        latest = self.duration * (1 - self.steady_rows / self.rows)
+        if self.settling > latest * (1 + 1e-12):
+            unit = declaration(type(self))["settling"].unit
+            raise ValueError(
+                f"settling is {self.settling:g}; it must be {latest:g} [{unit}] or less, so that "
+                f"{self.steady_rows} of {self.rows} rows are left"
+            )
+        GranularDeck.check(self)

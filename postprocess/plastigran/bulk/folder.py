@@ -16,7 +16,6 @@ from pathlib import Path
 import pandas as pd
 
 from plastigran.engine.checkpoints import PATTERN, newest_checkpoint
-from plastigran.engine.deck import Settings
 from plastigran.engine.dumps import DumpError, TruncatedFileWarning
 from plastigran.engine.log import read_thermo
 from plastigran.engine.process import EngineError
@@ -47,12 +46,11 @@ _DERIVED = re.compile(r"^derived (\w+) = (\S+)\s*$", re.MULTILINE)
 
 
 def read_record(folder: str | Path) -> dict:
-    """What `run.json` says, `settings` as Settings. Raises EngineError when there is none."""
+    """What `run.json` says. Raises EngineError when there is none."""
     path = Path(folder) / RECORD
     if not path.is_file():
         raise EngineError(f"{folder} holds no {RECORD}; it is not a run of `plastigran bulk`")
-    record = json.loads(path.read_text())
-    return record | {"settings": Settings(record["settings"])}
+    return json.loads(path.read_text())
 
 
 def write_record(folder: Path, record: dict) -> None:

@@ -30,7 +30,7 @@ from plastigran.bulk.folder import (
     write_record,
 )
 from plastigran.engine.checkpoints import step_of
-from plastigran.engine.deck import Settings, find_deck, read_deck
+from plastigran.engine.deck import find_deck, read_deck
 from plastigran.engine.process import engine_path, run_deck
 from plastigran.plot import style
 
@@ -200,7 +200,9 @@ def write_results(run: BulkRun) -> None:
         style.save(figure, run.folder / "figures" / name)
 
 
-def check_continued(settings: Settings, earlier: Settings, continuable: frozenset[str]) -> None:
+def check_continued(
+    settings: dict[str, str], earlier: dict[str, str], continuable: frozenset[str]
+) -> None:
     """A run that goes on is the same run: grains and course are in the checkpoint.
 
     Raises:

@@ -7,7 +7,6 @@ import re
 import shutil
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
-from math import inf
 from pathlib import Path
 
 from plastigran.engine.process import EngineError, inputs_folder
@@ -21,41 +20,6 @@ def property_name(field: str) -> str:
     """What decks call a constant of the laws: yieldStrength for yield_strength."""
     first, *others = field.split("_")
     return first + "".join(word.capitalize() for word in others)
-
-
-class Settings(dict[str, str]):
-    """Values of a deck's `variable NAME index VALUE` lines, as text."""
-
-    def number(
-        self, name: str, lower: float, upper: float = inf, unit: str = "-", closed: bool = False
-    ) -> float:
-        """A setting between two bounds, which are allowed themselves when `closed`.
-
-        Raises:
-            ValueError: It is no number or out of range; the message names it and the range.
-        """
-        try:
-            value = float(self[name])
-        except ValueError:
-            raise ValueError(f"{name} is {self[name]!r}, not a number [{unit}]") from None
-        if not (lower < value < upper or (closed and value in (lower, upper) and value < inf)):
-            bounds = f"{lower:g} and {upper:g}" + ", or be one of them" * closed
-            raise ValueError(f"{name} is {self[name]}; it must lie between {bounds} [{unit}]")
-        return value
-
-    def whole(self, name: str, lowest: int) -> int:
-        """A setting that counts.
-
-        Raises:
-            ValueError: It is no whole number or less than `lowest`.
-        """
-        try:
-            value = int(self[name])
-        except ValueError:
-            raise ValueError(f"{name} is {self[name]!r}, not a whole number") from None
-        if value < lowest:
-            raise ValueError(f"{name} is {value}; it must be {lowest} or more")
-        return value
 
 
 def commands(script: Path) -> Iterator[str]:
@@ -97,7 +61,7 @@ class DeckSource:
 
     path: Path
     files: list[Path]
-    settings: Settings
+    settings: dict[str, str]
 
     @property
     def name(self) -> str:
@@ -151,7 +115,8 @@ def read_deck(deck: str | Path, values: Mapping[str, object], folder: Path) -> D
     path = find_deck(deck)
     given = {"inputs": str(inputs_folder()), "output": str(folder)}
     given |= {name: str(value) for name, value in values.items()}
-    settings, files = Settings(), []
+    settings: dict[str, str] = {}
+    files: list[Path] = []
 
     def resolve(text: str) -> str:
         return _REFERENCE.sub(lambda m: settings.get(m[1], m[0]), text)

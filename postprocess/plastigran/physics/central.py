@@ -5,7 +5,6 @@ from __future__ import annotations
 
 from math import gamma, log, pi, sqrt
 
-import attrs
 import numpy as np
 from numpy.typing import ArrayLike
 from scipy.special import betainc
@@ -185,43 +184,3 @@ def thornton_restitution(speed_ratio: ArrayLike) -> np.ndarray:
         * np.sqrt(1 - q**2 / 6)
         * (q / (q + 2 * np.sqrt(6 / 5 - q**2 / 5))) ** 0.25
     )
-
-
-@attrs.frozen(eq=False)
-class CentralImpacts:
-    """Central impacts under a law; each attribute has the shape of the speeds.
-
-    Attributes:
-        speed: Closing speed [m/s].
-        coefficient_of_restitution: [-]
-        force_max: Largest force [N].
-        overlap_max: Largest overlap [m].
-        overlap_res: Overlap at which the force vanishes on the way back [m].
-        in_range: Whether the law is good for that load.
-    """
-
-    speed: np.ndarray
-    coefficient_of_restitution: np.ndarray
-    force_max: np.ndarray
-    overlap_max: np.ndarray
-    overlap_res: np.ndarray
-    in_range: np.ndarray
-
-
-def central_impacts(law, radius_eff: float, mass_eff: float, speeds: ArrayLike) -> CentralImpacts:
-    """Central impacts under a law, by its energies or, if it depends on the rate, its motion.
-
-    Args:
-        law: An instance of a class of `plastigran.laws.LAWS`.
-        radius_eff: R* [m].
-        mass_eff: m* [kg].
-        speeds: Closing speeds [m/s], any shape.
-
-    Raises:
-        ValueError: A value is not positive and finite.
-    """
-    speeds = np.asarray(speeds, dtype=float)
-    found = [law.central_impact(radius_eff, mass_eff, float(speed)) for speed in speeds.flat]
-    names = [field.name for field in attrs.fields(CentralImpacts)][1:]
-    columns = (np.array([getattr(one, name) for one in found]) for name in names)
-    return CentralImpacts(speeds, *(column.reshape(speeds.shape) for column in columns))

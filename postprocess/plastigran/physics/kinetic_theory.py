@@ -179,5 +179,5 @@ def law_restitution(law, radius: float, mass: float, speeds: tuple[float, float]
         speeds: Slowest and fastest impact in the table [m/s]; beyond, its ends hold.
     """
     speed = np.geomspace(*speeds, 400)
-    value = [law.central_impact(radius / 2, mass / 2, v).coefficient_of_restitution for v in speed]
+    value = law.central_impact(radius / 2, mass / 2, speed).coefficient_of_restitution
     return lambda g: np.interp(np.log(g), np.log(speed), value)

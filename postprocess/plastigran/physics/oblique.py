@@ -9,17 +9,18 @@ relative to the second's, along y.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from math import inf, sqrt
 
+import attrs
 import numpy as np
 from scipy.integrate import solve_ivp
 
 from plastigran import laws
+from plastigran.declared import number
 from plastigran.physics import central
 
 
-@dataclass(frozen=True)
+@attrs.frozen
 class Motion:
     """How two bodies move along the surface, before or after an impact.
 
@@ -38,44 +39,34 @@ class Motion:
     spin_other: float = 0.0
 
 
-@dataclass(frozen=True)
+@attrs.frozen
 class ObliqueImpact:
     """Two homogeneous spheres, or one and a rigid plane, about to meet.
 
     Attributes:
         pair: Their materials.
-        radius: Of the first [m].
-        mass: Of the first [kg].
-        coefficient_of_friction: mu [-].
-        coefficient_of_restitution: What the dashpot is set for, in (0, 1] [-].
         before: Motion before the impact.
         radius_other: Of the second, infinite for a plane [m].
         mass_other: Of the second, infinite for a plane [kg].
+
+    Raises:
+        ValueError: A field is out of range.
     """
 
     pair: laws.MaterialPair
-    radius: float
-    mass: float
-    coefficient_of_friction: float
-    coefficient_of_restitution: float
+    radius: float = number("radius of the first", "m", 0)
+    mass: float = number("mass of the first", "kg", 0)
+    coefficient_of_friction: float = number("coefficient of friction", "-", 0, closed=True)
+    coefficient_of_restitution: float = number(
+        "restitution that the dashpot is set for", "-", 0, 1, closed=True
+    )
     before: Motion
-    radius_other: float = inf
-    mass_other: float = inf
+    radius_other: float = attrs.field(default=inf, validator=attrs.validators.gt(0))
+    mass_other: float = attrs.field(default=inf, validator=attrs.validators.gt(0))
 
-    def __post_init__(self) -> None:
-        for name in ("radius", "mass", "radius_other", "mass_other"):
-            if not getattr(self, name) > 0:
-                raise ValueError(f"{name} is {getattr(self, name):g}; it must be positive")
-        if not 0 < self.coefficient_of_restitution <= 1:
-            raise ValueError(
-                f"coefficient_of_restitution is {self.coefficient_of_restitution:g}; "
-                "it must be above 0 and at most 1"
-            )
-        if not self.coefficient_of_friction >= 0:
-            raise ValueError(
-                f"coefficient_of_friction is {self.coefficient_of_friction:g}; "
-                "it must not be negative"
-            )
+    def __attrs_post_init__(self) -> None:
+        if self.coefficient_of_restitution == 0:
+            raise ValueError("coefficient_of_restitution is 0; it must be above 0 and at most 1")
         if not self.before.normal > 0:
             raise ValueError(f"the closing speed is {self.before.normal:g}; it must be positive")
 
@@ -223,7 +214,8 @@ class _SpringSlider:
         )
         state[5] = self.surface_speed(state) * self.START
         time, end = 0.0, 20.0
-        self.sense = self._begin(state)
+        sticks = abs(state[5]) < self.reach(state[0], state[1])
+        self.sense = 0 if sticks else int(np.sign(state[5])) or 1
         for _ in range(100):  # a handful of changes is usual
             part = solve_ivp(
                 self.rates, (time, end), state, "DOP853", events=[released, changes],
@@ -241,11 +233,6 @@ class _SpringSlider:
             else:
                 self.sense = int(np.sign(state[5]))
         raise RuntimeError("the impact does not end")
-
-    def _begin(self, state: np.ndarray) -> int:
-        if abs(state[5]) < self.reach(state[0], state[1]):
-            return 0
-        return int(np.sign(state[5])) or 1
 
     def _motion(self, state: np.ndarray) -> Motion:
         impact, before, speed = self.impact, self.impact.before, self.impact.before.normal

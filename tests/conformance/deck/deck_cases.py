@@ -7,7 +7,7 @@ import attrs
 
 from plastigran.bulk.deck import Brief, BulkDeck
 from plastigran.bulk.decks import deck_class, deck_names
-from plastigran.engine.deck import Settings, read_deck
+from plastigran.engine.deck import read_deck
 
 
 @attrs.frozen
@@ -26,7 +26,7 @@ class Case:
     brief: Brief
     kind: type[BulkDeck]
 
-    def settings(self, **changes: object) -> Settings:
+    def settings(self, **changes: object) -> dict[str, str]:
         """Every setting of the run, as text."""
         return read_deck(self.name, {**self.brief.settings, **changes}, ".").settings
 

@@ -5,7 +5,6 @@ from __future__ import annotations
 
 from math import pi
 from pathlib import Path
-from typing import ClassVar
 
 import attrs
 
@@ -33,10 +32,10 @@ class ElasticImpact(Experiment):
     radius: float = number("radius of the sphere", "m", 0, default=0.01)
     material: Material = material_field("of the sphere", "steel")
 
-    command: ClassVar[str] = "touch"
-    help: ClassVar[str] = "elastic impacts of a sphere, against Hertz"
-    deck: ClassVar[str] = "collision/sphere_wall.in"
-    quantities: ClassVar[tuple[str, ...]] = ("contact_time", "force_max")
+    command = "touch"
+    help = "elastic impacts of a sphere, against Hertz"
+    deck = "collision/sphere_wall.in"
+    quantities = ("contact_time", "force_max")
 
     @property
     def timestep(self) -> float:

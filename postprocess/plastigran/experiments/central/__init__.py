@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from math import nan, pi
 from pathlib import Path
 from typing import TYPE_CHECKING, ClassVar
@@ -47,18 +47,18 @@ class CentralImpact(Experiment):
     radius: float = number("radius of the spheres", "m", 0)
     geometry: str = word("deck", tuple(GEOMETRIES), default="sphere_wall")
 
-    command: ClassVar[str] = "impact"
-    help: ClassVar[str] = "run collisions in the engine, table and figures"
-    geometries: ClassVar[Mapping[str, int]] = GEOMETRIES
-    overlap_limit: ClassVar[float] = OVERLAP_LIMIT
-    flags: ClassVar[Mapping[str, Flag]] = {
+    command = "impact"
+    help = "run collisions in the engine, table and figures"
+    geometries: ClassVar = GEOMETRIES
+    overlap_limit = OVERLAP_LIMIT
+    flags: ClassVar = {
         "material": Flag(("aluminium_zv02",)),
         "law": Flag(("all",)),
         "speed": Flag(span=(0.001, 0.2, 9)),
         "radius": Flag(0.1),
         "geometry": Flag("sphere_wall"),
     }
-    quantities: ClassVar[tuple[str, ...]] = (
+    quantities = (
         "coefficient_of_restitution",
         "force_max",
         "overlap_max",
@@ -66,9 +66,9 @@ class CentralImpact(Experiment):
         "loading_time",
         "contact_time",
     )
-    shown: ClassVar[tuple[str, ...]] = tuple(HEADS)
-    docs: ClassVar[Mapping[str, object]] = {"speed": PAPER_SPEEDS}
-    docs_figures: ClassVar[Mapping[str, str]] = {"restitution": "restitution.png"}
+    shown = tuple(HEADS)
+    docs: ClassVar = {"speed": PAPER_SPEEDS}
+    docs_figures: ClassVar = {"restitution": "restitution.png"}
 
     def __attrs_post_init__(self) -> None:
         check_overlap(

@@ -82,8 +82,8 @@ def restitution_figure(table: pd.DataFrame, impacts: list[CentralImpact]) -> Fig
 def _theory(model: CentralImpact, speeds: np.ndarray) -> np.ndarray:
     if model.law == "thornton":
         return central.thornton_restitution(speeds / model.yield_speed())
-    speeds = speeds * model.bodies
-    impacts = central.central_impacts(model.contact_law(), model.radius_eff, model.mass_eff, speeds)
+    law, speeds = model.contact_law(), speeds * model.bodies
+    impacts = law.central_impact(model.radius_eff, model.mass_eff, speeds)
     return impacts.coefficient_of_restitution
 
 

@@ -8,11 +8,11 @@ What a benchmark is stands in its deck in `inputs/collision/chung_ooi`; which im
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Mapping
+from collections.abc import Callable, Collection
 from functools import cached_property, partial
 from math import cos, inf, pi, radians, sin
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, ClassVar
+from typing import TYPE_CHECKING, ClassVar
 
 import attrs
 import pandas as pd
@@ -84,9 +84,9 @@ class BenchmarkImpact(Experiment):
     law: str = law_field("vu_quoc_zhang")
     steps_per_contact: int = declared.whole("time steps in an undamped contact", 1, default=1000)
 
-    command: ClassVar[str] = "chung-ooi"
-    help: ClassVar[str] = "the eight benchmark impacts of Chung & Ooi (2011), against theory"
-    flags: ClassVar[Mapping[str, Flag]] = {
+    command = "chung-ooi"
+    help = "the eight benchmark impacts of Chung & Ooi (2011), against theory"
+    flags: ClassVar = {
         "benchmark": Flag(
             tuple(TITLES),
             said=declared.Declaration("numbers of benchmarks", "-", 1, 8, closed=True, kind=int),
@@ -94,10 +94,8 @@ class BenchmarkImpact(Experiment):
         "law": Flag("vu_quoc_zhang", many=False),
         "steps_per_contact": Flag(1000, "steps", many=False),
     }
-    docs: ClassVar[Mapping[str, Any]] = {"benchmark": (4, 6)}
-    docs_figures: ClassVar[Mapping[str, str]] = {
-        f"benchmark_{number}": f"chung_ooi_{number}.png" for number in (4, 6)
-    }
+    docs: ClassVar = {"benchmark": (4, 6)}
+    docs_figures: ClassVar = {f"benchmark_{number}": f"chung_ooi_{number}.png" for number in (4, 6)}
 
     @property
     def benchmark(self) -> int:

@@ -6,9 +6,9 @@ Their slider of 1.59 mg is carried by a rigid cylinder and hits glass (J. Tribol
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from math import sqrt
-from typing import TYPE_CHECKING, Any, ClassVar
+from typing import TYPE_CHECKING, ClassVar
 
 import attrs
 import pandas as pd
@@ -40,21 +40,21 @@ class CylinderImpact(CentralImpact):
     length_ratio: float = number("length of the cylinder over its radius", "-", 0, default=10.0)
     body_thickness: float = number("thickness of the body that yields", "m", 0, default=1e-4)
 
-    command: ClassVar[str] = "cylinder"
-    help: ClassVar[str] = "the cylinder study: maps and comparison"
-    shape: ClassVar[str] = "cylinder"
-    geometries: ClassVar[Mapping[str, int]] = {"cylinder_wall": 1}
+    command = "cylinder"
+    help = "the cylinder study: maps and comparison"
+    shape = "cylinder"
+    geometries: ClassVar = {"cylinder_wall": 1}
     # Beyond, the disc's centre passes the wall. The source goes as far; `in_range` is stricter.
-    overlap_limit: ClassVar[float] = 1.0
-    flags: ClassVar[Mapping[str, Flag]] = {
+    overlap_limit = 1.0
+    flags: ClassVar = {
         "points": Flag(
             30,
             said=Declaration("radii and speeds of a map", lower=1, closed=True, kind=int),
             many=False,
         )
     }
-    docs: ClassVar[Mapping[str, Any]] = {}
-    docs_figures: ClassVar[Mapping[str, str]] = {
+    docs: ClassVar = {}
+    docs_figures: ClassVar = {
         "maps_10": "cylinder_maps.png",
         "comparison": "cylinder_comparison.svg",
     }

@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, ClassVar
 
@@ -51,10 +51,10 @@ class RodImpact(Experiment):
         "indentation pressure, for the laws that take one", "Pa", 0, default=3.8971e8
     )
 
-    command: ClassVar[str] = "rod"
-    help: ClassVar[str] = "drop the paper's oblique rod, table and figures"
-    deck: ClassVar[str] = "collision/rod.in"
-    flags: ClassVar[Mapping[str, Flag]] = {
+    command = "rod"
+    help = "drop the paper's oblique rod, table and figures"
+    deck = "collision/rod.in"
+    flags: ClassVar = {
         "angle": Flag(tuple(PAPER_FRICTION), said=_ROD["angle"]),
         "coefficient_of_friction": Flag(
             None, "friction", _ROD["coefficient_of_friction"], many=False
@@ -63,18 +63,10 @@ class RodImpact(Experiment):
         "speed": Flag(PAPER_SPEEDS),
         "tangential": Flag("history", many=False),
     }
-    usual_materials: ClassVar[tuple[str, ...]] = ("steel_gcm15",)
-    quantities: ClassVar[tuple[str, ...]] = (
-        "coefficient_of_restitution",
-        "angular_velocity",
-        "force_max",
-        "overlap_max",
-        "overlap_res",
-        "loading_time",
-        "contact_time",
-    )
-    shown: ClassVar[tuple[str, ...]] = tuple(HEADS)
-    docs_figures: ClassVar[Mapping[str, str]] = {"outcome": "rod.png"}
+    usual_materials = ("steel_gcm15",)
+    quantities = tuple(name for name in attrs.fields_dict(RodOutcome) if name != "history")
+    shown = tuple(HEADS)
+    docs_figures: ClassVar = {"outcome": "rod.png"}
 
     def __attrs_post_init__(self) -> None:
         if self.law == "hertz" and self.tangential == "no_history":

@@ -85,5 +85,5 @@ def predicted_rebound(law, radius: float, mass: float, speeds: pd.Series) -> np.
         mass: Of the shot [kg].
         speeds: Of impact [m/s], (n,).
     """
-    impacts = [law.central_impact(radius, mass, float(speed)) for speed in speeds]
-    return np.asarray(speeds) * [impact.coefficient_of_restitution for impact in impacts]
+    speeds = np.asarray(speeds)
+    return speeds * law.central_impact(radius, mass, speeds).coefficient_of_restitution

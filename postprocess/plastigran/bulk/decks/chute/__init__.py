@@ -11,10 +11,9 @@ import pandas as pd
 from scipy.stats import linregress
 
 from plastigran.bulk.checks import Check, count_check, dissipated, trapezia_factor
-from plastigran.bulk.deck import Analysis, Brief, GranularDeck
+from plastigran.bulk.deck import Analysis, Brief, FlowDeck
 from plastigran.bulk.decks.chute.figure import chute_figure
 from plastigran.bulk.decks.chute.measurement import add_mechanics
-from plastigran.bulk.settings import check_settling
 from plastigran.declared import number, whole
 from plastigran.engine.dumps import read_dump
 from plastigran.physics.bagnold import Profile, fit_profile
@@ -26,18 +25,16 @@ STEADY = 0.05
 #: Root mean square of what Bagnold's profile leaves over, over the speed at the surface.
 PROFILE = 0.05
 
+#: A short run of few grains.
+BRIEF = {"length": 4, "width": 3, "depth": 6, "start_speed": 0.9, "angle": 26}
+BRIEF |= {"duration": 0.06, "settling": 0, "rows": 12, "checkpoints": 4}
+
 
 @attrs.frozen(kw_only=True)
-class Chute(GranularDeck):
+class Chute(FlowDeck):
     """Grains flow down a rough chute, periodic along the flow and across."""
 
-    briefs: ClassVar = {
-        "": Brief(
-            {"length": 4, "width": 3, "depth": 6, "start_speed": 0.9, "angle": 26}
-            | {"duration": 0.06, "settling": 0, "rows": 12, "checkpoints": 4},
-            start={"duration": 0.012},
-        )
-    }
+    briefs: ClassVar = {"": Brief(BRIEF, start={"duration": 0.012})}
 
     angle: float = number("of the chute", "degrees", 0, 90)
     length: int = whole("along the flow, in cells of two grains", 3)
@@ -45,14 +42,6 @@ class Chute(GranularDeck):
     depth: int = whole("of the flow, in cells", 3)
     start_speed: float = number("at the surface, with Bagnold's profile", "m/s", 0, closed=True)
     size_spread: float = number("half of the grains are so much smaller", "-", 0, 0.3, True)
-    volume_fraction: float = number("of the lattice", "-", 0, 0.64)
-    temperature: float = number("of the grains' velocities at the start", "m^2/s^2", 0)
-    duration: float = number("of the run", "s", 0)
-    settling: float = number("before profile and powers are taken", "s", 0, closed=True)
-
-    def check(self) -> None:
-        check_settling(self)
-        GranularDeck.check(self)
 
     def analyse(self, series: pd.DataFrame) -> Analysis:
         series = add_mechanics(series, radians(self.angle), self.gravitational_acceleration)

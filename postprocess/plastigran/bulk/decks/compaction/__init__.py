@@ -24,17 +24,20 @@ SLOW = 0.02
 #: Share of the peak pressure above which the grains are a loaded bed.
 LOADED = 0.2
 
+#: A short run of few grains.
+BRIEF = {"layers": 5, "die_radius": 0.005, "duration": 0.15, "filling": 0.1, "rows": 100}
+BRIEF |= {"checkpoints": 10, "relative_density": 0.7, "release": 0.25}
+
 
 @attrs.frozen(kw_only=True)
 class Compaction(GranularDeck):
     """Grains in a die are pressed by a punch and released."""
 
+    # The bed multiplies rounding a thousandfold.
     briefs: ClassVar = {
         "": Brief(
-            {"layers": 5, "die_radius": 0.005, "duration": 0.15, "filling": 0.1, "rows": 100}
-            | {"checkpoints": 10, "relative_density": 0.7, "release": 0.25},
+            BRIEF,
             start={"filling": 0.001, "duration": 0.004, "rows": 20, "checkpoints": 20},
-            # The bed multiplies rounding a thousandfold.
             restart=1e-8,
         )
     }

@@ -26,6 +26,9 @@ DEVIATIONS = 4
 #: The model's settings that leave the restitution alone, beside the law's options.
 HARMLESS = ("tangential_damping", "energy_ledger", "overlap_limit")
 
+#: A short run of few grains.
+BRIEF = {"side": 6, "duration": 40, "rows": 40, "checkpoints": 4}
+
 
 @attrs.frozen(kw_only=True)
 class CoolingGas(BulkDeck):
@@ -33,7 +36,7 @@ class CoolingGas(BulkDeck):
 
     briefs: ClassVar = {
         "": Brief(
-            {"side": 6, "duration": 40, "rows": 40, "checkpoints": 4},
+            BRIEF,
             start={"side": 4, "mixing": 0.1, "duration": 1.5, "rows": 6, "checkpoints": 1},
             restart=0,
         )

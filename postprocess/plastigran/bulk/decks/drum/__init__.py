@@ -11,10 +11,9 @@ import pandas as pd
 from scipy.stats import linregress
 
 from plastigran.bulk.checks import Check, count_check, dissipated, trapezia_factor
-from plastigran.bulk.deck import Analysis, Brief, GranularDeck
+from plastigran.bulk.deck import Analysis, Brief, FlowDeck
 from plastigran.bulk.decks.drum.figure import drum_figure
 from plastigran.bulk.decks.drum.measurement import add_mechanics
-from plastigran.bulk.settings import check_settling
 from plastigran.declared import number, require
 from plastigran.engine.dumps import read_dump
 
@@ -26,37 +25,31 @@ LEVER_ARM = 2e-3
 #: Share of it that the bed may keep, as potential energy above all, while it swings.
 STEADY = 0.05
 
+#: A short run of few grains.
+BRIEF = {"drum_radius": 0.05, "length": 0.03, "froude": 0.05, "duration": 0.05, "settling": 0}
+BRIEF |= {"rows": 12, "checkpoints": 4}
+
 
 @attrs.frozen(kw_only=True)
-class Drum(GranularDeck):
+class Drum(FlowDeck):
     """A drum about half full of grains turns about its axis."""
 
-    briefs: ClassVar = {
-        "": Brief(
-            {"drum_radius": 0.05, "length": 0.03, "froude": 0.05, "duration": 0.05, "settling": 0}
-            | {"rows": 12, "checkpoints": 4},
-            start={"duration": 0.01},
-        )
-    }
+    briefs: ClassVar = {"": Brief(BRIEF, start={"duration": 0.01})}
 
     drum_radius: float = number("of the shell", "m", 0)
     length: float = number("along the axis", "m", 0)
     # From 1 on weight does not bring the grains back from the top.
     froude: float = number("omega^2 R/g", "-", 0, 1)
     bed_height: float = number("of the lattice above the axis", "drum radii", -0.8, 0.8)
-    size_spread: float = number("half of the grains are so much smaller", "-", 0, 0.5, True)
-    volume_fraction: float = number("of the lattice", "-", 0, 0.64)
-    temperature: float = number("of the grains' velocities at the start", "m^2/s^2", 0)
     duration: float = number("of the run", "revolutions", 0)
-    settling: float = number("before angle and power are taken", "revolutions", 0, closed=True)
+    settling: float = number("before the flow is measured", "revolutions", 0, closed=True)
 
     def check(self) -> None:
         largest = (1 + self.size_spread) * self.radius
         require(self, "drum_radius", lower=4 * largest)
         # The shell is as long as its radius.
         require(self, "length", lower=4 * largest, upper=self.drum_radius)
-        check_settling(self)
-        GranularDeck.check(self)
+        FlowDeck.check(self)
 
     @property
     def angular_velocity(self) -> float:

@@ -31,16 +31,17 @@ def orifices() -> list[str]:
     return sorted((name.removeprefix("hopper_") for name in names), key=float)
 
 
+#: A short run of few grains.
+BRIEF = {"orifice": 8, "layers": 2, "timestep": 2e-5, "duration": 0.5, "rows": 24}
+BRIEF |= {"filling": 0.12, "checkpoints": 6}
+
+
 @attrs.frozen(kw_only=True)
 class Hopper(GranularDeck):
     """Grains fill a hopper of triangles and run out of its orifice."""
 
     briefs: ClassVar = {
-        "": Brief(
-            {"orifice": 8, "layers": 2, "timestep": 2e-5, "duration": 0.5, "rows": 24}
-            | {"filling": 0.12, "checkpoints": 6},
-            start={"filling": 0.01, "duration": 0.01, "rows": 4, "checkpoints": 1},
-        )
+        "": Brief(BRIEF, start={"filling": 0.01, "duration": 0.01, "rows": 4, "checkpoints": 1})
     }
 
     orifice: str = text("its diameter, in grains', of inputs/meshes/hopper_*.stl")
