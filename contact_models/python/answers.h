@@ -29,8 +29,8 @@ struct AnswerFields<Response> {
   static const std::array<AnswerField<Response>, 5> all;
 };
 template <>
-struct AnswerFields<Impact> {
-  static const std::array<AnswerField<Impact>, 7> all;
+struct AnswerFields<ImpactOutcome> {
+  static const std::array<AnswerField<ImpactOutcome>, 7> all;
 };
 
 template <class Record>

@@ -30,8 +30,8 @@ class AnyLaw {
   virtual const char* name() const = 0;
   virtual Response respond(double radius_eff, double overlap, double* state,
                            double overlap_rate) const = 0;
-  virtual Impact central_impact(double radius_eff, double mass_eff, double speed) const = 0;
-  virtual double recommended_time_step(double radius_eff, double mass_eff, double speed) const = 0;
+  virtual ImpactOutcome central_impact(double radius_eff, double mass_eff, double speed) const = 0;
+  virtual double recommended_timestep(double radius_eff, double mass_eff, double speed) const = 0;
 };
 
 // The histories an array of contacts has: those given, or virgin ones.

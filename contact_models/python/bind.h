@@ -7,8 +7,8 @@
 
 namespace plastigran {
 
-void bind_bodies(nb::module_& module);   // Material, MaterialPair and what is made of them
-void bind_answers(nb::module_& module);  // Response, Impact
+void bind_bodies(nb::module_& module);   // Body, MaterialPair and what is made of them
+void bind_answers(nb::module_& module);  // Response, ImpactOutcome
 void bind_laws(nb::module_& module);     // Law and ContactState, the bases of every law's own
 
 }  // namespace plastigran

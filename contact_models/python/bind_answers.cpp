@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// Response and Impact in Python.
+// Response and ImpactOutcome in Python.
 #include "answers.h"
 #include "bind.h"
 #include "values.h"
@@ -18,18 +18,18 @@ const std::array<AnswerField<Response>, 5> AnswerFields<Response>::all{{
      "The rate's share of the force, negative while parting [N]."},
 }};
 
-const std::array<AnswerField<Impact>, 7> AnswerFields<Impact>::all{{
-    {"overlap_max", &Impact::overlap_max, nullptr, "Largest overlap [m]."},
-    {"force_max", &Impact::force_max, nullptr, "Largest force [N]."},
-    {"overlap_res", &Impact::overlap_res, nullptr,
+const std::array<AnswerField<ImpactOutcome>, 7> AnswerFields<ImpactOutcome>::all{{
+    {"overlap_max", &ImpactOutcome::overlap_max, nullptr, "Largest overlap [m]."},
+    {"force_max", &ImpactOutcome::force_max, nullptr, "Largest force [N]."},
+    {"overlap_res", &ImpactOutcome::overlap_res, nullptr,
      "Overlap at which the rebound's force vanishes [m]."},
-    {"coefficient_of_restitution", &Impact::coefficient_of_restitution, nullptr,
+    {"coefficient_of_restitution", &ImpactOutcome::coefficient_of_restitution, nullptr,
      "Speed of the rebound over that of the impact [-]."},
-    {"stiffness_max", &Impact::stiffness_max, nullptr,
+    {"stiffness_max", &ImpactOutcome::stiffness_max, nullptr,
      "Steepest slope of force over overlap [N/m]."},
-    {"damping_max", &Impact::damping_max, nullptr,
+    {"damping_max", &ImpactOutcome::damping_max, nullptr,
      "Slope of force over rate at the largest overlap [N s/m]."},
-    {"in_range", nullptr, &Impact::in_range, "Whether the law is good for that load."},
+    {"in_range", nullptr, &ImpactOutcome::in_range, "Whether the law is good for that load."},
 }};
 
 namespace {
@@ -67,8 +67,8 @@ void bind_answer(nb::module_& module, const char* name, const char* meaning) {
 void bind_answers(nb::module_& module) {
   bind_answer<Response>(module, "Response",
                         "A law's answer: fields of the shape that was asked for. Immutable.");
-  bind_answer<Impact>(
-      module, "Impact",
+  bind_answer<ImpactOutcome>(
+      module, "ImpactOutcome",
       "What a law says about a central impact: fields of the shape that was asked for. Immutable.");
 }
 

@@ -9,12 +9,12 @@ namespace plastigran {
 
 namespace {
 
-constexpr std::array<Field<Material>, 4> body_fields{{
-    {"youngs_modulus", &Material::youngs_modulus, "Young's modulus E [Pa]."},
-    {"poissons_ratio", &Material::poissons_ratio, "Poisson's ratio nu [-]."},
-    {"yield_strength", &Material::yield_strength,
+constexpr std::array<Field<Body>, 4> body_fields{{
+    {"youngs_modulus", &Body::youngs_modulus, "Young's modulus E [Pa]."},
+    {"poissons_ratio", &Body::poissons_ratio, "Poisson's ratio nu [-]."},
+    {"yield_strength", &Body::yield_strength,
      "Uniaxial yield strength sigma_Y [Pa]; inf: it never yields."},
-    {"yield_pressure_factor", &Material::yield_pressure_factor,
+    {"yield_pressure_factor", &Body::yield_pressure_factor,
      "Contact yield pressure over yield strength [-]; 0: the Hertz-von Mises value."},
 }};
 
@@ -35,14 +35,14 @@ constexpr Allowed ratio_of_a_body{[](double value) { return value > -1 && value 
 }  // namespace
 
 void bind_bodies(nb::module_& module) {
-  nb::class_<Material> body(module, "Material", "One body's bulk constants. Immutable.");
+  nb::class_<Body> body(module, "Body", "One body's bulk constants. Immutable.");
   body.def(
       "__init__",
-      [](Material* self, double youngs_modulus, double poissons_ratio, double yield_strength,
+      [](Body* self, double youngs_modulus, double poissons_ratio, double yield_strength,
          double yield_pressure_factor) {
-        const Material made{youngs_modulus, poissons_ratio, yield_strength, yield_pressure_factor};
+        const Body made{youngs_modulus, poissons_ratio, yield_strength, yield_pressure_factor};
         raise_if(validate(made));
-        new (self) Material(made);
+        new (self) Body(made);
       },
       "youngs_modulus"_a, "poissons_ratio"_a, "yield_strength"_a = unlimited,
       "yield_pressure_factor"_a = 0.0,

@@ -42,11 +42,11 @@ class LawOf : public AnyLaw {
     std::memcpy(values, &state, bytes);
     return response;
   }
-  Impact central_impact(double radius_eff, double mass_eff, double speed) const override {
+  ImpactOutcome central_impact(double radius_eff, double mass_eff, double speed) const override {
     return plastigran::central_impact(law, radius_eff, mass_eff, speed);
   }
-  double recommended_time_step(double radius_eff, double mass_eff, double speed) const override {
-    return plastigran::recommended_time_step(law, radius_eff, mass_eff, speed);
+  double recommended_timestep(double radius_eff, double mass_eff, double speed) const override {
+    return plastigran::recommended_timestep(law, radius_eff, mass_eff, speed);
   }
 };
 

@@ -151,13 +151,13 @@ Raises:
       [](const AnyLaw& self, const nb::object& radius_eff, const nb::object& mass_eff,
          const nb::object& speed) {
         const Broadcast given = impact_arguments(radius_eff, mass_eff, speed);
-        return answer<Impact>(given, [&](std::size_t i) {
+        return answer<ImpactOutcome>(given, [&](std::size_t i) {
           return self.central_impact(given(0, i), given(1, i), given(2, i));
         });
       },
       "radius_eff"_a, "mass_eff"_a, "speed"_a,
       nb::sig("def central_impact(self, radius_eff: ArrayLike, mass_eff: ArrayLike, speed: "
-              "ArrayLike) -> Impact"),
+              "ArrayLike) -> ImpactOutcome"),
       R"(Central impact of two bodies, from the law's energies; by the equation of motion when the
 law is `rate_dependent`.
 
@@ -173,16 +173,16 @@ Raises:
     ValueError: A value is out of range (the message names it, its index and the range), or the
         shapes do not fit together.)");
   law.def(
-      "recommended_time_step",
+      "recommended_timestep",
       [](const AnyLaw& self, const nb::object& radius_eff, const nb::object& mass_eff,
          const nb::object& speed) {
         const Broadcast given = impact_arguments(radius_eff, mass_eff, speed);
         return column<double>(given, [&](std::size_t i) {
-          return self.recommended_time_step(given(0, i), given(1, i), given(2, i));
+          return self.recommended_timestep(given(0, i), given(1, i), given(2, i));
         });
       },
       "radius_eff"_a, "mass_eff"_a, "speed"_a,
-      nb::sig("def recommended_time_step(self, radius_eff: ArrayLike, mass_eff: ArrayLike, speed: "
+      nb::sig("def recommended_timestep(self, radius_eff: ArrayLike, mass_eff: ArrayLike, speed: "
               "ArrayLike) -> Numbers"),
       R"(Time step [s] that resolves the rebound of a central impact to 1e-3 in restitution: a tenth
 of sqrt(m*/k) on the steepest branch, less where the force depends on the rate.

@@ -15,7 +15,7 @@ from plastigran.materials import RIGID, Material, read_material
 if TYPE_CHECKING:
     import pandas as pd
 
-Body = Material | laws.Material | str
+Bodylike = Material | laws.Body | str
 
 
 class Contact:
@@ -43,8 +43,8 @@ class Contact:
     def __init__(
         self,
         law: str,
-        a: Body,
-        b: Body,
+        a: Bodylike,
+        b: Bodylike,
         *,
         radius: float,
         radius_other: float | None = None,
@@ -81,7 +81,7 @@ class Contact:
             return 1 / inverse
         return self._mass_eff
 
-    def _mass(self, body: Material | laws.Material, radius: float) -> float:
+    def _mass(self, body: Material | laws.Body, radius: float) -> float:
         if not isinstance(body, Material) or radius == inf:
             return inf
         if self.law.shape == "sphere":
@@ -105,7 +105,7 @@ class Contact:
         names = ("force", "contact_radius", "elastic_energy", "plastic_work")
         return pd.DataFrame({"overlap": overlaps} | {name: answer[name] for name in names})
 
-    def impact(self, speeds: ArrayLike) -> laws.Impact:
+    def impact(self, speeds: ArrayLike) -> laws.ImpactOutcome:
         """Central impacts at closing speeds of any shape [m/s]; what came of them has that shape.
 
         Raises:
@@ -124,7 +124,7 @@ class Contact:
         Raises:
             ValueError: The speed is out of range, or no body has a mass.
         """
-        return self.law.recommended_time_step(self.radius_eff, self.mass_eff, speed)
+        return self.law.recommended_timestep(self.radius_eff, self.mass_eff, speed)
 
     def __repr__(self) -> str:
         a, b = (_name(body) for body in self._bodies)
@@ -136,11 +136,11 @@ class Contact:
         return f"Contact({self.law.name!r}, {a}, {b}, {listed})"
 
 
-def _properties(body: Material | laws.Material) -> laws.Material:
+def _properties(body: Material | laws.Body) -> laws.Body:
     return body.body() if isinstance(body, Material) else body
 
 
-def _name(body: Material | laws.Material) -> str:
+def _name(body: Material | laws.Body) -> str:
     if body is RIGID:
         return "RIGID"
     return body.name if isinstance(body, Material) else repr(body)

@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     import pandas as pd
 
 #: A wall that neither deforms nor yields.
-RIGID = laws.Material(1e30, 0.3, 1e30, 1.61)
+RIGID = laws.Body(1e30, 0.3, 1e30, 1.61)
 
 
 @attrs.frozen
@@ -72,9 +72,9 @@ class Material:
             raise ValueError(f"material {self.name} gives no {', '.join(missing)}; {name} needs it")
         return laws.LAWS[name](pair, **given)
 
-    def body(self) -> laws.Material:
+    def body(self) -> laws.Body:
         """The constants as the laws take them."""
-        return laws.Material(
+        return laws.Body(
             self.youngs_modulus,
             self.poissons_ratio,
             self.yield_strength,

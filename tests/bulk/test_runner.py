@@ -90,7 +90,7 @@ def test_checkpoint_cut_short_is_not_the_newest(whole, tmp_path):
     assert (stopped / f"checkpoint.{lines[16]}.restart").exists()
 
 
-def test_going_on_with_another_time_step_is_refused(whole, tmp_path):
+def test_going_on_with_another_timestep_is_refused(whole, tmp_path):
     with pytest.raises(
         ValueError, match=r"timestep is 4e-08 and was 8.0e-8; .* may change checkpoints, d"
     ):
@@ -248,4 +248,4 @@ def test_progress_is_read_from_whole_lines_only(tmp_path):
         assert seen(" 200 2e-6 5\n 30") == (1, 100, 400, 200)
         assert seen("0 2e-6 5\nWARNING: 1 2\nLoop time of 3 on 1\n 7 8 9\n") == (1, 100, 400, 300)
         assert seen("run 900 upto\nStep Dt Atoms\n 300 2e-6 5\n") == (2, 300, 900, 300)
-        assert follower.progress.time_step == 2e-6
+        assert follower.progress.timestep == 2e-6

@@ -181,8 +181,8 @@ def test_unequal_bodies_in_either_order(engine_law, tmp_path):
     )
 
     soft, hard = (
-        laws.Material(7e10, 0.33, bodies.material.yield_strength),
-        laws.Material(2.1e11, 0.28, 9e8),
+        laws.Body(7e10, 0.33, bodies.material.yield_strength),
+        laws.Body(2.1e11, 0.28, 9e8),
     )
     law = bodies.law(laws.combine(soft, hard))
     masses = bodies.mass(0.01, 2700), bodies.mass(0.02, 7850)
@@ -332,7 +332,7 @@ def slide(law: str, tangential: str, rolling: str, folder: Path, spin: float = 0
     return read_dump(folder / "trajectory.dump")
 
 
-def test_time_step_warning(engine_law, tmp_path):
+def test_timestep_warning(engine_law, tmp_path):
     """Too long a step draws a warning with the recommended one; the recommended step none."""
     model = scene(engine_law).impact(0.1)
     recommended, deck = model.timestep, f"collision/{model.geometry}.in"

@@ -26,9 +26,9 @@ RADIUS = 0.01
 LENGTH = 0.1  # of cylinders, and their bodies' thickness; the default of law_between
 PAIRS = {
     "aluminium on rigid": laws.combine(
-        laws.Material(7e10, 0.3, 1e8, 1.61), laws.Material(1e30, 0.3, 1e30, 1.61)
+        laws.Body(7e10, 0.3, 1e8, 1.61), laws.Body(1e30, 0.3, 1e30, 1.61)
     ),
-    "polymer on steel": laws.combine(laws.Material(2e9, 0.4, 5e7), laws.Material(2.1e11, 0.3, 3e8)),
+    "polymer on steel": laws.combine(laws.Body(2e9, 0.4, 5e7), laws.Body(2.1e11, 0.3, 3e8)),
 }
 REACH = 500  # overlaps at yield: some 100 forces at yield and more
 
@@ -242,7 +242,7 @@ def test_elastic_impact_returns_everything(law_name, law_between, pair):
 
 def test_unyielding_bodies_are_elastic(law_name, law_between):
     """Yield strength to infinity: the elastic contact to rounding, for hard impacts too."""
-    strong = laws.combine(laws.Material(7e10, 0.3, 1e20), laws.Material(7e10, 0.3, 1e20))
+    strong = laws.combine(laws.Body(7e10, 0.3, 1e20), laws.Body(7e10, 0.3, 1e20))
     law = law_between(law_name, strong)
     overlap = np.geomspace(1e-12, 1e-3, 50)
     expected = elastic(law_name, strong, overlap)
@@ -289,14 +289,14 @@ def test_every_choice_of_every_option_keeps_the_energy(law_name, law_between):
 
 
 def test_pair_is_the_same_in_either_order():
-    soft, hard = laws.Material(7e10, 0.33, 1e8), laws.Material(2.1e11, 0.28, 9e8)
+    soft, hard = laws.Body(7e10, 0.33, 1e8), laws.Body(2.1e11, 0.28, 9e8)
     one, other = laws.combine(soft, hard), laws.combine(hard, soft)
     for name in ("youngs_modulus_eff", "shear_modulus_eff", "yield_pressure", "yield_strength"):
         assert getattr(one, name) == getattr(other, name), name
     assert one.yield_pressure == 1e8 * laws.hertz_yield_pressure_factor(0.33)
     assert one.poissons_ratio == 0.33
     # The same yield pressure made two ways: still one answer.
-    tied = laws.Material(7e10, 0.2, 8e7, 2.0), laws.Material(7e10, 0.3, 1e8, 1.6)
+    tied = laws.Body(7e10, 0.2, 8e7, 2.0), laws.Body(7e10, 0.3, 1e8, 1.6)
     assert laws.combine(*tied).yield_strength == laws.combine(*tied[::-1]).yield_strength
 
 
@@ -323,4 +323,4 @@ def test_yield_pressure_factor(poissons_ratio, factor):
 def test_materials_out_of_range_are_refused(given, said):
     constants = {"youngs_modulus": 7e10, "poissons_ratio": 0.3, "yield_strength": 1e8} | given
     with pytest.raises(ValueError, match=said):
-        laws.Material(**constants)
+        laws.Body(**constants)

@@ -111,7 +111,7 @@ def test_a_held_contact_keeps_its_force(law, grid, sort, comes, compress, tmp_pa
     """
     force = forces(law, tmp_path, grid, sort, comes, compress)
     assert force == pytest.approx(np.full(101, force[0]), rel=1e-9)
-    body = laws.Material(youngs_modulus=5e7, poissons_ratio=0.3, yield_strength=1e6)
+    body = laws.Body(youngs_modulus=5e7, poissons_ratio=0.3, yield_strength=1e6)
     model = laws.LAWS[law](laws.combine(body, body))
     state = model.State()
     deepest, held = 0.0004, 0.00035

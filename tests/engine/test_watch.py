@@ -15,7 +15,7 @@ from plastigran.engine.process import EngineError, run_deck
 from plastigran.physics import central
 
 RADIUS, GAP = 0.0025, 0.01
-BODY = laws.Material(youngs_modulus=5e6, poissons_ratio=0.3, yield_strength=1e5)
+BODY = laws.Body(youngs_modulus=5e6, poissons_ratio=0.3, yield_strength=1e5)
 DENSITY = 1500
 MASS = 4 / 3 * pi * RADIUS**3 * DENSITY
 
@@ -127,7 +127,7 @@ def test_step_is_compared_with_known_times(tmp_path):
     pair = laws.combine(BODY, BODY)
     rayleigh = pi * RADIUS / 0.9274 * sqrt(DENSITY * 2 * 1.3 / 5e6)
     hertz = central.hertz_duration(RADIUS, MASS, pair.youngs_modulus_eff, speed)
-    law = laws.Thornton(pair).recommended_time_step(RADIUS, MASS, speed)
+    law = laws.Thornton(pair).recommended_timestep(RADIUS, MASS, speed)
     found = re.search(
         r"time step 1e-06: (\S+) of the Rayleigh time, (\S+) of the shortest Hertz impact at the "
         r"present speeds, (\S+) of the recommended step for those\n",
@@ -145,7 +145,7 @@ def test_contacts_there_are_count_as_a_run_starts(tmp_path):
     virgin = law.respond(RADIUS, overlap, law.State())
     speed = sqrt(2 * (virgin.elastic_energy + virgin.plastic_work) / MASS)
     share = float(re.search(r" (\S+) of that for the stiffest contact\n", text)[1])
-    assert share == pytest.approx(step / law.recommended_time_step(RADIUS, MASS, speed), rel=0.06)
+    assert share == pytest.approx(step / law.recommended_timestep(RADIUS, MASS, speed), rel=0.06)
 
 
 @pytest.mark.parametrize("ranks", [1, 2])
@@ -154,7 +154,7 @@ def test_contact_shows_that_the_step_is_too_long(ranks, tmp_path):
     that speed is recommended. Depths are looked at by tenths: a step longer by at most 5 %."""
     speed = 0.5
     law = laws.Thornton(laws.combine(BODY, BODY))
-    expected = law.recommended_time_step(RADIUS, MASS, speed)
+    expected = law.recommended_timestep(RADIUS, MASS, speed)
     gravity = f"fix gravity all gravity {speed**2 / 2 / (GAP - RADIUS)} vector 0 0 -1"
     changes = {"more": gravity, "steps": 4000, "ranks": ranks}
     text = run(tmp_path, [(0, 0, GAP)], timestep=2 * expected, **changes)

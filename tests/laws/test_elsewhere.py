@@ -16,7 +16,7 @@ PROGRAM = """
 #include <cstdio>
 #include "plastigran/laws/LAW.h"
 int main() {
-  const plastigran::Material steel{2.1e11, 0.3, 3e8};
+  const plastigran::Body steel{2.1e11, 0.3, 3e8};
   const plastigran::CLASS law(plastigran::combine(steel, steel), {});
   plastigran::CLASS::State state;
   law.respond(0.005, 1e-5, state);
@@ -46,7 +46,7 @@ def force(tmp_path):
 
 
 def expected(law: str) -> float:
-    steel = laws.Material(2.1e11, 0.3, 3e8)
+    steel = laws.Body(2.1e11, 0.3, 3e8)
     contact = laws.LAWS[law](laws.combine(steel, steel))
     return float(contact.follow(0.005, [1e-5, 0.9e-5])["force"][-1])
 

@@ -16,8 +16,8 @@ import pytest
 from plastigran import laws
 
 RADIUS, MASS = 0.01, 1e-3
-BODY = laws.Material(7e10, 0.3, 1e8, 1.61)
-PAIR = laws.combine(BODY, laws.Material(2.1e11, 0.28, 3e8))
+BODY = laws.Body(7e10, 0.3, 1e8, 1.61)
+PAIR = laws.combine(BODY, laws.Body(2.1e11, 0.28, 3e8))
 RESPONSE = ["force", "contact_radius", "elastic_energy", "plastic_work", "viscous_force"]
 IMPACT = [
     "overlap_max",
@@ -57,8 +57,8 @@ def test_impacts_of_any_shape_come_out_as_each_alone(law):
         ]
         assert np.array_equal(getattr(found, name), alone), name
     assert found.in_range.dtype == bool
-    steps = law.recommended_time_step(radius, mass, speed)
-    alone = [[law.recommended_time_step(r, mass, v) for r in radius] for v in speed.flat]
+    steps = law.recommended_timestep(radius, mass, speed)
+    alone = [[law.recommended_timestep(r, mass, v) for r in radius] for v in speed.flat]
     assert np.array_equal(steps, alone)
 
 
@@ -94,7 +94,7 @@ def test_numbers_are_answered_by_numbers(speed):
     law = laws.VuQuocZhang(PAIR)
     found = law.central_impact(RADIUS, MASS, speed)
     assert type(found.overlap_max) is float and type(found.in_range) is bool
-    assert type(law.recommended_time_step(RADIUS, MASS, speed)) is float
+    assert type(law.recommended_timestep(RADIUS, MASS, speed)) is float
     assert type(law.respond(RADIUS, speed).force) is float
     assert type(law.follow(RADIUS, speed)["force"]) is float
     assert type(law.overlap(RADIUS, speed)) is float
@@ -135,7 +135,7 @@ def test_histories_move_on_one_for_each_contact(law):
         (lambda law: law.follow([1, -1], [0, 1]), r"radius_eff\[1\] is -1; it must be positive"),
         (lambda law: law.central_impact(1, [1, 0], 1), r"mass_eff\[1\] is 0; .* \[kg\]"),
         (lambda law: law.central_impact(1, 1, "fast"), r"speed is 'fast'; it must be a number or"),
-        (lambda law: law.recommended_time_step(1, 1, -3), r"speed is -3; it must be positive"),
+        (lambda law: law.recommended_timestep(1, 1, -3), r"speed is -3; it must be positive"),
         (lambda law: law.respond([1, 2], [1, 2, 3]), r"radius_eff \(2,\), overlap \(3,\), over"),
         (lambda law: law.respond(1, [1, 2], law.State()), r"state has shape \(\); .* \(2,\)"),
         (lambda law: law.overlap(1, [0, -1]), r"force\[1\] is -1; it must be zero or positive"),
@@ -176,7 +176,7 @@ def test_everything_is_told_copied_and_pickled(law):
 
 
 def test_what_differs_is_not_equal():
-    assert laws.Material(7e10, 0.3, 1e8) != laws.Material(7e10, 0.3, 2e8)
+    assert laws.Body(7e10, 0.3, 1e8) != laws.Body(7e10, 0.3, 2e8)
     assert laws.Stronge(PAIR) != laws.Stronge(PAIR, unloading="area")
     assert laws.Stronge(PAIR) == laws.Stronge(PAIR, unloading="book")
     assert laws.Thornton(PAIR) != laws.Hertz(PAIR)

@@ -103,7 +103,7 @@ def test_plastic_work_is_the_predicted_loss(engine_law, law_between, aluminium, 
     cylinder = laws.LAWS[engine_law].shape == "cylinder"
     body = aluminium.body()
     if cylinder:
-        body = laws.Material(body.youngs_modulus, body.poissons_ratio, 3e7)
+        body = laws.Body(body.youngs_modulus, body.poissons_ratio, 3e7)
     law = law_between(engine_law, laws.combine(body, RIGID), length=1.0)
     mass = aluminium.density * (pi * 0.1**2 if cylinder else 4 / 3 * pi * 0.1**3)
     energy = 0.5 * mass * 0.1**2

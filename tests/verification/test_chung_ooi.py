@@ -223,7 +223,7 @@ def test_decks_start_as_theory_takes_them(tmp_path):
 
 def test_spring_and_slider_without_friction_or_slip():
     """No friction leaves the tangential motion alone; rolling surfaces stay as they are."""
-    pair = laws.combine(laws.Material(7e10, 0.3, 1e30, 1.61), RIGID)
+    pair = laws.combine(laws.Body(7e10, 0.3, 1e30, 1.61), RIGID)
     before = Motion(normal=1.0, along=0.3, spin=5.0)
     smooth = ObliqueImpact(pair, 0.01, 1.0, 0.0, 0.7, before)
     after = smooth.spring_slider()
@@ -242,7 +242,7 @@ def test_sticking_spring_gains_or_loses_energy(poissons_ratio, gained):
 
     5e-4 for the digits given, which are the equations' own.
     """
-    pair = laws.combine(laws.Material(7e10, poissons_ratio, 1e30, 1.61), RIGID)
+    pair = laws.combine(laws.Body(7e10, poissons_ratio, 1e30, 1.61), RIGID)
     impact = ObliqueImpact(pair, 0.01, 1.0, 50.0, 1.0, Motion(normal=1.0, along=0.3, spin=0.0))
     after = impact.spring_slider()
     energy = 0.5 * after.along**2 + 0.5 * 0.4 * (0.01 * after.spin) ** 2

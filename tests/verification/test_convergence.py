@@ -13,7 +13,7 @@ from plastigran.materials import read_material
 from plastigran.physics import central
 
 
-def test_order_in_the_time_step(engine_law, aluminium, declared_jumps, tmp_path):
+def test_order_in_the_timestep(engine_law, aluminium, declared_jumps, tmp_path):
     """Errors of restitution, root mean square over where in a step the contact begins.
 
     One run's error changes sign with that phase, so single runs show no clean order. The slope over

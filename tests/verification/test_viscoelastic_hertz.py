@@ -18,7 +18,7 @@ from plastigran.physics import central
 
 RADIUS, DENSITY, SPEED = 0.01, 900.0, 0.1
 MASS = 4 / 3 * pi * RADIUS**3 * DENSITY
-PAIR = laws.combine(laws.Material(9.3e9, 0.25), RIGID)
+PAIR = laws.combine(laws.Body(9.3e9, 0.25), RIGID)
 
 
 def constant(number: float, speed: float = SPEED) -> float:
@@ -67,7 +67,7 @@ def test_series_at_low_speed():
 
 
 def test_restitution_falls_with_speed_and_grows_with_radius():
-    ice = laws.combine(laws.Material(9.3e9, 0.25), laws.Material(9.3e9, 0.25))
+    ice = laws.combine(laws.Body(9.3e9, 0.25), laws.Body(9.3e9, 0.25))
     sphere = laws.ViscoelasticHertz(ice, dissipative_constant=1e-5)
     radii, speeds = np.geomspace(1e-4, 1, 9), np.geomspace(1e-5, 10, 25)
     table = np.array(
@@ -85,7 +85,7 @@ def test_restitution_falls_with_speed_and_grows_with_radius():
 
 def test_only_the_number_matters():
     """Spheres of other size, speed, stiffness, mass at one v*: one restitution."""
-    steel = laws.combine(laws.Material(2.1e11, 0.3), laws.Material(7e10, 0.33))
+    steel = laws.combine(laws.Body(2.1e11, 0.3), laws.Body(7e10, 0.33))
     scale = float(central.viscoelastic_number(1.0, 0.2, 3.0, steel.youngs_modulus_eff, 5.0))
     other = laws.ViscoelasticHertz(steel, dissipative_constant=(0.7 / scale) ** 2)
     found = other.central_impact(0.2, 3.0, 5.0).coefficient_of_restitution
@@ -163,7 +163,7 @@ def test_the_constant_must_be_given():
 
 
 def test_laws_that_yield_need_a_strength_and_the_others_do_not():
-    soft = laws.Material(7e10, 0.3)
+    soft = laws.Body(7e10, 0.3)
     assert laws.Hertz(laws.combine(soft, soft)).central_impact(RADIUS, MASS, SPEED).in_range
     with pytest.raises(ValueError, match="thornton: yield_strength is missing"):
         laws.Thornton(laws.combine(soft, soft))

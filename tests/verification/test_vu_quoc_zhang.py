@@ -41,7 +41,7 @@ def test_default_constants_are_the_papers():
 def test_follows_the_paper_on_any_path(turns):
     """Loading, unloading, reloading up to 300 P_Y; 3e-6 is what the header's constants keep, of the
     largest force, since near the residual overlap the force is a difference raised to 3/2."""
-    pair = laws.combine(laws.Material(7e10, 0.3, 1e8, 1.61), laws.Material(1e30, 0.3, 1e30, 1.61))
+    pair = laws.combine(laws.Body(7e10, 0.3, 1e8, 1.61), laws.Body(1e30, 0.3, 1e30, 1.61))
     reach = PAPER.overlap_under(300 * P_Y)
     path = np.concatenate([np.linspace(0, turn, 5) * reach for turn in turns])
     found = laws.VuQuocZhang(pair).follow(RADIUS, path, laws.VuQuocZhang.State())
@@ -85,7 +85,7 @@ def test_size_and_material_drop_out(radius, youngs_modulus, density, yield_stren
     """Restitution depends on speed over yield speed alone (at one Poisson's ratio)."""
     from plastigran.physics import central
 
-    body = laws.Material(youngs_modulus, 0.3, yield_strength)
+    body = laws.Body(youngs_modulus, 0.3, yield_strength)
     pair = laws.combine(body, body)
     mass = 0.5 * 4 / 3 * np.pi * radius**3 * density
     law = laws.VuQuocZhang(pair)
@@ -103,7 +103,7 @@ def test_newton_converges_from_the_left_in_few_steps(law, paper_mass):
     a cold start over a millionfold overlap stays below 60."""
     for speed in (0.02, 0.2, 1.0):
         model = law.central_impact(RADIUS, paper_mass, speed)
-        step = law.recommended_time_step(RADIUS, paper_mass, speed)
+        step = law.recommended_timestep(RADIUS, paper_mass, speed)
         overlap_y = PAPER.pieces[0][0]
         overlap, rate, root, counts = 0.0, speed, 1.0, []
         state = laws.VuQuocZhang.State()

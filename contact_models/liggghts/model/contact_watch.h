@@ -76,7 +76,7 @@ class ContactWatch : protected LAMMPS_NS::Pointers {
     const double energy = virgin.elastic_energy + virgin.plastic_work;
     const double speed = std::sqrt(2 * energy / contact.meff);
     const double* const x = atom->x[contact.i];
-    step_watch_->met({recommended_time_step(pair.law, radius_eff, contact.meff, speed),
+    step_watch_->met({recommended_timestep(pair.law, radius_eff, contact.meff, speed),
                       speed,
                       {x[0], x[1], x[2]},
                       atom->tag[contact.i],

@@ -57,10 +57,10 @@ double DeckProperties::per_pair(const char* field, int type, int other_type,
   return found ? found->compute_array(type - 1, other_type - 1) : fallback;
 }
 
-std::vector<Material> DeckProperties::bodies(bool yields) const {
-  std::vector<Material> bodies(type_count_);
+std::vector<Body> DeckProperties::bodies(bool yields) const {
+  std::vector<Body> bodies(type_count_);
   for (int type = 1; type <= type_count_; ++type) {
-    Material& body = bodies[type - 1];
+    Body& body = bodies[type - 1];
     body.youngs_modulus = per_type("youngs_modulus", type, "Pa");
     body.poissons_ratio = per_type("poissons_ratio", type, "-");
     body.yield_strength = per_type("yield_strength", type, "Pa", yields ? NAN : unlimited);

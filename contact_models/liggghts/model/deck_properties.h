@@ -37,7 +37,7 @@ class DeckProperties : protected LAMMPS_NS::Pointers {
   double per_pair(const char* field, int type, int other_type, double fallback) const;
 
   // The bulk constants of every atom type. Their strength may be left out where nothing yields.
-  std::vector<Material> bodies(bool yields) const;
+  std::vector<Body> bodies(bool yields) const;
 
   // Stops on all ranks together.
   void fail(const std::string& reason) const;

@@ -50,12 +50,12 @@ void ImpactForecast::gather() {
   over_ranks(&Extremes::speed, MPI_MAX);
 }
 
-double ImpactForecast::rayleigh_time(const std::vector<Material>& materials) const {
+double ImpactForecast::rayleigh_time(const std::vector<Body>& materials) const {
   double shortest = unknown;
   for (std::size_t type = 1; type < types_.size(); ++type) {
     const auto& [count, radius, mass, speed] = types_[type];
     if (count == 0) continue;
-    const Material& body = materials[type - 1];
+    const Body& body = materials[type - 1];
     const double volume = 4.0 / 3 * pi * std::pow(radius, 3);
     shortest = std::min(
         shortest,

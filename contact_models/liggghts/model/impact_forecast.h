@@ -35,7 +35,7 @@ class ImpactForecast : protected LAMMPS_NS::Pointers {
   const std::vector<Meeting>& meetings() const { return meetings_; }
 
   // The shortest Rayleigh time of the particles, spheres of these materials (by type - 1) [s].
-  double rayleigh_time(const std::vector<Material>& materials) const;
+  double rayleigh_time(const std::vector<Body>& materials) const;
 
  private:
   // Of the particles of one type.
@@ -65,7 +65,7 @@ ImpactTimes impact_times(const ImpactForecast& forecast, TypePairs<Law>& pairs) 
   for (const auto& [type, partner_type, radius_eff, mass_eff, speed] : forecast.meetings()) {
     if (!(speed > 0)) continue;
     const TypePair<Law>& pair = pairs(type, partner_type);
-    const double step = recommended_time_step(pair.law, radius_eff, mass_eff, speed);
+    const double step = recommended_timestep(pair.law, radius_eff, mass_eff, speed);
     if (step < times.fastest.step) times.fastest.step = step, times.fastest.speed = speed;
     if (!is_cylinder<Law>)
       times.hertz = std::min(

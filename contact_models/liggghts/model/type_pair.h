@@ -92,7 +92,7 @@ class TypePairs {
   }
 
   int type_count() const { return type_count_; }
-  const std::vector<Material>& bodies() const { return bodies_; }  // by type - 1
+  const std::vector<Body>& bodies() const { return bodies_; }  // by type - 1
 
  private:
   TypePair<Law> between(const DeckProperties& deck, int i, int j, Constants constants) const {
@@ -127,7 +127,7 @@ class TypePairs {
   }
 
   int type_count_ = 0;
-  std::vector<Material> bodies_;
+  std::vector<Body> bodies_;
   std::vector<TypePair<Law>> pairs_;
 };
 

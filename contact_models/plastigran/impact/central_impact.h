@@ -13,7 +13,7 @@
 
 namespace plastigran {
 
-struct Impact {
+struct ImpactOutcome {
   double overlap_max = 0;                 // [m]
   double force_max = 0;                   // [N]
   double overlap_res = 0;                 // overlap at which the rebound's force vanishes [m]
@@ -50,7 +50,8 @@ double overlap_range(const Law& law) {
 // Runge-Kutta of fourth order, each step done whole and in halves; their difference is held to
 // 1e-12 of the impact's own root and speed, and removed.
 template <class Law>
-Impact rate_dependent_impact(const Law& law, double radius_eff, double mass_eff, double speed) {
+ImpactOutcome rate_dependent_impact(const Law& law, double radius_eff, double mass_eff,
+                                    double speed) {
   struct Point {
     double root, rate;
     Point after(double h, Point slope) const {
@@ -86,7 +87,7 @@ Impact rate_dependent_impact(const Law& law, double radius_eff, double mass_eff,
     return step(p, after);
   };
 
-  Impact impact;
+  ImpactOutcome impact;
   const auto back = [](Point p) { return p.rate < 0; };
   const auto gone = [&](Point p) { return p.rate < 0 && force(p) == 0; };
   Point now{0, speed};
@@ -129,10 +130,10 @@ Impact rate_dependent_impact(const Law& law, double radius_eff, double mass_eff,
 // Bodies of effective mass mass_eff [kg] meet at relative speed `speed` [m/s]: 1/2 m* v^2 equals
 // the virgin work at the largest overlap, and what is stored elastically there is given back.
 template <class Law>
-Impact central_impact(const Law& law, double radius_eff, double mass_eff, double speed) {
+ImpactOutcome central_impact(const Law& law, double radius_eff, double mass_eff, double speed) {
   if constexpr (IsRateDependent<Law>::value)
     return rate_dependent_impact(law, radius_eff, mass_eff, speed);
-  Impact impact;
+  ImpactOutcome impact;
   const double energy = 0.5 * mass_eff * speed * speed;
   if (!(energy > 0)) return impact;
   const auto virgin = [&](double overlap) {
@@ -175,16 +176,16 @@ Impact central_impact(const Law& law, double radius_eff, double mass_eff, double
 
 // The step that resolves that impact's rebound: a fraction of sqrt(m*/k) on the steepest branch,
 // less where the force has a slope c over the rate: the engine knows the rate of half a step ago.
-// It keeps the coefficient of restitution within 1e-3 (docs/time_step.md).
-constexpr double time_step_fraction = 0.1;
-constexpr double time_step_damping = 16;  // of c^2/(k m*)
+// It keeps the coefficient of restitution within 1e-3 (docs/timestep.md).
+constexpr double timestep_fraction = 0.1;
+constexpr double timestep_damping = 16;  // of c^2/(k m*)
 
 template <class Law>
-double recommended_time_step(const Law& law, double radius_eff, double mass_eff, double speed) {
-  const Impact impact = central_impact(law, radius_eff, mass_eff, speed);
+double recommended_timestep(const Law& law, double radius_eff, double mass_eff, double speed) {
+  const ImpactOutcome impact = central_impact(law, radius_eff, mass_eff, speed);
   const double stiffness = impact.stiffness_max, damping = impact.damping_max;
-  return time_step_fraction * std::sqrt(mass_eff / stiffness) /
-         (1 + time_step_damping * damping * damping / (stiffness * mass_eff));
+  return timestep_fraction * std::sqrt(mass_eff / stiffness) /
+         (1 + timestep_damping * damping * damping / (stiffness * mass_eff));
 }
 
 }  // namespace plastigran

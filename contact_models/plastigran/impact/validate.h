@@ -12,7 +12,7 @@
 
 namespace plastigran {
 
-inline Complaint validate(const Material& body) {
+inline Complaint validate(const Body& body) {
   const auto positive = [](double value) { return value > 0 && std::isfinite(value); };
   if (!positive(body.youngs_modulus))
     return Complaint::about("youngs_modulus", body.youngs_modulus, "positive and finite [Pa]");

@@ -47,7 +47,7 @@ constexpr double unlimited = std::numeric_limits<double>::infinity();
 constexpr double required = std::numeric_limits<double>::quiet_NaN();
 
 // One body's bulk constants.
-struct Material {
+struct Body {
   double youngs_modulus = 0;          // E [Pa]
   double poissons_ratio = 0;          // nu [-]
   double yield_strength = unlimited;  // sigma_Y, uniaxial [Pa]
@@ -141,25 +141,25 @@ inline double hertz_yield_pressure_factor(double poissons_ratio) {
   return 1 / shear(golden_section(shear, 0, 2, 80));
 }
 
-inline double yield_pressure(const Material& body) {
+inline double yield_pressure(const Body& body) {
   const double factor = body.yield_pressure_factor > 0
                             ? body.yield_pressure_factor
                             : hertz_yield_pressure_factor(body.poissons_ratio);
   return factor * body.yield_strength;
 }
 
-inline MaterialPair combine(const Material& a, const Material& b) {
-  const auto plane_compliance = [](const Material& body) {
+inline MaterialPair combine(const Body& a, const Body& b) {
+  const auto plane_compliance = [](const Body& body) {
     return (1 - body.poissons_ratio * body.poissons_ratio) / body.youngs_modulus;
   };
-  const auto shear_compliance = [](const Material& body) {
+  const auto shear_compliance = [](const Body& body) {
     return 2 * (2 - body.poissons_ratio) * (1 + body.poissons_ratio) / body.youngs_modulus;
   };
   // The one that yields at the lower pressure; ties are broken so that the order never matters.
-  const auto rank = [](const Material& body) {
+  const auto rank = [](const Body& body) {
     return std::make_tuple(yield_pressure(body), body.yield_strength, body.poissons_ratio);
   };
-  const Material& weaker = rank(a) <= rank(b) ? a : b;
+  const Body& weaker = rank(a) <= rank(b) ? a : b;
   MaterialPair pair;
   pair.youngs_modulus_eff = 1 / (plane_compliance(a) + plane_compliance(b));
   pair.shear_modulus_eff = 1 / (shear_compliance(a) + shear_compliance(b));

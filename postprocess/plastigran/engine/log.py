@@ -40,14 +40,14 @@ class Progress:
         first: Step it began with.
         last: Step it will end with.
         step: Step of the newest line.
-        time_step: Of the newest line [s]; 0 when the log does not show it.
+        timestep: Of the newest line [s]; 0 when the log does not show it.
     """
 
     run: int = 0
     first: int = 0
     last: int = 0
     step: int = 0
-    time_step: float = 0.0
+    timestep: float = 0.0
 
 
 class LogFollower:
@@ -91,7 +91,7 @@ class LogFollower:
                 self._begun = True
             progress.step = step
             if "Dt" in self._columns:
-                progress.time_step = float(words[self._columns.index("Dt")])
+                progress.timestep = float(words[self._columns.index("Dt")])
 
 
 def read_thermo(path: str | Path) -> pd.DataFrame:

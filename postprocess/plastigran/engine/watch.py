@@ -31,7 +31,7 @@ class ProgressBar:
         progress = self._follower.read()
         if not progress.run:
             return
-        self._bar.set_postfix_str(f"t = {progress.step * progress.time_step:.3g} s", refresh=False)
+        self._bar.set_postfix_str(f"t = {progress.step * progress.timestep:.3g} s", refresh=False)
         if progress.run != before:
             self._bar.reset(progress.last - progress.first)
         self._bar.update(progress.step - progress.first - self._bar.n)

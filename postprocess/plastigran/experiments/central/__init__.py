@@ -119,7 +119,7 @@ class CentralImpact(Experiment):
     @property
     def timestep(self) -> float:
         """The recommended one [s]."""
-        return self.contact_law().recommended_time_step(
+        return self.contact_law().recommended_timestep(
             self.radius_eff, self.mass_eff, self.closing_speed
         )
 
@@ -157,7 +157,7 @@ class CentralImpact(Experiment):
     def notes(self, measured: CollisionOutcome, predicted: CollisionOutcome) -> dict[str, object]:
         step = self.timestep
         steps = round(measured.contact_time / step)
-        return {"in_range": predicted.in_range, "time_step": step, "steps": steps}
+        return {"in_range": predicted.in_range, "timestep": step, "steps": steps}
 
     @classmethod
     def figures(cls, runs: Runs) -> dict[str, Callable[[], Figure]]:

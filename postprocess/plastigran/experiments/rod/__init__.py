@@ -86,7 +86,7 @@ class RodImpact(Experiment):
             options = {"indentation_pressure": self.indentation_pressure, **options}
         return self.material.law(self.law, self.pair, **options)
 
-    def frozen(self) -> laws.Impact:
+    def frozen(self) -> laws.ImpactOutcome:
         """The impact as a central one of the mass the tip feels, `Rod.mass_eff`."""
         rod = self.rod
         return self.contact_law().central_impact(rod.tip_radius, rod.mass_eff, self.speed)
@@ -101,7 +101,7 @@ class RodImpact(Experiment):
         engine's check of the time step knows no more of the rod than that."""
         rod = self.rod
         law = self.contact_law()
-        return 0.5 * law.recommended_time_step(rod.tip_radius, rod.tip_mass, self.speed)
+        return 0.5 * law.recommended_timestep(rod.tip_radius, rod.tip_mass, self.speed)
 
     def variables(self) -> dict[str, object]:
         flat = {f"flat_{name}": value for name, value in self.flat.variables().items()}
@@ -130,7 +130,7 @@ class RodImpact(Experiment):
         }
 
     def notes(self, measured: RodOutcome, predicted: RodOutcome) -> dict[str, object]:
-        return {"in_range": self.frozen().in_range, "time_step": self.timestep}
+        return {"in_range": self.frozen().in_range, "timestep": self.timestep}
 
     @classmethod
     def cases(
