@@ -33,7 +33,8 @@ class Body:
         mass_matrices: Of each element (n_elements, 16, 16), kg.
         mass_matrix: Consistent, kg.
         mass: kg.
-        weight_vector: Share of a uniform downward body force of one newton at each degree.
+        upward: One at each vertical degree of freedom.
+        held: Degrees of freedom that do not move.
     """
 
     def __init__(self, mesh: MeshQuad2, material: ElasticPlastic) -> None:
@@ -60,7 +61,14 @@ class Body:
         upward[self.dofs[:, 1::2].ravel()] = 1.0
         self.upward = upward
         self.mass = upward @ self.mass_matrix @ upward
-        self.weight_vector = -self.mass_matrix @ upward / self.mass
+        self.held = self._held(vector)
+
+    def _held(self, basis: Basis) -> np.ndarray:
+        """Radial degrees of freedom on the axis and vertical ones on the equator of half a body."""
+        held = [basis.get_dofs("axis").all("u^1")]
+        if "equator" in self.mesh.boundaries:
+            held.append(basis.get_dofs("equator").all("u^2"))
+        return np.concatenate(held)
 
     @property
     def points(self) -> int:

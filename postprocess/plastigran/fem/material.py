@@ -19,7 +19,7 @@ IDENTITY = np.array([1.0, 1.0, 1.0, 0.0])
 DEVIATOR = np.diag([1.0, 1.0, 1.0, 0.5]) - np.outer(IDENTITY, IDENTITY) / 3
 TWICE_SHEAR = np.array([1.0, 1.0, 1.0, 2.0])
 RETURN_ITERATIONS = 50
-RETURN_TOLERANCE = 1e-12  # of the flow stress
+RETURN_TOLERANCE = 1e-13  # of the trial stress
 
 
 @attrs.frozen
@@ -135,7 +135,7 @@ class ElasticPlastic:
         for _ in range(RETURN_ITERATIONS):
             flow, slope = self._flow_stress(accumulated, step, duration)
             excess = trial - 3 * shear * step - flow
-            if np.all(np.abs(excess) <= RETURN_TOLERANCE * flow):
+            if np.all(np.abs(excess) <= RETURN_TOLERANCE * trial):
                 return step, flow, slope
             low, high = np.where(excess > 0, step, low), np.where(excess > 0, high, step)
             newton = step + excess / (3 * shear + slope)

@@ -33,6 +33,7 @@ class SphereMesh:
             about `divisions` elements across `core`, and 2 `divisions` lie between the axis and
             the circle.
         fineness: Factor on the number of rings.
+        whole: The whole sphere; else its lower half, which ends at the equator.
     """
 
     radius: float
@@ -40,10 +41,11 @@ class SphereMesh:
     reach: float
     divisions: int = 8
     fineness: float = 1.0
+    whole: bool = True
 
     def build(self) -> MeshQuad2:
-        """The mesh in (r, y), m: axis r = 0, contact point at the origin, boundaries `axis` and
-        `circle`."""
+        """The mesh in (r, y), m: axis r = 0, contact point at the origin, boundaries `axis`,
+        `circle` and, of half a sphere, `equator`."""
         w, quads = self._quarter_plane()
         corner_points = self._to_sphere(w)
         quads = np.ascontiguousarray(_counterclockwise(quads, corner_points).T)
@@ -61,12 +63,11 @@ class SphereMesh:
         on_circle = np.abs(facet_middle.real) < 1e-12 * np.abs(facet_middle)
         coordinates = np.array([points.real, points.imag])
         coordinates[0, np.abs(coordinates[0]) < 1e-12 * self.radius] = 0.0
-        return MeshQuad2(coordinates, quadratic.t).with_boundaries(
-            {
-                "axis": linear.boundary_facets()[on_axis[linear.boundary_facets()]],
-                "circle": linear.boundary_facets()[on_circle[linear.boundary_facets()]],
-            }
-        )
+        outer = linear.boundary_facets()
+        named = {"axis": outer[on_axis[outer]], "circle": outer[on_circle[outer]]}
+        if not self.whole:
+            named["equator"] = np.setdiff1d(outer, np.concatenate(list(named.values())))
+        return MeshQuad2(coordinates, quadratic.t).with_boundaries(named)
 
     def rings(self) -> np.ndarray:
         """ln |w| of the rings, from the core to the equator."""
@@ -102,8 +103,8 @@ class SphereMesh:
         return np.abs(z.real) + 1j * z.imag
 
     def _quarter_plane(self) -> tuple[np.ndarray, np.ndarray]:
-        """Points w and quads (n, 4): a core disc, the rings, and a disc in 1/w that is the upper
-        half of the sphere."""
+        """Points w and quads (n, 4): a core disc, the rings, and for the upper half of the
+        sphere a disc in 1/w."""
         disc, disc_quads, rim = quarter_disc(self.divisions)
         angle = np.exp(-1j * np.linspace(0, pi / 2, 2 * self.divisions + 1))
         rings = np.exp(self.rings())
@@ -112,6 +113,8 @@ class SphereMesh:
             [rim, len(disc) + np.arange((len(rings) - 1) * angle.size).reshape(-1, angle.size)]
         )
         quads = [disc_quads, _strip_quads(ring_ids)]
+        if not self.whole:
+            return np.concatenate(points), np.concatenate(quads)
         upper_ids = np.full(len(disc), -1)
         upper_ids[rim] = ring_ids[-1]
         inner = upper_ids < 0
