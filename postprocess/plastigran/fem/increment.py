@@ -78,7 +78,7 @@ class Equations:
             response = body.material.respond(body.strain(displacement), start.response.state)
             touch = plane.touch(displacement, height)
             if touch.force == 0:
-                raise NoConvergence(f"the contact opens at {force:g} N")
+                raise NoConvergence("the contact opens")
             residual = body.internal_force(response.stress) - touch.nodal
             residual[self._fixed] = 0
             excess = force - touch.force
@@ -108,7 +108,10 @@ class Equations:
         column = self.plane.spread(contact)
         factor = self._factor([stiffness, contact])
         by_force, by_height = factor.solve(np.column_stack([right, column])).T
-        rise = (excess + column @ by_force) / (column.sum() - column @ by_height)
+        support = column.sum() - column @ by_height
+        if not support > 0:
+            raise NoConvergence("the contact opens")
+        rise = (excess + column @ by_force) / support
         return by_force + rise * by_height, float(rise)
 
     def _factor(self, matrices: list[np.ndarray]):

@@ -55,9 +55,7 @@ class SphereMesh:
         facet_middle = self._middle(w[first], w[second])
         facet_points = self._to_sphere(facet_middle)
         # The centre as the eight-node element has it, so that element is isoparametric.
-        centre = (
-            facet_points[linear.t2f].sum(axis=0) / 2 - corner_points[linear.t].sum(axis=0) / 4
-        )
+        centre = facet_points[linear.t2f].sum(axis=0) / 2 - corner_points[linear.t].sum(axis=0) / 4
         points = np.concatenate([corner_points, facet_points, centre])
         on_axis = np.abs(facet_middle.imag) < 1e-12 * np.abs(facet_middle)
         on_circle = np.abs(facet_middle.real) < 1e-12 * np.abs(facet_middle)
@@ -72,8 +70,9 @@ class SphereMesh:
     def rings(self) -> np.ndarray:
         """ln |w| of the rings, from the core to the equator."""
         coarse = pi / (4 * self.divisions) / self.fineness
-        start, fine_end = log(self.core / (2 * self.radius)), log(
-            max(FINE_REACH * self.reach, self.core) / (2 * self.radius)
+        start, fine_end = (
+            log(self.core / (2 * self.radius)),
+            log(max(FINE_REACH * self.reach, self.core) / (2 * self.radius)),
         )
         count = max(1, round((fine_end - start) / (coarse / FINE_RATIO)))
         rings = list(np.linspace(start, fine_end, count + 1))

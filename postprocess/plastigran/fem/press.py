@@ -11,6 +11,7 @@ from collections.abc import Sequence
 
 import numpy as np
 import pandas as pd
+from scipy.integrate import simpson
 from tqdm import tqdm
 
 from plastigran.fem.body import Body
@@ -50,7 +51,10 @@ class Path:
             found = self.equations.press(self.now, self._guess(force), force)
         except NoConvergence as error:
             if cuts == CUTS:
-                raise NoConvergence(f"{error}, after {cuts} halvings of the increment") from None
+                reached = self.now.touch.force
+                raise NoConvergence(
+                    f"{error} between {reached:g} N and {force:g} N, after {cuts} halvings"
+                ) from None
             self._before = None
             self._increment((self.now.touch.force + force) / 2, cuts + 1)
             self._before = None
@@ -111,7 +115,7 @@ def press(
     plane = RigidPlane(body, radius, min(2 * reach, 0.9 * radius), settings.penalty)
     path = Path(Equations(body, plane), sphere)
     ladders = loading_ladders(sphere, forces, settings)
-    snapshots, unloadings = [], []
+    snapshots = []
     with tqdm(total=sum(map(len, ladders)), disable=not progress, desc="press") as bar:
         for branch, ladder in enumerate(ladders):
             path.go(ladder, branch, bar)
@@ -177,11 +181,7 @@ def unloading(history: pd.DataFrame, branch: int) -> dict[str, float]:
 def _cubic_work(force: np.ndarray, approach: np.ndarray) -> float:
     """Integral of force over approach with Simpson's rule in x = force^(1/3), where an approach is
     smooth and its points lie evenly: P d alpha = d(P alpha) - 3 alpha x^2 dx."""
-    from scipy.integrate import simpson
-
     root = np.cbrt(force)
     return float(
-        force[-1] * approach[-1]
-        - force[0] * approach[0]
-        - simpson(3 * approach * root**2, x=root)
+        force[-1] * approach[-1] - force[0] * approach[0] - simpson(3 * approach * root**2, x=root)
     )

@@ -19,8 +19,8 @@ class Snapshot:
 
     Attributes:
         force: N.
-        radii: Of the points of the surface (n,), m.
-        pressure: There, Pa.
+        radii: Mean of each edge of the surface (n,), m.
+        pressure: Mean there, Pa.
         positions: (r, y) of the Gauss points (points, 2), m.
         mises: Von Mises stress there, Pa.
         plastic_strain: Accumulated plastic strain there.
@@ -50,8 +50,7 @@ def snapshot(body: Body, plane: RigidPlane, state: Equilibrium) -> Snapshot:
     """The fields of an equilibrium."""
     return Snapshot(
         state.touch.force,
-        plane.radii,
-        state.touch.pressure,
+        *plane.profile(state.touch.pressure),
         body.positions.reshape(-1, 2),
         mises_stress(state.response.stress),
         state.response.state.accumulated,

@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """A sphere thrown at a rigid plane: implicit dynamics by the trapezoidal rule.
 
-The sphere starts at its speed, just touching. A step's Newton iteration starts from the displacement
-extrapolated with the last step's, never from u + dt v, which would yield where nothing yields.
+The sphere starts at its speed, just touching. The Newton iteration of a step starts from the
+displacement extrapolated with the last step's, never from u + dt v, which would yield where nothing
+yields.
 """
 
 from __future__ import annotations
@@ -44,9 +45,7 @@ class Flight:
     def __init__(self, equations: Equations, speed: float, timestep: float) -> None:
         self.equations, self.timestep = equations, timestep
         body = equations.body
-        self.now = Motion(
-            0.0, equations.at_rest(), -speed * body.upward, np.zeros(body.size)
-        )
+        self.now = Motion(0.0, equations.at_rest(), -speed * body.upward, np.zeros(body.size))
         self._step = FIRST_STEP * timestep
         self._change: tuple[np.ndarray, float] | None = None
 
