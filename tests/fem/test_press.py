@@ -44,7 +44,7 @@ def test_elastic_pressure_is_hertzian(elastic_pressing):
     largest = 1.5 * 200.0 / (np.pi * radius**2)
     expected = largest * np.sqrt(1 - (at_most.radii[inside] / radius) ** 2)
     assert inside.sum() > 5
-    assert_allclose(at_most.pressure[inside], expected, rtol=0.03)  # ten edges in the contact
+    assert_allclose(at_most.pressure[inside], expected, rtol=0.05)  # an edge is a tenth of the contact
 
 
 def test_elastic_sphere_gives_all_work_back(elastic_pressing):

@@ -36,7 +36,7 @@ def cached(
 ) -> Result:
     """The result of `compute(*arguments, settings, progress)`, from disk where it is there.
 
-    A file that cannot be read is computed again.
+    A file that cannot be read is computed again. A result that stopped early is not kept.
     """
     settings = settings or Settings()
     path = folder() / f"{compute.__name__}_{_key(compute, arguments, settings)}.pickle"
@@ -44,6 +44,8 @@ def cached(
         return pickle.loads(path.read_bytes())
     except (OSError, EOFError, AttributeError, ImportError, pickle.UnpicklingError):
         result = compute(*arguments, settings, progress)
+    if getattr(result, "stopped", ""):
+        return result  # not whole
     path.parent.mkdir(parents=True, exist_ok=True)
     with NamedTemporaryFile(dir=path.parent, delete=False) as file:
         pickle.dump(result, file)

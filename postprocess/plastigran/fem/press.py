@@ -105,7 +105,8 @@ def press(
     Raises:
         ValueError: A force that is not positive, not larger than the one before, or too large for
             small strain.
-        NoConvergence: An increment has no equilibrium even after halving.
+        NoConvergence: The first increment has no equilibrium even after halving. A later one ends
+            the pressing, which keeps what it has and says so in `stopped`.
     """
     settings = settings or Settings()
     sphere = HertzSphere(material, radius)
@@ -115,14 +116,19 @@ def press(
     plane = RigidPlane(body, radius, min(2 * reach, 0.9 * radius), settings.penalty)
     path = Path(Equations(body, plane), sphere)
     ladders = loading_ladders(sphere, forces, settings)
-    snapshots = []
+    snapshots, stopped = [], ""
     with tqdm(total=sum(map(len, ladders)), disable=not progress, desc="press") as bar:
-        for branch, ladder in enumerate(ladders):
-            path.go(ladder, branch, bar)
-            snapshots.append(snapshot(body, plane, path.now))
+        try:
+            for branch, ladder in enumerate(ladders):
+                path.go(ladder, branch, bar)
+                snapshots.append(snapshot(body, plane, path.now))
+        except NoConvergence as error:
+            if not path.rows:
+                raise
+            stopped = str(error)
     history = pd.DataFrame(path.rows)
-    unloadings = [unloading(history, branch) for branch in range(1, len(ladders), 2)]
-    return Pressing(material, radius, history, pd.DataFrame(unloadings), snapshots)
+    unloadings = [unloading(history, branch) for branch in range(1, len(snapshots), 2)]
+    return Pressing(material, radius, history, pd.DataFrame(unloadings), snapshots, stopped)
 
 
 def loading_ladders(

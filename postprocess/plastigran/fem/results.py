@@ -76,6 +76,7 @@ class Pressing:
         unloadings: One row for each largest force: force, approach, contact_radius,
             residual_approach, work_loading, work_unloading, coefficient_of_restitution.
         snapshots: At each largest force and after each unloading.
+        stopped: Why it ended before its end; empty if it did not.
     """
 
     material: ElasticPlastic
@@ -83,11 +84,13 @@ class Pressing:
     history: pd.DataFrame
     unloadings: pd.DataFrame
     snapshots: list[Snapshot]
+    stopped: str = ""
 
     def to_dict(self) -> dict:
         """Numbers only, for a file."""
         return {
             "radius": self.radius,
+            "stopped": self.stopped,
             "unloadings": self.unloadings.to_dict("records"),
             "history": self.history.to_dict("list"),
         }
@@ -109,6 +112,8 @@ class Throw:
         overlap_res: Approach when contact ends, m.
         contact_time: s.
         snapshot: When contact has ended.
+        stopped: Why it ended before its end, where restitution and residual are not known; empty
+            if it did not.
     """
 
     material: ElasticPlastic
@@ -121,12 +126,14 @@ class Throw:
     overlap_res: float
     contact_time: float
     snapshot: Snapshot
+    stopped: str = ""
 
     def to_dict(self) -> dict:
         """Numbers only, for a file."""
         names = (
             "radius",
             "speed",
+            "stopped",
             "coefficient_of_restitution",
             "force_max",
             "overlap_max",

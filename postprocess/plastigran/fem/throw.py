@@ -8,6 +8,8 @@ yields.
 
 from __future__ import annotations
 
+from math import nan
+
 import attrs
 import numpy as np
 import pandas as pd
@@ -101,7 +103,8 @@ def throw(
 
     Raises:
         ValueError: A speed that is not positive, or so large that small strain does not hold.
-        NoConvergence: A step does not converge even after halving, or the impact does not end.
+        NoConvergence: The first step does not converge even after halving. A later one ends the
+            impact, which keeps what it has and says so in `stopped`.
     """
     settings = settings or Settings()
     sphere = HertzSphere(material, radius)
@@ -111,17 +114,22 @@ def throw(
     plane = RigidPlane(body, radius, min(2 * reach, 0.9 * radius), settings.penalty)
     duration = sphere.duration(speed)
     flight = Flight(Equations(body, plane), speed, duration / settings.steps_of_contact)
-    rows = [_row(flight)]
-    free = 0
+    rows, free, stopped = [_row(flight)], 0, ""
     with tqdm(total=100, disable=not progress, desc="throw", unit="% of Hertz") as bar:
-        while free < STEPS_FREE:
-            if flight.now.time > LONGEST * duration:
-                raise NoConvergence(f"the contact has not ended after {flight.now.time:g} s")
-            flight.advance()
+        while free < STEPS_FREE and not stopped:
+            try:
+                flight.advance()
+            except NoConvergence as error:
+                stopped = str(error)
+                continue
             rows.append(_row(flight))
             free = free + 1 if rows[-1]["force"] == 0 else 0
             bar.update(100 * flight.now.time / duration - bar.n)
-    return _summary(material, radius, speed, pd.DataFrame(rows), flight)
+            if flight.now.time > LONGEST * duration:
+                stopped = f"the contact has not ended after {flight.now.time:g} s"
+    if len(rows) == 1:
+        raise NoConvergence(stopped)
+    return _summary(material, radius, speed, pd.DataFrame(rows), flight, stopped)
 
 
 def _row(flight: Flight) -> dict[str, float]:
@@ -140,24 +148,29 @@ def _row(flight: Flight) -> dict[str, float]:
 
 
 def _summary(
-    material: ElasticPlastic, radius: float, speed: float, history: pd.DataFrame, flight: Flight
+    material: ElasticPlastic,
+    radius: float,
+    speed: float,
+    history: pd.DataFrame,
+    flight: Flight,
+    stopped: str,
 ) -> Throw:
     force, time, approach = (history[name].to_numpy() for name in ("force", "time", "approach"))
     touching = np.flatnonzero(force > 0)
-    first, last = touching[0], touching[-1]
+    last = touching[-1]
     end = _end_of_contact(time[: last + 2], force[: last + 2])
-    begin = time[first - 1]
     return Throw(
         material=material,
         radius=radius,
         speed=speed,
         history=history,
-        coefficient_of_restitution=float(history["velocity"].iloc[-1]) / speed,
+        coefficient_of_restitution=nan if stopped else history["velocity"].iloc[-1] / speed,
         force_max=float(force.max()),
         overlap_max=float(approach.max()),
-        overlap_res=float(np.interp(end, time, approach)),
-        contact_time=float(end - begin),
+        overlap_res=nan if stopped else float(np.interp(end, time, approach)),
+        contact_time=nan if stopped else float(end - time[touching[0] - 1]),
         snapshot=snapshot(flight.equations.body, flight.equations.plane, flight.now.state),
+        stopped=stopped,
     )
 
 
