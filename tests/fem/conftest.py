@@ -10,22 +10,22 @@ from plastigran.fem.press import press
 from plastigran.fem.throw import throw
 
 
-@pytest.fixture(scope="module")
+@pytest.fixture(scope="session")
 def elastic_pressing():
     return press(ELASTIC, RADIUS, [200.0], COARSE)
 
 
-@pytest.fixture(scope="module")
+@pytest.fixture(scope="session")
 def plastic_pressing():
     """Pressed to 500 N, let go, pressed again to 1500 N and let go."""
     return press(METAL, RADIUS, [500.0, 1500.0], COARSE)
 
 
-@pytest.fixture(scope="module")
+@pytest.fixture(scope="session")
 def elastic_throw():
     return throw(ELASTIC, RADIUS, 0.02, COARSE)
 
 
-@pytest.fixture(scope="module")
+@pytest.fixture(scope="session")
 def plastic_throw():
     return throw(METAL, RADIUS, 0.02, COARSE)

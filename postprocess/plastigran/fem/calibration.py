@@ -15,7 +15,7 @@ import attrs
 import numpy as np
 
 from plastigran.fem.hertz import HertzSphere
-from plastigran.fem.results import Pressing
+from plastigran.fem.results import Pressing, virgin_loading
 
 LEAST_RATIO = 3.0  # forces over that at yield; there is nothing to fit below
 
@@ -58,13 +58,9 @@ def calibrate(pressing: Pressing) -> Calibration:
     """
     sphere = HertzSphere(pressing.material, pressing.radius)
     yield_force = sphere.yield_force
-    loading = pressing.history[pressing.history["branch"] == 0]
+    loading = virgin_loading(pressing.history)
     force = loading["force"].to_numpy()
-    if force[-1] < LEAST_RATIO * yield_force:
-        raise ValueError(
-            f"the largest force is {force[-1]:g} N; a fit needs {LEAST_RATIO:g} times the force "
-            f"at yield, {yield_force:.4g} N, or more"
-        )
+    check_range(sphere, force[-1])
     beyond = force > yield_force
     excess = force[beyond] - yield_force
     radius, approach = (loading[name].to_numpy()[beyond] for name in ("contact_radius", "approach"))
@@ -84,6 +80,20 @@ def calibrate(pressing: Pressing) -> Calibration:
         float(np.max(np.abs(fitted / radius - 1))),
         float(np.max(np.abs(fitted_approach / approach - 1))),
     )
+
+
+def check_range(sphere: HertzSphere, force: float) -> None:
+    """Refuse a largest force, N, that leaves nothing to fit.
+
+    Raises:
+        ValueError: It is below LEAST_RATIO times that at yield.
+    """
+    least = LEAST_RATIO * sphere.yield_force
+    if force < least:
+        raise ValueError(
+            f"the largest force is {force:.4g} N; a fit needs {LEAST_RATIO:g} times the force at "
+            f"yield or more, {least:.4g} N"
+        )
 
 
 def _slope(x: np.ndarray, y: np.ndarray, weight: np.ndarray) -> float:

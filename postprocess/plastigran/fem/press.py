@@ -20,7 +20,7 @@ from plastigran.fem.hertz import HertzSphere
 from plastigran.fem.increment import Equations, Equilibrium, NoConvergence
 from plastigran.fem.limits import check_forces, contact_reach
 from plastigran.fem.material import ElasticPlastic
-from plastigran.fem.results import Pressing, energies, snapshot
+from plastigran.fem.results import Pressing, energies, snapshot, virgin_loading
 from plastigran.fem.settings import Settings
 
 ELASTIC_GROWTH = 1.4  # of increments below yield, where the path does not matter
@@ -163,16 +163,13 @@ def unloading(history: pd.DataFrame, branch: int) -> dict[str, float]:
     force, approach = (history[name].to_numpy() for name in ("force", "approach"))
     branches = history["branch"].to_numpy()
     top = np.flatnonzero(branches < branch)[-1]
-    up = np.flatnonzero((branches % 2 == 0) & (branches < branch))
-    up = up[force[up] >= np.maximum.accumulate(force[up])]
-    _, first = np.unique(force[up], return_index=True)
-    up = up[first]
+    up = virgin_loading(history.iloc[: top + 1])[["force", "approach"]].to_numpy().T
     down = np.append(top, np.flatnonzero(branches == branch))
-    work_loading = 0.4 * force[up[0]] * approach[up[0]] + np.trapezoid(force[up], approach[up])
+    work_loading = 0.4 * up[0, 0] * up[1, 0] + _work(*up)
     # The last increment is nearly free: what is left comes back as from an elastic sphere.
     last = down[-1]
     tail = (force[last] / force[top]) ** (2 / 3) * (approach[top] - approach[last])
-    work_unloading = -_cubic_work(force[down], approach[down])
+    work_unloading = -_work(force[down], approach[down])
     return {
         "force": force[top],
         "approach": approach[top],
@@ -184,9 +181,9 @@ def unloading(history: pd.DataFrame, branch: int) -> dict[str, float]:
     }
 
 
-def _cubic_work(force: np.ndarray, approach: np.ndarray) -> float:
+def _work(force: np.ndarray, approach: np.ndarray) -> float:
     """Integral of force over approach with Simpson's rule in x = force^(1/3), where an approach is
-    smooth and its points lie evenly: P d alpha = d(P alpha) - 3 alpha x^2 dx."""
+    smooth: P d alpha = d(P alpha) - 3 alpha x^2 dx."""
     root = np.cbrt(force)
     return float(
         force[-1] * approach[-1] - force[0] * approach[0] - simpson(3 * approach * root**2, x=root)

@@ -96,6 +96,12 @@ class Pressing:
         }
 
 
+def virgin_loading(history: pd.DataFrame) -> pd.DataFrame:
+    """Rows of a pressing's history whose force had not been reached before."""
+    loading = history[history["branch"] % 2 == 0]
+    return loading[loading["force"] > loading["force"].cummax().shift(fill_value=0)]
+
+
 @attrs.frozen
 class Throw:
     """A sphere thrown at a plane.

@@ -8,7 +8,7 @@ import json
 
 from plastigran.cli.arguments import positive
 from plastigran.cli.metal import add_metal, computed, metal
-from plastigran.fem.calibration import calibrate
+from plastigran.fem.calibration import calibrate, check_range
 from plastigran.fem.hertz import HertzSphere
 from plastigran.fem.press import press
 
@@ -31,9 +31,17 @@ def add_arguments(command: argparse.ArgumentParser) -> None:
 def run(arguments: argparse.Namespace) -> None:
     sphere = HertzSphere(metal(arguments), arguments.radius)
     force = arguments.force_ratio * sphere.yield_force
+    check_range(sphere, force)
     numbers = calibrate(computed(press, sphere.material, sphere.radius, [force])).to_dict()
     if arguments.json:
         print(json.dumps(numbers))
         return
     for name, value in numbers.items():
         print(f"{name:28s} {value:.5g}")
+    for name, keyword in (
+        ("contact_radius_coefficient", "contactRadiusCoefficient"),
+        ("curvature_coefficient", "curvatureCoefficient"),
+    ):
+        value = f"{numbers[name]:.6g}"
+        print(f"variable {name} index {value}  # a line of a material file")
+        print(f"fix {name} all property/global {keyword} peratomtypepair 1 {value}  # of a deck")
