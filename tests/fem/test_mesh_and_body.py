@@ -8,9 +8,11 @@ from math import pi
 import numpy as np
 import pytest
 from numpy.testing import assert_allclose
-from skfem import Basis, ElementQuadS2
+from skfem import Basis, BilinearForm, ElementQuadS2, ElementVector
+from skfem.helpers import grad
 
-from plastigran.fem.body import Body
+from plastigran.fem.body import STIFFNESS_ORDER, Body
+from plastigran.fem.linear import SymmetricSystem
 from plastigran.fem.material import ElasticPlastic
 from plastigran.fem.mesh import SphereMesh
 
@@ -79,3 +81,30 @@ def test_stiffness_is_symmetric_and_free_of_rigid_motion(body):
     assert_allclose(stiffness, stiffness.transpose(0, 2, 1), atol=1e-12 * scale)
     up = np.tile([0.0, 1.0], 8)
     assert_allclose(stiffness @ up, 0, atol=1e-11 * scale)
+
+
+def test_stiffness_is_the_one_scikit_fem_assembles(mesh, body):
+    tangent = MATERIAL.elastic_tangent
+
+    def strains(field, radius):
+        slope = grad(field)
+        return slope[0, 0], slope[1, 1], field[0] / radius, slope[0, 1] + slope[1, 0]
+
+    @BilinearForm
+    def form(u, v, w):
+        of_u, of_v = strains(u, w.x[0]), strains(v, w.x[0])
+        work = sum(
+            tangent[i, j] * of_v[i] * of_u[j] for i in range(4) for j in range(4) if tangent[i, j]
+        )
+        return 2 * pi * w.x[0] * work
+
+    basis = Basis(mesh, ElementVector(ElementQuadS2()), intorder=STIFFNESS_ORDER)
+    load = np.zeros(body.size)
+    load[body.dofs[0]] = np.arange(16.0)
+    fixed = np.append(body.held, body.dofs[-1])
+    system = SymmetricSystem([body.dofs], body.size, fixed)
+    solution = system.factor([body.elastic_stiffness]).solve(load)
+    answered = form.assemble(basis) @ solution
+    free = system.free
+    # Rounding times the condition of elements from 1e-5 m to 1e-2 m.
+    assert_allclose(answered[free], load[free], atol=1e-6)

@@ -13,7 +13,8 @@ from coarse_sphere import COARSE, ELASTIC, METAL, RADIUS
 from numpy.testing import assert_allclose
 
 from plastigran.fem.hertz import HertzSphere
-from plastigran.fem.limits import SmallStrainWarning
+from plastigran.fem.increment import Equations, NoConvergence
+from plastigran.fem.limits import SmallStrainWarning, check_forces
 from plastigran.fem.press import press
 
 HERTZ = HertzSphere(ELASTIC, RADIUS)
@@ -51,7 +52,9 @@ def test_elastic_pressure_is_hertzian(elastic_pressing):
 
 def test_elastic_sphere_gives_all_work_back(elastic_pressing):
     row = elastic_pressing.unloadings.iloc[0]
-    assert row["coefficient_of_restitution"] == pytest.approx(1, abs=2e-3)  # quadrature of ten steps
+    assert row["coefficient_of_restitution"] == pytest.approx(
+        1, abs=2e-3
+    )  # quadrature of ten steps
     assert row["residual_approach"] == pytest.approx(0, abs=2e-3 * row["approach"])
 
 
@@ -97,6 +100,22 @@ def test_forces_below_yield_leave_nothing():
     assert pressing.snapshots[0].plastic_strain.max() == 0
 
 
+def test_pressing_that_gives_up_keeps_what_it_has(monkeypatch):
+    press_increment = Equations.press
+
+    def fail_beyond(equations, start, guess, force):
+        if force > 100:
+            raise NoConvergence("too much")
+        return press_increment(equations, start, guess, force)
+
+    monkeypatch.setattr(Equations, "press", fail_beyond)
+    pressing = press(ELASTIC, RADIUS, [200.0], COARSE)
+    assert "too much between" in pressing.stopped
+    assert "after 6 halvings" in pressing.stopped
+    assert 50 < pressing.history["force"].max() <= 100
+    assert pressing.unloadings.empty
+
+
 @pytest.mark.parametrize(
     ("forces", "said"),
     [
@@ -113,7 +132,5 @@ def test_forces_that_cannot_be_pressed_are_refused(forces, said):
 
 
 def test_wide_contacts_are_warned_of():
-    from plastigran.fem.limits import check_forces
-
     with pytest.warns(SmallStrainWarning, match="small strain is good to 0.1"):
         check_forces(HertzSphere(METAL, RADIUS), [2e5])

@@ -52,15 +52,11 @@ def check_forces(sphere: HertzSphere, forces: Sequence[float]) -> None:
 
 
 def force_of_impact(sphere: HertzSphere, speed: float) -> tuple[float, float]:
-    """Largest force, N, and contact radius, m, to expect of an impact.
-
-    Beyond yield the work of the contact is that of a mean pressure that grows little, so energy
-    over the square of the speed gives a^4: enough to lay out a mesh.
-    """
+    """Largest force, N, and contact radius, m, to expect of an impact: enough to lay out a mesh."""
     elastic = sphere.force(sphere.approach_max(speed))
     if elastic <= sphere.yield_force:
         return elastic, sphere.contact_radius(elastic)
-    # P_max / P_Y = (v / v_Y)^1.12 within 10 % to 300 v_Y.
+    # The finite elements' 17.8, 107 and 228 P_Y at 12, 60 and 120 v_Y lie within 8 % of this.
     force = sphere.yield_force * (speed / sphere.yield_speed) ** 1.15
     force = min(force, elastic)
     return force, contact_reach(sphere, force)
