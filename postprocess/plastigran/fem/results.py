@@ -12,6 +12,8 @@ from plastigran.fem.contact import RigidPlane
 from plastigran.fem.increment import Equilibrium
 from plastigran.fem.material import ElasticPlastic
 
+ROUNDING = 1e-6  # of a force, beyond what Newton's method leaves
+
 
 @attrs.frozen
 class Snapshot:
@@ -97,9 +99,10 @@ class Pressing:
 
 
 def virgin_loading(history: pd.DataFrame) -> pd.DataFrame:
-    """Rows of a pressing's history whose force had not been reached before."""
+    """Rows of a pressing's history whose force had not been reached before, but for rounding."""
     loading = history[history["branch"] % 2 == 0]
-    return loading[loading["force"] > loading["force"].cummax().shift(fill_value=0)]
+    reached = loading["force"].cummax().shift(fill_value=0)
+    return loading[loading["force"] > (1 + ROUNDING) * reached]
 
 
 @attrs.frozen
