@@ -1,0 +1,47 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""`plastigran calibrate`: constants of a law from finite elements."""
+
+from __future__ import annotations
+
+import argparse
+import json
+
+from plastigran.cli.arguments import positive
+from plastigran.cli.metal import add_metal, computed, metal
+from plastigran.fem.calibration import calibrate, check_range
+from plastigran.fem.hertz import HertzSphere
+from plastigran.fem.press import press
+
+HELP = "constants of vu_quoc_zhang from finite elements"
+
+
+def add_arguments(command: argparse.ArgumentParser) -> None:
+    command.add_argument("--fem", action="store_true", required=True, help="by finite elements")
+    add_metal(command)
+    command.add_argument(
+        "--range",
+        type=positive,
+        default=41.0,
+        dest="force_ratio",
+        metavar="PMAX/PY",
+        help="largest force of the fit over the force at yield, default 41",
+    )
+
+
+def run(arguments: argparse.Namespace) -> None:
+    sphere = HertzSphere(metal(arguments), arguments.radius)
+    force = arguments.force_ratio * sphere.yield_force
+    check_range(sphere, force)
+    numbers = calibrate(computed(press, sphere.material, sphere.radius, [force])).to_dict()
+    if arguments.json:
+        print(json.dumps(numbers))
+        return
+    for name, value in numbers.items():
+        print(f"{name:28s} {value:.5g}")
+    for name, keyword in (
+        ("contact_radius_coefficient", "contactRadiusCoefficient"),
+        ("curvature_coefficient", "curvatureCoefficient"),
+    ):
+        value = f"{numbers[name]:.6g}"
+        print(f"variable {name} index {value}  # a line of a material file")
+        print(f"fix {name} all property/global {keyword} peratomtypepair 1 {value}  # of a deck")

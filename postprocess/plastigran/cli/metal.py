@@ -1,0 +1,67 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Arguments of commands that compute one sphere by finite elements."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+import warnings
+from collections.abc import Callable
+
+from plastigran.cli.arguments import positive
+from plastigran.fem.cache import cached
+from plastigran.fem.hardening import LinearHardening
+from plastigran.fem.limits import SmallStrainWarning
+from plastigran.fem.material import ElasticPlastic
+
+
+def add_metal(command: argparse.ArgumentParser, elastic: bool = False) -> None:
+    """The metal, the radius and --json; with `elastic`, --elastic may stand for --yield."""
+    command.add_argument("--young", type=positive, required=True, help="Young's modulus, Pa")
+    command.add_argument("--poisson", type=float, required=True, help="Poisson's ratio")
+    command.add_argument("--density", type=positive, default=2700.0, help="kg/m3, default 2700")
+    strength = command.add_mutually_exclusive_group(required=True)
+    strength.add_argument("--yield", type=positive, dest="yield_stress", help="yield stress, Pa")
+    if elastic:
+        strength.add_argument("--elastic", action="store_true", help="the sphere does not yield")
+    command.add_argument(
+        "--hardening", type=float, default=0.0, help="plastic modulus d sigma/d eps_p, Pa"
+    )
+    command.add_argument("--radius", type=positive, default=0.1, help="m, default 0.1")
+    command.add_argument("--json", action="store_true", help="all numbers, as JSON")
+
+
+def metal(arguments: argparse.Namespace) -> ElasticPlastic:
+    """The metal of `add_metal`'s arguments.
+
+    Raises:
+        ValueError: A number out of range.
+    """
+    hardening = None
+    if arguments.yield_stress is not None:
+        hardening = LinearHardening(arguments.yield_stress, arguments.hardening)
+    return ElasticPlastic(
+        young=arguments.young,
+        poisson=arguments.poisson,
+        density=arguments.density,
+        hardening=hardening,
+    )
+
+
+def computed(compute: Callable, *arguments: object):
+    """Result of a computation, from the cache if it is there; warnings, and why it stopped early,
+    go to stderr.
+
+    Raises:
+        ValueError: It cannot begin.
+    """
+    with warnings.catch_warnings(record=True) as said:
+        warnings.simplefilter("always", SmallStrainWarning)
+        try:
+            result = cached(compute, *arguments, progress=sys.stderr.isatty())
+        except ArithmeticError as error:
+            raise ValueError(str(error)) from None
+    for line in [*(str(warning.message) for warning in said), result.stopped]:
+        if line:
+            print(f"plastigran: {line}", file=sys.stderr)
+    return result

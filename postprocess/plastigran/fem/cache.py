@@ -1,0 +1,78 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Results kept on disk by what they were computed from and with.
+
+A result is found again for the same metal, numbers and settings, as long as no file of this package
+has changed. The folder is `$PLASTIGRAN_CACHE`, or `~/.cache/plastigran`.
+"""
+
+from __future__ import annotations
+
+import os
+import pickle
+from collections.abc import Callable
+from functools import cache
+from hashlib import sha256
+from pathlib import Path
+from tempfile import NamedTemporaryFile
+from typing import TypeVar
+
+import attrs
+
+from plastigran.fem.settings import Settings
+
+Result = TypeVar("Result")
+
+
+def folder() -> Path:
+    """Where results are kept."""
+    return Path(os.environ.get("PLASTIGRAN_CACHE") or Path.home() / ".cache" / "plastigran")
+
+
+def cached(
+    compute: Callable[..., Result],
+    *arguments: object,
+    settings: Settings | None = None,
+    progress: bool = False,
+) -> Result:
+    """The result of `compute(*arguments, settings, progress)`, from disk where it is there.
+
+    A file that cannot be read is computed again. A result that stopped early is not kept.
+    """
+    settings = settings or Settings()
+    path = folder() / f"{compute.__name__}_{_key(compute, arguments, settings)}.pickle"
+    try:
+        return pickle.loads(path.read_bytes())
+    except (OSError, EOFError, AttributeError, ImportError, pickle.UnpicklingError):
+        result = compute(*arguments, settings, progress)
+    if getattr(result, "stopped", ""):
+        return result  # not whole
+    path.parent.mkdir(parents=True, exist_ok=True)
+    with NamedTemporaryFile(dir=path.parent, delete=False) as file:
+        pickle.dump(result, file)
+    Path(file.name).replace(path)  # whole or not at all
+    return result
+
+
+def _key(compute: Callable, arguments: tuple[object, ...], settings: Settings) -> str:
+    said = [compute.__qualname__, *map(_plain, arguments), _plain(settings), _sources()]
+    return sha256(repr(said).encode()).hexdigest()[:32]
+
+
+def _plain(value: object) -> object:
+    """A value whose repr tells all of it."""
+    if attrs.has(type(value)):
+        return type(value).__qualname__, {
+            field.name: _plain(getattr(value, field.name)) for field in attrs.fields(type(value))
+        }
+    if isinstance(value, list | tuple):
+        return [_plain(entry) for entry in value]
+    return value
+
+
+@cache
+def _sources() -> str:
+    """Digest of this package's code."""
+    digest = sha256()
+    for path in sorted(Path(__file__).parent.glob("*.py")):
+        digest.update(path.read_bytes())
+    return digest.hexdigest()

@@ -1,0 +1,80 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Flow stress over accumulated plastic strain, and its factor for the rate of strain."""
+
+from __future__ import annotations
+
+from typing import Protocol
+
+import attrs
+import numpy as np
+
+from plastigran.declared import number
+
+
+class Hardening(Protocol):
+    """What a metal's flow stress is."""
+
+    def flow_stress(self, strain: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """Flow stress and its slope, Pa, at accumulated plastic strains."""
+
+
+@attrs.frozen
+class LinearHardening:
+    """sigma = sigma_Y + H eps_p; perfectly plastic for H = 0."""
+
+    yield_stress: float = number("uniaxial yield stress", "Pa", 0)
+    modulus: float = number("plastic modulus d sigma / d eps_p", "Pa", 0, closed=True, default=0.0)
+
+    def flow_stress(self, strain: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        return self.yield_stress + self.modulus * strain, np.full_like(strain, self.modulus)
+
+
+def _increasing(instance: TabulatedHardening, field: attrs.Attribute, value: tuple) -> None:
+    if len(value) < 2 or np.any(np.diff(value) < (1e-15 if field.name == "strains" else 0)):
+        raise ValueError(f"{field.name} is {value}; it must be two or more values that increase")
+
+
+@attrs.frozen
+class TabulatedHardening:
+    """Flow stress linear between the points of a table, constant beyond its last.
+
+    Attributes:
+        strains: Accumulated plastic strains, from 0 on.
+        stresses: Flow stresses there, Pa; the first is the yield stress.
+    """
+
+    strains: tuple[float, ...] = attrs.field(converter=tuple, validator=_increasing)
+    stresses: tuple[float, ...] = attrs.field(converter=tuple, validator=_increasing)
+
+    def __attrs_post_init__(self) -> None:
+        if len(self.strains) != len(self.stresses) or self.strains[0] != 0:
+            raise ValueError("a table of hardening has as many stresses as strains, from strain 0")
+        if self.stresses[0] <= 0:
+            raise ValueError(f"stresses begins with {self.stresses[0]:g} Pa; it must be positive")
+
+    @property
+    def yield_stress(self) -> float:
+        return self.stresses[0]
+
+    def flow_stress(self, strain: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        slopes = np.append(np.diff(self.stresses) / np.diff(self.strains), 0.0)
+        piece = np.searchsorted(self.strains, strain, side="right") - 1
+        piece = np.clip(piece, 0, len(slopes) - 1)
+        start, slope = np.asarray(self.strains)[piece], slopes[piece]
+        return np.asarray(self.stresses)[piece] + slope * (strain - start), slope
+
+
+@attrs.frozen
+class RateFactor:
+    """The rate factor of Johnson and Cook (1983): 1 + C ln(rate / reference) above the reference
+    rate, 1 below."""
+
+    coefficient: float = number("C of Johnson and Cook", "-", 0, closed=True)
+    reference_rate: float = number("rate of strain at which the factor is 1", "1/s", 0, default=1.0)
+
+    def factor(self, rate: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """The factor and its derivative with respect to the rate, s."""
+        above = rate > self.reference_rate
+        safe = np.where(above, rate, self.reference_rate)
+        factor = 1 + self.coefficient * np.log(safe / self.reference_rate)
+        return factor, np.where(above, self.coefficient / safe, 0.0)

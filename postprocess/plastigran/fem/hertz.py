@@ -1,0 +1,80 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""An elastic sphere on a rigid plane after Hertz (1882): scales of steps and meshes, and what
+coarse results are held against."""
+
+from __future__ import annotations
+
+from math import atan, gamma, pi, sqrt
+
+import attrs
+from scipy.optimize import minimize_scalar
+
+from plastigran.fem.material import ElasticPlastic
+
+
+@attrs.frozen
+class HertzSphere:
+    """One sphere.
+
+    Attributes:
+        material: Its metal; only the start of plastic flow is used.
+        radius: m.
+    """
+
+    material: ElasticPlastic
+    radius: float
+
+    @property
+    def modulus(self) -> float:
+        """E/(1 - nu^2), Pa."""
+        return self.material.young / (1 - self.material.poisson**2)
+
+    @property
+    def mass(self) -> float:
+        """kg."""
+        return self.material.density * 4 / 3 * pi * self.radius**3
+
+    def contact_radius(self, force: float) -> float:
+        """m, at a force in N."""
+        return (3 * force * self.radius / (4 * self.modulus)) ** (1 / 3)
+
+    def approach(self, force: float) -> float:
+        """m, at a force in N."""
+        return self.contact_radius(force) ** 2 / self.radius
+
+    def force(self, approach: float) -> float:
+        """N, at an approach in m."""
+        return 4 / 3 * self.modulus * sqrt(self.radius) * approach**1.5
+
+    def approach_max(self, speed: float) -> float:
+        """m, of an impact at a speed in m/s."""
+        return (15 * self.mass * speed**2 / (16 * self.modulus * sqrt(self.radius))) ** 0.4
+
+    def duration(self, speed: float) -> float:
+        """s, of an impact at a speed in m/s."""
+        constant = 4 * sqrt(pi) * gamma(0.4) / (5 * gamma(0.9))
+        return constant * self.approach_max(speed) / speed
+
+    @property
+    def yield_force(self) -> float:
+        """Force at which the sphere yields below its surface, N; infinite without hardening law.
+
+        The largest von Mises stress on the axis is p_0 F(nu),
+        F = max over z of 1.5/(1 + z^2) - (1 + nu)(1 - z atan(1/z)), z the depth over a.
+        """
+        if self.material.hardening is None:
+            return float("inf")
+        poisson = self.material.poisson
+        least = minimize_scalar(
+            lambda z: -abs(1.5 / (1 + z * z) - (1 + poisson) * (1 - z * atan(1 / z))),
+            bounds=(0.05, 3),
+            method="bounded",
+        )
+        pressure = self.material.hardening.yield_stress / -least.fun
+        return pi**3 * self.radius**2 * pressure**3 / (6 * self.modulus**2)
+
+    @property
+    def yield_speed(self) -> float:
+        """Speed at which it yields, m/s."""
+        force = self.yield_force
+        return sqrt(0.8 * force * self.approach(force) / self.mass)

@@ -1,0 +1,167 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Meshes of eight-node quadrilaterals, graded conformally towards the contact.
+
+A half disc of radius R whose lowest point is the origin is the image of a quarter plane under
+z = 2iR w/(1 + w), w = exp(s - i theta), 0 <= theta <= pi/2. The axis is theta = 0, the circle is
+theta = pi/2, the equator is |w| = 1, and close to the contact a = 2R |w|. Rings of equal |w| whose
+distance in s is the distance in theta give nearly square elements of any size, so one mesh resolves
+a contact that is a thousandth of the radius without a transition.
+"""
+
+from __future__ import annotations
+
+from math import log, pi
+
+import attrs
+import numpy as np
+from skfem import MeshQuad, MeshQuad2
+
+FINE_RATIO = 3.0  # how much finer the rings are in s than in theta where the contact's edge passes
+FINE_REACH = 1.3  # the fine rings end at this times the largest contact radius
+GROWTH = 1.25  # of the distance between rings, from the fine zone outward
+
+
+@attrs.frozen(kw_only=True)
+class SphereMesh:
+    """What is asked of the mesh of a sphere.
+
+    Attributes:
+        radius: Of the sphere, m.
+        core: Radius about the contact point inside which elements are equally fine, m.
+        reach: Largest contact radius the mesh is made for, m.
+        divisions: Elements over a quarter of the angle about the contact point. The contact has
+            about `divisions` elements across `core`, and 2 `divisions` lie between the axis and
+            the circle.
+        fineness: Factor on the number of rings.
+        whole: The whole sphere; else its lower half, which ends at the equator.
+    """
+
+    radius: float
+    core: float
+    reach: float
+    divisions: int = 8
+    fineness: float = 1.0
+    whole: bool = True
+
+    def build(self) -> MeshQuad2:
+        """The mesh in (r, y), m: axis r = 0, contact point at the origin, boundaries `axis`,
+        `circle` and, of half a sphere, `equator`."""
+        w, quads = self._quarter_plane()
+        corner_points = self._to_sphere(w)
+        quads = np.ascontiguousarray(_counterclockwise(quads, corner_points).T)
+        linear = MeshQuad(np.array([w.real, w.imag]), quads)
+        quadratic = MeshQuad2.from_mesh(linear)
+        first, second = linear.facets
+        facet_middle = self._middle(w[first], w[second])
+        facet_points = self._to_sphere(facet_middle)
+        # The centre as the eight-node element has it, so that element is isoparametric.
+        centre = facet_points[linear.t2f].sum(axis=0) / 2 - corner_points[linear.t].sum(axis=0) / 4
+        points = np.concatenate([corner_points, facet_points, centre])
+        on_axis = np.abs(facet_middle.imag) < 1e-12 * np.abs(facet_middle)
+        on_circle = np.abs(facet_middle.real) < 1e-12 * np.abs(facet_middle)
+        coordinates = np.array([points.real, points.imag])
+        coordinates[0, np.abs(coordinates[0]) < 1e-12 * self.radius] = 0.0
+        outer = linear.boundary_facets()
+        named = {"axis": outer[on_axis[outer]], "circle": outer[on_circle[outer]]}
+        if not self.whole:
+            named["equator"] = np.setdiff1d(outer, np.concatenate(list(named.values())))
+        return MeshQuad2(coordinates, quadratic.t).with_boundaries(named)
+
+    def rings(self) -> np.ndarray:
+        """ln |w| of the rings, from the core to the equator."""
+        coarse = pi / (4 * self.divisions) / self.fineness
+        start, fine_end = (
+            log(self.core / (2 * self.radius)),
+            log(max(FINE_REACH * self.reach, self.core) / (2 * self.radius)),
+        )
+        count = max(1, round((fine_end - start) / (coarse / FINE_RATIO)))
+        rings = list(np.linspace(start, fine_end, count + 1))
+        step, widest = coarse / FINE_RATIO, 2 * coarse
+        while rings[-1] < -1e-9:
+            step = min(step * GROWTH, widest)
+            rings.append(rings[-1] + step)
+        outer = np.array(rings[count:])
+        outer = fine_end + (outer - fine_end) * (-fine_end / (outer[-1] - fine_end))
+        return np.concatenate([rings[:count], outer])
+
+    def _middle(self, first: np.ndarray, second: np.ndarray) -> np.ndarray:
+        """Middles of edges: straight in w in the core and in 1/w in the upper half, and at the
+        mean of s and theta between them."""
+        with np.errstate(invalid="ignore", divide="ignore"):  # w = 0 is in the core
+            middle = first * np.sqrt(second / first)
+        core = self.core / (2 * self.radius) * (1 - 1e-9)
+        inside = np.minimum(np.abs(first), np.abs(second)) < core
+        above = np.maximum(np.abs(first), np.abs(second)) > 1 + 1e-9
+        middle[inside] = (first + second)[inside] / 2
+        middle[above] = 2 / (1 / first[above] + 1 / second[above])
+        return middle
+
+    def _to_sphere(self, w: np.ndarray) -> np.ndarray:
+        """r + iy from w; the mirror image of the formula above, for r >= 0."""
+        z = 2j * self.radius * w / (1 + w)
+        return np.abs(z.real) + 1j * z.imag
+
+    def _quarter_plane(self) -> tuple[np.ndarray, np.ndarray]:
+        """Points w and quads (n, 4): a core disc, the rings, and for the upper half of the
+        sphere a disc in 1/w."""
+        disc, disc_quads, rim = quarter_disc(self.divisions)
+        angle = np.exp(-1j * np.linspace(0, pi / 2, 2 * self.divisions + 1))
+        rings = np.exp(self.rings())
+        points = [rings[0] * disc.conj(), (rings[1:, None] * angle).ravel()]
+        ring_ids = np.vstack(
+            [rim, len(disc) + np.arange((len(rings) - 1) * angle.size).reshape(-1, angle.size)]
+        )
+        quads = [disc_quads, _strip_quads(ring_ids)]
+        if not self.whole:
+            return np.concatenate(points), np.concatenate(quads)
+        upper_ids = np.full(len(disc), -1)
+        upper_ids[rim] = ring_ids[-1]
+        inner = upper_ids < 0
+        upper_ids[inner] = sum(map(len, points)) + np.arange(inner.sum())
+        # 1/w near 0 is the top of the sphere; exactly there w is infinite, so stay a hair off.
+        points.append(1 / np.where(disc[inner] == 0, 1e-14, disc[inner]))
+        quads.append(upper_ids[disc_quads])
+        return np.concatenate(points), np.concatenate(quads)
+
+
+def quarter_disc(divisions: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """A unit quarter disc of quads: a bulged square in a collar of rings.
+
+    Args:
+        divisions: Along a side of the square; twice that along the circle.
+
+    Returns:
+        Points x + iy (n,), quads (m, 4), and the ids of the points on the circle from the real to
+        the imaginary axis (2 divisions + 1,).
+    """
+    side = np.linspace(0, 1, divisions + 1)
+    x, y = np.meshgrid(side, side, indexing="ij")
+    largest = np.maximum(x, y)
+    with np.errstate(invalid="ignore", divide="ignore"):
+        theta = np.where(x >= y, pi / 4 * y / x, pi / 2 - pi / 4 * x / y)
+    theta = np.nan_to_num(theta)
+    bulge = 0.5 * largest
+    square = 0.6 * ((1 - bulge) * (x + 1j * y) + bulge * largest * np.exp(1j * theta))
+    ids = np.arange(square.size).reshape(square.shape)
+    rim = np.concatenate([ids[-1, :], ids[-2::-1, -1]])
+    circle = np.exp(1j * np.linspace(0, pi / 2, 2 * divisions + 1))
+    collar = max(2, divisions // 2)
+    share = np.linspace(0, 1, collar + 1)[1:, None]
+    rings = (1 - share) * square.ravel()[rim] + share * circle
+    ring_ids = np.vstack([rim, square.size + np.arange(rings.size).reshape(rings.shape)])
+    quads = np.concatenate([_strip_quads(ids), _strip_quads(ring_ids)])
+    return np.concatenate([square.ravel(), rings.ravel()]), quads, ring_ids[-1]
+
+
+def _strip_quads(ids: np.ndarray) -> np.ndarray:
+    """Quads (m, 4) between the rows of a grid of point ids."""
+    return np.stack([ids[:-1, :-1], ids[1:, :-1], ids[1:, 1:], ids[:-1, 1:]], axis=-1).reshape(
+        -1, 4
+    )
+
+
+def _counterclockwise(quads: np.ndarray, points: np.ndarray) -> np.ndarray:
+    """The quads with their corners in counterclockwise order."""
+    corner = points[quads]
+    diagonals = (corner[:, 2] - corner[:, 0]).conj() * (corner[:, 3] - corner[:, 1])
+    return np.where((diagonals.imag < 0)[:, None], quads[:, ::-1], quads)

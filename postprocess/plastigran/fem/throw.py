@@ -1,0 +1,185 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""A sphere thrown at a rigid plane: implicit dynamics by the trapezoidal rule.
+
+The sphere starts at its speed, just touching. The Newton iteration of a step starts from the
+displacement extrapolated with the last step's, never from u + dt v, which would yield where nothing
+yields.
+"""
+
+from __future__ import annotations
+
+from math import nan
+
+import attrs
+import numpy as np
+import pandas as pd
+from tqdm import tqdm
+
+from plastigran.fem.body import Body
+from plastigran.fem.contact import RigidPlane
+from plastigran.fem.hertz import HertzSphere
+from plastigran.fem.increment import Equations, Equilibrium, Inertia, NoConvergence
+from plastigran.fem.limits import check_speed, force_of_impact
+from plastigran.fem.material import ElasticPlastic
+from plastigran.fem.results import Throw, energies, snapshot
+from plastigran.fem.settings import Settings
+
+FIRST_STEP = 1 / 16  # of the full time step; the contact begins stiffly
+STEP_GROWTH = 1.5
+CUTS = 6  # how often a step is halved before it is given up
+STEPS_FREE = 5  # full steps without contact before the impact is over
+LONGEST = 10.0  # Hertz' durations after which an impact that has not ended is given up
+
+
+@attrs.frozen
+class Motion:
+    """A moving body at one time."""
+
+    time: float
+    state: Equilibrium
+    velocity: np.ndarray
+    acceleration: np.ndarray
+
+
+class Flight:
+    """Time steps of a body over a plane."""
+
+    def __init__(self, equations: Equations, speed: float, timestep: float) -> None:
+        self.equations, self.timestep = equations, timestep
+        body = equations.body
+        self.now = Motion(0.0, equations.at_rest(), -speed * body.upward, np.zeros(body.size))
+        self._step = FIRST_STEP * timestep
+        self._change: tuple[np.ndarray, float] | None = None
+
+    def advance(self) -> Motion:
+        """The next step; halved where it does not converge.
+
+        Raises:
+            NoConvergence: It does not even after CUTS halvings.
+        """
+        for _ in range(CUTS + 1):
+            try:
+                self.now = self._advance(self._step)
+            except NoConvergence:
+                self._step /= 2
+                continue
+            self._step = min(self._step * STEP_GROWTH, self.timestep)
+            return self.now
+        raise NoConvergence(f"no step from {self.now.time:g} s after {CUTS} halvings")
+
+    def _advance(self, step: float) -> Motion:
+        now = self.now
+        moved, velocity = now.state.displacement, now.velocity
+        predicted = moved + step * velocity + step**2 / 4 * now.acceleration
+        guess = moved
+        if self._change is not None:
+            guess = moved + step / self._change[1] * self._change[0]
+        state = self.equations.move(now.state, guess, Inertia(predicted, step))
+        acceleration = 4 / step**2 * (state.displacement - predicted)
+        self._change = (state.displacement - moved, step)
+        return Motion(
+            now.time + step,
+            state,
+            velocity + step / 2 * (now.acceleration + acceleration),
+            acceleration,
+        )
+
+
+def throw(
+    material: ElasticPlastic,
+    radius: float,
+    speed: float,
+    settings: Settings | None = None,
+    progress: bool = False,
+) -> Throw:
+    """Throw a sphere at a rigid plane and follow it until it has left.
+
+    Args:
+        material: The metal.
+        radius: Of the sphere, m.
+        speed: Towards the plane, m/s.
+        settings: How fine.
+        progress: Show a bar.
+
+    Raises:
+        ValueError: A speed that is not positive, or so large that small strain does not hold.
+        NoConvergence: The first step does not converge even after halving. A later one ends the
+            impact, which keeps what it has and says so in `stopped`.
+    """
+    settings = settings or Settings()
+    sphere = HertzSphere(material, radius)
+    check_speed(sphere, speed)
+    reach = force_of_impact(sphere, speed)[1]
+    body = Body(settings.mesh(sphere, reach, whole=True).build(), material)
+    plane = RigidPlane(body, radius, min(2 * reach, 0.9 * radius), settings.penalty)
+    duration = sphere.duration(speed)
+    flight = Flight(Equations(body, plane), speed, duration / settings.steps_of_contact)
+    rows, free, stopped = [_row(flight)], 0, ""
+    with tqdm(total=100, disable=not progress, desc="throw", unit="% of Hertz") as bar:
+        while free < STEPS_FREE and not stopped:
+            try:
+                flight.advance()
+            except NoConvergence as error:
+                stopped = str(error)
+                continue
+            rows.append(_row(flight))
+            free = free + 1 if rows[-1]["force"] == 0 else 0
+            bar.update(100 * flight.now.time / duration - bar.n)
+            if flight.now.time > LONGEST * duration:
+                stopped = f"the contact has not ended after {flight.now.time:g} s"
+    if len(rows) == 1:
+        raise NoConvergence(stopped)
+    return _summary(material, radius, speed, pd.DataFrame(rows), flight, stopped)
+
+
+def _row(flight: Flight) -> dict[str, float]:
+    body, plane, now = flight.equations.body, flight.equations.plane, flight.now
+    momentum = body.mass_matrix @ now.velocity
+    return {
+        "time": now.time,
+        "force": now.state.touch.force,
+        "approach": -float(body.upward @ (body.mass_matrix @ now.state.displacement)) / body.mass,
+        "velocity": float(body.upward @ momentum) / body.mass,
+        "contact_radius": plane.contact_radius(now.state.touch.gap),
+        "kinetic_energy": float(now.velocity @ momentum) / 2,
+        **energies(body, now.state),
+        "iterations": now.state.iterations,
+    }
+
+
+def _summary(
+    material: ElasticPlastic,
+    radius: float,
+    speed: float,
+    history: pd.DataFrame,
+    flight: Flight,
+    stopped: str,
+) -> Throw:
+    force, time, approach = (history[name].to_numpy() for name in ("force", "time", "approach"))
+    touching = np.flatnonzero(force > 0)
+    last = touching[-1]
+    end = _end_of_contact(time[: last + 2], force[: last + 2])
+    return Throw(
+        material=material,
+        radius=radius,
+        speed=speed,
+        history=history,
+        coefficient_of_restitution=nan if stopped else history["velocity"].iloc[-1] / speed,
+        force_max=float(force.max()),
+        overlap_max=float(approach.max()),
+        overlap_res=nan if stopped else float(np.interp(end, time, approach)),
+        contact_time=nan if stopped else float(end - time[touching[0] - 1]),
+        snapshot=snapshot(flight.equations.body, flight.equations.plane, flight.now.state),
+        stopped=stopped,
+    )
+
+
+def _end_of_contact(time: np.ndarray, force: np.ndarray) -> float:
+    """When the force reaches zero, within the last step: its power 2/3 falls linearly."""
+    if len(force) < 3:
+        return float(time[-1])
+    before, last = force[-3] ** (2 / 3), force[-2] ** (2 / 3)
+    if last >= before:
+        return float(time[-1])
+    end = time[-2] + last * (time[-2] - time[-3]) / (before - last)
+    return float(min(end, time[-1]))

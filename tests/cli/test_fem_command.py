@@ -1,0 +1,42 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""The commands `fem` and `calibrate`."""
+
+from __future__ import annotations
+
+import json
+
+import pytest
+
+from plastigran.cli import main
+
+METAL = ["--young", "70e9", "--poisson", "0.3", "--yield", "1e8"]
+
+
+@pytest.fixture(autouse=True)
+def cache_of_its_own(tmp_path, monkeypatch):
+    monkeypatch.setenv("PLASTIGRAN_CACHE", str(tmp_path))
+
+
+def test_press_below_yield_says_so_and_gives_everything_back(capsys):
+    assert main(["fem", "press", *METAL, "--force-ratio", "0.5", "--json"]) == 0
+    printed = capsys.readouterr()
+    assert "does not reach yield" in printed.err
+    (unloading,) = json.loads(printed.out)["unloadings"]
+    # Quadrature over steps of 40 % below yield.
+    assert unloading["coefficient_of_restitution"] == pytest.approx(1, abs=5e-3)
+
+
+@pytest.mark.parametrize(
+    ("line", "said"),
+    [
+        (["fem", "press", *METAL, "--force-ratio", "3", "2"], "must be positive and increase"),
+        (["fem", "press", *METAL, "--hardening", "-3", "--force-ratio", "3"], "modulus is -3"),
+        (["fem", "throw", *METAL, "--speed", "900"], "speed of sound"),
+        (["fem", "throw", *METAL, "--speed", "100"], "of the radius; up to 0.4"),
+        (["calibrate", "--fem", *METAL, "--range", "1e6"], "of the radius; up to 0.4"),
+        (["calibrate", "--fem", *METAL, "--range", "1.2"], "needs 3 times the force at yield"),
+    ],
+)
+def test_bad_input_is_refused_with_its_limit(line, said, capsys):
+    assert main(line) == 1
+    assert said in capsys.readouterr().err

@@ -1,0 +1,31 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Computations several tests look at."""
+
+from __future__ import annotations
+
+import pytest
+from coarse_sphere import COARSE, ELASTIC, METAL, RADIUS
+
+from plastigran.fem.press import press
+from plastigran.fem.throw import throw
+
+
+@pytest.fixture(scope="session")
+def elastic_pressing():
+    return press(ELASTIC, RADIUS, [200.0], COARSE)
+
+
+@pytest.fixture(scope="session")
+def plastic_pressing():
+    """Pressed to 500 N, let go, pressed again to 1500 N and let go."""
+    return press(METAL, RADIUS, [500.0, 1500.0], COARSE)
+
+
+@pytest.fixture(scope="session")
+def elastic_throw():
+    return throw(ELASTIC, RADIUS, 0.02, COARSE)
+
+
+@pytest.fixture(scope="session")
+def plastic_throw():
+    return throw(METAL, RADIUS, 0.02, COARSE)

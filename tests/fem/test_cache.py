@@ -1,0 +1,65 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Results on disk."""
+
+from __future__ import annotations
+
+import attrs
+import pytest
+from coarse_sphere import COARSE, METAL, RADIUS
+
+from plastigran.fem.cache import cached, folder
+from plastigran.fem.convergence import convergence
+
+
+@pytest.fixture
+def counted(tmp_path, monkeypatch):
+    """A computation that counts how often it was done."""
+    monkeypatch.setenv("PLASTIGRAN_CACHE", str(tmp_path))
+    calls = []
+
+    def compute(metal, radius, forces, settings, progress):
+        calls.append(settings)
+        return forces[-1]
+
+    return compute, calls
+
+
+def test_same_computation_is_done_once(counted):
+    compute, calls = counted
+    assert [cached(compute, METAL, RADIUS, [5.0], settings=COARSE) for _ in range(2)] == [5.0, 5.0]
+    assert len(calls) == 1
+
+
+@pytest.mark.parametrize(
+    "other",
+    [
+        (attrs.evolve(METAL, young=71e9), RADIUS, [5.0], COARSE),
+        (attrs.evolve(METAL, hardening=None), RADIUS, [5.0], COARSE),
+        (METAL, 0.2, [5.0], COARSE),
+        (METAL, RADIUS, [6.0], COARSE),
+        (METAL, RADIUS, [5.0], attrs.evolve(COARSE, growth=1.2)),
+    ],
+)
+def test_another_computation_is_done_anew(counted, other):
+    compute, calls = counted
+    cached(compute, METAL, RADIUS, [5.0], settings=COARSE)
+    *arguments, settings = other
+    cached(compute, *arguments, settings=settings)
+    assert len(calls) == 2
+
+
+def test_broken_file_is_computed_again(counted):
+    compute, calls = counted
+    cached(compute, METAL, RADIUS, [5.0], settings=COARSE)
+    (file,) = folder().iterdir()
+    file.write_bytes(b"half")
+    assert cached(compute, METAL, RADIUS, [5.0], settings=COARSE) == 5.0
+    assert len(calls) == 2
+
+
+def test_convergence_compares_with_the_unchanged_settings():
+    table = convergence(
+        lambda settings: {"cells": 10.0 * settings.divisions}, {"divisions": (6,)}, COARSE
+    )
+    assert table["changed"].to_list() == ["-", "divisions"]
+    assert table["cells_change"].to_list() == [0.0, 50.0]

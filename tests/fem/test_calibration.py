@@ -1,0 +1,53 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Constants of Vu-Quoc and Zhang's law from finite elements."""
+
+from __future__ import annotations
+
+import attrs
+import numpy as np
+import pandas as pd
+import pytest
+from coarse_sphere import METAL, RADIUS
+
+from plastigran.fem.calibration import calibrate
+from plastigran.fem.hertz import HertzSphere
+from plastigran.fem.results import Pressing
+
+SPHERE = HertzSphere(METAL, RADIUS)
+
+
+def law_pressing(widening: float, curvature: float) -> Pressing:
+    """A loading that follows the law exactly."""
+    force = np.geomspace(10, 1500, 60)
+    excess = np.maximum(force - SPHERE.yield_force, 0)
+    radius = np.array([SPHERE.contact_radius(f) for f in force]) + widening * excess
+    approach = radius**2 / (RADIUS * (1 + curvature * excess))
+    history = pd.DataFrame(
+        {"branch": 0, "force": force, "approach": approach, "contact_radius": radius}
+    )
+    return Pressing(METAL, RADIUS, history, pd.DataFrame(), [])
+
+
+def test_constants_of_a_loading_by_the_law_are_found():
+    found = calibrate(law_pressing(2.33e-7, 2.69e-4))
+    # Straight lines through points that lie on them: rounding.
+    assert found.contact_radius_per_force == pytest.approx(2.33e-7, rel=1e-9)
+    assert found.curvature_per_force == pytest.approx(2.69e-4, rel=1e-9)
+    assert found.contact_radius_error < 1e-9
+    assert found.approach_error < 1e-9
+    # The law's own numbers for this sphere, with p_y/sigma_Y = 1.6128: 0.3 % from the paper's 1.61.
+    assert found.contact_radius_coefficient == pytest.approx(0.0258303, rel=5e-3)
+    assert found.curvature_coefficient == pytest.approx(0.00980426, rel=1e-2)
+
+
+def test_coarse_elements_give_the_paper_s_radius(plastic_pressing):
+    """To 1500 N; 2.33e-7 m/N is the paper's, the coarse mesh alone is 5 % off."""
+    found = calibrate(plastic_pressing)
+    assert found.contact_radius_per_force == pytest.approx(2.33e-7, rel=0.05)
+
+
+def test_range_that_hardly_yields_is_refused():
+    pressing = law_pressing(2.33e-7, 2.69e-4)
+    short = pressing.history[pressing.history["force"] < 2 * SPHERE.yield_force]
+    with pytest.raises(ValueError, match="needs 3 times the force"):
+        calibrate(attrs.evolve(pressing, history=short))

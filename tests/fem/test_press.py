@@ -1,0 +1,136 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""A sphere pressed on a plane, against Hertz, finer meshes and its own energies.
+
+References of the elastic-plastic sphere are this solver's results with its default settings, which
+its convergence table holds within 0.5 %; the coarse mesh and steps of the tests add 1.5 %.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from coarse_sphere import COARSE, ELASTIC, METAL, RADIUS
+from numpy.testing import assert_allclose
+
+from plastigran.fem.hertz import HertzSphere
+from plastigran.fem.increment import Equations, NoConvergence
+from plastigran.fem.limits import SmallStrainWarning, check_forces
+from plastigran.fem.press import press
+
+HERTZ = HertzSphere(ELASTIC, RADIUS)
+COARSE_MESH = 0.02
+FINE = {  # default settings
+    500.0: {"approach": 6.80e-6, "residual_approach": 2.02e-6, "coefficient_of_restitution": 0.839},
+    1500.0: {
+        "approach": 15.60e-6,
+        "residual_approach": 7.08e-6,
+        "coefficient_of_restitution": 0.7365,
+    },
+}
+
+
+def test_elastic_sphere_follows_hertz(elastic_pressing):
+    history = elastic_pressing.history
+    loaded = history[history["force"] > 50]
+    expected = [HERTZ.approach(force) for force in loaded["force"]]
+    # A sphere of finite size is stiffer by up to 0.15 % of the approach at 200 N; the mesh adds as
+    # much again.
+    assert_allclose(loaded["approach"], expected, rtol=5e-3)
+
+
+def test_elastic_pressure_is_hertzian(elastic_pressing):
+    at_most = elastic_pressing.snapshots[0]
+    radius = HERTZ.contact_radius(200.0)
+    inside = at_most.radii < 0.8 * radius
+    largest = 1.5 * 200.0 / (np.pi * radius**2)
+    expected = largest * np.sqrt(1 - (at_most.radii[inside] / radius) ** 2)
+    assert inside.sum() > 5
+    assert_allclose(
+        at_most.pressure[inside], expected, rtol=0.05
+    )  # an edge is a tenth of the contact
+
+
+def test_elastic_sphere_gives_all_work_back(elastic_pressing):
+    row = elastic_pressing.unloadings.iloc[0]
+    assert row["coefficient_of_restitution"] == pytest.approx(
+        1, abs=2e-3
+    )  # quadrature of ten steps
+    assert row["residual_approach"] == pytest.approx(0, abs=2e-3 * row["approach"])
+
+
+@pytest.mark.parametrize("force", FINE)
+def test_coarse_pressing_is_near_the_fine_one(plastic_pressing, force):
+    table = plastic_pressing.unloadings.set_index("force")
+    row = table.iloc[np.argmin(np.abs(table.index - force))]
+    for name, value in FINE[force].items():
+        assert row[name] == pytest.approx(value, rel=COARSE_MESH), name
+
+
+def test_work_is_stored_or_dissipated(plastic_pressing):
+    history = plastic_pressing.history
+    energy = history[["elastic_energy", "plastic_work", "penalty_energy"]].sum(axis=1)
+    top = history["branch"].eq(0).to_numpy().nonzero()[0][-1]
+    work = plastic_pressing.unloadings["work_loading"].iloc[0]
+    assert energy.iloc[top] == pytest.approx(work, rel=0.01)  # backward Euler in steps of 15 %
+
+
+def test_pressing_again_retraces_the_unloading(plastic_pressing):
+    history = plastic_pressing.history
+    down, again = (history[history["branch"] == branch] for branch in (1, 2))
+    retraced = np.interp(down["force"], again["force"], again["approach"])
+    upper = down["force"] > 50
+    # Reverse flow within the unloading is small; the rest is interpolation in ten steps.
+    assert_allclose(retraced[upper], down["approach"][upper], rtol=0.02)
+
+
+def test_yield_begins_below_the_surface_at_the_force_of_hertz():
+    ratio = 1.15
+    force = ratio * HertzSphere(METAL, RADIUS).yield_force
+    strained = press(METAL, RADIUS, [force], COARSE).snapshots[0]
+    deepest = strained.positions[np.argmax(strained.plastic_strain)]
+    radius = HERTZ.contact_radius(force)
+    assert strained.plastic_strain.max() > 0
+    assert deepest[0] < 0.3 * radius  # a Gauss point beside the axis
+    assert deepest[1] == pytest.approx(0.48 * radius, rel=0.35)  # within an element of nu = 0.3
+
+
+def test_forces_below_yield_leave_nothing():
+    force = 0.9 * HertzSphere(METAL, RADIUS).yield_force
+    pressing = press(METAL, RADIUS, [force], COARSE)
+    assert pressing.snapshots[0].plastic_strain.max() == 0
+
+
+def test_pressing_that_gives_up_keeps_what_it_has(monkeypatch):
+    press_increment = Equations.press
+
+    def fail_beyond(equations, start, guess, force):
+        if force > 100:
+            raise NoConvergence("too much")
+        return press_increment(equations, start, guess, force)
+
+    monkeypatch.setattr(Equations, "press", fail_beyond)
+    pressing = press(ELASTIC, RADIUS, [200.0], COARSE)
+    assert "too much between" in pressing.stopped
+    assert "after 6 halvings" in pressing.stopped
+    assert 50 < pressing.history["force"].max() <= 100
+    assert pressing.unloadings.empty
+
+
+@pytest.mark.parametrize(
+    ("forces", "said"),
+    [
+        ([], "empty"),
+        ([-1.0], "-1 N"),
+        ([200.0, 100.0], "100 N after 200 N"),
+        ([float("nan")], "nan N"),
+        ([1e12], "of the radius; up to 0.4"),
+    ],
+)
+def test_forces_that_cannot_be_pressed_are_refused(forces, said):
+    with pytest.raises(ValueError, match=said):
+        press(METAL, RADIUS, forces, COARSE)
+
+
+def test_wide_contacts_are_warned_of():
+    with pytest.warns(SmallStrainWarning, match="small strain is good to 0.1"):
+        check_forces(HertzSphere(METAL, RADIUS), [2e5])
