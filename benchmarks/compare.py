@@ -84,9 +84,8 @@ def execute(tree: Path, run: Run, folder: Path) -> dict[str, bytes]:
     if run.ranks > 1:
         line = ["mpirun", "--oversubscribe", "-np", str(run.ranks), *line]
     allowed = {"OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1"}
-    shared = {"OMPI_MCA_mpi_yield_when_idle": "1"}
     done = subprocess.run(
-        line, cwd=folder, env=os.environ | allowed | shared, capture_output=True, check=False
+        line, cwd=folder, env=os.environ | allowed, capture_output=True, check=False
     )
     log = folder / "log.liggghts"
     text = log.read_text(errors="replace") if log.exists() else ""

@@ -12,13 +12,3 @@ function(law_class law result)
   endforeach()
   set(${result} ${class} PARENT_SCOPE)
 endfunction()
-
-# Whether a header of laws/ holds a law, or what several laws share: a law names itself.
-function(is_law path result)
-  file(STRINGS ${path} name REGEX "static constexpr const char\\* name = " LIMIT_COUNT 1)
-  if(name)
-    set(${result} TRUE PARENT_SCOPE)
-  else()
-    set(${result} FALSE PARENT_SCOPE)
-  endif()
-endfunction()

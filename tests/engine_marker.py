@@ -14,7 +14,18 @@ from types import CodeType, FunctionType
 import pytest
 
 #: Names of functions and methods that start it, of the package and of `subprocess`.
-STARTERS = {"Popen", "bulk", "collide", "main", "run", "run_bulk", "run_cases", "run_deck", "sweep"}
+STARTERS = {
+    "Popen",
+    "bulk",
+    "collide",
+    "main",
+    "run",
+    "run_bulk",
+    "run_deck",
+    "study",
+    "sweep",
+    "trajectory",
+}
 TESTS = Path(__file__).parent
 
 

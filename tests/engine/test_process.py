@@ -11,7 +11,7 @@ from pathlib import Path
 
 import pytest
 
-from plastigran.engine.process import EngineStopped, engines, run_deck
+from plastigran.engine.process import EngineStopped, engines, inputs_folder, run_deck
 
 SHORT = """
 # An ERROR in a comment is none in the run.
@@ -103,3 +103,14 @@ def wait_until(true) -> None:
     while not true():
         assert time.monotonic() < deadline
         time.sleep(0.02)
+
+
+@pytest.mark.parametrize("ranks", [1, 2])
+def test_paths_may_hold_spaces(ranks, tmp_path, monkeypatch):
+    """Input scripts and results, which the engine itself would split at the space."""
+    inputs = tmp_path / "my inputs"
+    inputs.symlink_to(inputs_folder())
+    monkeypatch.setenv("PLASTIGRAN_INPUTS", str(inputs))
+    folder = tmp_path / "my results"
+    run_deck("collision/two_spheres.in", {}, folder, ranks)
+    assert (folder / "trajectory.dump").stat().st_size > 1000

@@ -33,7 +33,7 @@ def test_same_computation_is_done_once(counted):
 @pytest.mark.parametrize(
     "other",
     [
-        (attrs.evolve(METAL, young=71e9), RADIUS, [5.0], COARSE),
+        (attrs.evolve(METAL, youngs_modulus=71e9), RADIUS, [5.0], COARSE),
         (attrs.evolve(METAL, hardening=None), RADIUS, [5.0], COARSE),
         (METAL, 0.2, [5.0], COARSE),
         (METAL, RADIUS, [6.0], COARSE),

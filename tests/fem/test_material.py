@@ -21,7 +21,7 @@ HARDENINGS = [
 
 
 def metal(hardening, rate=None):
-    return ElasticPlastic(young=70e9, poisson=0.3, hardening=hardening, rate=rate)
+    return ElasticPlastic(youngs_modulus=70e9, poissons_ratio=0.3, hardening=hardening, rate=rate)
 
 
 @pytest.fixture
@@ -60,7 +60,9 @@ def test_tangent_is_the_derivative_of_the_stress(hardening, rate, strains):
         slope = ((above - below) / (2 * step))[answer.flowing]
         # Central differences: step^2 of curvature and rounding of 1e-16 * stress / step. A point
         # may pass a corner of the table within the step, so a few are let be.
-        error = np.abs(slope - answer.tangent[:, :, component]).max(axis=1) / material.young
+        error = (
+            np.abs(slope - answer.tangent[:, :, component]).max(axis=1) / material.youngs_modulus
+        )
         assert np.quantile(error, 0.98) < 1e-5
 
 
@@ -103,7 +105,9 @@ def test_table_that_cannot_be_is_refused(strains, stresses, named):
 
 
 def test_bad_metal_is_refused_with_field_value_and_range():
-    with pytest.raises(ValueError, match=r"poisson is 0\.5; it must lie between -1 and 0\.5"):
-        ElasticPlastic(young=70e9, poisson=0.5)
-    with pytest.raises(ValueError, match="yield_stress is -1; it must be positive"):
+    with pytest.raises(
+        ValueError, match=r"poissons_ratio is 0\.5; it must lie between -1 and 0\.5"
+    ):
+        ElasticPlastic(youngs_modulus=70e9, poissons_ratio=0.5)
+    with pytest.raises(ValueError, match="yield_strength is -1; it must be positive"):
         LinearHardening(-1)

@@ -17,7 +17,7 @@ from plastigran.fem.material import ElasticPlastic
 from plastigran.fem.mesh import SphereMesh
 
 RADIUS, CORE, REACH = 0.1, 4e-4, 1.5e-3
-MATERIAL = ElasticPlastic(young=70e9, poisson=0.3, density=2699.0)
+MATERIAL = ElasticPlastic(youngs_modulus=70e9, poissons_ratio=0.3, density=2699.0)
 
 
 @pytest.fixture(scope="module", params=[True, False], ids=["whole", "half"])

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
 // Times of an elastic sphere that time steps are usually held against.
-#ifndef PLASTIGRAN_ELASTIC_TIMES_H
-#define PLASTIGRAN_ELASTIC_TIMES_H
+#pragma once
 
 #include <cmath>
 
@@ -28,5 +27,3 @@ inline double rayleigh_time(double radius, double density, double youngs_modulus
 }
 
 }  // namespace plastigran
-
-#endif

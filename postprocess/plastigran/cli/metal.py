@@ -21,7 +21,9 @@ def add_metal(command: argparse.ArgumentParser, elastic: bool = False) -> None:
     command.add_argument("--poisson", type=float, required=True, help="Poisson's ratio")
     command.add_argument("--density", type=positive, default=2700.0, help="kg/m3, default 2700")
     strength = command.add_mutually_exclusive_group(required=True)
-    strength.add_argument("--yield", type=positive, dest="yield_stress", help="yield stress, Pa")
+    strength.add_argument(
+        "--yield", type=positive, dest="yield_strength", help="yield strength, Pa"
+    )
     if elastic:
         strength.add_argument("--elastic", action="store_true", help="the sphere does not yield")
     command.add_argument(
@@ -38,11 +40,11 @@ def metal(arguments: argparse.Namespace) -> ElasticPlastic:
         ValueError: A number out of range.
     """
     hardening = None
-    if arguments.yield_stress is not None:
-        hardening = LinearHardening(arguments.yield_stress, arguments.hardening)
+    if arguments.yield_strength is not None:
+        hardening = LinearHardening(arguments.yield_strength, arguments.hardening)
     return ElasticPlastic(
-        young=arguments.young,
-        poisson=arguments.poisson,
+        youngs_modulus=arguments.young,
+        poissons_ratio=arguments.poisson,
         density=arguments.density,
         hardening=hardening,
     )

@@ -65,17 +65,33 @@ def engine_path() -> Path:
 def command(
     deck: str | Path, variables: Mapping[str, object], folder: Path, ranks: int = 1
 ) -> list[str]:
-    """Command line that runs a deck with its results in `folder`.
+    """Command line that runs a deck with its results in `folder`, from where it is to be run.
+
+    The engine splits a line of a deck at white space, in paths too: a file or folder whose path has
+    some is reached through a link in `folder`.
 
     Never add `-screen none`: the engine's mesh reader then writes to a null file and crashes.
     """
     line = [str(engine_path()), "-in", str(deck), "-log", str(folder / "log.liggghts")]
     settings = {"inputs": inputs_folder(), "output": folder, **variables}
     for name, value in settings.items():
-        line += ["-var", name, repr(float(value)) if isinstance(value, float) else str(value)]
+        text = repr(float(value)) if isinstance(value, float) else str(value)
+        if any(map(str.isspace, text)) and Path(text).is_absolute() and Path(text).exists():
+            text = _link(name, Path(text), folder)
+        line += ["-var", name, text]
     if ranks > 1:
         line = ["mpirun", "--oversubscribe", "-np", str(ranks), *line]
     return line
+
+
+def _link(name: str, target: Path, folder: Path) -> str:
+    """A name without white space for a file or folder, as seen from `folder`."""
+    if target == folder:
+        return "."
+    link = folder / f".{name}"
+    link.unlink(missing_ok=True)
+    link.symlink_to(target)
+    return link.name
 
 
 def environment() -> dict[str, str]:

@@ -77,7 +77,7 @@ class RigidPlane:
         )
         self._areas = 2 * pi * distance * weight
         material = body.material
-        modulus = material.young / (1 - material.poisson**2)
+        modulus = material.youngs_modulus / (1 - material.poissons_ratio**2)
         self._stiffness = penalty * modulus / basis.dx.sum(axis=1)[:, None]
         self._heights = radius - np.sqrt(radius**2 - distance**2)
         self.radii = distance.ravel()

@@ -22,11 +22,11 @@ class Hardening(Protocol):
 class LinearHardening:
     """sigma = sigma_Y + H eps_p; perfectly plastic for H = 0."""
 
-    yield_stress: float = number("uniaxial yield stress", "Pa", 0)
+    yield_strength: float = number("uniaxial yield stress", "Pa", 0)
     modulus: float = number("plastic modulus d sigma / d eps_p", "Pa", 0, closed=True, default=0.0)
 
     def flow_stress(self, strain: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        return self.yield_stress + self.modulus * strain, np.full_like(strain, self.modulus)
+        return self.yield_strength + self.modulus * strain, np.full_like(strain, self.modulus)
 
 
 def _increasing(instance: TabulatedHardening, field: attrs.Attribute, value: tuple) -> None:
@@ -53,7 +53,7 @@ class TabulatedHardening:
             raise ValueError(f"stresses begins with {self.stresses[0]:g} Pa; it must be positive")
 
     @property
-    def yield_stress(self) -> float:
+    def yield_strength(self) -> float:
         return self.stresses[0]
 
     def flow_stress(self, strain: np.ndarray) -> tuple[np.ndarray, np.ndarray]:

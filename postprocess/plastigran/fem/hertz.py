@@ -27,7 +27,7 @@ class HertzSphere:
     @property
     def modulus(self) -> float:
         """E/(1 - nu^2), Pa."""
-        return self.material.young / (1 - self.material.poisson**2)
+        return self.material.youngs_modulus / (1 - self.material.poissons_ratio**2)
 
     @property
     def mass(self) -> float:
@@ -64,13 +64,13 @@ class HertzSphere:
         """
         if self.material.hardening is None:
             return float("inf")
-        poisson = self.material.poisson
+        poissons_ratio = self.material.poissons_ratio
         least = minimize_scalar(
-            lambda z: -abs(1.5 / (1 + z * z) - (1 + poisson) * (1 - z * atan(1 / z))),
+            lambda z: -abs(1.5 / (1 + z * z) - (1 + poissons_ratio) * (1 - z * atan(1 / z))),
             bounds=(0.05, 3),
             method="bounded",
         )
-        pressure = self.material.hardening.yield_stress / -least.fun
+        pressure = self.material.hardening.yield_strength / -least.fun
         return pi**3 * self.radius**2 * pressure**3 / (6 * self.modulus**2)
 
     @property

@@ -25,7 +25,7 @@ def contact_reach(sphere: HertzSphere, force: float) -> float:
     elastic = sphere.contact_radius(force)
     if force <= sphere.yield_force:
         return elastic
-    strength = sphere.material.hardening.yield_stress
+    strength = sphere.material.hardening.yield_strength
     ratio = (force / sphere.yield_force) ** (1 / 3)
     # Fit to perfectly plastic spheres, within 1 % up to 600 times the force at yield.
     plastic = sphere.contact_radius(sphere.yield_force) * (
@@ -71,7 +71,7 @@ def check_speed(sphere: HertzSphere, speed: float) -> None:
     """
     if not 0 < speed or not isfinite(speed):
         raise ValueError(f"speed is {speed:g} m/s; it must be positive and finite")
-    sound = sqrt(sphere.material.young / sphere.material.density)
+    sound = sqrt(sphere.material.youngs_modulus / sphere.material.density)
     if speed > SUBSONIC * sound:
         raise ValueError(
             f"speed is {speed:g} m/s; it must be below {SUBSONIC:g} of the speed of sound in the "

@@ -62,19 +62,19 @@ class Response:
 class ElasticPlastic:
     """An isotropic metal. Without hardening it is elastic."""
 
-    young: float = number("Young's modulus", "Pa", 0)
-    poisson: float = number("Poisson's ratio", "-", -1, 0.5)
+    youngs_modulus: float = number("Young's modulus", "Pa", 0)
+    poissons_ratio: float = number("Poisson's ratio", "-", -1, 0.5)
     density: float = number("density", "kg/m3", 0, default=1.0)
     hardening: Hardening | None = None
     rate: RateFactor | None = None
 
     @property
     def shear_modulus(self) -> float:
-        return self.young / (2 * (1 + self.poisson))
+        return self.youngs_modulus / (2 * (1 + self.poissons_ratio))
 
     @property
     def bulk_modulus(self) -> float:
-        return self.young / (3 * (1 - 2 * self.poisson))
+        return self.youngs_modulus / (3 * (1 - 2 * self.poissons_ratio))
 
     @property
     def elastic_tangent(self) -> np.ndarray:
@@ -89,8 +89,8 @@ class ElasticPlastic:
             return Response(stress, state, np.empty(0, int), np.empty((0, 4, 4)))
         deviator = stress - stress @ IDENTITY[:, None] / 3 * IDENTITY
         mises = np.sqrt(1.5 * (deviator**2 @ TWICE_SHEAR))
-        yield_stress, _ = self.hardening.flow_stress(state.accumulated)
-        flowing = np.flatnonzero(mises > yield_stress)
+        yield_strength, _ = self.hardening.flow_stress(state.accumulated)
+        flowing = np.flatnonzero(mises > yield_strength)
         if flowing.size == 0:
             return Response(stress, state, flowing, np.empty((0, 4, 4)))
         trial = mises[flowing]

@@ -3,21 +3,22 @@
 
 from __future__ import annotations
 
-import attrs
 import pytest
 from deck_cases import CASES
 
 from plastigran.bulk.run import BulkRun
+from plastigran.declared import declaration
 
 
 def pytest_generate_tests(metafunc: pytest.Metafunc) -> None:
-    """`case` runs a test for every short run, with `field` for every declared setting of it."""
+    """`case` runs a test for every short run, with `field` for every declared setting of it
+    that not every text is a value of."""
     if "field" in metafunc.fixturenames:
         pairs = [
             pytest.param(case, field, id=f"{case.name}-{case.label}-{field}")
             for case in CASES
-            for field in attrs.fields_dict(case.kind)
-            if field != "output"
+            for field, said in declaration(case.kind).items()
+            if said.choices or said.kind is not str
         ]
         metafunc.parametrize(("case", "field"), pairs)
     elif "case" in metafunc.fixturenames and metafunc.module.__name__ != "test_exercise_deck":

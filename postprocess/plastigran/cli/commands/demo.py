@@ -9,7 +9,6 @@ from pathlib import Path
 from plastigran.cli.arguments import add_jobs, law_names
 from plastigran.cli.commands.bulk import report
 from plastigran.cli.experiments import run_study
-from plastigran.engine.process import PROJECT
 from plastigran.experiments.central import GEOMETRIES, PAPER_SPEEDS, CentralImpact
 from plastigran.experiments.runs import sweep
 
@@ -17,7 +16,7 @@ HELP = "the tour: collisions, a gas that cools and a hopper, with figures"
 
 
 def add_arguments(command: argparse.ArgumentParser) -> None:
-    command.add_argument("--output", type=Path, default=PROJECT / "results" / "demo")
+    command.add_argument("--output", type=Path, default=Path("results/demo"))
     add_jobs(command)
 
 

@@ -56,9 +56,7 @@ class RodImpact(Experiment):
     deck = "collision/rod.in"
     flags: ClassVar = {
         "angle": Flag(tuple(PAPER_FRICTION), said=_ROD["angle"]),
-        "coefficient_of_friction": Flag(
-            None, "friction", _ROD["coefficient_of_friction"], many=False
-        ),
+        "coefficient_of_friction": Flag(None, said=_ROD["coefficient_of_friction"], many=False),
         "law": Flag(("all",)),
         "speed": Flag(PAPER_SPEEDS),
         "tangential": Flag("history", many=False),
@@ -146,7 +144,9 @@ class RodImpact(Experiment):
             frictions = dict.fromkeys(frictions, coefficient_of_friction)
         if None in frictions.values():
             known = " and ".join(f"{paper:g}" for paper in PAPER_FRICTION)
-            raise ValueError(f"the paper gives friction at {known} degrees only; add --friction")
+            raise ValueError(
+                f"the paper gives friction at {known} degrees only; give coefficient_of_friction"
+            )
         return cls.plan(rod=[Rod(*set_up) for set_up in frictions.items()], **settings)
 
     @classmethod
