@@ -28,7 +28,8 @@ class Contact:
         radius_other: Of body b [m]; None for a flat.
         mass_eff: m* [kg]; None takes spheres, or cylinders of `cylinder_length`, of the materials'
             densities. A flat and a body without density do not move.
-        constants: The law's own constants and options; those that materials give need not be said.
+        constants: The law's own constants and options; those that the material of a gives, or of b
+            where a is rigid, need not be said.
 
     Attributes:
         law: The law between the bodies, an instance of a class of `plastigran.laws.LAWS`.
@@ -131,6 +132,8 @@ class Contact:
         said: dict[str, Any] = {"radius": self._radii[0]}
         if self._radii[1] != inf:
             said["radius_other"] = self._radii[1]
+        if self._mass_eff is not None:
+            said["mass_eff"] = self._mass_eff
         said |= self._constants
         listed = ", ".join(f"{name}={value!r}" for name, value in said.items())
         return f"Contact({self.law.name!r}, {a}, {b}, {listed})"
