@@ -28,7 +28,11 @@ def stock(folder: Path, preload: Path | None, **variables) -> subprocess.Complet
     """Run the wall deck for a law in the stock `liggghts`."""
     deck = inputs_folder() / wall_deck(variables["law"])
     line = ["liggghts", *command(deck, VISCOSITY | variables, folder)[1:]]
-    extra = {"LD_PRELOAD": str(preload)} if preload else {}
+    extra = {}
+    if preload:
+        link = folder / "preloaded.so"  # the loader splits at spaces
+        link.symlink_to(preload)
+        extra["LD_PRELOAD"] = str(link)
     return subprocess.run(
         line,
         cwd=folder,

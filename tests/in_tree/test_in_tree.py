@@ -9,6 +9,7 @@ from pathlib import Path
 import pytest
 
 from plastigran import laws
+from plastigran.engine.process import command, inputs_folder
 from plastigran.experiments.collide import IMPACTS
 from plastigran.experiments.collision import measure
 
@@ -32,8 +33,8 @@ def in_tree():
     """Upstream LIGGGHTS with our models in its source tree."""
     if not shutil.which("apt-get"):
         pytest.skip("the LIGGGHTS source comes from Debian's source package; no apt-get here")
-    command = [HERE / "build_upstream.sh", PROJECT / "build/in-tree"]
-    build = subprocess.run(command, capture_output=True, text=True)
+    words = [HERE / "build_upstream.sh", PROJECT / "build/in-tree"]
+    build = subprocess.run(words, capture_output=True, text=True)
     assert build.returncode == 0, build.stderr[-10000:]
     return build.stdout.splitlines()[-1]
 
@@ -42,12 +43,10 @@ def collide(program, deck: str, law: str, output: Path):
     """Run a collision deck; what it did, and its log."""
     output.mkdir()
     log = output / "log.liggghts"
-    # No "-screen none": the engine's mesh reader writes to the screen without asking for one.
-    command = [program, "-in", PROJECT / "inputs/collision" / deck, "-log", log]
-    variables = {"inputs": PROJECT / "inputs", "output": output, "law": law}
-    for name, value in {**variables, "dissipative_constant": "3e-5"}.items():
-        command += ["-var", name, value]
-    run = subprocess.run(command, capture_output=True, text=True, errors="replace")
+    script = inputs_folder() / "collision" / deck
+    words = command(script, {"law": law, "dissipative_constant": 3e-5}, output)
+    words[0] = program
+    run = subprocess.run(words, cwd=output, capture_output=True, text=True, errors="replace")
     assert run.returncode == 0, run.stdout[-3000:] + run.stderr[-3000:]
     return measure(output / "trajectory.dump"), log.read_text()
 
