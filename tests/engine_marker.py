@@ -8,6 +8,7 @@ here fails there.
 from __future__ import annotations
 
 from collections.abc import Iterator
+from inspect import unwrap
 from pathlib import Path
 from types import CodeType, FunctionType
 
@@ -44,7 +45,7 @@ def _functions(item: pytest.Function) -> Iterator[FunctionType]:
     while waiting:
         function = waiting.pop()
         inner = getattr(function, "hypothesis", None)  # what @given has wrapped
-        function = inner.inner_test if inner else function
+        function = unwrap(inner.inner_test if inner else function)  # and a cache
         if not isinstance(function, FunctionType) or function in seen:
             continue
         if not Path(function.__code__.co_filename).is_relative_to(TESTS):

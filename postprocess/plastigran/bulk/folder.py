@@ -18,7 +18,7 @@ import pandas as pd
 from plastigran.engine.checkpoints import PATTERN, newest_checkpoint
 from plastigran.engine.dumps import DumpError, TruncatedFileWarning
 from plastigran.engine.log import read_thermo
-from plastigran.engine.process import EngineError
+from plastigran.engine.process import EngineError, engines
 
 RECORD = "run.json"
 LOG = "log.liggghts"
@@ -46,11 +46,17 @@ _DERIVED = re.compile(r"^derived (\w+) = (\S+)\s*$", re.MULTILINE)
 
 
 def read_record(folder: str | Path) -> dict:
-    """What `run.json` says. Raises EngineError when there is none."""
+    """What `run.json` says. Raises EngineError when there is none, or it is not that of a run."""
     path = Path(folder) / RECORD
     if not path.is_file():
         raise EngineError(f"{folder} holds no {RECORD}; it is not a run of `plastigran bulk`")
-    return json.loads(path.read_text())
+    try:
+        record = json.loads(path.read_text())
+    except ValueError as error:
+        raise EngineError(f"{path}: {error}") from None
+    if not isinstance(record, dict) or not {"deck", "values", "settings"} <= record.keys():
+        raise EngineError(f"{path} is not the record of a run: it names no deck and settings")
+    return record
 
 
 def write_record(folder: Path, record: dict) -> None:
@@ -64,8 +70,11 @@ def prepare_folder(folder: Path, force: bool) -> None:
     """An empty folder for a run; of one that holds a run only that run's own files are removed.
 
     Raises:
-        ValueError: It holds files and `force` is not given, or they are not those of a run.
+        ValueError: It holds files and `force` is not given, or they are not those of a run, or an
+            engine of this machine is writing there.
     """
+    if at_work := engines(folder):
+        raise ValueError(f"{folder} is being written to by the engine (process {at_work[0]})")
     if folder.exists() and any(folder.iterdir()):
         if not force:
             raise ValueError(f"{folder} holds results; choose another --output, or add --force")

@@ -127,6 +127,8 @@ def run_bulk(
         EngineError: No such deck, no whole checkpoint, or the engine stopped with an error.
         ValueError: An unknown setting, or one out of range, or `folder` holds results.
     """
+    if not (isinstance(ranks, int) and ranks >= 1):
+        raise ValueError(f"ranks is {ranks!r}; it must be 1 or more")
     folder, script = Path(folder).resolve(), find_deck(deck)
     values = {name: str(value) for name, value in values.items()}
     earlier = checkpoint = None
@@ -141,6 +143,7 @@ def run_bulk(
             check_continued(source.settings, earlier["settings"], kind.continuable_settings())
         kind.read(source.settings).check_inputs()
 
+    plugin = _fingerprint()  # raises where there is no engine, before anything is written
     prepare_folder(folder, force)
     # The engine reads a script as it goes: run one that nobody edits meanwhile.
     script = source.copy(folder / "deck")
@@ -151,7 +154,7 @@ def run_bulk(
         "ranks": ranks,
         "restart": str(restart) if restart else None,
         "derived": all_derived(restart) if restart else {},
-        "versions": {"plastigran": version("plastigran"), "plugin": _fingerprint()},
+        "versions": {"plastigran": version("plastigran"), "plugin": plugin},
     }
     if checkpoint:
         step = step_of(checkpoint)

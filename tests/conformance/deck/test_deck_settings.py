@@ -10,9 +10,9 @@ import pytest
 
 from plastigran.bulk.deck import BulkDeck
 from plastigran.bulk.decks import deck_class, deck_names
-from plastigran.bulk.run import PLACES, run_bulk
+from plastigran.bulk.run import PLACES, open_run, run_bulk
 from plastigran.declared import Declaration
-from plastigran.engine.process import inputs_folder
+from plastigran.engine.process import EngineError, inputs_folder
 
 
 def test_every_deck_has_a_class_and_a_short_run():
@@ -80,3 +80,16 @@ def test_frames_may_change_when_a_run_goes_on(case):
     allowed = case.kind.continuable_settings()
     shared = {field.name for field in attrs.fields(BulkDeck)}
     assert "frames" in allowed and allowed & shared <= {"frames", "rows", "checkpoints"}
+
+
+def test_ranks_below_one_are_refused(tmp_path):
+    with pytest.raises(ValueError, match="ranks is 0; it must be 1 or more"):
+        run_bulk("cooling_gas", {}, tmp_path / "run", ranks=0)
+    assert not (tmp_path / "run").exists()
+
+
+@pytest.mark.parametrize("record", ["{}", "[]", '{"deck": "hop'])
+def test_a_broken_record_is_said(record, tmp_path):
+    (tmp_path / "run.json").write_text(record)
+    with pytest.raises(EngineError, match=r"run\.json"):
+        open_run(tmp_path)
