@@ -19,6 +19,7 @@ STARTERS = {
     "Popen",
     "bulk",
     "collide",
+    "execute",
     "main",
     "run",
     "run_bulk",

@@ -140,9 +140,6 @@ def _required(field: attrs.Attribute) -> bool:
 
 def material_field(meaning: str, default: str | attrs.NothingType = attrs.NOTHING):
     """A field of a case for a material, taken as one, by name or by the path of a file."""
-    named = default
-    if default is not attrs.NOTHING:
-        default = attrs.Factory(lambda: read_material(named))
     return attrs.field(
         default=default,
         converter=lambda given: given if isinstance(given, Material) else read_material(given),

@@ -21,7 +21,7 @@ from plastigran.cli.arguments import (
     positive_integer,
 )
 from plastigran.declared import Declaration, declaration
-from plastigran.experiments.base import Experiment
+from plastigran.experiments.base import Experiment, several
 from plastigran.experiments.fields import Flag
 
 
@@ -108,8 +108,8 @@ def run(experiment: type[Experiment], arguments: argparse.Namespace) -> None:
     given = {name: value for name, value in given.items() if value is not None}
     if "law" in flags and flags["law"].many:
         usual = flags["material"].values() if "material" in flags else experiment.usual_materials
-        named = given.get("law", flags["law"].values())
-        given["law"] = law_names(named, given.get("material", usual), experiment.shape)
+        named = several(given.get("law", flags["law"].values()))
+        given["law"] = law_names(named, several(given.get("material", usual)), experiment.shape)
     run_study(experiment, fresh_folder(arguments.output, arguments.force), arguments.jobs, **given)
 
 

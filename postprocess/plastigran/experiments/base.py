@@ -149,7 +149,7 @@ class Experiment:
         Raises:
             ValueError: A case cannot be run; the message says why.
         """
-        axes = [_several(value) for value in values.values()]
+        axes = [several(value) for value in values.values()]
         named = (dict(zip(values, chosen, strict=True)) for chosen in product(*axes))
         return list(dict.fromkeys(cls(**case) for case in named))
 
@@ -170,9 +170,9 @@ class Experiment:
         if missing := [name for name, value in found.items() if value is attrs.NOTHING]:
             raise ValueError(f"{cls.command} must be given {', '.join(missing)}")
         if "law" in found and cls.all_flags()["law"].many:
-            names = _several(found.get("material", cls.usual_materials))
+            names = several(found.get("material", cls.usual_materials))
             usable = laws_for(cls.shape, [read_material(name) for name in names])
-            chosen = [usable if law == "all" else [law] for law in _several(found["law"])]
+            chosen = [usable if law == "all" else [law] for law in several(found["law"])]
             found["law"] = tuple(dict.fromkeys(law for some in chosen for law in some))
         return found
 
@@ -221,7 +221,7 @@ class Experiment:
         return "\n".join(filter(None, text))
 
 
-def _several(value: Any) -> tuple:
+def several(value: Any) -> tuple:
     """One value, or an iterable of them, as a tuple."""
     if isinstance(value, str | Path | Material) or not np.iterable(value):
         return (value,)
