@@ -26,7 +26,7 @@ from plastigran.bulk.run import BulkRun, run_bulk
 from plastigran.experiments import find_experiments
 from plastigran.materials import RIGID, read_material
 from plastigran.physics import central
-from plastigran.plot.snapshot import draw, read_frames
+from plastigran.plot.snapshot import draw, find_frames
 from plastigran.plot.style import COLOURS, save, styled, subplots, title
 
 FOLDER = Path(__file__).parent / "figures"
@@ -206,7 +206,7 @@ def draw_hopper_grains() -> None:
     """Grains of the demo's hopper half-way, by plastic work: a minute."""
     with tempfile.TemporaryDirectory() as folder:
         run_bulk("hopper", {"layers": "10", "frames": "8"}, Path(folder) / "run")
-        frames = read_frames(Path(folder) / "run")
+        frames = find_frames(Path(folder) / "run")
         draw(frames[len(frames) // 2], FOLDER / "hopper_grains.png", view="front")
 
 

@@ -116,17 +116,24 @@ def read_material(name: str | Path) -> Material:
     """Read a material by name, or from a file of the same form given by its path.
 
     Raises:
-        ValueError: No such material, or a constant is missing, not a number or out of range.
+        ValueError: No such material, or a constant is missing, unknown, not a number or out of
+            range.
     """
     path = Path(name)
     if path.suffix != ".in":
         path = folder() / f"{name}.in"
     if not path.is_file():
         raise ValueError(f"no material {str(name)!r}; there are {', '.join(names())}")
-    values = index_variables(path)
+    try:
+        values = index_variables(path)
+    except UnicodeDecodeError:
+        raise ValueError(f"{path} is not a text file") from None
     constants = attrs.fields(Material)[1:]
     if missing := [at.name for at in constants if at.name not in values and _required(at)]:
         raise ValueError(f"{path}: no value for {', '.join(missing)}")
+    if unknown := sorted(values.keys() - {at.name for at in constants}):
+        known = ", ".join(at.name for at in constants)
+        raise ValueError(f"{path}: {unknown[0]} is no constant of a material; there are {known}")
     given = {at.name: values[at.name] for at in constants if at.name in values}
     try:
         return Material(path.stem, **given)

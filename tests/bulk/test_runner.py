@@ -100,12 +100,22 @@ def test_going_on_with_another_timestep_is_refused(whole, tmp_path):
 
 def test_frames_up_to_the_checkpoint_are_carried_along(tmp_path):
     """Whole frames before its step; the engine adds that step's own."""
-    frames = [f"ITEM: TIMESTEP\n{step}\nITEM: ATOMS id x\n1 0.{step}\n" for step in (0, 50, 100)]
+    box = "ITEM: BOX BOUNDS ff ff ff\n" + 3 * "0 1\n"
+    frames = [
+        f"ITEM: TIMESTEP\n{step}\nITEM: NUMBER OF ATOMS\n2\n{box}"
+        f"ITEM: ATOMS id x\n1 0\n2 0.{step}\n"
+        for step in (0, 50, 100)
+    ]
     for name in ("earlier", "rest"):
         (tmp_path / name).mkdir()
-    (tmp_path / "earlier" / "grains.dump").write_text("".join(frames) + "ITEM: TIME")
-    carry_dump(tmp_path / "earlier", tmp_path / "rest", last=100)
-    assert (tmp_path / "rest" / "grains.dump").read_text() == "".join(frames[:2])
+    earlier, rest = (tmp_path / name / "grains.dump" for name in ("earlier", "rest"))
+    earlier.write_text("".join(frames) + "ITEM: TIME")
+    carry_dump(earlier.parent, rest.parent, last=100)
+    assert rest.read_text() == "".join(frames[:2])
+    for length in range(1, len(frames[1])):  # a kill may cut the second frame anywhere
+        earlier.write_text(frames[0] + frames[1][:-length])
+        carry_dump(earlier.parent, rest.parent, last=100)
+        assert rest.read_text() == frames[0]
 
 
 def test_no_checkpoint_is_said(tmp_path):

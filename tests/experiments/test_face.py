@@ -137,6 +137,10 @@ def test_without_input_scripts(monkeypatch, tmp_path, capsys):
         (("2.1e11", "stiff"), "youngs_modulus is 'stiff', not a number"),
         (("yield_strength ", "strength "), "no value for yield_strength"),
         (("factor  index 0 ", "factor  index 0.3 "), "yield_pressure_factor is 0.3"),
+        (
+            ("pressure_factor", "presure_factor"),
+            "yield_presure_factor is no constant of a material",
+        ),
     ],
 )
 def test_material_files_that_cannot_be_are_named(change, said, tmp_path):

@@ -14,7 +14,7 @@ from matplotlib.image import imread
 
 from plastigran.cli import main
 from plastigran.engine.process import run_deck
-from plastigran.plot.snapshot import SnapshotError, draw, read_frames
+from plastigran.plot.snapshot import SnapshotError, draw, find_frames
 
 #: Two pairs of grains side by side, radii 2 and 1 mm, pressed together by a tenth of a millimetre.
 DECK = """
@@ -77,7 +77,7 @@ def halves(shown: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
 
 
 def test_frames_are_found_by_step(run):
-    frames = read_frames(run)
+    frames = find_frames(run)
     assert [frame.step for frame in frames] == [0, 50, 100]
     assert frames[-1].contacts.name == "contacts_100.vtk"
     assert frames[-1].mesh.name == "mesh_100.vtk"
@@ -85,7 +85,7 @@ def test_frames_are_found_by_step(run):
 
 def test_grains_have_their_size(run, tmp_path):
     """Seen from above each pair is one disc: areas as 4 to 1. 3 % for facets and pixels."""
-    draw(read_frames(run)[-1], tmp_path / "top.png", colour="height", view="top", size=(1000, 800))
+    draw(find_frames(run)[-1], tmp_path / "top.png", colour="height", view="top", size=(1000, 800))
     large, small = halves(drawn(tmp_path / "top.png"))
     width = np.flatnonzero(large.any(axis=0)).size
     assert large.sum() == pytest.approx(4 * small.sum(), rel=0.03)
@@ -95,7 +95,7 @@ def test_grains_have_their_size(run, tmp_path):
 def test_force_chains_are_where_grains_touch(run, tmp_path):
     """One tube a pair, from centre to centre, its section as the force: the engine's forces at the
     same overlap are 0.049 and 0.024 N. Some pixels' error."""
-    draw(read_frames(run)[-1], tmp_path / "c.png", contacts=True, view="front", size=(1000, 800))
+    draw(find_frames(run)[-1], tmp_path / "c.png", contacts=True, view="front", size=(1000, 800))
     large, small = halves(drawn(tmp_path / "c.png"))
     high, low = (np.flatnonzero(tube.any(axis=1)).size for tube in (large, small))
     assert high == pytest.approx(3.9 / 1.9 * low, rel=0.05)
@@ -117,7 +117,7 @@ def test_wrong_words_are_named(run, line, said, capsys):
 
 def test_no_frames_is_said(tmp_path):
     with pytest.raises(SnapshotError, match=r"no frames .* -v frames=10"):
-        read_frames(tmp_path)
+        find_frames(tmp_path)
 
 
 def test_command_writes_into_the_run(run, capsys):

@@ -90,6 +90,15 @@ class BulkDeck:
     checkpoints: int = whole("restart files on the way, a divisor of rows", 1)
     ledger: str = word("the energy ledger", ("on", "off"))
 
+    def __init_subclass__(cls) -> None:
+        """Refuse a setting of a name that the class needs itself, such as `grains`."""
+        for name in cls.__annotations__:
+            hidden = getattr(super(cls, cls), name, None)
+            if isinstance(hidden, property) or callable(hidden):
+                raise TypeError(
+                    f"{cls.__name__}: a setting cannot be called {name}; decks have one"
+                )
+
     def __attrs_post_init__(self) -> None:
         self.check()
 

@@ -11,7 +11,9 @@ import json
 import re
 import shutil
 import warnings
+from itertools import islice
 from pathlib import Path
+from typing import TextIO
 
 import pandas as pd
 
@@ -77,9 +79,13 @@ def prepare_folder(folder: Path, force: bool) -> None:
         raise ValueError(f"{folder} is being written to by the engine (process {at_work[0]})")
     if folder.exists() and any(folder.iterdir()):
         if not force:
-            raise ValueError(f"{folder} holds results; choose another --output, or add --force")
+            raise ValueError(
+                f"{folder} holds results; choose another folder, or overwrite them by force"
+            )
         if not (folder / RECORD).is_file():
-            raise ValueError(f"{folder} holds files but no {RECORD}; --force overwrites runs only")
+            raise ValueError(
+                f"{folder} holds files but no {RECORD}; only runs are overwritten by force"
+            )
         for pattern in LEFT:  # above all checkpoints, which may be newer than ours
             for file in folder.glob(pattern):
                 file.unlink()
@@ -139,14 +145,22 @@ def read_derived(folder: str | Path, name: str) -> float:
 
 
 def carry_dump(earlier: Path, folder: Path, last: int) -> None:
-    """Copy the frames of an earlier run before a step, for the engine to append to."""
-    mark = "ITEM: TIMESTEP\n"
+    """Copy the whole frames of an earlier run before a step, for the engine to append to."""
     if not (earlier / DUMP).exists():
         return
-    with open(folder / DUMP, "w") as kept:
-        for frame in (earlier / DUMP).read_text().split(mark)[1:]:
-            if int(frame.partition("\n")[0]) < last:
-                kept.write(mark + frame)
+    with open(earlier / DUMP) as dump, open(folder / DUMP, "w") as kept:
+        while frame := _next_frame(dump):
+            if int(frame[1]) < last:
+                kept.writelines(frame)
+
+
+def _next_frame(dump: TextIO) -> list[str]:
+    """Lines of the next frame of a dump: nine of head, then the atoms; none where it is cut."""
+    head = list(islice(dump, 9))
+    if len(head) < 9:
+        return []
+    frame = head + list(islice(dump, int(head[3])))
+    return frame if len(frame) == 9 + int(head[3]) and frame[-1].endswith("\n") else []
 
 
 def restart_point(folder: Path, record: dict) -> Path:

@@ -12,6 +12,9 @@ from plastigran import laws
 from plastigran.declared import Declaration
 from plastigran.materials import laws_for
 
+#: Largest overlap a sphere's run is allowed, over the effective radius.
+SPHERE_OVERLAP = 0.3
+
 
 @attrs.frozen
 class Flag:

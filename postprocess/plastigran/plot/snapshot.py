@@ -53,7 +53,7 @@ class Frame:
     mesh: Path | None
 
 
-def read_frames(folder: str | Path) -> list[Frame]:
+def find_frames(folder: str | Path) -> list[Frame]:
     """The frames of a run, by step.
 
     Args:

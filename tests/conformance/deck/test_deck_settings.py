@@ -93,3 +93,8 @@ def test_a_broken_record_is_said(record, tmp_path):
     (tmp_path / "run.json").write_text(record)
     with pytest.raises(EngineError, match=r"run\.json"):
         open_run(tmp_path)
+
+
+def test_a_setting_hides_nothing_of_a_deck():
+    with pytest.raises(TypeError, match="a setting cannot be called grains"):
+        attrs.frozen(type("Column", (BulkDeck,), {"__annotations__": {"grains": "int"}}))

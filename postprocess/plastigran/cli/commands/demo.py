@@ -24,7 +24,7 @@ def run(arguments: argparse.Namespace) -> None:
     """The paper's sphere over four decades of speed; one impact through every geometry; a gas that
     cools by such impacts; a hopper of yielding grains."""
     from plastigran.bulk.run import run_bulk  # matplotlib is slow to load
-    from plastigran.plot.snapshot import draw, read_frames
+    from plastigran.plot.snapshot import draw, find_frames
 
     folder = arguments.output
     names = law_names(["all"], ["aluminium_zv02"])
@@ -43,7 +43,7 @@ def run(arguments: argparse.Namespace) -> None:
     hopper = folder / "hopper"
     report(run_bulk("hopper", {"layers": "10", "frames": "8"}, hopper, ranks=2, force=True))
     picture = hopper / "figures" / "grains.png"
-    frames = read_frames(hopper)
+    frames = find_frames(hopper)
     draw(frames[len(frames) // 2], picture, view="front")
     figures = [
         folder / "speeds" / "restitution.png",

@@ -6,7 +6,7 @@ from __future__ import annotations
 import argparse
 from pathlib import Path
 
-from plastigran.plot.snapshot import COLOURS, VIEWS, SnapshotError, draw, read_frames
+from plastigran.plot.snapshot import COLOURS, VIEWS, SnapshotError, draw, find_frames
 
 HELP = "a picture of a bulk run's grains or force chains"
 
@@ -21,7 +21,7 @@ def add_arguments(command: argparse.ArgumentParser) -> None:
 
 
 def run(arguments: argparse.Namespace) -> None:
-    frames = {frame.step: frame for frame in read_frames(arguments.folder)}
+    frames = {frame.step: frame for frame in find_frames(arguments.folder)}
     step = max(frames) if arguments.step is None else arguments.step
     if step not in frames:
         steps = ", ".join(str(known) for known in frames)

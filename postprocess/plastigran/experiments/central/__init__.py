@@ -14,7 +14,7 @@ from plastigran import laws
 from plastigran.declared import number, word
 from plastigran.experiments.base import Experiment
 from plastigran.experiments.collision import CollisionOutcome, measure
-from plastigran.experiments.fields import Flag, check_overlap, law_field
+from plastigran.experiments.fields import SPHERE_OVERLAP, Flag, check_overlap, law_field
 from plastigran.experiments.runs import Runs
 from plastigran.experiments.tables import HEADS
 from plastigran.materials import RIGID, Material, material_field
@@ -28,9 +28,6 @@ GEOMETRIES = {"sphere_wall": 1, "sphere_mesh": 1, "two_spheres": 2}
 
 #: Speeds that take the paper's sphere (aluminium_zv02, 0.1 m) to 120 yield speeds [m/s].
 PAPER_SPEEDS = (0.0005, 0.001, 0.002, 0.005, 0.01, 0.02, 0.06, 0.1, 0.2)
-
-#: Largest overlap a sphere's run is allowed, over the effective radius.
-OVERLAP_LIMIT = 0.3
 
 
 @attrs.frozen
@@ -50,7 +47,7 @@ class CentralImpact(Experiment):
     command = "impact"
     help = "run collisions in the engine, table and figures"
     geometries: ClassVar = GEOMETRIES
-    overlap_limit = OVERLAP_LIMIT
+    overlap_limit = SPHERE_OVERLAP
     flags: ClassVar = {
         "material": Flag(("aluminium_zv02",)),
         "law": Flag(("all",)),

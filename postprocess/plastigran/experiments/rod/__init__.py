@@ -12,8 +12,7 @@ import attrs
 from plastigran import laws
 from plastigran.declared import declaration, number, word
 from plastigran.experiments.base import Experiment
-from plastigran.experiments.central import OVERLAP_LIMIT
-from plastigran.experiments.fields import Flag, check_overlap, law_field
+from plastigran.experiments.fields import SPHERE_OVERLAP, Flag, check_overlap, law_field
 from plastigran.experiments.rod.measurement import measure_rod
 from plastigran.experiments.rod.paper import PAPER_FRICTION, PAPER_SPEEDS
 from plastigran.experiments.runs import Runs
@@ -72,7 +71,7 @@ class RodImpact(Experiment):
                 "the engine's own hertz, undamped, has no friction with tangential no_history"
             )
         overlap, radius = self.frozen().overlap_max, self.rod.tip_radius
-        check_overlap(self, overlap, radius, OVERLAP_LIMIT, "tip radii")
+        check_overlap(self, overlap, radius, SPHERE_OVERLAP, "tip radii")
 
     @property
     def pair(self) -> laws.MaterialPair:
