@@ -59,8 +59,8 @@ def test_figures_of_the_bulk_decks(brief_run, bulk_run, tmp_path, monkeypatch):
 
 
 def test_convergence_of_finite_elements():
-    """A third of the penalty moves a coarse press and a coarse throw, by less than 2 %. The bound was
-    set after 1.2 % had been seen, of the contact radius, which is read to a part of an element."""
+    """A third of the penalty moves a coarse press and a coarse throw, by less than 2 %. The bound
+    was set after 1.2 % was seen, of the contact radius, which is read to a part of an element."""
     script = load("docs/convergence.py")
     coarse = Settings(divisions=4, fineness=0.5, growth=1.15, unloading_steps=10)
     softer = {"penalty": (15.0,)}
