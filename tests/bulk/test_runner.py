@@ -201,7 +201,9 @@ def test_killed_before_its_first_checkpoint_goes_on_from_where_it_began(whole, t
 
 def test_results_are_not_overwritten_unless_forced(whole, tmp_path, monkeypatch):
     (tmp_path / "papers" / "figures").mkdir(parents=True)
-    with pytest.raises(ValueError, match=r"holds files but no run.json; only runs are overwritten by force"):
+    with pytest.raises(
+        ValueError, match=r"holds files but no run.json; only runs are overwritten by force"
+    ):
         run_bulk("cooling_gas", SHORT, tmp_path / "papers", force=True)
     folder = tmp_path / "run"
     shutil.copytree(whole, folder)

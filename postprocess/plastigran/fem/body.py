@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A body of revolution in eight-node elements: strains, forces, stiffness and mass.
+"""A body in eight-node elements: strains, forces, stiffness and mass.
 
 scikit-fem gives mesh, shape functions, numbering and the mass matrix. Strains and stiffness are
 batched matrix products over the elements, four Gauss points each.
@@ -7,13 +7,12 @@ batched matrix products over the elements, four Gauss points each.
 
 from __future__ import annotations
 
-from math import pi
-
 import numpy as np
 from skfem import Basis, BilinearForm, ElementQuadS2, ElementVector, MeshQuad2
 from skfem.helpers import dot
 
 from plastigran.fem.material import ElasticPlastic, Response
+from plastigran.fem.section import Axisymmetric, Section
 
 STIFFNESS_ORDER = 3  # two by two Gauss points: no locking when plastic flow keeps the volume
 MASS_ORDER = 5  # three by three: with two by two the mass matrix would be singular
@@ -25,10 +24,11 @@ class Body:
     Attributes:
         mesh: In (r, y), m.
         material: The metal.
+        section: What the mesh stands for, out of its plane.
         dofs: Degrees of freedom of each element (n_elements, 16), r and y of each node in turn.
         size: Number of degrees of freedom.
         positions: Of the Gauss points (n_elements, 4, 2), m.
-        volumes: Of the Gauss points, the whole ring (n_elements, 4), m3.
+        volumes: Of the Gauss points, over the section (n_elements, 4), m3.
         elastic_stiffness: Of each element (n_elements, 16, 16), N/m.
         mass_matrices: Of each element (n_elements, 16, 16), kg.
         mass_matrix: Consistent, kg.
@@ -37,9 +37,12 @@ class Body:
         held: Degrees of freedom that do not move.
     """
 
-    def __init__(self, mesh: MeshQuad2, material: ElasticPlastic) -> None:
+    def __init__(
+        self, mesh: MeshQuad2, material: ElasticPlastic, section: Section | None = None
+    ) -> None:
         self.mesh = mesh
         self.material = material
+        self.section = section = section or Axisymmetric()
         vector = Basis(mesh, ElementVector(ElementQuadS2()), intorder=STIFFNESS_ORDER)
         scalar = vector.with_element(ElementQuadS2())
         self.dofs = np.ascontiguousarray(vector.element_dofs.T)
@@ -47,16 +50,18 @@ class Body:
         self.locations = vector.doflocs
         radius, height = scalar.global_coordinates()
         self.positions = np.stack([radius, height], axis=-1)
-        self.volumes = np.ascontiguousarray(2 * pi * radius * vector.dx)
-        self._strains = _strain_matrices(scalar, np.asarray(radius))
+        radius = np.asarray(radius)
+        self.volumes = np.ascontiguousarray(section.thickness(radius) * vector.dx)
+        self._strains = _strain_matrices(scalar, section.hoop(radius))
         self.elastic_stiffness = self._stiffness(
             np.broadcast_to(material.elastic_tangent, (*self.volumes.shape, 4, 4)),
             slice(None),
         )
         mass_basis = Basis(mesh, ElementVector(ElementQuadS2()), intorder=MASS_ORDER)
-        elements = material.density * _ring_mass.coo_data(mass_basis).tolocal()
-        self.mass_matrices = np.ascontiguousarray(elements)
-        self.mass_matrix = (material.density * _ring_mass.assemble(mass_basis)).tocsr()
+        per_length = material.density * section.thickness(mass_basis.global_coordinates()[0])
+        masses = _mass.coo_data(mass_basis, per_length=per_length)
+        self.mass_matrices = np.ascontiguousarray(masses.tolocal())
+        self.mass_matrix = masses.tocsr()
         upward = np.zeros(self.size)
         upward[self.dofs[:, 1::2].ravel()] = 1.0
         self.upward = upward
@@ -107,21 +112,21 @@ class Body:
         return matrices.transpose(0, 2, 1) @ stressed.reshape(matrices.shape)
 
 
-def _strain_matrices(scalar: Basis, radius: np.ndarray) -> np.ndarray:
+def _strain_matrices(scalar: Basis, hoop: np.ndarray) -> np.ndarray:
     """Strain over nodal displacement (n_elements, 4 points * 4 strains, 16)."""
     nodes = len(scalar.basis)
-    elements, points = radius.shape
+    elements, points = hoop.shape
     matrices = np.zeros((elements, points, 4, 2 * nodes))
     for node, (shape,) in enumerate(scalar.basis):
         gradient = shape.grad
         matrices[:, :, 0, 2 * node] = gradient[0]
         matrices[:, :, 1, 2 * node + 1] = gradient[1]
-        matrices[:, :, 2, 2 * node] = np.asarray(shape) / radius
+        matrices[:, :, 2, 2 * node] = np.asarray(shape) * hoop
         matrices[:, :, 3, 2 * node] = gradient[1]
         matrices[:, :, 3, 2 * node + 1] = gradient[0]
     return matrices.reshape(elements, points * 4, 2 * nodes)
 
 
 @BilinearForm
-def _ring_mass(u, v, w):
-    return 2 * pi * w.x[0] * dot(u, v)
+def _mass(u, v, w):
+    return w.per_length * dot(u, v)
