@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""M. R. Katta & A. A. Polycarpou, J. Tribol. 132 (2010): Lim & Stronge's loading, another rebound.
+"""R. R. Katta & A. A. Polycarpou, J. Tribol. 132 (2010): Lim & Stronge's loading, another rebound.
 
     d_r = a_r^2/(2 R_b),  a_r^2 = a_m^2 - a_el^2,  a_el^2 = 4 q_m/(1/R + 1/R_b)
     x = y (1 - ln(y)/C'),  C' = ln(4 D^2/a_m^2) - kappa

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""C. T. Lim & W. J. Stronge, Math. Comput. Model. 28 (1998) 323, as collected in M. R. Katta & A.
+"""C. T. Lim & W. J. Stronge, Math. Comput. Model. 28 (1998) 323, as collected in R. R. Katta & A.
 A. Polycarpou, J. Tribol. 132 (2010): a rigid cylinder of length L on a body of thickness D.
 
 With q = F/(pi E* L) and kappa = nu/(1 - nu):
