@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 from references.contact import MATERIALS
 from references.vu_quoc_zhang import C_A, K_C, Reference
@@ -37,6 +37,7 @@ def test_default_constants_are_the_papers():
     assert defaults["curvature_coefficient"] == pytest.approx(K_C * P_Y, rel=1e-6)
 
 
+@settings(max_examples=max(100, settings.default.max_examples))
 @given(turns=st.lists(st.floats(0, 1), min_size=1, max_size=6))
 def test_follows_the_paper_on_any_path(turns):
     """Loading, unloading, reloading up to 300 P_Y; 3e-6 is what the header's constants keep, of the

@@ -38,7 +38,6 @@ class CentralImpact(Contact):
         cases: What the law's case file holds beside the outcomes.
         comment: Its head.
         digits: Format of its numbers.
-        untimed: Speeds whose contact time it leaves open.
     """
 
     cases = """\
@@ -49,7 +48,6 @@ aluminium_zv02,0.1,0.20
 """
     comment = ""
     digits = "#.6g"
-    untimed: tuple[str, ...] = ()
 
     def __init__(self, material: Material, radius: float, speed: float) -> None:
         super().__init__(material, radius)

@@ -77,8 +77,6 @@ def case_file(law: str, found: list[Outcome]) -> str:
     kind, cases, rows = reference(law), impacts(law), []
     for (row, _), outcome in zip(cases, found, strict=True):
         rows.append(row | {name: digits(x, kind.digits) for name, x in asdict(outcome).items()})
-        if row["speed"] in kind.untimed:
-            rows[-1]["contact_time"] = ""
     text = io.StringIO()
     text.write(kind.comment + jumps(cases[0][1]))
     table = csv.DictWriter(text, rows[0], lineterminator="\n")

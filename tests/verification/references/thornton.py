@@ -21,7 +21,6 @@ aluminium_zv02,0.1,0.06
 aluminium_zv02,0.1,0.10
 aluminium_zv02,0.1,0.20
 """
-    untimed = ("0.001", "0.06")
 
     def __init__(self, material, radius, speed):
         super().__init__(material, radius, speed)

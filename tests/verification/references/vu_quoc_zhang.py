@@ -23,7 +23,7 @@ C_A, K_C = 2.33e-7, 2.69e-4  # m/N, 1/N
 
 
 class Reference(CentralImpact):
-    cases, untimed = thornton.Reference.cases, thornton.Reference.untimed
+    cases = thornton.Reference.cases
 
     def __init__(self, material, radius, speed):
         super().__init__(material, radius, speed)
