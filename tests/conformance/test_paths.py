@@ -53,6 +53,11 @@ def scales(law_name: str, pair: laws.MaterialPair) -> tuple[float, float]:
     return overlap, force
 
 
+def on_pairs(law_name: str, law_between) -> list[tuple]:
+    """The law between each pair of bodies, with overlap and force at yield."""
+    return [(law_between(law_name, pair), *scales(law_name, pair)) for pair in PAIRS.values()]
+
+
 def elastic(law_name: str, pair: laws.MaterialPair, overlap: np.ndarray) -> dict[str, np.ndarray]:
     """The elastic contact's answer: Hertz's spheres, or a line contact by scipy's Lambert W."""
     if laws.LAWS[law_name].shape == "sphere":
@@ -109,10 +114,8 @@ def virgin_jumps(law_between):
 
 @given(turns=turning_points)
 def test_force_is_finite_and_never_pulls(law_name, law_between, turns):
-    for pair in PAIRS.values():
-        overlap_y, _ = scales(law_name, pair)
-        law = law_between(law_name, pair)
-        answer = law.follow(RADIUS, path(turns) * overlap_y, law.State())
+    for law, overlap_y, _ in on_pairs(law_name, law_between):
+        answer = law.follow(RADIUS, path(turns) * overlap_y)
         for name, values in answer.items():
             assert np.isfinite(values).all(), name
         assert (answer["force"] >= 0).all()
@@ -124,10 +127,8 @@ def test_force_is_finite_and_never_pulls(law_name, law_between, turns):
 
 @given(turns=turning_points)
 def test_plastic_work_never_decreases(law_name, law_between, turns):
-    for pair in PAIRS.values():
-        overlap_y, force_y = scales(law_name, pair)
-        law = law_between(law_name, pair)
-        answer = law.follow(RADIUS, path(turns) * overlap_y, law.State())
+    for law, overlap_y, force_y in on_pairs(law_name, law_between):
+        answer = law.follow(RADIUS, path(turns) * overlap_y)
         work = answer["plastic_work"]
         # Rounding of the virgin work, of which plastic work is a difference.
         virgin = (work + answer["elastic_energy"]).max()
@@ -168,9 +169,7 @@ def test_energies_account_for_the_work_done(law_name, law_between, virgin_jumps,
 def test_answer_does_not_depend_on_how_often_it_is_asked(law_name, law_between, turns, repeats):
     """A total law: neither repeated calls nor stops on the way change it. 1e-11 of the peak force
     is rounding through the unloading curve's 3/2 power."""
-    for pair in PAIRS.values():
-        overlap_y, _ = scales(law_name, pair)
-        law = law_between(law_name, pair)
+    for law, overlap_y, _ in on_pairs(law_name, law_between):
         fine, often, coarse = law.State(), law.State(), law.State()
         peak = 0.0
         for overlap in path(turns, 20) * overlap_y:
@@ -189,9 +188,7 @@ def test_answer_does_not_depend_on_how_often_it_is_asked(law_name, law_between, 
 
 @given(top=st.floats(1e-3, REACH), low=st.floats(0, 1))
 def test_reloading_retraces_unloading_then_the_virgin_curve(law_name, law_between, top, low):
-    for pair in PAIRS.values():
-        overlap_y, _ = scales(law_name, pair)
-        law = law_between(law_name, pair)
+    for law, overlap_y, _ in on_pairs(law_name, law_between):
         state = law.State()
         peak = law.respond(RADIUS, top * overlap_y, state).force
         down = np.linspace(top, low * top, 30) * overlap_y
