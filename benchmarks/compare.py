@@ -6,9 +6,9 @@
     ./run compare ../elsewhere     # or a built tree
 
 Each state runs its own decks through its own engine with the same settings: every law through every
-collision deck, the rod, the benchmark impacts, and each bulk deck for a moment, on one rank and on
-two. Dumps must be the same bytes, lines of the log the same text, refusals the same words. What
-differs is listed, and the command ends with 1.
+collision deck, the benchmark impacts, and each bulk deck as briefly as its class says, on one rank
+and on two. Dumps must be the same bytes, lines of the log the same text, refusals the same words.
+What differs is listed, and the command ends with 1.
 """
 
 from __future__ import annotations
@@ -23,20 +23,10 @@ from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, field
 from pathlib import Path
 
-PROJECT = Path(__file__).resolve().parents[1]
-
-#: Settings that make a bulk deck short enough to be run to its end in seconds.
-BRIEF = {
-    "bed_impact": {"duration": 0.02, "rows": 20},
-    "chute": {"length": 4, "width": 3, "depth": 6, "duration": 0.06, "settling": 0, "rows": 12},
-    "compaction": {"layers": 4, "die_radius": 0.005, "duration": 0.04, "filling": 0.02, "rows": 40},
-    "cooling_gas": {"side": 5, "duration": 12, "rows": 12, "mixing": 1},
-    "drum": {"drum_radius": 0.05, "length": 0.03, "duration": 0.02, "settling": 0, "rows": 12},
-    "hopper": {"orifice": 8, "layers": 2, "filling": 0.05, "duration": 0.05, "rows": 12},
-}
-#: A material that has every constant a law may ask for, where the deck's own lacks one.
-MATERIAL = {"viscoelastic_hertz": "ice"}
-CYLINDER_LAWS = ("katta_polycarpou", "lim_stronge")
+from plastigran import laws, materials
+from plastigran.bulk.decks import deck_class
+from plastigran.engine.deck import index_variables
+from plastigran.engine.process import PROJECT
 
 
 @dataclass(frozen=True)
@@ -46,31 +36,40 @@ class Run:
     deck: str
     ranks: int = 1
     settings: dict[str, object] = field(default_factory=dict, hash=False)
+    label: str = ""
 
     @property
     def name(self) -> str:
-        said = "_".join(str(value) for key, value in self.settings.items() if key == "law")
-        return f"{self.deck.removesuffix('.in').replace('/', '_')}_{said}_{self.ranks}"
+        words = [self.deck.removesuffix(".in").replace("/", "_"), self.label, str(self.ranks)]
+        return "_".join(word for word in words if word)
 
 
 def runs(tree: Path) -> list[Run]:
-    """What is run: laws and decks are found in the tree."""
-    laws = sorted(page.stem for page in (tree / "docs" / "laws").glob("*.md"))
-    found = []
-    for law in laws:
-        settings = {"law": law}
-        if law in MATERIAL:
-            settings["material"] = MATERIAL[law]
-        for deck in ("sphere_wall", "sphere_mesh", "two_spheres", "cylinder_wall", "rod"):
-            if (law in CYLINDER_LAWS) == (deck == "cylinder_wall"):
-                found += [Run(f"collision/{deck}.in", 1, settings)]
-        found += [Run("collision/two_spheres.in", 2, settings)]
-    for deck in sorted((tree / "inputs" / "collision" / "chung_ooi").glob("*.in")):
+    """What is run: laws that both states have, the tree's decks, settings that make them short."""
+    inputs, found = tree / "inputs", []
+    for law in sorted(
+        laws.LAWS.keys() & {page.stem for page in (tree / "docs" / "laws").glob("*.md")}
+    ):
+        for deck in sorted((inputs / "collision").glob("*.in")):
+            settings = {"law": law, **material_with(law, deck)}
+            ranks = (1, 2) if deck.stem == "two_spheres" else (1,)
+            found += [Run(f"collision/{deck.name}", n, settings, law) for n in ranks]
+    for deck in sorted((inputs / "collision" / "chung_ooi").glob("*.in")):
         found += [Run(f"collision/chung_ooi/{deck.name}")]
-    for deck in sorted((tree / "inputs" / "bulk").glob("*.in")):
-        settings = {"checkpoints": 1, **BRIEF.get(deck.stem, {})}
-        found += [Run(f"bulk/{deck.name}", ranks, settings) for ranks in (1, 2)]
+    for deck in sorted((inputs / "bulk").glob("*.in")):
+        kind = deck_class(deck.stem)
+        for label, brief in kind.briefs.items() if kind else ():
+            found += [Run(f"bulk/{deck.name}", n, brief.settings, label) for n in (1, 2)]
     return found
+
+
+def material_with(law: str, deck: Path) -> dict[str, str]:
+    """The setting of a material that has what the law needs, empty where the deck's own has it."""
+    usual = index_variables(deck)["material"]
+    for name in (usual, *materials.names()):
+        if not materials.read_material(name).missing(law):
+            return {} if name == usual else {"material": name}
+    sys.exit(f"no material has what {law} needs")
 
 
 def execute(tree: Path, run: Run, folder: Path) -> dict[str, bytes]:
