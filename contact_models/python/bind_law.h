@@ -67,18 +67,18 @@ typename Law::Parameters parse_constants(const MaterialPair& pair, const nb::dic
   for (auto [key, value] : given) {
     const std::string name = nb::cast<std::string>(key);
     const auto is_named = [&](const auto& candidate) { return name == candidate.name; };
-    const auto option = std::find_if(Law::options.begin(), Law::options.end(), is_named);
-    if (option != Law::options.end()) {
+    const auto option = std::find_if(options_of<Law>.begin(), options_of<Law>.end(), is_named);
+    if (option != options_of<Law>.end()) {
       constants.*(option->value) = parse_choice(*option, nb::cast<std::string>(nb::str(value)));
       continue;
     }
-    const auto known = std::find_if(Law::parameters.begin(), Law::parameters.end(), is_named);
-    if (known == Law::parameters.end()) {
+    const auto known = std::find_if(parameters_of<Law>.begin(), parameters_of<Law>.end(), is_named);
+    if (known == parameters_of<Law>.end()) {
       std::string text = std::string(Law::name) + " has no constant '" + name + "'; it takes";
-      for (const auto& p : Law::parameters) text += std::string(" ") + p.name;
-      for (const auto& o : Law::options) text += std::string(" ") + o.name;
-      throw std::invalid_argument(text +
-                                  (Law::parameters.empty() && Law::options.empty() ? " none" : ""));
+      for (const auto& p : parameters_of<Law>) text += std::string(" ") + p.name;
+      for (const auto& o : options_of<Law>) text += std::string(" ") + o.name;
+      throw std::invalid_argument(
+          text + (parameters_of<Law>.empty() && options_of<Law>.empty() ? " none" : ""));
     }
     if (!nb::try_cast<double>(value, constants.*(known->value)))
       throw std::invalid_argument(name + " is " + nb::cast<std::string>(nb::repr(value)) +
@@ -88,42 +88,42 @@ typename Law::Parameters parse_constants(const MaterialPair& pair, const nb::dic
   return constants;
 }
 
+// A table of a law for Python: a dict a row, from its name to its meaning; `fill` says the rest.
+template <class Table, class Fill>
+nb::list rows(const Table& table, const Fill& fill) {
+  nb::list all;
+  for (const auto& entry : table) {
+    nb::dict row;
+    row["name"] = entry.name;
+    fill(entry, row);
+    row["meaning"] = entry.meaning;
+    all.append(row);
+  }
+  return all;
+}
+
 // The law's own constants with their defaults, None for one that must be given.
 template <class Law>
 nb::list parameter_table() {
-  nb::list table;
-  const typename Law::Parameters defaults;
-  for (const auto& p : Law::parameters) {
-    const double value = defaults.*p.value;
-    nb::dict row;
-    row["name"] = p.name;
+  return rows(parameters_of<Law>, [](const auto& p, nb::dict& row) {
+    const double value = typename Law::Parameters().*p.value;
     row["unit"] = p.unit;
     row["default"] = std::isnan(value) ? nb::object(nb::none()) : nb::object(nb::float_(value));
     row["per_body"] = p.per_body;
     row["lower"] = p.lower;
     row["upper"] = p.upper;
-    row["meaning"] = p.meaning;
-    table.append(row);
-  }
-  return table;
+  });
 }
 
 template <class Law>
 nb::list option_table() {
-  nb::list table;
-  const typename Law::Parameters defaults;
-  for (const auto& o : Law::options) {
+  return rows(options_of<Law>, [](const auto& o, nb::dict& row) {
     nb::list choices;
     for (const char* choice : o.choices)
       if (choice) choices.append(choice);
-    nb::dict row;
-    row["name"] = o.name;
     row["choices"] = choices;
-    row["default"] = o.choices[defaults.*o.value];
-    row["meaning"] = o.meaning;
-    table.append(row);
-  }
-  return table;
+    row["default"] = o.choices[typename Law::Parameters().*o.value];
+  });
 }
 
 // The constructor as Python writes it.
@@ -131,13 +131,13 @@ template <class Law>
 std::string constructor_signature() {
   std::string said, star = ", *";
   const typename Law::Parameters defaults;
-  for (const auto& p : Law::parameters) {
+  for (const auto& p : parameters_of<Law>) {
     const double value = defaults.*p.value;
     said += star + ", " + p.name + ": float";
     if (!std::isnan(value)) said += " = " + nb::cast<std::string>(nb::repr(nb::float_(value)));
     star.clear();
   }
-  for (const auto& o : Law::options) {
+  for (const auto& o : options_of<Law>) {
     said += star + ", " + o.name + ": Literal[";
     for (const char* choice : o.choices)
       if (choice) said += (choice == o.choices[0] ? "'" : ", '") + std::string(choice) + "'";
@@ -150,9 +150,9 @@ std::string constructor_signature() {
 template <class Law>
 std::string constructor_doc() {
   std::string said = "The law between two bodies.\n\nArgs:\n    pair: The two bodies.\n";
-  for (const auto& p : Law::parameters)
+  for (const auto& p : parameters_of<Law>)
     said += std::string("    ") + p.name + ": " + p.meaning + " [" + p.unit + "].\n";
-  for (const auto& o : Law::options)
+  for (const auto& o : options_of<Law>)
     said += std::string("    ") + o.name + ": " + o.meaning + ".\n";
   return said +
          "\nRaises:\n    ValueError: A constant is missing or out of range, or there is no "
@@ -208,8 +208,8 @@ void bind_law(nb::module_& module, const char* class_name) {
       [](const Self& self) {
         nb::dict values;
         values["pair"] = self.pair;
-        for (const auto& p : Law::parameters) values[p.name] = self.constants.*p.value;
-        for (const auto& o : Law::options) values[o.name] = o.choices[self.constants.*o.value];
+        for (const auto& p : parameters_of<Law>) values[p.name] = self.constants.*p.value;
+        for (const auto& o : options_of<Law>) values[o.name] = o.choices[self.constants.*o.value];
         return values;
       },
       [](Self* memory, const nb::dict& values) {
@@ -230,8 +230,8 @@ void bind_law(nb::module_& module, const char* class_name) {
   law.attr("name") = Law::name;
   law.attr("source") = Law::source;
   law.attr("range") = Law::range;
-  law.attr("rate_dependent") = IsRateDependent<Law>::value;
-  law.attr("yields") = Yields<Law>::value;
+  law.attr("rate_dependent") = rate_dependent<Law>;
+  law.attr("yields") = yields<Law>;
   law.attr("shape") = shape<Law>;
   nb::list names;
   for (const char* name : Law::state_names) names.append(name);

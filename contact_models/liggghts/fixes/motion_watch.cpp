@@ -7,17 +7,11 @@
 #include "atom.h"
 #include "domain.h"
 #include "error.h"
+#include "liggghts/fixes/describe_particle.h"
 #include "liggghts/fixes/engine_access.h"
 #include "update.h"
 
 namespace plastigran {
-
-std::string describe(const LAMMPS_NS::Atom* atom, int i) {
-  std::ostringstream text;
-  text << "particle " << atom->tag[i] << " at (" << atom->x[i][0] << ' ' << atom->x[i][1] << ' '
-       << atom->x[i][2] << ')';
-  return text.str();
-}
 
 MotionWatch::MotionWatch(LAMMPS_NS::LAMMPS* engine, int count, char** words)
     : Fix(engine, count, words) {
@@ -79,7 +73,7 @@ void MotionWatch::lost_control(int i, double travel) {
 
 // On this rank alone.
 void MotionWatch::stop(int i, const std::string& what, const std::string& try_this) {
-  error->one(FLERR, (describe(atom, i) + ' ' + what + ". " + try_this).c_str());
+  error->one(FLERR, (describe_particle(atom, i) + ' ' + what + ". " + try_this).c_str());
 }
 
 }  // namespace plastigran

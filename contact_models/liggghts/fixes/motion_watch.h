@@ -12,9 +12,6 @@
 
 namespace plastigran {
 
-// A particle's number and place, for messages.
-std::string describe(const LAMMPS_NS::Atom* atom, int i);
-
 class MotionWatch : public LAMMPS_NS::Fix {
  public:
   MotionWatch(LAMMPS_NS::LAMMPS* engine, int count, char** words);

@@ -14,7 +14,7 @@ namespace plastigran {
 
 class StepWatch : public LAMMPS_NS::Fix {
  public:
-  static constexpr double unknown = 1e300;
+  static constexpr double unknown = 1e300;  // a time nobody has told yet [s]
 
   // A time step, and the impact it is short enough for.
   struct Recommended {

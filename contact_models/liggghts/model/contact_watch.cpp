@@ -3,7 +3,7 @@
 
 #include <sstream>
 
-#include "liggghts/fixes/motion_watch.h"
+#include "liggghts/fixes/describe_particle.h"
 
 namespace plastigran {
 
@@ -11,8 +11,8 @@ std::string describe_overlap(const LAMMPS_NS::Atom* atom,
                              const LIGGGHTS::ContactModels::SurfacesIntersectData& contact,
                              double overlap, double overlap_limit) {
   std::ostringstream text;
-  text << describe(atom, contact.i) << " overlaps "
-       << (contact.is_wall ? "a wall" : describe(atom, contact.j)) << " by " << overlap
+  text << describe_particle(atom, contact.i) << " overlaps "
+       << (contact.is_wall ? "a wall" : describe_particle(atom, contact.j)) << " by " << overlap
        << " of the smaller radius, more than overlap_limit " << overlap_limit
        << ". Look for particles inserted into each other or in a wall, a time step that is too "
           "long, or bodies too soft for their load";

@@ -46,9 +46,8 @@ class ContactWatch : protected LAMMPS_NS::Pointers {
     step_watch_->forget();
   }
 
-  // Before a run, on the first rank. Unloading is stiffer than the elastic loading other checks
-  // know, and a law is good for so much load: the step watch compares the time step with the
-  // fastest impact, and a law out of its range is warned of here.
+  // Called before a run, on the first rank. Hands the times of the coming impacts to the step
+  // watch, which compares the time step with them. Warns of impacts that leave the law's range.
   void expect(const ImpactTimes& times) {
     step_watch_->expect(model_, times.fastest, times.rayleigh, times.hertz);
     if (times.outside_speed <= 1.01 * excess_->warned_speed) return;

@@ -65,7 +65,7 @@ class ElastoplasticNormalModel : public NormalModelBase {
     settings.registerOnOff("viscous_damping", viscous_damping_, false);
     settings.registerOnOff("tangential_damping", tangential_damping_, true);
     settings.registerDoubleSetting("overlap_limit", overlap_limit_, 1.0);
-    for (const auto& option : Law::options)
+    for (const auto& option : plastigran::options_of<Law>)
       plastigran::add_choice(settings, option.name, option.choices.data(), option.choices.size(),
                              choices_.*option.value);
     settings.registerOnOff("computeElasticPotential", engine_elastic_potential_, false);
@@ -110,8 +110,9 @@ class ElastoplasticNormalModel : public NormalModelBase {
   // Force as a power of overlap while elastic: Hertz, or the nearly straight line contact.
   double stressStrainExponent() override { return is_cylinder ? 1 : 1.5; }
 
-  // Flattened: only with the law inlined can the compiler drop the energies nobody reads here,
-  // among them Vu-Quoc-Zhang's quadrature; without it that law costs half as much again.
+  // The attribute `flatten` inlines the law, and the compiler then drops the energies, which nobody
+  // reads here. Without it Vu-Quoc-Zhang's law costs half as much again: its plastic work is a
+  // quadrature.
   [[gnu::flatten]] void surfacesIntersect(SurfacesIntersectData& contact, ForceData& i_forces,
                                           ForceData& j_forces) override {
     if (contact.contact_flags) *contact.contact_flags |= CONTACT_NORMAL_MODEL;
@@ -119,7 +120,8 @@ class ElastoplasticNormalModel : public NormalModelBase {
                                   ? contact.radi
                                   : contact.radi * contact.radj / (contact.radi + contact.radj);
     TypePair& pair = pairs_(contact.itype, contact.jtype);
-    if constexpr (plastigran::takes_bodies<Law>)  // particles that came after the check before
+    // Particles of these types may have been inserted since the check before the run.
+    if constexpr (plastigran::takes_bodies<Law>)
       if (!pair.lacking.empty()) watch_.stop(pair.lacking);
 
     double* const history = contact.contact_history + history_offset_;

@@ -51,7 +51,7 @@ void ImpactForecast::gather() {
 }
 
 double ImpactForecast::rayleigh_time(const std::vector<Body>& materials) const {
-  double shortest = unknown;
+  double shortest = StepWatch::unknown;
   for (std::size_t type = 1; type < types_.size(); ++type) {
     const auto& [count, radius, mass, speed] = types_[type];
     if (count == 0) continue;

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <algorithm>
+#include <limits>
 #include <vector>
 
 #include "liggghts/fixes/step_watch.h"
@@ -19,8 +20,6 @@ namespace plastigran {
 
 class ImpactForecast : protected LAMMPS_NS::Pointers {
  public:
-  static constexpr double unknown = 1e300;
-
   // Two types that can meet.
   struct Meeting {
     int type, partner_type;
@@ -34,13 +33,15 @@ class ImpactForecast : protected LAMMPS_NS::Pointers {
   bool is_wall() const { return is_wall_; }
   const std::vector<Meeting>& meetings() const { return meetings_; }
 
-  // The shortest Rayleigh time of the particles, spheres of these materials (by type - 1) [s].
+  // The shortest Rayleigh time of the particles, spheres of these materials (by type - 1) [s];
+  // StepWatch::unknown when there are none.
   double rayleigh_time(const std::vector<Body>& materials) const;
 
  private:
-  // Of the particles of one type.
+  // Of the particles of one type: how many, the smallest, the lightest, the fastest.
   struct Extremes {
-    double count = 0, radius = unknown, mass = unknown, speed = -unknown;
+    static constexpr double infinity = std::numeric_limits<double>::infinity();
+    double count = 0, radius = infinity, mass = infinity, speed = 0;
   };
   void gather();
 
@@ -51,10 +52,10 @@ class ImpactForecast : protected LAMMPS_NS::Pointers {
 
 // What a law says of the impacts of a forecast.
 struct ImpactTimes {
-  StepWatch::Recommended fastest;             // of the steps the impacts ask for, the shortest
-  double hertz = ImpactForecast::unknown;     // shortest duration of an elastic impact [s]
-  double rayleigh = ImpactForecast::unknown;  // [s]
-  double outside_speed = 0;                   // largest that leaves the law's range [m/s]
+  StepWatch::Recommended fastest;        // of the steps the impacts ask for, the shortest
+  double hertz = StepWatch::unknown;     // shortest duration of an elastic impact [s]
+  double rayleigh = StepWatch::unknown;  // [s]
+  double outside_speed = 0;              // largest that leaves the law's range [m/s]
 };
 
 template <class Law>

@@ -19,7 +19,7 @@ namespace plastigran {
 // Whether bodies bring constants of the law's own (cylinders their length).
 template <class Law>
 constexpr bool takes_bodies = [] {
-  for (const auto& parameter : Law::parameters)
+  for (const auto& parameter : parameters_of<Law>)
     if (parameter.per_body) return true;
   return false;
 }();
@@ -55,7 +55,7 @@ class TypePairs {
   // Of the deck's atom types; what it does not give of the law's constants stays as in `defaults`.
   void build(const DeckProperties& deck, int type_count, const Constants& defaults) {
     type_count_ = type_count;
-    bodies_ = deck.bodies(Yields<Law>::value);
+    bodies_ = deck.bodies(yields<Law>);
     pairs_.clear();
     for (int i = 1; i <= type_count; ++i)
       for (int j = 1; j <= type_count; ++j)
@@ -78,13 +78,13 @@ class TypePairs {
         if (!pair.lacking.empty()) continue;
         text << caller << ", atom types " << i << " and " << j << ": effective modulus "
              << pair.bodies.youngs_modulus_eff << " Pa";
-        if (Yields<Law>::value)
+        if (yields<Law>)
           text << ", yield strength " << pair.bodies.yield_strength << " Pa, yield pressure "
                << pair.bodies.yield_pressure << " Pa";
-        for (const auto& parameter : Law::parameters)
+        for (const auto& parameter : parameters_of<Law>)
           text << ", " << property_name(parameter.name) << ' ' << pair.constants.*parameter.value
                << (deck.given(parameter.name) ? "" : " (default)");
-        for (const auto& option : Law::options)
+        for (const auto& option : options_of<Law>)
           text << ", " << option.name << ' ' << option.choices[options.*option.value];
         text << '\n';
       }
@@ -97,7 +97,7 @@ class TypePairs {
  private:
   TypePair<Law> between(const DeckProperties& deck, int i, int j, Constants constants) const {
     std::string lacking;
-    for (const auto& parameter : Law::parameters) {
+    for (const auto& parameter : parameters_of<Law>) {
       double& value = constants.*parameter.value;
       if (!parameter.per_body) {
         value = deck.per_pair(parameter.name, i, j, value);

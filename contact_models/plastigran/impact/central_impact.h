@@ -6,8 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <type_traits>
-#include <utility>
 
 #include "plastigran/shared/contact.h"
 
@@ -22,24 +20,6 @@ struct ImpactOutcome {
   double damping_max = 0;                 // slope of force over rate at overlap_max [N s/m]
   bool in_range = true;                   // the law is good for that load
 };
-
-// Largest overlap over R* a law is good for. No contact law is good for overlaps of the order of
-// the radius; a law may narrow that: double overlap_range() const.
-constexpr double overlap_limit = 0.1;
-
-template <class Law, class = void>
-struct SaysRange : std::false_type {};
-template <class Law>
-struct SaysRange<Law, std::void_t<decltype(std::declval<const Law&>().overlap_range())>>
-    : std::true_type {};
-
-template <class Law>
-double overlap_range(const Law& law) {
-  if constexpr (SaysRange<Law>::value)
-    return std::min(law.overlap_range(), overlap_limit);
-  else
-    return overlap_limit;
-}
 
 // The central impact of a law that depends on the rate of overlap: m* d^2 overlap/dt^2 = -F, from
 // the first touch until the force is gone. In root = sqrt(overlap) over a time tau with
@@ -131,8 +111,7 @@ ImpactOutcome rate_dependent_impact(const Law& law, double radius_eff, double ma
 // the virgin work at the largest overlap, and what is stored elastically there is given back.
 template <class Law>
 ImpactOutcome central_impact(const Law& law, double radius_eff, double mass_eff, double speed) {
-  if constexpr (IsRateDependent<Law>::value)
-    return rate_dependent_impact(law, radius_eff, mass_eff, speed);
+  if constexpr (rate_dependent<Law>) return rate_dependent_impact(law, radius_eff, mass_eff, speed);
   ImpactOutcome impact;
   const double energy = 0.5 * mass_eff * speed * speed;
   if (!(energy > 0)) return impact;

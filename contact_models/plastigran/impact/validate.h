@@ -35,7 +35,7 @@ auto joint_complaint(const MaterialPair& pair, const typename Law::Parameters& c
     -> decltype(Law::admissible(pair, constants), Complaint()) {
   if (Law::admissible(pair, constants)) return {};
   std::ostringstream given;
-  for (const auto& parameter : Law::parameters)
+  for (const auto& parameter : parameters_of<Law>)
     given << (given.tellp() > 0 ? ", " : "with ") << '{' << parameter.name << "} "
           << constants.*parameter.value << " [" << parameter.unit << ']';
   return Complaint(given.str() + ": " + Law::admissibility);
@@ -60,12 +60,12 @@ Complaint complaint(const Parameter<Parameters>& parameter, double value) {
 
 template <class Law>
 Complaint validate(const MaterialPair& pair, const typename Law::Parameters& constants) {
-  if (Yields<Law>::value && !std::isfinite(pair.yield_strength))
+  if (yields<Law> && !std::isfinite(pair.yield_strength))
     return Complaint(
         "{yield_strength} is missing; one of the bodies at least must have it, positive and finite "
         "[Pa]");
   const typename Law::Parameters defaults;
-  for (const auto& parameter : Law::parameters) {
+  for (const auto& parameter : parameters_of<Law>) {
     const double value = constants.*parameter.value;
     if (value == defaults.*parameter.value) continue;
     const Complaint found = complaint(parameter, value);

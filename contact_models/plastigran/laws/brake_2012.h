@@ -29,7 +29,6 @@ struct Brake2012Curve {
   static constexpr std::array<Parameter<Parameters>, 1> parameters{{
       indentation_pressure_parameter(&Parameters::indentation_pressure),
   }};
-  static constexpr std::array<Option<Parameters>, 0> options{};
 
   // Yield must come before full plasticity.
   static bool admissible(const MaterialPair& pair, const Parameters& constants) {
@@ -64,7 +63,6 @@ struct Brake2012Curve {
     return between(x, 1, 0.5, alpha, 1 / alpha);
   }
   double recovery(double x) const { return std::min(x, force(x) / contact_radius(x)); }
-  double exponent(double) const { return 1.5; }
 };
 
 using Brake2012 = PowerUnloading<Brake2012Curve>;

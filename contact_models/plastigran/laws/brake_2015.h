@@ -33,7 +33,6 @@ struct Brake2015Curve {
       {"meyer_index", "-", &Parameters::meyer_index, 2, 2.7,
        "Meyer's hardening index; 2 is perfectly plastic"},
   }};
-  static constexpr std::array<Option<Parameters>, 0> options{};
 
   // Yield must come before full plasticity.
   static bool admissible(const MaterialPair& pair, const Parameters& constants) {
@@ -65,7 +64,6 @@ struct Brake2015Curve {
                                                      std::pow(x / plastic, 0.5 * meyer - 1);
   }
   double recovery(double x) const { return std::min(x, force(x) / std::sqrt(x)); }
-  double exponent(double) const { return 1.5; }
   double contact_radius(double x) const { return std::sqrt(x * (2 - elastic_share(x))); }
 };
 

@@ -26,7 +26,6 @@ struct GhaedniaCurve : JacksonGreenCurve {
   struct Parameters {
     int loading = exponent_of_overlap;
   };
-  static constexpr std::array<Parameter<Parameters>, 0> parameters{};
   static constexpr std::array<Option<Parameters>, 1> options{{
       {"loading",
        &Parameters::loading,

@@ -9,6 +9,7 @@
 #pragma once
 
 #include "plastigran/shared/contact.h"
+#include "plastigran/shared/hertz_contact.h"
 
 namespace plastigran {
 
@@ -26,11 +27,7 @@ class Hertz : public NoConstants {
 
   Response respond(double radius_eff, double overlap, State&) const {
     if (!(overlap > 0)) return {};
-    Response response;
-    response.contact_radius = std::sqrt(radius_eff * overlap);
-    response.force = modulus_ * response.contact_radius * overlap;
-    response.elastic_energy = 0.4 * response.force * overlap;
-    return response;
+    return hertz_response(modulus_, radius_eff, overlap);
   }
 
  private:

@@ -28,7 +28,6 @@ struct JacksonGreenCurve {
   struct Parameters {
     int hardness = cosine;
   };
-  static constexpr std::array<Parameter<Parameters>, 0> parameters{};
   static constexpr std::array<Option<Parameters>, 1> options{{
       {"hardness",
        &Parameters::hardness,
@@ -56,7 +55,6 @@ struct JacksonGreenCurve {
   double recovery(double x) const {
     return x * std::max(0.01, 1 - 1.02 * (1 - std::pow((x + 5.9) / 6.9, -0.54)));
   }
-  double exponent(double) const { return 1.5; }
   double contact_radius(double x) const { return std::sqrt(x * std::pow(x / 1.9, area_exponent)); }
   // Overlap over R* at which a/R* = 0.41, where the fit ends.
   double overlap_range() const {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// Katta & Polycarpou 2010 (J. Tribol. 132): Lim & Stronge's cylinder (lim_stronge.h,
+// Katta & Polycarpou 2010 (J. Tribol. 132:041402): Lim & Stronge's cylinder (lim_stronge.h,
 // line_contact.h) with a shallower crater and a curved rebound. Equations repaired.
 //
 //   overlap_res = a_res^2/(2 R_b),   1/R_b = 1/R - 1/R_e
@@ -20,7 +20,7 @@ namespace plastigran {
 
 struct CurvedRebound {
   static constexpr const char* name = "katta_polycarpou";
-  static constexpr const char* source = "Katta & Polycarpou 2010, J. Tribol. 132";
+  static constexpr const char* source = "Katta & Polycarpou 2010, J. Tribol. 132:041402";
   static constexpr bool straight = false;
   // Lim & Stronge's, longer by the share of their crater that is not there: r/(2 - r), r = R/R_e,
   // of 2 (1 - r) load/r.

@@ -27,7 +27,6 @@ struct KogutEtsionCurve {
   struct Parameters {
     int fully_plastic = 0;
   };
-  static constexpr std::array<Parameter<Parameters>, 0> parameters{};
   static constexpr std::array<Option<Parameters>, 1> options{{
       {"fully_plastic",
        &Parameters::fully_plastic,

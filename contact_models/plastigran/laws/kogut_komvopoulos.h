@@ -52,7 +52,6 @@ struct KogutKomvopoulosCurve : NoConstants {
     return 0.75 * pressure * area(x) / (stiffness * r * r * r);
   }
   double recovery(double x) const { return x * 0.591 * std::pow(stiffness, -0.156); }
-  double exponent(double) const { return 1.5; }
   double contact_radius(double x) const { return std::sqrt(area(x) / pi) / yield_radius_ratio; }
 };
 

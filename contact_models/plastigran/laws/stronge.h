@@ -31,7 +31,6 @@ struct StrongeCurve {
   struct Parameters {
     int unloading = book;
   };
-  static constexpr std::array<Parameter<Parameters>, 0> parameters{};
   static constexpr std::array<Option<Parameters>, 1> options{{
       {"unloading",
        &Parameters::unloading,
@@ -62,7 +61,6 @@ struct StrongeCurve {
     if (unloading == original_radius) way = std::cbrt(force(x) * force(x));
     return std::min(x, way);
   }
-  double exponent(double) const { return 1.5; }
   double contact_radius(double x) const { return std::sqrt(2 * x - 1); }
 };
 

@@ -22,6 +22,7 @@
 #pragma once
 
 #include "plastigran/shared/contact.h"
+#include "plastigran/shared/hertz_contact.h"
 
 namespace plastigran {
 
@@ -44,18 +45,14 @@ class Thornton : public NoConstants {
   Response respond(double radius_eff, double overlap, State& state) const {
     if (!(overlap > 0)) return {0, 0, 0, plastic_work(radius_eff, state.overlap_max)};
     const double overlap_y = radius_eff * yield_overlap_ratio_;
-    Response response;
-    if (overlap <= overlap_y && state.overlap_max == 0) {
-      response.contact_radius = std::sqrt(radius_eff * overlap);
-      response.force = modulus_ * response.contact_radius * overlap;
-      response.elastic_energy = 0.4 * response.force * overlap;
-      return response;
-    }
+    if (overlap <= overlap_y && state.overlap_max == 0)
+      return hertz_response(modulus_, radius_eff, overlap);
     if (overlap > state.overlap_max) state.overlap_max = overlap;
     const double radius_max = std::sqrt(radius_eff * state.overlap_max);
     const double force_max = slope_ * radius_eff * (state.overlap_max - overlap_y / 3);
     const double recovery = force_max / (modulus_ * radius_max);  // overlap_max - overlap_res
     const double x = 1 - (state.overlap_max - overlap) / recovery;
+    Response response;
     if (x > 0) {
       const double root = std::sqrt(x);
       response.contact_radius = radius_max * root;

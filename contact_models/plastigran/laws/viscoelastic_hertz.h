@@ -36,7 +36,6 @@ class ViscoelasticHertz {
   static constexpr std::array<Parameter<Parameters>, 1> parameters{
       {{"dissipative_constant", "s", &Parameters::dissipative_constant, 0, 1,
         "A, viscous over elastic constants of the two bodies; 0 is Hertz"}}};
-  static constexpr std::array<Option<Parameters>, 0> options{};
 
   struct State {};
   static constexpr std::array<const char*, 0> state_names{};

@@ -40,7 +40,6 @@ class VuQuocZhang {
       {"curvature_coefficient", "-", &Parameters::curvature_coefficient, 0, 0.99,
        "growth of the contact's radius of curvature with force, K_c P_Y"},
   }};
-  static constexpr std::array<Option<Parameters>, 0> options{};
   struct State {
     double elastic_radius_max = 0;  // largest a_e beyond yield, over a_Y [-]; 0 while elastic
   };

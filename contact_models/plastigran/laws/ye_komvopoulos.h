@@ -65,7 +65,6 @@ struct YeKomvopoulosCurve : NoConstants {
     const double flat = x * flattening_scale;
     return flat <= 1.9 ? x : std::min(x, flattening.recovery(flat) / flattening_scale);
   }
-  double exponent(double) const { return 1.5; }
   double contact_radius(double x) const { return std::sqrt(area(x) / pi) / yield_radius_ratio; }
 };
 

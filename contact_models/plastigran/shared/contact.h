@@ -8,8 +8,6 @@
 //
 //   name         the word a user types; source, range: where it is from, how far it is good
 //   Parameters   a struct of the law's own constants, each with its default
-//   parameters   a table of them: name, unit, allowed range
-//   options      a table of the choices its sources leave open
 //   State        a struct of doubles, zero for a contact never loaded beyond yield: the extremes
 //                the contact has reached, symmetric in the two bodies
 //   respond(radius_eff, overlap, state)
@@ -19,14 +17,19 @@
 //
 // and may say more of itself:
 //
+//   parameters   a table of its constants: name, unit, allowed range
+//   options      a table of the choices its sources leave open
 //   shape = "cylinder"      the bodies are no spheres
 //   rate_dependent = true   the force depends on the rate of overlap, too [m/s, closing positive]:
 //                respond(radius_eff, overlap, state, overlap_rate = 0), a total law at rate zero
 //   yields = false          no yield: the yield strength is not asked for
+//   overlap_range()         the largest overlap over R* it is good for
+//   elastic_stiffness(contact_radius)      of the elastic contact
 //
 // SI units throughout.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -75,27 +78,6 @@ struct Response {
   double viscous_force = 0;   // the rate's share of `force`, negative while parting [N]
 };
 
-template <class Law, class = void>
-struct IsRateDependent : std::false_type {};
-template <class Law>
-struct IsRateDependent<Law, std::void_t<decltype(Law::rate_dependent)>>
-    : std::bool_constant<Law::rate_dependent> {};
-
-template <class Law, class = void>
-struct Yields : std::true_type {};
-template <class Law>
-struct Yields<Law, std::void_t<decltype(Law::yields)>> : std::bool_constant<Law::yields> {};
-
-// Ask any law; one that does not depend on the rate never sees it.
-template <class Law>
-Response respond(const Law& law, double radius_eff, double overlap, typename Law::State& state,
-                 double overlap_rate) {
-  if constexpr (IsRateDependent<Law>::value)
-    return law.respond(radius_eff, overlap, state, overlap_rate);
-  else
-    return law.respond(radius_eff, overlap, state);
-}
-
 // A choice a law leaves to the user, where its sources leave it open: an index into `choices`.
 template <class Parameters>
 struct Option {
@@ -127,9 +109,62 @@ struct Parameter {
 // Laws without constants or choices of their own say so with this base.
 struct NoConstants {
   struct Parameters {};
-  static constexpr std::array<Parameter<Parameters>, 0> parameters{};
-  static constexpr std::array<Option<Parameters>, 0> options{};
 };
+
+// What a law says of itself, and what holds where it says nothing: its constants, its choices, the
+// shape of its bodies, whether the rate of overlap matters, whether the bodies yield.
+template <class Law, class = void>
+constexpr std::array<Parameter<typename Law::Parameters>, 0> parameters_of{};
+template <class Law>
+constexpr auto parameters_of<Law, std::void_t<decltype(Law::parameters)>> = Law::parameters;
+
+template <class Law, class = void>
+constexpr std::array<Option<typename Law::Parameters>, 0> options_of{};
+template <class Law>
+constexpr auto options_of<Law, std::void_t<decltype(Law::options)>> = Law::options;
+
+template <class Law, class = void>
+constexpr const char* shape = "sphere";
+template <class Law>
+constexpr const char* shape<Law, std::void_t<decltype(Law::shape)>> = Law::shape;
+
+template <class Law, class = void>
+constexpr bool rate_dependent = false;
+template <class Law>
+constexpr bool rate_dependent<Law, std::void_t<decltype(Law::rate_dependent)>> =
+    Law::rate_dependent;
+
+template <class Law, class = void>
+constexpr bool yields = true;
+template <class Law>
+constexpr bool yields<Law, std::void_t<decltype(Law::yields)>> = Law::yields;
+
+// Ask any law; one that does not depend on the rate never sees it.
+template <class Law>
+Response respond(const Law& law, double radius_eff, double overlap, typename Law::State& state,
+                 double overlap_rate) {
+  if constexpr (rate_dependent<Law>)
+    return law.respond(radius_eff, overlap, state, overlap_rate);
+  else
+    return law.respond(radius_eff, overlap, state);
+}
+
+// Largest overlap over R* a law is good for. No contact law is good for overlaps of the order of
+// the radius; a law may narrow that.
+constexpr double overlap_limit = 0.1;
+
+template <class Law, class = void>
+constexpr bool says_range = false;
+template <class Law>
+constexpr bool says_range<Law, std::void_t<decltype(&Law::overlap_range)>> = true;
+
+template <class Law>
+double overlap_range(const Law& law) {
+  if constexpr (says_range<Law>)
+    return std::min(law.overlap_range(), overlap_limit);
+  else
+    return overlap_limit;
+}
 
 // p_y / sigma_Y at which a Hertzian contact first yields (von Mises) below its centre: the inverse
 // of the largest shear over peak pressure on the axis, max over z (depth / contact radius) of
@@ -174,34 +209,21 @@ inline double yield_radius_ratio(const MaterialPair& pair) {
   return pi * pair.yield_pressure / (2 * pair.youngs_modulus_eff);
 }
 
-// What a law's bodies are: `static constexpr const char* shape`, spheres where it says nothing.
-template <class Law, class = void>
-struct Shape {
-  static constexpr const char* value = "sphere";
-};
-template <class Law>
-struct Shape<Law, std::void_t<decltype(Law::shape)>> {
-  static constexpr const char* value = Law::shape;
-};
-template <class Law>
-constexpr const char* shape = Shape<Law>::value;
-
 // Stiffness of the elastic contact with a given contact radius [N/m], for springs and dashpots
-// along and across the normal. A law of other bodies than spheres says its own:
-// elastic_stiffness(contact radius). Spheres: Mindlin 1949; Johnson, Contact Mechanics (1985),
-// sec. 4.2 and 7.2.
+// along and across the normal. A law of other bodies than spheres says its own. Spheres: Mindlin
+// 1949; Johnson, Contact Mechanics (1985), sec. 4.2 and 7.2.
 struct Stiffness {
   double normal, tangential;
 };
 template <class Law, class = void>
-struct SaysStiffness : std::false_type {};
+constexpr bool says_stiffness = false;
 template <class Law>
-struct SaysStiffness<Law, std::void_t<decltype(&Law::elastic_stiffness)>> : std::true_type {};
+constexpr bool says_stiffness<Law, std::void_t<decltype(&Law::elastic_stiffness)>> = true;
 
 template <class Law>
 Stiffness elastic_stiffness(const Law& law, double youngs_modulus_eff, double shear_modulus_eff,
                             double contact_radius) {
-  if constexpr (SaysStiffness<Law>::value)
+  if constexpr (says_stiffness<Law>)
     return law.elastic_stiffness(contact_radius);
   else
     return {2 * youngs_modulus_eff * contact_radius, 8 * shear_modulus_eff * contact_radius};

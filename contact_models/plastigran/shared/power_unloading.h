@@ -11,12 +11,12 @@
 //   breaks              where the formula changes, ascending; Hertz below the first
 //   force(x)            f beyond the first break
 //   recovery(x)         (overlap_max - overlap_res)/overlap_y after loading to x
-//   exponent(x)         n
 //   contact_radius(x)   a/a_y beyond the first break
+//   exponent(x)         optional: n, 3/2 where it says nothing
 //   overlap_range()     optional: largest overlap over R* the curve is good for
 //
-// It says the rest of a law as contact.h has it: name, source, range, Parameters, parameters,
-// options; it is made from (MaterialPair, Parameters). The law itself is
+// It says the rest of a law as contact.h has it: name, source, range, Parameters and what else it
+// has to say; it is made from (MaterialPair, Parameters). The law itself is
 //
 //   using KogutEtsion = PowerUnloading<KogutEtsionCurve>;
 //
@@ -30,8 +30,14 @@
 #include <tuple>
 
 #include "plastigran/shared/contact.h"
+#include "plastigran/shared/hertz_contact.h"
 
 namespace plastigran {
+
+template <class Curve, class = void>
+constexpr bool says_exponent = false;
+template <class Curve>
+constexpr bool says_exponent<Curve, std::void_t<decltype(&Curve::exponent)>> = true;
 
 template <class Curve>
 class PowerUnloading : public Curve {
@@ -40,16 +46,16 @@ class PowerUnloading : public Curve {
     int energy_guard = 1;
   };
   static constexpr auto parameters = [] {
-    std::array<Parameter<Parameters>, Curve::parameters.size()> all{};
+    std::array<Parameter<Parameters>, parameters_of<Curve>.size()> all{};
     std::size_t k = 0;
-    for (const auto& p : Curve::parameters)
+    for (const auto& p : parameters_of<Curve>)
       all[k++] = {p.name, p.unit, p.value, p.lower, p.upper, p.meaning, p.per_body};
     return all;
   }();
   static constexpr auto options = [] {
-    std::array<Option<Parameters>, Curve::options.size() + 1> all{};
+    std::array<Option<Parameters>, options_of<Curve>.size() + 1> all{};
     std::size_t k = 0;
-    for (const auto& o : Curve::options) all[k++] = {o.name, o.value, o.choices, o.meaning};
+    for (const auto& o : options_of<Curve>) all[k++] = {o.name, o.value, o.choices, o.meaning};
     all[k] = energy_guard_option<Parameters>(&Parameters::energy_guard);
     return all;
   }();
@@ -69,13 +75,9 @@ class PowerUnloading : public Curve {
 
   Response respond(double radius_eff, double overlap, State& state) const {
     const double overlap_y = radius_eff * overlap_ratio_;
-    Response response;
     if (state.overlap_max == 0 && overlap <= Curve::breaks[0] * overlap_y) {
-      if (!(overlap > 0)) return response;
-      response.contact_radius = std::sqrt(radius_eff * overlap);
-      response.force = modulus_ * response.contact_radius * overlap;
-      response.elastic_energy = 0.4 * response.force * overlap;
-      return response;
+      if (!(overlap > 0)) return {};
+      return hertz_response(modulus_, radius_eff, overlap);
     }
     const double radius_y = radius_eff * Curve::yield_radius_ratio;
     const double force_y = modulus_ * radius_y * overlap_y;
@@ -84,8 +86,9 @@ class PowerUnloading : public Curve {
       state = {overlap, force_y * Curve::force(x), overlap_y * guarded_recovery(x)};
     }
     const double x_max = state.overlap_max / overlap_y;
-    const double exponent = Curve::exponent(x_max);
+    const double exponent = exponent_after(x_max);
     const double y = 1 - (state.overlap_max - overlap) / state.recovery;
+    Response response;
     if (y > 0 && overlap > 0) {
       const double root = std::sqrt(y);
       response.force = state.force_max * (exponent == 1.5 ? y * root : std::pow(y, exponent));
@@ -103,6 +106,14 @@ class PowerUnloading : public Curve {
     double begin, end, plastic_work;
   };
 
+  // The power n of unloading after loading to x.
+  double exponent_after([[maybe_unused]] double x) const {
+    if constexpr (says_exponent<Curve>)
+      return Curve::exponent(x);
+    else
+      return 1.5;
+  }
+
   // Work of the virgin curve up to x, over F_y overlap_y: Gauss-Legendre between the breaks on
   // panels that double in length.
   double virgin_work(double x) const {
@@ -119,7 +130,7 @@ class PowerUnloading : public Curve {
   }
 
   double published_plastic_work(double x) const {
-    return virgin_work(x) - Curve::force(x) * Curve::recovery(x) / (Curve::exponent(x) + 1);
+    return virgin_work(x) - Curve::force(x) * Curve::recovery(x) / (exponent_after(x) + 1);
   }
 
   double guarded_recovery(double x) const {
@@ -127,7 +138,7 @@ class PowerUnloading : public Curve {
       if (x >= stretch.begin && x < stretch.end)
         return std::min(
             Curve::recovery(x),
-            (Curve::exponent(x) + 1) * (virgin_work(x) - stretch.plastic_work) / Curve::force(x));
+            (exponent_after(x) + 1) * (virgin_work(x) - stretch.plastic_work) / Curve::force(x));
     return Curve::recovery(x);
   }
 

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+//
+// The elastic contact of spheres, which laws follow up to yield: Hertz 1881, equations in
+// laws/hertz.h.
+#pragma once
+
+#include <cmath>
+
+#include "plastigran/shared/contact.h"
+
+namespace plastigran {
+
+// At an overlap above 0; `modulus` is 4/3 E* [Pa].
+inline Response hertz_response(double modulus, double radius_eff, double overlap) {
+  Response response;
+  response.contact_radius = std::sqrt(radius_eff * overlap);
+  response.force = modulus * response.contact_radius * overlap;
+  response.elastic_energy = 0.4 * response.force * overlap;
+  return response;
+}
+
+}  // namespace plastigran
