@@ -52,6 +52,22 @@ Broadcast impact_arguments(const nb::object& radius_eff, const nb::object& mass_
                     {"speed", speed, positive, "m/s"}});
 }
 
+Answer<ImpactOutcome> central_impact_of(const AnyLaw& law, const nb::object& radius_eff,
+                                        const nb::object& mass_eff, const nb::object& speed) {
+  const Broadcast given = impact_arguments(radius_eff, mass_eff, speed);
+  return answer<ImpactOutcome>(given, [&](std::size_t i) {
+    return law.central_impact(given(0, i), given(1, i), given(2, i));
+  });
+}
+
+nb::object recommended_timestep_of(const AnyLaw& law, const nb::object& radius_eff,
+                                   const nb::object& mass_eff, const nb::object& speed) {
+  const Broadcast given = impact_arguments(radius_eff, mass_eff, speed);
+  return column<double>(given, [&](std::size_t i) {
+    return law.recommended_timestep(given(0, i), given(1, i), given(2, i));
+  });
+}
+
 Answer<Response> respond_to(const AnyLaw& law, const nb::object& radius_eff,
                             const nb::object& overlap, const nb::object& state,
                             const nb::object& overlap_rate) {
@@ -147,15 +163,7 @@ Raises:
         shapes do not fit together.
     TypeError: A state of another law.)");
   law.def(
-      "central_impact",
-      [](const AnyLaw& self, const nb::object& radius_eff, const nb::object& mass_eff,
-         const nb::object& speed) {
-        const Broadcast given = impact_arguments(radius_eff, mass_eff, speed);
-        return answer<ImpactOutcome>(given, [&](std::size_t i) {
-          return self.central_impact(given(0, i), given(1, i), given(2, i));
-        });
-      },
-      "radius_eff"_a, "mass_eff"_a, "speed"_a,
+      "central_impact", &central_impact_of, "radius_eff"_a, "mass_eff"_a, "speed"_a,
       nb::sig("def central_impact(self, radius_eff: ArrayLike, mass_eff: ArrayLike, speed: "
               "ArrayLike) -> ImpactOutcome"),
       R"(Central impact of two bodies, from the law's energies; by the equation of motion when the
@@ -173,15 +181,7 @@ Raises:
     ValueError: A value is out of range (the message names it, its index and the range), or the
         shapes do not fit together.)");
   law.def(
-      "recommended_timestep",
-      [](const AnyLaw& self, const nb::object& radius_eff, const nb::object& mass_eff,
-         const nb::object& speed) {
-        const Broadcast given = impact_arguments(radius_eff, mass_eff, speed);
-        return column<double>(given, [&](std::size_t i) {
-          return self.recommended_timestep(given(0, i), given(1, i), given(2, i));
-        });
-      },
-      "radius_eff"_a, "mass_eff"_a, "speed"_a,
+      "recommended_timestep", &recommended_timestep_of, "radius_eff"_a, "mass_eff"_a, "speed"_a,
       nb::sig("def recommended_timestep(self, radius_eff: ArrayLike, mass_eff: ArrayLike, speed: "
               "ArrayLike) -> Numbers"),
       R"(Time step [s] that resolves the rebound of a central impact to 1e-3 in restitution: a tenth
