@@ -86,7 +86,9 @@ def virgin_jumps(law_between):
     [m] right before and behind it, 1e-12 of them apart, and the change as a share of the force.
 
     Seen over eight decades in steps of 5e-5: a smooth force moves by twice that or less; a
-    cylinder's, whose slope jumps up by 5 at yield for this thickness, by six times.
+    cylinder's, whose slope jumps up by 5 at yield for this thickness, by six times. Such steps are
+    taken only where a step of 5e-4 does not move the force as its neighbours do: a jump to be found
+    moves it by 2e-4 or more, and a smooth force changes its slope by 1e-5 from step to step.
     """
 
     @cache
@@ -105,9 +107,18 @@ def virgin_jumps(law_between):
                 before, after = points[at], points[at + 1]
             return before, after, float(np.expm1(steps(np.array([before, after]))[0]))
 
-        overlap = np.geomspace(1e-3, 1e5, 400_001) * overlap_y
-        found = np.flatnonzero(np.abs(steps(overlap)) > largest)
-        return [narrowed(overlap[at], overlap[at + 1]) for at in found]
+        overlap = np.geomspace(1e-3, 1e5, 40_001) * overlap_y
+        change = steps(overlap)
+        uneven = np.abs(np.diff(change)) > largest / 4
+        suspect = np.abs(change) > 20 * largest  # a jump beside another like it is even
+        suspect[1:] |= uneven
+        suspect[:-1] |= uneven
+        found = []
+        for at in np.flatnonzero(suspect):
+            points = np.geomspace(overlap[at], overlap[at + 1], 11)
+            jumps = np.flatnonzero(np.abs(steps(points)) > largest)
+            found += [narrowed(points[jump], points[jump + 1]) for jump in jumps]
+        return found
 
     return find
 
@@ -141,28 +152,28 @@ def test_plastic_work_never_decreases(law_name, law_between, turns):
 def test_energies_account_for_the_work_done(law_name, law_between, virgin_jumps, turns):
     """Work put in = stored + plastic, at every turning point, so no path returns more than it took.
 
-    The work is the integral of the law's own force, by Simpson's rule on 800 intervals a leg, which
-    ends where the virgin force jumps; kinks of the force inside a leg limit it to 1e-4 of the
-    largest energy met.
+    The work is the integral of the law's own force, by Simpson's rule on 300 intervals a leg, which
+    ends where the virgin force jumps and where reloading meets the virgin force again; other kinks
+    of the force inside a leg limit it to 1e-4 of the largest energy met.
     """
     for pair_name, pair in PAIRS.items():
         overlap_y, force_y = scales(law_name, pair)
         law = law_between(law_name, pair)
         state = law.State()
         done = largest = 0.0
-        at = 0.0
+        at = peak = 0.0
         for turn in np.array(turns) * overlap_y:
-            edges = [x for jump in virgin_jumps(law_name, pair_name) for x in jump[:2]]
+            edges = [peak, *(x for jump in virgin_jumps(law_name, pair_name) for x in jump[:2])]
             ends = np.sort([at, *(x for x in edges if min(at, turn) < x < max(at, turn)), turn])
             ends = ends if turn > at else ends[::-1]
-            for leg in np.linspace(ends[:-1], ends[1:], 1601).T:
+            for leg in np.linspace(ends[:-1], ends[1:], 601).T:
                 answer = law.follow(RADIUS, leg, state)
                 done += float(simpson(answer["force"], dx=leg[1] - leg[0]))
             stored = answer["elastic_energy"][-1] + answer["plastic_work"][-1]
             largest = max(largest, stored, force_y * overlap_y)
             assert done == pytest.approx(stored, abs=1e-4 * largest)
             assert done >= -1e-4 * largest
-            at = turn
+            at, peak = turn, max(turn, peak)
 
 
 @given(turns=turning_points, repeats=st.integers(1, 4))
@@ -171,13 +182,18 @@ def test_answer_does_not_depend_on_how_often_it_is_asked(law_name, law_between, 
     is rounding through the unloading curve's 3/2 power."""
     for law, overlap_y, _ in on_pairs(law_name, law_between):
         fine, often, coarse = law.State(), law.State(), law.State()
-        peak = 0.0
+        forces, again = [], []
         for overlap in path(turns, 20) * overlap_y:
             once = law.respond(RADIUS, overlap, fine)
+            forces.append(once.force)
             for _ in range(repeats):
-                again = law.respond(RADIUS, overlap, often)
-            peak = max(peak, once.force)
-            assert again.force == pytest.approx(once.force, rel=1e-12, abs=1e-11 * peak)
+                repeated = law.respond(RADIUS, overlap, often)
+            again.append(repeated.force)
+        peaks = np.maximum.accumulate(forces)
+        assert (
+            np.abs(np.subtract(again, forces)) <= np.maximum(1e-12 * np.abs(forces), 1e-11 * peaks)
+        ).all()
+        peak = peaks[-1]
         for turn in turns:
             direct = law.respond(RADIUS, turn * overlap_y, coarse)
         assert direct.force == pytest.approx(once.force, rel=1e-12, abs=1e-11 * peak)
@@ -221,7 +237,11 @@ def test_force_is_continuous_where_unloading_begins_and_ends(law_name, law_betwe
     peak = law.respond(RADIUS, top * overlap_y, state).force
     just_below = law.respond(RADIUS, top * overlap_y * (1 - 1e-12), state).force
     assert just_below == pytest.approx(peak, rel=1e-9)
-    way_back = np.linspace(top, 0, 200_001) * overlap_y
+    way_back = np.linspace(top, 0, 2001) * overlap_y
+    force = law.follow(RADIUS, way_back, state)["force"]
+    end = int((force == 0).argmax())
+    assert end > 0 and (force[end:] == 0).all()
+    way_back = np.linspace(way_back[0], way_back[end], 20_001)  # finer where there is a force
     force = law.follow(RADIUS, way_back, state)["force"]
     assert np.abs(np.diff(force)).max() < 1e-3 * peak
 

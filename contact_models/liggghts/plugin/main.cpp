@@ -8,6 +8,7 @@
 
 #include <cctype>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <fstream>
 #include <iostream>
@@ -108,6 +109,16 @@ std::string check_command_line(int argc, char** argv) {
   return {};
 }
 
+// Open MPI starts a daemon for a process that no launcher started, and looks for ways to reach
+// others. A rank alone needs neither; together they take as long as the engine's own start.
+void start_alone() {
+  for (const char* name : {"OMPI_COMM_WORLD_SIZE", "PMIX_RANK", "PMI_RANK"})
+    if (std::getenv(name)) return;
+  setenv("OMPI_MCA_ess_singleton_isolated", "1", 0);
+  setenv("OMPI_MCA_pml", "ob1", 0);
+  setenv("OMPI_MCA_btl", "self", 0);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -121,6 +132,7 @@ int main(int argc, char** argv) {
 
   // One rank's error ends in MPI_Abort, which would take the buffered message with it.
   std::setvbuf(stdout, nullptr, _IOLBF, BUFSIZ);
+  start_alone();
   MPI_Init(&argc, &argv);
   const std::string complaint = check_command_line(argc, argv);
   if (!complaint.empty()) {

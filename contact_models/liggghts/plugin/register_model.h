@@ -29,6 +29,31 @@ inline void require_version(LAMMPS_NS::LAMMPS* lmp) {
   lmp->error->all(FLERR, text.c_str());
 }
 
+// Ids of the models to combine with, as the engine's headers list them.
+constexpr int tangential_ids[] = {
+    TANGENTIAL_OFF,
+#define TANGENTIAL_MODEL(identifier, name, id) identifier,
+#include "style_tangential_model.h"
+#undef TANGENTIAL_MODEL
+};
+constexpr int cohesion_ids[] = {
+    COHESION_OFF,
+#define COHESION_MODEL(identifier, name, id) identifier,
+#include "style_cohesion_model.h"
+#undef COHESION_MODEL
+};
+constexpr int rolling_ids[] = {
+    ROLLING_OFF,
+#define ROLLING_MODEL(identifier, name, id) identifier,
+#include "style_rolling_model.h"
+#undef ROLLING_MODEL
+};
+constexpr int surface_ids[] = {
+#define SURFACE_MODEL(identifier, name, id) identifier,
+#include "style_surface_model.h"
+#undef SURFACE_MODEL
+};
+
 template <class Style, class Interface, class Parent>
 Interface* create(LAMMPS_NS::LAMMPS* lmp, Parent* parent, int64_t hash) {
   require_version(lmp);
@@ -49,10 +74,10 @@ class RegisterModel {
  public:
   explicit RegisterModel(const char* name) {
     ContactModels::Factory::instance().addNormalModel(name, Model);
-    for (int tangential = 0; tangential < 8; ++tangential)
-      for (int cohesion = 0; cohesion < 16; ++cohesion)
-        for (int rolling = 0; rolling < 8; ++rolling)
-          for (int surface = 0; surface < 4; ++surface)
+    for (int tangential : tangential_ids)
+      for (int cohesion : cohesion_ids)
+        for (int rolling : rolling_ids)
+          for (int surface : surface_ids)
             if (!promised(tangential, cohesion, rolling, surface))
               add(Utils::generate_gran_hashcode(Model, tangential, cohesion, rolling, surface),
                   &refuse<PairStyles::IGranularPairStyle, PairGran>,

@@ -147,10 +147,11 @@ def surface(degree: int, poissons_ratio: float, x: float) -> tuple[np.ndarray, n
     Returns:
         displacement, traction, (2, 2) each.
     """
-    y = x * wave_speed_ratio(poissons_ratio)
     square = degree * (degree + 1)
-    p, p_slope = spherical_jn(degree, y), y * spherical_jn(degree, y, derivative=True)
-    s, s_slope = spherical_jn(degree, x), x * spherical_jn(degree, x, derivative=True)
+    arguments = np.array([x * wave_speed_ratio(poissons_ratio), x])
+    below, (p, s) = spherical_jn([[degree - 1], [degree]], arguments)  # one call: it is slow
+    # x j_n'(x) = x j_(n-1)(x) - (n + 1) j_n(x)
+    p_slope, s_slope = arguments * below - (degree + 1) * np.array([p, s])
     displacement = np.array([[p_slope, square * s], [p, s + s_slope]])
     traction = np.array(
         [
