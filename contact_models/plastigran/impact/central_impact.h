@@ -25,7 +25,7 @@ struct ImpactOutcome {
 
 // Largest overlap over R* a law is good for. No contact law is good for overlaps of the order of
 // the radius; a law may narrow that: double overlap_range() const.
-constexpr double overlap_limit = 0.1;
+constexpr double widest_overlap_range = 0.1;
 
 template <class Law, class = void>
 struct SaysRange : std::false_type {};
@@ -36,9 +36,9 @@ struct SaysRange<Law, std::void_t<decltype(std::declval<const Law&>().overlap_ra
 template <class Law>
 double overlap_range(const Law& law) {
   if constexpr (SaysRange<Law>::value)
-    return std::min(law.overlap_range(), overlap_limit);
+    return std::min(law.overlap_range(), widest_overlap_range);
   else
-    return overlap_limit;
+    return widest_overlap_range;
 }
 
 // The central impact of a law that depends on the rate of overlap: m* d^2 overlap/dt^2 = -F, from
