@@ -95,7 +95,8 @@ class BulkRun:
             state += f", failed: {'; '.join(check.name for check in failed)}"
         elif self.analysis.checks:
             state += f", {len(self.analysis.checks)} checks passed"
-        state = "; ".join([state, *self.notes])
+        if self.notes:
+            state += ", not all measured: see notes"
         return f"<run of {self.name} in {self.folder}: {len(self.series)} rows, {state}>"
 
     def raise_if_failed(self) -> Self:
