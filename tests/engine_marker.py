@@ -19,6 +19,7 @@ STARTERS = {
     "Popen",
     "bulk",
     "collide",
+    "exec",
     "execute",
     "main",
     "run",

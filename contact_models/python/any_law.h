@@ -31,6 +31,7 @@ class AnyLaw {
   virtual Response respond(double radius_eff, double overlap, double* state,
                            double overlap_rate) const = 0;
   virtual ImpactOutcome central_impact(double radius_eff, double mass_eff, double speed) const = 0;
+  virtual double overlap_range() const = 0;
   virtual double recommended_timestep(double radius_eff, double mass_eff, double speed) const = 0;
 };
 

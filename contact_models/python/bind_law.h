@@ -45,6 +45,7 @@ class LawOf : public AnyLaw {
   ImpactOutcome central_impact(double radius_eff, double mass_eff, double speed) const override {
     return plastigran::central_impact(law, radius_eff, mass_eff, speed);
   }
+  double overlap_range() const override { return plastigran::overlap_range(law); }
   double recommended_timestep(double radius_eff, double mass_eff, double speed) const override {
     return plastigran::recommended_timestep(law, radius_eff, mass_eff, speed);
   }

@@ -116,6 +116,8 @@ void bind_laws(nb::module_& module) {
   nb::class_<AnyLaw> law(module, "Law",
                          "A contact law between two bodies: what all laws have. Its classes are in "
                          "`LAWS`. Immutable.");
+  law.def_prop_ro("overlap_range", &AnyLaw::overlap_range,
+                  "Largest overlap over R* that the law is good for [-]; in words `range`.");
   law.def("respond", &respond_to, "radius_eff"_a, "overlap"_a, "state"_a = nb::none(),
           "overlap_rate"_a = 0.0,
           nb::sig("def respond(self, radius_eff: ArrayLike, overlap: ArrayLike, state: "

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Makes the hoppers of inputs/bulk/hopper.in, `hopper_N.stl` beside this file.
+"""Makes the hoppers of inputs/bulk/hopper/shape.in, `hopper_N.stl` beside this file.
 
     python inputs/meshes/make_hopper.py            # those committed
     python inputs/meshes/make_hopper.py 5.5 6.5    # others
@@ -10,6 +10,7 @@ diameters of a grain: the deck scales them.
 
 from __future__ import annotations
 
+import re
 import sys
 from pathlib import Path
 
@@ -18,12 +19,11 @@ from stl import write
 
 #: Diameters of the orifice, in N of `hopper_N.stl`.
 ORIFICES = (5, 6, 7, 8)
-#: Of the barrel. Two and a half orifices or more: a narrower one adds to the discharge.
-BARREL = 20.0
-#: Of the whole.
-HEIGHT = 30.0
-#: Of the cone, from the horizontal: flatter than the flow within the grains.
-SLOPE = np.radians(30.0)
+
+_DECK = Path(__file__).parents[1] / "bulk" / "hopper" / "shape.in"
+_SHAPE = dict(re.findall(r"^variable\s+(\w+)\s+equal\s+(\S+)", _DECK.read_text(), re.MULTILINE))
+BARREL, HEIGHT = float(_SHAPE["barrel"]), float(_SHAPE["height"])
+SLOPE = np.radians(float(_SHAPE["slope"]))
 SEGMENTS = 36
 
 

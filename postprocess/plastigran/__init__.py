@@ -5,8 +5,8 @@
 
     steel = pg.material("steel")
     contact = pg.Contact("kogut_etsion", steel, pg.RIGID, radius=5e-3)
-    contact.path(np.linspace(0, 2e-5, 200)).plot("overlap", "force")
-    contact.restitution(np.geomspace(1e-3, 1, 40))
+    contact.path(np.linspace(0, 5e-6, 200)).plot("overlap", "force")
+    contact.restitution(np.geomspace(1e-3, 0.4, 40))
     runs = pg.collide(["kogut_etsion", "thornton"], [0.1, 1.0], steel, radius=5e-3)
     runs.table, runs.figure("restitution")
     flow = pg.bulk("hopper", law="thornton", ranks=2)    # or pg.open("results/hopper")

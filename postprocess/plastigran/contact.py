@@ -3,19 +3,29 @@
 
 from __future__ import annotations
 
+import warnings
 from math import inf, pi
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from plastigran import laws
+from plastigran.declared import Declaration, read_number
 from plastigran.materials import RIGID, Material, read_material
 
 if TYPE_CHECKING:
     import pandas as pd
 
-Bodylike = Material | laws.Body | str
+Bodylike = Material | laws.Body | str | Path
+
+_RADIUS = Declaration("of a body", "m", lower=0)
+_MASS = Declaration("m*", "kg", lower=0)
+
+
+class RangeWarning(UserWarning):
+    """A contact was taken beyond the overlaps its law is good for."""
 
 
 class Contact:
@@ -23,7 +33,8 @@ class Contact:
 
     Args:
         law: Name of the law.
-        a, b: The bodies' materials: one of `plastigran.material`, its name, or `plastigran.RIGID`.
+        a, b: The bodies' materials: one of `plastigran.material`, its name or file, or
+            `plastigran.RIGID`.
         radius: Of body a [m].
         radius_other: Of body b [m]; None for a flat.
         mass_eff: m* [kg]; None takes spheres, or cylinders of `cylinder_length`, of the materials'
@@ -37,8 +48,8 @@ class Contact:
         radius_eff: R* [m].
 
     Raises:
-        ValueError: There is no such law or material, a constant is missing or out of range; the
-            message names it.
+        ValueError: There is no such law or material, a value is missing, no number or out of range;
+            the message names it.
     """
 
     def __init__(
@@ -52,15 +63,14 @@ class Contact:
         mass_eff: float | None = None,
         **constants: float | str,
     ) -> None:
-        if law not in laws.LAWS:
+        if not isinstance(law, str) or law not in laws.LAWS:
             raise ValueError(f"no law {law!r}; there are {', '.join(sorted(laws.LAWS))}")
-        self._bodies = [read_material(body) if isinstance(body, str) else body for body in (a, b)]
-        self._radii = [radius, inf if radius_other is None else radius_other]
-        for name, value in zip(("radius", "radius_other"), self._radii, strict=True):
-            if not value > 0 or (name == "radius" and value == inf):
-                raise ValueError(f"{name} is {value:g}; it must be positive and finite [m]")
-        if mass_eff is not None and not 0 < mass_eff < inf:
-            raise ValueError(f"mass_eff is {mass_eff:g}; it must be positive and finite [kg]")
+        self._bodies = [_read_body(name, body) for name, body in (("a", a), ("b", b))]
+        self._radii = [read_number("radius", radius, _RADIUS), inf]
+        if radius_other is not None and radius_other != inf:
+            self._radii[1] = read_number("radius_other", radius_other, _RADIUS)
+        if mass_eff is not None:
+            mass_eff = read_number("mass_eff", mass_eff, _MASS)
         self._mass_eff, self._constants = mass_eff, constants
         self.pair = laws.combine(*(_properties(body) for body in self._bodies))
         giver = next((body for body in self._bodies if isinstance(body, Material)), None)
@@ -98,13 +108,31 @@ class Contact:
         Returns:
             (N,) rows: overlap [m], force [N], contact_radius [m], elastic_energy [J], what
             unloading would give back, and plastic_work [J], what it would not.
+
+        Warns:
+            RangeWarning: An overlap is beyond the law's range.
         """
         import pandas as pd  # slow to load
 
         overlaps = np.array(overlaps, dtype=float, ndmin=1)
+        self._warn("overlap", "m", overlaps[overlaps > self.overlap_range])
         answer = self.law.follow(self.radius_eff, overlaps)
         names = ("force", "contact_radius", "elastic_energy", "plastic_work")
         return pd.DataFrame({"overlap": overlaps} | {name: answer[name] for name in names})
+
+    @property
+    def overlap_range(self) -> float:
+        """Largest overlap that the law is good for [m]; in words `law.range`."""
+        return self.law.overlap_range * self.radius_eff
+
+    def _warn(self, name: str, unit: str, outside: np.ndarray) -> None:
+        if outside.size:
+            warnings.warn(
+                f"{name} {outside.min():.3g} {unit} is beyond the range of {self.law.name}: "
+                f"overlap {self.overlap_range:.3g} m ({self.law.range})",
+                RangeWarning,
+                stacklevel=3,
+            )
 
     def impact(self, speeds: ArrayLike) -> laws.ImpactOutcome:
         """Central impacts at closing speeds of any shape [m/s]; what came of them has that shape.
@@ -115,8 +143,17 @@ class Contact:
         return self.law.central_impact(self.radius_eff, self.mass_eff, speeds)
 
     def restitution(self, speeds: ArrayLike) -> float | np.ndarray:
-        """Coefficient of restitution at closing speeds of any shape [m/s]; see `impact`."""
-        return self.impact(speeds).coefficient_of_restitution
+        """Coefficient of restitution at closing speeds of any shape [m/s].
+
+        Raises:
+            ValueError: As for `impact`.
+
+        Warns:
+            RangeWarning: The overlap at a speed is beyond the law's range.
+        """
+        found = self.impact(speeds)
+        self._warn("speed", "m/s", np.asarray(speeds)[~np.asarray(found.in_range)])
+        return found.coefficient_of_restitution
 
     def timestep(self, speed: ArrayLike) -> float | np.ndarray:
         """Time step that resolves the rebound at closing speeds of any shape [m/s] to 1e-3 in
@@ -139,11 +176,19 @@ class Contact:
         return f"Contact({self.law.name!r}, {a}, {b}, {listed})"
 
 
+def _read_body(name: str, body: Bodylike) -> Material | laws.Body:
+    if isinstance(body, laws.Body):
+        return body
+    if isinstance(body, Material | str | Path):
+        return read_material(body)
+    raise ValueError(f"{name} is {body!r}; it must be a material, its name or RIGID")
+
+
 def _properties(body: Material | laws.Body) -> laws.Body:
     return body.body() if isinstance(body, Material) else body
 
 
 def _name(body: Material | laws.Body) -> str:
-    if body is RIGID:
+    if body == RIGID:
         return "RIGID"
     return body.name if isinstance(body, Material) else repr(body)

@@ -118,12 +118,26 @@ def _field(said: Declaration, convert: Any, default: Any) -> Any:
     )
 
 
-def _to_float(value: Any, field: attrs.Attribute) -> float:
+def read_number(name: str, value: Any, said: Declaration) -> float:
+    """A value as a number that a declaration allows.
+
+    Raises:
+        ValueError: It is no number or out of range; the message has the name given.
+    """
+    number = _read_float(name, value, said)
+    _check_range(name, number, said)
+    return number
+
+
+def _read_float(name: str, value: Any, said: Declaration) -> float:
     try:
         return float(value)
     except (TypeError, ValueError):
-        unit = field.metadata["declaration"].unit
-        raise ValueError(f"{field.name} is {value!r}, not a number [{unit}]") from None
+        raise ValueError(f"{name} is {value!r}, not a number [{said.unit}]") from None
+
+
+def _to_float(value: Any, field: attrs.Attribute) -> float:
+    return _read_float(field.name, value, field.metadata["declaration"])
 
 
 def _to_int(value: Any, field: attrs.Attribute) -> int:

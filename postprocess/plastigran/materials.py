@@ -7,6 +7,8 @@ the same form.
 
 from __future__ import annotations
 
+import warnings
+from collections.abc import Iterable
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -112,13 +114,17 @@ def table() -> pd.DataFrame:
     return pd.DataFrame([attrs.asdict(read_material(name)) for name in names()]).set_index("name")
 
 
-def read_material(name: str | Path) -> Material:
+def read_material(name: Material | str | Path) -> Material:
     """Read a material by name, or from a file of the same form given by its path.
+
+    A material itself is handed back.
 
     Raises:
         ValueError: No such material, or a constant is missing, unknown, not a number or out of
             range.
     """
+    if isinstance(name, Material):
+        return name
     path = Path(name)
     if path.suffix != ".in":
         path = folder() / f"{name}.in"
@@ -149,17 +155,39 @@ def material_field(meaning: str, default: str | attrs.NothingType = attrs.NOTHIN
     """A field of a case for a material, taken as one, by name or by the path of a file."""
     return attrs.field(
         default=default,
-        converter=lambda given: given if isinstance(given, Material) else read_material(given),
+        converter=read_material,
         metadata={"declaration": Declaration(meaning, kind=str)},
     )
 
 
-def laws_for(shape: str, bodies: list[Material] | tuple[Material, ...] = ()) -> list[str]:
+def laws_for(shape: str, bodies: Iterable[Material] = ()) -> list[str]:
     """Names of the laws for bodies of a shape, "sphere" or "cylinder".
 
     Args:
         shape: Of the bodies.
         bodies: Leave out laws that need a constant which one of these materials does not give.
     """
-    fitting = sorted(name for name, law in laws.LAWS.items() if law.shape == shape)
+    fitting, bodies = sorted(k for k, law in laws.LAWS.items() if law.shape == shape), list(bodies)
     return [name for name in fitting if not any(body.missing(name) for body in bodies)]
+
+
+def choose_laws(given: Iterable[str], shape: str, bodies: Iterable[Material] = ()) -> list[str]:
+    """Names of laws, each once; "all" stands for those of `laws_for`.
+
+    Raises:
+        ValueError: There is no such law.
+
+    Warns:
+        UserWarning: "all" leaves out a law, for a material lacks its constants.
+    """
+    given, usable = list(given), laws_for(shape, bodies)
+    for name in given:
+        if name not in laws.LAWS and name != "all":
+            raise ValueError(f"no law {name!r}; there are {', '.join(sorted(laws.LAWS))}")
+    left = sorted(set(laws_for(shape)) - set(usable) - set(given))
+    if "all" in given and left:
+        warnings.warn(
+            f"left out, for the material lacks their constants: {', '.join(left)}", stacklevel=2
+        )
+    expanded = [usable if name == "all" else [name] for name in given]
+    return list(dict.fromkeys(name for some in expanded for name in some))

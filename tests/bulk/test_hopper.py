@@ -108,6 +108,13 @@ def test_restart_without_friction_is_the_same_to_every_digit(tmp_path, brief_run
     assert (rest.series[columns] == whole.series[columns]).all(axis=None)
 
 
+def test_a_rate_that_was_not_measured_is_said(discharged, brief_run):
+    run = brief_run("hopper")
+    assert "the rate of discharge was not measured" in run.notes[0]
+    assert "not all measured" in repr(run) and not run.checks["name"].str.contains("rate").any()
+    assert not discharged.notes and "not all" not in repr(discharged)
+
+
 @pytest.mark.parametrize(
     ("change", "said"),
     [

@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-import json
 import os
 import shutil
 import signal
@@ -15,13 +14,12 @@ from pathlib import Path
 import pytest
 
 import plastigran as pg
-from plastigran.bulk.folder import carry_dump, read_series
+from plastigran.bulk.folder import read_series
 from plastigran.bulk.run import run_bulk
 from plastigran.cli import main
 from plastigran.engine.checkpoints import PATTERN, newest_checkpoint, step_of
-from plastigran.engine.deck import read_deck
 from plastigran.engine.log import LogFollower
-from plastigran.engine.process import EngineError, engines, inputs_folder
+from plastigran.engine.process import EngineError, engines
 
 #: Short enough for a test to wait for its end, and with many checkpoints.
 SHORT = {"side": 5, "duration": 24, "rows": 24, "checkpoints": 12, "mixing": 1}
@@ -42,24 +40,6 @@ def cut(whole: Path, folder: Path, lines: int) -> Path:
     cooling = log[2].partition("Loop time")[0].rstrip("\n").splitlines(keepends=True)
     (folder / "log.liggghts").write_text(log[0] + log[1] + "".join(cooling[:-lines])[:-5])
     return folder
-
-
-def test_folder_tells_the_whole(whole):
-    record = json.loads((whole / "run.json").read_text())
-    assert record["settings"]["side"] == "5" and record["settings"]["youngs_modulus"] == "9.6e10"
-    assert record["versions"]["engine"].startswith("LIGGGHTS (Version LIGGGHTS-PUBLIC 3.8.0")
-    assert "sha256" in record["versions"]["plugin"] and record["versions"]["plastigran"]
-    for file in read_deck("cooling_gas", SHORT, whole).files:
-        kept = whole / "deck" / file.relative_to(inputs_folder())
-        assert kept.read_text() == file.read_text()
-    for name in (
-        "log.liggghts",
-        "screen.txt",
-        "series.csv",
-        "checks.csv",
-        "figures/cooling_gas.svg",
-    ):
-        assert (whole / name).stat().st_size > 0
 
 
 def test_package_is_called(tmp_path, monkeypatch):
@@ -98,26 +78,6 @@ def test_going_on_with_another_timestep_is_refused(whole, tmp_path):
     assert not (tmp_path / "rest").exists()
 
 
-def test_frames_up_to_the_checkpoint_are_carried_along(tmp_path):
-    """Whole frames before its step; the engine adds that step's own."""
-    box = "ITEM: BOX BOUNDS ff ff ff\n" + 3 * "0 1\n"
-    frames = [
-        f"ITEM: TIMESTEP\n{step}\nITEM: NUMBER OF ATOMS\n2\n{box}"
-        f"ITEM: ATOMS id x\n1 0\n2 0.{step}\n"
-        for step in (0, 50, 100)
-    ]
-    for name in ("earlier", "rest"):
-        (tmp_path / name).mkdir()
-    earlier, rest = (tmp_path / name / "grains.dump" for name in ("earlier", "rest"))
-    earlier.write_text("".join(frames) + "ITEM: TIME")
-    carry_dump(earlier.parent, rest.parent, last=100)
-    assert rest.read_text() == "".join(frames[:2])
-    for length in range(1, len(frames[1])):  # a kill may cut the second frame anywhere
-        earlier.write_text(frames[0] + frames[1][:-length])
-        carry_dump(earlier.parent, rest.parent, last=100)
-        assert rest.read_text() == frames[0]
-
-
 def test_no_checkpoint_is_said(tmp_path):
     (tmp_path / "checkpoint.100.restart").write_bytes(b"half")
     with pytest.raises(EngineError, match="no whole checkpoint"):
@@ -130,7 +90,7 @@ def start(start_plastigran):
 
     def begin(folder: Path, ranks: int) -> subprocess.Popen:
         values = [f"{name}={value}" for name, value in LONG.items()]
-        line = ["bulk", "cooling_gas", "--np", ranks, "--output", folder, "-v", *values]
+        line = ["bulk", "cooling_gas", "--ranks", ranks, "--output", folder, "-v", *values]
         run = start_plastigran(*line)
         while len(list(folder.glob(PATTERN))) < 2:
             assert run.poll() is None, run.stderr.read()
@@ -197,26 +157,6 @@ def test_killed_before_its_first_checkpoint_goes_on_from_where_it_began(whole, t
     run_bulk("cooling_gas", {}, tmp_path / "third", restart=second, show=False)
     expected, found = read_series(whole), read_series(tmp_path / "third")
     assert (found["kinetic_energy"] == expected["kinetic_energy"]).all()
-
-
-def test_results_are_not_overwritten_unless_forced(whole, tmp_path, monkeypatch):
-    (tmp_path / "papers" / "figures").mkdir(parents=True)
-    with pytest.raises(
-        ValueError, match=r"holds files but no run.json; only runs are overwritten by force"
-    ):
-        run_bulk("cooling_gas", SHORT, tmp_path / "papers", force=True)
-    folder = tmp_path / "run"
-    shutil.copytree(whole, folder)
-    (folder / "notes.txt").write_text("mine")
-    (folder / "checkpoint.999999999.restart").write_bytes(b"of a longer run")
-    assert main(["bulk", "cooling_gas", "--output", str(folder)]) == 1
-    assert (folder / "series.csv").read_bytes() == (whole / "series.csv").read_bytes()
-    monkeypatch.setattr(
-        "plastigran.bulk.run.run_deck", lambda *_, **__: (_ for _ in ()).throw(EngineError("stop"))
-    )
-    with pytest.raises(EngineError, match="stop"):
-        run_bulk("cooling_gas", SHORT, folder, force=True)
-    assert sorted(file.name for file in folder.iterdir()) == ["deck", "notes.txt", "run.json"]
 
 
 @pytest.mark.parametrize(

@@ -17,8 +17,6 @@ from plastigran import laws
 from plastigran.cli import main
 from plastigran.engine.deck import property_name
 from plastigran.engine.process import inputs_folder
-from plastigran.experiments.central import CentralImpact
-from plastigran.experiments.runs import sweep
 from plastigran.materials import laws_for, read_material
 
 
@@ -40,7 +38,10 @@ def test_impact_writes_table_and_figures(tmp_path, capsys):
     assert "vu_quoc_zhang" in capsys.readouterr().out
 
     assert main(line) == 1
-    assert "holds results; choose another --output, or add --force" in capsys.readouterr().err
+    assert (
+        "holds results; choose another folder, or overwrite them by force"
+        in capsys.readouterr().err
+    )
     assert main([*line, "--force"]) == 0
 
 
@@ -63,7 +64,7 @@ def test_chung_ooi_writes_a_table_and_a_figure_each(tmp_path, capsys):
         assert (tmp_path / f"benchmark_{number}.png").read_bytes().startswith(b"\x89PNG")
     assert "Largest deviations from theory" in capsys.readouterr().out
     assert main(line) == 1
-    assert "add --force" in capsys.readouterr().err
+    assert "overwrite them by force" in capsys.readouterr().err
 
 
 def test_laws_lists_every_law_with_its_constants(capsys):
@@ -89,6 +90,19 @@ def test_timestep(capsys):
     assert float(capsys.readouterr().out.split()[1]) == pytest.approx(1.835e-5, rel=1e-2)
 
 
+def test_timestep_of_every_law_says_which_bodies_it_leaves_out(capsys):
+    line = ["timestep", "--law", "all", "--speed", "0.1", "--material", "aluminium_zv02"]
+    assert main(line) == 0
+    said = capsys.readouterr()
+    aluminium = read_material("aluminium_zv02")
+    assert [row.split()[0] for row in said.out.splitlines()] == laws_for("sphere", [aluminium])
+    assert "left out, for the material lacks their constants: viscoelastic_hertz" in said.err
+    assert "left out: laws for cylinders; see --geometry cylinder_wall" in said.err
+    line = [*line[:-1], "glass_kp10", "--radius", "1e-5", "--geometry", "cylinder_wall"]
+    assert main(line) == 0
+    assert [row.split()[0] for row in capsys.readouterr().out.splitlines()] == laws_for("cylinder")
+
+
 @pytest.mark.parametrize(
     ("line", "said"),
     [
@@ -103,7 +117,9 @@ def test_wrong_words_are_named(line, said, capsys):
     assert said in capsys.readouterr().err
 
 
-@pytest.mark.parametrize("line", [["--points", "0"], ["--jobs", "-1"], ["--jobs", "two"]])
+@pytest.mark.parametrize(
+    "line", [["--points", "0"], ["--jobs", "-1"], ["--jobs", "0"], ["--jobs", "two"]]
+)
 def test_counts_out_of_range_are_named(line, capsys):
     with pytest.raises(SystemExit):
         main(["impact", *line])
@@ -164,22 +180,6 @@ def test_missing_engine_is_named(tmp_path, monkeypatch, capsys):
     monkeypatch.setenv("PLASTIGRAN_ENGINE", str(tmp_path / "none"))
     assert main(["impact", "--speed", "0.1", "--output", str(tmp_path / "out")]) == 1
     assert "no engine at" in capsys.readouterr().err
-
-
-def test_finished_impacts_survive_a_failure(tmp_path, capsys):
-    """One impact fails; the others' rows are written."""
-    impacts = CentralImpact.plan(
-        law="thornton", speed=[0.05, 0.1], material="aluminium_zv02", radius=0.1
-    )
-
-    class Broken(CentralImpact):
-        def run(self, folder, *_args, **_keys):
-            raise ValueError("broken on purpose")
-
-    broken = Broken("thornton", 0.2, "aluminium_zv02", 0.1)
-    with pytest.raises(ValueError, match="on purpose"):
-        sweep([*impacts, broken], tmp_path, progress=False)
-    assert sorted(pd.read_csv(tmp_path / "impacts.csv")["speed"]) == [0.05, 0.1]
 
 
 def test_console_script():

@@ -29,12 +29,12 @@ def test_press_below_yield_says_so_and_gives_everything_back(capsys):
 @pytest.mark.parametrize(
     ("line", "said"),
     [
-        (["fem", "press", *METAL, "--force-ratio", "3", "2"], "must be positive and increase"),
+        (["fem", "press", *METAL, "--force-ratio", "3", "2"], "2 follows 3; they must increase"),
         (["fem", "press", *METAL, "--hardening", "-3", "--force-ratio", "3"], "modulus is -3"),
         (["fem", "throw", *METAL, "--speed", "900"], "speed of sound"),
         (["fem", "throw", *METAL, "--speed", "100"], "of the radius; up to 0.4"),
         (["calibrate", "--fem", *METAL, "--range", "1e6"], "of the radius; up to 0.4"),
-        (["calibrate", "--fem", *METAL, "--range", "1.2"], "needs 3 times the force at yield"),
+        (["calibrate", *METAL, "--range", "1.2"], "needs 3 times the force at yield"),
     ],
 )
 def test_bad_input_is_refused_with_its_limit(line, said, capsys):

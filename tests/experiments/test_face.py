@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import pickle
 import re
 import subprocess
 import sys
@@ -16,6 +17,7 @@ from plastigran import materials
 from plastigran.bulk import BulkRun
 from plastigran.bulk.decks import deck_class
 from plastigran.cli import main
+from plastigran.contact import RangeWarning
 from plastigran.engine.process import PROJECT
 from plastigran.experiments.central import CentralImpact
 from plastigran.experiments.cylinder import CylinderImpact
@@ -30,9 +32,11 @@ def test_the_readmes_example_runs(tmp_path):
     assert "geomspace(1e-3, 1, 40)" in example
     example = example.replace("geomspace(1e-3, 1, 40)", "geomspace(1e-3, 1, 3)")
     found = {"brief": deck_class("hopper").briefs[""].settings | {"folder": tmp_path / "hopper"}}
-    exec(example.replace("ranks=2)", "ranks=2, **brief)"), found)
+    with pytest.warns(RangeWarning) as warned:  # as its comments say
+        exec(example.replace("ranks=2)", "ranks=2, **brief)"), found)
+        assert found["contact"].restitution(found["speeds"]).shape == (3,)
+    assert [str(said.message).split()[0] for said in warned] == ["overlap", "speed", "speed"]
     assert isinstance(found["flow"], BulkRun) and found["flow"].figures
-    assert found["contact"].restitution(found["speeds"]).shape == (3,)
     table = found["runs"].table
     assert len(table) == 6
     # What the recommended time step promises.
@@ -73,7 +77,7 @@ def test_a_contact_of_cylinders_has_their_mass():
 
 def test_speeds_of_any_shape():
     contact = pg.Contact("kogut_etsion", STEEL, pg.RIGID, radius=5e-3)
-    speeds = np.array([[0.1, 0.2], [0.5, 1.0]])
+    speeds = np.array([[0.1, 0.2], [0.3, 0.4]])
     assert contact.restitution(speeds).shape == (2, 2)
     assert contact.restitution(0.2) == contact.restitution(speeds)[0, 1]
     assert contact.impact(speeds).in_range.dtype == bool
@@ -92,9 +96,13 @@ def test_a_path_accounts_for_its_work():
     ("changes", "said"),
     [
         ({"law": "hook"}, "no law 'hook'; there are brake_2012"),
+        ({"law": ["thornton"]}, r"no law \['thornton'\]"),
         ({"radius": 0}, "radius is 0; it must be positive and finite"),
+        ({"radius": "thin"}, r"radius is 'thin', not a number \[m\]"),
+        ({"mass_eff": [1, 2]}, r"mass_eff is \[1, 2\], not a number \[kg\]"),
         ({"radius_other": -1.0}, "radius_other is -1"),
         ({"mass_eff": 0.0}, "mass_eff is 0"),
+        ({"a": 7850.0}, "a is 7850.0; it must be a material, its name or RIGID"),
         ({"b": "cheese"}, "no material 'cheese'; there are aluminium_zv02"),
         ({"law": "viscoelastic_hertz"}, "material steel gives no dissipative_constant"),
         ({"meyer_index": 2.0}, "has no constant 'meyer_index'"),
@@ -112,9 +120,25 @@ def test_bodies_without_mass_are_named():
 
 
 def test_a_contact_says_what_it_is():
-    assert repr(pg.Contact("thornton", STEEL, pg.RIGID, radius=1e-3)) == (
-        "Contact('thornton', steel, RIGID, radius=0.001)"
-    )
+    contact = pg.Contact("thornton", STEEL, pg.RIGID, radius=1e-3)
+    for one in (contact, pickle.loads(pickle.dumps(contact))):
+        assert repr(one) == "Contact('thornton', steel, RIGID, radius=0.001)"
+
+
+def test_leaving_the_range_is_said_once_a_call():
+    """kogut_etsion is good up to 110 times the overlap at yield; its impacts say so themselves."""
+    contact = pg.Contact("kogut_etsion", STEEL, pg.RIGID, radius=5e-3)
+    speeds = np.geomspace(1e-3, 1, 40)
+    outcome = contact.impact(speeds)
+    inside = outcome.overlap_max <= contact.overlap_range
+    assert (inside == outcome.in_range).all() and 0 < inside.sum() < 40
+    first = speeds[~inside].min()
+    with pytest.warns(RangeWarning, match=f"^speed {first:.3g} m/s is beyond.* of kogut") as said:
+        contact.restitution(speeds)
+    assert len(said) == 1
+    contact.path([contact.overlap_range])
+    with pytest.warns(RangeWarning, match=r"^overlap 1e-05 m is beyond.*110 times that at yield"):
+        contact.path([1e-6, 1e-5])
 
 
 def test_without_input_scripts(monkeypatch, tmp_path, capsys):

@@ -12,8 +12,6 @@ from attrs import evolve
 from scipy.integrate import quad, solve_ivp
 
 from plastigran import laws
-from plastigran.engine.process import EngineError, inputs_folder, run_deck
-from plastigran.experiments.collision import measure
 from plastigran.experiments.cylinder import CylinderImpact, study
 from plastigran.materials import laws_for, read_material
 from plastigran.physics import central
@@ -176,98 +174,6 @@ def test_study_with_the_engine(tmp_path):
         )
 
 
-def deck(**changes: str) -> str:
-    """cylinder_wall.in with its properties written in, then changed."""
-    text = (inputs_folder() / "collision" / "cylinder_wall.in").read_text()
-    for old, new in changes.values():
-        assert old in text
-        text = text.replace(old, new)
-    return text
-
-
-def run(text: str, folder, **variables):
-    folder.mkdir(exist_ok=True)
-    (folder / "deck.in").write_text(text)
-    return run_deck(folder / "deck.in", variables, folder)
-
-
-def lengths(cylinder_length: str, body_thickness: str) -> tuple[str, str]:
-    """A change that gives both types' lengths anew."""
-    given = f"""
-unfix cylinder_length
-unfix body_thickness
-fix cl all property/global cylinderLength peratomtype {cylinder_length}
-fix bt all property/global bodyThickness peratomtype {body_thickness}
-pair_style"""
-    return "\npair_style", given
-
-
-def test_either_body_may_bring_either_length(tmp_path):
-    """A rigid cylinder on a body is a cylinder that yields on a rigid wall, and larger counts."""
-    found = []
-    for case, given in enumerate(
-        [("1e-4 0", "1e-4 0"), ("1e-4 0", "0 1e-4"), ("1e-4 1e-5", "2e-5 1e-4")]
-    ):
-        run(deck(lengths=lengths(*given)), tmp_path / str(case))
-        found.append(measure(tmp_path / str(case) / "trajectory.dump").coefficient_of_restitution)
-    assert found[0] == found[1] == found[2]
-    assert found[0] == pytest.approx(0.942746, rel=1e-3)
-
-
-@pytest.mark.parametrize(
-    ("given", "said"),
-    [
-        (("1e-4 0", "0 0"), r"bodyThickness is 0; it must be between .* one of the two .* 1 and 2"),
-        (("0 0", "1e-4 0"), r"cylinderLength is 0; it must be between .* one of the two"),
-        (("-1e-4 0", "1e-4 0"), r"cylinderLength is -0.0001; it must be .* \(atom type 1\)"),
-        (("1e-4 0", "1e9 0"), r"bodyThickness is 1e\+09; it must be .* \(atom type 1\)"),
-    ],
-)
-def test_lengths_that_cannot_be_are_refused(given, said, tmp_path):
-    with pytest.raises(EngineError, match=f"model lim_stronge: {said}"):
-        run(deck(lengths=lengths(*given)), tmp_path, law="lim_stronge")
-
-
-def test_a_missing_length_is_named(tmp_path):
-    text = deck(lengths=("\npair_style", "\nunfix cylinder_length\npair_style"))
-    with pytest.raises(EngineError, match="katta_polycarpou: cylinderLength is missing; give it"):
-        run(text, tmp_path)
-
-
-@pytest.mark.parametrize("name", CYLINDER_LAWS)
-def test_a_deck_in_three_dimensions_is_refused(name, tmp_path):
-    with pytest.raises(EngineError, match=f"model {name}: it is for cylinders.*dimension 2"):
-        run_deck("collision/sphere_wall.in", {"law": name}, tmp_path)
-
-
-@pytest.mark.parametrize("name", CYLINDER_LAWS)
-def test_viscous_damping(name, tmp_path):
-    """Below yield the dashpot 2 sqrt(5/6) beta sqrt(S m) works beside the law, with S the slope of
-    the elastic force, against the motion integrated by scipy."""
-    damped = ("xplane 0.0", "xplane 0.0 viscous_damping on")
-    given = "fix r all property/global coefficientRestitution peratomtypepair 2 .8 .8 .8 .8"
-    text = deck(wall=damped, given=("\npair_style", f"\nunfix restitution\n{given}\npair_style"))
-    run(text, tmp_path, law=name, speed=0.2, timestep=4e-9)
-    found = measure(tmp_path / "trajectory.dump").coefficient_of_restitution
-
-    impact = glass(name, 0.2)
-    law, state = impact.contact_law(), impact.contact_law().State()
-    beta = -np.log(0.8) / np.hypot(np.log(0.8), np.pi)
-
-    def motion(_, y):
-        answer = law.respond(1e-5, y[0], state)
-        if answer.force == 0:
-            return [y[1], 0]
-        far = 2 * np.log(2e-4 / answer.contact_radius) - 0.23 / 0.77
-        slope = np.pi * 83.96e9 * 1e-4 / (far - 1)
-        dashpot = 2 * np.sqrt(5 / 6) * beta * np.sqrt(slope * 1.59e-6)
-        return [y[1], -max(0, answer.force + dashpot * y[1]) / 1.59e-6]
-
-    path = solve_ivp(motion, (0, 5e-6), [1e-12, 0.2], "DOP853", rtol=1e-9, max_step=5e-9)
-    assert 0.75 < found < 0.9
-    assert found == pytest.approx(-path.y[1, -1] / 0.2, rel=1e-3)
-
-
 def test_impacts_out_of_reach_are_refused():
     with pytest.raises(ValueError, match="vu_quoc_zhang is a law for spheres"):
         glass("vu_quoc_zhang")
@@ -275,6 +181,10 @@ def test_impacts_out_of_reach_are_refused():
         evolve(glass("lim_stronge"), mass=-1)
     with pytest.raises(ValueError, match=r"would overlap by .* effective radii"):
         glass("lim_stronge", 5.0, 2e-6)
+    with pytest.raises(
+        ValueError, match=r"body_thickness is 0.0001 m; .* radius 0.005 m yields at"
+    ):
+        glass("lim_stronge", 0.1, 5e-3)
 
 
 def test_required_lengths_in_python():
@@ -285,18 +195,3 @@ def test_required_lengths_in_python():
         laws.LimStronge(pair, body_thickness=1e-4)
     with pytest.raises(ValueError, match="body_thickness is -1"):
         laws.KattaPolycarpou(pair, cylinder_length=1e-4, body_thickness=-1)
-
-
-def test_bodies_that_come_later_are_refused_at_their_touch(tmp_path):
-    """A cylinder that turns into what the wall is, after the check before the run."""
-    later = """
-timestep ${timestep}
-fix i all nve/sphere
-run 1
-set atom 1 type 2
-run 100 pre no
-"""
-    text = deck(run=("include ${inputs}/collision/parts/run.in", later))
-    with pytest.raises(EngineError, match=r"cylinderLength is 0; .* \(atom types 2 and 2\)"):
-        run(text, tmp_path, gap=1e-7)
-    assert "Step" in (tmp_path / "log.liggghts").read_text(errors="replace")

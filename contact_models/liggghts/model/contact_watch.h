@@ -54,7 +54,7 @@ class ContactWatch : protected LAMMPS_NS::Pointers {
     excess_->warned_speed = times.outside_speed;  // once for all walls, unless it gets worse
     std::ostringstream text;
     text << model_ << ": impacts at the present speeds (up to " << times.outside_speed
-         << ") leave the law's range (" << Law::range << ')';
+         << " m/s) leave the law's range (" << Law::range << ')';
     error->warning(FLERR, text.str().c_str());
   }
 

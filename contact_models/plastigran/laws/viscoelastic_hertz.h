@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
 // Viscoelastic spheres: Hertz with the viscous stress of the same deformation, quasi-static.
-// Kuwabara & Kono 1987 (Jpn. J. Appl. Phys. 26:1230); Brilliantov, Spahn, Hertzsch & Poschel 1996
-// (Phys. Rev. E 53:5382, eq. 19); where a contact ends: Schwager & Poschel 2008 (Phys. Rev. E
+// Kuwabara & Kono 1987 (Jpn. J. Appl. Phys. 26:1230); Brilliantov, Spahn, Hertzsch & Pöschel 1996
+// (Phys. Rev. E 53:5382, eq. 19); where a contact ends: Schwager & Pöschel 2008 (Phys. Rev. E
 // 78:051304).
 //
 //   F = rho_k (overlap^(3/2) + 3/2 A sqrt(overlap) d overlap/dt),   rho_k = 4/3 E* sqrt(R*)
@@ -25,7 +25,7 @@ class ViscoelasticHertz {
  public:
   static constexpr const char* name = "viscoelastic_hertz";
   static constexpr const char* source =
-      "Brilliantov, Spahn, Hertzsch & Poschel 1996, Phys. Rev. E 53:5382";
+      "Brilliantov, Spahn, Hertzsch & Pöschel 1996, Phys. Rev. E 53:5382";
   static constexpr const char* range = "no yield, a << R*, contact time long against A";
   static constexpr bool rate_dependent = true;
   static constexpr bool yields = false;

@@ -151,7 +151,7 @@ Response respond(const Law& law, double radius_eff, double overlap, typename Law
 
 // Largest overlap over R* a law is good for. No contact law is good for overlaps of the order of
 // the radius; a law may narrow that.
-constexpr double overlap_limit = 0.1;
+constexpr double widest_overlap_range = 0.1;
 
 template <class Law, class = void>
 constexpr bool says_range = false;
@@ -161,9 +161,9 @@ constexpr bool says_range<Law, std::void_t<decltype(&Law::overlap_range)>> = tru
 template <class Law>
 double overlap_range(const Law& law) {
   if constexpr (says_range<Law>)
-    return std::min(law.overlap_range(), overlap_limit);
+    return std::min(law.overlap_range(), widest_overlap_range);
   else
-    return overlap_limit;
+    return widest_overlap_range;
 }
 
 // p_y / sigma_Y at which a Hertzian contact first yields (von Mises) below its centre: the inverse

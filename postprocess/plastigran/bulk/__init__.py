@@ -1,7 +1,19 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Decks of many grains: run, checked and drawn.
 
-The package can be called, `plastigran.bulk("hopper", law="thornton")`: it runs the deck.
+The package can be called, `plastigran.bulk("hopper", law="thornton")`: it runs the deck and hands
+over what came of it, a `BulkRun`; errors are those of `run_bulk`.
+
+    plastigran.bulk(deck, *, folder=None, show=True, force=False, ranks=1, restart=None, **settings)
+
+Args:
+    deck: Name of a deck of `inputs/bulk`, or path of an input script.
+    folder: Where results go; results/DECK of the present folder without one.
+    show: Show a progress bar.
+    force: Overwrite an earlier run in `folder`.
+    ranks: MPI ranks.
+    restart: Folder of an earlier run to go on from.
+    settings: Of the deck, given another value than the deck's.
 """
 
 from __future__ import annotations
@@ -29,17 +41,7 @@ class _Package(ModuleType):
         restart: str | Path | None = None,
         **settings: object,
     ) -> BulkRun:
-        """Run a bulk deck; see `plastigran.bulk.run.run_bulk`.
-
-        Args:
-            deck: Name of a deck of `inputs/bulk`, or path of an input script.
-            folder: Where results go; results/DECK of the present folder without one.
-            show: Show a progress bar.
-            force: Overwrite an earlier run in `folder`.
-            ranks: MPI ranks.
-            restart: Folder of an earlier run to go on from.
-            settings: Of the deck, given another value than the deck's.
-        """
+        """Run a bulk deck; the package's docstring has the arguments."""
         folder = folder or Path("results") / Path(deck).stem
         return run_bulk(deck, settings, folder, ranks, restart, force, show)
 

@@ -29,11 +29,13 @@ class Analysis:
         series: One row a line of the log, with what is measured and predicted beside it.
         checks: The deck's invariants.
         figures: By name.
+        notes: Sentences on what could not be measured.
     """
 
     series: pd.DataFrame
     checks: list[Check] = attrs.field(factory=list)
     figures: dict[str, Figure] = attrs.field(factory=dict)
+    notes: list[str] = attrs.field(factory=list)
 
     @property
     def failed(self) -> list[Check]:

@@ -19,19 +19,18 @@ import pandas as pd
 
 from plastigran.engine.checkpoints import PATTERN, newest_checkpoint
 from plastigran.engine.dumps import DumpError, TruncatedFileWarning
-from plastigran.engine.log import read_thermo
+from plastigran.engine.log import LOG, read_thermo
 from plastigran.engine.process import EngineError, engines
 
 RECORD = "run.json"
-LOG = "log.liggghts"
 #: The log's lines up to the checkpoint a run went on from.
 BEFORE = "before.csv"
 SERIES = "series.csv"
 CHECKS = "checks.csv"
 #: Frames of the grains, which decks append to.
 DUMP = "grains.dump"
-#: What a run leaves, for one that may overwrite it.
-LEFT = (
+#: Files of a run, which are removed before another overwrites it.
+OWN_FILES = (
     RECORD,
     f"{RECORD}.new",
     BEFORE,
@@ -56,7 +55,10 @@ def read_record(folder: str | Path) -> dict:
         record = json.loads(path.read_text())
     except ValueError as error:
         raise EngineError(f"{path}: {error}") from None
-    if not isinstance(record, dict) or not {"deck", "values", "settings"} <= record.keys():
+    kinds = {"deck": str, "values": dict, "settings": dict}
+    if not isinstance(record, dict) or not all(
+        isinstance(record.get(name), kind) for name, kind in kinds.items()
+    ):
         raise EngineError(f"{path} is not the record of a run: it names no deck and settings")
     return record
 
@@ -86,7 +88,7 @@ def prepare_folder(folder: Path, force: bool) -> None:
             raise ValueError(
                 f"{folder} holds files but no {RECORD}; only runs are overwritten by force"
             )
-        for pattern in LEFT:  # above all checkpoints, which may be newer than ours
+        for pattern in OWN_FILES:  # above all checkpoints, which may be newer than ours
             for file in folder.glob(pattern):
                 file.unlink()
         for name in ("deck", "figures", "frames"):
@@ -101,13 +103,17 @@ def read_series(folder: str | Path) -> pd.DataFrame:
         One row a line: `step`, `time` [s] from step 0, then the deck's columns in SI units.
 
     Raises:
-        DumpError: The log shows nothing yet.
+        DumpError: There is no log, or it shows nothing yet.
     """
-    folder = Path(folder)
-    parts = [pd.read_csv(folder / BEFORE)] if (folder / BEFORE).exists() else []
+    folder, parts = Path(folder), []
+    if (before := folder / BEFORE).exists():
+        try:
+            parts.append(pd.read_csv(before).astype({"step": int}))
+        except (KeyError, ValueError) as error:
+            raise DumpError(f"{before} is damaged: {error}") from None
     try:
         parts.append(_read_log(folder))
-    except (DumpError, FileNotFoundError):
+    except DumpError:
         if not parts:  # else the run was stopped before its first line
             raise
     # The checkpoint's line is the earlier log's: while setting up, meshes know no forces.
@@ -115,6 +121,8 @@ def read_series(folder: str | Path) -> pd.DataFrame:
 
 
 def _read_log(folder: Path) -> pd.DataFrame:
+    if not (folder / LOG).is_file():
+        raise DumpError(f"{folder} holds no {LOG}")
     with warnings.catch_warnings():
         # The run was stopped: its end is known.
         warnings.simplefilter("ignore", TruncatedFileWarning)

@@ -19,7 +19,7 @@ from plastigran.bulk.decks import deck_class
 from plastigran.bulk.folder import (
     BEFORE,
     CHECKS,
-    LOG,
+    RECORD,
     SERIES,
     all_derived,
     carry_dump,
@@ -31,7 +31,9 @@ from plastigran.bulk.folder import (
 )
 from plastigran.engine.checkpoints import step_of
 from plastigran.engine.deck import find_deck, read_deck
-from plastigran.engine.process import engine_path, run_deck
+from plastigran.engine.dumps import DumpError
+from plastigran.engine.log import LOG
+from plastigran.engine.process import EngineError, engine_path, run_deck
 from plastigran.plot import style
 
 #: Settings that name files and places; they differ between runs and are not compared.
@@ -78,6 +80,11 @@ class BulkRun:
         return self.analysis.figures
 
     @property
+    def notes(self) -> list[str]:
+        """Sentences on what could not be measured."""
+        return self.analysis.notes
+
+    @property
     def passed(self) -> bool:
         """Whether the run finished and every check passed."""
         return self.finished and not self.analysis.failed
@@ -88,6 +95,8 @@ class BulkRun:
             state += f", failed: {'; '.join(check.name for check in failed)}"
         elif self.analysis.checks:
             state += f", {len(self.analysis.checks)} checks passed"
+        if self.notes:
+            state += ", not all measured: see notes"
         return f"<run of {self.name} in {self.folder}: {len(self.series)} rows, {state}>"
 
     def raise_if_failed(self) -> Self:
@@ -183,14 +192,23 @@ def open_run(folder: str | Path) -> BulkRun:
         folder: Where its results are; it need not be where they were written.
 
     Raises:
-        EngineError: The folder holds no run.
-        DumpError: The log shows nothing yet.
+        EngineError: The folder holds no run, or its record is damaged.
+        DumpError: The log shows nothing yet, or a file is damaged.
     """
     folder = Path(folder).resolve()
     record, series = read_record(folder), read_series(folder)
     kind, finished = deck_class(record["deck"]), (folder / SERIES).exists()
-    deck = kind.read(record["settings"] | {"output": folder}) if kind else None
-    analysis = deck.analyse(series) if deck and finished else Analysis(series)
+    try:
+        deck = kind.read(record["settings"] | {"output": folder}) if kind else None
+    except ValueError as error:
+        raise EngineError(f"{folder / RECORD}: {error}") from None
+    try:
+        analysis = deck.analyse(series) if deck and finished else Analysis(series)
+    except (ArithmeticError, LookupError, OSError, ValueError) as error:
+        said = f"{type(error).__name__}: {error}"
+        raise DumpError(
+            f"{folder}: {LOG} holds no whole run of {record['deck']} ({said})"
+        ) from error
     return BulkRun(record["deck"], folder, deck, analysis, finished)
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import argparse
 import sys
+import warnings
 from importlib import import_module
 from pkgutil import iter_modules
 
@@ -41,7 +42,11 @@ def main(argv: list[str] | None = None) -> int:
     """Entry point; 0 when all went well, 1 after an error, whose one line goes to stderr."""
     arguments = parser().parse_args(argv)
     try:
-        arguments.run(arguments)
+        with warnings.catch_warnings():
+            warnings.showwarning = lambda said, *_, **__: print(
+                f"plastigran: {said}", file=sys.stderr
+            )
+            arguments.run(arguments)
     except BrokenPipeError:  # the reader of our output has had enough
         sys.stderr.close()
     except (EngineError, DumpError, ValueError, OSError) as error:

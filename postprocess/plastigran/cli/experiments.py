@@ -11,17 +11,15 @@ from typing import Any
 import attrs
 import numpy as np
 
-from plastigran import materials
 from plastigran.cli.arguments import (
     add_jobs,
     add_output,
-    fresh_folder,
-    law_names,
+    known_materials,
     positive,
     positive_integer,
 )
 from plastigran.declared import Declaration, declaration
-from plastigran.experiments.base import Experiment, several
+from plastigran.experiments.base import Experiment
 from plastigran.experiments.fields import Flag
 
 
@@ -46,7 +44,8 @@ def _add_flag(command: argparse.ArgumentParser, name: str, flag: Flag, said: Dec
         choices=said.choices or None,
         nargs="+" if flag.many else None,
         required=flag.default is attrs.NOTHING and not flag.span,
-        help=f"{said.meaning}{unit}{_usual(flag)}{_choices(name)}",
+        help=f"{said.meaning}{unit}{_usual(flag)}"
+        + (f"; {known_materials()}" if name == "material" else ""),
         **({"metavar": word.upper()} if not said.choices else {}),
     )
     if flag.span:
@@ -62,10 +61,6 @@ def _add_flag(command: argparse.ArgumentParser, name: str, flag: Flag, said: Dec
         command.add_argument(
             "--points", type=positive_integer, default=count, help=f"how many, default {count}"
         )
-
-
-def _choices(name: str) -> str:
-    return f"; there are {', '.join(materials.names())}" if name == "material" else ""
 
 
 def _usual(flag: Flag) -> str:
@@ -106,15 +101,13 @@ def run(experiment: type[Experiment], arguments: argparse.Namespace) -> None:
                 *getattr(arguments, f"{flag.name or name}s"), arguments.points
             )
     given = {name: value for name, value in given.items() if value is not None}
-    if "law" in flags and flags["law"].many:
-        usual = flags["material"].values() if "material" in flags else experiment.usual_materials
-        named = several(given.get("law", flags["law"].values()))
-        given["law"] = law_names(named, several(given.get("material", usual)), experiment.shape)
-    run_study(experiment, fresh_folder(arguments.output, arguments.force), arguments.jobs, **given)
+    run_study(experiment, arguments.output, arguments.jobs, arguments.force, **given)
 
 
-def run_study(experiment: type[Experiment], folder: Any, jobs: int | None, **settings: Any) -> None:
+def run_study(
+    experiment: type[Experiment], folder: Any, jobs: int | None, force: bool, **settings: Any
+) -> None:
     """Run a study, print its summary, write its tables and figures into a folder."""
-    runs = experiment.study(folder, jobs, **settings)
+    runs = experiment.study(folder, jobs, force=force, **settings)
     print(runs)
     print("\nwritten: " + "  ".join(str(path) for path in runs.write(folder)))

@@ -19,7 +19,9 @@ def add_metal(command: argparse.ArgumentParser, elastic: bool = False) -> None:
     """The metal, the radius and --json; with `elastic`, --elastic may stand for --yield."""
     command.add_argument("--young", type=positive, required=True, help="Young's modulus, Pa")
     command.add_argument("--poisson", type=float, required=True, help="Poisson's ratio")
-    command.add_argument("--density", type=positive, default=2700.0, help="kg/m3, default 2700")
+    command.add_argument(
+        "--density", type=positive, default=2700.0, help="density, kg/m3, default 2700"
+    )
     strength = command.add_mutually_exclusive_group(required=True)
     strength.add_argument(
         "--yield", type=positive, dest="yield_strength", help="yield strength, Pa"
@@ -27,9 +29,14 @@ def add_metal(command: argparse.ArgumentParser, elastic: bool = False) -> None:
     if elastic:
         strength.add_argument("--elastic", action="store_true", help="the sphere does not yield")
     command.add_argument(
-        "--hardening", type=float, default=0.0, help="plastic modulus d sigma/d eps_p, Pa"
+        "--hardening",
+        type=float,
+        default=0.0,
+        help="plastic modulus, Pa, default 0",
     )
-    command.add_argument("--radius", type=positive, default=0.1, help="m, default 0.1")
+    command.add_argument(
+        "--radius", type=positive, default=0.1, help="of the sphere, default 0.1 m"
+    )
     command.add_argument("--json", action="store_true", help="all numbers, as JSON")
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from plastigran.engine.log import LogFollower
+from plastigran.engine.log import LOG, LogFollower
 from plastigran.engine.process import EngineError
 
 #: What decks give to the engine's `restart` command.
@@ -27,7 +27,7 @@ def newest_checkpoint(folder: str | Path) -> Path:
         EngineError: There is none.
     """
     folder = Path(folder)
-    progress = LogFollower(folder / "log.liggghts").read()
+    progress = LogFollower(folder / LOG).read()
     whole = [file for file in folder.glob(PATTERN) if step_of(file) <= progress.step]
     if not whole:
         raise EngineError(f"no whole checkpoint ({PATTERN}) in {folder}; start the deck afresh")

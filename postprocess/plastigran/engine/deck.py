@@ -84,6 +84,14 @@ class DeckSource:
         return script
 
 
+def deck_names() -> list[str]:
+    """Names of the decks of `inputs/bulk`; none where there are no inputs."""
+    try:
+        return sorted(file.stem for file in (inputs_folder() / "bulk").glob("*.in"))
+    except EngineError:
+        return []
+
+
 def find_deck(deck: str | Path) -> Path:
     """A deck of `inputs/bulk` by name, or any input script by its path.
 
@@ -95,8 +103,7 @@ def find_deck(deck: str | Path) -> Path:
     if not path.is_file():
         if path.parent != folder:
             raise EngineError(f"no input script {path}")
-        names = sorted(file.stem for file in folder.glob("*.in"))
-        raise EngineError(f"no deck {str(deck)!r}; there are {', '.join(names)}")
+        raise EngineError(f"no deck {str(deck)!r}; there are {', '.join(deck_names())}")
     return path.resolve()
 
 
@@ -121,21 +128,22 @@ def read_deck(deck: str | Path, values: Mapping[str, object], folder: Path) -> D
     def resolve(text: str) -> str:
         return _REFERENCE.sub(lambda m: settings.get(m[1], m[0]), text)
 
-    def read(file: Path, read_by: str) -> None:
+    def take_in(file: Path, included_by: str) -> None:
+        """The settings and files of a script and of those it includes, in the engine's order."""
         if not file.is_file():
-            raise EngineError(f"{read_by} includes {file}, which is not there")
+            raise EngineError(f"{included_by} includes {file}, which is not there")
         files.append(file)
         for command in commands(file):
             if setting := index_variable(command):
                 name, value = setting
                 settings.setdefault(name, given.get(name, resolve(value)))
             elif found := _INCLUDE.match(command):
-                read(Path(resolve(found[1])), file.name)
+                take_in(Path(resolve(found[1])), file.name)
             else:
                 words = (Path(resolve(word)) for word in command.split() if "${inputs}" in word)
                 files.extend(word for word in words if word.is_file())
 
-    read(path, "")
+    take_in(path, "")
     if unknown := sorted(set(given) - set(settings) - {"inputs", "output"}):
         raise ValueError(
             f"{path.name} has no setting {unknown[0]!r}; it takes {' '.join(settings)}"

@@ -13,6 +13,9 @@ import pandas as pd
 
 from plastigran.engine.dumps import DumpError, TruncatedFileWarning
 
+#: The log in a run's folder.
+LOG = "log.liggghts"
+
 THERMO_COLUMNS = {
     "Step": "step",
     "Dt": "timestep",

@@ -13,7 +13,7 @@ from contextlib import closing, suppress
 from pathlib import Path
 from time import monotonic
 
-from plastigran.engine.log import find_error
+from plastigran.engine.log import LOG, find_error
 from plastigran.engine.watch import ProgressBar
 
 PROJECT = Path(__file__).resolve().parents[3]
@@ -72,7 +72,7 @@ def command(
 
     Never add `-screen none`: the engine's mesh reader then writes to a null file and crashes.
     """
-    line = [str(engine_path()), "-in", str(deck), "-log", str(folder / "log.liggghts")]
+    line = [str(engine_path()), "-in", str(deck), "-log", str(folder / LOG)]
     settings = {"inputs": inputs_folder(), "output": folder, **variables}
     for name, value in settings.items():
         text = repr(float(value)) if isinstance(value, float) else str(value)
@@ -145,7 +145,7 @@ def run_deck(
     # Ctrl-C: it is stopped from here, once.
     with (
         open(folder / "screen.txt", "w") as screen,
-        closing(ProgressBar(deck.stem, folder / "log.liggghts", progress)) as bar,
+        closing(ProgressBar(deck.stem, folder / LOG, progress)) as bar,
     ):
         engine = subprocess.Popen(
             ["setpriv", "--pdeathsig", "TERM", *line],
@@ -162,7 +162,7 @@ def run_deck(
             raise EngineStopped(f"{deck.name}: stopped after {timeout:g} s") from None
         finally:
             _stop(engine, folder)
-    log = folder / "log.liggghts"
+    log = folder / LOG
     text = log.read_text(errors="replace") if log.exists() else ""
     if returncode:
         said = text + (folder / "screen.txt").read_text(errors="replace")
@@ -172,7 +172,7 @@ def run_deck(
 
 def engines(folder: Path) -> list[int]:
     """Process ids of mpirun and the engines at work for a folder, on this machine."""
-    log, found = str(folder / "log.liggghts").encode(), []
+    log, found = str(folder / LOG).encode(), []
     for process in Path("/proc").glob("[0-9]*"):
         with suppress(OSError):  # it has ended
             if log in (process / "cmdline").read_bytes().split(b"\0"):

@@ -19,7 +19,7 @@ from plastigran.engine.process import run_deck
 from plastigran.experiments.fields import Flag
 from plastigran.experiments.runs import Runs, sweep
 from plastigran.experiments.tables import format_range, format_table
-from plastigran.materials import Material, laws_for, read_material
+from plastigran.materials import Material, choose_laws, read_material
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -68,7 +68,7 @@ class Experiment:
 
     @property
     def label(self) -> str:
-        """What tells its folder from others."""
+        """Part of the name of its folder in a sweep."""
         return self.command or type(self).__name__
 
     @property
@@ -170,10 +170,8 @@ class Experiment:
         if missing := [name for name, value in found.items() if value is attrs.NOTHING]:
             raise ValueError(f"{cls.command} must be given {', '.join(missing)}")
         if "law" in found and cls.all_flags()["law"].many:
-            names = several(found.get("material", cls.usual_materials))
-            usable = laws_for(cls.shape, [read_material(name) for name in names])
-            chosen = [usable if law == "all" else [law] for law in several(found["law"])]
-            found["law"] = tuple(dict.fromkeys(law for some in chosen for law in some))
+            bodies = map(read_material, several(found.get("material", cls.usual_materials)))
+            found["law"] = choose_laws(several(found["law"]), cls.shape, bodies)
         return found
 
     @classmethod
@@ -183,16 +181,21 @@ class Experiment:
 
     @classmethod
     def study(
-        cls, folder: str | Path, jobs: int | None = None, progress: bool = True, **settings: Any
+        cls,
+        folder: str | Path,
+        jobs: int | None = None,
+        progress: bool = True,
+        force: bool = False,
+        **settings: Any,
     ) -> Runs:
         """Run what the experiment's command runs.
 
         Args:
-            folder, jobs, progress: As for `sweep`.
+            folder, jobs, progress, force: As for `sweep`.
             settings: Of `flags`; others have their defaults.
         """
         settings = cls.study_settings(**settings)
-        return sweep(cls.cases(**settings), folder, jobs, progress, settings)
+        return sweep(cls.cases(**settings), folder, jobs, progress, settings, force)
 
     @classmethod
     def all_flags(cls) -> Mapping[str, Flag]:

@@ -29,6 +29,7 @@ def collide(
     geometry: str | None = None,
     folder: str | Path | None = None,
     jobs: int | None = None,
+    force: bool = False,
     **fields: Any,
 ) -> Runs:
     """Run central impacts in the engine, every combination of laws, speeds and materials.
@@ -41,6 +42,7 @@ def collide(
         geometry: The deck; a body on a rigid plane by default.
         folder: Keeps what the engine writes; by default nothing is kept.
         jobs: Engines at a time; all cores by default.
+        force: Overwrite the results of an earlier sweep in `folder`.
         fields: Further fields of the case, such as a cylinder's `mass`.
 
     Returns:
@@ -60,4 +62,4 @@ def collide(
     with ExitStack() as stack:
         if folder is None:
             folder = stack.enter_context(TemporaryDirectory())
-        return sweep(cases, folder, jobs, progress=False)
+        return sweep(cases, folder, jobs, progress=False, force=force)

@@ -51,7 +51,7 @@ def law_field(default: Any = attrs.NOTHING) -> Any:
                 f"laws for them are {', '.join(laws_for(case.shape))}"
             )
 
-    said = Declaration("name of the law", kind=str)
+    said = Declaration("a name that `plastigran laws` lists", kind=str)
     return attrs.field(default=default, validator=check, metadata={"declaration": said})
 
 

@@ -100,6 +100,7 @@ def sweep(
     jobs: int | None = None,
     progress: bool = True,
     settings: Mapping[str, Any] | None = None,
+    force: bool = False,
 ) -> Runs:
     """Run cases of one experiment in parallel.
 
@@ -108,17 +109,25 @@ def sweep(
     Args:
         cases: What to run.
         folder: Results go to `impacts.csv` here and to one folder a case under `runs/`.
-        jobs: Engines at a time; all cores by default.
+        jobs: Engines at a time, 1 or more; all cores by default.
         progress: Show a progress bar.
         settings: Of the study that the cases are of.
+        force: Overwrite the results of an earlier sweep in `folder`.
 
     Raises:
+        ValueError: There is no case, `jobs` is out of range, or `folder` holds results.
         EngineError, ValueError: From the first case that failed; the others' rows are written
             before it is raised.
     """
     cases, folder = list(cases), Path(folder)
     if not cases:
         raise ValueError("there is no case to run")
+    if jobs is not None and not (isinstance(jobs, int) and jobs >= 1):
+        raise ValueError(f"jobs is {jobs!r}; it must be 1 or more")
+    if not force and any([*folder.glob(TABLE), *folder.glob("runs/*/*")]):
+        raise ValueError(
+            f"{folder} holds results; choose another folder, or overwrite them by force"
+        )
     folder.mkdir(parents=True, exist_ok=True)
     path = folder / TABLE
     path.unlink(missing_ok=True)

@@ -9,10 +9,14 @@ import pandas as pd
 
 from plastigran import laws
 
+#: Columns that are left out where they hold one value only.
+VARIED = ("geometry", "radius")
 #: Names and units of columns, as heads of two lines.
 HEADS = {
     "material": "material",
     "law": "law",
+    "geometry": "geometry",
+    "radius": "radius\nm",
     "angle": "angle\ndeg",
     "speed": "speed\nm/s",
     "speed_ratio": "v/v_Y",
@@ -32,9 +36,12 @@ def format_table(table: pd.DataFrame, shown: Sequence[str] = ()) -> str:
 
     Args:
         table: Of results.
-        shown: Columns, as far as the table has them and they hold something; all by default.
+        shown: Columns, as far as the table has them, they hold something and, if of `VARIED`, more
+            than one value; all by default.
     """
     columns = [name for name in shown or table if name in table and not table[name].isna().all()]
+    if shown:
+        columns = [name for name in columns if name not in VARIED or table[name].nunique() > 1]
     heads = [(HEADS.get(name, name) + "\n").split("\n")[:2] for name in columns]
     cells = [
         [f"{value:.5g}" if isinstance(value, float) else str(value) for value in line]

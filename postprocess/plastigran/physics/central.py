@@ -163,11 +163,19 @@ def line_yield(
     Returns:
         Force F_Y [N], overlap [m] and work W_Y [J].
 
+    Raises:
+        ValueError: The contact is wider at yield than the line contact holds for, C < 2.
+
     Source: Katta & Polycarpou 2010, J. Tribol. 132; Johnson, Contact Mechanics (1985), sec. 5.6.
     """
     ratio = 6 * pair.yield_strength / (pi * pair.youngs_modulus_eff)
     lateral = pair.poissons_ratio / (1 - pair.poissons_ratio)
     logarithm = 2 * log(body_thickness / radius_eff) - 2 * log(ratio) - lateral
+    if logarithm < 2:
+        raise ValueError(
+            f"body_thickness is {body_thickness:g} m; a line contact is less than 0.6 of it wide, "
+            f"and the radius {radius_eff:g} m yields at {2 * ratio * radius_eff:.2g} m"
+        )
     force = 6 * pair.yield_strength * ratio * radius_eff * cylinder_length
     overlap = radius_eff * ratio**2 * logarithm
     return force, overlap, force * overlap * (2 * logarithm - 1) / (4 * logarithm)

@@ -72,10 +72,12 @@ class ObliqueImpact:
 
     @property
     def radius_eff(self) -> float:
+        """R* [m]."""
         return 1 / (1 / self.radius + 1 / self.radius_other)
 
     @property
     def mass_eff(self) -> float:
+        """m* [kg]."""
         return 1 / (1 / self.mass + 1 / self.mass_other)
 
     def surface_speed(self, motion: Motion) -> float:

@@ -88,7 +88,9 @@ def test_ranks_below_one_are_refused(tmp_path):
     assert not (tmp_path / "run").exists()
 
 
-@pytest.mark.parametrize("record", ["{}", "[]", '{"deck": "hop'])
+@pytest.mark.parametrize(
+    "record", ["{}", "[]", '{"deck": "hop', '{"deck": "hopper", "values": {}, "settings": 3}']
+)
 def test_a_broken_record_is_said(record, tmp_path):
     (tmp_path / "run.json").write_text(record)
     with pytest.raises(EngineError, match=r"run\.json"):

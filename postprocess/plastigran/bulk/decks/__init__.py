@@ -2,7 +2,8 @@
 """One module or package for each bulk deck that is checked and drawn, of the deck's name.
 
 It defines one class, a `plastigran.bulk.deck.BulkDeck`. In a package the class is in `__init__.py`,
-what it measures in `measurement.py`, and its figure in `figure.py`.
+what it measures in `measurement.py`, as far as that is not in `plastigran.physics`, and its figure
+in `figure.py`.
 """
 
 from __future__ import annotations

@@ -11,6 +11,8 @@ from typing import TYPE_CHECKING
 
 from plastigran.cli.arguments import positive_integer
 from plastigran.engine.checkpoints import newest_checkpoint
+from plastigran.engine.deck import deck_names
+from plastigran.engine.log import LOG
 from plastigran.engine.process import EngineError, EngineStopped
 
 if TYPE_CHECKING:
@@ -20,6 +22,7 @@ HELP = "run a bulk deck, check its invariants, draw its figures"
 
 #: What our models warn of, without the place in the source.
 _WARNING = re.compile(r"^WARNING: ((?:model|the time step) .*?)(?: \(\S+:\d+\))?$", re.MULTILINE)
+_NUMBER = re.compile(r"\d[\d.e+-]*")
 
 
 def setting(text: str) -> tuple[str, str]:
@@ -30,8 +33,11 @@ def setting(text: str) -> tuple[str, str]:
 
 
 def add_arguments(command: argparse.ArgumentParser) -> None:
-    command.add_argument("deck", help="name of a deck of inputs/bulk, or path of an input script")
-    command.add_argument("--np", type=positive_integer, default=1, help="MPI ranks, default 1")
+    command.add_argument(
+        "deck",
+        help=f"path of an input script, or name of a deck; there are {', '.join(deck_names())}",
+    )
+    command.add_argument("--ranks", type=positive_integer, default=1, help="MPI ranks, default 1")
     command.add_argument(
         "-v",
         "--variable",
@@ -47,7 +53,9 @@ def add_arguments(command: argparse.ArgumentParser) -> None:
         "--restart", type=Path, metavar="DIR", help="go on from the newest checkpoint in DIR"
     )
     command.add_argument(
-        "--output", type=Path, help="default results/DECK, or DIR_continued with --restart DIR"
+        "--output",
+        type=Path,
+        help="folder of results, default results/DECK, or DIR_continued with --restart DIR",
     )
     command.add_argument("--force", action="store_true", help="overwrite results")
 
@@ -67,7 +75,7 @@ def run(arguments: argparse.Namespace) -> None:
             arguments.deck,
             dict(arguments.settings),
             arguments.output,
-            arguments.np,
+            arguments.ranks,
             earlier,
             arguments.force,
         )
@@ -91,7 +99,9 @@ def how_to_go_on(folder: Path) -> str:
 
 
 def report(run: BulkRun) -> None:
-    """Print every check of a run, and what the models warned of.
+    """Print every check of a run, what was not measured, and what the models warned of.
+
+    Of warnings that differ in their numbers alone, the last is printed: it is the worst.
 
     Raises:
         CheckError: A check failed.
@@ -101,6 +111,9 @@ def report(run: BulkRun) -> None:
         print(
             f"{word}  {check.name}: {check.value:.3g}, at most {check.limit:.3g} ({check.reason})"
         )
-    for warning in dict.fromkeys(_WARNING.findall((run.folder / "log.liggghts").read_text())):
+    for note in run.notes:
+        print(f"--  {note}")
+    warned = _WARNING.findall((run.folder / LOG).read_text(errors="replace"))
+    for warning in {_NUMBER.sub("", warning): warning for warning in warned}.values():
         print(f"the engine warned: {warning}")
     run.raise_if_failed()

@@ -8,6 +8,7 @@ import json
 
 from plastigran.cli.arguments import positive
 from plastigran.cli.metal import add_metal, computed, metal
+from plastigran.engine.deck import property_name
 from plastigran.fem.calibration import calibrate, check_range
 from plastigran.fem.hertz import HertzSphere
 from plastigran.fem.press import press
@@ -16,7 +17,9 @@ HELP = "constants of vu_quoc_zhang from finite elements"
 
 
 def add_arguments(command: argparse.ArgumentParser) -> None:
-    command.add_argument("--fem", action="store_true", required=True, help="by finite elements")
+    command.add_argument(
+        "--fem", action="store_true", default=True, help="by finite elements, the only way so far"
+    )
     add_metal(command)
     command.add_argument(
         "--range",
@@ -38,10 +41,7 @@ def run(arguments: argparse.Namespace) -> None:
         return
     for name, value in numbers.items():
         print(f"{name:28s} {value:.5g}")
-    for name, keyword in (
-        ("contact_radius_coefficient", "contactRadiusCoefficient"),
-        ("curvature_coefficient", "curvatureCoefficient"),
-    ):
-        value = f"{numbers[name]:.6g}"
+    for name in ("contact_radius_coefficient", "curvature_coefficient"):
+        keyword, value = property_name(name), f"{numbers[name]:.6g}"
         print(f"variable {name} index {value}  # a line of a material file")
         print(f"fix {name} all property/global {keyword} peratomtypepair 1 {value}  # of a deck")

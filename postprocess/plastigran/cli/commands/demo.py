@@ -6,17 +6,23 @@ from __future__ import annotations
 import argparse
 from pathlib import Path
 
-from plastigran.cli.arguments import add_jobs, law_names
+from plastigran.cli.arguments import add_jobs
 from plastigran.cli.commands.bulk import report
 from plastigran.cli.experiments import run_study
 from plastigran.experiments.central import GEOMETRIES, PAPER_SPEEDS, CentralImpact
 from plastigran.experiments.runs import sweep
+from plastigran.materials import laws_for, read_material
 
 HELP = "the tour: collisions, a gas that cools and a hopper, with figures"
 
 
 def add_arguments(command: argparse.ArgumentParser) -> None:
-    command.add_argument("--output", type=Path, default=Path("results/demo"))
+    command.add_argument(
+        "--output",
+        type=Path,
+        default=Path("results/demo"),
+        help="folder of results, which are overwritten, default results/demo",
+    )
     add_jobs(command)
 
 
@@ -27,13 +33,13 @@ def run(arguments: argparse.Namespace) -> None:
     from plastigran.plot.snapshot import draw, find_frames
 
     folder = arguments.output
-    names = law_names(["all"], ["aluminium_zv02"])
-    run_study(CentralImpact, folder / "speeds", arguments.jobs, law=names, speed=PAPER_SPEEDS)
+    jobs, names = arguments.jobs, laws_for("sphere", [read_material("aluminium_zv02")])
+    run_study(CentralImpact, folder / "speeds", jobs, True, law=names, speed=PAPER_SPEEDS)
     print("\nThe same impact, 0.1 m/s, as a pair, on a primitive wall and on a mesh:")
     through = CentralImpact.plan(
         geometry=GEOMETRIES, law=names, speed=0.1, material="aluminium_zv02", radius=0.1
     )
-    table = sweep(through, folder / "geometries", arguments.jobs, progress=False).table
+    table = sweep(through, folder / "geometries", jobs, progress=False, force=True).table
     pivot = table.pivot(index="law", columns="geometry", values="coefficient_of_restitution")
     print(pivot.rename_axis(index=None, columns=None).to_string(float_format="{:.6f}".format))
     print("\nA freely cooling gas of 512 grains, on two ranks:")

@@ -6,6 +6,7 @@ from __future__ import annotations
 import argparse
 import json
 import sys
+from itertools import pairwise
 
 from plastigran.cli.arguments import positive
 from plastigran.cli.metal import add_metal, computed, metal
@@ -14,6 +15,23 @@ from plastigran.fem.press import press
 from plastigran.fem.throw import throw
 
 HELP = "a sphere on a rigid plane by finite elements, pressed or thrown"
+
+UNITS = {
+    "force": "N",
+    "force_max": "N",
+    "force_ratio": "of the force at yield",
+    "radius": "m",
+    "approach": "m",
+    "contact_radius": "m",
+    "residual_approach": "m",
+    "overlap_max": "m",
+    "overlap_res": "m",
+    "work_loading": "J",
+    "work_unloading": "J",
+    "speed": "m/s",
+    "contact_time": "s",
+    "coefficient_of_restitution": "",
+}
 
 
 def add_arguments(command: argparse.ArgumentParser) -> None:
@@ -29,7 +47,7 @@ def add_arguments(command: argparse.ArgumentParser) -> None:
     )
     fast = kinds.add_parser("throw", help="throw the sphere at the plane")
     add_metal(fast, elastic=True)
-    fast.add_argument("--speed", type=positive, required=True, help="m/s")
+    fast.add_argument("--speed", type=positive, required=True, help="of impact, m/s")
 
 
 def run(arguments: argparse.Namespace) -> None:
@@ -41,14 +59,21 @@ def run(arguments: argparse.Namespace) -> None:
     for row in numbers.get("unloadings", [numbers]):
         for name, value in row.items():
             if isinstance(value, float):
-                print(f"{name:28s} {value:.5g}")
+                print(f"{name:28s} {value:<12.5g} {UNITS[name]}".rstrip())
 
 
 def _press(sphere: HertzSphere, arguments: argparse.Namespace) -> dict:
-    forces = [ratio * sphere.yield_force for ratio in arguments.force_ratio]
-    if arguments.force_ratio[-1] <= 1:
+    ratios = arguments.force_ratio
+    for before, ratio in pairwise(ratios):
+        if ratio <= before:
+            raise ValueError(f"force-ratio {ratio:g} follows {before:g}; they must increase")
+    forces = [ratio * sphere.yield_force for ratio in ratios]
+    if ratios[-1] <= 1:
         _say(f"{forces[-1]:.4g} N does not reach yield, which begins at {sphere.yield_force:.4g} N")
-    return computed(press, sphere.material, sphere.radius, forces).to_dict()
+    numbers = computed(press, sphere.material, sphere.radius, forces).to_dict()
+    for row in numbers["unloadings"]:
+        row["force_ratio"] = row["force"] / sphere.yield_force
+    return numbers
 
 
 def _throw(sphere: HertzSphere, arguments: argparse.Namespace) -> dict:

@@ -8,14 +8,16 @@ import argparse
 import pandas as pd
 
 from plastigran import laws
-from plastigran.cli.arguments import law_names
 from plastigran.engine.deck import property_name
+from plastigran.materials import choose_laws
 
 HELP = "list the laws: bodies, range, source, constants, options"
 
 
 def add_arguments(command: argparse.ArgumentParser) -> None:
-    command.add_argument("law", nargs="*", default=["all"], metavar="LAW", help="default all")
+    command.add_argument(
+        "law", nargs="*", default=["all"], metavar="LAW", help="names of laws, default all"
+    )
 
 
 def flags(name: str) -> str:
@@ -32,7 +34,8 @@ def flags(name: str) -> str:
 
 
 def run(arguments: argparse.Namespace) -> None:
-    names = sorted(laws.LAWS) if "all" in arguments.law else law_names(arguments.law, [])
+    shapes = {law.shape for law in laws.LAWS.values()}
+    names = sorted({name for shape in shapes for name in choose_laws(arguments.law, shape)})
     table = pd.DataFrame(
         {
             "law": name,

@@ -6,15 +6,15 @@ from __future__ import annotations
 import argparse
 
 from plastigran import materials
-from plastigran.cli.arguments import positive, positive_integer
+from plastigran.cli.arguments import add_material, positive, positive_integer
 from plastigran.physics.modes import sphere_modes
 
 HELP = "free vibrations of an elastic sphere"
 
 
 def add_arguments(command: argparse.ArgumentParser) -> None:
-    command.add_argument("--material", required=True, help=f"{', '.join(materials.names())}")
-    command.add_argument("--radius", type=positive, required=True, help="m")
+    add_material(command)
+    command.add_argument("--radius", type=positive, required=True, help="of the sphere, m")
     command.add_argument(
         "--degree", type=positive_integer, default=4, help="highest degree, default 4"
     )

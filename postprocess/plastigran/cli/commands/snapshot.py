@@ -15,9 +15,13 @@ def add_arguments(command: argparse.ArgumentParser) -> None:
     command.add_argument("folder", type=Path, help="of a run with frames (-v frames=10)")
     command.add_argument("--step", type=int, help="of the engine; default: the last frame")
     command.add_argument("--contacts", action="store_true", help="force chains instead of grains")
-    command.add_argument("--colour", choices=list(COLOURS), default="plastic_work")
+    command.add_argument(
+        "--colour", choices=list(COLOURS), default="plastic_work", help="default plastic_work"
+    )
     command.add_argument("--view", choices=list(VIEWS), default="corner", help="default corner")
-    command.add_argument("--output", type=Path, help="default FOLDER/figures/NAME_VIEW_STEP.png")
+    command.add_argument(
+        "--output", type=Path, help="the picture, default FOLDER/figures/NAME_VIEW_STEP.png"
+    )
 
 
 def run(arguments: argparse.Namespace) -> None:

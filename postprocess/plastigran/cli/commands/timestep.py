@@ -4,12 +4,15 @@
 from __future__ import annotations
 
 import argparse
+import sys
 
 from plastigran import materials
-from plastigran.cli.arguments import law_names, positive
-from plastigran.experiments.central import GEOMETRIES, CentralImpact
+from plastigran.cli.arguments import add_material, positive
+from plastigran.experiments.collide import IMPACTS
 
 HELP = "recommended time step of an impact"
+
+KINDS = {geometry: kind for kind in IMPACTS.values() for geometry in kind.geometries}
 
 
 def add_arguments(command: argparse.ArgumentParser) -> None:
@@ -18,16 +21,22 @@ def add_arguments(command: argparse.ArgumentParser) -> None:
         nargs="+",
         default=["all"],
         metavar="LAW",
-        help="laws, or all (default) that the material has the constants for",
+        help="laws, or all (default) for these bodies that the material has the constants for",
     )
-    command.add_argument("--radius", type=positive, default=0.1, help="m, default 0.1")
-    command.add_argument("--geometry", choices=list(GEOMETRIES), default="sphere_wall")
+    command.add_argument("--radius", type=positive, default=0.1, help="of the body, m, default 0.1")
+    command.add_argument(
+        "--geometry", choices=list(KINDS), default="sphere_wall", help="default sphere_wall"
+    )
     command.add_argument("--speed", type=positive, required=True, help="impact speed, m/s")
-    command.add_argument("--material", default="aluminium_zv02")
+    add_material(command, "aluminium_zv02")
 
 
 def run(arguments: argparse.Namespace) -> None:
-    material = materials.read_material(arguments.material)
-    for name in law_names(arguments.law, [arguments.material]):
-        case = CentralImpact(name, arguments.speed, material, arguments.radius, arguments.geometry)
+    material, kind = materials.read_material(arguments.material), KINDS[arguments.geometry]
+    for name in materials.choose_laws(arguments.law, kind.shape, [material]):
+        case = kind(name, arguments.speed, material, arguments.radius, arguments.geometry)
         print(f"{name:20s} {case.timestep:.4g} s")
+    for shape, other in IMPACTS.items():
+        if "all" in arguments.law and shape != kind.shape:
+            known = ", ".join(other.geometries)
+            print(f"left out: laws for {shape}s; see --geometry {known}", file=sys.stderr)

@@ -40,14 +40,14 @@ class CentralImpact(Experiment):
 
     law: str = law_field()
     speed: float = number("speed of each sphere", "m/s", 0)
-    material: Material = material_field("of the spheres, a name or the path of a file")
+    material: Material = material_field("of the spheres")
     radius: float = number("radius of the spheres", "m", 0)
     geometry: str = word("deck", tuple(GEOMETRIES), default="sphere_wall")
 
     command = "impact"
     help = "run collisions in the engine, table and figures"
     geometries: ClassVar = GEOMETRIES
-    overlap_limit = SPHERE_OVERLAP
+    overlap_ratio_max = SPHERE_OVERLAP
     flags: ClassVar = {
         "material": Flag(("aluminium_zv02",)),
         "law": Flag(("all",)),
@@ -72,7 +72,7 @@ class CentralImpact(Experiment):
             self,
             self.predict().overlap_max,
             self.radius_eff,
-            self.overlap_limit,
+            self.overlap_ratio_max,
             "effective radii",
         )
 
@@ -161,6 +161,6 @@ class CentralImpact(Experiment):
         from plastigran.experiments.central import figures  # matplotlib is slow to load
 
         return {
-            "restitution": lambda: figures.restitution_figure(runs.table, runs.cases),
+            "restitution": lambda: figures.restitution_figure(runs.outcomes),
             "loops": lambda: figures.loops_figure(runs.outcomes),
         }

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from importlib.resources import files
 
 import matplotlib
@@ -10,12 +11,19 @@ import numpy as np
 import pandas as pd
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+from matplotlib.ticker import LogLocator
 
 from plastigran import laws
 from plastigran.experiments.central import CentralImpact
 from plastigran.experiments.collision import CollisionOutcome
+from plastigran.materials import Material
 from plastigran.physics import central
 from plastigran.plot.style import COLOURS, MARKERS, styled, subplots, title
+
+Collisions = Mapping[CentralImpact, CollisionOutcome]
+
+#: Loops in a panel.
+LOOPS = 5
 
 
 def finite_elements() -> pd.DataFrame:
@@ -25,39 +33,35 @@ def finite_elements() -> pd.DataFrame:
         return pd.read_csv(file, comment="#")
 
 
-def restitution_figure(table: pd.DataFrame, impacts: list[CentralImpact]) -> Figure:
+def restitution_figure(collisions: Collisions) -> Figure:
     """Restitution over impact speed: points from the engine, lines from theory.
 
     Thornton's line is its closed form; the others' is the energy balance of the law. The paper's
-    finite elements are shown where the table holds their sphere.
-
-    Args:
-        table: Columns material, law, speed [m/s], coefficient_of_restitution.
-        impacts: The impacts the table was made from.
+    finite elements are shown where all impacts are of their sphere.
     """
     with styled():
-        law_names = sorted(table["law"].unique())
-        crowded = len(law_names) > 6
+        law_names = sorted({impact.law for impact in collisions})
+        curves = _curves(collisions)
+        crowded = len(curves) > 6
         figure, axes = subplots(figsize=(8.6 if crowded else 6.4, 4.6))
-        materials = sorted(table["material"].unique())
-        for (material, law), points in table.groupby(["material", "law"], sort=True):
-            shade = law_names.index(law)
+        bodies = list(dict.fromkeys(_bodies(impact) for impact in collisions))
+        for (law, body, name), runs in curves.items():
+            shade, style = law_names.index(law), bodies.index(body)
             colour, marker = COLOURS[shade % len(COLOURS)], MARKERS[shade % len(MARKERS)]
-            dashes = ["-", "--", ":", "-."][materials.index(material) % 4]
-            model = next(i for i in impacts if i.law == law and i.material.name == material)
-            speed = np.geomspace(points["speed"].min() / 1.3, points["speed"].max() * 1.3, 200)
-            axes.plot(speed, _theory(model, speed), dashes, color=colour, lw=1.3)
-            label = title(law) if len(materials) == 1 else f"{title(law)}, {title(material)}"
+            speeds = [impact.speed for impact, _ in runs]
+            line = np.geomspace(speeds[0] / 1.3, speeds[-1] * 1.3, 200)
+            dashes = ["-", "--", ":", "-."][style % 4]
+            axes.plot(line, _theory(runs[0][0], line), dashes, color=colour, lw=1.3)
             axes.plot(
-                points["speed"],
-                points["coefficient_of_restitution"],
+                speeds,
+                [collision.coefficient_of_restitution for _, collision in runs],
                 marker,
                 color=colour,
-                mfc="white" if material == materials[0] else colour,
+                mfc=colour if style else "white",
                 ms=6,
-                label=label,
+                label=name,
             )
-        if _is_paper_sphere(impacts):
+        if all(i.material.name == "aluminium_zv02" and i.radius == 0.1 for i in collisions):
             paper = finite_elements().dropna()
             axes.plot(
                 paper["speed"],
@@ -68,7 +72,7 @@ def restitution_figure(table: pd.DataFrame, impacts: list[CentralImpact]) -> Fig
                 mew=2,
                 label="finite elements (Zhang & Vu-Quoc 2002)",
             )
-        _speed_axes(axes, impacts)
+        _speed_axes(axes, list(collisions))
         axes.set_ylabel("coefficient of restitution")
         axes.set_ylim(0, 1.05)
         axes.plot([], [], color="0.4", lw=1.3, label="theory")
@@ -79,16 +83,36 @@ def restitution_figure(table: pd.DataFrame, impacts: list[CentralImpact]) -> Fig
     return figure
 
 
+def _bodies(impact: CentralImpact) -> tuple[Material, float, str]:
+    return impact.material, impact.radius, impact.geometry
+
+
+def _curves(
+    collisions: Collisions,
+) -> dict[tuple[str, tuple, str], list[tuple[CentralImpact, CollisionOutcome]]]:
+    """Impacts of one law and pair of bodies, by speed; their name says what sets them apart."""
+    bodies = zip(*map(_bodies, collisions), strict=True)
+    materials, radii, geometries = map(set, bodies)
+    found: dict = {}
+    for impact, collision in sorted(collisions.items(), key=lambda run: (run[0].law, run[0].speed)):
+        name = [title(impact.law)]
+        if len(materials) > 1:
+            name.append(title(impact.material.name))
+        if len(radii) > 1:
+            name.append(f"{impact.radius:g} m")
+        if len(geometries) > 1:
+            name.append(impact.geometry.replace("_", " "))
+        key = (impact.law, _bodies(impact), ", ".join(name))
+        found.setdefault(key, []).append((impact, collision))
+    return found
+
+
 def _theory(model: CentralImpact, speeds: np.ndarray) -> np.ndarray:
     if model.law == "thornton":
         return central.thornton_restitution(speeds / model.yield_speed())
     law, speeds = model.contact_law(), speeds * model.bodies
     impacts = law.central_impact(model.radius_eff, model.mass_eff, speeds)
     return impacts.coefficient_of_restitution
-
-
-def _is_paper_sphere(impacts: list[CentralImpact]) -> bool:
-    return all(i.material.name == "aluminium_zv02" and i.radius == 0.1 for i in impacts)
 
 
 def _speed_axes(axes: Axes, impacts: list[CentralImpact]) -> None:
@@ -100,35 +124,41 @@ def _speed_axes(axes: Axes, impacts: list[CentralImpact]) -> None:
         scale = yield_speeds.pop()
         upper = axes.secondary_xaxis("top", functions=(lambda v: v / scale, lambda q: q * scale))
         upper.set_xlabel("impact speed / yield speed")
-        upper.spines["top"].set_visible(True)
+        _plain_ticks(upper)
+    _plain_ticks(axes)
 
 
-def loops_figure(collisions: dict[CentralImpact, CollisionOutcome]) -> Figure:
-    """Force over overlap, one panel a law and material, one loop a speed: the five
+def _plain_ticks(axes: Axes) -> None:
+    """Few plain numbers along a logarithmic axis."""
+    slowest, fastest = axes.get_xlim()
+    subs = (1, 2, 5) if fastest < 100 * slowest else (1,)
+    axes.xaxis.set_major_locator(LogLocator(subs=subs))
+    axes.xaxis.set_major_formatter("{x:g}")
+    axes.xaxis.set_minor_formatter("")
+
+
+def loops_figure(collisions: Collisions) -> Figure:
+    """Force over overlap, one panel a law and pair of bodies, one loop a speed: the `LOOPS`
     fastest, the rest are too small to see beside them."""
-    panels_of: dict[tuple[str, str], list[tuple[CentralImpact, CollisionOutcome]]] = {}
-    for impact, collision in collisions.items():
-        key = (impact.law, impact.material.name)
-        panels_of.setdefault(key, []).append((impact, collision))
-    keys = sorted(panels_of)
-    materials = {material for _, material in keys}
+    curves = _curves(collisions)
+    like = len({body for _, body, _ in curves}) == 1
     with styled():
-        columns = min(len(keys), 4)
-        rows = -(-len(keys) // columns)
+        columns = min(len(curves), 4)
+        rows = -(-len(curves) // columns)
         figure, panels = subplots(
             rows,
             columns,
             figsize=(3.4 * columns + 0.4, 3.2 * rows + 0.4),
-            sharex=len(materials) == 1,
-            sharey=len(materials) == 1,
+            sharex=like,
+            sharey=like,
             squeeze=False,
         )
-        for axes in panels.flat[len(keys) :]:
+        for axes in panels.flat[len(curves) :]:
             axes.set_visible(False)
-        for axes, (law, material) in zip(panels.flat, keys, strict=False):
-            runs = sorted(panels_of[law, material], key=lambda run: run[0].speed)[-5:]
-            shades = matplotlib.colormaps["viridis"](np.linspace(0.1, 0.85, len(runs)))
-            for (impact, collision), shade in zip(runs, shades, strict=True):
+        for axes, ((_, _, name), runs) in zip(panels.flat, curves.items(), strict=False):
+            shown = runs[-LOOPS:]
+            shades = matplotlib.colormaps["viridis"](np.linspace(0.1, 0.85, len(shown)))
+            for (impact, collision), shade in zip(shown, shades, strict=True):
                 touching = collision.loop[collision.loop["overlap"] >= 0]
                 axes.plot(
                     touching["overlap"] * 1e6,
@@ -136,12 +166,14 @@ def loops_figure(collisions: dict[CentralImpact, CollisionOutcome]) -> Figure:
                     color=shade,
                     label=f"{impact.speed:.3g} m/s",
                 )
-            named = title(law) if len(materials) == 1 else f"{title(law)}, {title(material)}"
-            axes.set_title(named, fontsize=10)
+            axes.set_title(name, fontsize=10)
             axes.legend(loc="upper left", fontsize=8)
             axes.set_xlabel("overlap (µm)")
         for axes in panels[:, 0]:
             axes.set_ylabel("normal force (kN)")
-        for axes in panels.flat[max(len(keys) - columns, 0) : len(keys)]:  # the lowest of a column
+        lowest = panels.flat[max(len(curves) - columns, 0) : len(curves)]  # of each column
+        for axes in lowest:
             axes.tick_params(labelbottom=True)
+        if (speeds := max(map(len, curves.values()))) > LOOPS:
+            figure.suptitle(f"the {LOOPS} fastest of {speeds} speeds", fontsize=10)
     return figure

@@ -99,6 +99,7 @@ class BenchmarkImpact(Experiment):
 
     @property
     def benchmark(self) -> int:
+        """Its number, 1 to 8."""
         return int(self.deck_name.split("_")[0])
 
     @property
@@ -106,7 +107,7 @@ class BenchmarkImpact(Experiment):
         return f"collision/chung_ooi/{self.deck_name}.in"
 
     def variables(self) -> dict[str, object]:
-        """What differs from the deck's defaults."""
+        """What differs from the deck's defaults, by the names of the deck's variables."""
         changed = {
             "material": self.material,
             self.knob: self.value,
@@ -139,6 +140,7 @@ class BenchmarkImpact(Experiment):
 
     @cached_property
     def sphere(self) -> Material:
+        """The material of the sphere, from the file beside the decks."""
         return read_material(folder() / "materials" / f"{self.material}.in")
 
     def before(self) -> Motion:
@@ -174,17 +176,19 @@ class BenchmarkImpact(Experiment):
 
     @property
     def label(self) -> str:
-        """What tells its folder from others."""
         return f"{self.deck_name}_{self.material}"
 
     def predict(self) -> BenchmarkOutcome:
+        """The outcome by theory, spring and slider; see `comparison.predict`."""
         return predict(self.impact())
 
     def measure(self, folder: Path) -> BenchmarkOutcome:
+        """The outcome from the trajectory in a folder. Raises CollisionError for no collision."""
         trajectory = read_dump(Path(folder) / "trajectory.dump")
         return BenchmarkOutcome(motion(trajectory, -1), measure(trajectory))
 
     def row(self, measured: BenchmarkOutcome) -> dict[str, object]:
+        """The impact, and the columns of `comparison.compare`."""
         names = ("benchmark", "law", "material", "modulus_ratio", "knob", "value")
         return {name: getattr(self, name) for name in names} | compare(self.impact(), measured)
 

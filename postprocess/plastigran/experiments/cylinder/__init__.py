@@ -32,7 +32,8 @@ class CylinderImpact(CentralImpact):
     The material is that of the body that yields; the other is rigid.
 
     Raises:
-        ValueError: A field is out of range, or the bodies would overlap too far for any law.
+        ValueError: A field is out of range, the body is too thin to yield under a line contact, or
+            the bodies would overlap too far for any law.
     """
 
     geometry: str = word("deck", ("cylinder_wall",), default="cylinder_wall")
@@ -45,7 +46,7 @@ class CylinderImpact(CentralImpact):
     shape = "cylinder"
     geometries: ClassVar = {"cylinder_wall": 1}
     # Beyond, the disc's centre passes the wall. The source goes as far; `in_range` is stricter.
-    overlap_limit = 1.0
+    overlap_ratio_max = 1.0
     flags: ClassVar = {
         "points": Flag(
             30,
@@ -58,6 +59,10 @@ class CylinderImpact(CentralImpact):
         "maps_10": "cylinder_maps.png",
         "comparison": "cylinder_comparison.svg",
     }
+
+    def __attrs_post_init__(self) -> None:
+        self.yield_speed()  # raises for a body too thin
+        super().__attrs_post_init__()
 
     @property
     def mass_eff(self) -> float:

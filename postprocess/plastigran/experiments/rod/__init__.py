@@ -25,6 +25,9 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 _ROD = declaration(Rod)
+_FRICTION = attrs.evolve(
+    _ROD["coefficient_of_friction"], meaning="between tip and flat, default the paper's at an angle"
+)
 
 
 @attrs.frozen
@@ -55,7 +58,7 @@ class RodImpact(Experiment):
     deck = "collision/rod.in"
     flags: ClassVar = {
         "angle": Flag(tuple(PAPER_FRICTION), said=_ROD["angle"]),
-        "coefficient_of_friction": Flag(None, said=_ROD["coefficient_of_friction"], many=False),
+        "coefficient_of_friction": Flag(None, said=_FRICTION, many=False),
         "law": Flag(("all",)),
         "speed": Flag(PAPER_SPEEDS),
         "tangential": Flag("history", many=False),

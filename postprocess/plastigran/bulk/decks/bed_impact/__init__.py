@@ -95,6 +95,7 @@ class BedImpact(GranularDeck):
         return shot
 
     def analyse(self, series: pd.DataFrame) -> Analysis:
+        """The shot's part of the run; arguments as for `BulkDeck.analyse`."""
         table = since_first(series)  # which is when the shot begins
         grains = read_grains_dump(self.output / "grains.dump")
         shot = self.shots(grains)

@@ -44,6 +44,7 @@ class Chute(FlowDeck):
     size_spread: float = number("half of the grains are so much smaller", "-", 0, 0.3, True)
 
     def analyse(self, series: pd.DataFrame) -> Analysis:
+        """The flow's profile and powers; arguments as for `BulkDeck.analyse`."""
         series = add_mechanics(series, radians(self.angle), self.gravitational_acceleration)
         steady = series[series["time"] >= self.settling]
         grains = read_dump(self.output / "grains.dump")

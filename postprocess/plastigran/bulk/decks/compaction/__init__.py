@@ -55,6 +55,7 @@ class Compaction(GranularDeck):
         GranularDeck.check(self)
 
     def analyse(self, series: pd.DataFrame) -> Analysis:
+        """The punch's stroke alone; arguments as for `BulkDeck.analyse`."""
         table = self.stroke(series)
         loop = measure_loop(table["relative_density"], table["pressure"])
         checks = [

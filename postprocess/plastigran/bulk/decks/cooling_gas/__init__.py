@@ -46,7 +46,7 @@ class CoolingGas(BulkDeck):
     volume_fraction: float = number("share of the box the grains fill", "-", 0, FREEZING)
     temperature: float = number("of each direction's velocity at the start", "m^2/s^2", 0)
     mixing: float = number("impacts a grain has before it may yield", "-", 0)
-    # These say when it ends and where lines of the log and checkpoints are.
+    # A run that goes on may end later and be logged at other steps.
     duration: float = continuable(number("in mean times between a grain's first impacts", "-", 0))
     rows: int = continuable(whole("lines of the log", 1))
     checkpoints: int = continuable(whole("restart files on the way, a divisor of rows", 1))
@@ -80,6 +80,7 @@ class CoolingGas(BulkDeck):
         return Gas(grains.radius, self.volume_fraction, restitution, self.count)
 
     def analyse(self, series: pd.DataFrame) -> Analysis:
+        """The temperature beside mean field's; arguments as for `BulkDeck.analyse`."""
         # Without drift N grains have 3(N - 1) free velocities.
         scale = 2 / (3 * (self.count - 1) * self.grains.mass)
         series = series.assign(temperature=scale * series["kinetic_energy"])

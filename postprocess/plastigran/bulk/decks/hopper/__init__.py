@@ -14,13 +14,19 @@ from plastigran.bulk.decks.hopper.figure import discharge_figure
 from plastigran.bulk.settings import text
 from plastigran.declared import number, whole
 from plastigran.engine.process import inputs_folder
-from plastigran.physics.beverloo import Discharge, measure_discharge
+from plastigran.physics.beverloo import BLOCKS, STEADY_SHARE, Discharge, measure_discharge
 
 #: Standard deviations by which the rates of two halves may differ.
 DEVIATIONS = 4
 #: Share of the rate it may change by beside, as the level sinks: 2080 grains lose 4.5 % on average
 #: (docs/decks/hopper.md).
 LEVEL = 0.05
+#: Said of a run that `measure_discharge` finds no steady discharge in.
+UNMEASURED = (
+    f"the rate of discharge was not measured: the run ended before {STEADY_SHARE:.0%} of the "
+    f"grains were out, has less than {2 * BLOCKS} rows until then, or its bed is too shallow; "
+    "raise duration, rows or layers"
+)
 #: Layers of the lattice that stand in the barrel.
 LAYERS = 20
 
@@ -78,6 +84,7 @@ class Hopper(GranularDeck):
         )
 
     def analyse(self, series: pd.DataFrame) -> Analysis:
+        """The discharge from when the orifice opens; arguments as for `BulkDeck.analyse`."""
         series = series.assign(time=series["time"] - series["time"].iloc[0])  # the orifice opens
         discharge = self.discharge(series)
         missing = series["held"] + series["counted"] - self.derived("grains")
@@ -92,7 +99,8 @@ class Hopper(GranularDeck):
             *(discharge_checks(discharge) if discharge else []),
         ]
         figure = discharge_figure(series, discharge, self.grains.mass)
-        return Analysis(series, checks, {"hopper": figure, **self.ledger_figure(series)})
+        figures = {"hopper": figure, **self.ledger_figure(series)}
+        return Analysis(series, checks, figures, [] if discharge else [UNMEASURED])
 
 
 def discharge_checks(discharge: Discharge) -> list[Check]:

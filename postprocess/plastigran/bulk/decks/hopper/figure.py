@@ -23,7 +23,12 @@ def discharge_figure(series: pd.DataFrame, discharge: Discharge | None, mass: fl
     with styled():
         figure, axes = subplots(figsize=(6.4, 4.4))
         draw_course(
-            axes, series, discharge, mass, COLOURS[0], "discharge, thick where its rate is taken"
+            axes,
+            series,
+            discharge,
+            mass,
+            COLOURS[0],
+            "discharge, thick where its rate is taken" if discharge else "discharge",
         )
         if discharge:
             time = np.array([discharge.start, discharge.stop])
@@ -39,6 +44,8 @@ def discharge_figure(series: pd.DataFrame, discharge: Discharge | None, mass: fl
                 f"{discharge.rate / discharge.predicted:.2f} of Beverloo's",
                 fontsize=10,
             )
+        else:
+            axes.set_title("no steady part: the rate was not measured", fontsize=10)
         axes.legend(loc="upper left")
     return figure
 

@@ -1,0 +1,60 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Sweeps of cases: what they keep, what they refuse, what they print and draw."""
+
+from __future__ import annotations
+
+import pandas as pd
+import pytest
+
+import plastigran as pg
+from plastigran.experiments.central import CentralImpact
+from plastigran.experiments.runs import TABLE, sweep
+from plastigran.experiments.tables import format_table
+
+
+def impacts(**changes: object) -> list[CentralImpact]:
+    given = {"law": "thornton", "speed": [0.05, 0.1], "material": "aluminium_zv02", "radius": 0.1}
+    return CentralImpact.plan(**given | changes)
+
+
+def test_finished_impacts_survive_a_failure(tmp_path):
+    """One impact fails; the others' rows are written."""
+
+    class Broken(CentralImpact):
+        def run(self, folder, *_args, **_keys):
+            raise ValueError("broken on purpose")
+
+    broken = Broken("thornton", 0.2, "aluminium_zv02", 0.1)
+    with pytest.raises(ValueError, match="on purpose"):
+        sweep([*impacts(), broken], tmp_path, progress=False)
+    assert sorted(pd.read_csv(tmp_path / TABLE)["speed"]) == [0.05, 0.1]
+
+
+def test_a_folder_of_results_is_refused_unless_forced(tmp_path):
+    """One whose sweep has not written its table yet, too."""
+    runs = sweep(impacts(speed=0.1), tmp_path, progress=False)
+    for left in (TABLE, "nothing more"):
+        with pytest.raises(ValueError, match=f"{tmp_path} holds results; choose another"):
+            pg.collide("stronge", 0.1, "steel", radius=0.1, folder=tmp_path)
+        assert (tmp_path / left).exists() == (left == TABLE)
+        (tmp_path / TABLE).unlink(missing_ok=True)
+    again = sweep(impacts(speed=0.1), tmp_path, progress=False, force=True)
+    pd.testing.assert_frame_equal(again.table, runs.table)
+
+
+@pytest.mark.parametrize("jobs", [0, -1, 1.5, "two"])
+def test_jobs_out_of_range_are_refused(jobs, tmp_path):
+    with pytest.raises(ValueError, match=rf"jobs is {jobs!r}; it must be 1 or more"):
+        sweep(impacts(), tmp_path / "runs", jobs)
+    assert not (tmp_path / "runs").exists()
+
+
+def test_what_is_swept_is_shown(tmp_path):
+    """Rows and curves of two radii are told apart; what is the same for all is not said."""
+    runs = sweep(impacts(radius=[0.05, 0.1]), tmp_path, progress=False)
+    head = str(runs).splitlines()[0].split()
+    assert "radius" in head and "geometry" not in head
+    one = runs.table[runs.table["radius"] == 0.1]
+    assert "radius" not in format_table(one, list(one))
+    labels = [text.get_text() for text in runs.figure("restitution").axes[0].legend_.texts]
+    assert labels == ["Thornton, 0.05 m", "Thornton, 0.1 m", "theory"]
