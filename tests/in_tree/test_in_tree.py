@@ -13,8 +13,7 @@ from plastigran.engine.process import command, inputs_folder
 from plastigran.experiments.collide import IMPACTS
 from plastigran.experiments.collision import measure
 
-HERE = Path(__file__).parent
-PROJECT = HERE.parents[1]
+PROJECT = Path(__file__).parents[2]
 INSTALL = PROJECT / "contact_models/in_tree/install.sh"
 PLUGIN = PROJECT / "build/liggghts-plastigran"
 MODELS = {
@@ -26,17 +25,6 @@ MODELS = {
 # engine's data. Rounding may differ, and some 1e4 steps may add it up to 1e-12; a property, a
 # history value or a combination that went astray changes far earlier digits.
 TOLERANCE = 1e-12
-
-
-@pytest.fixture(scope="session")
-def in_tree():
-    """Upstream LIGGGHTS with our models in its source tree."""
-    if not shutil.which("apt-get"):
-        pytest.skip("the LIGGGHTS source comes from Debian's source package; no apt-get here")
-    words = [HERE / "build_upstream.sh", PROJECT / "build/in-tree"]
-    build = subprocess.run(words, capture_output=True, text=True)
-    assert build.returncode == 0, build.stderr[-10000:]
-    return build.stdout.splitlines()[-1]
 
 
 def collide(program, deck: str, law: str, output: Path):

@@ -1,0 +1,54 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""The upstream build begins with the tests and runs beside them; the tests of it come last."""
+
+from __future__ import annotations
+
+import os
+import shutil
+import signal
+import subprocess
+from pathlib import Path
+
+import pytest
+
+HERE = Path(__file__).parent
+#: Builds upstream LIGGGHTS with our models, once for all that ask.
+BUILD = (HERE / "build_upstream.sh", HERE.parents[1] / "build/in-tree")
+
+
+@pytest.fixture(scope="session")
+def in_tree():
+    """Upstream LIGGGHTS with our models in its source tree."""
+    if not shutil.which("apt-get"):
+        pytest.skip("the LIGGGHTS source comes from Debian's source package; no apt-get here")
+    build = subprocess.run(BUILD, capture_output=True, text=True)
+    assert build.returncode == 0, build.stderr[-10000:]
+    return build.stdout.splitlines()[-1]
+
+
+@pytest.hookimpl(trylast=True)  # of the tests that were selected
+def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
+    waiting = [item for item in items if "in_tree" in getattr(item, "fixturenames", ())]
+    if not waiting:
+        return
+    items[:] = [item for item in items if item not in waiting] + waiting
+    first_worker = os.environ.get("PYTEST_XDIST_WORKER", "gw0") == "gw0"
+    if first_worker and not config.option.collectonly:
+        _begin(config)
+
+
+def _begin(config: pytest.Config) -> None:
+    """Start the build on what the tests leave of the machine; it ends with them."""
+    build = subprocess.Popen(
+        ["nice", "-n", "10", *BUILD],
+        stdout=subprocess.DEVNULL,
+        stderr=subprocess.DEVNULL,  # a build that fails is begun again, and quoted, by its tests
+        process_group=0,
+    )
+
+    def end() -> None:
+        if build.poll() is None:
+            os.killpg(build.pid, signal.SIGTERM)
+            build.wait()
+
+    config.add_cleanup(end)
