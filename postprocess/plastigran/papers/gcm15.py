@@ -45,7 +45,7 @@ OTHER_STRONGE = "stronge, original radius"
 def compute(progress: bool, coarse: bool) -> Reproduction:
     """Every law at both angles, in LIGGGHTS and by the equations of motion, with the paper's
     friction: mu F as soon as the tip slides."""
-    speeds = (1.0, -MEASURED.velocity_before) if coarse else PAPER_SPEEDS
+    speeds = (-MEASURED.velocity_before,) if coarse else PAPER_SPEEDS
     with TemporaryDirectory() as folder:
         runs = RodImpact.study(
             folder, progress=progress, law=LAWS, speed=speeds, tangential="no_history"
