@@ -14,11 +14,10 @@ def test_the_rigid_rod_turns_as_measured(coarse_table):
 
 
 def test_the_engine_moves_the_rod_by_the_equations_of_motion(coarse_table):
-    table = coarse_table("gcm15", "engine").set_index("quantity")
-    off = table["LIGGGHTS off equations of motion (%)"]
-    assert off["angular velocity"] < 0.2
+    off = coarse_table("gcm15", "engine").set_index("law")
     # Friction takes effect a step late, and a step is a larger share of a short rebound.
-    assert off.max() < 1
+    assert (off.drop("ye_komvopoulos") < 0.2).all(axis=None)
+    assert (off.loc["ye_komvopoulos"] < 1).all()  # its force jumps, and a step may pass over a jump
 
 
 def test_angle_alone_does_not_raise_restitution_to_the_experiments(coarse_table):

@@ -75,11 +75,11 @@ class Computed:
 
 def compute_finite_elements_and_runs(progress: bool, coarse: bool) -> Computed:
     """Compute, or find in the cache, what `Computed` holds; arguments as of `Paper.reproduce`."""
-    usual = Settings(divisions=4, fineness=0.5, growth=1.15, steps_of_contact=80)
-    if not coarse:
-        usual = Settings()
+    usual, frames = Settings(), 50
+    if coarse:
+        usual, frames = Settings(divisions=4, fineness=0.5, growth=1.15, steps_of_contact=80), 12
     # Two periods of the gravest mode are followed after the contact.
-    long = attrs.evolve(usual, free_steps=usual.steps_of_contact // 4, frames=50)
+    long = attrs.evolve(usual, free_steps=usual.steps_of_contact // 4, frames=frames)
     fine = attrs.evolve(usual, divisions=2 * usual.divisions, growth=1.002, unloading_steps=8)
     speeds = (SHOWN, 0.02) if coarse else SPEEDS
     forces = FORCES[:4] if coarse else FORCES
