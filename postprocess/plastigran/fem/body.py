@@ -16,6 +16,7 @@ from plastigran.fem.section import Axisymmetric, Section
 
 STIFFNESS_ORDER = 3  # two by two Gauss points: no locking when plastic flow keeps the volume
 MASS_ORDER = 5  # three by three: with two by two the mass matrix would be singular
+HELD = {"axis": "u^1", "equator": "u^2", "base": ["u^1", "u^2"]}  # on each boundary that is there
 
 
 class Body:
@@ -69,11 +70,9 @@ class Body:
         self.held = self._held(vector)
 
     def _held(self, basis: Basis) -> np.ndarray:
-        """Radial degrees of freedom on the axis and vertical ones on the equator of half a body."""
-        held = [basis.get_dofs("axis").all("u^1")]
-        if "equator" in self.mesh.boundaries:
-            held.append(basis.get_dofs("equator").all("u^2"))
-        return np.concatenate(held)
+        """Degrees of freedom that HELD names on the boundaries of the mesh."""
+        named = HELD.keys() & self.mesh.boundaries.keys()
+        return np.concatenate([basis.get_dofs(name).all(HELD[name]) for name in sorted(named)])
 
     @property
     def points(self) -> int:
