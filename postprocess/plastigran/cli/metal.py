@@ -13,6 +13,7 @@ from plastigran.fem.cache import cached
 from plastigran.fem.hardening import LinearHardening
 from plastigran.fem.limits import SmallStrainWarning
 from plastigran.fem.material import ElasticPlastic
+from plastigran.fem.settings import Settings
 
 
 def add_metal(command: argparse.ArgumentParser, elastic: bool = False) -> None:
@@ -30,6 +31,14 @@ def add_metal(command: argparse.ArgumentParser, elastic: bool = False) -> None:
         "--hardening", type=float, default=0.0, help="plastic modulus d sigma/d eps_p, Pa"
     )
     command.add_argument("--radius", type=positive, default=0.1, help="m, default 0.1")
+    command.add_argument(
+        "--finite-strain",
+        action="store_const",
+        const="finite",
+        default="small",
+        dest="strain",
+        help="for contacts wider than a tenth of the radius; takes three times as long",
+    )
     command.add_argument("--json", action="store_true", help="all numbers, as JSON")
 
 
@@ -50,9 +59,14 @@ def metal(arguments: argparse.Namespace) -> ElasticPlastic:
     )
 
 
-def computed(compute: Callable, *arguments: object):
+def computed(compute: Callable, *arguments: object, strain: str = "small"):
     """Result of a computation, from the cache if it is there; warnings, and why it stopped early,
     go to stderr.
+
+    Args:
+        compute: The function, which takes settings and progress last.
+        arguments: Its own.
+        strain: "small" or "finite".
 
     Raises:
         ValueError: It cannot begin.
@@ -60,7 +74,9 @@ def computed(compute: Callable, *arguments: object):
     with warnings.catch_warnings(record=True) as said:
         warnings.simplefilter("always", SmallStrainWarning)
         try:
-            result = cached(compute, *arguments, progress=sys.stderr.isatty())
+            result = cached(
+                compute, *arguments, settings=Settings(strain=strain), progress=sys.stderr.isatty()
+            )
         except ArithmeticError as error:
             raise ValueError(str(error)) from None
     for line in [*(str(warning.message) for warning in said), result.stopped]:

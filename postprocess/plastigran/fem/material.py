@@ -57,6 +57,10 @@ class Response:
     flowing: np.ndarray
     tangent: np.ndarray
 
+    def held(self) -> Response:
+        """The same with no point flowing, as where loading turns."""
+        return attrs.evolve(self, flowing=self.flowing[:0], tangent=self.tangent[:0])
+
 
 @attrs.frozen(kw_only=True)
 class ElasticPlastic:
@@ -71,6 +75,11 @@ class ElasticPlastic:
     @property
     def shear_modulus(self) -> float:
         return self.youngs_modulus / (2 * (1 + self.poissons_ratio))
+
+    @property
+    def plane_modulus(self) -> float:
+        """E/(1 - nu^2), Pa."""
+        return self.youngs_modulus / (1 - self.poissons_ratio**2)
 
     @property
     def bulk_modulus(self) -> float:

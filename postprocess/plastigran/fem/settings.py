@@ -5,9 +5,10 @@ from __future__ import annotations
 
 import attrs
 
-from plastigran.declared import number, whole
+from plastigran.declared import number, whole, word
 from plastigran.fem.contact import PENALTY
 from plastigran.fem.hertz import HertzSphere
+from plastigran.fem.kinematics import KINEMATICS, Kinematics
 from plastigran.fem.mesh import SphereMesh
 
 CORE_OVER_YIELD = 1.2  # radius of the fine core over the contact radius at which the sphere yields
@@ -27,6 +28,12 @@ class Settings:
     unloading_steps: int = whole("increments of an unloading", 4, default=24)
     steps_of_contact: int = whole("time steps over Hertz' duration", 20, default=250)
     penalty: float = number("stiffness of the plane over E*/h", "-", 1, 1e5, default=PENALTY)
+    strain: str = word("how strains follow from displacements", KINEMATICS, default="small")
+
+    @property
+    def kinematics(self) -> Kinematics:
+        """How strains follow from displacements."""
+        return KINEMATICS[self.strain]()
 
     def mesh(self, sphere: HertzSphere, reach: float, whole: bool) -> SphereMesh:
         """The mesh for contacts up to the radius `reach`, m."""

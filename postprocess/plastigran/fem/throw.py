@@ -102,15 +102,16 @@ def throw(
         progress: Show a bar.
 
     Raises:
-        ValueError: A speed that is not positive, or so large that small strain does not hold.
+        ValueError: A speed that is not positive, or too large for the mesh.
         NoConvergence: The first step does not converge even after halving. A later one ends the
             impact, which keeps what it has and says so in `stopped`.
     """
     settings = settings or Settings()
     sphere = HertzSphere(material, radius)
-    check_speed(sphere, speed)
+    check_speed(sphere, speed, strain=settings.strain)
     reach = force_of_impact(sphere, speed)[1]
-    body = Body(settings.mesh(sphere, reach, whole=True).build(), material)
+    mesh = settings.mesh(sphere, reach, whole=True).build()
+    body = Body(mesh, material, kinematics=settings.kinematics)
     plane = RigidPlane(body, radius, min(2 * reach, 0.9 * radius), settings.penalty)
     duration = sphere.duration(speed)
     flight = Flight(Equations(body, plane), speed, duration / settings.steps_of_contact)
@@ -133,14 +134,14 @@ def throw(
 
 
 def _row(flight: Flight) -> dict[str, float]:
-    body, plane, now = flight.equations.body, flight.equations.plane, flight.now
+    body, now = flight.equations.body, flight.now
     momentum = body.mass_matrix @ now.velocity
     return {
         "time": now.time,
         "force": now.state.touch.force,
         "approach": -float(body.upward @ (body.mass_matrix @ now.state.displacement)) / body.mass,
         "velocity": float(body.upward @ momentum) / body.mass,
-        "contact_radius": plane.contact_radius(now.state.touch.gap),
+        "contact_radius": now.state.touch.contact_radius,
         "kinetic_energy": float(now.velocity @ momentum) / 2,
         **energies(body, now.state),
         "iterations": now.state.iterations,

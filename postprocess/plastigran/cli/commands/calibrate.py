@@ -32,7 +32,8 @@ def run(arguments: argparse.Namespace) -> None:
     sphere = HertzSphere(metal(arguments), arguments.radius)
     force = arguments.force_ratio * sphere.yield_force
     check_range(sphere, force)
-    numbers = calibrate(computed(press, sphere.material, sphere.radius, [force])).to_dict()
+    pressing = computed(press, sphere.material, sphere.radius, [force], strain=arguments.strain)
+    numbers = calibrate(pressing).to_dict()
     if arguments.json:
         print(json.dumps(numbers))
         return

@@ -48,7 +48,8 @@ def _press(sphere: HertzSphere, arguments: argparse.Namespace) -> dict:
     forces = [ratio * sphere.yield_force for ratio in arguments.force_ratio]
     if arguments.force_ratio[-1] <= 1:
         _say(f"{forces[-1]:.4g} N does not reach yield, which begins at {sphere.yield_force:.4g} N")
-    return computed(press, sphere.material, sphere.radius, forces).to_dict()
+    found = computed(press, sphere.material, sphere.radius, forces, strain=arguments.strain)
+    return found.to_dict()
 
 
 def _throw(sphere: HertzSphere, arguments: argparse.Namespace) -> dict:
@@ -57,7 +58,8 @@ def _throw(sphere: HertzSphere, arguments: argparse.Namespace) -> dict:
             f"{arguments.speed:g} m/s does not reach yield, which begins at "
             f"{sphere.yield_speed:.4g} m/s"
         )
-    return computed(throw, sphere.material, sphere.radius, arguments.speed).to_dict()
+    case = (sphere.material, sphere.radius, arguments.speed)
+    return computed(throw, *case, strain=arguments.strain).to_dict()
 
 
 def _say(line: str) -> None:
