@@ -27,7 +27,7 @@ class HertzSphere:
     @property
     def modulus(self) -> float:
         """E/(1 - nu^2), Pa."""
-        return self.material.youngs_modulus / (1 - self.material.poissons_ratio**2)
+        return self.material.plane_modulus
 
     @property
     def mass(self) -> float:

@@ -60,7 +60,7 @@ class Equations:
         body = self.body
         displacement = np.zeros(body.size)
         response = body.material.respond(body.strain(displacement), State.virgin(body.points))
-        return Equilibrium(displacement, 0.0, response, self.plane.touch(displacement, 0.0))
+        return Equilibrium(displacement, 0.0, response, self._touch(displacement, None))
 
     def press(self, start: Equilibrium, guess: tuple[np.ndarray, float], force: float):
         """Equilibrium of a held body that the plane presses with `force`, N.
@@ -126,14 +126,14 @@ class Equations:
         Raises:
             NoConvergence: It finds none.
         """
-        body, plane = self.body, self.plane
+        body = self.body
         factor = 4 / inertia.timestep**2
         displacement = guess
         for iteration in range(ITERATIONS):
             response = body.material.respond(
                 body.strain(displacement), start.response.state, inertia.timestep
             )
-            touch = plane.touch(displacement, start.height)
+            touch = self._touch(displacement, start)
             inertial = factor * (body.mass_matrix @ (displacement - inertia.predicted))
             internal = body.internal_force(response.stress)
             residual = internal - touch.nodal + inertial
@@ -141,7 +141,14 @@ class Equations:
             scale = max(np.max(np.abs(part)) for part in (touch.nodal, internal, inertial))
             if np.max(np.abs(residual)) <= TOLERANCE * scale:
                 return Equilibrium(displacement, start.height, response, touch, iteration)
-            matrices = body.stiffness(response) + factor * body.mass_matrices
-            solved = self._factor([matrices, touch.stiffness]).solve(-residual)
+            solved = self._factor(self._matrices(response, touch, factor)).solve(-residual)
             displacement = displacement + solved
         raise NoConvergence(f"no balance of forces in {ITERATIONS} iterations")
+
+    def _touch(self, displacement: np.ndarray, start: Equilibrium | None) -> Touch:
+        return self.plane.touch(displacement, 0.0 if start is None else start.height)
+
+    def _matrices(self, response: Response, touch: Touch, factor: float) -> list[np.ndarray]:
+        """Of the elements and of the edges in contact, with `factor` times the masses."""
+        body = self.body
+        return [body.stiffness(response) + factor * body.mass_matrices, touch.stiffness]

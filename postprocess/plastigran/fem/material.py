@@ -73,6 +73,11 @@ class ElasticPlastic:
         return self.youngs_modulus / (2 * (1 + self.poissons_ratio))
 
     @property
+    def plane_modulus(self) -> float:
+        """E/(1 - nu^2), Pa."""
+        return self.youngs_modulus / (1 - self.poissons_ratio**2)
+
+    @property
     def bulk_modulus(self) -> float:
         return self.youngs_modulus / (3 * (1 - 2 * self.poissons_ratio))
 
