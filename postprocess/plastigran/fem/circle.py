@@ -65,6 +65,7 @@ class RigidCircle:
     Attributes:
         dofs: Of each edge, x and y of its three nodes and of the centre (n_edges, 8).
         places: First coordinate of the Gauss points, increasing (n_points,), m.
+        start: First coordinate of the centre while nothing has moved, m.
     """
 
     def __init__(
@@ -101,7 +102,10 @@ class RigidCircle:
         self._areas = edges.areas
         self._stiffness = penalty * body.material.plane_modulus / edges.lengths[:, None]
         self._radius, self._friction = radius, friction
+        # The halves on both sides of an axis drag the circle against each other.
+        self._whole = np.array([0.0 if "axis" in mesh.boundaries else 1.0, 1.0])
         self.places = edges.first.ravel()
+        self.start = start
 
     def touch(self, displacement: np.ndarray, last: Rub | None = None) -> Rub:
         """Contact at displacements (size,), m, after the equilibrium `last`."""
@@ -121,7 +125,7 @@ class RigidCircle:
         traction = pressure[:, :, None] * normal + shear[:, :, None] * tangent
         nodal = np.einsum("eqid,eqi,eq->ed", self._distance_matrices, traction, self._areas)
         nodal = np.bincount(self.dofs.ravel(), nodal.ravel(), minlength=self._size)
-        drag, force = nodal[self._centre]
+        drag, force = nodal[self._centre] * self._whole
 
         # Changes of pressure and shear with the distance, and of traction with these.
         by_distance = -closed[:, :, None] * normal
@@ -154,6 +158,14 @@ class RigidCircle:
             distance=distance,
             dissipated=float(np.sum(self._areas * lost)),
         )
+
+    def surface(self, displacement: np.ndarray) -> np.ndarray:
+        """(x, y) of the Gauss points at displacements (size,), m, x from the circle's start
+        (n_points, 2), m."""
+        still = displacement.copy()
+        still[self._centre] = 0
+        moves = np.einsum("eqid,ed->eqi", self._distance_matrices, still[self.dofs])
+        return (self._start + moves + np.array([0, self._radius])).reshape(-1, 2)
 
     def profile(self, pressure: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Mean first coordinate and mean pressure of each edge."""
