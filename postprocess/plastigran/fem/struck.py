@@ -163,7 +163,7 @@ def summary(case: CylinderStrike, log: StrikeLog, stopped: str) -> Strike:
     """The outcome of a strike that has ended, or stopped."""
     history = pd.DataFrame(log.rows)
     force, time, approach = (history[name].to_numpy() for name in ("force", "time", "approach"))
-    last = np.flatnonzero(force > 0)[-1]
+    end = _end_of_contact(time, force)
     surface = log.surface_at_rest()
     yielded = np.flatnonzero(history["plastic_work"].to_numpy() > 0)
     return Strike(
@@ -172,12 +172,24 @@ def summary(case: CylinderStrike, log: StrikeLog, stopped: str) -> Strike:
         coefficient_of_restitution=nan if stopped else history["velocity"].iloc[-1] / case.speed,
         force_max=float(force.max()),
         overlap_max=float(approach.max()),
-        overlap_res=nan if stopped else float(approach[last]),
+        overlap_res=nan if stopped else float(np.interp(end, time, approach)),
         residual_depth=nan if stopped else float(max(0.0, -surface[:, 1].min())),
-        contact_time=nan if stopped else float(time[last]),
+        contact_time=nan if stopped else end,
         yield_force=float(force[yielded[0]]) if yielded.size else nan,
         yield_point=np.full(2, nan) if log.yield_point is None else log.yield_point,
         surface=surface,
         snapshots=log.fields(),
         stopped=stopped,
     )
+
+
+def _end_of_contact(time: np.ndarray, force: np.ndarray) -> float:
+    """When the force of the last two steps in contact, drawn on straight, is zero; by the next
+    step at the latest."""
+    last = np.flatnonzero(force > 0)[-1]
+    following = time[min(last + 1, len(time) - 1)]
+    fall = force[last - 1] - force[last]
+    if fall <= 0:
+        return float(following)
+    end = time[last] + force[last] * (time[last] - time[last - 1]) / fall
+    return float(min(end, following))
