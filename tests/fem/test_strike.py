@@ -139,12 +139,12 @@ def test_friction_sticks_then_slides():
     assert np.all(shear <= limit)
     assert np.any((0 < shear) & (shear < limit))
     assert stuck.dissipated < 1e-3 * stuck.stored
-    sliding, _, _ = pushed(1e-8, stuck)
-    slid, shear, limit = pushed(3e-8, sliding)
+    sliding, _, _ = pushed(3e-8, stuck)
+    slid, shear, limit = pushed(5e-8, sliding)
     assert shear == pytest.approx(limit)
     # The pressures of so few points do not balance along the surface: slopes of 0.14 at the edges.
     assert -slid.drag == pytest.approx(FRICTION * slid.force, rel=0.1)
-    assert slid.dissipated == pytest.approx(-slid.drag * 2e-8, rel=0.05)
+    assert slid.dissipated == pytest.approx(-slid.drag * 2e-8, rel=0.1)
 
 
 def test_tangent_of_the_contact_is_its_derivative():

@@ -66,6 +66,7 @@ class RigidCircle:
         dofs: Of each edge, x and y of its three nodes and of the centre (n_edges, 8).
         places: First coordinate of the Gauss points, increasing (n_points,), m.
         start: First coordinate of the centre while nothing has moved, m.
+        longest_edge: m.
     """
 
     def __init__(
@@ -106,6 +107,7 @@ class RigidCircle:
         self._whole = np.array([0.0 if "axis" in mesh.boundaries else 1.0, 1.0])
         self.places = edges.first.ravel()
         self.start = start
+        self.longest_edge = edges.lengths.max()
 
     def touch(self, displacement: np.ndarray, last: Rub | None = None) -> Rub:
         """Contact at displacements (size,), m, after the equilibrium `last`."""

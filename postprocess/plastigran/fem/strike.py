@@ -27,6 +27,9 @@ from plastigran.fem.throw import Flight
 
 STEPS_FREE = 5  # steps without contact before the strike is over
 LONGEST = 4.0  # elastic durations after which a strike that has not ended is given up
+STRIDE = (
+    0.3  # of an element that the cylinder slides in a step, at most: Newton finds no way farther
+)
 TRACK_MARGIN = 1.2  # on the way during an elastic contact
 
 
@@ -104,7 +107,10 @@ def strike(
     velocity = np.zeros(balance.body.size)
     velocity[balance.body.centre] = case.sliding_speed, -case.speed
     duration = case.line.duration(case.mass, case.speed)
-    flight = Flight(balance, velocity, duration / settings.steps_of_contact)
+    timestep = duration / settings.steps_of_contact
+    if case.oblique:
+        timestep = min(timestep, STRIDE * balance.plane.longest_edge / case.sliding_speed)
+    flight = Flight(balance, velocity, timestep)
     log = StrikeLog(flight)
     stopped = ""
     with tqdm(total=100, disable=not progress, desc="strike", unit="% of elastic") as bar:
