@@ -16,8 +16,11 @@ from plastigran.fem.material import ElasticPlastic
 from plastigran.fem.settings import Settings
 
 
-def add_metal(command: argparse.ArgumentParser, elastic: bool = False) -> None:
-    """The metal, the radius and --json; with `elastic`, --elastic may stand for --yield."""
+def add_metal(
+    command: argparse.ArgumentParser, elastic: bool = False, radius: float | None = 0.1
+) -> None:
+    """The metal, the radius and --json; with `elastic`, --elastic may stand for --yield; `radius`
+    is its default, without which it must be given."""
     command.add_argument("--young", type=positive, required=True, help="Young's modulus, Pa")
     command.add_argument("--poisson", type=float, required=True, help="Poisson's ratio")
     command.add_argument("--density", type=positive, default=2700.0, help="kg/m3, default 2700")
@@ -26,11 +29,19 @@ def add_metal(command: argparse.ArgumentParser, elastic: bool = False) -> None:
         "--yield", type=positive, dest="yield_strength", help="yield strength, Pa"
     )
     if elastic:
-        strength.add_argument("--elastic", action="store_true", help="the sphere does not yield")
+        strength.add_argument("--elastic", action="store_true", help="nothing yields")
     command.add_argument(
         "--hardening", type=float, default=0.0, help="plastic modulus d sigma/d eps_p, Pa"
     )
-    command.add_argument("--radius", type=positive, default=0.1, help="m, default 0.1")
+    said = "m" if radius is None else f"m, default {radius:g}"
+    command.add_argument(
+        "--radius", type=positive, default=radius, required=radius is None, help=said
+    )
+    command.add_argument("--json", action="store_true", help="all numbers, as JSON")
+
+
+def add_strain(command: argparse.ArgumentParser) -> None:
+    """--finite-strain."""
     command.add_argument(
         "--finite-strain",
         action="store_const",
@@ -39,7 +50,6 @@ def add_metal(command: argparse.ArgumentParser, elastic: bool = False) -> None:
         dest="strain",
         help="for contacts wider than a tenth of the radius; takes three times as long",
     )
-    command.add_argument("--json", action="store_true", help="all numbers, as JSON")
 
 
 def metal(arguments: argparse.Namespace) -> ElasticPlastic:

@@ -12,7 +12,7 @@ import attrs
 import numpy as np
 
 from plastigran.fem.body import Body
-from plastigran.fem.edges import Edges
+from plastigran.fem.edges import Edges, contact_edge
 
 PENALTY = 50.0  # stiffness over E*/h, h the length of the edge
 
@@ -28,9 +28,6 @@ class Touch:
         gap: At the Gauss points from the axis outward (n_points,), m.
         pressure: There, over the undeformed area (n_points,), Pa.
         stored: Energy in the penalty, J.
-        radii: Distances of the Gauss points from the axis (n_points,), m; the undeformed ones in
-            small strain.
-        widening: Area of each edge over the undeformed one (n_edges,); 1 in small strain.
     """
 
     force: float
@@ -39,13 +36,25 @@ class Touch:
     gap: np.ndarray
     pressure: np.ndarray
     stored: float
+
+
+@attrs.frozen
+class PlaneTouch(Touch):
+    """Contact with a plane.
+
+    Attributes:
+        radii: Distances of the Gauss points from the axis (n_points,), m; the undeformed ones in
+            small strain.
+        widening: Area of each edge over the undeformed one (n_edges,); 1 in small strain.
+    """
+
     radii: np.ndarray
     widening: np.ndarray
 
     @property
     def contact_radius(self) -> float:
-        """m."""
-        return contact_radius(self.gap, self.radii)
+        """Where the gap opens, m."""
+        return contact_edge(self.radii, self.gap)
 
 
 class RigidPlane:
@@ -80,7 +89,7 @@ class RigidPlane:
         self._ends = body.locations[0, self._radial[:, :2]]
         self._follows = body.kinematics.follows
 
-    def touch(self, displacement: np.ndarray, height: float) -> Touch:
+    def touch(self, displacement: np.ndarray, height: float) -> PlaneTouch:
         """Contact at displacements (size,), m, over a plane at `height`, m."""
         moved = (self._shapes @ displacement[self.dofs][:, :, None])[:, :, 0]
         gap = self._heights + moved - height
@@ -92,7 +101,7 @@ class RigidPlane:
         )
         closed = self._stiffness * self._areas * (gap < 0)
         stiffness = np.einsum("eq,eqn,eqm->enm", closed, self._shapes, self._shapes)
-        return Touch(
+        return PlaneTouch(
             float(np.sum(pressure * self._areas)),
             nodal,
             stiffness,
@@ -111,35 +120,11 @@ class RigidPlane:
         area, undeformed = (np.abs(np.diff(r**2, axis=1)[:, 0]) for r in (ends, self._ends))
         return self.radii + outward, area / undeformed
 
-    def profile(self, touch: Touch) -> tuple[np.ndarray, np.ndarray]:
-        """Mean radius and mean pressure of each edge. Within an edge the penalty's pressure sways
-        about its mean by some per cent, for the edge is a parabola and the plane is stiff."""
-        areas = self._areas / self._areas.sum(axis=1, keepdims=True)
-        radii, pressures = (array.reshape(areas.shape) for array in (touch.radii, touch.pressure))
-        return (radii * areas).sum(axis=1), (pressures * areas).sum(axis=1) / touch.widening
+    def profile(self, touch: PlaneTouch) -> tuple[np.ndarray, np.ndarray]:
+        """Mean radius and mean pressure of each edge."""
+        mean = self._edges.mean
+        return mean(touch.radii), mean(touch.pressure) / touch.widening
 
     def spread(self, stiffness: np.ndarray) -> np.ndarray:
         """Forces (size,) that edge stiffnesses give to a plane raised by one, N/m."""
         return np.bincount(self.dofs.ravel(), stiffness.sum(axis=2).ravel(), minlength=self._size)
-
-
-def contact_radius(gap: np.ndarray, radii: np.ndarray) -> float:
-    """Where the gap opens, m: past a contact's edge it grows as (r - a)^(3/2), so its power 2/3
-    through the first two open points is drawn back to zero.
-
-    Args:
-        gap: At points from the axis outward (n,), m.
-        radii: Their distances from the axis (n,), m.
-    """
-    closed = np.flatnonzero(gap < 0)
-    if closed.size == 0:
-        return 0.0
-    first = closed[-1] + 1
-    if first + 1 >= gap.size:
-        return float(radii[-1])
-    inner, outer = gap[first : first + 2] ** (2 / 3)
-    left, right = radii[first : first + 2]
-    if outer <= inner:
-        return float(left)
-    edge = left - inner * (right - left) / (outer - inner)
-    return float(max(edge, radii[first - 1]))

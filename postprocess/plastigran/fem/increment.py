@@ -61,7 +61,7 @@ class Equations:
         body = self.body
         displacement = np.zeros(body.size)
         response = self._respond(displacement, State.virgin(body.points))
-        return Equilibrium(displacement, 0.0, response, self.plane.touch(displacement, 0.0))
+        return Equilibrium(displacement, 0.0, response, self._touch(displacement, None))
 
     def press(self, start: Equilibrium, guess: tuple[np.ndarray, float], force: float):
         """Equilibrium of a held body that the plane presses with `force`, N.
@@ -137,12 +137,12 @@ class Equations:
         Raises:
             NoConvergence: It finds none.
         """
-        body, plane = self.body, self.plane
+        body = self.body
         factor = 4 / inertia.timestep**2
         displacement = guess
         for iteration in range(ITERATIONS):
             response = self._respond(displacement, start.response.state, inertia.timestep)
-            touch = plane.touch(displacement, start.height)
+            touch = self._touch(displacement, start)
             inertial = factor * (body.mass_matrix @ (displacement - inertia.predicted))
             internal = body.internal_force(displacement, response.stress)
             residual = internal - touch.nodal + inertial
@@ -150,7 +150,18 @@ class Equations:
             scale = max(np.max(np.abs(part)) for part in (touch.nodal, internal, inertial))
             if np.max(np.abs(residual)) <= TOLERANCE * scale:
                 return Equilibrium(displacement, start.height, response, touch, iteration)
-            matrices = body.stiffness(displacement, response) + factor * body.mass_matrices
-            solved = self._factor([matrices, touch.stiffness]).solve(-residual)
+            matrices = self._matrices(displacement, response, touch, factor)
+            solved = self._factor(matrices).solve(-residual)
             displacement = displacement + solved
         raise NoConvergence(f"no balance of forces in {ITERATIONS} iterations")
+
+    def _touch(self, displacement: np.ndarray, start: Equilibrium | None) -> Touch:
+        return self.plane.touch(displacement, 0.0 if start is None else start.height)
+
+    def _matrices(
+        self, displacement: np.ndarray, response: Response, touch: Touch, factor: float
+    ) -> list[np.ndarray]:
+        """Of the elements and of the edges in contact, with `factor` times the masses."""
+        body = self.body
+        stiffness = body.stiffness(displacement, response)
+        return [stiffness + factor * body.mass_matrices, touch.stiffness]

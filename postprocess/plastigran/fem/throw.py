@@ -42,12 +42,11 @@ class Motion:
 
 
 class Flight:
-    """Time steps of a body over a plane."""
+    """Time steps of a body in contact."""
 
-    def __init__(self, equations: Equations, speed: float, timestep: float) -> None:
+    def __init__(self, equations: Equations, velocity: np.ndarray, timestep: float) -> None:
         self.equations, self.timestep = equations, timestep
-        body = equations.body
-        self.now = Motion(0.0, equations.at_rest(), -speed * body.upward, np.zeros(body.size))
+        self.now = Motion(0.0, equations.at_rest(), velocity, np.zeros(velocity.size))
         self._step = FIRST_STEP * timestep
         self._change: tuple[np.ndarray, float] | None = None
 
@@ -114,7 +113,8 @@ def throw(
     body = Body(mesh, material, kinematics=settings.kinematics)
     plane = RigidPlane(body, radius, min(2 * reach, 0.9 * radius), settings.penalty)
     duration = sphere.duration(speed)
-    flight = Flight(Equations(body, plane), speed, duration / settings.steps_of_contact)
+    timestep = duration / settings.steps_of_contact
+    flight = Flight(Equations(body, plane), -speed * body.upward, timestep)
     rows, free, stopped = [_row(flight)], 0, ""
     with tqdm(total=100, disable=not progress, desc="throw", unit="% of Hertz") as bar:
         while free < STEPS_FREE and not stopped:

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""`plastigran fem`: one sphere on a rigid plane by finite elements, pressed or thrown."""
+"""`plastigran fem`: one sphere on a rigid plane by finite elements, pressed or thrown, or a rigid
+cylinder that strikes a body."""
 
 from __future__ import annotations
 
@@ -8,16 +9,17 @@ import json
 import sys
 
 from plastigran.cli.arguments import positive
-from plastigran.cli.metal import add_metal, computed, metal
+from plastigran.cli.cylinder import add_cylinder, cylinder
+from plastigran.cli.metal import add_metal, add_strain, computed, metal
 from plastigran.fem.hertz import HertzSphere
 from plastigran.fem.press import press
 from plastigran.fem.throw import throw
 
-HELP = "a sphere on a rigid plane by finite elements, pressed or thrown"
+HELP = "a sphere on a rigid plane, or a rigid cylinder on a body, by finite elements"
 
 
 def add_arguments(command: argparse.ArgumentParser) -> None:
-    kinds = command.add_subparsers(dest="kind", required=True, metavar="press|throw")
+    kinds = command.add_subparsers(dest="kind", required=True, metavar="press|throw|cylinder")
     slow = kinds.add_parser("press", help="press the sphere slowly, and let it go")
     add_metal(slow)
     slow.add_argument(
@@ -30,11 +32,17 @@ def add_arguments(command: argparse.ArgumentParser) -> None:
     fast = kinds.add_parser("throw", help="throw the sphere at the plane")
     add_metal(fast, elastic=True)
     fast.add_argument("--speed", type=positive, required=True, help="m/s")
+    for command in (slow, fast):
+        add_strain(command)
+    add_cylinder(kinds.add_parser("cylinder", help="let a rigid cylinder strike a body"))
 
 
 def run(arguments: argparse.Namespace) -> None:
-    sphere = HertzSphere(metal(arguments), arguments.radius)
-    numbers = {"press": _press, "throw": _throw}[arguments.kind](sphere, arguments)
+    if arguments.kind == "cylinder":
+        numbers = cylinder(arguments)
+    else:
+        sphere = HertzSphere(metal(arguments), arguments.radius)
+        numbers = {"press": _press, "throw": _throw}[arguments.kind](sphere, arguments)
     if arguments.json:
         print(json.dumps(numbers))
         return
