@@ -62,12 +62,12 @@ def force_of_impact(sphere: HertzSphere, speed: float) -> tuple[float, float]:
     return force, contact_reach(sphere, force)
 
 
-def check_speed(sphere: HertzSphere, speed: float) -> None:
+def check_speed(sphere: HertzSphere, speed: float, largest: float = LARGEST) -> None:
     """Refuse a speed that cannot be thrown.
 
     Raises:
         ValueError: It is not positive and finite, faster than a tenth of the speed of sound, or
-            the contact becomes wider than LARGEST times the radius.
+            the contact becomes wider than `largest` times the radius.
     """
     if not 0 < speed or not isfinite(speed):
         raise ValueError(f"speed is {speed:g} m/s; it must be positive and finite")
@@ -77,19 +77,19 @@ def check_speed(sphere: HertzSphere, speed: float) -> None:
             f"speed is {speed:g} m/s; it must be below {SUBSONIC:g} of the speed of sound in the "
             f"metal, {sound:.4g} m/s (are the units Pa and kg/m3?)"
         )
-    check_reach(sphere, force_of_impact(sphere, speed)[1], f"a speed of {speed:g} m/s")
+    check_reach(sphere, force_of_impact(sphere, speed)[1], f"a speed of {speed:g} m/s", largest)
 
 
-def check_reach(sphere: HertzSphere, reach: float, cause: str) -> None:
+def check_reach(sphere: HertzSphere, reach: float, cause: str, largest: float = LARGEST) -> None:
     """Warn of, or refuse, a contact too wide for the method.
 
     Raises:
-        ValueError: It is wider than LARGEST times the radius.
+        ValueError: It is wider than `largest` times the radius.
     """
     ratio = reach / sphere.radius
-    if ratio > LARGEST:
+    if ratio > largest:
         raise ValueError(
-            f"{cause} makes a contact of about {ratio:.2g} of the radius; up to {LARGEST:g} can be "
+            f"{cause} makes a contact of about {ratio:.2g} of the radius; up to {largest:g} can be "
             "computed (are the units Pa, kg/m3, m?)"
         )
     if ratio > SMALL_STRAIN:

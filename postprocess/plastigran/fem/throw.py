@@ -158,7 +158,7 @@ def _summary(
     force, time, approach = (history[name].to_numpy() for name in ("force", "time", "approach"))
     touching = np.flatnonzero(force > 0)
     last = touching[-1]
-    end = _end_of_contact(time[: last + 2], force[: last + 2])
+    end = end_of_contact(time[: last + 2], force[: last + 2])
     return Throw(
         material=material,
         radius=radius,
@@ -174,7 +174,7 @@ def _summary(
     )
 
 
-def _end_of_contact(time: np.ndarray, force: np.ndarray) -> float:
+def end_of_contact(time: np.ndarray, force: np.ndarray) -> float:
     """When the force reaches zero, within the last step: its power 2/3 falls linearly."""
     if len(force) < 3:
         return float(time[-1])
