@@ -73,13 +73,25 @@ def subplot_mosaic(
     return figure, figure.subplot_mosaic(mosaic)
 
 
-def save(figure: Figure, path: Path, suffixes: tuple[str, ...] = (".png", ".svg")) -> list[Path]:
-    """Write a figure, as PNG and SVG beside each other unless told otherwise; returns the paths."""
+def save(
+    figure: Figure,
+    path: Path,
+    suffixes: tuple[str, ...] = (".png", ".svg"),
+    resolution: int = 160,
+) -> list[Path]:
+    """Write a figure, as PNG and SVG beside each other unless told otherwise; returns the paths.
+
+    Args:
+        figure: What is written.
+        path: Where, whatever its suffix.
+        suffixes: Of the files.
+        resolution: Of pictures of dots, dots an inch.
+    """
     path.parent.mkdir(parents=True, exist_ok=True)
     written = []
     for suffix in suffixes:
         written.append(path.with_suffix(suffix))
         metadata = {"Date": None} if suffix == ".svg" else None
         with styled():  # its salt makes the same figure the same file
-            figure.savefig(written[-1], dpi=160, metadata=metadata)
+            figure.savefig(written[-1], dpi=resolution, metadata=metadata)
     return written

@@ -1,0 +1,66 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Independent computations by finite elements, side by side and kept on disk."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Hashable, Mapping
+from concurrent.futures import ProcessPoolExecutor, as_completed
+from multiprocessing import get_context
+from typing import Any, TypeVar
+
+import attrs
+from tqdm import tqdm
+
+from plastigran.fem.cache import cached
+
+Key = TypeVar("Key", bound=Hashable)
+
+
+@attrs.frozen
+class Computation:
+    """A call `compute(*arguments, settings, progress)` as `plastigran.fem.cache.cached` takes it.
+
+    Attributes:
+        compute: A function of a module, such as `plastigran.fem.throw.throw`.
+        arguments: Positional.
+        settings: How fine; None for the defaults.
+    """
+
+    compute: Callable[..., Any]
+    arguments: tuple[object, ...]
+    settings: Any = None
+
+    def run(self) -> Any:
+        return cached(self.compute, *self.arguments, settings=self.settings)
+
+
+def compute_all(computations: Mapping[Key, Computation], progress: bool = False) -> dict[Key, Any]:
+    """Results by the computations' names, a process a core.
+
+    Args:
+        computations: By name; the longest first uses the cores best.
+        progress: Show a bar.
+
+    Raises:
+        ValueError: One found no equilibrium, or gave up before its end; the message names it.
+    """
+    found: dict[Key, Any] = {}
+    # Not forked: this process may have threads.
+    pool = ProcessPoolExecutor(os.cpu_count(), mp_context=get_context("forkserver"))
+    waiting = {pool.submit(each.run): name for name, each in computations.items()}
+    bar = tqdm(total=len(waiting), disable=not progress, desc="finite elements")
+    try:
+        for done in as_completed(waiting):
+            name = waiting[done]
+            try:
+                found[name] = done.result()
+            except ArithmeticError as error:
+                raise ValueError(f"finite elements, {name}: {error}") from None
+            if stopped := getattr(found[name], "stopped", ""):
+                raise ValueError(f"finite elements, {name}: {stopped}")
+            bar.update()
+    finally:
+        pool.shutdown(wait=True, cancel_futures=True)
+        bar.close()
+    return {name: found[name] for name in computations}
