@@ -21,9 +21,7 @@ def add_metal(
 ) -> None:
     """The metal, the radius and --json; with `elastic`, --elastic may stand for --yield; `radius`
     is its default, without which it must be given."""
-    command.add_argument("--young", type=positive, required=True, help="Young's modulus, Pa")
-    command.add_argument("--poisson", type=float, required=True, help="Poisson's ratio")
-    command.add_argument("--density", type=positive, default=2700.0, help="kg/m3, default 2700")
+    add_elastic(command, radius)
     strength = command.add_mutually_exclusive_group(required=True)
     strength.add_argument(
         "--yield", type=positive, dest="yield_strength", help="yield strength, Pa"
@@ -33,6 +31,13 @@ def add_metal(
     command.add_argument(
         "--hardening", type=float, default=0.0, help="plastic modulus d sigma/d eps_p, Pa"
     )
+
+
+def add_elastic(command: argparse.ArgumentParser, radius: float | None = 0.1) -> None:
+    """An elastic material, the radius and --json."""
+    command.add_argument("--young", type=positive, required=True, help="Young's modulus, Pa")
+    command.add_argument("--poisson", type=float, required=True, help="Poisson's ratio")
+    command.add_argument("--density", type=positive, default=2700.0, help="kg/m3, default 2700")
     said = "m" if radius is None else f"m, default {radius:g}"
     command.add_argument(
         "--radius", type=positive, default=radius, required=radius is None, help=said
@@ -53,13 +58,13 @@ def add_strain(command: argparse.ArgumentParser) -> None:
 
 
 def metal(arguments: argparse.Namespace) -> ElasticPlastic:
-    """The metal of `add_metal`'s arguments.
+    """The metal of `add_metal`'s or `add_elastic`'s arguments.
 
     Raises:
         ValueError: A number out of range.
     """
     hardening = None
-    if arguments.yield_strength is not None:
+    if getattr(arguments, "yield_strength", None) is not None:
         hardening = LinearHardening(arguments.yield_strength, arguments.hardening)
     return ElasticPlastic(
         youngs_modulus=arguments.young,
