@@ -91,6 +91,16 @@ class Body:
         """Number of Gauss points."""
         return self.volumes.size
 
+    @property
+    def vertices(self) -> np.ndarray:
+        """(r, y) of the elements' corners, undeformed (n_vertices, 2), m."""
+        return self.mesh.p[:, : self.mesh.nvertices].T
+
+    @property
+    def quads(self) -> np.ndarray:
+        """Corners of each element (n_elements, 4)."""
+        return self.mesh.t[:4].T
+
     def respond(self, displacement: np.ndarray, state: State, duration: float = np.inf) -> Response:
         """What the material answers after an increment to displacements (size,), m, that lasts
         `duration` seconds.

@@ -14,6 +14,7 @@ import numpy as np
 from plastigran.fem.body import Body
 from plastigran.fem.edges import Edges, contact_edge
 
+EDGE_NODES = 3  # of an edge of the sphere, the first of each of a contact's edges
 PENALTY = 50.0  # stiffness over E*/h, h the length of the edge
 
 
@@ -114,7 +115,7 @@ class RigidPlane:
     def _place(self, displacement: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Radii of the Gauss points, and areas of the edges over the undeformed ones."""
         if not self._follows:
-            return self.radii, np.ones(len(self.dofs))
+            return self.radii, np.ones(len(self._edges.lengths))
         outward = (self._shapes @ displacement[self._radial][:, :, None]).ravel()
         ends = self._ends + displacement[self._radial[:, :2]]
         area, undeformed = (np.abs(np.diff(r**2, axis=1)[:, 0]) for r in (ends, self._ends))
@@ -126,5 +127,7 @@ class RigidPlane:
         return mean(touch.radii), mean(touch.pressure) / touch.widening
 
     def spread(self, stiffness: np.ndarray) -> np.ndarray:
-        """Forces (size,) that edge stiffnesses give to a plane raised by one, N/m."""
-        return np.bincount(self.dofs.ravel(), stiffness.sum(axis=2).ravel(), minlength=self._size)
+        """Forces (size,) by edge stiffnesses when the plane rises by one, as when the sphere's edge
+        sinks by one, N/m."""
+        forces = stiffness[:, :, :EDGE_NODES].sum(axis=2)
+        return np.bincount(self.dofs.ravel(), forces.ravel(), minlength=self._size)

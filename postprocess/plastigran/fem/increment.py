@@ -111,7 +111,7 @@ class Equations:
         column = self.plane.spread(contact)
         factor = self._factor([stiffness, contact])
         by_force, by_height = factor.solve(np.column_stack([right, column])).T
-        support = column.sum() - column @ by_height
+        support = (self.body.upward * column).sum() - column @ by_height
         if not support > 0:
             raise NoConvergence("the contact opens")
         rise = (excess + column @ by_force) / support

@@ -25,7 +25,7 @@ def contact_reach(sphere: HertzSphere, force: float) -> float:
     elastic = sphere.contact_radius(force)
     if force <= sphere.yield_force:
         return elastic
-    strength = sphere.material.hardening.yield_strength
+    strength = sphere.yielding.hardening.yield_strength
     ratio = (force / sphere.yield_force) ** (1 / 3)
     # Fit to perfectly plastic spheres, within 1 % up to 600 times the force at yield.
     plastic = sphere.contact_radius(sphere.yield_force) * (

@@ -62,8 +62,8 @@ def snapshot(body: Body, plane: RigidPlane, state: Equilibrium) -> Snapshot:
         body.positions.reshape(-1, 2),
         mises_stress(state.response.stress),
         state.response.state.accumulated,
-        body.mesh.p[:, : body.mesh.nvertices].T,
-        body.mesh.t[:4].T,
+        body.vertices,
+        body.quads,
         state.displacement[body.vertex_dofs],
     )
 

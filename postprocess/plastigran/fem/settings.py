@@ -6,6 +6,7 @@ from __future__ import annotations
 import attrs
 
 from plastigran.declared import number, whole, word
+from plastigran.fem.block import HalfBlock
 from plastigran.fem.contact import PENALTY
 from plastigran.fem.hertz import HertzSphere
 from plastigran.fem.kinematics import KINEMATICS, Kinematics
@@ -39,15 +40,29 @@ class Settings:
 
     def mesh(self, sphere: HertzSphere, reach: float, whole: bool) -> SphereMesh:
         """The mesh for contacts up to the radius `reach`, m."""
-        core = CORE_OVER_REACH * reach
-        if sphere.material.hardening is not None:
-            yield_radius = sphere.contact_radius(sphere.yield_force)
-            core = min(core, CORE_OVER_YIELD * yield_radius)
         return SphereMesh(
             radius=sphere.radius,
-            core=core,
+            core=_core(sphere, reach),
             reach=reach,
             divisions=self.divisions,
             fineness=self.fineness,
             whole=whole,
         )
+
+    def block(self, sphere: HertzSphere, reach: float, size: float) -> HalfBlock:
+        """The mesh of the half space under the sphere, down to `size`, m."""
+        return HalfBlock(
+            core=_core(sphere, reach),
+            reach=reach,
+            size=size,
+            divisions=self.divisions,
+            fineness=self.fineness,
+        )
+
+
+def _core(sphere: HertzSphere, reach: float) -> float:
+    """Radius inside which elements are equally fine, m."""
+    core = CORE_OVER_REACH * reach
+    if sphere.yielding is None:
+        return core
+    return min(core, CORE_OVER_YIELD * sphere.contact_radius(sphere.yield_force))
