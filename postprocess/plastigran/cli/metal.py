@@ -57,6 +57,50 @@ def add_strain(command: argparse.ArgumentParser) -> None:
     )
 
 
+def add_plane(command: argparse.ArgumentParser) -> None:
+    """The metal of a half space under the sphere, which is rigid without."""
+    for name, kind, said in (
+        ("young", positive, "Young's modulus, Pa, of a half space; without it the plane is rigid"),
+        ("poisson", float, "its Poisson's ratio, default that of the sphere"),
+        ("density", positive, "kg/m3, default that of the sphere"),
+        ("yield", positive, "its yield strength, Pa; without it the half space does not yield"),
+        ("hardening", float, "its plastic modulus, Pa, default 0"),
+    ):
+        command.add_argument(f"--plane-{name}", type=kind, help=said)
+
+
+def plane(arguments: argparse.Namespace) -> ElasticPlastic | None:
+    """The metal of `add_plane`'s arguments; None where the plane is rigid.
+
+    Raises:
+        ValueError: A number out of range, or numbers of a half space without Young's modulus.
+    """
+    given = {
+        name: getattr(arguments, f"plane_{name}", None)
+        for name in ("young", "poisson", "density", "yield", "hardening")
+    }
+    if given["young"] is None:
+        for name, value in given.items():
+            if value is not None:
+                raise ValueError(f"--plane-{name} is {value:g}; it needs --plane-young")
+        return None
+    if given["hardening"] is not None and given["yield"] is None:
+        raise ValueError(f"--plane-hardening is {given['hardening']:g}; it needs --plane-yield")
+    hardening = None
+    if given["yield"] is not None:
+        hardening = LinearHardening(given["yield"], given["hardening"] or 0.0)
+
+    def own(name: str) -> float:
+        return getattr(arguments, name) if given[name] is None else given[name]
+
+    return ElasticPlastic(
+        youngs_modulus=given["young"],
+        poissons_ratio=own("poisson"),
+        density=own("density"),
+        hardening=hardening,
+    )
+
+
 def metal(arguments: argparse.Namespace) -> ElasticPlastic:
     """The metal of `add_metal`'s or `add_elastic`'s arguments.
 
@@ -74,14 +118,15 @@ def metal(arguments: argparse.Namespace) -> ElasticPlastic:
     )
 
 
-def computed(compute: Callable, *arguments: object, strain: str = "small"):
+def computed(compute: Callable, *arguments: object, strain: str = "small", **named: object):
     """Result of a computation, from the cache if it is there; warnings, and why it stopped early,
     go to stderr.
 
     Args:
-        compute: The function, which takes settings and progress last.
+        compute: The function, which takes settings and progress after its arguments.
         arguments: Its own.
         strain: "small" or "finite".
+        named: Its own by name, after settings and progress.
 
     Raises:
         ValueError: It cannot begin.
@@ -90,7 +135,11 @@ def computed(compute: Callable, *arguments: object, strain: str = "small"):
         warnings.simplefilter("always", SmallStrainWarning)
         try:
             result = cached(
-                compute, *arguments, settings=Settings(strain=strain), progress=sys.stderr.isatty()
+                compute,
+                *arguments,
+                settings=Settings(strain=strain),
+                progress=sys.stderr.isatty(),
+                **named,
             )
         except ArithmeticError as error:
             raise ValueError(str(error)) from None
