@@ -2,8 +2,10 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Press a sphere with plastigran.fem and with FElupe, and print how far they are apart.
 
-    .venv/bin/pip install --editable '.[independent]'
+    .venv/bin/pip install felupe==11.3.0     # the extra `independent` of this package
     .venv/bin/python benchmarks/independent_finite_elements.py small finite
+
+It takes some minutes on one core.
 
 FElupe (GPL-3, another author's) has its own elements, assembly, contact at the nodes and Newton's
 method; in small strain its own metal too. In finite strain it is given a metal of the other theory:
@@ -16,9 +18,9 @@ from __future__ import annotations
 import argparse
 import warnings
 from math import pi
+from types import ModuleType
 
 import attrs
-import felupe
 import numpy as np
 import pandas as pd
 
@@ -110,6 +112,8 @@ class FiniteMetal:
 
 def by_felupe(case: Case, approaches: np.ndarray) -> np.ndarray:
     """Forces, N, at approaches of the plane, m."""
+    import felupe  # only here: nothing else needs it
+
     sphere = HertzSphere(case.material, RADIUS)
     reach = contact_reach(sphere, case.force)
     source = case.settings.mesh(sphere, reach, whole=False).build()
@@ -122,7 +126,7 @@ def by_felupe(case: Case, approaches: np.ndarray) -> np.ndarray:
     mesh.add_points([0.0, 0.0])  # carries the plane
     region = felupe.RegionQuadraticQuad(mesh, quadrature=felupe.GaussLegendre(order=1, dim=2))
     field = felupe.FieldContainer([felupe.FieldAxisymmetric(region, dim=2)])
-    solid = felupe.SolidBody(_metal(case), field)
+    solid = felupe.SolidBody(_metal(felupe, case), field)
     height, radius = mesh.points.T
     surface = (np.abs(np.hypot(radius, height - RADIUS) - RADIUS) < 1e-9) & (radius < 2 * reach)
     surface[-1] = False
@@ -141,17 +145,16 @@ def by_felupe(case: Case, approaches: np.ndarray) -> np.ndarray:
     }
     step = felupe.Step([solid, contact], ramp={held["plane"]: approaches}, boundaries=held)
     forces = []
-    felupe.Job([step], callback=lambda *_: forces.append(_force(contact))).evaluate(
-        verbose=0, tol=1e-6
-    )
+
+    def note(*_: object) -> None:
+        nodal = contact.results.force.toarray().reshape(-1, 2)
+        forces.append(abs(float(nodal[-1, 0])))
+
+    felupe.Job([step], plugins=[note]).evaluate(verbose=0, tol=1e-6)
     return np.array(forces)
 
 
-def _force(contact: felupe.ContactRigidPlane) -> float:
-    return abs(float(contact.results.force.toarray().reshape(-1, 2)[-1, 0]))
-
-
-def _metal(case: Case):
+def _metal(felupe: ModuleType, case: Case):
     material = case.material
     modulus, ratio = material.youngs_modulus, material.poissons_ratio
     if material.hardening is None:
