@@ -78,6 +78,7 @@ def test_indentation_pressure_is_of_the_order_of_the_expanding_cavity(indentatio
 
 
 def test_indentation_leaves_a_dent_and_dissipates(indentation):
+    assert indentation.plane == METAL
     top = indentation.unloadings.iloc[0]
     assert 0.3 * top["approach"] < top["residual_approach"] < top["approach"]
     assert 0.6 < top["coefficient_of_restitution"] < 0.9

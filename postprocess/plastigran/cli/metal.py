@@ -53,7 +53,7 @@ def add_strain(command: argparse.ArgumentParser) -> None:
         const="finite",
         default="small",
         dest="strain",
-        help="for contacts wider than a tenth of the radius; takes three times as long",
+        help="for contacts wider than a tenth of the radius; takes up to twice as long",
     )
 
 

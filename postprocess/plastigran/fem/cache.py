@@ -61,7 +61,7 @@ def _key(
     settings: Settings,
     named: dict[str, object],
 ) -> str:
-    others = [(name, _plain(value)) for name, value in sorted(named.items())]
+    others = [(name, _plain(value)) for name, value in sorted(named.items()) if value is not None]
     said = [compute.__qualname__, *map(_plain, arguments), _plain(settings), others, _sources()]
     return sha256(repr(said).encode()).hexdigest()[:32]
 

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from plastigran.fem.body import Body
 from plastigran.fem.contact import PENALTY, RigidPlane
 from plastigran.fem.edges import Edges
 from plastigran.fem.pair import Pair
@@ -45,7 +46,7 @@ class HalfSpace(RigidPlane):
         self._size = pair.size
 
 
-def _nodes_under(edges: Edges, radii: np.ndarray, block) -> tuple[np.ndarray, np.ndarray]:
+def _nodes_under(edges: Edges, radii: np.ndarray, block: Body) -> tuple[np.ndarray, np.ndarray]:
     """Vertical degrees of freedom and shape functions (n, 3) of a straight surface's edges at
     radii (n,), m."""
     ends = block.locations[0, edges.dofs[:, :2, 0]]

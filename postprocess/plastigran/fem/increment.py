@@ -10,6 +10,7 @@ from plastigran.fem.body import Body
 from plastigran.fem.contact import RigidPlane, Touch
 from plastigran.fem.linear import SingularError, SymmetricSystem
 from plastigran.fem.material import Response, State
+from plastigran.fem.pair import Pair
 from plastigran.fem.stretch import InvertedError
 
 ITERATIONS = 16
@@ -51,7 +52,7 @@ class Inertia:
 class Equations:
     """Balance of forces of a body over a plane."""
 
-    def __init__(self, body: Body, plane: RigidPlane) -> None:
+    def __init__(self, body: Body | Pair, plane: RigidPlane) -> None:
         self.body, self.plane = body, plane
         self._fixed = body.held
         self._system = SymmetricSystem([body.dofs, plane.dofs], body.size, self._fixed)

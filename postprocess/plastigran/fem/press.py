@@ -128,7 +128,8 @@ def press(
             stopped = str(error)
     history = pd.DataFrame(path.rows)
     unloadings = [unloading(history, branch) for branch in range(1, len(snapshots), 2)]
-    return Pressing(material, radius, history, pd.DataFrame(unloadings), snapshots, stopped)
+    table = pd.DataFrame(unloadings)
+    return Pressing(material, radius, history, table, snapshots, stopped, plane)
 
 
 def loading_ladders(

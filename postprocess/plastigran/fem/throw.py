@@ -133,7 +133,7 @@ def throw(
                 stopped = f"the contact has not ended after {flight.now.time:g} s"
     if len(rows) == 1:
         raise NoConvergence(stopped)
-    return _summary(material, radius, speed, pd.DataFrame(rows), fields, flight, stopped)
+    return _summary(sphere, speed, pd.DataFrame(rows), fields, flight, stopped)
 
 
 def _row(flight: Flight) -> dict[str, float]:
@@ -155,8 +155,7 @@ def _row(flight: Flight) -> dict[str, float]:
 
 
 def _summary(
-    material: ElasticPlastic,
-    radius: float,
+    sphere: HertzSphere,
     speed: float,
     history: pd.DataFrame,
     fields: dict[float, Snapshot],
@@ -168,8 +167,9 @@ def _summary(
     last = touching[-1]
     end = end_of_contact(time[: last + 2], force[: last + 2])
     return Throw(
-        material=material,
-        radius=radius,
+        material=sphere.material,
+        radius=sphere.radius,
+        plane=sphere.plane,
         speed=speed,
         history=history,
         coefficient_of_restitution=nan if stopped else history["velocity"].iloc[-1] / speed,
