@@ -28,6 +28,7 @@ class Body:
         section: What the mesh stands for, out of its plane.
         dofs: Degrees of freedom of each element (n_elements, 16), r and y of each node in turn.
         size: Number of degrees of freedom.
+        vertex_dofs: Degrees of freedom of the elements' corners, r and y (n_vertices, 2).
         positions: Of the Gauss points (n_elements, 4, 2), m.
         volumes: Of the Gauss points, over the section (n_elements, 4), m3.
         elastic_stiffness: Of each element (n_elements, 16, 16), N/m.
@@ -47,6 +48,7 @@ class Body:
         vector = Basis(mesh, ElementVector(ElementQuadS2()), intorder=STIFFNESS_ORDER)
         scalar = vector.with_element(ElementQuadS2())
         self.dofs = np.ascontiguousarray(vector.element_dofs.T)
+        self.vertex_dofs = vector.nodal_dofs.T.copy()
         self.size = vector.N
         self.locations = vector.doflocs
         radius, height = scalar.global_coordinates()

@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+from math import nan
+
 import attrs
 import numpy as np
 import pandas as pd
@@ -26,6 +28,9 @@ class Snapshot:
         positions: (r, y) of the Gauss points (points, 2), m.
         mises: Von Mises stress there, Pa.
         plastic_strain: Accumulated plastic strain there.
+        vertices: (r, y) of the elements' corners, undeformed (n_vertices, 2), m.
+        quads: Corners of each element (n_elements, 4); its Gauss points are four in turn.
+        displacement: Of the corners (n_vertices, 2), m.
     """
 
     force: float
@@ -34,6 +39,9 @@ class Snapshot:
     positions: np.ndarray
     mises: np.ndarray
     plastic_strain: np.ndarray
+    vertices: np.ndarray
+    quads: np.ndarray
+    displacement: np.ndarray
 
 
 def energies(body: Body, state: Equilibrium) -> dict[str, float]:
@@ -56,6 +64,9 @@ def snapshot(body: Body, plane: RigidPlane, state: Equilibrium) -> Snapshot:
         body.positions.reshape(-1, 2),
         mises_stress(state.response.stress),
         state.response.state.accumulated,
+        body.mesh.p[:, : body.mesh.nvertices].T,
+        body.mesh.t[:4].T,
+        state.displacement[body.vertex_dofs],
     )
 
 
@@ -114,13 +125,15 @@ class Throw:
         radius: m.
         speed: m/s.
         history: One row for each step: time s, force N, approach m (of the centre of mass),
-            velocity m/s (of the centre of mass, upward), contact_radius m, energies J.
+            velocity m/s (of the centre of mass, upward), nodal_velocity m/s (mean of the elements'
+            corners, upward), contact_radius m, energies J.
         coefficient_of_restitution: Momentum after over before.
         force_max: N.
         overlap_max: Largest approach, m.
         overlap_res: Approach when contact ends, m.
         contact_time: s.
         snapshot: When contact has ended.
+        snapshots: By time, s; `Settings.frames` of them over Hertz' duration.
         stopped: Why it ended before its end, where restitution and residual are not known; empty
             if it did not.
     """
@@ -135,7 +148,14 @@ class Throw:
     overlap_res: float
     contact_time: float
     snapshot: Snapshot
+    snapshots: dict[float, Snapshot]
     stopped: str = ""
+
+    @property
+    def nodal_restitution(self) -> float:
+        """Restitution by the mean velocity of the elements' corners, each alike, at the end. It
+        holds the vibration left in the sphere, of its finely meshed part most of all."""
+        return nan if self.stopped else float(self.history["nodal_velocity"].iloc[-1] / self.speed)
 
     def to_dict(self) -> dict:
         """Numbers only, for a file."""
@@ -144,6 +164,7 @@ class Throw:
             "speed",
             "stopped",
             "coefficient_of_restitution",
+            "nodal_restitution",
             "force_max",
             "overlap_max",
             "overlap_res",

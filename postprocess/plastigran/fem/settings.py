@@ -26,6 +26,8 @@ class Settings:
     growth: float = number("force of an increment over the last one's", "-", 1, 2, default=1.05)
     unloading_steps: int = whole("increments of an unloading", 4, default=24)
     steps_of_contact: int = whole("time steps over Hertz' duration", 20, default=250)
+    free_steps: int = whole("time steps followed after the contact", 1, default=5)
+    frames: int = whole("fields kept over Hertz' duration of a throw", default=0)
     penalty: float = number("stiffness of the plane over E*/h", "-", 1, 1e5, default=PENALTY)
 
     def mesh(self, sphere: HertzSphere, reach: float, whole: bool) -> SphereMesh:

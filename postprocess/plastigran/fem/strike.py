@@ -25,7 +25,6 @@ from plastigran.fem.settings import Settings
 from plastigran.fem.struck import Strike, StrikeLog, summary
 from plastigran.fem.throw import Flight
 
-STEPS_FREE = 5  # steps without contact before the strike is over
 LONGEST = 4.0  # elastic durations after which a strike that has not ended is given up
 STRIDE = (
     0.3  # of an element that the cylinder slides in a step, at most: Newton finds no way farther
@@ -114,7 +113,7 @@ def strike(
     log = StrikeLog(flight)
     stopped = ""
     with tqdm(total=100, disable=not progress, desc="strike", unit="% of elastic") as bar:
-        while log.free < STEPS_FREE and not stopped:
+        while log.free < settings.free_steps and not stopped:
             try:
                 flight.advance()
             except NoConvergence as error:

@@ -21,13 +21,12 @@ from plastigran.fem.hertz import HertzSphere
 from plastigran.fem.increment import Equations, Equilibrium, Inertia, NoConvergence
 from plastigran.fem.limits import check_speed, force_of_impact
 from plastigran.fem.material import ElasticPlastic
-from plastigran.fem.results import Throw, energies, snapshot
+from plastigran.fem.results import Snapshot, Throw, energies, snapshot
 from plastigran.fem.settings import Settings
 
 FIRST_STEP = 1 / 16  # of the full time step; the contact begins stiffly
 STEP_GROWTH = 1.5
 CUTS = 6  # how often a step is halved before it is given up
-STEPS_FREE = 5  # full steps without contact before the impact is over
 LONGEST = 10.0  # Hertz' durations after which an impact that has not ended is given up
 
 
@@ -114,9 +113,9 @@ def throw(
     duration = sphere.duration(speed)
     timestep = duration / settings.steps_of_contact
     flight = Flight(Equations(body, plane), -speed * body.upward, timestep)
-    rows, free, stopped = [_row(flight)], 0, ""
+    rows, fields, free, stopped = [_row(flight)], {}, 0, ""
     with tqdm(total=100, disable=not progress, desc="throw", unit="% of Hertz") as bar:
-        while free < STEPS_FREE and not stopped:
+        while free < settings.free_steps and not stopped:
             try:
                 flight.advance()
             except NoConvergence as error:
@@ -124,12 +123,14 @@ def throw(
                 continue
             rows.append(_row(flight))
             free = free + 1 if rows[-1]["force"] == 0 else 0
+            if settings.frames and flight.now.time >= len(fields) * duration / settings.frames:
+                fields[flight.now.time] = snapshot(body, plane, flight.now.state)
             bar.update(100 * flight.now.time / duration - bar.n)
             if flight.now.time > LONGEST * duration:
                 stopped = f"the contact has not ended after {flight.now.time:g} s"
     if len(rows) == 1:
         raise NoConvergence(stopped)
-    return _summary(material, radius, speed, pd.DataFrame(rows), flight, stopped)
+    return _summary(material, radius, speed, pd.DataFrame(rows), fields, flight, stopped)
 
 
 def _row(flight: Flight) -> dict[str, float]:
@@ -140,6 +141,7 @@ def _row(flight: Flight) -> dict[str, float]:
         "force": now.state.touch.force,
         "approach": -float(body.upward @ (body.mass_matrix @ now.state.displacement)) / body.mass,
         "velocity": float(body.upward @ momentum) / body.mass,
+        "nodal_velocity": float(now.velocity[body.vertex_dofs[:, 1]].mean()),
         "contact_radius": plane.contact_radius(now.state.touch.gap),
         "kinetic_energy": float(now.velocity @ momentum) / 2,
         **energies(body, now.state),
@@ -152,6 +154,7 @@ def _summary(
     radius: float,
     speed: float,
     history: pd.DataFrame,
+    fields: dict[float, Snapshot],
     flight: Flight,
     stopped: str,
 ) -> Throw:
@@ -170,6 +173,7 @@ def _summary(
         overlap_res=nan if stopped else float(np.interp(end, time, approach)),
         contact_time=nan if stopped else float(end - time[touching[0] - 1]),
         snapshot=snapshot(flight.equations.body, flight.equations.plane, flight.now.state),
+        snapshots=fields,
         stopped=stopped,
     )
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The rigid cylinder of Katta & Polycarpou 2010 on glass: finite elements and both cylinder laws."""
+"""Katta & Polycarpou 2010: a rigid cylinder on glass, finite elements beside both cylinder laws."""
 
 from __future__ import annotations
 

@@ -27,7 +27,11 @@ def restitution_figure(found: Computed) -> Figure:
         figure, grid = subplots(1, len(ratios), figsize=(4.4 * len(ratios), 3.6), squeeze=False)
         for axes, ratio in zip(grid[0], ratios, strict=True):
             for law, colour in zip(LAWS, COLOURS, strict=False):
-                runs = sorted((v, run) for (r, v, name), run in found.runs.items() if (r, name) == (ratio, law))
+                runs = sorted(
+                    (v, run)
+                    for (r, v, name), run in found.runs.items()
+                    if (r, name) == (ratio, law)
+                )
                 values = [run.coefficient_of_restitution for _, run in runs]
                 axes.plot([v for v, _ in runs], values, color=colour, label=title(law))
             marks = {

@@ -1,0 +1,46 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Computations side by side."""
+
+from __future__ import annotations
+
+import attrs
+import pytest
+
+from plastigran.fem.material import ElasticPlastic
+from plastigran.fem.press import press
+from plastigran.fem.settings import Settings
+from plastigran.papers.computing import Computation, compute_all
+
+METAL = ElasticPlastic(youngs_modulus=70e9, poissons_ratio=0.3)
+COARSE = Settings(divisions=3, fineness=0.5, unloading_steps=4)
+
+
+@attrs.frozen
+class Stopped:
+    stopped: str = "no step from here"
+
+
+def give_up(settings, progress):
+    return Stopped()
+
+
+@pytest.fixture(autouse=True)
+def cache_of_its_own(tmp_path, monkeypatch):
+    monkeypatch.setenv("PLASTIGRAN_CACHE", str(tmp_path))
+
+
+def test_results_come_by_name_in_the_order_asked_for_and_are_kept(tmp_path):
+    asked = {
+        force: Computation(press, (METAL, 0.1, [force]), COARSE) for force in (20.0, 10.0, 30.0)
+    }
+    found = compute_all(asked)
+    assert {name: result.history["force"].max() for name, result in found.items()} == {
+        name: pytest.approx(name) for name in asked
+    }
+    assert list(found) == list(asked)
+    assert len(list(tmp_path.glob("press_*.pickle"))) == len(asked)
+
+
+def test_one_that_gives_up_is_named():
+    with pytest.raises(ValueError, match="finite elements, the sphere: no step from here"):
+        compute_all({"the sphere": Computation(give_up, ())})
