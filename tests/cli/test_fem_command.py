@@ -26,6 +26,19 @@ def test_press_below_yield_says_so_and_gives_everything_back(capsys):
     assert unloading["coefficient_of_restitution"] == pytest.approx(1, abs=5e-3)
 
 
+def test_vibrating_sphere_names_its_modes(capsys):
+    line = ["fem", "vibrate", "--young", "6e6", "--poisson", "0.25", "--density", "900"]
+    assert main([*line, "--radius", "0.01", "--speed", "5", "--transits", "12", "--json"]) == 0
+    printed = capsys.readouterr()
+    assert "small strain is good to 0.1" in printed.err
+    numbers = json.loads(printed.out)
+    modes = numbers["modes"]
+    assert (modes["kind"][0], modes["degree"][0]) == ("spheroidal", 2)
+    assert modes["found"] == pytest.approx(modes["frequency"], rel=2e-3)
+    # Wider than a third of the radius, it lasts two periods only: vibration is left.
+    assert 0.98 < numbers["coefficient_of_restitution"] < 0.995
+
+
 @pytest.mark.parametrize(
     ("line", "said"),
     [
@@ -33,6 +46,8 @@ def test_press_below_yield_says_so_and_gives_everything_back(capsys):
         (["fem", "press", *METAL, "--hardening", "-3", "--force-ratio", "3"], "modulus is -3"),
         (["fem", "throw", *METAL, "--speed", "900"], "speed of sound"),
         (["fem", "throw", *METAL, "--speed", "100"], "of the radius; up to 0.4"),
+        (["fem", "vibrate", *METAL[:4], "--speed", "900"], "speed of sound"),
+        (["fem", "vibrate", *METAL[:4], "--speed", "500"], "of the radius; up to 0.5"),
         (["calibrate", "--fem", *METAL, "--range", "1e6"], "of the radius; up to 0.4"),
         (["calibrate", "--fem", *METAL, "--range", "1.2"], "needs 3 times the force at yield"),
     ],

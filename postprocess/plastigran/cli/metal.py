@@ -13,6 +13,7 @@ from plastigran.fem.cache import cached
 from plastigran.fem.hardening import LinearHardening
 from plastigran.fem.limits import SmallStrainWarning
 from plastigran.fem.material import ElasticPlastic
+from plastigran.fem.settings import Settings
 
 
 def add_metal(
@@ -20,9 +21,7 @@ def add_metal(
 ) -> None:
     """The metal, the radius and --json; with `elastic`, --elastic may stand for --yield; `radius`
     is its default, without which it must be given."""
-    command.add_argument("--young", type=positive, required=True, help="Young's modulus, Pa")
-    command.add_argument("--poisson", type=float, required=True, help="Poisson's ratio")
-    command.add_argument("--density", type=positive, default=2700.0, help="kg/m3, default 2700")
+    add_elastic(command, radius)
     strength = command.add_mutually_exclusive_group(required=True)
     strength.add_argument(
         "--yield", type=positive, dest="yield_strength", help="yield strength, Pa"
@@ -32,6 +31,13 @@ def add_metal(
     command.add_argument(
         "--hardening", type=float, default=0.0, help="plastic modulus d sigma/d eps_p, Pa"
     )
+
+
+def add_elastic(command: argparse.ArgumentParser, radius: float | None = 0.1) -> None:
+    """An elastic material, the radius and --json."""
+    command.add_argument("--young", type=positive, required=True, help="Young's modulus, Pa")
+    command.add_argument("--poisson", type=float, required=True, help="Poisson's ratio")
+    command.add_argument("--density", type=positive, default=2700.0, help="kg/m3, default 2700")
     said = "m" if radius is None else f"m, default {radius:g}"
     command.add_argument(
         "--radius", type=positive, default=radius, required=radius is None, help=said
@@ -39,14 +45,26 @@ def add_metal(
     command.add_argument("--json", action="store_true", help="all numbers, as JSON")
 
 
+def add_strain(command: argparse.ArgumentParser) -> None:
+    """--finite-strain."""
+    command.add_argument(
+        "--finite-strain",
+        action="store_const",
+        const="finite",
+        default="small",
+        dest="strain",
+        help="for contacts wider than a tenth of the radius; takes three times as long",
+    )
+
+
 def metal(arguments: argparse.Namespace) -> ElasticPlastic:
-    """The metal of `add_metal`'s arguments.
+    """The metal of `add_metal`'s or `add_elastic`'s arguments.
 
     Raises:
         ValueError: A number out of range.
     """
     hardening = None
-    if arguments.yield_strength is not None:
+    if getattr(arguments, "yield_strength", None) is not None:
         hardening = LinearHardening(arguments.yield_strength, arguments.hardening)
     return ElasticPlastic(
         youngs_modulus=arguments.young,
@@ -56,9 +74,14 @@ def metal(arguments: argparse.Namespace) -> ElasticPlastic:
     )
 
 
-def computed(compute: Callable, *arguments: object):
+def computed(compute: Callable, *arguments: object, strain: str = "small"):
     """Result of a computation, from the cache if it is there; warnings, and why it stopped early,
     go to stderr.
+
+    Args:
+        compute: The function, which takes settings and progress last.
+        arguments: Its own.
+        strain: "small" or "finite".
 
     Raises:
         ValueError: It cannot begin.
@@ -66,7 +89,9 @@ def computed(compute: Callable, *arguments: object):
     with warnings.catch_warnings(record=True) as said:
         warnings.simplefilter("always", SmallStrainWarning)
         try:
-            result = cached(compute, *arguments, progress=sys.stderr.isatty())
+            result = cached(
+                compute, *arguments, settings=Settings(strain=strain), progress=sys.stderr.isatty()
+            )
         except ArithmeticError as error:
             raise ValueError(str(error)) from None
     for line in [*(str(warning.message) for warning in said), result.stopped]:

@@ -169,9 +169,9 @@ class RigidCircle:
         moves = np.einsum("eqid,ed->eqi", self._distance_matrices, still[self.dofs])
         return (self._start + moves + np.array([0, self._radius])).reshape(-1, 2)
 
-    def profile(self, pressure: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    def profile(self, touch: Rub) -> tuple[np.ndarray, np.ndarray]:
         """Mean first coordinate and mean pressure of each edge."""
-        return self._edges.profile(pressure)
+        return self._edges.mean(self.places), self._edges.mean(touch.pressure)
 
     def ends(self, gap: np.ndarray) -> tuple[float, float]:
         """First and last place in contact, m; on an axis the first is its mirror image; zeros where

@@ -26,7 +26,7 @@ class Touch:
         nodal: Forces on the degrees of freedom (size,), N.
         stiffness: Of each edge (n_edges, 3, 3), N/m.
         gap: At the Gauss points from the axis outward (n_points,), m.
-        pressure: There (n_points,), Pa.
+        pressure: There, over the undeformed area (n_points,), Pa.
         stored: Energy in the penalty, J.
     """
 
@@ -38,12 +38,31 @@ class Touch:
     stored: float
 
 
+@attrs.frozen
+class PlaneTouch(Touch):
+    """Contact with a plane.
+
+    Attributes:
+        radii: Distances of the Gauss points from the axis (n_points,), m; the undeformed ones in
+            small strain.
+        widening: Area of each edge over the undeformed one (n_edges,); 1 in small strain.
+    """
+
+    radii: np.ndarray
+    widening: np.ndarray
+
+    @property
+    def contact_radius(self) -> float:
+        """Where the gap opens, m."""
+        return contact_edge(self.radii, self.gap)
+
+
 class RigidPlane:
     """The plane under the lower half of a sphere.
 
     Attributes:
         dofs: Vertical degrees of freedom of each edge (n_edges, 3).
-        radii: Distances of the Gauss points from the axis, increasing (n_points,), m.
+        radii: Distances of the undeformed Gauss points from the axis, increasing (n_points,), m.
     """
 
     def __init__(self, body: Body, radius: float, reach: float, penalty: float = PENALTY) -> None:
@@ -66,8 +85,11 @@ class RigidPlane:
         self._heights = radius - np.sqrt(radius**2 - distance**2)
         self.radii = distance.ravel()
         self._size = body.size
+        self._radial = edges.dofs[:, :, 0].copy()
+        self._ends = body.locations[0, self._radial[:, :2]]
+        self._follows = body.kinematics.follows
 
-    def touch(self, displacement: np.ndarray, height: float) -> Touch:
+    def touch(self, displacement: np.ndarray, height: float) -> PlaneTouch:
         """Contact at displacements (size,), m, over a plane at `height`, m."""
         moved = (self._shapes @ displacement[self.dofs][:, :, None])[:, :, 0]
         gap = self._heights + moved - height
@@ -79,23 +101,30 @@ class RigidPlane:
         )
         closed = self._stiffness * self._areas * (gap < 0)
         stiffness = np.einsum("eq,eqn,eqm->enm", closed, self._shapes, self._shapes)
-        return Touch(
+        return PlaneTouch(
             float(np.sum(pressure * self._areas)),
             nodal,
             stiffness,
             gap.ravel(),
             pressure.ravel(),
             float(np.sum(closed * gap**2) / 2),
+            *self._place(displacement),
         )
 
-    def profile(self, pressure: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    def _place(self, displacement: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """Radii of the Gauss points, and areas of the edges over the undeformed ones."""
+        if not self._follows:
+            return self.radii, np.ones(len(self.dofs))
+        outward = (self._shapes @ displacement[self._radial][:, :, None]).ravel()
+        ends = self._ends + displacement[self._radial[:, :2]]
+        area, undeformed = (np.abs(np.diff(r**2, axis=1)[:, 0]) for r in (ends, self._ends))
+        return self.radii + outward, area / undeformed
+
+    def profile(self, touch: PlaneTouch) -> tuple[np.ndarray, np.ndarray]:
         """Mean radius and mean pressure of each edge."""
-        return self._edges.profile(pressure)
+        mean = self._edges.mean
+        return mean(touch.radii), mean(touch.pressure) / touch.widening
 
     def spread(self, stiffness: np.ndarray) -> np.ndarray:
         """Forces (size,) that edge stiffnesses give to a plane raised by one, N/m."""
         return np.bincount(self.dofs.ravel(), stiffness.sum(axis=2).ravel(), minlength=self._size)
-
-    def contact_radius(self, gap: np.ndarray) -> float:
-        """Where the gap opens, m."""
-        return contact_edge(self.radii, gap)

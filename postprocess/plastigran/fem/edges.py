@@ -49,12 +49,12 @@ class Edges:
         self.areas = body.section.thickness(self.first) * projected
         self.lengths = basis.dx.sum(axis=1)
 
-    def profile(self, values: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """Mean first coordinate and mean value of each edge. Within an edge the penalty's pressure
-        sways about its mean by some per cent, for the edge is a parabola and the other body is
-        stiff."""
+    def mean(self, values: np.ndarray) -> np.ndarray:
+        """Of each edge (n_edges,), of values at the Gauss points (n_points,). Within an edge the
+        penalty's pressure sways about its mean by some per cent, for the edge is a parabola and
+        the other body is stiff."""
         areas = self.areas / self.areas.sum(axis=1, keepdims=True)
-        return (self.first * areas).sum(axis=1), (values.reshape(areas.shape) * areas).sum(axis=1)
+        return (values.reshape(areas.shape) * areas).sum(axis=1)
 
 
 def contact_edge(places: np.ndarray, gap: np.ndarray) -> float:

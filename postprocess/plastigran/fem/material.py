@@ -57,6 +57,10 @@ class Response:
     flowing: np.ndarray
     tangent: np.ndarray
 
+    def held(self) -> Response:
+        """The same with no point flowing, as where loading turns."""
+        return attrs.evolve(self, flowing=self.flowing[:0], tangent=self.tangent[:0])
+
 
 @attrs.frozen(kw_only=True)
 class ElasticPlastic:

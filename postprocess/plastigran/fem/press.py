@@ -80,7 +80,7 @@ class Path:
         return {
             "force": self.now.touch.force,
             "approach": self.now.height,
-            "contact_radius": self.equations.plane.contact_radius(self.now.touch.gap),
+            "contact_radius": self.now.touch.contact_radius,
             **energies(self.equations.body, self.now),
             "iterations": self.now.iterations,
         }
@@ -103,16 +103,17 @@ def press(
         progress: Show a bar.
 
     Raises:
-        ValueError: A force that is not positive, not larger than the one before, or too large for
-            small strain.
+        ValueError: A force that is not positive, not larger than the one before, or too large
+            for the mesh.
         NoConvergence: The first increment has no equilibrium even after halving. A later one ends
             the pressing, which keeps what it has and says so in `stopped`.
     """
     settings = settings or Settings()
     sphere = HertzSphere(material, radius)
-    check_forces(sphere, forces)
+    check_forces(sphere, forces, strain=settings.strain)
     reach = contact_reach(sphere, forces[-1])
-    body = Body(settings.mesh(sphere, reach, whole=False).build(), material)
+    mesh = settings.mesh(sphere, reach, whole=False).build()
+    body = Body(mesh, material, kinematics=settings.kinematics)
     plane = RigidPlane(body, radius, min(2 * reach, 0.9 * radius), settings.penalty)
     path = Path(Equations(body, plane), sphere)
     ladders = loading_ladders(sphere, forces, settings)

@@ -5,9 +5,10 @@ from __future__ import annotations
 
 import attrs
 
-from plastigran.declared import number, whole
+from plastigran.declared import number, whole, word
 from plastigran.fem.contact import PENALTY
 from plastigran.fem.hertz import HertzSphere
+from plastigran.fem.kinematics import KINEMATICS, Kinematics
 from plastigran.fem.mesh import SphereMesh
 
 CORE_OVER_YIELD = 1.2  # radius of the fine core over the contact radius at which the sphere yields
@@ -29,6 +30,12 @@ class Settings:
     free_steps: int = whole("time steps followed after the contact", 1, default=5)
     frames: int = whole("fields kept over Hertz' duration of a throw", default=0)
     penalty: float = number("stiffness of the plane over E*/h", "-", 1, 1e5, default=PENALTY)
+    strain: str = word("how strains follow from displacements", KINEMATICS, default="small")
+
+    @property
+    def kinematics(self) -> Kinematics:
+        """How strains follow from displacements."""
+        return KINEMATICS[self.strain]()
 
     def mesh(self, sphere: HertzSphere, reach: float, whole: bool) -> SphereMesh:
         """The mesh for contacts up to the radius `reach`, m."""

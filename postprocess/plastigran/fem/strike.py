@@ -41,8 +41,10 @@ class StrikeEquations(Equations):
     def _touch(self, displacement: np.ndarray, start: Equilibrium | None) -> Rub:
         return self.plane.touch(displacement, start and start.touch)
 
-    def _matrices(self, response: Response, touch: Rub, factor: float) -> list[np.ndarray]:
-        elements, edges = super()._matrices(response, touch, factor)
+    def _matrices(
+        self, displacement: np.ndarray, response: Response, touch: Rub, factor: float
+    ) -> list[np.ndarray]:
+        elements, edges = super()._matrices(displacement, response, touch, factor)
         edges[0, -2:, -2:] += factor * self.body.centre_mass * np.identity(2)
         return [elements, edges]
 

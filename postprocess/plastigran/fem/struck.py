@@ -157,7 +157,7 @@ class StrikeLog:
         body, state = self.body, self.flight.now.state
         fixed = np.concatenate([body.held, body.centre])
         factor = SymmetricSystem([body.dofs], body.size, fixed).factor([body.elastic_stiffness])
-        left = factor.solve(body.internal_force(state.response.stress))
+        left = factor.solve(body.internal_force(state.displacement, state.response.stress))
         return self.circle.surface(state.displacement - left)
 
 

@@ -100,15 +100,16 @@ def throw(
         progress: Show a bar.
 
     Raises:
-        ValueError: A speed that is not positive, or so large that small strain does not hold.
+        ValueError: A speed that is not positive, or too large for the mesh.
         NoConvergence: The first step does not converge even after halving. A later one ends the
             impact, which keeps what it has and says so in `stopped`.
     """
     settings = settings or Settings()
     sphere = HertzSphere(material, radius)
-    check_speed(sphere, speed)
+    check_speed(sphere, speed, strain=settings.strain)
     reach = force_of_impact(sphere, speed)[1]
-    body = Body(settings.mesh(sphere, reach, whole=True).build(), material)
+    mesh = settings.mesh(sphere, reach, whole=True).build()
+    body = Body(mesh, material, kinematics=settings.kinematics)
     plane = RigidPlane(body, radius, min(2 * reach, 0.9 * radius), settings.penalty)
     duration = sphere.duration(speed)
     timestep = duration / settings.steps_of_contact
@@ -134,7 +135,7 @@ def throw(
 
 
 def _row(flight: Flight) -> dict[str, float]:
-    body, plane, now = flight.equations.body, flight.equations.plane, flight.now
+    body, now = flight.equations.body, flight.now
     momentum = body.mass_matrix @ now.velocity
     return {
         "time": now.time,
@@ -142,7 +143,7 @@ def _row(flight: Flight) -> dict[str, float]:
         "approach": -float(body.upward @ (body.mass_matrix @ now.state.displacement)) / body.mass,
         "velocity": float(body.upward @ momentum) / body.mass,
         "nodal_velocity": float(now.velocity[body.vertex_dofs[:, 1]].mean()),
-        "contact_radius": plane.contact_radius(now.state.touch.gap),
+        "contact_radius": now.state.touch.contact_radius,
         "kinetic_energy": float(now.velocity @ momentum) / 2,
         **energies(body, now.state),
         "iterations": now.state.iterations,
@@ -161,7 +162,7 @@ def _summary(
     force, time, approach = (history[name].to_numpy() for name in ("force", "time", "approach"))
     touching = np.flatnonzero(force > 0)
     last = touching[-1]
-    end = _end_of_contact(time[: last + 2], force[: last + 2])
+    end = end_of_contact(time[: last + 2], force[: last + 2])
     return Throw(
         material=material,
         radius=radius,
@@ -178,7 +179,7 @@ def _summary(
     )
 
 
-def _end_of_contact(time: np.ndarray, force: np.ndarray) -> float:
+def end_of_contact(time: np.ndarray, force: np.ndarray) -> float:
     """When the force reaches zero, within the last step: its power 2/3 falls linearly."""
     if len(force) < 3:
         return float(time[-1])
