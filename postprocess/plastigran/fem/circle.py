@@ -18,6 +18,7 @@ from skfem import MeshQuad2
 from plastigran.fem.body import Body
 from plastigran.fem.contact import PENALTY, Touch
 from plastigran.fem.edges import Edges, contact_edge
+from plastigran.fem.kinematics import Kinematics
 from plastigran.fem.material import ElasticPlastic
 from plastigran.fem.section import Section
 
@@ -31,9 +32,14 @@ class StruckBody(Body):
     """
 
     def __init__(
-        self, mesh: MeshQuad2, material: ElasticPlastic, section: Section, centre_mass: float
+        self,
+        mesh: MeshQuad2,
+        material: ElasticPlastic,
+        section: Section,
+        centre_mass: float,
+        kinematics: Kinematics | None = None,
     ) -> None:
-        super().__init__(mesh, material, section)
+        super().__init__(mesh, material, section, kinematics)
         self.centre = self.size + np.arange(2)
         self.centre_mass = centre_mass
         self.size += 2
