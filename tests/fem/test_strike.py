@@ -52,14 +52,14 @@ def energy(history):
 
 def test_line_contact_is_as_wide_and_deep_as_that_of_hertz(elastic):
     deepest = elastic.history.loc[elastic.history["approach"].idxmax()]
-    # Waves cross the body 30 times while they touch. The edge is found within 1 % of the width of
+    # Waves cross the body and come back 70 times while they touch. The edge is found within 1 % of the width of
     # these elements; the base is an arc, the thickness of Johnson's formula a depth on the axis.
     assert deepest["half_width"] == pytest.approx(CASE.line.half_width(deepest["force"]), rel=0.03)
     assert deepest["approach"] == pytest.approx(CASE.line.approach(deepest["force"]), rel=0.02)
 
 
 def test_elastic_strike_rebounds_as_hertz(elastic):
-    # The waves left in a body a hundred times lighter than what it stops keep 1e-3 of the speed.
+    # Waves in the body, hundreds of times lighter than the cylinder, keep 1e-3 of the speed.
     assert elastic.coefficient_of_restitution == pytest.approx(1, abs=5e-3)
     force = CASE.line.impact_force(CASE.mass, CASE.speed)
     assert elastic.force_max == pytest.approx(force, rel=0.03)

@@ -18,19 +18,21 @@ from plastigran.papers.kp10.computations import (
     Key,
     compute_finite_elements_and_runs,
 )
-from plastigran.papers.kp10.pictures import depth_figure, mises_figure, restitution_figure
+from plastigran.papers.kp10.pictures import KINDS, depth_figure, mises_figure, restitution_figure
 
 #: The paper's finite elements at `SHOWN`, sliding along [m].
 OBLIQUE_OVERLAP_RES = 0.19e-6
 OURS = "finite elements"
-#: Column of the laws and of LIGGGHTS, how it is shown, and the factor to its unit.
+#: Of the finite elements and of LIGGGHTS; how it is shown, and the factor to its unit.
 QUANTITIES = {
-    "overlap_max": ("largest depth", "µm", 1e6),
-    "overlap_res": ("depth as it leaves", "µm", 1e6),
-    "coefficient_of_restitution": ("restitution", "-", 1.0),
-    "contact_time": ("contact time", "µs", 1e6),
-    "force_max": ("largest force", "N", 1.0),
+    ("overlap_max", "overlap_max"): ("largest depth", "µm", 1e6),
+    ("residual_depth", "overlap_res"): ("residual depth", "µm", 1e6),
+    ("coefficient_of_restitution",) * 2: ("restitution", "-", 1.0),
+    ("contact_time",) * 2: ("contact time", "µs", 1e6),
+    ("force_max",) * 2: ("largest force", "N", 1.0),
 }
+NEAR_SURFACE = 2e-8  # m, of the topmost Gauss points
+NO_DENT = 1e-9  # m, and less counts as none
 BODIES = {
     "layer": "both bodies' elasticity, 100 µm",
     "thin": "the same, 50 µm",
@@ -79,7 +81,7 @@ def comparison(found: Computed) -> pd.DataFrame:
     ):
         rows += [
             row(f"{kind}: residual depth", "µm", depth, "residual_depth", struck),
-            row(f"{kind}: depth as it leaves", "µm", depth, "overlap_res", struck),
+            row(f"{kind}: depth as it leaves", "µm", nan, "overlap_res", struck),
             row(f"{kind}: largest depth", "µm", nan, "overlap_max", struck),
             row(f"{kind}: restitution", "-", nan, "coefficient_of_restitution", struck, 1.0),
             row(f"{kind}: contact time", "µs", nan, "contact_time", struck),
@@ -96,13 +98,15 @@ def normal(found: Computed) -> pd.DataFrame:
         if key.kind != "normal" or key.body != "layer":
             continue
         thick = found.strikes[attrs.evolve(key, body="thick")]
-        for name, (quantity, unit, factor) in QUANTITIES.items():
+        for (name, of_run), (quantity, unit, factor) in QUANTITIES.items():
             line = {"length/radius": key.length_ratio, "speed (m/s)": key.speed}
-            line |= {"quantity": quantity, "unit": unit, OURS: factor * getattr(struck, name)}
-            line["no wave comes back"] = factor * getattr(thick, name)
+            line |= {"quantity": quantity, "unit": unit}
+            for column, each in ((OURS, struck), ("no wave comes back", thick)):
+                value = getattr(each, name)
+                line[column] = factor * (0.0 if abs(value) < NO_DENT else value)
             for law in LAWS:
                 run = found.runs[key.length_ratio, key.speed, law]
-                line[f"LIGGGHTS, {law}"] = factor * getattr(run, name)
+                line[f"LIGGGHTS, {law}"] = factor * getattr(run, of_run)
             rows.append(line)
     table = pd.DataFrame(rows)
     for law in LAWS:
@@ -116,25 +120,33 @@ def oblique(found: Computed) -> pd.DataFrame:
     for key, struck in sorted(found.strikes.items()):
         if key.body != "layer" or not _has_oblique(found, key):
             continue
-        zone = struck.history
+        history, end = struck.history, struck.snapshots["end"]
         rows.append(
             {
                 "length/radius": key.length_ratio,
                 "speed (m/s)": key.speed,
-                "way": {"normal": "head-on", "oblique": "oblique"}[key.kind],
+                "way": KINDS[key.kind],
                 "largest depth (µm)": 1e6 * struck.overlap_max,
                 "residual depth (µm)": 1e6 * struck.residual_depth,
                 "restitution": struck.coefficient_of_restitution,
                 "contact time (µs)": 1e6 * struck.contact_time,
-                "yield from (N)": struck.yield_force,
-                "at depth/half width": struck.yield_point[1],
-                "zone's top (µm)": 1e6 * zone["plastic_top"].min(),
-                "zone's bottom (µm)": 1e6 * zone["plastic_bottom"].max(),
-                "largest plastic strain (%)": 100 * struck.snapshots["end"].plastic_strain.max(),
-                "drag/force": -zone["drag"].sum() / zone["force"].sum(),
+                "yields from (N)": struck.yield_force,
+                "at depth over half width": struck.yield_point[1],
+                "surface yields from (N)": _surface_yield(struck),
+                "zone's bottom (µm)": 1e6 * history["plastic_bottom"].max(),
+                "largest plastic strain": end.plastic_strain.max(),
+                "its depth (µm)": -1e6 * end.positions[end.plastic_strain.argmax(), 1],
+                "drag over force": -history["drag"].sum() / history["force"].sum(),
             }
         )
     return pd.DataFrame(rows)
+
+
+def _surface_yield(struck: Strike) -> float:
+    """Force from which the topmost Gauss points yield, N; nan if they never do."""
+    top = struck.history["plastic_top"]
+    there = struck.history["force"][top <= top.min() + NEAR_SURFACE]
+    return float(there.iloc[0]) if top.min() < 10 * NEAR_SURFACE else nan
 
 
 def _has_oblique(found: Computed, key: Key) -> bool:

@@ -36,7 +36,7 @@ SLIDING_SPEED = 10.0
 
 #: Impact speeds [m/s] by length over radius.
 SPEEDS = {10.0: (0.2, 0.4, 0.6, 0.8, 1.0), 100.0: (1.0, 2.0, 3.0, 4.0, 5.0)}
-OBLIQUE_SPEEDS = {10.0: (0.6, 1.0), 100.0: (3.0,)}
+OBLIQUE_SPEEDS = {10.0: (1.0, 0.6), 100.0: (3.0,)}
 #: The impact whose residual depths the paper gives: length over radius, speed [m/s].
 SHOWN = (10.0, 1.0)
 LAWS = tuple(laws_for("cylinder"))
@@ -97,7 +97,7 @@ def compute_finite_elements_and_runs(progress: bool, coarse: bool) -> Computed:
     """Compute, or find in the cache, what `Computed` holds; arguments as of `Paper.reproduce`."""
     settings = Settings(divisions=3, fineness=0.6, steps_of_contact=40)
     if not coarse:
-        settings = Settings(divisions=5, steps_of_contact=150)
+        settings = Settings(divisions=4, steps_of_contact=120)
     strikes = compute_all(
         {key: Computation(strike, (key.case(),), settings) for key in keys(coarse)}, progress
     )

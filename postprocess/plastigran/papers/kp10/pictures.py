@@ -77,10 +77,10 @@ def mises_figure(found: Computed) -> Figure:
     head-on and oblique."""
     moments = {"yield": "first yield", "deepest": "largest depth", "end": "after it has left"}
     with styled({"axes.grid": False}):
-        figure, grid = subplots(2, 3, figsize=(9.6, 5.2))
-        for line, (kind, label) in zip(grid, KINDS.items(), strict=True):
+        figure, grid = subplots(3, 2, figsize=(9.2, 6.2), width_ratios=(1, 2.4), sharey=True)
+        for column, (kind, label) in zip(grid.T, KINDS.items(), strict=True):
             struck = found.strikes[Key(*SHOWN, kind)]
-            for axes, (name, said) in zip(line, moments.items(), strict=True):
+            for axes, (name, said) in zip(column, moments.items(), strict=True):
                 contours = _draw_mises(axes, struck, struck.snapshots[name], kind == "normal")
                 axes.set_title(f"{label}, {said}", fontsize=10)
         for axes in grid[-1]:
@@ -93,7 +93,7 @@ def mises_figure(found: Computed) -> Figure:
 
 def _draw_mises(axes: Axes, struck: Strike, snapshot: Snapshot, mirror: bool) -> object:
     """Stress, and the edge of the plastic zone as a line."""
-    width = 2.5 * MICRO * struck.history["half_width"].max()
+    width = 2 * MICRO * struck.history["half_width"].max()
     start = struck.start
     vertices = MICRO * (snapshot.vertices + snapshot.displacement - [start, 0])
     strength = struck.case.material.hardening.yield_strength
@@ -104,6 +104,6 @@ def _draw_mises(axes: Axes, struck: Strike, snapshot: Snapshot, mirror: bool) ->
         edge = {"colors": COLOURS[1], "linewidths": 1.2}
         draw_field(axes, vertices, snapshot.quads, yielded, [YIELDED], mirror, False, **edge)
     way = MICRO * struck.history["way"].iloc[-1]
-    axes.set(xlim=(-width, width + way), ylim=(-1.2 * width, 0.15 * width))
+    axes.set(xlim=(-width, width + way), ylim=(-1.6 * width, 0.15 * width))
     axes.set_aspect("equal")
     return contours
