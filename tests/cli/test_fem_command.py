@@ -73,7 +73,7 @@ def test_a_cylinder_strikes_a_body(capsys):
     ("given", "said"),
     [
         (["--speed", "1", "--sliding-speed", "-1"], "sliding_speed is -1"),
-        (["--speed", "1", "--friction", "3"], "friction is 3"),
+        (["--speed", "1", "--coefficient-of-friction", "3"], "coefficient_of_friction is 3"),
         (["--speed", "30"], "of the radius"),
     ],
 )

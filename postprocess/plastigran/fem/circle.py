@@ -81,7 +81,7 @@ class RigidCircle:
         radius: float,
         track: tuple[float, float],
         start: float = 0.0,
-        friction: float = 0.0,
+        coefficient_of_friction: float = 0.0,
         penalty: float = PENALTY,
     ) -> None:
         """
@@ -90,7 +90,7 @@ class RigidCircle:
             radius: Of the circle, m.
             track: No contact is looked for outside of these first coordinates, m.
             start: First coordinate of the centre, m.
-            friction: Coefficient of friction.
+            coefficient_of_friction: Of Coulomb.
             penalty: Stiffness over E*/h, h the length of an edge.
         """
         mesh = body.mesh
@@ -108,7 +108,7 @@ class RigidCircle:
         self._start = np.stack([edges.first - start, np.full_like(edges.first, -radius)], axis=-1)
         self._areas = edges.areas
         self._stiffness = penalty * body.material.plane_modulus / edges.lengths[:, None]
-        self._radius, self._friction = radius, friction
+        self._radius, self._friction = radius, coefficient_of_friction
         # The halves on both sides of an axis drag the circle against each other.
         self._whole = np.array([0.0 if "axis" in mesh.boundaries else 1.0, 1.0])
         self.places = edges.first.ravel()

@@ -94,7 +94,9 @@ def equations(case: CylinderStrike, settings: Settings) -> StrikeEquations:
         track = (-block.half_length, block.half_length)
         start = -way / 2
     body = StruckBody(block.build(), case.material, section, case.mass, settings.kinematics)
-    circle = RigidCircle(body, case.radius, track, start, case.friction, settings.penalty)
+    circle = RigidCircle(
+        body, case.radius, track, start, case.coefficient_of_friction, settings.penalty
+    )
     return StrikeEquations(body, circle)
 
 

@@ -61,7 +61,7 @@ class Key:
             mass=MASS,
             speed=self.speed,
             sliding_speed=0.0 if self.kind == "normal" else SLIDING_SPEED,
-            friction=FRICTION if self.kind == "oblique" else 0.0,
+            coefficient_of_friction=FRICTION if self.kind == "oblique" else 0.0,
             thickness=thickness,
         )
 
