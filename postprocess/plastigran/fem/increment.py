@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 import attrs
 import numpy as np
 
@@ -63,6 +65,9 @@ class Balance:
     touch: Touch
     residual: np.ndarray
     scale: float
+
+
+Forces = Callable[[np.ndarray], Balance]
 
 
 class Equations:
@@ -154,14 +159,18 @@ class Equations:
         Raises:
             NoConvergence: It finds none.
         """
-        displacement, balance = guess, self._balance(guess, start, inertia)
+
+        def forces(displacement: np.ndarray) -> Balance:
+            return self._balance(displacement, start, inertia)
+
+        displacement, balance = guess, forces(guess)
         for iteration in range(ITERATIONS):
             if np.max(np.abs(balance.residual)) <= TOLERANCE * balance.scale:
                 response, touch = balance.response, balance.touch
                 return Equilibrium(displacement, start.height, response, touch, iteration)
             matrices = self._matrices(displacement, balance, 4 / inertia.timestep**2)
             change = self._factor(matrices).solve(-balance.residual)
-            displacement, balance = self._step(displacement, change, balance, start, inertia)
+            displacement, balance = self._step(displacement, change, balance, forces)
         raise NoConvergence(f"no balance of forces in {ITERATIONS} iterations")
 
     def _balance(self, displacement: np.ndarray, start: Equilibrium, inertia: Inertia) -> Balance:
@@ -175,18 +184,10 @@ class Equations:
         scale = max(np.max(np.abs(part)) for part in (touch.nodal, internal, inertial))
         return Balance(response, touch, residual, scale)
 
-    def _step(
-        self,
-        displacement: np.ndarray,
-        change: np.ndarray,
-        balance: Balance,
-        start: Equilibrium,
-        inertia: Inertia,
-    ) -> tuple[np.ndarray, Balance]:
-        """The next displacement, and the forces there, after the change that the tangent at
-        `balance` asks for."""
-        displacement = displacement + change
-        return displacement, self._balance(displacement, start, inertia)
+    def _step(self, displacement: np.ndarray, change: np.ndarray, balance: Balance, forces: Forces):
+        """The displacement that Newton's method tries next, and the balance there: `change` is
+        what the tangent at `balance` asks for."""
+        return displacement + change, forces(displacement + change)
 
     def _touch(self, displacement: np.ndarray, start: Equilibrium | None) -> Touch:
         return self.plane.touch(displacement, 0.0 if start is None else start.height)

@@ -17,7 +17,7 @@ from tqdm import tqdm
 from plastigran.fem.block import HalfBlock, TrackBlock
 from plastigran.fem.circle import RigidCircle, Rub, StruckBody
 from plastigran.fem.cylinder import CylinderStrike
-from plastigran.fem.increment import Balance, Equations, Equilibrium, Inertia, NoConvergence
+from plastigran.fem.increment import Balance, Equations, Equilibrium, Forces, NoConvergence
 from plastigran.fem.limits import SMALL_STRAIN, SmallStrainWarning
 from plastigran.fem.section import PlaneStrain
 from plastigran.fem.settings import Settings
@@ -48,22 +48,16 @@ class StrikeEquations(Equations):
         edges[0, -2:, -2:] += factor * self.body.centre_mass * np.identity(2)
         return [elements, edges]
 
-    def _step(
-        self,
-        displacement: np.ndarray,
-        change: np.ndarray,
-        balance: Balance,
-        start: Equilibrium,
-        inertia: Inertia,
-    ) -> tuple[np.ndarray, Balance]:
+    def _step(self, displacement: np.ndarray, change: np.ndarray, balance: Balance, forces: Forces):
         """The largest of some shares of the change that brings the forces closer to balance: points
         come in contact and begin to flow as the circle slides on."""
         before = np.linalg.norm(balance.residual)
         for share in SHARES:
-            found = super()._step(displacement, share * change, balance, start, inertia)
-            if np.linalg.norm(found[1].residual) < before:
+            tried = displacement + share * change
+            found = forces(tried)
+            if np.linalg.norm(found.residual) < before:
                 break
-        return found
+        return tried, found
 
 
 def equations(case: CylinderStrike, settings: Settings) -> StrikeEquations:
