@@ -83,3 +83,28 @@ def test_vibrating_sphere_names_its_modes(capsys):
 def test_bad_input_is_refused_with_its_limit(line, said, capsys):
     assert main(line) == 1
     assert said in capsys.readouterr().err
+
+
+CYLINDER = ["--radius", "1e-5", "--length", "1e-4", "--mass", "1.59e-6", "--thickness", "1e-4"]
+
+
+def test_a_cylinder_strikes_a_body(capsys):
+    metal = ["--young", "79.5e9", "--poisson", "0.23", "--density", "2500", "--elastic"]
+    assert main(["fem", "cylinder", *metal, *CYLINDER, "--speed", "0.1", "--json"]) == 0
+    numbers = json.loads(capsys.readouterr().out)
+    # Waves in the body, hundreds of times lighter than the cylinder, keep 1e-3 of the speed.
+    assert numbers["coefficient_of_restitution"] == pytest.approx(1, abs=5e-3)
+    assert len(numbers["history"]["force"]) > 100
+
+
+@pytest.mark.parametrize(
+    ("given", "said"),
+    [
+        (["--speed", "1", "--sliding-speed", "-1"], "sliding_speed is -1"),
+        (["--speed", "1", "--coefficient-of-friction", "3"], "coefficient_of_friction is 3"),
+        (["--speed", "30"], "of the radius"),
+    ],
+)
+def test_a_cylinder_that_cannot_strike_is_refused(given, said, capsys):
+    assert main(["fem", "cylinder", *METAL, *CYLINDER, *given]) == 1
+    assert said in capsys.readouterr().err

@@ -20,7 +20,7 @@ def add_cylinder(command: argparse.ArgumentParser) -> None:
     )
     command.add_argument("--speed", type=positive, required=True, help="towards the body, m/s")
     command.add_argument("--sliding-speed", type=float, default=0.0, help="along it, m/s")
-    command.add_argument("--friction", type=float, default=0.0, help="coefficient, default 0")
+    command.add_argument("--coefficient-of-friction", type=float, default=0.0, help="default 0")
     command.add_argument(
         "--thickness",
         type=positive,
@@ -30,6 +30,14 @@ def add_cylinder(command: argparse.ArgumentParser) -> None:
 
 def cylinder(arguments: argparse.Namespace) -> dict:
     """Numbers of the strike that arguments of `add_cylinder` describe."""
-    names = ("radius", "length", "mass", "speed", "sliding_speed", "friction", "thickness")
+    names = (
+        "radius",
+        "length",
+        "mass",
+        "speed",
+        "sliding_speed",
+        "coefficient_of_friction",
+        "thickness",
+    )
     given = {name: getattr(arguments, name) for name in names}
     return computed(strike, CylinderStrike(material=metal(arguments), **given)).to_dict()

@@ -18,6 +18,7 @@ from skfem import MeshQuad2
 from plastigran.fem.body import Body
 from plastigran.fem.contact import PENALTY, Touch
 from plastigran.fem.edges import Edges, contact_edge
+from plastigran.fem.kinematics import Kinematics
 from plastigran.fem.material import ElasticPlastic
 from plastigran.fem.section import Section
 
@@ -31,9 +32,14 @@ class StruckBody(Body):
     """
 
     def __init__(
-        self, mesh: MeshQuad2, material: ElasticPlastic, section: Section, centre_mass: float
+        self,
+        mesh: MeshQuad2,
+        material: ElasticPlastic,
+        section: Section,
+        centre_mass: float,
+        kinematics: Kinematics | None = None,
     ) -> None:
-        super().__init__(mesh, material, section)
+        super().__init__(mesh, material, section, kinematics)
         self.centre = self.size + np.arange(2)
         self.centre_mass = centre_mass
         self.size += 2
@@ -75,7 +81,7 @@ class RigidCircle:
         radius: float,
         track: tuple[float, float],
         start: float = 0.0,
-        friction: float = 0.0,
+        coefficient_of_friction: float = 0.0,
         penalty: float = PENALTY,
     ) -> None:
         """
@@ -84,7 +90,7 @@ class RigidCircle:
             radius: Of the circle, m.
             track: No contact is looked for outside of these first coordinates, m.
             start: First coordinate of the centre, m.
-            friction: Coefficient of friction.
+            coefficient_of_friction: Of Coulomb.
             penalty: Stiffness over E*/h, h the length of an edge.
         """
         mesh = body.mesh
@@ -102,7 +108,7 @@ class RigidCircle:
         self._start = np.stack([edges.first - start, np.full_like(edges.first, -radius)], axis=-1)
         self._areas = edges.areas
         self._stiffness = penalty * body.material.plane_modulus / edges.lengths[:, None]
-        self._radius, self._friction = radius, friction
+        self._radius, self._friction = radius, coefficient_of_friction
         # The halves on both sides of an axis drag the circle against each other.
         self._whole = np.array([0.0 if "axis" in mesh.boundaries else 1.0, 1.0])
         self.places = edges.first.ravel()

@@ -34,7 +34,9 @@ class CylinderStrike:
     mass: float = number("mass of all that moves with the cylinder", "kg", 0)
     speed: float = number("speed towards the body", "m/s", 0)
     sliding_speed: float = number("speed along the surface", "m/s", 0, closed=True, default=0.0)
-    friction: float = number("coefficient of friction", "-", 0, 1, closed=True, default=0.0)
+    coefficient_of_friction: float = number(
+        "coefficient of friction", "-", 0, 1, closed=True, default=0.0
+    )
     thickness: float | None = number(
         "thickness of the body, without which no wave comes back from its far side",
         "m",

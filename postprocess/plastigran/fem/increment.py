@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 import attrs
 import numpy as np
 
@@ -47,6 +49,26 @@ class Inertia:
 
     predicted: np.ndarray
     timestep: float
+
+
+@attrs.frozen
+class Balance:
+    """Forces at a displacement that Newton's method tries.
+
+    Attributes:
+        response: Of the material.
+        touch: Of the plane.
+        residual: What the forces lack to balance (size,), N.
+        scale: Largest nodal force of any kind, N.
+    """
+
+    response: Response
+    touch: Touch
+    residual: np.ndarray
+    scale: float
+
+
+Forces = Callable[[np.ndarray], Balance]
 
 
 class Equations:
@@ -138,31 +160,43 @@ class Equations:
         Raises:
             NoConvergence: It finds none.
         """
-        body = self.body
-        factor = 4 / inertia.timestep**2
-        displacement = guess
+
+        def forces(displacement: np.ndarray) -> Balance:
+            return self._balance(displacement, start, inertia)
+
+        displacement, balance = guess, forces(guess)
         for iteration in range(ITERATIONS):
-            response = self._respond(displacement, start.response.state, inertia.timestep)
-            touch = self._touch(displacement, start)
-            inertial = factor * (body.mass_matrix @ (displacement - inertia.predicted))
-            internal = body.internal_force(displacement, response.stress)
-            residual = internal - touch.nodal + inertial
-            residual[self._fixed] = 0
-            scale = max(np.max(np.abs(part)) for part in (touch.nodal, internal, inertial))
-            if np.max(np.abs(residual)) <= TOLERANCE * scale:
+            if np.max(np.abs(balance.residual)) <= TOLERANCE * balance.scale:
+                response, touch = balance.response, balance.touch
                 return Equilibrium(displacement, start.height, response, touch, iteration)
-            matrices = self._matrices(displacement, response, touch, factor)
-            solved = self._factor(matrices).solve(-residual)
-            displacement = displacement + solved
+            matrices = self._matrices(displacement, balance, 4 / inertia.timestep**2)
+            change = self._factor(matrices).solve(-balance.residual)
+            displacement, balance = self._step(displacement, change, balance, forces)
         raise NoConvergence(f"no balance of forces in {ITERATIONS} iterations")
+
+    def _balance(self, displacement: np.ndarray, start: Equilibrium, inertia: Inertia) -> Balance:
+        body = self.body
+        response = self._respond(displacement, start.response.state, inertia.timestep)
+        touch = self._touch(displacement, start)
+        inertial = 4 / inertia.timestep**2 * (body.mass_matrix @ (displacement - inertia.predicted))
+        internal = body.internal_force(displacement, response.stress)
+        residual = internal - touch.nodal + inertial
+        residual[self._fixed] = 0
+        scale = max(np.max(np.abs(part)) for part in (touch.nodal, internal, inertial))
+        return Balance(response, touch, residual, scale)
+
+    def _step(self, displacement: np.ndarray, change: np.ndarray, balance: Balance, forces: Forces):
+        """The displacement that Newton's method tries next, and the balance there: `change` is
+        what the tangent at `balance` asks for."""
+        return displacement + change, forces(displacement + change)
 
     def _touch(self, displacement: np.ndarray, start: Equilibrium | None) -> Touch:
         return self.plane.touch(displacement, 0.0 if start is None else start.height)
 
     def _matrices(
-        self, displacement: np.ndarray, response: Response, touch: Touch, factor: float
+        self, displacement: np.ndarray, balance: Balance, factor: float
     ) -> list[np.ndarray]:
         """Of the elements and of the edges in contact, with `factor` times the masses."""
         body = self.body
-        stiffness = body.stiffness(displacement, response)
-        return [stiffness + factor * body.mass_matrices, touch.stiffness]
+        stiffness = body.stiffness(displacement, balance.response)
+        return [stiffness + factor * body.mass_matrices, balance.touch.stiffness]

@@ -17,15 +17,14 @@ from tqdm import tqdm
 from plastigran.fem.block import HalfBlock, TrackBlock
 from plastigran.fem.circle import RigidCircle, Rub, StruckBody
 from plastigran.fem.cylinder import CylinderStrike
-from plastigran.fem.increment import Equations, Equilibrium, NoConvergence
+from plastigran.fem.increment import Balance, Equations, Equilibrium, Forces, NoConvergence
 from plastigran.fem.limits import SMALL_STRAIN, SmallStrainWarning
-from plastigran.fem.material import Response
 from plastigran.fem.section import PlaneStrain
 from plastigran.fem.settings import Settings
 from plastigran.fem.struck import Strike, StrikeLog, summary
 from plastigran.fem.throw import Flight
 
-STEPS_FREE = 5  # steps without contact before the strike is over
+SHARES = (1.0, 0.5, 0.25, 0.1)  # of a change by Newton's method
 LONGEST = 4.0  # elastic durations after which a strike that has not ended is given up
 STRIDE = (
     0.3  # of an element that the cylinder slides in a step, at most: Newton finds no way farther
@@ -43,11 +42,22 @@ class StrikeEquations(Equations):
         return self.plane.touch(displacement, start and start.touch)
 
     def _matrices(
-        self, displacement: np.ndarray, response: Response, touch: Rub, factor: float
+        self, displacement: np.ndarray, balance: Balance, factor: float
     ) -> list[np.ndarray]:
-        elements, edges = super()._matrices(displacement, response, touch, factor)
+        elements, edges = super()._matrices(displacement, balance, factor)
         edges[0, -2:, -2:] += factor * self.body.centre_mass * np.identity(2)
         return [elements, edges]
+
+    def _step(self, displacement: np.ndarray, change: np.ndarray, balance: Balance, forces: Forces):
+        """The largest of some shares of the change that brings the forces closer to balance: points
+        come in contact and begin to flow as the circle slides on."""
+        before = np.linalg.norm(balance.residual)
+        for share in SHARES:
+            tried = displacement + share * change
+            found = forces(tried)
+            if np.linalg.norm(found.residual) < before:
+                break
+        return tried, found
 
 
 def equations(case: CylinderStrike, settings: Settings) -> StrikeEquations:
@@ -77,8 +87,10 @@ def equations(case: CylinderStrike, settings: Settings) -> StrikeEquations:
         section = PlaneStrain(case.length)
         track = (-block.half_length, block.half_length)
         start = -way / 2
-    body = StruckBody(block.build(), case.material, section, case.mass)
-    circle = RigidCircle(body, case.radius, track, start, case.friction, settings.penalty)
+    body = StruckBody(block.build(), case.material, section, case.mass, settings.kinematics)
+    circle = RigidCircle(
+        body, case.radius, track, start, case.coefficient_of_friction, settings.penalty
+    )
     return StrikeEquations(body, circle)
 
 
@@ -97,7 +109,7 @@ def strike(
             strike, which keeps what it has and says so in `stopped`.
     """
     settings = settings or Settings()
-    if case.reach > SMALL_STRAIN * case.radius:
+    if settings.strain == "small" and case.reach > SMALL_STRAIN * case.radius:
         warnings.warn(
             f"a speed of {case.speed:g} m/s makes a contact of half width about "
             f"{case.reach / case.radius:.2g} of the radius; small strain is good to "
@@ -116,7 +128,7 @@ def strike(
     log = StrikeLog(flight)
     stopped = ""
     with tqdm(total=100, disable=not progress, desc="strike", unit="% of elastic") as bar:
-        while log.free < STEPS_FREE and not stopped:
+        while log.free < settings.free_steps and not stopped:
             try:
                 flight.advance()
             except NoConvergence as error:

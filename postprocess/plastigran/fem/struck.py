@@ -41,6 +41,7 @@ class Strike:
             then (2,).
         surface: (x, y) of the surface at rest after the strike (n_points, 2), m; x from where the
             cylinder touched first.
+        start: Where the cylinder touched first, in the mesh's first coordinate, m.
         snapshots: By name: `yield` at first yield if there is one, `deepest`, `end` when contact
             has ended.
         stopped: Why it ended before its end, where restitution and residual are not known; empty
@@ -58,6 +59,7 @@ class Strike:
     yield_force: float
     yield_point: np.ndarray
     surface: np.ndarray
+    start: float
     snapshots: dict[str, Snapshot]
     stopped: str = ""
 
@@ -178,6 +180,7 @@ def summary(case: CylinderStrike, log: StrikeLog, stopped: str) -> Strike:
         yield_force=float(force[yielded[0]]) if yielded.size else nan,
         yield_point=np.full(2, nan) if log.yield_point is None else log.yield_point,
         surface=surface,
+        start=log.circle.start,
         snapshots=log.fields(),
         stopped=stopped,
     )
