@@ -103,15 +103,8 @@ class _Watch:
         elastic = steps.elastic
         self._mass = elastic.body.mass
         self._masses = elastic.mass_matrix @ elastic.upward
-        locations = elastic.body.locations[:, elastic.free]
-        vertical = elastic.upward == 1
-
-        def nearest(point: tuple[float, float], kind: np.ndarray) -> int:
-            distance = np.linalg.norm(locations - np.array(point)[:, None], axis=0)
-            return int(np.argmin(np.where(kind, distance, inf)))
-
-        self._top = nearest((0.0, 2 * radius), vertical)
-        self._equator = nearest((radius, radius), ~vertical)
+        self._top = elastic.nearest((0.0, 2 * radius), vertical=True)
+        self._equator = elastic.nearest((radius, radius), vertical=False)
 
     def row(self) -> dict[str, float]:
         now, before = self.steps.now, self._before
@@ -148,6 +141,7 @@ def _summary(
     elastic, now = steps.elastic, steps.now
     frequencies, shapes = elastic.vibrations(MODES)
     energies = elastic.modal_energies(frequencies, shapes, now.displacement, now.velocity)
+    contact = elastic.nearest((0.0, 0.0), vertical=True)
     force, time = history["force"].to_numpy(), history["time"].to_numpy()
     touching = np.flatnonzero(force)
     flight = history.iloc[touching[-1] + 1 :]
@@ -162,7 +156,13 @@ def _summary(
         speed=speed,
         timestep=steps.timestep,
         history=history,
-        modes=pd.DataFrame({"frequency": frequencies, "energy": energies}),
+        modes=pd.DataFrame(
+            {
+                "frequency": frequencies,
+                "energy": energies,
+                "contact_displacement": np.abs(shapes[contact]),
+            }
+        ),
         coefficient_of_restitution=nan if stopped else float(last["velocity"]) / speed,
         kinetic_restitution=nan if stopped else sqrt(flight["kinetic_energy"].mean() / kinetic),
         force_max=float(force.max()),
