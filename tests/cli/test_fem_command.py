@@ -3,13 +3,18 @@
 
 from __future__ import annotations
 
+import argparse
 import json
 
 import pytest
 
 from plastigran.cli import main
+from plastigran.cli.metal import add_metal, add_plane, plane
+from plastigran.fem.hardening import LinearHardening
+from plastigran.fem.material import ElasticPlastic
 
 METAL = ["--young", "70e9", "--poisson", "0.3", "--yield", "1e8"]
+SOFT_PLANE = ["--plane-young", "1e9"]
 
 
 @pytest.fixture(autouse=True)
@@ -24,6 +29,19 @@ def test_press_below_yield_says_so_and_gives_everything_back(capsys):
     (unloading,) = json.loads(printed.out)["unloadings"]
     # Quadrature over steps of 40 % below yield.
     assert unloading["coefficient_of_restitution"] == pytest.approx(1, abs=5e-3)
+
+
+def test_half_space_has_the_numbers_given_and_else_those_of_the_sphere():
+    parser = argparse.ArgumentParser()
+    add_metal(parser)
+    add_plane(parser)
+    own = parser.parse_args([*METAL, "--plane-young", "2e9", "--plane-yield", "5e7"])
+    assert plane(own) == ElasticPlastic(
+        youngs_modulus=2e9, poissons_ratio=0.3, density=2700.0, hardening=LinearHardening(5e7)
+    )
+    elastic = parser.parse_args([*METAL, *SOFT_PLANE, "--plane-poisson", "0.2"])
+    assert plane(elastic) == ElasticPlastic(youngs_modulus=1e9, poissons_ratio=0.2, density=2700.0)
+    assert plane(parser.parse_args(METAL)) is None
 
 
 def test_vibrating_sphere_names_its_modes(capsys):
@@ -46,6 +64,16 @@ def test_vibrating_sphere_names_its_modes(capsys):
         (["fem", "press", *METAL, "--hardening", "-3", "--force-ratio", "3"], "modulus is -3"),
         (["fem", "throw", *METAL, "--speed", "900"], "speed of sound"),
         (["fem", "throw", *METAL, "--speed", "100"], "of the radius; up to 0.4"),
+        (["fem", "press", *METAL[:4], "--elastic", "--force-ratio", "3"], "neither body yields"),
+        (["fem", "throw", *METAL, "--speed", "1", "--plane-yield", "1e8"], "needs --plane-young"),
+        (
+            ["fem", "throw", *METAL, "--speed", "1", "--plane-young", "1e9", "--finite-strain"],
+            "on a half space it must be small",
+        ),
+        (
+            ["fem", "throw", *METAL, "--speed", "1", *SOFT_PLANE, "--plane-hardening", "1e8"],
+            "needs --plane-yield",
+        ),
         (["fem", "vibrate", *METAL[:4], "--speed", "900"], "speed of sound"),
         (["fem", "vibrate", *METAL[:4], "--speed", "500"], "of the radius; up to 0.5"),
         (["calibrate", "--fem", *METAL, "--range", "1e6"], "of the radius; up to 0.4"),

@@ -10,6 +10,7 @@ from plastigran.fem.body import Body
 from plastigran.fem.contact import RigidPlane, Touch
 from plastigran.fem.linear import SingularError, SymmetricSystem
 from plastigran.fem.material import Response, State
+from plastigran.fem.stretch import InvertedError
 
 ITERATIONS = 16
 TOLERANCE = 1e-5  # largest residual over the largest nodal force of the contact
@@ -59,8 +60,8 @@ class Equations:
         """The undeformed body that just touches."""
         body = self.body
         displacement = np.zeros(body.size)
-        response = body.material.respond(body.strain(displacement), State.virgin(body.points))
-        return Equilibrium(displacement, 0.0, response, self.plane.touch(displacement, 0.0))
+        response = self._respond(displacement, State.virgin(body.points))
+        return Equilibrium(displacement, 0.0, response, self._touch(displacement, None))
 
     def press(self, start: Equilibrium, guess: tuple[np.ndarray, float], force: float):
         """Equilibrium of a held body that the plane presses with `force`, N.
@@ -75,17 +76,19 @@ class Equations:
         body, plane = self.body, self.plane
         displacement, height = guess
         for iteration in range(ITERATIONS):
-            response = body.material.respond(body.strain(displacement), start.response.state)
+            response = self._respond(displacement, start.response.state)
             touch = plane.touch(displacement, height)
             if touch.force == 0:
                 raise NoConvergence("the contact opens")
-            residual = body.internal_force(response.stress) - touch.nodal
+            residual = body.internal_force(displacement, response.stress) - touch.nodal
             residual[self._fixed] = 0
             excess = force - touch.force
             small = np.max(np.abs(residual)) <= TOLERANCE * np.max(np.abs(touch.nodal), initial=0)
             if small and abs(excess) <= FORCE_TOLERANCE * force:
                 return Equilibrium(displacement, height, response, touch, iteration)
-            change = self._bordered(body.stiffness(response), touch.stiffness, -residual, excess)
+            change = self._bordered(
+                body.stiffness(displacement, response), touch.stiffness, -residual, excess
+            )
             displacement, height = displacement + change[0], height + change[1]
         raise NoConvergence(f"no equilibrium at {force:g} N in {ITERATIONS} iterations")
 
@@ -93,7 +96,7 @@ class Equations:
         """Guess for `press` where loading turns into unloading or back: the body elastic and the
         contact as it is."""
         change = self._bordered(
-            self.body.elastic_stiffness,
+            self.body.stiffness(start.displacement, start.response.held()),
             start.touch.stiffness,
             np.zeros(self.body.size),
             force - start.touch.force,
@@ -108,11 +111,19 @@ class Equations:
         column = self.plane.spread(contact)
         factor = self._factor([stiffness, contact])
         by_force, by_height = factor.solve(np.column_stack([right, column])).T
-        support = column.sum() - column @ by_height
+        support = (self.body.upward * column).sum() - column @ by_height
         if not support > 0:
             raise NoConvergence("the contact opens")
         rise = (excess + column @ by_force) / support
         return by_force + rise * by_height, float(rise)
+
+    def _respond(
+        self, displacement: np.ndarray, state: State, duration: float = np.inf
+    ) -> Response:
+        try:
+            return self.body.respond(displacement, state, duration)
+        except InvertedError as error:
+            raise NoConvergence(str(error)) from None
 
     def _factor(self, matrices: list[np.ndarray]):
         try:
@@ -126,22 +137,31 @@ class Equations:
         Raises:
             NoConvergence: It finds none.
         """
-        body, plane = self.body, self.plane
+        body = self.body
         factor = 4 / inertia.timestep**2
         displacement = guess
         for iteration in range(ITERATIONS):
-            response = body.material.respond(
-                body.strain(displacement), start.response.state, inertia.timestep
-            )
-            touch = plane.touch(displacement, start.height)
+            response = self._respond(displacement, start.response.state, inertia.timestep)
+            touch = self._touch(displacement, start)
             inertial = factor * (body.mass_matrix @ (displacement - inertia.predicted))
-            internal = body.internal_force(response.stress)
+            internal = body.internal_force(displacement, response.stress)
             residual = internal - touch.nodal + inertial
             residual[self._fixed] = 0
             scale = max(np.max(np.abs(part)) for part in (touch.nodal, internal, inertial))
             if np.max(np.abs(residual)) <= TOLERANCE * scale:
                 return Equilibrium(displacement, start.height, response, touch, iteration)
-            matrices = body.stiffness(response) + factor * body.mass_matrices
-            solved = self._factor([matrices, touch.stiffness]).solve(-residual)
+            matrices = self._matrices(displacement, response, touch, factor)
+            solved = self._factor(matrices).solve(-residual)
             displacement = displacement + solved
         raise NoConvergence(f"no balance of forces in {ITERATIONS} iterations")
+
+    def _touch(self, displacement: np.ndarray, start: Equilibrium | None) -> Touch:
+        return self.plane.touch(displacement, 0.0 if start is None else start.height)
+
+    def _matrices(
+        self, displacement: np.ndarray, response: Response, touch: Touch, factor: float
+    ) -> list[np.ndarray]:
+        """Of the elements and of the edges in contact, with `factor` times the masses."""
+        body = self.body
+        stiffness = body.stiffness(displacement, response)
+        return [stiffness + factor * body.mass_matrices, touch.stiffness]

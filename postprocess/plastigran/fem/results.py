@@ -26,7 +26,8 @@ class Snapshot:
         radii: Mean of each edge of the surface (n,), m.
         pressure: Mean there, Pa.
         positions: (r, y) of the Gauss points (points, 2), m.
-        mises: Von Mises stress there, Pa.
+        mises: Von Mises stress there, Pa; in finite strain that of the stress conjugate to the
+            logarithmic strain.
         plastic_strain: Accumulated plastic strain there.
         vertices: (r, y) of the elements' corners, undeformed (n_vertices, 2), m.
         quads: Corners of each element (n_elements, 4); its Gauss points are four in turn.
@@ -46,12 +47,9 @@ class Snapshot:
 
 def energies(body: Body, state: Equilibrium) -> dict[str, float]:
     """Elastic energy, work of plastic flow and energy in the penalty, J."""
-    stress = state.response.stress
-    volumes = body.volumes.ravel()
-    strain = body.strain(state.displacement) - state.response.state.plastic_strain
     return {
-        "elastic_energy": float(np.sum(stress * strain, axis=1) @ volumes / 2),
-        "plastic_work": float(state.response.state.work @ volumes),
+        "elastic_energy": body.elastic_energy(state.displacement, state.response),
+        "plastic_work": float(state.response.state.work @ body.volumes.ravel()),
         "penalty_energy": state.touch.stored,
     }
 
@@ -60,12 +58,12 @@ def snapshot(body: Body, plane: RigidPlane, state: Equilibrium) -> Snapshot:
     """The fields of an equilibrium."""
     return Snapshot(
         state.touch.force,
-        *plane.profile(state.touch.pressure),
+        *plane.profile(state.touch),
         body.positions.reshape(-1, 2),
         mises_stress(state.response.stress),
         state.response.state.accumulated,
-        body.mesh.p[:, : body.mesh.nvertices].T,
-        body.mesh.t[:4].T,
+        body.vertices,
+        body.quads,
         state.displacement[body.vertex_dofs],
     )
 

@@ -15,6 +15,7 @@ from tqdm import tqdm
 
 from plastigran.fem.body import Body
 from plastigran.fem.conservative import SpringPlane, Steps
+from plastigran.fem.edges import contact_edge
 from plastigran.fem.elastic_body import ElasticBody
 from plastigran.fem.hertz import HertzSphere
 from plastigran.fem.increment import NoConvergence
@@ -119,7 +120,7 @@ class _Watch:
             "force": now.force,
             "approach": -rise,
             "velocity": velocity,
-            "contact_radius": self.steps.plane.contact_radius(now.gap),
+            "contact_radius": contact_edge(self.steps.plane.radii, now.gap),
             "kinetic_energy": now.kinetic_energy,
             "centre_kinetic_energy": self._mass * velocity**2 / 2,
             "elastic_energy": now.elastic_energy,

@@ -7,7 +7,7 @@ import argparse
 import json
 
 from plastigran.cli.arguments import positive
-from plastigran.cli.metal import add_metal, computed, metal
+from plastigran.cli.metal import add_metal, add_strain, computed, metal
 from plastigran.fem.calibration import calibrate, check_range
 from plastigran.fem.hertz import HertzSphere
 from plastigran.fem.press import press
@@ -18,6 +18,7 @@ HELP = "constants of vu_quoc_zhang from finite elements"
 def add_arguments(command: argparse.ArgumentParser) -> None:
     command.add_argument("--fem", action="store_true", required=True, help="by finite elements")
     add_metal(command)
+    add_strain(command)
     command.add_argument(
         "--range",
         type=positive,
@@ -32,7 +33,8 @@ def run(arguments: argparse.Namespace) -> None:
     sphere = HertzSphere(metal(arguments), arguments.radius)
     force = arguments.force_ratio * sphere.yield_force
     check_range(sphere, force)
-    numbers = calibrate(computed(press, sphere.material, sphere.radius, [force])).to_dict()
+    pressing = computed(press, sphere.material, sphere.radius, [force], strain=arguments.strain)
+    numbers = calibrate(pressing).to_dict()
     if arguments.json:
         print(json.dumps(numbers))
         return

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""`plastigran fem`: one sphere on a rigid plane by finite elements: pressed, thrown, or thrown and
-followed while it vibrates."""
+"""`plastigran fem`: finite elements of a sphere on a plane or a half space, pressed, thrown, or
+thrown and followed while it vibrates, or of a body that a rigid cylinder strikes."""
 
 from __future__ import annotations
 
@@ -11,7 +11,16 @@ import sys
 import pandas as pd
 
 from plastigran.cli.arguments import positive
-from plastigran.cli.metal import add_elastic, add_metal, computed, metal
+from plastigran.cli.cylinder import add_cylinder, cylinder
+from plastigran.cli.metal import (
+    add_elastic,
+    add_metal,
+    add_plane,
+    add_strain,
+    computed,
+    metal,
+    plane,
+)
 from plastigran.fem.hertz import HertzSphere
 from plastigran.fem.press import press
 from plastigran.fem.throw import throw
@@ -19,13 +28,15 @@ from plastigran.fem.vibrate import TRANSITS, vibrate
 from plastigran.fem.vibration import SIGNALS, Vibration
 from plastigran.physics.impact_modes import impact_modes, nearest_modes
 
-HELP = "a sphere on a rigid plane by finite elements: pressed, thrown, or vibrating"
+HELP = "a sphere on a plane, or a rigid cylinder on a body, by finite elements"
 
 
 def add_arguments(command: argparse.ArgumentParser) -> None:
-    kinds = command.add_subparsers(dest="kind", required=True, metavar="press|throw|vibrate")
+    kinds = command.add_subparsers(
+        dest="kind", required=True, metavar="press|throw|vibrate|cylinder"
+    )
     slow = kinds.add_parser("press", help="press the sphere slowly, and let it go")
-    add_metal(slow)
+    add_metal(slow, elastic=True)
     slow.add_argument(
         "--force-ratio",
         type=positive,
@@ -36,6 +47,10 @@ def add_arguments(command: argparse.ArgumentParser) -> None:
     fast = kinds.add_parser("throw", help="throw the sphere at the plane")
     add_metal(fast, elastic=True)
     fast.add_argument("--speed", type=positive, required=True, help="m/s")
+    for command in (slow, fast):
+        add_plane(command)
+        add_strain(command)
+    add_cylinder(kinds.add_parser("cylinder", help="let a rigid cylinder strike a body"))
     ringing = kinds.add_parser("vibrate", help="throw an elastic sphere, and follow its vibration")
     add_elastic(ringing)
     ringing.add_argument("--speed", type=positive, required=True, help="m/s")
@@ -49,9 +64,12 @@ def add_arguments(command: argparse.ArgumentParser) -> None:
 
 
 def run(arguments: argparse.Namespace) -> None:
-    sphere = HertzSphere(metal(arguments), arguments.radius)
-    kinds = {"press": _press, "throw": _throw, "vibrate": _vibrate}
-    numbers = kinds[arguments.kind](sphere, arguments)
+    if arguments.kind == "cylinder":
+        numbers = cylinder(arguments)
+    else:
+        sphere = HertzSphere(metal(arguments), arguments.radius, plane(arguments))
+        kinds = {"press": _press, "throw": _throw, "vibrate": _vibrate}
+        numbers = kinds[arguments.kind](sphere, arguments)
     if arguments.json:
         print(json.dumps(numbers))
         return
@@ -66,19 +84,23 @@ def run(arguments: argparse.Namespace) -> None:
 
 
 def _press(sphere: HertzSphere, arguments: argparse.Namespace) -> dict:
+    if sphere.yielding is None:
+        raise ValueError("neither body yields; --force-ratio is over the force at yield")
     forces = [ratio * sphere.yield_force for ratio in arguments.force_ratio]
     if arguments.force_ratio[-1] <= 1:
         _say(f"{forces[-1]:.4g} N does not reach yield, which begins at {sphere.yield_force:.4g} N")
-    return computed(press, sphere.material, sphere.radius, forces).to_dict()
+    case = (sphere.material, sphere.radius, forces)
+    return computed(press, *case, strain=arguments.strain, plane=sphere.plane).to_dict()
 
 
 def _throw(sphere: HertzSphere, arguments: argparse.Namespace) -> dict:
-    if sphere.material.hardening and arguments.speed <= sphere.yield_speed:
+    if sphere.yielding and arguments.speed <= sphere.yield_speed:
         _say(
             f"{arguments.speed:g} m/s does not reach yield, which begins at "
             f"{sphere.yield_speed:.4g} m/s"
         )
-    return computed(throw, sphere.material, sphere.radius, arguments.speed).to_dict()
+    case = (sphere.material, sphere.radius, arguments.speed)
+    return computed(throw, *case, strain=arguments.strain, plane=sphere.plane).to_dict()
 
 
 def _vibrate(sphere: HertzSphere, arguments: argparse.Namespace) -> dict:
