@@ -166,14 +166,15 @@ def test_spectrum_tells_frequency_and_amplitude():
             "of sound",
         ),
         ({"material": METAL}, "only an elastic sphere"),
+        ({"settings": Settings(strain="finite")}, "computed in 'small' strain"),
         ({"transits": 0.0}, "transits is 0; it must be positive"),
         ({"speed": 300.0}, "of the radius; up to 0.5 can be computed"),
     ],
 )
 def test_what_cannot_be_followed_is_refused(changes, said):
-    good = {"material": ICE, "radius": RADIUS, "speed": 1.0, "transits": 1.0}
+    good = {"material": ICE, "radius": RADIUS, "speed": 1.0, "transits": 1.0, "settings": COARSE}
     with pytest.raises(ValueError, match=said):
-        vibrate(**(good | changes), settings=COARSE)
+        vibrate(**(good | changes))
 
 
 def test_wide_contact_is_warned_of():

@@ -52,7 +52,7 @@ def vibrate(
 
     Raises:
         ValueError: A metal that yields; a speed that is not positive, or so large that small
-            strain does not hold; transits that are not positive.
+            strain does not hold; finite strain; transits that are not positive.
         NoConvergence: The first step does not converge. A later one ends the computation, which
             keeps what it has and says so in `stopped`.
     """
@@ -60,6 +60,10 @@ def vibrate(
     sphere = HertzSphere(material, radius)
     if material.hardening is not None:
         raise ValueError("material has a hardening law; only an elastic sphere is followed")
+    if settings.strain != "small":
+        raise ValueError(
+            f"strain is {settings.strain!r}; vibrations are computed in 'small' strain"
+        )
     if not 0 < transits < inf:
         raise ValueError(f"transits is {transits:g}; it must be positive and finite")
     check_speed(sphere, speed, WIDEST)
