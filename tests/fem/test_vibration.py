@@ -114,6 +114,19 @@ def test_energies_of_the_modes_are_at_most_what_is_left(vibration):
     assert 0.3 * left < vibration.modes["energy"].sum() < left
 
 
+@pytest.mark.parametrize("kind", ["vibration", "slow"])
+def test_strongest_vibration_is_what_the_pulse_of_the_force_excites(kind, request):
+    """Energy of a mode of unit mass: half the square of the pulse's Fourier integral times the
+    mode's displacement at the contact. The slow impact excites degree 2 most, the fast one 3."""
+    found = request.getfixturevalue(kind)
+    mode = found.modes.loc[found.modes["energy"].idxmax()]
+    time = found.history["time"] - found.timestep / 2
+    phase = np.exp(2j * np.pi * mode["frequency"] * time)
+    pulse = np.abs(np.sum(phase * found.history["force"])) * found.timestep
+    # The force is not at a point: over a/R = 0.02 and 0.1 this takes and adds some per cent.
+    assert mode["energy"] == pytest.approx((mode["contact_displacement"] * pulse) ** 2 / 2, rel=0.1)
+
+
 def test_mean_force_is_the_difference_quotient_of_the_energy():
     mesh = COARSE.mesh(HERTZ, 1e-3, whole=True).build()
     plane = SpringPlane(Body(mesh, ICE), RADIUS, 1e-3)
@@ -153,14 +166,15 @@ def test_spectrum_tells_frequency_and_amplitude():
             "of sound",
         ),
         ({"material": METAL}, "only an elastic sphere"),
+        ({"settings": Settings(strain="finite")}, "computed in 'small' strain"),
         ({"transits": 0.0}, "transits is 0; it must be positive"),
         ({"speed": 300.0}, "of the radius; up to 0.5 can be computed"),
     ],
 )
 def test_what_cannot_be_followed_is_refused(changes, said):
-    good = {"material": ICE, "radius": RADIUS, "speed": 1.0, "transits": 1.0}
+    good = {"material": ICE, "radius": RADIUS, "speed": 1.0, "transits": 1.0, "settings": COARSE}
     with pytest.raises(ValueError, match=said):
-        vibrate(**(good | changes), settings=COARSE)
+        vibrate(**(good | changes))
 
 
 def test_wide_contact_is_warned_of():

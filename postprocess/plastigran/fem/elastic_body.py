@@ -45,6 +45,13 @@ class ElasticBody:
         """Where degrees of freedom of the body are among those that move."""
         return np.searchsorted(self.free, dofs)
 
+    def nearest(self, point: tuple[float, float], vertical: bool) -> int:
+        """Where the vertical or radial degree of freedom next to a point (r, y), m, is among those
+        that move."""
+        kind = np.flatnonzero((self.upward == 1) == vertical)
+        away = self.body.locations[:, self.free[kind]] - np.array(point)[:, None]
+        return int(kind[np.argmin(np.linalg.norm(away, axis=0))])
+
     def vibrations(self, count: int) -> tuple[np.ndarray, np.ndarray]:
         """The gravest free vibrations, without the motion as a whole.
 

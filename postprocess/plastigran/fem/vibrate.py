@@ -52,7 +52,7 @@ def vibrate(
 
     Raises:
         ValueError: A metal that yields; a speed that is not positive, or so large that small
-            strain does not hold; transits that are not positive.
+            strain does not hold; finite strain; transits that are not positive.
         NoConvergence: The first step does not converge. A later one ends the computation, which
             keeps what it has and says so in `stopped`.
     """
@@ -60,6 +60,10 @@ def vibrate(
     sphere = HertzSphere(material, radius)
     if material.hardening is not None:
         raise ValueError("material has a hardening law; only an elastic sphere is followed")
+    if settings.strain != "small":
+        raise ValueError(
+            f"strain is {settings.strain!r}; vibrations are computed in 'small' strain"
+        )
     if not 0 < transits < inf:
         raise ValueError(f"transits is {transits:g}; it must be positive and finite")
     check_speed(sphere, speed, WIDEST)
@@ -104,15 +108,8 @@ class _Watch:
         elastic = steps.elastic
         self._mass = elastic.body.mass
         self._masses = elastic.mass_matrix @ elastic.upward
-        locations = elastic.body.locations[:, elastic.free]
-        vertical = elastic.upward == 1
-
-        def nearest(point: tuple[float, float], kind: np.ndarray) -> int:
-            distance = np.linalg.norm(locations - np.array(point)[:, None], axis=0)
-            return int(np.argmin(np.where(kind, distance, inf)))
-
-        self._top = nearest((0.0, 2 * radius), vertical)
-        self._equator = nearest((radius, radius), ~vertical)
+        self._top = elastic.nearest((0.0, 2 * radius), vertical=True)
+        self._equator = elastic.nearest((radius, radius), vertical=False)
 
     def row(self) -> dict[str, float]:
         now, before = self.steps.now, self._before
@@ -149,6 +146,7 @@ def _summary(
     elastic, now = steps.elastic, steps.now
     frequencies, shapes = elastic.vibrations(MODES)
     energies = elastic.modal_energies(frequencies, shapes, now.displacement, now.velocity)
+    contact = elastic.nearest((0.0, 0.0), vertical=True)
     force, time = history["force"].to_numpy(), history["time"].to_numpy()
     touching = np.flatnonzero(force)
     flight = history.iloc[touching[-1] + 1 :]
@@ -163,7 +161,13 @@ def _summary(
         speed=speed,
         timestep=steps.timestep,
         history=history,
-        modes=pd.DataFrame({"frequency": frequencies, "energy": energies}),
+        modes=pd.DataFrame(
+            {
+                "frequency": frequencies,
+                "energy": energies,
+                "contact_displacement": np.abs(shapes[contact]),
+            }
+        ),
         coefficient_of_restitution=nan if stopped else float(last["velocity"]) / speed,
         kinetic_restitution=nan if stopped else sqrt(flight["kinetic_energy"].mean() / kinetic),
         force_max=float(force.max()),

@@ -36,8 +36,9 @@ class Vibration:
             the steps do not resolve are filtered out),
             top_displacement and equator_displacement m (of the pole far from the plane, upward,
             and of the equator, outward, in the frame of the centre of mass).
-        modes: One row for each of the gravest free vibrations of the mesh: frequency Hz, and
-            energy J in it at the end.
+        modes: One row for each of the gravest free vibrations of the mesh: frequency Hz, energy J
+            in it at the end, and contact_displacement kg^-1/2, its shape of unit modal mass at the
+            point of contact, along the normal.
         coefficient_of_restitution: Momentum after over before.
         kinetic_restitution: Square root of total kinetic energy after, the mean over the flight,
             over that before. It counts half the vibration's energy as rebound.
