@@ -32,7 +32,7 @@ def read_tables(name: str) -> dict[str, pd.DataFrame]:
 
 
 def test_papers_are_found():
-    assert "gcm15" in NAMES
+    assert {"gcm15", "zv02"} <= set(NAMES)
     with pytest.raises(ValueError, match=r"no paper 'xy99'; there are .*gcm15"):
         find_paper("xy99")
 
@@ -91,9 +91,10 @@ def test_differences_are_per_cent_of_the_other_and_empty_where_it_is_zero():
 
 
 def test_tables_replace_what_stood_in_their_places():
-    tables = {"one": pd.DataFrame({"a": [1.23456]})}
+    tables = {"one": pd.DataFrame({"a": [1.23456, 12345.6]})}
     filled = fill(PAGE, tables)
-    assert filled == "before\n<!-- table one -->\n| a |\n| --- |\n| 1.235 |\n<!-- end -->\nafter\n"
+    table = "| a |\n| --- |\n| 1.235 |\n| 12350 |\n"
+    assert filled == f"before\n<!-- table one -->\n{table}<!-- end -->\nafter\n"
     assert fill(filled, tables) == filled
 
 
@@ -101,7 +102,8 @@ def test_a_page_is_written_with_its_pictures(tmp_path):
     paper, folder = own_paper(), tmp_path / "docs" / "papers"
     folder.mkdir(parents=True)
     (folder / "own.md").write_text(PAGE)
-    page, picture = publish(paper, paper.reproduce(), folder)
+    made = paper.reproduce()
+    page, picture = publish(paper, made, made.write(tmp_path / "results"), folder)
     assert "+5.00" in page.read_text()
     assert picture == tmp_path / "docs" / "figures" / "papers" / "own" / "line.png"
     assert picture.read_bytes().startswith(b"\x89PNG")

@@ -70,17 +70,12 @@ def law_names(
     return list(dict.fromkeys(chain.from_iterable(expanded)))
 
 
-def fresh_folder(folder: Path, force: bool, table: str = TABLE) -> Path:
+def fresh_folder(folder: Path, force: bool) -> Path:
     """A folder for results: never one that holds some, unless forced.
-
-    Args:
-        folder: The folder.
-        force: Whether results are overwritten.
-        table: A file that results have.
 
     Raises:
         UsageError: It holds some.
     """
-    if (folder / table).exists() and not force:
+    if (folder / TABLE).exists() and not force:
         raise UsageError(f"{folder} holds results; choose another --output, or add --force")
     return folder

@@ -54,11 +54,6 @@ class Reproduction:
         for name, table in self.tables.items():
             written.append(folder / f"{name}.csv")
             table.to_csv(written[-1], index=False)
-        return written + self.draw(folder)
-
-    def draw(self, folder: Path) -> list[Path]:
-        """Write figures as PNG and movies as GIF; returns the files."""
-        written = []
         for name, figure in self.figures.items():
             written += save(figure, folder / name, (".png",), RESOLUTION)
         for name, movie in self.movies.items():

@@ -11,6 +11,7 @@ import re
 from collections.abc import Mapping
 from numbers import Real
 from pathlib import Path
+from shutil import copy
 
 import pandas as pd
 
@@ -48,12 +49,13 @@ def fill(text: str, tables: Mapping[str, pd.DataFrame]) -> str:
     return PLACE.sub(lambda place: place[1] + to_markdown(tables[place[2]]) + place[4], text)
 
 
-def publish(paper: Paper, made: Reproduction, folder: Path) -> list[Path]:
-    """Write tables into the paper's page and pictures beside it; returns the files.
+def publish(paper: Paper, made: Reproduction, written: list[Path], folder: Path) -> list[Path]:
+    """Write tables into the paper's page and copy pictures beside it; returns the files.
 
     Args:
         paper: Whose.
-        made: What is written.
+        made: Its tables are written.
+        written: Files that `made.write` wrote; its pictures are copied.
         folder: Of the pages; the pictures go to `../figures/papers/NAME`, seen from there.
 
     Raises:
@@ -61,7 +63,9 @@ def publish(paper: Paper, made: Reproduction, folder: Path) -> list[Path]:
     """
     path = folder / f"{paper.name}.md"
     path.write_text(fill(read_page(paper, folder), made.tables))
-    return [path, *made.draw(folder.parent / "figures" / "papers" / paper.name)]
+    pictures = folder.parent / "figures" / "papers" / paper.name
+    pictures.mkdir(parents=True, exist_ok=True)
+    return [path, *(Path(copy(file, pictures)) for file in written if file.suffix != ".csv")]
 
 
 def to_markdown(table: pd.DataFrame) -> str:
@@ -77,4 +81,7 @@ def _cell(column: str, value: object) -> str:
         return ""
     if not isinstance(value, Real):
         return str(value)
-    return f"{value:+.2f}" if column.endswith("(%)") else f"{value:.4g}"
+    if column.endswith("(%)"):
+        return f"{value:+.2f}"
+    rounded = float(f"{value:.4g}")
+    return f"{rounded:.0f}" if 1e4 <= abs(rounded) < 1e6 else f"{rounded:.4g}"

@@ -7,7 +7,6 @@ import argparse
 import sys
 from pathlib import Path
 
-from plastigran.cli.arguments import UsageError, fresh_folder
 from plastigran.papers import find_paper, paper_names
 
 HELP = "tables and figures of a paper, beside finite elements, laws and LIGGGHTS"
@@ -38,10 +37,11 @@ def run(arguments: argparse.Namespace) -> None:
 
     paper = find_paper(arguments.paper)
     folder = arguments.output or Path("results") / paper.name
-    fresh_folder(folder, arguments.force, f"{paper.tables[0]}.csv")
+    if (folder / f"{paper.tables[0]}.csv").exists() and not arguments.force:
+        raise ValueError(f"{folder} holds results; choose another --output, or add --force")
     if arguments.docs:
         if arguments.coarse:
-            raise UsageError("--docs takes whole results, not --coarse ones")
+            raise ValueError("--docs takes whole results, not --coarse ones")
         read_page(paper, arguments.docs)
     made = paper.reproduce(sys.stderr.isatty(), arguments.coarse)
     print(f"{paper.citation}: {paper.title}")
@@ -49,5 +49,5 @@ def run(arguments: argparse.Namespace) -> None:
         print(f"\n{name}\n{to_markdown(table)}", end="")
     written = made.write(folder)
     if arguments.docs:
-        written += publish(paper, made, arguments.docs)
+        written += publish(paper, made, written, arguments.docs)
     print("\nwritten: " + "  ".join(str(path) for path in written))

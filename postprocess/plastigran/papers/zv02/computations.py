@@ -1,0 +1,105 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Finite elements and runs of LIGGGHTS of the paper's sphere."""
+
+from __future__ import annotations
+
+from math import pi
+
+import attrs
+from skfem import MeshQuad2
+
+from plastigran import laws
+from plastigran.experiments.collide import collide
+from plastigran.experiments.runs import Runs
+from plastigran.fem.hardening import LinearHardening
+from plastigran.fem.hertz import HertzSphere
+from plastigran.fem.limits import force_of_impact
+from plastigran.fem.material import ElasticPlastic
+from plastigran.fem.press import press
+from plastigran.fem.results import Pressing, Throw
+from plastigran.fem.settings import Settings
+from plastigran.fem.throw import throw
+from plastigran.materials import RIGID, read_material
+from plastigran.papers.computing import Computation, compute_all
+
+RADIUS = 0.1
+MATERIAL = read_material("aluminium_zv02")
+ELASTIC = ElasticPlastic(
+    youngs_modulus=MATERIAL.youngs_modulus,
+    poissons_ratio=MATERIAL.poissons_ratio,
+    density=MATERIAL.density,
+)
+METAL = attrs.evolve(ELASTIC, hardening=LinearHardening(MATERIAL.yield_strength))
+SPHERE = HertzSphere(METAL, RADIUS)
+PAIR = laws.combine(MATERIAL.body(), RIGID)
+MASS = 4 / 3 * pi * RADIUS**3 * MATERIAL.density
+
+#: The paper's speeds [m/s], and one between them.
+SPEEDS = (0.20, 0.10, 0.06, 0.02)
+#: Those of its impacts without plastic flow [m/s].
+ELASTIC_SPEEDS = (0.02, 0.10)
+#: The speed that the movie shows.
+SHOWN = 0.10
+#: Largest forces [N]: just beyond yield, the paper's loads, and that of its impact at 0.20 m/s.
+FORCES = (40.0, 100.0, 500.0, 1500.0, 3000.0, 8375.0)
+#: To which the paper fits the constants of its law, 41 P_Y [N].
+CALIBRATION_FORCE = 1500.0
+#: The paper's laws, and the two nearest to finite elements.
+LAWS = ("vu_quoc_zhang", "thornton", "stronge", "kogut_etsion", "jackson_green")
+
+
+@attrs.frozen
+class Computed:
+    """Everything the tables and figures are made of.
+
+    Attributes:
+        throws: Elastic-plastic impacts, by speed.
+        elastic_throws: Elastic ones, by speed.
+        pressing: To each of `FORCES` in turn.
+        elastic_pressing: To the same, without plastic flow.
+        fit: To `CALIBRATION_FORCE` at once.
+        onset: Slowly past the force at yield, on a finer mesh.
+        mesh: Of the impact at `SHOWN`.
+        runs: Of LIGGGHTS, `LAWS` and Hertz' at every speed.
+    """
+
+    throws: dict[float, Throw]
+    elastic_throws: dict[float, Throw]
+    pressing: Pressing
+    elastic_pressing: Pressing
+    fit: Pressing
+    onset: Pressing
+    mesh: MeshQuad2
+    runs: Runs
+
+
+def compute_finite_elements_and_runs(progress: bool, coarse: bool) -> Computed:
+    """Compute, or find in the cache, what `Computed` holds; arguments as of `Paper.reproduce`."""
+    usual, frames = Settings(), 50
+    if coarse:
+        usual, frames = Settings(divisions=4, fineness=0.5, growth=1.15, steps_of_contact=80), 12
+    # Two periods of the gravest mode are followed after the contact.
+    long = attrs.evolve(usual, free_steps=usual.steps_of_contact // 4, frames=frames)
+    fine = attrs.evolve(usual, divisions=2 * usual.divisions, growth=1.002, unloading_steps=8)
+    speeds = (SHOWN, 0.02) if coarse else SPEEDS
+    forces = FORCES[:4] if coarse else FORCES
+    asked = {
+        **{("thrown", v): Computation(throw, (METAL, RADIUS, v), long) for v in speeds},
+        "pressed": Computation(press, (METAL, RADIUS, list(forces)), usual),
+        **{("elastic", v): Computation(throw, (ELASTIC, RADIUS, v), usual) for v in ELASTIC_SPEEDS},
+        "elastic, pressed": Computation(press, (ELASTIC, RADIUS, list(forces)), usual),
+        "fit": Computation(press, (METAL, RADIUS, [CALIBRATION_FORCE]), usual),
+        "onset": Computation(press, (METAL, RADIUS, [1.04 * SPHERE.yield_force]), fine),
+    }
+    found = compute_all(asked, progress)
+    ordered = sorted(speeds)
+    return Computed(
+        throws={v: found["thrown", v] for v in ordered},
+        elastic_throws={v: found["elastic", v] for v in ELASTIC_SPEEDS},
+        pressing=found["pressed"],
+        elastic_pressing=found["elastic, pressed"],
+        fit=found["fit"],
+        onset=found["onset"],
+        mesh=usual.mesh(SPHERE, force_of_impact(SPHERE, SHOWN)[1], whole=True).build(),
+        runs=collide([*LAWS, "hertz"], ordered, MATERIAL, RADIUS),
+    )
