@@ -3,13 +3,18 @@
 
 from __future__ import annotations
 
+import argparse
 import json
 
 import pytest
 
 from plastigran.cli import main
+from plastigran.cli.metal import add_metal, add_plane, plane
+from plastigran.fem.hardening import LinearHardening
+from plastigran.fem.material import ElasticPlastic
 
 METAL = ["--young", "70e9", "--poisson", "0.3", "--yield", "1e8"]
+SOFT_PLANE = ["--plane-young", "1e9"]
 
 
 @pytest.fixture(autouse=True)
@@ -26,6 +31,32 @@ def test_press_below_yield_says_so_and_gives_everything_back(capsys):
     assert unloading["coefficient_of_restitution"] == pytest.approx(1, abs=5e-3)
 
 
+def test_half_space_has_the_numbers_given_and_else_those_of_the_sphere():
+    parser = argparse.ArgumentParser()
+    add_metal(parser)
+    add_plane(parser)
+    own = parser.parse_args([*METAL, "--plane-young", "2e9", "--plane-yield", "5e7"])
+    assert plane(own) == ElasticPlastic(
+        youngs_modulus=2e9, poissons_ratio=0.3, density=2700.0, hardening=LinearHardening(5e7)
+    )
+    elastic = parser.parse_args([*METAL, *SOFT_PLANE, "--plane-poisson", "0.2"])
+    assert plane(elastic) == ElasticPlastic(youngs_modulus=1e9, poissons_ratio=0.2, density=2700.0)
+    assert plane(parser.parse_args(METAL)) is None
+
+
+def test_vibrating_sphere_names_its_modes(capsys):
+    line = ["fem", "vibrate", "--young", "6e6", "--poisson", "0.25", "--density", "900"]
+    assert main([*line, "--radius", "0.01", "--speed", "5", "--transits", "12", "--json"]) == 0
+    printed = capsys.readouterr()
+    assert "small strain is good to 0.1" in printed.err
+    numbers = json.loads(printed.out)
+    modes = numbers["modes"]
+    assert (modes["kind"][0], modes["degree"][0]) == ("spheroidal", 2)
+    assert modes["found"] == pytest.approx(modes["frequency"], rel=2e-3)
+    # Wider than a third of the radius, it lasts two periods only: vibration is left.
+    assert 0.98 < numbers["coefficient_of_restitution"] < 0.995
+
+
 @pytest.mark.parametrize(
     ("line", "said"),
     [
@@ -33,10 +64,47 @@ def test_press_below_yield_says_so_and_gives_everything_back(capsys):
         (["fem", "press", *METAL, "--hardening", "-3", "--force-ratio", "3"], "modulus is -3"),
         (["fem", "throw", *METAL, "--speed", "900"], "speed of sound"),
         (["fem", "throw", *METAL, "--speed", "100"], "of the radius; up to 0.4"),
+        (["fem", "press", *METAL[:4], "--elastic", "--force-ratio", "3"], "neither body yields"),
+        (["fem", "throw", *METAL, "--speed", "1", "--plane-yield", "1e8"], "needs --plane-young"),
+        (
+            ["fem", "throw", *METAL, "--speed", "1", "--plane-young", "1e9", "--finite-strain"],
+            "on a half space it must be small",
+        ),
+        (
+            ["fem", "throw", *METAL, "--speed", "1", *SOFT_PLANE, "--plane-hardening", "1e8"],
+            "needs --plane-yield",
+        ),
+        (["fem", "vibrate", *METAL[:4], "--speed", "900"], "speed of sound"),
+        (["fem", "vibrate", *METAL[:4], "--speed", "500"], "of the radius; up to 0.5"),
         (["calibrate", "--fem", *METAL, "--range", "1e6"], "of the radius; up to 0.4"),
         (["calibrate", *METAL, "--range", "1.2"], "needs 3 times the force at yield"),
     ],
 )
 def test_bad_input_is_refused_with_its_limit(line, said, capsys):
     assert main(line) == 1
+    assert said in capsys.readouterr().err
+
+
+CYLINDER = ["--radius", "1e-5", "--length", "1e-4", "--mass", "1.59e-6", "--thickness", "1e-4"]
+
+
+def test_a_cylinder_strikes_a_body(capsys):
+    metal = ["--young", "79.5e9", "--poisson", "0.23", "--density", "2500", "--elastic"]
+    assert main(["fem", "cylinder", *metal, *CYLINDER, "--speed", "0.1", "--json"]) == 0
+    numbers = json.loads(capsys.readouterr().out)
+    # Waves in the body, hundreds of times lighter than the cylinder, keep 1e-3 of the speed.
+    assert numbers["coefficient_of_restitution"] == pytest.approx(1, abs=5e-3)
+    assert len(numbers["history"]["force"]) > 100
+
+
+@pytest.mark.parametrize(
+    ("given", "said"),
+    [
+        (["--speed", "1", "--sliding-speed", "-1"], "sliding_speed is -1"),
+        (["--speed", "1", "--coefficient-of-friction", "3"], "coefficient_of_friction is 3"),
+        (["--speed", "30"], "of the radius"),
+    ],
+)
+def test_a_cylinder_that_cannot_strike_is_refused(given, said, capsys):
+    assert main(["fem", "cylinder", *METAL, *CYLINDER, *given]) == 1
     assert said in capsys.readouterr().err

@@ -83,6 +83,14 @@ def test_pressing_again_retraces_the_unloading(plastic_pressing):
     assert_allclose(retraced[upper], down["approach"][upper], rtol=0.02)
 
 
+def test_pressing_again_rejoins_the_virgin_loading(plastic_pressing):
+    at_once = press(METAL, RADIUS, [1500.0], COARSE).unloadings.iloc[0]
+    again = plastic_pressing.unloadings.iloc[-1]
+    for name in ("approach", "residual_approach", "coefficient_of_restitution"):
+        # 500 N is one more increment on the way; steps of 15 % cost as much.
+        assert again[name] == pytest.approx(at_once[name], rel=5e-3), name
+
+
 def test_yield_begins_below_the_surface_at_the_force_of_hertz():
     ratio = 1.15
     force = ratio * HertzSphere(METAL, RADIUS).yield_force

@@ -10,11 +10,15 @@ from pathlib import Path
 from types import ModuleType
 
 import attrs
+import numpy as np
 import pandas as pd
 import pytest
+from numpy.testing import assert_allclose
 
 from plastigran.bulk.run import BulkRun
 from plastigran.engine.process import PROJECT, run_deck
+from plastigran.fem.kinematics import FiniteStrain
+from plastigran.fem.material import State
 from plastigran.fem.settings import Settings
 
 #: Long enough for a steady discharge; the hopper's own tests share the run.
@@ -100,3 +104,22 @@ def test_reliability(part, tmp_path, monkeypatch):
     written, _, rest = after.partition("<!-- end -->\n")
     assert page.read_text().endswith(rest)
     assert [line for line in written.splitlines() if re.match(r"\|.*\d", line)], "no row"
+
+
+def test_the_metal_given_to_the_independent_elements():
+    """Where stretches keep their directions both theories are one: F = F_e F_p and sums of
+    logarithms."""
+    script = load("benchmarks/independent_finite_elements.py")
+    material = script.HARD
+    stretches = np.random.default_rng(7).normal(scale=0.05, size=(50, 3))
+    gradients = np.hstack([stretches, np.zeros((50, 2))])
+    finite = FiniteStrain()
+    response = material.respond(finite.strain(gradients), State.virgin(50))
+    assert response.flowing.size > 20
+    deformation = np.zeros((3, 3, 1, 50))
+    deformation[[0, 1, 2], [0, 1, 2], 0] = 1 + stretches.T
+    metal = script.FiniteMetal(material)
+    stress, _ = metal.stress([deformation, np.zeros((9, 1, 50))])
+    expected = finite.conjugate(gradients, response.stress)[:, :3]
+    found = stress[[0, 1, 2], [0, 1, 2], 0].T
+    assert_allclose(found, expected, atol=1e-9 * material.youngs_modulus)  # rounding

@@ -13,41 +13,107 @@ from plastigran.fem.cache import cached
 from plastigran.fem.hardening import LinearHardening
 from plastigran.fem.limits import SmallStrainWarning
 from plastigran.fem.material import ElasticPlastic
+from plastigran.fem.settings import Settings
 
 
-def add_metal(command: argparse.ArgumentParser, elastic: bool = False) -> None:
-    """The metal, the radius and --json; with `elastic`, --elastic may stand for --yield."""
-    command.add_argument("--young", type=positive, required=True, help="Young's modulus, Pa")
-    command.add_argument("--poisson", type=float, required=True, help="Poisson's ratio")
-    command.add_argument(
-        "--density", type=positive, default=2700.0, help="density, kg/m3, default 2700"
-    )
+def add_metal(
+    command: argparse.ArgumentParser, elastic: bool = False, radius: float | None = 0.1
+) -> None:
+    """The metal, the radius and --json; with `elastic`, --elastic may stand for --yield; `radius`
+    is its default, without which it must be given."""
+    add_elastic(command, radius)
     strength = command.add_mutually_exclusive_group(required=True)
     strength.add_argument(
         "--yield", type=positive, dest="yield_strength", help="yield strength, Pa"
     )
     if elastic:
-        strength.add_argument("--elastic", action="store_true", help="the sphere does not yield")
+        strength.add_argument("--elastic", action="store_true", help="nothing yields")
     command.add_argument(
         "--hardening",
         type=float,
         default=0.0,
         help="plastic modulus, Pa, default 0",
     )
+
+
+def add_elastic(command: argparse.ArgumentParser, radius: float | None = 0.1) -> None:
+    """An elastic material, the radius and --json."""
+    command.add_argument("--young", type=positive, required=True, help="Young's modulus, Pa")
+    command.add_argument("--poisson", type=float, required=True, help="Poisson's ratio")
     command.add_argument(
-        "--radius", type=positive, default=0.1, help="of the sphere, default 0.1 m"
+        "--density", type=positive, default=2700.0, help="density, kg/m3, default 2700"
+    )
+    said = "m" if radius is None else f"m, default {radius:g}"
+    command.add_argument(
+        "--radius", type=positive, default=radius, required=radius is None, help=said
     )
     command.add_argument("--json", action="store_true", help="all numbers, as JSON")
 
 
+def add_strain(command: argparse.ArgumentParser) -> None:
+    """--finite-strain."""
+    command.add_argument(
+        "--finite-strain",
+        action="store_const",
+        const="finite",
+        default="small",
+        dest="strain",
+        help="for contacts wider than a tenth of the radius; takes up to twice as long",
+    )
+
+
+def add_plane(command: argparse.ArgumentParser) -> None:
+    """The metal of a half space under the sphere, which is rigid without."""
+    for name, kind, said in (
+        ("young", positive, "Young's modulus, Pa, of a half space; without it the plane is rigid"),
+        ("poisson", float, "its Poisson's ratio, default that of the sphere"),
+        ("density", positive, "kg/m3, default that of the sphere"),
+        ("yield", positive, "its yield strength, Pa; without it the half space does not yield"),
+        ("hardening", float, "its plastic modulus, Pa, default 0"),
+    ):
+        command.add_argument(f"--plane-{name}", type=kind, help=said)
+
+
+def plane(arguments: argparse.Namespace) -> ElasticPlastic | None:
+    """The metal of `add_plane`'s arguments; None where the plane is rigid.
+
+    Raises:
+        ValueError: A number out of range, or numbers of a half space without Young's modulus.
+    """
+    given = {
+        name: getattr(arguments, f"plane_{name}", None)
+        for name in ("young", "poisson", "density", "yield", "hardening")
+    }
+    if given["young"] is None:
+        for name, value in given.items():
+            if value is not None:
+                raise ValueError(f"--plane-{name} is {value:g}; it needs --plane-young")
+        return None
+    if given["hardening"] is not None and given["yield"] is None:
+        raise ValueError(f"--plane-hardening is {given['hardening']:g}; it needs --plane-yield")
+    hardening = None
+    if given["yield"] is not None:
+        hardening = LinearHardening(given["yield"], given["hardening"] or 0.0)
+
+    def own(name: str) -> float:
+        return getattr(arguments, name) if given[name] is None else given[name]
+
+    return ElasticPlastic(
+        youngs_modulus=given["young"],
+        poissons_ratio=own("poisson"),
+        density=own("density"),
+        hardening=hardening,
+    )
+
+
 def metal(arguments: argparse.Namespace) -> ElasticPlastic:
-    """The metal of `add_metal`'s arguments.
+    """The metal of `add_metal`'s or `add_elastic`'s arguments.
 
     Raises:
         ValueError: A number out of range.
     """
     hardening = None
-    if arguments.yield_strength is not None:
+    if getattr(arguments, "yield_strength", None) is not None:
         hardening = LinearHardening(arguments.yield_strength, arguments.hardening)
     return ElasticPlastic(
         youngs_modulus=arguments.young,
@@ -57,9 +123,15 @@ def metal(arguments: argparse.Namespace) -> ElasticPlastic:
     )
 
 
-def computed(compute: Callable, *arguments: object):
+def computed(compute: Callable, *arguments: object, strain: str = "small", **named: object):
     """Result of a computation, from the cache if it is there; warnings, and why it stopped early,
     go to stderr.
+
+    Args:
+        compute: The function, which takes settings and progress after its arguments.
+        arguments: Its own.
+        strain: "small" or "finite".
+        named: Its own by name, after settings and progress.
 
     Raises:
         ValueError: It cannot begin.
@@ -67,7 +139,13 @@ def computed(compute: Callable, *arguments: object):
     with warnings.catch_warnings(record=True) as said:
         warnings.simplefilter("always", SmallStrainWarning)
         try:
-            result = cached(compute, *arguments, progress=sys.stderr.isatty())
+            result = cached(
+                compute,
+                *arguments,
+                settings=Settings(strain=strain),
+                progress=sys.stderr.isatty(),
+                **named,
+            )
         except ArithmeticError as error:
             raise ValueError(str(error)) from None
     for line in [*(str(warning.message) for warning in said), result.stopped]:

@@ -1,2 +1,3 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Finite elements of one elastic-plastic sphere on a rigid plane: pressed, or thrown at it."""
+"""Finite elements of elastic-plastic bodies in contact: a sphere on a plane or a half space, and a
+rigid cylinder on a body."""

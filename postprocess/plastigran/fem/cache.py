@@ -33,17 +33,19 @@ def cached(
     *arguments: object,
     settings: Settings | None = None,
     progress: bool = False,
+    **named: object,
 ) -> Result:
-    """The result of `compute(*arguments, settings, progress)`, from disk where it is there.
+    """The result of `compute(*arguments, settings, progress, **named)`, from disk where it is
+    there.
 
     A file that cannot be read is computed again. A result that stopped early is not kept.
     """
     settings = settings or Settings()
-    path = folder() / f"{compute.__name__}_{_key(compute, arguments, settings)}.pickle"
+    path = folder() / f"{compute.__name__}_{_key(compute, arguments, settings, named)}.pickle"
     try:
         return pickle.loads(path.read_bytes())
     except (OSError, EOFError, AttributeError, ImportError, pickle.UnpicklingError):
-        result = compute(*arguments, settings, progress)
+        result = compute(*arguments, settings, progress, **named)
     if getattr(result, "stopped", ""):
         return result  # not whole
     path.parent.mkdir(parents=True, exist_ok=True)
@@ -53,8 +55,14 @@ def cached(
     return result
 
 
-def _key(compute: Callable, arguments: tuple[object, ...], settings: Settings) -> str:
-    said = [compute.__qualname__, *map(_plain, arguments), _plain(settings), _sources()]
+def _key(
+    compute: Callable,
+    arguments: tuple[object, ...],
+    settings: Settings,
+    named: dict[str, object],
+) -> str:
+    others = [(name, _plain(value)) for name, value in sorted(named.items()) if value is not None]
+    said = [compute.__qualname__, *map(_plain, arguments), _plain(settings), others, _sources()]
     return sha256(repr(said).encode()).hexdigest()[:32]
 
 

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""An elastic sphere on a rigid plane after Hertz (1882): scales of steps and meshes, and what
-coarse results are held against."""
+"""An elastic sphere on a plane or a half space after Hertz (1882): scales of steps and meshes, and
+what coarse results are held against."""
 
 from __future__ import annotations
 
@@ -19,15 +19,17 @@ class HertzSphere:
     Attributes:
         material: Its metal; only the start of plastic flow is used.
         radius: m.
+        plane: Metal of the half space under it; rigid if None.
     """
 
     material: ElasticPlastic
     radius: float
+    plane: ElasticPlastic | None = None
 
     @property
     def modulus(self) -> float:
-        """E/(1 - nu^2), Pa."""
-        return self.material.youngs_modulus / (1 - self.material.poissons_ratio**2)
+        """E* of both bodies, Pa."""
+        return self.material.pair_modulus(self.plane)
 
     @property
     def mass(self) -> float:
@@ -56,25 +58,35 @@ class HertzSphere:
         return constant * self.approach_max(speed) / speed
 
     @property
-    def yield_force(self) -> float:
-        """Force at which the sphere yields below its surface, N; infinite without hardening law.
+    def yielding(self) -> ElasticPlastic | None:
+        """The metal that yields first; None if none does."""
+        metals = [metal for metal in (self.material, self.plane) if metal and metal.hardening]
+        return min(metals, key=_yield_pressure, default=None)
 
-        The largest von Mises stress on the axis is p_0 F(nu),
-        F = max over z of 1.5/(1 + z^2) - (1 + nu)(1 - z atan(1/z)), z the depth over a.
-        """
-        if self.material.hardening is None:
+    @property
+    def yield_force(self) -> float:
+        """Force at which one of the bodies yields below its surface, N; infinite if none does."""
+        if self.yielding is None:
             return float("inf")
-        poissons_ratio = self.material.poissons_ratio
-        least = minimize_scalar(
-            lambda z: -abs(1.5 / (1 + z * z) - (1 + poissons_ratio) * (1 - z * atan(1 / z))),
-            bounds=(0.05, 3),
-            method="bounded",
-        )
-        pressure = self.material.hardening.yield_strength / -least.fun
-        return pi**3 * self.radius**2 * pressure**3 / (6 * self.modulus**2)
+        return pi**3 * self.radius**2 * _yield_pressure(self.yielding) ** 3 / (6 * self.modulus**2)
 
     @property
     def yield_speed(self) -> float:
         """Speed at which it yields, m/s."""
         force = self.yield_force
         return sqrt(0.8 * force * self.approach(force) / self.mass)
+
+
+def _yield_pressure(metal: ElasticPlastic) -> float:
+    """Largest pressure of Hertz' contact at which a metal yields, Pa.
+
+    The largest von Mises stress on the axis is p_0 F(nu),
+    F = max over z of 1.5/(1 + z^2) - (1 + nu)(1 - z atan(1/z)), z the depth over a.
+    """
+    poissons_ratio = metal.poissons_ratio
+    least = minimize_scalar(
+        lambda z: -abs(1.5 / (1 + z * z) - (1 + poissons_ratio) * (1 - z * atan(1 / z))),
+        bounds=(0.05, 3),
+        method="bounded",
+    )
+    return metal.hardening.yield_strength / -least.fun

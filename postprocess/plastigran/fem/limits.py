@@ -25,7 +25,7 @@ def contact_reach(sphere: HertzSphere, force: float) -> float:
     elastic = sphere.contact_radius(force)
     if force <= sphere.yield_force:
         return elastic
-    strength = sphere.material.hardening.yield_strength
+    strength = sphere.yielding.hardening.yield_strength
     ratio = (force / sphere.yield_force) ** (1 / 3)
     # Fit to perfectly plastic spheres, within 1 % up to 600 times the force at yield.
     plastic = sphere.contact_radius(sphere.yield_force) * (
@@ -34,8 +34,13 @@ def contact_reach(sphere: HertzSphere, force: float) -> float:
     return max(elastic, min(plastic, sqrt(force / (pi * LEAST_HARDNESS * strength))))
 
 
-def check_forces(sphere: HertzSphere, forces: Sequence[float]) -> None:
+def check_forces(sphere: HertzSphere, forces: Sequence[float], *, strain: str = "small") -> None:
     """Refuse forces that cannot be pressed.
+
+    Args:
+        sphere: The sphere.
+        forces: N.
+        strain: "small", which warns of wide contacts, or "finite".
 
     Raises:
         ValueError: A force that is not positive and finite, not larger than the one before, or one
@@ -48,7 +53,9 @@ def check_forces(sphere: HertzSphere, forces: Sequence[float]) -> None:
             raise ValueError(
                 f"forces holds {force:g} N after {before:g} N; they must be positive and increase"
             )
-    check_reach(sphere, contact_reach(sphere, forces[-1]), f"a force of {forces[-1]:g} N")
+    check_reach(
+        sphere, contact_reach(sphere, forces[-1]), f"a force of {forces[-1]:g} N", strain=strain
+    )
 
 
 def force_of_impact(sphere: HertzSphere, speed: float) -> tuple[float, float]:
@@ -62,12 +69,20 @@ def force_of_impact(sphere: HertzSphere, speed: float) -> tuple[float, float]:
     return force, contact_reach(sphere, force)
 
 
-def check_speed(sphere: HertzSphere, speed: float) -> None:
+def check_speed(
+    sphere: HertzSphere, speed: float, largest: float = LARGEST, strain: str = "small"
+) -> None:
     """Refuse a speed that cannot be thrown.
+
+    Args:
+        sphere: The sphere.
+        speed: m/s.
+        largest: Widest contact over the radius.
+        strain: "small", which warns of wide contacts, or "finite".
 
     Raises:
         ValueError: It is not positive and finite, faster than a tenth of the speed of sound, or
-            the contact becomes wider than LARGEST times the radius.
+            the contact becomes wider than `largest` times the radius.
     """
     if not 0 < speed or not isfinite(speed):
         raise ValueError(f"speed is {speed:g} m/s; it must be positive and finite")
@@ -77,25 +92,32 @@ def check_speed(sphere: HertzSphere, speed: float) -> None:
             f"speed is {speed:g} m/s; it must be below {SUBSONIC:g} of the speed of sound in the "
             f"metal, {sound:.4g} m/s (are the units Pa and kg/m3?)"
         )
-    check_reach(sphere, force_of_impact(sphere, speed)[1], f"a speed of {speed:g} m/s")
+    reach = force_of_impact(sphere, speed)[1]
+    check_reach(sphere, reach, f"a speed of {speed:g} m/s", largest, strain)
 
 
-def check_reach(sphere: HertzSphere, reach: float, cause: str) -> None:
+def check_reach(
+    sphere: HertzSphere,
+    reach: float,
+    cause: str,
+    largest: float = LARGEST,
+    strain: str = "small",
+) -> None:
     """Warn of, or refuse, a contact too wide for the method.
 
     Raises:
-        ValueError: It is wider than LARGEST times the radius.
+        ValueError: It is wider than `largest` times the radius.
     """
     ratio = reach / sphere.radius
-    if ratio > LARGEST:
+    if ratio > largest:
         raise ValueError(
-            f"{cause} makes a contact of about {ratio:.2g} of the radius; up to {LARGEST:g} can be "
+            f"{cause} makes a contact of about {ratio:.2g} of the radius; up to {largest:g} can be "
             "computed (are the units Pa, kg/m3, m?)"
         )
-    if ratio > SMALL_STRAIN:
+    if strain == "small" and ratio > SMALL_STRAIN:
         warnings.warn(
             f"{cause} makes a contact of about {ratio:.2g} of the radius; small strain is good to "
-            f"{SMALL_STRAIN:g}",
+            f"{SMALL_STRAIN:g}; finite strain goes further",
             SmallStrainWarning,
             stacklevel=3,
         )

@@ -8,6 +8,8 @@ consistent one (Simo and Hughes, Computational Inelasticity, 1998, box 3.2).
 
 from __future__ import annotations
 
+from math import sqrt
+
 import attrs
 import numpy as np
 
@@ -40,6 +42,19 @@ class State:
     def virgin(cls, points: int) -> State:
         return cls(np.zeros((points, 4)), np.zeros(points), np.zeros(points))
 
+    def between(self, start: int, end: int | None) -> State:
+        """Of the points from `start` to before `end`."""
+        here = slice(start, end)
+        return State(self.plastic_strain[here], self.accumulated[here], self.work[here])
+
+    def joined(self, other: State) -> State:
+        """Of these points and, after them, the other's."""
+        return State(
+            np.concatenate([self.plastic_strain, other.plastic_strain]),
+            np.concatenate([self.accumulated, other.accumulated]),
+            np.concatenate([self.work, other.work]),
+        )
+
 
 @attrs.frozen
 class Response:
@@ -57,6 +72,10 @@ class Response:
     flowing: np.ndarray
     tangent: np.ndarray
 
+    def held(self) -> Response:
+        """The same with no point flowing, as where loading turns."""
+        return attrs.evolve(self, flowing=self.flowing[:0], tangent=self.tangent[:0])
+
 
 @attrs.frozen(kw_only=True)
 class ElasticPlastic:
@@ -71,6 +90,22 @@ class ElasticPlastic:
     @property
     def shear_modulus(self) -> float:
         return self.youngs_modulus / (2 * (1 + self.poissons_ratio))
+
+    @property
+    def plane_modulus(self) -> float:
+        """E/(1 - nu^2), Pa."""
+        return self.youngs_modulus / (1 - self.poissons_ratio**2)
+
+    @property
+    def wave_speed(self) -> float:
+        """Of compression waves, m/s."""
+        return sqrt((self.bulk_modulus + 4 / 3 * self.shear_modulus) / self.density)
+
+    def pair_modulus(self, other: ElasticPlastic | None) -> float:
+        """E* of this and another metal, or of this and a rigid body, Pa."""
+        if other is None:
+            return self.plane_modulus
+        return 1 / (1 / self.plane_modulus + 1 / other.plane_modulus)
 
     @property
     def bulk_modulus(self) -> float:

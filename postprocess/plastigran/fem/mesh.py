@@ -48,7 +48,7 @@ class SphereMesh:
         `circle` and, of half a sphere, `equator`."""
         w, quads = self._quarter_plane()
         corner_points = self._to_sphere(w)
-        quads = np.ascontiguousarray(_counterclockwise(quads, corner_points).T)
+        quads = np.ascontiguousarray(counterclockwise(quads, corner_points).T)
         linear = MeshQuad(np.array([w.real, w.imag]), quads)
         quadratic = MeshQuad2.from_mesh(linear)
         first, second = linear.facets
@@ -70,19 +70,9 @@ class SphereMesh:
     def rings(self) -> np.ndarray:
         """ln |w| of the rings, from the core to the equator."""
         coarse = pi / (4 * self.divisions) / self.fineness
-        start, fine_end = (
-            log(self.core / (2 * self.radius)),
-            log(max(FINE_REACH * self.reach, self.core) / (2 * self.radius)),
-        )
-        count = max(1, round((fine_end - start) / (coarse / FINE_RATIO)))
-        rings = list(np.linspace(start, fine_end, count + 1))
-        step, widest = coarse / FINE_RATIO, 2 * coarse
-        while rings[-1] < -1e-9:
-            step = min(step * GROWTH, widest)
-            rings.append(rings[-1] + step)
-        outer = np.array(rings[count:])
-        outer = fine_end + (outer - fine_end) * (-fine_end / (outer[-1] - fine_end))
-        return np.concatenate([rings[:count], outer])
+        fine = max(FINE_REACH * self.reach, self.core)
+        start, fine_end = (log(end / (2 * self.radius)) for end in (self.core, fine))
+        return graded(start, fine_end, 0.0, coarse / FINE_RATIO, 2 * coarse)
 
     def _middle(self, first: np.ndarray, second: np.ndarray) -> np.ndarray:
         """Middles of edges: straight in w in the core and in 1/w in the upper half, and at the
@@ -111,7 +101,7 @@ class SphereMesh:
         ring_ids = np.vstack(
             [rim, len(disc) + np.arange((len(rings) - 1) * angle.size).reshape(-1, angle.size)]
         )
-        quads = [disc_quads, _strip_quads(ring_ids)]
+        quads = [disc_quads, strip_quads(ring_ids)]
         if not self.whole:
             return np.concatenate(points), np.concatenate(quads)
         upper_ids = np.full(len(disc), -1)
@@ -122,6 +112,20 @@ class SphereMesh:
         points.append(1 / np.where(disc[inner] == 0, 1e-14, disc[inner]))
         quads.append(upper_ids[disc_quads])
         return np.concatenate(points), np.concatenate(quads)
+
+
+def graded(start: float, fine_end: float, end: float, fine: float, widest: float) -> np.ndarray:
+    """Values from `start` to `end`: `fine` apart up to `fine_end`, then apart by GROWTH more each
+    time, up to `widest`."""
+    count = max(1, round((fine_end - start) / fine))
+    values = list(np.linspace(start, fine_end, count + 1))
+    step = fine
+    while values[-1] < end - 1e-9:
+        step = min(step * GROWTH, widest)
+        values.append(values[-1] + step)
+    outer = np.array(values[count:])
+    outer = fine_end + (outer - fine_end) * ((end - fine_end) / (outer[-1] - fine_end))
+    return np.concatenate([values[:count], outer])
 
 
 def quarter_disc(divisions: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
@@ -149,18 +153,18 @@ def quarter_disc(divisions: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     share = np.linspace(0, 1, collar + 1)[1:, None]
     rings = (1 - share) * square.ravel()[rim] + share * circle
     ring_ids = np.vstack([rim, square.size + np.arange(rings.size).reshape(rings.shape)])
-    quads = np.concatenate([_strip_quads(ids), _strip_quads(ring_ids)])
+    quads = np.concatenate([strip_quads(ids), strip_quads(ring_ids)])
     return np.concatenate([square.ravel(), rings.ravel()]), quads, ring_ids[-1]
 
 
-def _strip_quads(ids: np.ndarray) -> np.ndarray:
+def strip_quads(ids: np.ndarray) -> np.ndarray:
     """Quads (m, 4) between the rows of a grid of point ids."""
     return np.stack([ids[:-1, :-1], ids[1:, :-1], ids[1:, 1:], ids[:-1, 1:]], axis=-1).reshape(
         -1, 4
     )
 
 
-def _counterclockwise(quads: np.ndarray, points: np.ndarray) -> np.ndarray:
+def counterclockwise(quads: np.ndarray, points: np.ndarray) -> np.ndarray:
     """The quads with their corners in counterclockwise order."""
     corner = points[quads]
     diagonals = (corner[:, 2] - corner[:, 0]).conj() * (corner[:, 3] - corner[:, 1])

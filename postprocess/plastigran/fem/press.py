@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A sphere pressed on a rigid plane and let go, slowly.
+"""A sphere pressed on a rigid plane or a half space and let go, slowly.
 
 The lower half of the sphere is held at its equator, which does not move vertically: half of a
 sphere between two planes. The approach is the plane's way towards the equator.
@@ -14,8 +14,7 @@ import pandas as pd
 from scipy.integrate import simpson
 from tqdm import tqdm
 
-from plastigran.fem.body import Body
-from plastigran.fem.contact import RigidPlane
+from plastigran.fem.assembly import pressed
 from plastigran.fem.hertz import HertzSphere
 from plastigran.fem.increment import Equations, Equilibrium, NoConvergence
 from plastigran.fem.limits import check_forces, contact_reach
@@ -80,7 +79,7 @@ class Path:
         return {
             "force": self.now.touch.force,
             "approach": self.now.height,
-            "contact_radius": self.equations.plane.contact_radius(self.now.touch.gap),
+            "contact_radius": self.now.touch.contact_radius,
             **energies(self.equations.body, self.now),
             "iterations": self.now.iterations,
         }
@@ -92,6 +91,7 @@ def press(
     forces: Sequence[float],
     settings: Settings | None = None,
     progress: bool = False,
+    plane: ElasticPlastic | None = None,
 ) -> Pressing:
     """Press a sphere to each of some forces in turn, letting it go after each.
 
@@ -101,34 +101,35 @@ def press(
         forces: Largest forces, N, increasing.
         settings: How fine.
         progress: Show a bar.
+        plane: Metal of the half space it is pressed on; rigid if None.
 
     Raises:
-        ValueError: A force that is not positive, not larger than the one before, or too large for
-            small strain.
+        ValueError: A force that is not positive, not larger than the one before, or too large
+            for the mesh; finite strain on a half space.
         NoConvergence: The first increment has no equilibrium even after halving. A later one ends
             the pressing, which keeps what it has and says so in `stopped`.
     """
     settings = settings or Settings()
-    sphere = HertzSphere(material, radius)
-    check_forces(sphere, forces)
+    sphere = HertzSphere(material, radius, plane)
+    check_forces(sphere, forces, strain=settings.strain)
     reach = contact_reach(sphere, forces[-1])
-    body = Body(settings.mesh(sphere, reach, whole=False).build(), material)
-    plane = RigidPlane(body, radius, min(2 * reach, 0.9 * radius), settings.penalty)
-    path = Path(Equations(body, plane), sphere)
+    equations = pressed(sphere, reach, settings)
+    path = Path(equations, sphere)
     ladders = loading_ladders(sphere, forces, settings)
     snapshots, stopped = [], ""
     with tqdm(total=sum(map(len, ladders)), disable=not progress, desc="press") as bar:
         try:
             for branch, ladder in enumerate(ladders):
                 path.go(ladder, branch, bar)
-                snapshots.append(snapshot(body, plane, path.now))
+                snapshots.append(snapshot(equations.body, equations.plane, path.now))
         except NoConvergence as error:
             if not path.rows:
                 raise
             stopped = str(error)
     history = pd.DataFrame(path.rows)
     unloadings = [unloading(history, branch) for branch in range(1, len(snapshots), 2)]
-    return Pressing(material, radius, history, pd.DataFrame(unloadings), snapshots, stopped)
+    table = pd.DataFrame(unloadings)
+    return Pressing(material, radius, history, table, snapshots, stopped, plane)
 
 
 def loading_ladders(

@@ -13,6 +13,7 @@ from plastigran.fem.body import Body
 from plastigran.fem.contact import RigidPlane
 from plastigran.fem.increment import Equilibrium
 from plastigran.fem.material import ElasticPlastic
+from plastigran.fem.pair import Pair
 
 ROUNDING = 1e-6  # of a force, beyond what Newton's method leaves
 
@@ -26,7 +27,8 @@ class Snapshot:
         radii: Mean of each edge of the surface (n,), m.
         pressure: Mean there, Pa.
         positions: (r, y) of the Gauss points (points, 2), m.
-        mises: Von Mises stress there, Pa.
+        mises: Von Mises stress there, Pa; in finite strain that of the stress conjugate to the
+            logarithmic strain.
         plastic_strain: Accumulated plastic strain there.
         vertices: (r, y) of the elements' corners, undeformed (n_vertices, 2), m.
         quads: Corners of each element (n_elements, 4); its Gauss points are four in turn.
@@ -44,28 +46,25 @@ class Snapshot:
     displacement: np.ndarray
 
 
-def energies(body: Body, state: Equilibrium) -> dict[str, float]:
+def energies(body: Body | Pair, state: Equilibrium) -> dict[str, float]:
     """Elastic energy, work of plastic flow and energy in the penalty, J."""
-    stress = state.response.stress
-    volumes = body.volumes.ravel()
-    strain = body.strain(state.displacement) - state.response.state.plastic_strain
     return {
-        "elastic_energy": float(np.sum(stress * strain, axis=1) @ volumes / 2),
-        "plastic_work": float(state.response.state.work @ volumes),
+        "elastic_energy": body.elastic_energy(state.displacement, state.response),
+        "plastic_work": float(state.response.state.work @ body.volumes.ravel()),
         "penalty_energy": state.touch.stored,
     }
 
 
-def snapshot(body: Body, plane: RigidPlane, state: Equilibrium) -> Snapshot:
+def snapshot(body: Body | Pair, plane: RigidPlane, state: Equilibrium) -> Snapshot:
     """The fields of an equilibrium."""
     return Snapshot(
         state.touch.force,
-        *plane.profile(state.touch.pressure),
+        *plane.profile(state.touch),
         body.positions.reshape(-1, 2),
         mises_stress(state.response.stress),
         state.response.state.accumulated,
-        body.mesh.p[:, : body.mesh.nvertices].T,
-        body.mesh.t[:4].T,
+        body.vertices,
+        body.quads,
         state.displacement[body.vertex_dofs],
     )
 
@@ -79,7 +78,7 @@ def mises_stress(stress: np.ndarray) -> np.ndarray:
 
 @attrs.frozen
 class Pressing:
-    """A sphere pressed on a plane and let go, once for each largest force.
+    """A sphere pressed on a plane or a half space and let go, once for each largest force.
 
     Attributes:
         material: The metal.
@@ -90,6 +89,7 @@ class Pressing:
             residual_approach, work_loading, work_unloading, coefficient_of_restitution.
         snapshots: At each largest force and after each unloading.
         stopped: Why it ended before its end; empty if it did not.
+        plane: Metal of the half space; rigid if None.
     """
 
     material: ElasticPlastic
@@ -98,6 +98,7 @@ class Pressing:
     unloadings: pd.DataFrame
     snapshots: list[Snapshot]
     stopped: str = ""
+    plane: ElasticPlastic | None = None
 
     def to_dict(self) -> dict:
         """Numbers only, for a file."""
@@ -118,7 +119,7 @@ def virgin_loading(history: pd.DataFrame) -> pd.DataFrame:
 
 @attrs.frozen
 class Throw:
-    """A sphere thrown at a plane.
+    """A sphere thrown at a plane or a half space.
 
     Attributes:
         material: The metal.
@@ -136,6 +137,7 @@ class Throw:
         snapshots: By time, s; `Settings.frames` of them over Hertz' duration.
         stopped: Why it ended before its end, where restitution and residual are not known; empty
             if it did not.
+        plane: Metal of the half space; rigid if None.
     """
 
     material: ElasticPlastic
@@ -150,6 +152,7 @@ class Throw:
     snapshot: Snapshot
     snapshots: dict[float, Snapshot]
     stopped: str = ""
+    plane: ElasticPlastic | None = None
 
     @property
     def nodal_restitution(self) -> float:

@@ -5,9 +5,11 @@ from __future__ import annotations
 
 import attrs
 
-from plastigran.declared import number, whole
+from plastigran.declared import number, whole, word
+from plastigran.fem.block import HalfBlock
 from plastigran.fem.contact import PENALTY
 from plastigran.fem.hertz import HertzSphere
+from plastigran.fem.kinematics import KINEMATICS, Kinematics
 from plastigran.fem.mesh import SphereMesh
 
 CORE_OVER_YIELD = 1.2  # radius of the fine core over the contact radius at which the sphere yields
@@ -29,18 +31,38 @@ class Settings:
     free_steps: int = whole("time steps followed after the contact", 1, default=5)
     frames: int = whole("fields kept over Hertz' duration of a throw", default=0)
     penalty: float = number("stiffness of the plane over E*/h", "-", 1, 1e5, default=PENALTY)
+    strain: str = word("how strains follow from displacements", KINEMATICS, default="small")
+
+    @property
+    def kinematics(self) -> Kinematics:
+        """How strains follow from displacements."""
+        return KINEMATICS[self.strain]()
 
     def mesh(self, sphere: HertzSphere, reach: float, whole: bool) -> SphereMesh:
         """The mesh for contacts up to the radius `reach`, m."""
-        core = CORE_OVER_REACH * reach
-        if sphere.material.hardening is not None:
-            yield_radius = sphere.contact_radius(sphere.yield_force)
-            core = min(core, CORE_OVER_YIELD * yield_radius)
         return SphereMesh(
             radius=sphere.radius,
-            core=core,
+            core=_core(sphere, reach),
             reach=reach,
             divisions=self.divisions,
             fineness=self.fineness,
             whole=whole,
         )
+
+    def block(self, sphere: HertzSphere, reach: float, size: float) -> HalfBlock:
+        """The mesh of the half space under the sphere, down to `size`, m."""
+        return HalfBlock(
+            core=_core(sphere, reach),
+            reach=reach,
+            size=size,
+            divisions=self.divisions,
+            fineness=self.fineness,
+        )
+
+
+def _core(sphere: HertzSphere, reach: float) -> float:
+    """Radius inside which elements are equally fine, m."""
+    core = CORE_OVER_REACH * reach
+    if sphere.yielding is None:
+        return core
+    return min(core, CORE_OVER_YIELD * sphere.contact_radius(sphere.yield_force))

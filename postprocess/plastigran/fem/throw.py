@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A sphere thrown at a rigid plane: implicit dynamics by the trapezoidal rule.
+"""A sphere thrown at a rigid plane or a half space: implicit dynamics by the trapezoidal rule.
 
 The sphere starts at its speed, just touching. The Newton iteration of a step starts from the
 displacement extrapolated with the last step's, never from u + dt v, which would yield where nothing
@@ -15,8 +15,7 @@ import numpy as np
 import pandas as pd
 from tqdm import tqdm
 
-from plastigran.fem.body import Body
-from plastigran.fem.contact import RigidPlane
+from plastigran.fem.assembly import thrown
 from plastigran.fem.hertz import HertzSphere
 from plastigran.fem.increment import Equations, Equilibrium, Inertia, NoConvergence
 from plastigran.fem.limits import check_speed, force_of_impact
@@ -41,12 +40,11 @@ class Motion:
 
 
 class Flight:
-    """Time steps of a body over a plane."""
+    """Time steps of a body in contact."""
 
-    def __init__(self, equations: Equations, speed: float, timestep: float) -> None:
+    def __init__(self, equations: Equations, velocity: np.ndarray, timestep: float) -> None:
         self.equations, self.timestep = equations, timestep
-        body = equations.body
-        self.now = Motion(0.0, equations.at_rest(), -speed * body.upward, np.zeros(body.size))
+        self.now = Motion(0.0, equations.at_rest(), velocity, np.zeros(velocity.size))
         self._step = FIRST_STEP * timestep
         self._change: tuple[np.ndarray, float] | None = None
 
@@ -90,6 +88,7 @@ def throw(
     speed: float,
     settings: Settings | None = None,
     progress: bool = False,
+    plane: ElasticPlastic | None = None,
 ) -> Throw:
     """Throw a sphere at a rigid plane and follow it until it has left.
 
@@ -99,20 +98,24 @@ def throw(
         speed: Towards the plane, m/s.
         settings: How fine.
         progress: Show a bar.
+        plane: Metal of the half space it meets, down to where no wave comes back within the
+            contact; rigid if None.
 
     Raises:
-        ValueError: A speed that is not positive, or so large that small strain does not hold.
+        ValueError: A speed that is not positive, or too large for the mesh; finite strain on a
+            half space.
         NoConvergence: The first step does not converge even after halving. A later one ends the
             impact, which keeps what it has and says so in `stopped`.
     """
     settings = settings or Settings()
-    sphere = HertzSphere(material, radius)
-    check_speed(sphere, speed)
+    sphere = HertzSphere(material, radius, plane)
+    check_speed(sphere, speed, strain=settings.strain)
     reach = force_of_impact(sphere, speed)[1]
-    body = Body(settings.mesh(sphere, reach, whole=True).build(), material)
-    plane = RigidPlane(body, radius, min(2 * reach, 0.9 * radius), settings.penalty)
+    equations = thrown(sphere, reach, speed, settings)
+    body = equations.body
     duration = sphere.duration(speed)
-    flight = Flight(Equations(body, plane), speed, duration / settings.steps_of_contact)
+    timestep = duration / settings.steps_of_contact
+    flight = Flight(equations, -speed * body.upward, timestep)
     rows, fields, free, stopped = [_row(flight)], {}, 0, ""
     with tqdm(total=100, disable=not progress, desc="throw", unit="% of Hertz") as bar:
         while free < settings.free_steps and not stopped:
@@ -124,25 +127,27 @@ def throw(
             rows.append(_row(flight))
             free = free + 1 if rows[-1]["force"] == 0 else 0
             if settings.frames and flight.now.time >= len(fields) * duration / settings.frames:
-                fields[flight.now.time] = snapshot(body, plane, flight.now.state)
+                fields[flight.now.time] = snapshot(body, equations.plane, flight.now.state)
             bar.update(100 * flight.now.time / duration - bar.n)
             if flight.now.time > LONGEST * duration:
                 stopped = f"the contact has not ended after {flight.now.time:g} s"
     if len(rows) == 1:
         raise NoConvergence(stopped)
-    return _summary(material, radius, speed, pd.DataFrame(rows), fields, flight, stopped)
+    return _summary(sphere, speed, pd.DataFrame(rows), fields, flight, stopped)
 
 
 def _row(flight: Flight) -> dict[str, float]:
-    body, plane, now = flight.equations.body, flight.equations.plane, flight.now
+    body, now = flight.equations.body, flight.now
+    corners = body.vertex_dofs[:, 1]
+    corners = corners[body.upward[corners] > 0]  # not those of a half space
     momentum = body.mass_matrix @ now.velocity
     return {
         "time": now.time,
         "force": now.state.touch.force,
         "approach": -float(body.upward @ (body.mass_matrix @ now.state.displacement)) / body.mass,
         "velocity": float(body.upward @ momentum) / body.mass,
-        "nodal_velocity": float(now.velocity[body.vertex_dofs[:, 1]].mean()),
-        "contact_radius": plane.contact_radius(now.state.touch.gap),
+        "nodal_velocity": float(now.velocity[corners].mean()),
+        "contact_radius": now.state.touch.contact_radius,
         "kinetic_energy": float(now.velocity @ momentum) / 2,
         **energies(body, now.state),
         "iterations": now.state.iterations,
@@ -150,8 +155,7 @@ def _row(flight: Flight) -> dict[str, float]:
 
 
 def _summary(
-    material: ElasticPlastic,
-    radius: float,
+    sphere: HertzSphere,
     speed: float,
     history: pd.DataFrame,
     fields: dict[float, Snapshot],
@@ -161,10 +165,11 @@ def _summary(
     force, time, approach = (history[name].to_numpy() for name in ("force", "time", "approach"))
     touching = np.flatnonzero(force > 0)
     last = touching[-1]
-    end = _end_of_contact(time[: last + 2], force[: last + 2])
+    end = end_of_contact(time[: last + 2], force[: last + 2])
     return Throw(
-        material=material,
-        radius=radius,
+        material=sphere.material,
+        radius=sphere.radius,
+        plane=sphere.plane,
         speed=speed,
         history=history,
         coefficient_of_restitution=nan if stopped else history["velocity"].iloc[-1] / speed,
@@ -178,7 +183,7 @@ def _summary(
     )
 
 
-def _end_of_contact(time: np.ndarray, force: np.ndarray) -> float:
+def end_of_contact(time: np.ndarray, force: np.ndarray) -> float:
     """When the force reaches zero, within the last step: its power 2/3 falls linearly."""
     if len(force) < 3:
         return float(time[-1])

@@ -7,7 +7,7 @@ import argparse
 import json
 
 from plastigran.cli.arguments import positive
-from plastigran.cli.metal import add_metal, computed, metal
+from plastigran.cli.metal import add_metal, add_strain, computed, metal
 from plastigran.engine.deck import property_name
 from plastigran.fem.calibration import calibrate, check_range
 from plastigran.fem.hertz import HertzSphere
@@ -21,6 +21,7 @@ def add_arguments(command: argparse.ArgumentParser) -> None:
         "--fem", action="store_true", default=True, help="by finite elements, the only way so far"
     )
     add_metal(command)
+    add_strain(command)
     command.add_argument(
         "--range",
         type=positive,
@@ -35,7 +36,8 @@ def run(arguments: argparse.Namespace) -> None:
     sphere = HertzSphere(metal(arguments), arguments.radius)
     force = arguments.force_ratio * sphere.yield_force
     check_range(sphere, force)
-    numbers = calibrate(computed(press, sphere.material, sphere.radius, [force])).to_dict()
+    pressing = computed(press, sphere.material, sphere.radius, [force], strain=arguments.strain)
+    numbers = calibrate(pressing).to_dict()
     if arguments.json:
         print(json.dumps(numbers))
         return

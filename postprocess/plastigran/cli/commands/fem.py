@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""`plastigran fem`: one sphere on a rigid plane by finite elements, pressed or thrown."""
+"""`plastigran fem`: finite elements of a sphere on a plane or a half space, pressed, thrown, or
+thrown and followed while it vibrates, or of a body that a rigid cylinder strikes."""
 
 from __future__ import annotations
 
@@ -8,13 +9,27 @@ import json
 import sys
 from itertools import pairwise
 
+import pandas as pd
+
 from plastigran.cli.arguments import positive
-from plastigran.cli.metal import add_metal, computed, metal
+from plastigran.cli.cylinder import add_cylinder, cylinder
+from plastigran.cli.metal import (
+    add_elastic,
+    add_metal,
+    add_plane,
+    add_strain,
+    computed,
+    metal,
+    plane,
+)
 from plastigran.fem.hertz import HertzSphere
 from plastigran.fem.press import press
 from plastigran.fem.throw import throw
+from plastigran.fem.vibrate import TRANSITS, vibrate
+from plastigran.fem.vibration import SIGNALS, Vibration
+from plastigran.physics.impact_modes import impact_modes, nearest_modes
 
-HELP = "a sphere on a rigid plane by finite elements, pressed or thrown"
+HELP = "a sphere on a plane, or a rigid cylinder on a body, by finite elements"
 
 UNITS = {
     "force": "N",
@@ -29,15 +44,20 @@ UNITS = {
     "work_loading": "J",
     "work_unloading": "J",
     "speed": "m/s",
+    "timestep": "s",
+    "kinetic_restitution": "",
+    "vibration_energy": "",
     "contact_time": "s",
     "coefficient_of_restitution": "",
 }
 
 
 def add_arguments(command: argparse.ArgumentParser) -> None:
-    kinds = command.add_subparsers(dest="kind", required=True, metavar="press|throw")
+    kinds = command.add_subparsers(
+        dest="kind", required=True, metavar="press|throw|vibrate|cylinder"
+    )
     slow = kinds.add_parser("press", help="press the sphere slowly, and let it go")
-    add_metal(slow)
+    add_metal(slow, elastic=True)
     slow.add_argument(
         "--force-ratio",
         type=positive,
@@ -48,11 +68,29 @@ def add_arguments(command: argparse.ArgumentParser) -> None:
     fast = kinds.add_parser("throw", help="throw the sphere at the plane")
     add_metal(fast, elastic=True)
     fast.add_argument("--speed", type=positive, required=True, help="of impact, m/s")
+    for command in (slow, fast):
+        add_plane(command)
+        add_strain(command)
+    add_cylinder(kinds.add_parser("cylinder", help="let a rigid cylinder strike a body"))
+    ringing = kinds.add_parser("vibrate", help="throw an elastic sphere, and follow its vibration")
+    add_elastic(ringing)
+    ringing.add_argument("--speed", type=positive, required=True, help="of impact, m/s")
+    ringing.add_argument(
+        "--transits",
+        type=positive,
+        default=TRANSITS,
+        help="length of the flight over the time a compression wave takes across the sphere, "
+        f"default {TRANSITS:g}",
+    )
 
 
 def run(arguments: argparse.Namespace) -> None:
-    sphere = HertzSphere(metal(arguments), arguments.radius)
-    numbers = {"press": _press, "throw": _throw}[arguments.kind](sphere, arguments)
+    if arguments.kind == "cylinder":
+        numbers = cylinder(arguments)
+    else:
+        sphere = HertzSphere(metal(arguments), arguments.radius, plane(arguments))
+        kinds = {"press": _press, "throw": _throw, "vibrate": _vibrate}
+        numbers = kinds[arguments.kind](sphere, arguments)
     if arguments.json:
         print(json.dumps(numbers))
         return
@@ -60,9 +98,15 @@ def run(arguments: argparse.Namespace) -> None:
         for name, value in row.items():
             if isinstance(value, float):
                 print(f"{name:28s} {value:<12.5g} {UNITS[name]}".rstrip())
+    for name in ("modes", *(f"{signal}_peaks" for signal in SIGNALS)):
+        if name in numbers:
+            table = pd.DataFrame(numbers[name]).to_string(index=False, float_format="{:.6g}".format)
+            print(f"\n{name.replace('_', ' ')}\n{table}")
 
 
 def _press(sphere: HertzSphere, arguments: argparse.Namespace) -> dict:
+    if sphere.yielding is None:
+        raise ValueError("neither body yields; --force-ratio is over the force at yield")
     ratios = arguments.force_ratio
     for before, ratio in pairwise(ratios):
         if ratio <= before:
@@ -70,19 +114,42 @@ def _press(sphere: HertzSphere, arguments: argparse.Namespace) -> dict:
     forces = [ratio * sphere.yield_force for ratio in ratios]
     if ratios[-1] <= 1:
         _say(f"{forces[-1]:.4g} N does not reach yield, which begins at {sphere.yield_force:.4g} N")
-    numbers = computed(press, sphere.material, sphere.radius, forces).to_dict()
+    case = (sphere.material, sphere.radius, forces)
+    numbers = computed(press, *case, strain=arguments.strain, plane=sphere.plane).to_dict()
     for row in numbers["unloadings"]:
         row["force_ratio"] = row["force"] / sphere.yield_force
     return numbers
 
 
 def _throw(sphere: HertzSphere, arguments: argparse.Namespace) -> dict:
-    if sphere.material.hardening and arguments.speed <= sphere.yield_speed:
+    if sphere.yielding and arguments.speed <= sphere.yield_speed:
         _say(
             f"{arguments.speed:g} m/s does not reach yield, which begins at "
             f"{sphere.yield_speed:.4g} m/s"
         )
-    return computed(throw, sphere.material, sphere.radius, arguments.speed).to_dict()
+    case = (sphere.material, sphere.radius, arguments.speed)
+    return computed(throw, *case, strain=arguments.strain, plane=sphere.plane).to_dict()
+
+
+def _vibrate(sphere: HertzSphere, arguments: argparse.Namespace) -> dict:
+    found: Vibration = computed(
+        vibrate, sphere.material, sphere.radius, arguments.speed, arguments.transits
+    )
+    numbers = found.to_dict()
+    material = found.material
+    exact = impact_modes(
+        material.youngs_modulus,
+        material.poissons_ratio,
+        material.density,
+        found.radius,
+        1.1 * found.modes["frequency"].max(),
+    )
+    for name, table in numbers.items():
+        if name == "modes" or name.endswith("_peaks"):
+            rest = {column: table[column] for column in ("energy", "amplitude") if column in table}
+            nearest = nearest_modes(table["frequency"], exact).drop(columns=["ka", "ha"])
+            numbers[name] = nearest.to_dict("list") | rest
+    return numbers
 
 
 def _say(line: str) -> None:

@@ -1,0 +1,43 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Arguments of `plastigran fem cylinder`, and its strike."""
+
+from __future__ import annotations
+
+import argparse
+
+from plastigran.cli.arguments import positive
+from plastigran.cli.metal import add_metal, computed, metal
+from plastigran.fem.cylinder import CylinderStrike
+from plastigran.fem.strike import strike
+
+
+def add_cylinder(command: argparse.ArgumentParser) -> None:
+    """The body's metal, the cylinder and its motion."""
+    add_metal(command, elastic=True, radius=None)
+    command.add_argument("--length", type=positive, required=True, help="of the cylinder, m")
+    command.add_argument(
+        "--mass", type=positive, required=True, help="of all that moves with the cylinder, kg"
+    )
+    command.add_argument("--speed", type=positive, required=True, help="towards the body, m/s")
+    command.add_argument("--sliding-speed", type=float, default=0.0, help="along it, m/s")
+    command.add_argument("--coefficient-of-friction", type=float, default=0.0, help="default 0")
+    command.add_argument(
+        "--thickness",
+        type=positive,
+        help="of the body, m; default: so thick that no wave comes back from its far side",
+    )
+
+
+def cylinder(arguments: argparse.Namespace) -> dict:
+    """Numbers of the strike that arguments of `add_cylinder` describe."""
+    names = (
+        "radius",
+        "length",
+        "mass",
+        "speed",
+        "sliding_speed",
+        "coefficient_of_friction",
+        "thickness",
+    )
+    given = {name: getattr(arguments, name) for name in names}
+    return computed(strike, CylinderStrike(material=metal(arguments), **given)).to_dict()

@@ -1,0 +1,52 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Spectra of evenly sampled signals, and the frequencies of their peaks."""
+
+from __future__ import annotations
+
+import numpy as np
+from scipy.signal import find_peaks
+from scipy.signal.windows import blackmanharris
+
+PADDING = 8  # zeros, so that a peak is resolved by points; the signal's length sets what it shows
+LOBE = 4  # half the width of one frequency's peak over 1/duration, with this window
+
+
+def spectrum(values: np.ndarray, timestep: float) -> tuple[np.ndarray, np.ndarray]:
+    """Amplitudes of the sinusoids in a signal whose mean is taken off.
+
+    The Blackman-Harris window keeps one sinusoid below 3e-5 of its amplitude beyond LOBE/duration
+    (Harris 1978, Proc. IEEE 66:51).
+
+    Args:
+        values: At equal times (n,).
+        timestep: Between them, s.
+
+    Returns:
+        Frequencies, Hz, and amplitudes in the unit of the values, (4 n + 1,) each.
+    """
+    window = blackmanharris(len(values), sym=False)
+    weighted = window * (values - np.average(values, weights=window))
+    size = PADDING * len(values)
+    amplitudes = 2 / window.sum() * np.abs(np.fft.rfft(weighted, size))
+    return np.fft.rfftfreq(size, timestep), amplitudes
+
+
+def peaks(
+    frequencies: np.ndarray, amplitudes: np.ndarray, least: float = 0.01
+) -> tuple[np.ndarray, np.ndarray]:
+    """Peaks of a spectrum, at the top of a parabola through three logarithms.
+
+    Args:
+        frequencies: Evenly spaced (n,), Hz.
+        amplitudes: There (n,).
+        least: Smallest peak over the largest amplitude.
+
+    Returns:
+        Frequencies, Hz, rising, and amplitudes, (n_peaks,) each.
+    """
+    least = least * amplitudes.max()
+    found, _ = find_peaks(amplitudes, height=least, prominence=least)
+    below, here, above = (np.log(amplitudes[found + shift]) for shift in (-1, 0, 1))
+    shift = (below - above) / (2 * (below - 2 * here + above))
+    tops = np.exp(here - (below - above) * shift / 4)
+    return frequencies[found] + shift * frequencies[1], tops

@@ -1,0 +1,135 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Logarithms of stretches at many points, and their derivatives."""
+
+from __future__ import annotations
+
+import numpy as np
+
+IN_PLANE = np.array([0, 1, 3, 4])  # of displacement gradients (rr, yy, tt, ry, yr)
+SERIES_BELOW = 1e-2  # relative difference of two eigenvalues under which a series is summed
+
+
+class InvertedError(ArithmeticError):
+    """A displacement turns material inside out."""
+
+
+class Stretch:
+    """Stretches at n points, and derivatives of their logarithm with respect to F.
+
+    Indices in einsum: n points, g and h components of F in the plane, a, b and k eigenvectors.
+    """
+
+    def __init__(self, gradient: np.ndarray) -> None:
+        """
+        Args:
+            gradient: Displacement gradients (n, 5).
+
+        Raises:
+            InvertedError: F has a determinant that is not positive.
+        """
+        radial, axial, self._hoop, upper, lower = gradient.T
+        determinant = (1 + radial) * (1 + axial) - upper * lower
+        if not (np.all(determinant > 0) and np.all(self._hoop > -1)):
+            raise InvertedError("an element turns inside out")
+        deformation = np.stack([1 + radial, upper, lower, 1 + axial], axis=-1).reshape(-1, 2, 2)
+        # C - 1, without the rounding of C near one.
+        first = 2 * radial + radial**2 + lower**2
+        second = 2 * axial + axial**2 + upper**2
+        mixed = upper + lower + radial * upper + axial * lower
+        mean, half = (first + second) / 2, (first - second) / 2
+        angle = np.arctan2(mixed, half) / 2
+        cosine, sine = np.cos(angle), np.sin(angle)
+        self._vectors = np.stack([cosine, -sine, sine, cosine], axis=-1).reshape(-1, 2, 2)
+        spread = np.hypot(half, mixed)
+        self._squares = np.stack([mean + spread, mean - spread], axis=-1)  # less one
+        self._difference = 2 * spread
+        # dC in the eigenvectors over each component of dF, in the order rr, yy, ry, yr.
+        turned = deformation @ self._vectors
+        product = np.einsum("nia,njb->nijab", turned, self._vectors)
+        product = product + product.swapaxes(3, 4)
+        self._changes = product[:, [0, 1, 0, 1], [0, 1, 1, 0]]
+
+    def strain(self) -> np.ndarray:
+        """1/2 ln C, as a column (n, 4)."""
+        logarithms = np.log1p(self._squares) / 2
+        tensor = np.einsum("nia,na,nja->nij", self._vectors, logarithms, self._vectors)
+        return np.stack(
+            [tensor[:, 0, 0], tensor[:, 1, 1], np.log1p(self._hoop), 2 * tensor[:, 0, 1]], axis=-1
+        )
+
+    def conjugate(self, stress: np.ndarray) -> np.ndarray:
+        """First Piola-Kirchhoff stresses (n, 5), Pa, of stresses (n, 4)."""
+        weighted = self._turn(stress) * self._first()
+        return self._columns(
+            np.einsum("nab,ngab->ng", weighted, self._changes), stress[:, 2] / (1 + self._hoop)
+        )
+
+    def tangent(self, stress: np.ndarray, material: np.ndarray) -> np.ndarray:
+        """Derivatives (n, 5, 5) of the first Piola-Kirchhoff stress, Pa, at stresses (n, 4), Pa,
+        with the material's tangents (n, 4, 4), Pa."""
+        slopes = self._slopes()
+        result = slopes.swapaxes(1, 2) @ material @ slopes
+        turned = self._turn(stress)
+        curved = np.einsum(
+            "nab,nakb,ngak,nhkb->ngh", turned, self._second(), self._changes, self._changes
+        )
+        piola = np.einsum(
+            "nia,nab,njb->nij", self._vectors, 2 * turned * self._first(), self._vectors
+        )
+        plane = curved + curved.swapaxes(1, 2)
+        # dF^T dF' : S, of components of the same row of F: rr with ry, yy with yr.
+        for columns in np.array([[0, 2], [3, 1]]):
+            plane[:, columns[:, None], columns] += piola
+        result[:, IN_PLANE[:, None], IN_PLANE] += plane
+        result[:, 2, 2] -= stress[:, 2] / (1 + self._hoop) ** 2
+        return result
+
+    def _slopes(self) -> np.ndarray:
+        """dE/dF (n, 4, 5)."""
+        changes = self._first()[:, None] * self._changes
+        tensors = np.einsum("nia,ngab,njb->ngij", self._vectors, changes, self._vectors)
+        result = np.zeros((len(tensors), 4, 5))
+        for row, (first, second, times) in {0: (0, 0, 1), 1: (1, 1, 1), 3: (0, 1, 2)}.items():
+            result[:, row] = self._columns(times * tensors[:, :, first, second], 0.0)
+        result[:, 2, 2] = 1 / (1 + self._hoop)
+        return result
+
+    def _columns(self, plane: np.ndarray, hoop: np.ndarray | float) -> np.ndarray:
+        """Components in the plane (n, 4) and the one out of it as columns (n, 5)."""
+        return np.insert(plane, 2, hoop, axis=1)
+
+    def _turn(self, stress: np.ndarray) -> np.ndarray:
+        """Stresses in the plane (n, 2, 2), in the eigenvectors."""
+        tensor = stress[:, [0, 3, 3, 1]].reshape(-1, 2, 2)
+        return self._vectors.swapaxes(1, 2) @ tensor @ self._vectors
+
+    def _first(self) -> np.ndarray:
+        """Divided differences f[a, b] (n, 2, 2) of f = 1/2 ln at the eigenvalues of C."""
+        small = 1 + self._squares[:, 1]
+        ratio = self._difference / small
+        safe = np.where(ratio == 0, 1.0, ratio)
+        mixed = np.where(ratio == 0, 1.0, np.log1p(ratio) / safe) / (2 * small)
+        equal = 1 / (2 * (1 + self._squares))
+        return np.stack([equal[:, 0], mixed, mixed, equal[:, 1]], axis=-1).reshape(-1, 2, 2)
+
+    def _second(self) -> np.ndarray:
+        """Divided differences f[a, k, b] (n, 2, 2, 2)."""
+        values = 1 + self._squares
+        result = np.empty((len(values), 2, 2, 2))
+        for one, other in ((0, 1), (1, 0)):
+            twice = _second_difference(values[:, one], values[:, other])
+            result[:, one, one, one] = -1 / (4 * values[:, one] ** 2)
+            result[:, one, one, other] = result[:, one, other, one] = twice
+            result[:, other, one, one] = twice
+        return result
+
+
+def _second_difference(twice: np.ndarray, once: np.ndarray) -> np.ndarray:
+    """f[x, x, y] of f = 1/2 ln, by its series where x and y are close."""
+    ratio = (twice - once) / once
+    near = np.abs(ratio) < SERIES_BELOW
+    safe = np.where(near, 1.0, ratio)
+    exact = (1 / (1 + safe) - np.log1p(safe) / safe) / safe
+    close = np.where(near, ratio, 0.0)
+    series = -sum((-close) ** n * (n + 1) / (n + 2) for n in range(7))
+    return np.where(near, series, exact) / (2 * once**2)

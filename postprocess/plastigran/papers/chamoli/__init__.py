@@ -1,0 +1,34 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""The vibrating elastic sphere of Chamoli's thesis: fast impacts, and the viscoelastic sphere."""
+
+from __future__ import annotations
+
+from plastigran.papers.base import Paper, Reproduction
+
+
+def compute(progress: bool, coarse: bool) -> Reproduction:
+    """Every table and figure."""
+    from plastigran.papers.chamoli import figures  # what these need is slow to load
+    from plastigran.papers.chamoli.computations import compute_impacts
+    from plastigran.papers.chamoli.tables import tables
+
+    computed = compute_impacts(progress, coarse)
+    return Reproduction(
+        tables=tables(computed),
+        figures={
+            "impact": figures.impact_figure(computed),
+            "energies": figures.energies_figure(computed),
+            "restitution": figures.restitution_figure(computed),
+            "spectrum": figures.spectrum_figure(computed),
+        },
+    )
+
+
+PAPER = Paper(
+    name="chamoli",
+    title="The vibrating elastic sphere",
+    citation="Chamoli, master thesis: fast impacts of an elastic sphere by finite elements",
+    tables=("impacts", "energies", "restitution", "oscillations", "modes", "viscoelastic"),
+    figures=("impact", "energies", "restitution", "spectrum"),
+    compute=compute,
+)

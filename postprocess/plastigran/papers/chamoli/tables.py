@@ -1,0 +1,207 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""The tables: impacts against Hertz, energies, restitution, oscillations and modes."""
+
+from __future__ import annotations
+
+import numpy as np
+import pandas as pd
+
+from plastigran.experiments.central import CentralImpact
+from plastigran.fem.spectrum import peaks, spectrum
+from plastigran.fem.vibration import SIGNALS, Vibration
+from plastigran.materials import read_material
+from plastigran.papers.base import add_difference
+from plastigran.papers.chamoli.computations import (
+    HARD,
+    ICE_RADIUS,
+    RADIUS,
+    SHOWN,
+    Computed,
+    Impact,
+    material,
+    oscillation,
+    sphere,
+)
+from plastigran.physics.central import viscoelastic_number, viscoelastic_restitution
+from plastigran.physics.impact_modes import nearest_modes
+from plastigran.physics.modes import sphere_modes
+
+KHZ, MICRO = 1e-3, 1e6
+#: What the thesis prints: the radial mode, and as the oblate-prolate one the first toroidal.
+PAPER_MODES = {("radial", 0, 0): 143.67, ("toroidal", 1, 0): 186.49}
+NEAR = 0.01  # of a mode's frequency, within which a peak is its own
+
+
+def tables(computed: Computed) -> dict[str, pd.DataFrame]:
+    """By name."""
+    return {
+        "impacts": impacts(computed),
+        "energies": energies(computed),
+        "restitution": restitution(computed),
+        "oscillations": oscillations(computed),
+        "modes": modes(computed),
+        "viscoelastic": viscoelastic(computed),
+    }
+
+
+def impacts(computed: Computed) -> pd.DataFrame:
+    """Largest force and approach and duration against Hertz' closed forms and LIGGGHTS."""
+    quantities = {
+        "force_max": ("largest force", "N", 1.0),
+        "overlap_max": ("largest approach", "µm", MICRO),
+        "contact_time": ("duration", "µs", MICRO),
+    }
+    rows = []
+    for impact, found in computed.vibrations.items():
+        engine, hertz = computed.engine.loc[impact], sphere(impact[0])
+        approach = hertz.approach_max(impact[1])
+        closed = {
+            "force_max": hertz.force(approach),
+            "overlap_max": approach,
+            "contact_time": hertz.duration(impact[1]),
+        }
+        widest = found.history["contact_radius"].max() / RADIUS
+        for name, (quantity, unit, factor) in quantities.items():
+            rows.append(
+                {
+                    **_named(impact),
+                    "a/R": widest,
+                    "quantity": quantity,
+                    "unit": unit,
+                    "Hertz": factor * closed[name],
+                    "finite elements": factor * getattr(found, name),
+                    "LIGGGHTS": factor * engine[name],
+                }
+            )
+    table = add_difference(pd.DataFrame(rows), "finite elements", "Hertz")
+    return add_difference(table, "LIGGGHTS", "Hertz")
+
+
+def energies(computed: Computed) -> pd.DataFrame:
+    """Shares of the impact's energy, and how far the total strays."""
+    rows = []
+    for impact, found in computed.vibrations.items():
+        history = found.history
+        parts = history[["kinetic_energy", "elastic_energy", "penalty_energy"]]
+        total = parts.sum(axis=1)
+        share = parts / total.iloc[0]
+        flight = share.loc[found.flight.index]
+        rows.append(
+            {
+                **_named(impact),
+                "energy (µJ)": MICRO * total.iloc[0],
+                "strain, most in contact": share["elastic_energy"].max(),
+                "kinetic, least in contact": share["kinetic_energy"].min(),
+                "in the penalty, most": share["penalty_energy"].max(),
+                "strain, mean in flight": flight["elastic_energy"].mean(),
+                "strain, most in flight": flight["elastic_energy"].max(),
+                "total strays by": (total / total.iloc[0] - 1).abs().max(),
+            }
+        )
+    return pd.DataFrame(rows)
+
+
+def restitution(computed: Computed) -> pd.DataFrame:
+    """One less restitution, by momentum and by kinetic energy; all of them are close to one."""
+    gravest = computed.modes["frequency"].min()
+    rows = []
+    for impact, found in computed.vibrations.items():
+        kinetic = np.sqrt(
+            found.flight["kinetic_energy"] / found.history["kinetic_energy"].iloc[0]
+        ).to_numpy()
+        rows.append(
+            {
+                **_named(impact),
+                "periods in contact": found.contact_time * gravest * np.sqrt(impact[0] / HARD),
+                "1 − e, momentum": 1 - found.coefficient_of_restitution,
+                "1 − e, kinetic energy": 1 - found.kinetic_restitution,
+                "least": 1 - kinetic.max(),
+                "most": 1 - kinetic.min(),
+                "energy left": found.vibration_energy,
+                "in twelve modes": _shares(found).sum(),
+                "1 − e, LIGGGHTS": 1 - computed.engine.loc[impact]["coefficient_of_restitution"],
+            }
+        )
+    return pd.DataFrame(rows)
+
+
+def oscillations(computed: Computed) -> pd.DataFrame:
+    """Of the force within the contact, about a smooth one."""
+    rows = []
+    for impact, found in computed.vibrations.items():
+        force = oscillation(found)
+        frequencies, amplitudes = peaks(*spectrum(force.share, found.timestep), least=0.5)
+        gravest = computed.modes["frequency"].min() * np.sqrt(impact[0] / HARD)
+        rows.append(
+            {
+                **_named(impact),
+                "root mean square over largest force": np.sqrt(np.mean(force.share**2)),
+                "largest over largest force": np.abs(force.share).max(),
+                "gravest mode (kHz)": KHZ * gravest,
+                "strongest (kHz)": KHZ * frequencies[np.argmax(amplitudes)],
+            }
+        )
+    return add_difference(pd.DataFrame(rows), "strongest (kHz)", "gravest mode (kHz)")
+
+
+def modes(computed: Computed) -> pd.DataFrame:
+    """Free vibrations: exact, of the mesh, and peaks of the spectra after the fastest impact, with
+    the energy each has after some impacts."""
+    found = computed.vibrations[HARD, 5.0]
+    table = nearest_modes(found.modes["frequency"], computed.modes)
+    table = table.rename(columns={"found": "mesh"})
+    seen = np.concatenate([found.peaks(signal)["frequency"] for signal in SIGNALS])
+    difference = np.abs(seen[:, None] / table["frequency"].to_numpy() - 1)
+    peak = seen[np.argmin(difference, axis=0)]
+    table["peak"] = np.where(difference.min(axis=0) < NEAR, peak, np.nan)
+    for impact in SHOWN:
+        modulus, speed = _named(impact).values()
+        table[f"energy at {speed:g} m/s, {modulus:g} GPa"] = _shares(computed.vibrations[impact])
+    ice = material(HARD)
+    twisting = sphere_modes(HARD, ice.poissons_ratio, ice.density, RADIUS, [1], 1)
+    table = pd.concat([table, twisting[twisting["kind"] == "toroidal"]])
+    table = table.sort_values("frequency", ignore_index=True)
+    names = table[["kind", "degree", "overtone"]].itertuples(index=False, name=None)
+    table.insert(3, "thesis (kHz)", [PAPER_MODES.get(name, np.nan) for name in names])
+    for old, new in {"frequency": "exact", "mesh": "mesh", "peak": "peak"}.items():
+        table[old] *= KHZ
+        table = table.rename(columns={old: f"{new} (kHz)"})
+    table = table.drop(columns=["ka", "ha", "difference"])
+    table = add_difference(table, "mesh (kHz)", "exact (kHz)")
+    return add_difference(table, "peak (kHz)", "exact (kHz)")
+
+
+def viscoelastic(computed: Computed) -> pd.DataFrame:
+    """Restitution of a viscoelastic ice sphere: measured, closed form, law, LIGGGHTS."""
+    ice, runs = read_material("ice"), computed.viscoelastic
+    speeds = runs["speed"].to_numpy()
+    impact = CentralImpact("viscoelastic_hertz", speeds[0], ice, ICE_RADIUS)
+    number = viscoelastic_number(
+        ice.dissipative_constant,
+        impact.radius_eff,
+        impact.mass_eff,
+        impact.pair.youngs_modulus_eff,
+        speeds,
+    )
+    table = pd.DataFrame(
+        {
+            "speed (cm/s)": 100 * speeds,
+            "measured": 0.32 * (100 * speeds) ** -0.234,
+            "closed form": viscoelastic_restitution(number),
+            "viscoelastic_hertz": runs["coefficient_of_restitution_predicted"].to_numpy(),
+            "LIGGGHTS": runs["coefficient_of_restitution"].to_numpy(),
+        }
+    )
+    table = add_difference(table, "viscoelastic_hertz", "closed form")
+    return add_difference(table, "LIGGGHTS", "closed form")
+
+
+def _named(impact: Impact) -> dict[str, float]:
+    modulus, speed = impact
+    return {"E (GPa)": modulus / 1e9, "speed (m/s)": speed}
+
+
+def _shares(vibration: Vibration) -> np.ndarray:
+    """Energy in each mode over that of the impact."""
+    energy = vibration.history["kinetic_energy"].iloc[0]
+    return (vibration.modes["energy"] / energy).to_numpy()

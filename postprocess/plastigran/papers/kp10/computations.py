@@ -1,0 +1,115 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Finite elements and runs of LIGGGHTS of the paper's cylinder."""
+
+from __future__ import annotations
+
+from tempfile import TemporaryDirectory
+
+import attrs
+
+from plastigran.experiments.collision import CollisionOutcome
+from plastigran.experiments.cylinder import CylinderImpact
+from plastigran.experiments.cylinder.study import BODY_THICKNESS, MASS, MATERIAL
+from plastigran.experiments.runs import sweep
+from plastigran.fem.cylinder import CylinderStrike
+from plastigran.fem.hardening import LinearHardening
+from plastigran.fem.material import ElasticPlastic
+from plastigran.fem.settings import Settings
+from plastigran.fem.strike import strike
+from plastigran.fem.struck import Strike
+from plastigran.materials import laws_for, read_material
+from plastigran.papers.computing import Computation, compute_all
+
+RADIUS = 1e-5
+GLASS = read_material(MATERIAL)
+#: Both bodies' elasticity in one, as in the material file.
+BODY = ElasticPlastic(
+    youngs_modulus=GLASS.youngs_modulus,
+    poissons_ratio=GLASS.poissons_ratio,
+    density=GLASS.density,
+    hardening=LinearHardening(GLASS.yield_strength),
+)
+#: Glass by itself: with a slider of 388 GPa and Poisson's ratio 0.22 it has the paper's E_r.
+GLASS_ALONE = attrs.evolve(BODY, youngs_modulus=1.001e11)
+FRICTION = 0.15
+SLIDING_SPEED = 10.0
+
+#: Impact speeds [m/s] by length over radius.
+SPEEDS = {10.0: (0.2, 0.4, 0.6, 0.8, 1.0), 100.0: (1.0, 2.0, 3.0, 4.0, 5.0)}
+OBLIQUE_SPEEDS = {10.0: (1.0, 0.6), 100.0: (3.0,)}
+#: The impact whose residual depths the paper gives: length over radius, speed [m/s].
+SHOWN = (10.0, 1.0)
+LAWS = tuple(laws_for("cylinder"))
+
+
+@attrs.frozen(order=True)
+class Key:
+    """What tells one computation: `body` is "layer", "thick" (no wave comes back), "thin" (half the
+    layer) or "glass" (by itself), `kind` "normal", "frictionless" or "oblique"."""
+
+    length_ratio: float
+    speed: float
+    kind: str = "normal"
+    body: str = "layer"
+
+    def case(self) -> CylinderStrike:
+        thickness = {"thick": None, "thin": BODY_THICKNESS / 2}.get(self.body, BODY_THICKNESS)
+        return CylinderStrike(
+            material=GLASS_ALONE if self.body == "glass" else BODY,
+            radius=RADIUS,
+            length=self.length_ratio * RADIUS,
+            mass=MASS,
+            speed=self.speed,
+            sliding_speed=0.0 if self.kind == "normal" else SLIDING_SPEED,
+            coefficient_of_friction=FRICTION if self.kind == "oblique" else 0.0,
+            thickness=thickness,
+        )
+
+
+@attrs.frozen
+class Computed:
+    """Everything the tables and figures are made of.
+
+    Attributes:
+        strikes: Of finite elements.
+        runs: Of LIGGGHTS, by length over radius, speed and law; head-on.
+    """
+
+    strikes: dict[Key, Strike]
+    runs: dict[tuple[float, float, str], CollisionOutcome]
+
+
+def keys(coarse: bool) -> list[Key]:
+    """The computations, the longest first."""
+    if coarse:
+        return [Key(*SHOWN, "oblique"), Key(*SHOWN), Key(*SHOWN, body="thick")]
+    found = [
+        Key(ratio, speed, "oblique") for ratio, speeds in OBLIQUE_SPEEDS.items() for speed in speeds
+    ]
+    for body in ("thick", "layer"):
+        found += [
+            Key(ratio, speed, body=body) for ratio, speeds in SPEEDS.items() for speed in speeds
+        ]
+    return [*found, Key(*SHOWN, body="glass"), Key(*SHOWN, body="thin")]
+
+
+def compute_finite_elements_and_runs(progress: bool, coarse: bool) -> Computed:
+    """Compute, or find in the cache, what `Computed` holds; arguments as of `Paper.reproduce`."""
+    settings = Settings(divisions=3, fineness=0.6, steps_of_contact=40)
+    if not coarse:
+        settings = Settings(divisions=4, steps_of_contact=120)
+    strikes = compute_all(
+        {key: Computation(strike, (key.case(),), settings) for key in keys(coarse)}, progress
+    )
+    head_on = sorted({(key.length_ratio, key.speed) for key in strikes if key.kind == "normal"})
+    cases = [
+        CylinderImpact(law, speed, MATERIAL, RADIUS, length_ratio=ratio)
+        for ratio, speed in head_on
+        for law in LAWS
+    ]
+    with TemporaryDirectory() as folder:
+        outcomes = sweep(cases, folder, progress=progress).outcomes
+    return Computed(
+        strikes,
+        {(case.length_ratio, case.speed, case.law): found for case, found in outcomes.items()},
+    )

@@ -1,0 +1,104 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""A sphere on a half space that is elastic or yields."""
+
+from __future__ import annotations
+
+import attrs
+import numpy as np
+import pytest
+from coarse_sphere import COARSE, ELASTIC, METAL, RADIUS
+from numpy.testing import assert_allclose
+
+from plastigran.fem.assembly import pressed
+from plastigran.fem.hertz import HertzSphere
+from plastigran.fem.press import press
+from plastigran.fem.throw import throw
+
+FORCE, SPEED = 200.0, 0.02
+SOFT = attrs.evolve(ELASTIC, youngs_modulus=40e9, poissons_ratio=0.25)
+STIFF = attrs.evolve(ELASTIC, youngs_modulus=70e14)  # 1e5 times the sphere's
+
+
+@pytest.fixture(scope="module")
+def indentation():
+    """A stiff sphere pressed into a metal, to E*a/(sigma_Y R) = 10."""
+    return press(STIFF, RADIUS, [1500.0], COARSE, plane=METAL)
+
+
+@pytest.mark.parametrize("plane", [SOFT, ELASTIC])
+def test_elastic_pair_follows_hertz_with_the_modulus_of_both(plane):
+    pair = HertzSphere(ELASTIC, RADIUS, plane)
+    top = press(ELASTIC, RADIUS, [FORCE], COARSE, plane=plane).unloadings.iloc[0]
+    # The coarse mesh, as on a rigid plane; its edges are a tenth of the contact.
+    assert top["approach"] == pytest.approx(pair.approach(FORCE), rel=5e-3)
+    assert top["contact_radius"] == pytest.approx(pair.contact_radius(FORCE), rel=0.02)
+    assert top["coefficient_of_restitution"] == pytest.approx(1, abs=2e-3)
+
+
+def test_stiff_half_space_is_a_rigid_plane(elastic_pressing):
+    on_stiff = press(ELASTIC, RADIUS, [FORCE], COARSE, plane=STIFF).unloadings.iloc[0]
+    on_rigid = elastic_pressing.unloadings.iloc[0]
+    for name in ("approach", "contact_radius", "coefficient_of_restitution"):
+        assert on_stiff[name] == pytest.approx(on_rigid[name], rel=1e-4), name  # 1e-5 softer
+
+
+def test_forces_on_both_bodies_are_opposite():
+    pair = HertzSphere(ELASTIC, RADIUS, SOFT)
+    equations = pressed(pair, pair.contact_radius(FORCE), COARSE)
+    touch = equations.plane.touch(np.zeros(equations.body.size), pair.approach(FORCE))
+    above, below = np.split(touch.nodal, [equations.body.sphere.size])
+    assert touch.force > 0
+    assert_allclose([above.sum(), below.sum()], [touch.force, -touch.force], rtol=1e-12)
+
+
+def test_half_space_yields_below_its_surface_at_the_force_of_the_sphere():
+    """By symmetry of Hertz' stresses: the same metal, the other body rigid."""
+    force = 1.15 * HertzSphere(METAL, RADIUS).yield_force
+    pair = HertzSphere(STIFF, RADIUS, METAL)
+    assert pair.yield_force == pytest.approx(HertzSphere(METAL, RADIUS).yield_force, rel=1e-4)
+    strained = press(STIFF, RADIUS, [force], COARSE, plane=METAL).snapshots[0]
+    deepest = strained.positions[np.argmax(strained.plastic_strain)]
+    radius = pair.contact_radius(force)
+    assert strained.plastic_strain.max() > 0
+    assert deepest[0] < 0.3 * radius
+    assert deepest[1] == pytest.approx(-0.48 * radius, rel=0.35)  # as in the sphere
+
+
+def test_indentation_pressure_is_of_the_order_of_the_expanding_cavity(indentation):
+    """Johnson, Contact Mechanics (1985), sec. 6.3; an estimate, of 15 % here."""
+    top = indentation.unloadings.iloc[0]
+    strength = METAL.hardening.yield_strength
+    strain = METAL.youngs_modulus * top["contact_radius"] / (RADIUS * strength)
+    ratio = METAL.poissons_ratio
+    cavity = 2 / 3 * (2 + np.log((strain + 4 * (1 - 2 * ratio)) / (6 * (1 - ratio))))
+    mean = top["force"] / (np.pi * top["contact_radius"] ** 2 * strength)
+    assert 8 < strain < 12
+    assert mean == pytest.approx(cavity, rel=0.15)
+    assert 1.1 < mean < 3.0  # between first yield and the fully plastic limit
+
+
+def test_indentation_leaves_a_dent_and_dissipates(indentation):
+    assert indentation.plane == METAL
+    top = indentation.unloadings.iloc[0]
+    assert 0.3 * top["approach"] < top["residual_approach"] < top["approach"]
+    assert 0.6 < top["coefficient_of_restitution"] < 0.9
+
+
+def test_impact_on_a_half_space_radiates_a_little_energy():
+    """Hunter (1957), J. Mech. Phys. Solids 5:162, for like bodies: 1.04 (v/c)^(3/5) of the energy,
+    c = sqrt(E/rho): an estimate, for a Poisson's ratio of 0.25."""
+    impact = throw(ELASTIC, RADIUS, SPEED, COARSE, plane=ELASTIC)
+    sound = np.sqrt(ELASTIC.youngs_modulus / ELASTIC.density)
+    lost = 1 - impact.coefficient_of_restitution**2
+    assert lost == pytest.approx(1.04 * (SPEED / sound) ** 0.6, rel=0.2)
+    pair = HertzSphere(ELASTIC, RADIUS, ELASTIC)
+    assert impact.contact_time == pytest.approx(pair.duration(SPEED), rel=0.01)
+    assert impact.force_max == pytest.approx(pair.force(pair.approach_max(SPEED)), rel=0.01)
+    parts = ["kinetic_energy", "elastic_energy", "penalty_energy"]
+    total = impact.history[parts].sum(axis=1)
+    assert total.max() / total.min() == pytest.approx(1, abs=2e-3)  # as on a rigid plane
+
+
+def test_finite_strain_on_a_half_space_is_refused():
+    with pytest.raises(ValueError, match="strain is finite; on a half space it must be small"):
+        press(ELASTIC, RADIUS, [FORCE], attrs.evolve(COARSE, strain="finite"), plane=SOFT)

@@ -1,0 +1,156 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Finite strain in logarithms: at points, and in a pressed sphere."""
+
+from __future__ import annotations
+
+import warnings
+
+import attrs
+import numpy as np
+import pytest
+from coarse_sphere import COARSE, METAL, RADIUS
+from numpy.testing import assert_allclose
+from scipy.linalg import logm
+
+from plastigran.fem.hertz import HertzSphere
+from plastigran.fem.kinematics import FiniteStrain, SmallStrain
+from plastigran.fem.limits import SmallStrainWarning, check_forces
+from plastigran.fem.material import State
+from plastigran.fem.press import press
+from plastigran.fem.stretch import InvertedError
+
+FINITE = FiniteStrain()
+STEP = 1e-6  # of central differences
+
+
+@pytest.fixture
+def gradients():
+    """Displacement gradients up to some tenths; some tiny, none, of equal or close stretches."""
+    result = np.random.default_rng(3).normal(scale=0.15, size=(300, 5))
+    result[:50] *= 1e-4
+    result[50:60] = 0
+    result[60:80, 3:], result[60:80, 0] = 0, result[60:80, 1]
+    result[80:100, 3:], result[80:100, 0] = 1e-4, result[80:100, 1] + 1e-3
+    return result
+
+
+def changed(gradients, component, sign):
+    result = gradients.copy()
+    result[:, component] += sign * STEP
+    return result
+
+
+def differences(function, gradients):
+    """Derivatives of a column over the displacement gradient (n, m, 5)."""
+    return np.stack(
+        [
+            (function(changed(gradients, c, 1)) - function(changed(gradients, c, -1))) / (2 * STEP)
+            for c in range(5)
+        ],
+        axis=-1,
+    )
+
+
+def test_strain_is_half_the_logarithm_of_the_squared_stretch(gradients):
+    strain = FINITE.strain(gradients)
+    for (rr, yy, tt, ry, yr), found in zip(gradients[::5], strain[::5], strict=True):
+        deformation = np.array([[1 + rr, ry], [yr, 1 + yy]])
+        expected = logm(deformation.T @ deformation) / 2
+        tensor = [[found[0], found[3] / 2], [found[3] / 2, found[1]]]
+        assert_allclose(tensor, expected, atol=1e-13)  # rounding of scipy's logarithm
+        assert found[2] == pytest.approx(np.log1p(tt), abs=1e-15)
+
+
+def test_stress_does_the_work_of_the_logarithmic_strain(gradients):
+    stress = np.random.default_rng(4).normal(size=(len(gradients), 4))
+    work = np.einsum("ni,nij->nj", stress, differences(FINITE.strain, gradients))
+    # Central differences: rounding of 1e-16/STEP and STEP^2 of curvature.
+    assert_allclose(FINITE.conjugate(gradients, stress), work, atol=1e-8)
+
+
+def test_tangent_is_the_derivative_of_the_stress(gradients):
+    virgin = State.virgin(len(gradients))
+
+    def answer(at):
+        return METAL.respond(FINITE.strain(at), virgin)
+
+    response = answer(gradients)
+    assert 100 < response.flowing.size < len(gradients)
+    points, tangent = FINITE.tangent(gradients, response, METAL.elastic_tangent)
+    slopes = differences(lambda at: FINITE.conjugate(at, answer(at).stress), gradients)
+    error = np.abs(slopes[points] - tangent).max(axis=(1, 2)) / METAL.youngs_modulus
+    # A point may begin to flow within the difference's step, so a few are let be.
+    assert np.quantile(error, 0.98) < 1e-5
+
+
+def test_rotation_gives_no_stress():
+    angle = np.linspace(0, 3, 20)
+    cosine, sine = np.cos(angle), np.sin(angle)
+    turned = np.stack([cosine - 1, cosine - 1, 0 * angle, -sine, sine], axis=-1)
+    assert_allclose(FINITE.strain(turned), 0, atol=1e-15)
+
+
+def test_rotation_turns_the_stress_with_the_body(gradients):
+    angle = 0.7
+    rotation = np.array([[np.cos(angle), -np.sin(angle)], [np.sin(angle), np.cos(angle)]])
+
+    def turn(columns):
+        tensors = columns[:, [0, 3, 4, 1]].reshape(-1, 2, 2)
+        turned = (rotation @ tensors).reshape(-1, 4)
+        return np.insert(turned[:, [0, 3, 1, 2]], 2, columns[:, 2], axis=1)
+
+    one = np.array([1.0, 1.0, 0.0, 0.0, 0.0])
+    turned = turn(gradients + one) - one
+    virgin = State.virgin(len(gradients))
+    stress, after = (METAL.respond(FINITE.strain(at), virgin).stress for at in (gradients, turned))
+    scale = METAL.youngs_modulus
+    assert_allclose(after, stress, atol=1e-12 * scale)
+    piola = FINITE.conjugate(gradients, stress)
+    assert_allclose(FINITE.conjugate(turned, after), turn(piola), atol=1e-12 * scale)
+
+
+def test_plastic_flow_keeps_the_volume(gradients):
+    """The volume changes by pressure alone: ln J = tr T / 3K, however much has flown."""
+    response = METAL.respond(FINITE.strain(gradients), State.virgin(len(gradients)))
+    rr, yy, tt, ry, yr = gradients.T
+    volume = ((1 + rr) * (1 + yy) - ry * yr) * (1 + tt)
+    assert response.state.accumulated.max() > 0.1
+    elastic = response.stress[:, :3].sum(axis=1) / (3 * METAL.bulk_modulus)
+    assert_allclose(np.log(volume), elastic, atol=1e-13)
+
+
+def test_small_gradients_strain_as_in_small_strain(gradients):
+    tiny = 1e-6 * gradients
+    small = SmallStrain()
+    measured = small.matrices(tiny[:, :, None])[:, :, 0]
+    assert_allclose(FINITE.strain(tiny), measured, atol=1e-12)  # squares of the gradients
+
+
+@pytest.mark.parametrize("gradient", [[-1.5, 0, 0, 0, 0], [0, 0, -1.0, 0, 0], [0, 0, 0, 2, 2]])
+def test_material_turned_inside_out_is_refused(gradient):
+    with pytest.raises(InvertedError, match="inside out"):
+        FINITE.strain(np.array([gradient], float))
+
+
+def pressed(strain, metal, force):
+    """What an unloading from a force shows."""
+    settings = attrs.evolve(COARSE, strain=strain)
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", SmallStrainWarning)
+        return press(metal, RADIUS, [force], settings).unloadings.iloc[0]
+
+
+def test_narrow_contact_is_that_of_small_strain():
+    small, finite = (pressed(strain, METAL, 200.0) for strain in ("small", "finite"))
+    assert small["contact_radius"] / RADIUS == pytest.approx(0.006, rel=0.1)
+    # Strains beside the contact are some thousandths.
+    for name in ("approach", "contact_radius", "coefficient_of_restitution"):
+        assert finite[name] == pytest.approx(small[name], rel=1e-3), name
+    left = finite["residual_approach"] - small["residual_approach"]
+    assert left == pytest.approx(0, abs=1e-3 * small["approach"])
+
+
+def test_wide_contacts_are_not_warned_of_in_finite_strain():
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        check_forces(HertzSphere(METAL, RADIUS), [2e5], strain="finite")
