@@ -24,12 +24,12 @@ import attrs
 import numpy as np
 import pandas as pd
 
-from plastigran.fem.hardening import LinearHardening
-from plastigran.fem.hertz import HertzSphere
 from plastigran.fem.limits import SmallStrainWarning, contact_reach
-from plastigran.fem.material import ElasticPlastic
-from plastigran.fem.press import press
+from plastigran.fem.material.elastic_plastic import ElasticPlastic
+from plastigran.fem.material.hardening import LinearHardening
 from plastigran.fem.settings import Settings
+from plastigran.fem.sphere.press import press
+from plastigran.fem.theory.hertz import HertzSphere
 
 RADIUS = 0.1  # m
 STEP = 1e-6  # of the differences of the tangent

@@ -13,16 +13,16 @@ from collections.abc import Mapping, Sequence
 
 import pandas as pd
 
-from plastigran.fem.convergence import (
+from plastigran.fem.material.elastic_plastic import ElasticPlastic
+from plastigran.fem.material.hardening import LinearHardening
+from plastigran.fem.settings import Settings
+from plastigran.fem.sphere.convergence import (
     PRESS_VARIATIONS,
     THROW_VARIATIONS,
     convergence,
     press_measure,
     throw_measure,
 )
-from plastigran.fem.hardening import LinearHardening
-from plastigran.fem.material import ElasticPlastic
-from plastigran.fem.settings import Settings
 
 #: The sphere of Zhang & Vu-Quoc 2002 (Int. J. Impact Eng. 27:317), pressed and thrown [m, N, m/s].
 METAL = ElasticPlastic(

@@ -10,8 +10,8 @@ import pytest
 
 from plastigran.cli import main
 from plastigran.cli.metal import add_metal, add_plane, plane
-from plastigran.fem.hardening import LinearHardening
-from plastigran.fem.material import ElasticPlastic
+from plastigran.fem.material.elastic_plastic import ElasticPlastic
+from plastigran.fem.material.hardening import LinearHardening
 
 METAL = ["--young", "70e9", "--poisson", "0.3", "--yield", "1e8"]
 SOFT_PLANE = ["--plane-young", "1e9"]

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """The sphere of Zhang and Vu-Quoc (2002), and settings coarse enough for tests."""
 
-from plastigran.fem.hardening import LinearHardening
-from plastigran.fem.material import ElasticPlastic
+from plastigran.fem.material.elastic_plastic import ElasticPlastic
+from plastigran.fem.material.hardening import LinearHardening
 from plastigran.fem.settings import Settings
 
 RADIUS = 0.1

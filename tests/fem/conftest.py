@@ -6,8 +6,8 @@ from __future__ import annotations
 import pytest
 from coarse_sphere import COARSE, ELASTIC, METAL, RADIUS
 
-from plastigran.fem.press import press
-from plastigran.fem.throw import throw
+from plastigran.fem.sphere.press import press
+from plastigran.fem.sphere.throw import throw
 
 
 @pytest.fixture(scope="session")

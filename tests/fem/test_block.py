@@ -9,10 +9,10 @@ import numpy as np
 import pytest
 from attrs import evolve
 
-from plastigran.fem.block import HalfBlock, TrackBlock
-from plastigran.fem.body import Body
-from plastigran.fem.material import ElasticPlastic
-from plastigran.fem.section import Axisymmetric, PlaneStrain
+from plastigran.fem.body.body import Body
+from plastigran.fem.body.section import Axisymmetric, PlaneStrain
+from plastigran.fem.material.elastic_plastic import ElasticPlastic
+from plastigran.fem.mesh.block import HalfBlock, TrackBlock
 
 METAL = ElasticPlastic(youngs_modulus=70e9, poissons_ratio=0.3, density=2699.0)
 LENGTH, SIZE = 1e-3, 1.0

@@ -8,7 +8,7 @@ import pytest
 from coarse_sphere import COARSE, METAL, RADIUS
 
 from plastigran.fem.cache import cached, folder
-from plastigran.fem.convergence import convergence
+from plastigran.fem.sphere.convergence import convergence
 
 
 @pytest.fixture

@@ -9,9 +9,9 @@ import pandas as pd
 import pytest
 from coarse_sphere import METAL, RADIUS
 
-from plastigran.fem.calibration import calibrate
-from plastigran.fem.hertz import HertzSphere
-from plastigran.fem.results import Pressing
+from plastigran.fem.sphere.calibration import calibrate
+from plastigran.fem.sphere.results import Pressing
+from plastigran.fem.theory.hertz import HertzSphere
 
 SPHERE = HertzSphere(METAL, RADIUS)
 

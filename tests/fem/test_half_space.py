@@ -9,10 +9,10 @@ import pytest
 from coarse_sphere import COARSE, ELASTIC, METAL, RADIUS
 from numpy.testing import assert_allclose
 
-from plastigran.fem.assembly import pressed
-from plastigran.fem.hertz import HertzSphere
-from plastigran.fem.press import press
-from plastigran.fem.throw import throw
+from plastigran.fem.sphere.assembly import pressed
+from plastigran.fem.sphere.press import press
+from plastigran.fem.sphere.throw import throw
+from plastigran.fem.theory.hertz import HertzSphere
 
 FORCE, SPEED = 200.0, 0.02
 SOFT = attrs.evolve(ELASTIC, youngs_modulus=40e9, poissons_ratio=0.25)

@@ -9,10 +9,10 @@ import attrs
 import pytest
 from coarse_sphere import COARSE, METAL, RADIUS
 
-from plastigran.fem.hardening import LinearHardening, RateFactor, TabulatedHardening
-from plastigran.fem.hertz import HertzSphere
-from plastigran.fem.press import press
-from plastigran.fem.throw import throw
+from plastigran.fem.material.hardening import LinearHardening, RateFactor, TabulatedHardening
+from plastigran.fem.sphere.press import press
+from plastigran.fem.sphere.throw import throw
+from plastigran.fem.theory.hertz import HertzSphere
 
 STRENGTH = METAL.hardening.yield_strength
 MODULUS = METAL.youngs_modulus / 30

@@ -12,12 +12,12 @@ from coarse_sphere import COARSE, METAL, RADIUS
 from numpy.testing import assert_allclose
 from scipy.linalg import logm
 
-from plastigran.fem.hertz import HertzSphere
-from plastigran.fem.kinematics import FiniteStrain, SmallStrain
 from plastigran.fem.limits import SmallStrainWarning, check_forces
-from plastigran.fem.material import State
-from plastigran.fem.press import press
-from plastigran.fem.stretch import InvertedError
+from plastigran.fem.material.elastic_plastic import State
+from plastigran.fem.material.kinematics import FiniteStrain, SmallStrain
+from plastigran.fem.material.stretch import InvertedError
+from plastigran.fem.sphere.press import press
+from plastigran.fem.theory.hertz import HertzSphere
 
 FINITE = FiniteStrain()
 STEP = 1e-6  # of central differences

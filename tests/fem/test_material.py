@@ -7,9 +7,9 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from plastigran.fem.hardening import LinearHardening, RateFactor, TabulatedHardening
-from plastigran.fem.material import ElasticPlastic, State
-from plastigran.fem.results import mises_stress
+from plastigran.fem.material.elastic_plastic import ElasticPlastic, State
+from plastigran.fem.material.hardening import LinearHardening, RateFactor, TabulatedHardening
+from plastigran.fem.stepping.snapshot import mises_stress
 
 ROUNDING = 1e-9  # of stresses, after a return converged to 1e-13
 YIELD, MODULUS = 100e6, 2e9

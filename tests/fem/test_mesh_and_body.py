@@ -11,10 +11,10 @@ from numpy.testing import assert_allclose
 from skfem import Basis, BilinearForm, ElementQuadS2, ElementVector
 from skfem.helpers import grad
 
-from plastigran.fem.body import STIFFNESS_ORDER, Body
-from plastigran.fem.linear import SymmetricSystem
-from plastigran.fem.material import ElasticPlastic
-from plastigran.fem.mesh import SphereMesh
+from plastigran.fem.body.body import STIFFNESS_ORDER, Body
+from plastigran.fem.material.elastic_plastic import ElasticPlastic
+from plastigran.fem.mesh.sphere import SphereMesh
+from plastigran.fem.stepping.linear import SymmetricSystem
 
 RADIUS, CORE, REACH = 0.1, 4e-4, 1.5e-3
 MATERIAL = ElasticPlastic(youngs_modulus=70e9, poissons_ratio=0.3, density=2699.0)

@@ -12,10 +12,10 @@ import pytest
 from coarse_sphere import COARSE, ELASTIC, METAL, RADIUS
 from numpy.testing import assert_allclose
 
-from plastigran.fem.hertz import HertzSphere
-from plastigran.fem.increment import Equations, NoConvergence
 from plastigran.fem.limits import SmallStrainWarning, check_forces
-from plastigran.fem.press import press
+from plastigran.fem.sphere.press import press
+from plastigran.fem.stepping.increment import Equations, NoConvergence
+from plastigran.fem.theory.hertz import HertzSphere
 
 HERTZ = HertzSphere(ELASTIC, RADIUS)
 COARSE_MESH = 0.02

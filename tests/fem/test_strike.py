@@ -9,14 +9,14 @@ import numpy as np
 import pytest
 from attrs import evolve
 
-from plastigran.fem.circle import RigidCircle, StruckBody
-from plastigran.fem.cylinder import CylinderStrike
-from plastigran.fem.hardening import LinearHardening
+from plastigran.fem.contact.circle import RigidCircle, StruckBody
+from plastigran.fem.cylinder.case import CylinderStrike
+from plastigran.fem.cylinder.strike import equations, strike
 from plastigran.fem.limits import SmallStrainWarning
-from plastigran.fem.line import HertzLine
-from plastigran.fem.material import ElasticPlastic
+from plastigran.fem.material.elastic_plastic import ElasticPlastic
+from plastigran.fem.material.hardening import LinearHardening
 from plastigran.fem.settings import Settings
-from plastigran.fem.strike import equations, strike
+from plastigran.fem.theory.line import HertzLine
 
 GLASS = ElasticPlastic(youngs_modulus=79.5e9, poissons_ratio=0.23, density=2500.0)
 YIELDING = evolve(GLASS, hardening=LinearHardening(2.41e9))

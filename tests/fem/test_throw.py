@@ -6,8 +6,8 @@ from __future__ import annotations
 import pytest
 from coarse_sphere import COARSE, ELASTIC, METAL, RADIUS
 
-from plastigran.fem.hertz import HertzSphere
-from plastigran.fem.throw import throw
+from plastigran.fem.sphere.throw import throw
+from plastigran.fem.theory.hertz import HertzSphere
 
 HERTZ = HertzSphere(ELASTIC, RADIUS)
 SPEED = 0.02

@@ -7,15 +7,15 @@ import numpy as np
 import pytest
 from coarse_sphere import METAL
 
-from plastigran.fem.body import Body
-from plastigran.fem.conservative import SpringPlane
-from plastigran.fem.elastic_body import ElasticBody
-from plastigran.fem.hertz import HertzSphere
+from plastigran.fem.body.body import Body
+from plastigran.fem.body.elastic import ElasticBody
 from plastigran.fem.limits import SmallStrainWarning
-from plastigran.fem.material import ElasticPlastic
+from plastigran.fem.material.elastic_plastic import ElasticPlastic
 from plastigran.fem.settings import Settings
-from plastigran.fem.spectrum import peaks, spectrum
-from plastigran.fem.vibrate import vibrate
+from plastigran.fem.sphere.spectrum import peaks, spectrum
+from plastigran.fem.sphere.vibrate import vibrate
+from plastigran.fem.stepping.conservative import SpringPlane
+from plastigran.fem.theory.hertz import HertzSphere
 from plastigran.physics.impact_modes import impact_modes
 
 RADIUS = 0.01

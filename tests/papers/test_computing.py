@@ -6,9 +6,9 @@ from __future__ import annotations
 import attrs
 import pytest
 
-from plastigran.fem.material import ElasticPlastic
-from plastigran.fem.press import press
+from plastigran.fem.material.elastic_plastic import ElasticPlastic
 from plastigran.fem.settings import Settings
+from plastigran.fem.sphere.press import press
 from plastigran.papers.computing import Computation, compute_all
 
 METAL = ElasticPlastic(youngs_modulus=70e9, poissons_ratio=0.3)

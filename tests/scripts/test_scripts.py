@@ -17,8 +17,8 @@ from numpy.testing import assert_allclose
 
 from plastigran.bulk.run import BulkRun
 from plastigran.engine.process import PROJECT, run_deck
-from plastigran.fem.kinematics import FiniteStrain
-from plastigran.fem.material import State
+from plastigran.fem.material.elastic_plastic import State
+from plastigran.fem.material.kinematics import FiniteStrain
 from plastigran.fem.settings import Settings
 
 #: Long enough for a steady discharge; the hopper's own tests share the run.

@@ -7,8 +7,8 @@ import argparse
 
 from plastigran.cli.arguments import positive
 from plastigran.cli.metal import add_metal, computed, metal
-from plastigran.fem.cylinder import CylinderStrike
-from plastigran.fem.strike import strike
+from plastigran.fem.cylinder.case import CylinderStrike
+from plastigran.fem.cylinder.strike import strike
 
 
 def add_cylinder(command: argparse.ArgumentParser) -> None:

@@ -10,9 +10,9 @@ from collections.abc import Callable
 
 from plastigran.cli.arguments import positive
 from plastigran.fem.cache import cached
-from plastigran.fem.hardening import LinearHardening
 from plastigran.fem.limits import SmallStrainWarning
-from plastigran.fem.material import ElasticPlastic
+from plastigran.fem.material.elastic_plastic import ElasticPlastic
+from plastigran.fem.material.hardening import LinearHardening
 from plastigran.fem.settings import Settings
 
 

@@ -81,6 +81,6 @@ def _plain(value: object) -> object:
 def _sources() -> str:
     """Digest of this package's code."""
     digest = sha256()
-    for path in sorted(Path(__file__).parent.glob("*.py")):
+    for path in sorted(Path(__file__).parent.rglob("*.py")):
         digest.update(path.read_bytes())
     return digest.hexdigest()

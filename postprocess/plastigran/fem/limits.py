@@ -7,7 +7,7 @@ import warnings
 from collections.abc import Sequence
 from math import isfinite, pi, sqrt
 
-from plastigran.fem.hertz import HertzSphere
+from plastigran.fem.theory.hertz import HertzSphere
 
 SMALL_STRAIN = 0.1  # a/R up to which small strain is good within a few tenths of a per cent
 LARGEST = 0.4  # a/R beyond which nothing here is meant

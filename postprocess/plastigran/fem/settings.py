@@ -6,11 +6,11 @@ from __future__ import annotations
 import attrs
 
 from plastigran.declared import number, whole, word
-from plastigran.fem.block import HalfBlock
-from plastigran.fem.contact import PENALTY
-from plastigran.fem.hertz import HertzSphere
-from plastigran.fem.kinematics import KINEMATICS, Kinematics
-from plastigran.fem.mesh import SphereMesh
+from plastigran.fem.contact.plane import PENALTY
+from plastigran.fem.material.kinematics import KINEMATICS, Kinematics
+from plastigran.fem.mesh.block import HalfBlock
+from plastigran.fem.mesh.sphere import SphereMesh
+from plastigran.fem.theory.hertz import HertzSphere
 
 CORE_OVER_YIELD = 1.2  # radius of the fine core over the contact radius at which the sphere yields
 CORE_OVER_REACH = 0.5  # and at most this times the largest contact radius

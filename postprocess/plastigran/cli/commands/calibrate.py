@@ -9,9 +9,9 @@ import json
 from plastigran.cli.arguments import positive
 from plastigran.cli.metal import add_metal, add_strain, computed, metal
 from plastigran.engine.deck import property_name
-from plastigran.fem.calibration import calibrate, check_range
-from plastigran.fem.hertz import HertzSphere
-from plastigran.fem.press import press
+from plastigran.fem.sphere.calibration import calibrate, check_range
+from plastigran.fem.sphere.press import press
+from plastigran.fem.theory.hertz import HertzSphere
 
 HELP = "constants of vu_quoc_zhang from finite elements"
 

@@ -22,11 +22,11 @@ from plastigran.cli.metal import (
     metal,
     plane,
 )
-from plastigran.fem.hertz import HertzSphere
-from plastigran.fem.press import press
-from plastigran.fem.throw import throw
-from plastigran.fem.vibrate import TRANSITS, vibrate
-from plastigran.fem.vibration import SIGNALS, Vibration
+from plastigran.fem.sphere.press import press
+from plastigran.fem.sphere.throw import throw
+from plastigran.fem.sphere.vibrate import TRANSITS, vibrate
+from plastigran.fem.sphere.vibration import SIGNALS, Vibration
+from plastigran.fem.theory.hertz import HertzSphere
 from plastigran.physics.impact_modes import impact_modes, nearest_modes
 
 HELP = "a sphere on a plane, or a rigid cylinder on a body, by finite elements"

@@ -8,11 +8,11 @@ import numpy as np
 import pandas as pd
 
 from plastigran.experiments.collide import collide
-from plastigran.fem.hertz import HertzSphere
-from plastigran.fem.material import ElasticPlastic
+from plastigran.fem.material.elastic_plastic import ElasticPlastic
 from plastigran.fem.settings import Settings
-from plastigran.fem.vibrate import vibrate
-from plastigran.fem.vibration import Vibration
+from plastigran.fem.sphere.vibrate import vibrate
+from plastigran.fem.sphere.vibration import Vibration
+from plastigran.fem.theory.hertz import HertzSphere
 from plastigran.materials import Material, read_material
 from plastigran.papers.computing import Computation, compute_all
 from plastigran.physics.impact_modes import impact_modes

@@ -6,7 +6,7 @@ from __future__ import annotations
 import numpy as np
 from matplotlib.figure import Figure
 
-from plastigran.fem.vibration import Vibration
+from plastigran.fem.sphere.vibration import Vibration
 from plastigran.papers.chamoli.computations import (
     HARD,
     RADIUS,

@@ -7,8 +7,8 @@ import numpy as np
 import pandas as pd
 
 from plastigran.experiments.central import CentralImpact
-from plastigran.fem.spectrum import peaks, spectrum
-from plastigran.fem.vibration import SIGNALS, Vibration
+from plastigran.fem.sphere.spectrum import peaks, spectrum
+from plastigran.fem.sphere.vibration import SIGNALS, Vibration
 from plastigran.materials import read_material
 from plastigran.papers.base import add_difference
 from plastigran.papers.chamoli.computations import (

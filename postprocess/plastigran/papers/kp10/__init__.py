@@ -9,7 +9,7 @@ import attrs
 import pandas as pd
 
 from plastigran.experiments.cylinder.study import FINITE_ELEMENTS_OVERLAP_RES
-from plastigran.fem.struck import Strike
+from plastigran.fem.cylinder.struck import Strike
 from plastigran.papers.base import Paper, Reproduction, add_difference
 from plastigran.papers.kp10.computations import (
     LAWS,

@@ -11,12 +11,12 @@ from plastigran.experiments.collision import CollisionOutcome
 from plastigran.experiments.cylinder import CylinderImpact
 from plastigran.experiments.cylinder.study import BODY_THICKNESS, MASS, MATERIAL
 from plastigran.experiments.runs import sweep
-from plastigran.fem.cylinder import CylinderStrike
-from plastigran.fem.hardening import LinearHardening
-from plastigran.fem.material import ElasticPlastic
+from plastigran.fem.cylinder.case import CylinderStrike
+from plastigran.fem.cylinder.strike import strike
+from plastigran.fem.cylinder.struck import Strike
+from plastigran.fem.material.elastic_plastic import ElasticPlastic
+from plastigran.fem.material.hardening import LinearHardening
 from plastigran.fem.settings import Settings
-from plastigran.fem.strike import strike
-from plastigran.fem.struck import Strike
 from plastigran.materials import laws_for, read_material
 from plastigran.papers.computing import Computation, compute_all
 

@@ -7,9 +7,9 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from plastigran.fem.fields import at_vertices
-from plastigran.fem.results import Snapshot
-from plastigran.fem.struck import Strike
+from plastigran.fem.cylinder.struck import Strike
+from plastigran.fem.sphere.fields import at_vertices
+from plastigran.fem.stepping.snapshot import Snapshot
 from plastigran.papers.kp10.computations import LAWS, SHOWN, Computed, Key
 from plastigran.plot.fields import draw_field
 from plastigran.plot.style import COLOURS, styled, subplots, title

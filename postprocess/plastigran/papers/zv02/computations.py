@@ -11,14 +11,14 @@ from skfem import MeshQuad2
 from plastigran import laws
 from plastigran.experiments.collide import collide
 from plastigran.experiments.runs import Runs
-from plastigran.fem.hardening import LinearHardening
-from plastigran.fem.hertz import HertzSphere
 from plastigran.fem.limits import force_of_impact
-from plastigran.fem.material import ElasticPlastic
-from plastigran.fem.press import press
-from plastigran.fem.results import Pressing, Throw
+from plastigran.fem.material.elastic_plastic import ElasticPlastic
+from plastigran.fem.material.hardening import LinearHardening
 from plastigran.fem.settings import Settings
-from plastigran.fem.throw import throw
+from plastigran.fem.sphere.press import press
+from plastigran.fem.sphere.results import Pressing, Throw
+from plastigran.fem.sphere.throw import throw
+from plastigran.fem.theory.hertz import HertzSphere
 from plastigran.materials import RIGID, read_material
 from plastigran.papers.computing import Computation, compute_all
 

@@ -9,7 +9,7 @@ from matplotlib.figure import Figure
 
 from plastigran import laws
 from plastigran.experiments.central.figures import finite_elements
-from plastigran.fem.results import Pressing, virgin_loading
+from plastigran.fem.sphere.results import Pressing, virgin_loading
 from plastigran.papers.zv02.computations import (
     LAWS,
     MASS,

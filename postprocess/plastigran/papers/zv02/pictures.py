@@ -11,8 +11,9 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from skfem import MeshQuad2
 
-from plastigran.fem.fields import at_vertices
-from plastigran.fem.results import Pressing, Snapshot, Throw
+from plastigran.fem.sphere.fields import at_vertices
+from plastigran.fem.sphere.results import Pressing, Throw
+from plastigran.fem.stepping.snapshot import Snapshot
 from plastigran.plot.fields import draw_field, draw_mesh
 from plastigran.plot.movie import Movie
 from plastigran.plot.style import COLOURS, styled, subplots

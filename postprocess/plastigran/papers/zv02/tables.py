@@ -11,8 +11,8 @@ from scipy.optimize import brentq
 
 from plastigran import laws
 from plastigran.experiments.central.figures import finite_elements
-from plastigran.fem.calibration import calibrate
-from plastigran.fem.results import Pressing, Throw
+from plastigran.fem.sphere.calibration import calibrate
+from plastigran.fem.sphere.results import Pressing, Throw
 from plastigran.papers.base import add_difference
 from plastigran.papers.zv02.computations import (
     LAWS,

@@ -1,0 +1,178 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""A body in eight-node elements: strains, forces, stiffness and mass.
+
+scikit-fem gives mesh, shape functions, numbering and the mass matrix. Strains and stiffness are
+batched matrix products over the elements, four Gauss points each.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from skfem import Basis, BilinearForm, ElementQuadS2, ElementVector, MeshQuad2
+from skfem.helpers import dot
+
+from plastigran.fem.body.section import Axisymmetric, Section
+from plastigran.fem.material.elastic_plastic import ElasticPlastic, Response, State
+from plastigran.fem.material.kinematics import Kinematics, SmallStrain
+
+STIFFNESS_ORDER = 3  # two by two Gauss points: no locking when plastic flow keeps the volume
+MASS_ORDER = 5  # three by three: with two by two the mass matrix would be singular
+HELD = {"axis": "u^1", "equator": "u^2", "base": ["u^1", "u^2"]}  # on each boundary that is there
+
+
+class Body:
+    """Mesh and metal of one body.
+
+    Attributes:
+        mesh: In (r, y), m.
+        material: The metal.
+        section: What the mesh stands for, out of its plane.
+        kinematics: How strains follow from displacements.
+        dofs: Degrees of freedom of each element (n_elements, 16), r and y of each node in turn.
+        size: Number of degrees of freedom.
+        vertex_dofs: Degrees of freedom of the elements' corners, r and y (n_vertices, 2).
+        positions: Of the Gauss points (n_elements, 4, 2), m.
+        volumes: Of the Gauss points, over the section (n_elements, 4), m3.
+        elastic_stiffness: Of each element (n_elements, 16, 16), N/m.
+        mass_matrices: Of each element (n_elements, 16, 16), kg.
+        mass_matrix: Consistent, kg.
+        mass: kg.
+        upward: One at each vertical degree of freedom.
+        held: Degrees of freedom that do not move.
+    """
+
+    def __init__(
+        self,
+        mesh: MeshQuad2,
+        material: ElasticPlastic,
+        section: Section | None = None,
+        kinematics: Kinematics | None = None,
+    ) -> None:
+        self.mesh = mesh
+        self.material = material
+        self.section = section = section or Axisymmetric()
+        self.kinematics = kinematics = kinematics or SmallStrain()
+        vector = Basis(mesh, ElementVector(ElementQuadS2()), intorder=STIFFNESS_ORDER)
+        scalar = vector.with_element(ElementQuadS2())
+        self.dofs = np.ascontiguousarray(vector.element_dofs.T)
+        self.vertex_dofs = vector.nodal_dofs.T.copy()
+        self.size = vector.N
+        self.locations = vector.doflocs
+        radius, height = scalar.global_coordinates()
+        self.positions = np.stack([radius, height], axis=-1)
+        radius = np.asarray(radius)
+        self.volumes = np.ascontiguousarray(section.thickness(radius) * vector.dx)
+        gradients = _gradient_matrices(scalar, section.hoop(radius))
+        # What forces are conjugate to over nodal displacements (n_elements, 4 points * m, 16).
+        self._matrices = kinematics.matrices(gradients).reshape(len(self.dofs), -1, 16)
+        self._undeformed = kinematics.undeformed(material.elastic_tangent)
+        self.elastic_stiffness = self._stiffness(
+            np.broadcast_to(self._undeformed, (*self.volumes.shape, *self._undeformed.shape)),
+            slice(None),
+        )
+        mass_basis = Basis(mesh, ElementVector(ElementQuadS2()), intorder=MASS_ORDER)
+        per_length = material.density * section.thickness(mass_basis.global_coordinates()[0])
+        masses = _mass.coo_data(mass_basis, per_length=per_length)
+        self.mass_matrices = np.ascontiguousarray(masses.tolocal())
+        self.mass_matrix = masses.tocsr()
+        upward = np.zeros(self.size)
+        upward[self.dofs[:, 1::2].ravel()] = 1.0
+        self.upward = upward
+        self.mass = upward @ self.mass_matrix @ upward
+        self.held = self._held(vector)
+
+    def _held(self, basis: Basis) -> np.ndarray:
+        """Degrees of freedom that HELD names on the boundaries of the mesh."""
+        named = HELD.keys() & self.mesh.boundaries.keys()
+        return np.concatenate([basis.get_dofs(name).all(HELD[name]) for name in sorted(named)])
+
+    @property
+    def points(self) -> int:
+        """Number of Gauss points."""
+        return self.volumes.size
+
+    @property
+    def vertices(self) -> np.ndarray:
+        """(r, y) of the elements' corners, undeformed (n_vertices, 2), m."""
+        return self.mesh.p[:, : self.mesh.nvertices].T
+
+    @property
+    def quads(self) -> np.ndarray:
+        """Corners of each element (n_elements, 4)."""
+        return self.mesh.t[:4].T
+
+    def respond(self, displacement: np.ndarray, state: State, duration: float = np.inf) -> Response:
+        """What the material answers after an increment to displacements (size,), m, that lasts
+        `duration` seconds.
+
+        Raises:
+            InvertedError: The displacements turn an element inside out.
+        """
+        return self.material.respond(self.strain(displacement), state, duration)
+
+    def strain(self, displacement: np.ndarray) -> np.ndarray:
+        """(points, 4) at displacements (size,), m.
+
+        Raises:
+            InvertedError: They turn an element inside out.
+        """
+        return self.kinematics.strain(self._measured(displacement))
+
+    def internal_force(self, displacement: np.ndarray, stress: np.ndarray) -> np.ndarray:
+        """Nodal forces (size,), N, at displacements (size,), m, of the material's stresses
+        (points, 4), Pa."""
+        conjugate = self.kinematics.conjugate(self._measured(displacement), stress)
+        weighted = conjugate.reshape(*self.volumes.shape, -1) * self.volumes[:, :, None]
+        nodal = weighted.reshape(len(self.dofs), 1, -1) @ self._matrices
+        return np.bincount(self.dofs.ravel(), nodal.ravel(), minlength=self.size)
+
+    def stiffness(self, displacement: np.ndarray, response: Response) -> np.ndarray:
+        """Element stiffnesses (n_elements, 16, 16), N/m, at displacements (size,), m: only those
+        that differ from the undeformed body's are made anew."""
+        changed, changed_tangent = self.kinematics.tangent(
+            self._measured(displacement), response, self.material.elastic_tangent
+        )
+        result = self.elastic_stiffness.copy()
+        points = self.volumes.shape[1]
+        elements = np.unique(changed // points)
+        place = np.full(len(self.dofs), -1)
+        place[elements] = np.arange(elements.size)
+        tangent = np.tile(self._undeformed, (elements.size, points, 1, 1))
+        tangent[place[changed // points], changed % points] = changed_tangent
+        result[elements] = self._stiffness(tangent, elements)
+        return result
+
+    def elastic_energy(self, displacement: np.ndarray, response: Response) -> float:
+        """J."""
+        elastic = self.strain(displacement) - response.state.plastic_strain
+        return float(np.sum(response.stress * elastic, axis=1) @ self.volumes.ravel() / 2)
+
+    def _measured(self, displacement: np.ndarray) -> np.ndarray:
+        measured = self._matrices @ displacement[self.dofs][:, :, None]
+        return measured.reshape(self.points, -1)
+
+    def _stiffness(self, tangent: np.ndarray, elements: np.ndarray | slice) -> np.ndarray:
+        matrices = self._matrices[elements]
+        by_point = matrices.reshape(*tangent.shape[:3], matrices.shape[-1])
+        stressed = (tangent * self.volumes[elements][:, :, None, None]) @ by_point
+        return matrices.transpose(0, 2, 1) @ stressed.reshape(matrices.shape)
+
+
+def _gradient_matrices(scalar: Basis, hoop: np.ndarray) -> np.ndarray:
+    """Displacement gradients (rr, yy, tt, ry, yr) over nodal displacements (n_elements, 4 points,
+    5, 16)."""
+    nodes = len(scalar.basis)
+    matrices = np.zeros((*hoop.shape, 5, 2 * nodes))
+    for node, (shape,) in enumerate(scalar.basis):
+        gradient = shape.grad
+        matrices[:, :, 0, 2 * node] = gradient[0]
+        matrices[:, :, 1, 2 * node + 1] = gradient[1]
+        matrices[:, :, 2, 2 * node] = np.asarray(shape) * hoop
+        matrices[:, :, 3, 2 * node] = gradient[1]
+        matrices[:, :, 4, 2 * node + 1] = gradient[0]
+    return matrices
+
+
+@BilinearForm
+def _mass(u, v, w):
+    return w.per_length * dot(u, v)

@@ -1,0 +1,79 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Edges of a body's surface, with the Gauss points where contact is looked for."""
+
+from __future__ import annotations
+
+import numpy as np
+from skfem import ElementQuadS2, ElementVector, FacetBasis
+
+from plastigran.fem.body.body import Body
+
+EDGE_ORDER = 5  # three Gauss points on an edge: fewer make the force waver as edges open
+
+
+class Edges:
+    """Edges in the order of the first coordinate, and so are the Gauss points on each.
+
+    Attributes:
+        dofs: Of the three nodes of each edge, both directions (n_edges, 3, 2).
+        shapes: Of the three nodes at the Gauss points (n_edges, n_points, 3).
+        first: First coordinate of the Gauss points (n_edges, n_points), m.
+        areas: Of the Gauss points, projected on the horizontal (n_edges, n_points), m2.
+        lengths: Of the edges (n_edges,), m.
+    """
+
+    def __init__(self, body: Body, facets: np.ndarray) -> None:
+        """
+        Args:
+            body: The body.
+            facets: Ids of the edges in its mesh.
+        """
+        mesh = body.mesh
+        facets = facets[np.argsort(mesh.p[0, mesh.facets[:, facets]].mean(axis=0))]
+        basis = FacetBasis(mesh, ElementVector(ElementQuadS2()), facets=facets, intorder=EDGE_ORDER)
+        scalar = basis.with_element(ElementQuadS2())
+        values = np.array([np.asarray(shape[0]) for shape in scalar.basis])  # (8, edges, points)
+        on_edge = np.sort(np.argsort(-np.abs(values).max(axis=2), axis=0)[:3], axis=0)
+        shapes = np.take_along_axis(values, on_edge[:, :, None], axis=0)
+        self.dofs = np.stack(
+            [np.take_along_axis(basis.element_dofs, 2 * on_edge + i, axis=0).T for i in (0, 1)],
+            axis=-1,
+        )
+        first = np.asarray(basis.global_coordinates())[0]
+        order = np.argsort(first, axis=1)
+        self.shapes = np.take_along_axis(shapes, order[None], axis=2).transpose(1, 2, 0)
+        self.first, projected = (
+            np.take_along_axis(array, order, axis=1)
+            for array in (first, np.abs(basis.normals[1]) * basis.dx)
+        )
+        self.areas = body.section.thickness(self.first) * projected
+        self.lengths = basis.dx.sum(axis=1)
+
+    def mean(self, values: np.ndarray) -> np.ndarray:
+        """Of each edge (n_edges,), of values at the Gauss points (n_points,). Within an edge the
+        penalty's pressure sways about its mean by some per cent, for the edge is a parabola and
+        the other body is stiff."""
+        areas = self.areas / self.areas.sum(axis=1, keepdims=True)
+        return (values.reshape(areas.shape) * areas).sum(axis=1)
+
+
+def contact_edge(places: np.ndarray, gap: np.ndarray) -> float:
+    """Where the gap opens: past a contact's edge it grows as (r - a)^(3/2), so its power 2/3
+    through the first two open points is drawn back to zero.
+
+    Args:
+        places: Of the Gauss points, increasing from within the contact to outside (n_points,), m.
+        gap: There (n_points,), m.
+    """
+    closed = np.flatnonzero(gap < 0)
+    if closed.size == 0:
+        return 0.0
+    first = closed[-1] + 1
+    if first + 1 >= gap.size:
+        return float(places[-1])
+    inner, outer = gap[first : first + 2] ** (2 / 3)
+    left, right = places[first : first + 2]
+    if outer <= inner:
+        return float(left)
+    edge = left - inner * (right - left) / (outer - inner)
+    return float(max(edge, places[first - 1]))

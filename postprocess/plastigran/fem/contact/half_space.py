@@ -1,0 +1,57 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""The surface of a half space under a sphere: the same penalty as a rigid plane's, at the Gauss
+points of the sphere's edges, each against the place of the surface at the same radius.
+
+Sliding is small: a point faces the one it lies over while nothing has moved.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from plastigran.fem.body.body import Body
+from plastigran.fem.body.pair import Pair
+from plastigran.fem.contact.edges import Edges
+from plastigran.fem.contact.plane import PENALTY, RigidPlane
+
+
+class HalfSpace(RigidPlane):
+    """The surface of the lower body of a pair. Its height is that of the base, far below.
+
+    Attributes:
+        dofs: Of each Gauss point, the vertical degrees of freedom of the sphere's edge and of the
+            surface's (n_points, 6).
+    """
+
+    def __init__(self, pair: Pair, radius: float, reach: float, penalty: float = PENALTY) -> None:
+        """
+        Args:
+            pair: Sphere and half space.
+            radius: Of the sphere, m.
+            reach: No contact is looked for beyond this distance from the axis, m.
+            penalty: Stiffness over E*/h, E* that of both bodies.
+        """
+        sphere, block = pair.sphere, pair.block
+        modulus = sphere.material.pair_modulus(block.material)
+        super().__init__(sphere, radius, reach, penalty * modulus / sphere.material.plane_modulus)
+        facets = block.mesh.boundaries["surface"]
+        first = block.mesh.p[0, block.mesh.facets[:, facets]].min(axis=0)
+        under, under_shapes = _nodes_under(Edges(block, facets[first < reach]), self.radii, block)
+        points = self._shapes.shape[1]
+        self.dofs = np.hstack([np.repeat(self.dofs, points, axis=0), sphere.size + under])
+        own = self._shapes.reshape(-1, self._shapes.shape[2])
+        self._shapes = np.hstack([own, -under_shapes])[:, None]
+        self._stiffness = np.repeat(self._stiffness, points, axis=0)
+        self._areas, self._heights = self._areas.reshape(-1, 1), self._heights.reshape(-1, 1)
+        self._size = pair.size
+
+
+def _nodes_under(edges: Edges, radii: np.ndarray, block: Body) -> tuple[np.ndarray, np.ndarray]:
+    """Vertical degrees of freedom and shape functions (n, 3) of a straight surface's edges at
+    radii (n,), m."""
+    ends = block.locations[0, edges.dofs[:, :2, 0]]
+    edge = np.searchsorted(ends.max(axis=1), radii)
+    start, end = ends[edge].T
+    place = (2 * radii - start - end) / (end - start)
+    shapes = [place * (place - 1) / 2, place * (place + 1) / 2, 1 - place**2]
+    return edges.dofs[edge, :, 1], np.stack(shapes, axis=-1)

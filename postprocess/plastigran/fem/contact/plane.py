@@ -1,0 +1,133 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""A rigid frictionless plane under a sphere: a penalty at the Gauss points of the surface's edges.
+
+The undeformed surface is the exact circle, not its elements: the gap at radius r is
+R - sqrt(R^2 - r^2) + u_y - h over a plane of height h. Pressures act on the horizontal projection
+of the surface.
+"""
+
+from __future__ import annotations
+
+import attrs
+import numpy as np
+
+from plastigran.fem.body.body import Body
+from plastigran.fem.contact.edges import Edges, contact_edge
+
+EDGE_NODES = 3  # of an edge of the sphere, the first of each of a contact's edges
+PENALTY = 50.0  # stiffness over E*/h, h the length of the edge
+
+
+@attrs.frozen
+class Touch:
+    """Contact at one displacement.
+
+    Attributes:
+        force: Upward on the body, N.
+        nodal: Forces on the degrees of freedom (size,), N.
+        stiffness: Of each edge (n_edges, 3, 3), N/m.
+        gap: At the Gauss points from the axis outward (n_points,), m.
+        pressure: There, over the undeformed area (n_points,), Pa.
+        stored: Energy in the penalty, J.
+    """
+
+    force: float
+    nodal: np.ndarray
+    stiffness: np.ndarray
+    gap: np.ndarray
+    pressure: np.ndarray
+    stored: float
+
+
+@attrs.frozen
+class PlaneTouch(Touch):
+    """Contact with a plane.
+
+    Attributes:
+        radii: Distances of the Gauss points from the axis (n_points,), m; the undeformed ones in
+            small strain.
+        widening: Area of each edge over the undeformed one (n_edges,); 1 in small strain.
+    """
+
+    radii: np.ndarray
+    widening: np.ndarray
+
+    @property
+    def contact_radius(self) -> float:
+        """Where the gap opens, m."""
+        return contact_edge(self.radii, self.gap)
+
+
+class RigidPlane:
+    """The plane under the lower half of a sphere.
+
+    Attributes:
+        dofs: Vertical degrees of freedom of each edge (n_edges, 3).
+        radii: Distances of the undeformed Gauss points from the axis, increasing (n_points,), m.
+    """
+
+    def __init__(self, body: Body, radius: float, reach: float, penalty: float = PENALTY) -> None:
+        """
+        Args:
+            body: The sphere.
+            radius: Of the sphere, m.
+            reach: No contact is looked for beyond this distance from the axis, m.
+            penalty: Stiffness over E*/h.
+        """
+        mesh = body.mesh
+        facets = mesh.boundaries["circle"]
+        ends = mesh.p[:, mesh.facets[:, facets]]
+        near = (ends[0].max(axis=0) < reach) & (ends[1].max(axis=0) < radius)
+        self._edges = edges = Edges(body, facets[near])
+        self.dofs = edges.dofs[:, :, 1].copy()
+        self._shapes, self._areas, distance = edges.shapes, edges.areas, edges.first
+        modulus = body.material.plane_modulus
+        self._stiffness = penalty * modulus / edges.lengths[:, None]
+        self._heights = radius - np.sqrt(radius**2 - distance**2)
+        self.radii = distance.ravel()
+        self._size = body.size
+        self._radial = edges.dofs[:, :, 0].copy()
+        self._ends = body.locations[0, self._radial[:, :2]]
+        self._follows = body.kinematics.follows
+
+    def touch(self, displacement: np.ndarray, height: float) -> PlaneTouch:
+        """Contact at displacements (size,), m, over a plane at `height`, m."""
+        moved = (self._shapes @ displacement[self.dofs][:, :, None])[:, :, 0]
+        gap = self._heights + moved - height
+        pressure = self._stiffness * np.maximum(-gap, 0)
+        nodal = np.bincount(
+            self.dofs.ravel(),
+            np.einsum("eq,eqn->en", pressure * self._areas, self._shapes).ravel(),
+            minlength=self._size,
+        )
+        closed = self._stiffness * self._areas * (gap < 0)
+        stiffness = np.einsum("eq,eqn,eqm->enm", closed, self._shapes, self._shapes)
+        return PlaneTouch(
+            float(np.sum(pressure * self._areas)),
+            nodal,
+            stiffness,
+            gap.ravel(),
+            pressure.ravel(),
+            float(np.sum(closed * gap**2) / 2),
+            *self._place(displacement),
+        )
+
+    def _place(self, displacement: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """Radii of the Gauss points, and areas of the edges over the undeformed ones."""
+        if not self._follows:
+            return self.radii, np.ones(len(self._edges.lengths))
+        outward = (self._shapes @ displacement[self._radial][:, :, None]).ravel()
+        ends = self._ends + displacement[self._radial[:, :2]]
+        area, undeformed = (np.abs(np.diff(r**2, axis=1)[:, 0]) for r in (ends, self._ends))
+        return self.radii + outward, area / undeformed
+
+    def profile(self, touch: PlaneTouch) -> tuple[np.ndarray, np.ndarray]:
+        """Mean radius and mean pressure of each edge."""
+        mean = self._edges.mean
+        return mean(touch.radii), mean(touch.pressure) / touch.widening
+
+    def spread(self, stiffness: np.ndarray) -> np.ndarray:
+        """Forces (size,) by edge stiffnesses when the plane rises by one, as when the sphere's edge
+        sinks by one, N/m."""
+        forces = stiffness[:, :, :EDGE_NODES].sum(axis=2)
+        return np.bincount(self.dofs.ravel(), forces.ravel(), minlength=self._size)

@@ -1,0 +1,99 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""What a strike of a rigid cylinder on a body is, and its scales."""
+
+from __future__ import annotations
+
+from math import sqrt
+
+import attrs
+
+from plastigran.declared import number
+from plastigran.fem.limits import SUBSONIC
+from plastigran.fem.material.elastic_plastic import ElasticPlastic
+from plastigran.fem.theory.line import HertzLine
+
+LARGEST = 0.6  # half width over radius of the circle beyond which nothing here is meant
+PLASTIC_PRESSURE = 2.0  # least mean pressure over the flow stress of a contact as wide as reckoned
+MARGIN = 1.2  # on the thickness from which no wave comes back
+
+
+@attrs.frozen(kw_only=True)
+class CylinderStrike:
+    """One strike.
+
+    Attributes:
+        material: Of the body; the cylinder is rigid.
+
+    Raises:
+        ValueError: A field is out of range, or the contact becomes too wide.
+    """
+
+    material: ElasticPlastic
+    radius: float = number("radius of the cylinder", "m", 0)
+    length: float = number("length of the cylinder", "m", 0)
+    mass: float = number("mass of all that moves with the cylinder", "kg", 0)
+    speed: float = number("speed towards the body", "m/s", 0)
+    sliding_speed: float = number("speed along the surface", "m/s", 0, closed=True, default=0.0)
+    coefficient_of_friction: float = number(
+        "coefficient of friction", "-", 0, 1, closed=True, default=0.0
+    )
+    thickness: float | None = number(
+        "thickness of the body, without which no wave comes back from its far side",
+        "m",
+        0,
+        default=None,
+    )
+
+    def __attrs_post_init__(self) -> None:
+        for name in ("speed", "sliding_speed"):
+            if getattr(self, name) > SUBSONIC * self.wave_speed:
+                raise ValueError(
+                    f"{name} is {getattr(self, name):g} m/s; it must be below {SUBSONIC:g} of the "
+                    f"speed of sound in the body, {self.wave_speed:.4g} m/s (are the units Pa and "
+                    "kg/m3?)"
+                )
+        ratio = self.reach / self.radius
+        if ratio > LARGEST or self.reach > self.line.thickness / 4:
+            raise ValueError(
+                f"speed is {self.speed:g} m/s, which makes a contact of half width "
+                f"{self.reach:.3g} m; up to {LARGEST:g} of the radius {self.radius:g} m and a "
+                f"quarter of the thickness {self.line.thickness:g} m can be computed"
+            )
+
+    @property
+    def wave_speed(self) -> float:
+        """Of pressure waves, m/s."""
+        metal = self.material
+        stiffness = metal.bulk_modulus + 4 / 3 * metal.shear_modulus
+        return sqrt(stiffness / metal.density)
+
+    @property
+    def line(self) -> HertzLine:
+        """The elastic contact."""
+        if self.thickness is not None:
+            return self._line(self.thickness)
+        thickness = 10 * self.radius
+        for _ in range(20):
+            way = self.wave_speed * self._line(thickness).duration(self.mass, self.speed)
+            thickness = max(MARGIN * way / 2, 10 * self.radius)
+        return self._line(thickness)
+
+    def _line(self, thickness: float) -> HertzLine:
+        return HertzLine(
+            material=self.material, radius=self.radius, length=self.length, thickness=thickness
+        )
+
+    @property
+    def reach(self) -> float:
+        """Largest half width to expect, m: of the elastic contact, or of a plastic one."""
+        line = self.line
+        force = line.impact_force(self.mass, self.speed)
+        if force <= line.yield_force:
+            return line.half_width(force)
+        strength = self.material.hardening.yield_strength
+        return max(line.half_width(force), force / (2 * PLASTIC_PRESSURE * strength * self.length))
+
+    @property
+    def oblique(self) -> bool:
+        """Whether the cylinder slides along the body: there is no symmetry then."""
+        return self.sliding_speed > 0

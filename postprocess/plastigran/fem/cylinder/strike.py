@@ -1,0 +1,143 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""A rigid cylinder strikes an elastic-plastic body in plane strain, head-on or sliding along.
+
+Implicit dynamics of the body and of the cylinder, as a sphere is thrown. The body is half a disc
+whose arc is held. Its radius is the thickness to which Johnson's approach of a line contact refers
+(Contact Mechanics, 1985, sec. 5.6), or such that no wave comes back from the arc while they touch.
+"""
+
+from __future__ import annotations
+
+import warnings
+from math import inf
+
+import numpy as np
+from tqdm import tqdm
+
+from plastigran.fem.body.section import PlaneStrain
+from plastigran.fem.contact.circle import RigidCircle, Rub, StruckBody
+from plastigran.fem.cylinder.case import CylinderStrike
+from plastigran.fem.cylinder.struck import Strike, StrikeLog, summary
+from plastigran.fem.limits import SMALL_STRAIN, SmallStrainWarning
+from plastigran.fem.mesh.block import HalfBlock, TrackBlock
+from plastigran.fem.settings import Settings
+from plastigran.fem.stepping.flight import Flight
+from plastigran.fem.stepping.increment import Balance, Equations, Equilibrium, Forces, NoConvergence
+
+SHARES = (1.0, 0.5, 0.25, 0.1)  # of a change by Newton's method
+LONGEST = 4.0  # elastic durations after which a strike that has not ended is given up
+STRIDE = (
+    0.3  # of an element that the cylinder slides in a step, at most: Newton finds no way farther
+)
+TRACK_MARGIN = 1.2  # on the way during an elastic contact
+
+
+class StrikeEquations(Equations):
+    """Balance of forces of a body and of the circle on it."""
+
+    body: StruckBody
+    plane: RigidCircle
+
+    def _touch(self, displacement: np.ndarray, start: Equilibrium | None) -> Rub:
+        return self.plane.touch(displacement, start and start.touch)
+
+    def _matrices(
+        self, displacement: np.ndarray, balance: Balance, factor: float
+    ) -> list[np.ndarray]:
+        elements, edges = super()._matrices(displacement, balance, factor)
+        edges[0, -2:, -2:] += factor * self.body.centre_mass * np.identity(2)
+        return [elements, edges]
+
+    def _step(self, displacement: np.ndarray, change: np.ndarray, balance: Balance, forces: Forces):
+        """The largest of some shares of the change that brings the forces closer to balance: points
+        come in contact and begin to flow as the circle slides on."""
+        before = np.linalg.norm(balance.residual)
+        for share in SHARES:
+            tried = displacement + share * change
+            found = forces(tried)
+            if np.linalg.norm(found.residual) < before:
+                break
+        return tried, found
+
+
+def equations(case: CylinderStrike, settings: Settings) -> StrikeEquations:
+    """Mesh, body and circle of a strike."""
+    reach, line = case.reach, case.line
+    if not case.oblique:
+        core = reach / 2
+        if line.yield_force < inf:
+            core = min(core, line.half_width(line.yield_force))
+        block = HalfBlock(
+            core=core,
+            reach=reach,
+            size=line.thickness,
+            divisions=settings.divisions,
+            fineness=settings.fineness,
+        )
+        section = PlaneStrain(2 * case.length)  # the half stands for the whole
+        track, start = (0.0, 2 * reach), 0.0
+    else:
+        way = TRACK_MARGIN * case.sliding_speed * line.duration(case.mass, case.speed)
+        block = TrackBlock(
+            half_length=way / 2 + 2 * reach,
+            element=reach / settings.divisions / settings.fineness,
+            depth=2 * reach,
+            size=line.thickness,
+        )
+        section = PlaneStrain(case.length)
+        track = (-block.half_length, block.half_length)
+        start = -way / 2
+    body = StruckBody(block.build(), case.material, section, case.mass, settings.kinematics)
+    circle = RigidCircle(
+        body, case.radius, track, start, case.coefficient_of_friction, settings.penalty
+    )
+    return StrikeEquations(body, circle)
+
+
+def strike(
+    case: CylinderStrike, settings: Settings | None = None, progress: bool = False
+) -> Strike:
+    """Let a cylinder strike a body and follow it until it has left.
+
+    Args:
+        case: The strike.
+        settings: How fine: as of a throw, `steps_of_contact` over the elastic duration.
+        progress: Show a bar.
+
+    Raises:
+        NoConvergence: The first step does not converge even after halving. A later one ends the
+            strike, which keeps what it has and says so in `stopped`.
+    """
+    settings = settings or Settings()
+    if settings.strain == "small" and case.reach > SMALL_STRAIN * case.radius:
+        warnings.warn(
+            f"a speed of {case.speed:g} m/s makes a contact of half width about "
+            f"{case.reach / case.radius:.2g} of the radius; small strain is good to "
+            f"{SMALL_STRAIN:g}",
+            SmallStrainWarning,
+            stacklevel=2,
+        )
+    balance = equations(case, settings)
+    velocity = np.zeros(balance.body.size)
+    velocity[balance.body.centre] = case.sliding_speed, -case.speed
+    duration = case.line.duration(case.mass, case.speed)
+    timestep = duration / settings.steps_of_contact
+    if case.oblique:
+        timestep = min(timestep, STRIDE * balance.plane.longest_edge / case.sliding_speed)
+    flight = Flight(balance, velocity, timestep)
+    log = StrikeLog(flight)
+    stopped = ""
+    with tqdm(total=100, disable=not progress, desc="strike", unit="% of elastic") as bar:
+        while log.free < settings.free_steps and not stopped:
+            try:
+                flight.advance()
+            except NoConvergence as error:
+                stopped = str(error)
+                continue
+            log.note()
+            bar.update(100 * flight.now.time / duration - bar.n)
+            if flight.now.time > LONGEST * duration:
+                stopped = f"the contact has not ended after {flight.now.time:g} s"
+    if len(log.rows) == 1:
+        raise NoConvergence(stopped)
+    return summary(case, log, stopped)

@@ -1,0 +1,198 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""What is read from a strike of a cylinder."""
+
+from __future__ import annotations
+
+from math import nan
+
+import attrs
+import numpy as np
+import pandas as pd
+
+from plastigran.fem.contact.circle import RigidCircle, StruckBody
+from plastigran.fem.cylinder.case import CylinderStrike
+from plastigran.fem.stepping.flight import Flight
+from plastigran.fem.stepping.increment import Equilibrium
+from plastigran.fem.stepping.linear import SymmetricSystem
+from plastigran.fem.stepping.snapshot import Snapshot, energies, snapshot
+
+PLASTIC = 1e-4  # accumulated plastic strain from which a point counts as yielded
+
+
+@attrs.frozen
+class Strike:
+    """A cylinder that struck a body.
+
+    Attributes:
+        case: What was computed.
+        history: One row for each step: time s, force N (on the cylinder, upward), drag N (on the
+            cylinder, along its way), approach m (of its lowest point below the surface), way m
+            (along the surface), velocity m/s (upward), sliding_velocity m/s, half_width m (of the
+            contact), plastic_top m and plastic_bottom m (depths of the first and last yielded
+            point; nan before yield), energies J, friction_work J.
+        coefficient_of_restitution: Speed away from the body over that towards it.
+        force_max: N.
+        overlap_max: Largest approach, m.
+        overlap_res: Approach when contact ends, m.
+        residual_depth: Of the deepest point of the surface when the body has come to rest, m.
+        contact_time: s.
+        yield_force: Force at which a point has first yielded, N; nan if none has.
+        yield_point: Of that point (x from the circle's lowest point, depth) over the half width
+            then (2,).
+        surface: (x, y) of the surface at rest after the strike (n_points, 2), m; x from where the
+            cylinder touched first.
+        start: Where the cylinder touched first, in the mesh's first coordinate, m.
+        snapshots: By name: `yield` at first yield if there is one, `deepest`, `end` when contact
+            has ended.
+        stopped: Why it ended before its end, where restitution and residual are not known; empty
+            if it did not.
+    """
+
+    case: CylinderStrike
+    history: pd.DataFrame
+    coefficient_of_restitution: float
+    force_max: float
+    overlap_max: float
+    overlap_res: float
+    residual_depth: float
+    contact_time: float
+    yield_force: float
+    yield_point: np.ndarray
+    surface: np.ndarray
+    start: float
+    snapshots: dict[str, Snapshot]
+    stopped: str = ""
+
+    def to_dict(self) -> dict:
+        """Numbers only, for a file."""
+        names = (
+            "coefficient_of_restitution",
+            "force_max",
+            "overlap_max",
+            "overlap_res",
+            "residual_depth",
+            "contact_time",
+            "yield_force",
+            "stopped",
+        )
+        numbers = {name: getattr(self, name) for name in names}
+        return numbers | {
+            "thickness": self.case.line.thickness,
+            "yield_point": self.yield_point.tolist(),
+            "history": self.history.to_dict("list"),
+            "surface": self.surface.tolist(),
+        }
+
+
+class StrikeLog:
+    """Rows and fields of a strike as it goes on.
+
+    Attributes:
+        rows: Of the history.
+        free: Steps without contact, now.
+    """
+
+    def __init__(self, flight: Flight) -> None:
+        self.flight = flight
+        self.body: StruckBody = flight.equations.body
+        self.circle: RigidCircle = flight.equations.plane
+        self.rows: list[dict[str, float]] = []
+        self.free = 0
+        self.yield_point: np.ndarray | None = None
+        self.snapshots: dict[str, Snapshot] = {}
+        self._states: dict[str, Equilibrium] = {}
+        self.note()
+
+    def note(self) -> None:
+        """Take down the last step."""
+        state = self.flight.now.state
+        row = self._row(state)
+        if self.yield_point is None and state.response.state.accumulated.any():
+            self.yield_point = self._yield_point(state, row)
+            self._states["yield"] = state
+        if row["approach"] > max((each["approach"] for each in self.rows), default=0.0):
+            self._states["deepest"] = state
+        self._states["end"] = state
+        self.rows.append(row)
+        self.free = self.free + 1 if row["force"] == 0 and len(self.rows) > 1 else 0
+
+    def _row(self, state: Equilibrium) -> dict[str, float]:
+        now, touch, centre = self.flight.now, state.touch, self.body.centre
+        way, up = state.displacement[centre]
+        first, last = self.circle.ends(touch.gap)
+        yielded = state.response.state.accumulated > PLASTIC
+        depths = -self.body.positions.reshape(-1, 2)[yielded, 1]
+        before = self.rows[-1]["friction_work"] if self.rows else 0.0
+        return {
+            "time": now.time,
+            "force": touch.force,
+            "drag": touch.drag,
+            "approach": -up,
+            "way": way,
+            "velocity": now.velocity[centre[1]],
+            "sliding_velocity": now.velocity[centre[0]],
+            "half_width": (last - first) / 2,
+            "plastic_top": depths.min(initial=np.inf) if depths.size else nan,
+            "plastic_bottom": depths.max(initial=0.0) if depths.size else nan,
+            "kinetic_energy": float(now.velocity @ (self.body.mass_matrix @ now.velocity)) / 2,
+            **energies(self.body, state),
+            "friction_work": before + touch.dissipated,
+            "iterations": state.iterations,
+        }
+
+    def _yield_point(self, state: Equilibrium, row: dict[str, float]) -> np.ndarray:
+        place = self.body.positions.reshape(-1, 2)[state.response.state.accumulated.argmax()]
+        under = self.circle.start + row["way"]
+        return np.array([place[0] - under, -place[1]]) / row["half_width"]
+
+    def fields(self) -> dict[str, Snapshot]:
+        """Of the moments that are kept."""
+        return {
+            name: snapshot(self.body, self.circle, state) for name, state in self._states.items()
+        }
+
+    def surface_at_rest(self) -> np.ndarray:
+        """(x, y) of the track's surface (n_points, 2), m, when the body has come to rest: waves die
+        away elastically."""
+        body, state = self.body, self.flight.now.state
+        fixed = np.concatenate([body.held, body.centre])
+        factor = SymmetricSystem([body.dofs], body.size, fixed).factor([body.elastic_stiffness])
+        left = factor.solve(body.internal_force(state.displacement, state.response.stress))
+        return self.circle.surface(state.displacement - left)
+
+
+def summary(case: CylinderStrike, log: StrikeLog, stopped: str) -> Strike:
+    """The outcome of a strike that has ended, or stopped."""
+    history = pd.DataFrame(log.rows)
+    force, time, approach = (history[name].to_numpy() for name in ("force", "time", "approach"))
+    end = _end_of_contact(time, force)
+    surface = log.surface_at_rest()
+    yielded = np.flatnonzero(history["plastic_work"].to_numpy() > 0)
+    return Strike(
+        case=case,
+        history=history,
+        coefficient_of_restitution=nan if stopped else history["velocity"].iloc[-1] / case.speed,
+        force_max=float(force.max()),
+        overlap_max=float(approach.max()),
+        overlap_res=nan if stopped else float(np.interp(end, time, approach)),
+        residual_depth=nan if stopped else float(max(0.0, -surface[:, 1].min())),
+        contact_time=nan if stopped else end,
+        yield_force=float(force[yielded[0]]) if yielded.size else nan,
+        yield_point=np.full(2, nan) if log.yield_point is None else log.yield_point,
+        surface=surface,
+        start=log.circle.start,
+        snapshots=log.fields(),
+        stopped=stopped,
+    )
+
+
+def _end_of_contact(time: np.ndarray, force: np.ndarray) -> float:
+    """When the force of the last two steps in contact, drawn on straight, is zero; by the next
+    step at the latest."""
+    last = np.flatnonzero(force > 0)[-1]
+    following = time[min(last + 1, len(time) - 1)]
+    fall = force[last - 1] - force[last]
+    if fall <= 0:
+        return float(following)
+    end = time[last] + force[last] * (time[last] - time[last - 1]) / fall
+    return float(min(end, following))

@@ -1,0 +1,187 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Small-strain plasticity of von Mises with isotropic hardening, integrated by radial return.
+
+Strains and stresses are columns (rr, yy, tt, ry) with the engineering shear strain: t is the
+circumferential direction of a body of revolution. The return is backward Euler and its tangent the
+consistent one (Simo and Hughes, Computational Inelasticity, 1998, box 3.2).
+"""
+
+from __future__ import annotations
+
+from math import sqrt
+
+import attrs
+import numpy as np
+
+from plastigran.declared import number
+from plastigran.fem.material.hardening import Hardening, RateFactor
+
+IDENTITY = np.array([1.0, 1.0, 1.0, 0.0])
+# Deviator of a strain with engineering shear, as a stress-like column.
+DEVIATOR = np.diag([1.0, 1.0, 1.0, 0.5]) - np.outer(IDENTITY, IDENTITY) / 3
+TWICE_SHEAR = np.array([1.0, 1.0, 1.0, 2.0])
+RETURN_ITERATIONS = 50
+RETURN_TOLERANCE = 1e-13  # of the trial stress
+
+
+@attrs.frozen
+class State:
+    """What a material point remembers.
+
+    Attributes:
+        plastic_strain: (n, 4).
+        accumulated: Accumulated plastic strain (n,).
+        work: Plastic work done per volume (n,), J/m3.
+    """
+
+    plastic_strain: np.ndarray
+    accumulated: np.ndarray
+    work: np.ndarray
+
+    @classmethod
+    def virgin(cls, points: int) -> State:
+        return cls(np.zeros((points, 4)), np.zeros(points), np.zeros(points))
+
+    def between(self, start: int, end: int | None) -> State:
+        """Of the points from `start` to before `end`."""
+        here = slice(start, end)
+        return State(self.plastic_strain[here], self.accumulated[here], self.work[here])
+
+    def joined(self, other: State) -> State:
+        """Of these points and, after them, the other's."""
+        return State(
+            np.concatenate([self.plastic_strain, other.plastic_strain]),
+            np.concatenate([self.accumulated, other.accumulated]),
+            np.concatenate([self.work, other.work]),
+        )
+
+
+@attrs.frozen
+class Response:
+    """Answer to a strain.
+
+    Attributes:
+        stress: (n, 4), Pa.
+        state: After the increment.
+        flowing: Points that flow (k,), as indices.
+        tangent: d stress / d strain of those that flow (k, 4, 4), Pa.
+    """
+
+    stress: np.ndarray
+    state: State
+    flowing: np.ndarray
+    tangent: np.ndarray
+
+    def held(self) -> Response:
+        """The same with no point flowing, as where loading turns."""
+        return attrs.evolve(self, flowing=self.flowing[:0], tangent=self.tangent[:0])
+
+
+@attrs.frozen(kw_only=True)
+class ElasticPlastic:
+    """An isotropic metal. Without hardening it is elastic."""
+
+    youngs_modulus: float = number("Young's modulus", "Pa", 0)
+    poissons_ratio: float = number("Poisson's ratio", "-", -1, 0.5)
+    density: float = number("density", "kg/m3", 0, default=1.0)
+    hardening: Hardening | None = None
+    rate: RateFactor | None = None
+
+    @property
+    def shear_modulus(self) -> float:
+        return self.youngs_modulus / (2 * (1 + self.poissons_ratio))
+
+    @property
+    def plane_modulus(self) -> float:
+        """E/(1 - nu^2), Pa."""
+        return self.youngs_modulus / (1 - self.poissons_ratio**2)
+
+    @property
+    def wave_speed(self) -> float:
+        """Of compression waves, m/s."""
+        return sqrt((self.bulk_modulus + 4 / 3 * self.shear_modulus) / self.density)
+
+    def pair_modulus(self, other: ElasticPlastic | None) -> float:
+        """E* of this and another metal, or of this and a rigid body, Pa."""
+        if other is None:
+            return self.plane_modulus
+        return 1 / (1 / self.plane_modulus + 1 / other.plane_modulus)
+
+    @property
+    def bulk_modulus(self) -> float:
+        return self.youngs_modulus / (3 * (1 - 2 * self.poissons_ratio))
+
+    @property
+    def elastic_tangent(self) -> np.ndarray:
+        """(4, 4), Pa."""
+        volumetric = self.bulk_modulus * np.outer(IDENTITY, IDENTITY)
+        return volumetric + 2 * self.shear_modulus * DEVIATOR
+
+    def respond(self, strain: np.ndarray, state: State, duration: float = np.inf) -> Response:
+        """Stress after an increment to `strain` (n, 4) that lasts `duration` seconds."""
+        stress = (strain - state.plastic_strain) @ self.elastic_tangent
+        if self.hardening is None:
+            return Response(stress, state, np.empty(0, int), np.empty((0, 4, 4)))
+        deviator = stress - stress @ IDENTITY[:, None] / 3 * IDENTITY
+        mises = np.sqrt(1.5 * (deviator**2 @ TWICE_SHEAR))
+        yield_strength, _ = self.hardening.flow_stress(state.accumulated)
+        flowing = np.flatnonzero(mises > yield_strength)
+        if flowing.size == 0:
+            return Response(stress, state, flowing, np.empty((0, 4, 4)))
+        trial = mises[flowing]
+        step, flow, slope = self._flow(trial, state.accumulated[flowing], duration)
+        direction = deviator[flowing] / trial[:, None]  # times 3/2 the direction of flow
+        stress[flowing] -= (3 * self.shear_modulus * step)[:, None] * direction
+        plastic_strain, accumulated, work = (
+            state.plastic_strain.copy(),
+            state.accumulated.copy(),
+            state.work.copy(),
+        )
+        plastic_strain[flowing] += (1.5 * step)[:, None] * direction * TWICE_SHEAR
+        accumulated[flowing] += step
+        work[flowing] += flow * step
+        return Response(
+            stress,
+            State(plastic_strain, accumulated, work),
+            flowing,
+            self._tangent(trial, step, slope, direction),
+        )
+
+    def _tangent(
+        self, trial: np.ndarray, step: np.ndarray, slope: np.ndarray, direction: np.ndarray
+    ) -> np.ndarray:
+        shear = self.shear_modulus
+        theta = 1 - 3 * shear * step / trial
+        normal = 1.5 * (1 / (1 + slope / (3 * shear)) - (1 - theta))  # n n^T = 3/2 d d^T
+        return (
+            self.bulk_modulus * np.outer(IDENTITY, IDENTITY)
+            + 2 * shear * theta[:, None, None] * DEVIATOR
+            - 2 * shear * normal[:, None, None] * direction[:, :, None] * direction[:, None, :]
+        )
+
+    def _flow(
+        self, trial: np.ndarray, accumulated: np.ndarray, duration: float
+    ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+        """Plastic strain steps that bring trial stresses to the flow stress; flow stress and its
+        slope over the step there. Newton, kept between 0 and the largest step."""
+        shear = self.shear_modulus
+        low, high = np.zeros_like(trial), trial / (3 * shear)
+        step = np.zeros_like(trial)
+        for _ in range(RETURN_ITERATIONS):
+            flow, slope = self._flow_stress(accumulated, step, duration)
+            excess = trial - 3 * shear * step - flow
+            if np.all(np.abs(excess) <= RETURN_TOLERANCE * trial):
+                return step, flow, slope
+            low, high = np.where(excess > 0, step, low), np.where(excess > 0, high, step)
+            newton = step + excess / (3 * shear + slope)
+            step = np.where((newton >= low) & (newton <= high), newton, (low + high) / 2)
+        raise ArithmeticError("the return to the yield surface does not converge")
+
+    def _flow_stress(
+        self, accumulated: np.ndarray, step: np.ndarray, duration: float
+    ) -> tuple[np.ndarray, np.ndarray]:
+        flow, slope = self.hardening.flow_stress(accumulated + step)
+        if self.rate is None or not np.isfinite(duration):
+            return flow, slope
+        factor, factor_slope = self.rate.factor(step / duration)
+        return flow * factor, slope * factor + flow * factor_slope / duration

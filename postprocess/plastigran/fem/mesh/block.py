@@ -1,0 +1,105 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Meshes of a half space under a contact, y = 0 its surface and y < 0 inside.
+
+Both are graded about the contact, so that a body a thousand times wider costs a few rings more. Its
+far side, `base`, is an arc that does not move.
+"""
+
+from __future__ import annotations
+
+from math import asinh, log, pi
+
+import attrs
+import numpy as np
+from skfem import MeshQuad, MeshQuad2
+
+from plastigran.declared import number, require, whole
+from plastigran.fem.mesh.sphere import (
+    FINE_RATIO,
+    FINE_REACH,
+    counterclockwise,
+    graded,
+    quarter_disc,
+    strip_quads,
+)
+
+WIDEST_RING = 0.4  # of a track's block, in s: far from the track elements are long
+
+
+@attrs.frozen(kw_only=True)
+class HalfBlock:
+    """Half of a half space that is pressed on its axis: rings about the contact point.
+
+    Raises:
+        ValueError: A size that is not positive, or rings that do not end outside the contact.
+    """
+
+    core: float = number("radius inside which elements are equally fine", "m", 0)
+    reach: float = number("largest contact radius the mesh is made for", "m", 0)
+    size: float = number("radius of the base", "m", 0)
+    divisions: int = whole("elements across the core", 2, default=6)
+    fineness: float = number("factor on the number of rings", "-", 0.1, 10, default=1.0)
+
+    def __attrs_post_init__(self) -> None:
+        require(self, "size", lower=self._fine)
+
+    @property
+    def _fine(self) -> float:
+        """Where the fine rings end, m."""
+        return max(FINE_REACH * self.reach, self.core)
+
+    def build(self) -> MeshQuad2:
+        """The mesh in (x, y), m, x >= 0, with boundaries `axis`, `surface` and `base`."""
+        disc, disc_quads, rim = quarter_disc(self.divisions)
+        angle = np.exp(-1j * np.linspace(0, pi / 2, 2 * self.divisions + 1))
+        ends = (log(length / self.core) for length in (self.core, self._fine, self.size))
+        coarse = pi / (4 * self.divisions) / self.fineness
+        rings = np.exp(graded(*ends, coarse / FINE_RATIO, 2 * coarse))
+        outer = (rings[1:, None] * angle).ravel()
+        ids = np.vstack([rim, len(disc) + np.arange(outer.size).reshape(-1, angle.size)])
+        quads = np.concatenate([disc_quads, strip_quads(ids)])
+        return _mesh(self.core * np.concatenate([disc.conj(), outer]), quads)
+
+
+@attrs.frozen(kw_only=True)
+class TrackBlock:
+    """A half space on which a contact slides along: rings of ellipses about its track.
+
+    With z = c cosh(s + i theta) the ring s = 0 is the track, -c < x < c on the surface, and far out
+    the rings are circles.
+
+    Raises:
+        ValueError: A size that is not positive, or rings that end within the fine zone.
+    """
+
+    half_length: float = number("half the length of the track", "m", 0)
+    element: float = number("length of an element in the middle of the track", "m", 0)
+    depth: float = number("depth down to which elements are equally fine", "m", 0)
+    size: float = number("radius of the base", "m", 0)
+
+    def __attrs_post_init__(self) -> None:
+        require(self, "size", lower=self.half_length + self.depth)
+        require(self, "element", lower=0, upper=self.half_length)
+
+    def build(self) -> MeshQuad2:
+        """The mesh in (x, y), m, with boundaries `surface` and `base`."""
+        angles = np.linspace(0, pi, round(pi * self.half_length / self.element) + 1)
+        ends = (0.0, *(asinh(depth / self.half_length) for depth in (self.depth, self.size)))
+        rings = graded(*ends, angles[1] - angles[0], WIDEST_RING)
+        points = np.cosh(rings[:, None] - 1j * angles)
+        ids = np.arange(points.size).reshape(points.shape)
+        return _mesh(self.half_length * points.ravel(), strip_quads(ids))
+
+
+def _mesh(points: np.ndarray, quads: np.ndarray) -> MeshQuad2:
+    """Straight-sided elements between points x + iy, with the names of their boundaries."""
+    size = np.abs(points).max()
+    coordinates = np.array([points.real, points.imag])
+    coordinates[np.abs(coordinates) < 1e-12 * size] = 0.0
+    quads = np.ascontiguousarray(counterclockwise(quads, points).T)
+    mesh = MeshQuad2.from_mesh(MeshQuad(coordinates, quads))
+    outer = mesh.boundary_facets()
+    first, second = mesh.p[:, mesh.facets[:, outer]].transpose(1, 0, 2)
+    on = {"axis": (first[0] == 0) & (second[0] == 0), "surface": (first[1] == 0) & (second[1] == 0)}
+    on["base"] = ~(on["axis"] | on["surface"])
+    return mesh.with_boundaries({name: outer[here] for name, here in on.items() if here.any()})

@@ -1,0 +1,189 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""An elastic body on a rigid plane, in steps that conserve energy.
+
+Implicit midpoint rule: with v the velocity and f the force of the plane,
+
+    u1 - u0 = dt (v0 + v1)/2,    M (v1 - v0)/dt + K (u0 + u1)/2 = f(g0, g1).
+
+The penalty's energy V(g) = k <-g>^2/2 at each Gauss point of the surface acts through its discrete
+gradient -(V(g1) - V(g0))/(g1 - g0) (Gonzalez 2000, Comput. Methods Appl. Mech. Engrg. 190:1763),
+so that the sum of kinetic, elastic and penalty energy is the same after the step, whatever its
+length. Momentum changes by dt times the sum of f.
+
+The body is linear: one matrix 2 M/dt^2 + K/2 is factored once. Newton's method then works on the
+degrees of freedom of the surface that may touch, with their dense compliance.
+"""
+
+from __future__ import annotations
+
+import attrs
+import numpy as np
+from scipy.sparse.linalg import splu
+
+from plastigran.fem.body.body import Body
+from plastigran.fem.body.elastic import ElasticBody
+from plastigran.fem.contact.plane import PENALTY, RigidPlane
+from plastigran.fem.stepping.increment import NoConvergence
+
+ITERATIONS = 40
+TOLERANCE = 1e-13  # of the displacements of the surface: what rounding leaves
+
+
+class SpringPlane(RigidPlane):
+    """A rigid plane as one spring at each Gauss point of the surface.
+
+    Attributes:
+        surface: Vertical degrees of freedom that may touch (n_surface,), of the body.
+        shapes: Displacements of the Gauss points over theirs (n_points, n_surface).
+    """
+
+    def __init__(self, body: Body, radius: float, reach: float, penalty: float = PENALTY) -> None:
+        super().__init__(body, radius, reach, penalty)
+        self.surface = np.unique(self.dofs)
+        self._rest = self._heights.ravel()
+        self._springs = (self._stiffness * self._areas).ravel()
+        edges, points, _ = self._shapes.shape
+        shapes = np.zeros((edges, points, self.surface.size))
+        columns = np.searchsorted(self.surface, self.dofs)[:, None]
+        np.put_along_axis(shapes, np.repeat(columns, points, axis=1), self._shapes, axis=2)
+        self.shapes = shapes.reshape(edges * points, -1)
+
+    def gap(self, displacement: np.ndarray) -> np.ndarray:
+        """At displacements of the surface (n_surface,), m."""
+        return self._rest + self.shapes @ displacement
+
+    def energy(self, gap: np.ndarray) -> float:
+        """J."""
+        return float(self._springs @ np.minimum(gap, 0) ** 2) / 2
+
+    def mean_force(self, start: np.ndarray, end: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """Forces (n_points,), N, between two gaps, and how they fall with the second, N/m.
+
+        With p = <-g> the difference quotient is k (p0 + p1)/2 |p1 - p0|/|g1 - g0|.
+        """
+        before, after = np.maximum(-start, 0), np.maximum(-end, 0)
+        closed, open_ = (start < 0) & (end < 0), (start >= 0) & (end >= 0)
+        way = np.where(closed | open_, 1, np.abs(end - start))
+        share = np.where(closed, 1, np.abs(after - before) / way)
+        slope = np.where(start < 0, share**2, 1 - (1 - share) ** 2)
+        slope[open_] = 0
+        half = self._springs / 2
+        return half * (before + after) * share, half * slope
+
+
+@attrs.frozen
+class Motion:
+    """A moving elastic body at one time, in arrays over the degrees of freedom that move (size,).
+
+    Attributes:
+        time: s.
+        displacement: m.
+        velocity: m/s.
+        elastic_force: Stiffness times displacement, N.
+        momentum: Mass times velocity, kg m/s.
+        gap: At the Gauss points of the surface (n_points,), m.
+        force: Upward on the body, the mean over the step that ends here, N.
+    """
+
+    time: float
+    displacement: np.ndarray
+    velocity: np.ndarray
+    elastic_force: np.ndarray
+    momentum: np.ndarray
+    gap: np.ndarray
+    force: float
+
+    @property
+    def kinetic_energy(self) -> float:
+        """J."""
+        return float(self.velocity @ self.momentum) / 2
+
+    @property
+    def elastic_energy(self) -> float:
+        """J."""
+        return float(self.displacement @ self.elastic_force) / 2
+
+
+class Steps:
+    """Steps of one length.
+
+    Attributes:
+        now: The motion reached.
+    """
+
+    def __init__(
+        self, elastic: ElasticBody, plane: SpringPlane, velocity: np.ndarray, timestep: float
+    ) -> None:
+        """
+        Args:
+            elastic: The body.
+            plane: Under it.
+            velocity: At the start (size,), m/s; the body is undeformed.
+            timestep: s.
+        """
+        self.elastic, self.plane, self.timestep = elastic, plane, timestep
+        self._factor = splu(
+            (2 / timestep**2 * elastic.mass_matrix + elastic.stiffness / 2).tocsc(),
+            permc_spec="MMD_AT_PLUS_A",
+            diag_pivot_thresh=0.0,
+            options={"SymmetricMode": True},
+        )
+        self._surface = elastic.places(plane.surface)
+        unit = np.zeros((elastic.free.size, plane.surface.size))
+        unit[self._surface, np.arange(plane.surface.size)] = 1
+        self._by_force = self._factor.solve(unit)
+        self._compliance = self._by_force[self._surface]
+        self._last = np.zeros(plane.surface.size)
+        self.now = self._motion(0.0, np.zeros(elastic.free.size), velocity, 0.0)
+
+    def _motion(
+        self, time: float, displacement: np.ndarray, velocity: np.ndarray, force: float
+    ) -> Motion:
+        return Motion(
+            time,
+            displacement,
+            velocity,
+            self.elastic.stiffness @ displacement,
+            self.elastic.mass_matrix @ velocity,
+            self.plane.gap(displacement[self._surface]),
+            force,
+        )
+
+    def advance(self) -> Motion:
+        """The next step.
+
+        Raises:
+            NoConvergence: Newton's method does not find it.
+        """
+        now, surface = self.now, self._surface
+        change = self._factor.solve(2 / self.timestep * now.momentum - now.elastic_force)
+        start, force = now.displacement[surface], 0.0
+        if np.min(now.gap) < 0 or np.min(self.plane.gap(start + change[surface])) < 0:
+            nodal, force = self._touch(start, change[surface])
+            change += self._by_force @ nodal
+        self._last = change[surface]
+        self.now = self._motion(
+            now.time + self.timestep,
+            now.displacement + change,
+            2 / self.timestep * change - now.velocity,
+            force,
+        )
+        return self.now
+
+    def _touch(self, start: np.ndarray, free: np.ndarray) -> tuple[np.ndarray, float]:
+        """Nodal forces of the plane over the step and their sum, where the surface would move by
+        `free` without it."""
+        plane, compliance = self.plane, self._compliance
+        change = self._last
+        for _ in range(ITERATIONS):
+            forces, slopes = plane.mean_force(self.now.gap, plane.gap(start + change))
+            nodal = plane.shapes.T @ forces
+            residual = change - free - compliance @ nodal
+            if np.max(np.abs(residual)) <= TOLERANCE * np.max(np.abs(start + change)):
+                return nodal, float(forces.sum())
+            touching = np.flatnonzero(slopes)
+            shapes = plane.shapes[touching]
+            tangent = (compliance @ (shapes.T * slopes[touching])) @ shapes
+            tangent[np.diag_indices_from(tangent)] += 1
+            change = change - np.linalg.solve(tangent, residual)
+        raise NoConvergence(f"no contact forces at {self.now.time:g} s in {ITERATIONS} iterations")

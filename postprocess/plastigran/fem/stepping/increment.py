@@ -1,0 +1,202 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""One increment of a body on a plane: Newton's method with the consistent tangent."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import attrs
+import numpy as np
+
+from plastigran.fem.body.body import Body
+from plastigran.fem.body.pair import Pair
+from plastigran.fem.contact.plane import RigidPlane, Touch
+from plastigran.fem.material.elastic_plastic import Response, State
+from plastigran.fem.material.stretch import InvertedError
+from plastigran.fem.stepping.linear import SingularError, SymmetricSystem
+
+ITERATIONS = 16
+TOLERANCE = 1e-5  # largest residual over the largest nodal force of the contact
+FORCE_TOLERANCE = 1e-8  # of the force asked for
+
+
+class NoConvergence(ArithmeticError):
+    """Newton's method did not find the equilibrium of an increment."""
+
+
+@attrs.frozen
+class Equilibrium:
+    """A body in equilibrium.
+
+    Attributes:
+        displacement: (size,), m.
+        height: Of the plane, m.
+        response: Of the material.
+        touch: Of the plane.
+        iterations: That it took.
+    """
+
+    displacement: np.ndarray
+    height: float
+    response: Response
+    touch: Touch
+    iterations: int = 0
+
+
+@attrs.frozen
+class Inertia:
+    """A step of the trapezoidal rule: accelerations are 4/dt^2 (u - predicted)."""
+
+    predicted: np.ndarray
+    timestep: float
+
+
+@attrs.frozen
+class Balance:
+    """Forces at a displacement that Newton's method tries.
+
+    Attributes:
+        response: Of the material.
+        touch: Of the plane.
+        residual: What the forces lack to balance (size,), N.
+        scale: Largest nodal force of any kind, N.
+    """
+
+    response: Response
+    touch: Touch
+    residual: np.ndarray
+    scale: float
+
+
+Forces = Callable[[np.ndarray], Balance]
+
+
+class Equations:
+    """Balance of forces of a body over a plane."""
+
+    def __init__(self, body: Body | Pair, plane: RigidPlane) -> None:
+        self.body, self.plane = body, plane
+        self._fixed = body.held
+        self._system = SymmetricSystem([body.dofs, plane.dofs], body.size, self._fixed)
+
+    def at_rest(self) -> Equilibrium:
+        """The undeformed body that just touches."""
+        body = self.body
+        displacement = np.zeros(body.size)
+        response = self._respond(displacement, State.virgin(body.points))
+        return Equilibrium(displacement, 0.0, response, self._touch(displacement, None))
+
+    def press(self, start: Equilibrium, guess: tuple[np.ndarray, float], force: float):
+        """Equilibrium of a held body that the plane presses with `force`, N.
+
+        Args:
+            start: The increment starts here.
+            guess: Displacement and height of the plane that Newton's method starts from.
+
+        Raises:
+            NoConvergence: It finds none.
+        """
+        body, plane = self.body, self.plane
+        displacement, height = guess
+        for iteration in range(ITERATIONS):
+            response = self._respond(displacement, start.response.state)
+            touch = plane.touch(displacement, height)
+            if touch.force == 0:
+                raise NoConvergence("the contact opens")
+            residual = body.internal_force(displacement, response.stress) - touch.nodal
+            residual[self._fixed] = 0
+            excess = force - touch.force
+            small = np.max(np.abs(residual)) <= TOLERANCE * np.max(np.abs(touch.nodal), initial=0)
+            if small and abs(excess) <= FORCE_TOLERANCE * force:
+                return Equilibrium(displacement, height, response, touch, iteration)
+            change = self._bordered(
+                body.stiffness(displacement, response), touch.stiffness, -residual, excess
+            )
+            displacement, height = displacement + change[0], height + change[1]
+        raise NoConvergence(f"no equilibrium at {force:g} N in {ITERATIONS} iterations")
+
+    def predict(self, start: Equilibrium, force: float) -> tuple[np.ndarray, float]:
+        """Guess for `press` where loading turns into unloading or back: the body elastic and the
+        contact as it is."""
+        change = self._bordered(
+            self.body.stiffness(start.displacement, start.response.held()),
+            start.touch.stiffness,
+            np.zeros(self.body.size),
+            force - start.touch.force,
+        )
+        return start.displacement + change[0], start.height + change[1]
+
+    def _bordered(
+        self, stiffness: np.ndarray, contact: np.ndarray, right: np.ndarray, excess: float
+    ) -> tuple[np.ndarray, float]:
+        """Changes of displacement and of the plane's height that answer forces `right` and raise
+        the contact's force by `excess`."""
+        column = self.plane.spread(contact)
+        factor = self._factor([stiffness, contact])
+        by_force, by_height = factor.solve(np.column_stack([right, column])).T
+        support = (self.body.upward * column).sum() - column @ by_height
+        if not support > 0:
+            raise NoConvergence("the contact opens")
+        rise = (excess + column @ by_force) / support
+        return by_force + rise * by_height, float(rise)
+
+    def _respond(
+        self, displacement: np.ndarray, state: State, duration: float = np.inf
+    ) -> Response:
+        try:
+            return self.body.respond(displacement, state, duration)
+        except InvertedError as error:
+            raise NoConvergence(str(error)) from None
+
+    def _factor(self, matrices: list[np.ndarray]):
+        try:
+            return self._system.factor(matrices)
+        except SingularError as error:
+            raise NoConvergence(str(error)) from None
+
+    def move(self, start: Equilibrium, guess: np.ndarray, inertia: Inertia) -> Equilibrium:
+        """Balance of forces at the end of a time step, with inertia.
+
+        Raises:
+            NoConvergence: It finds none.
+        """
+
+        def forces(displacement: np.ndarray) -> Balance:
+            return self._balance(displacement, start, inertia)
+
+        displacement, balance = guess, forces(guess)
+        for iteration in range(ITERATIONS):
+            if np.max(np.abs(balance.residual)) <= TOLERANCE * balance.scale:
+                response, touch = balance.response, balance.touch
+                return Equilibrium(displacement, start.height, response, touch, iteration)
+            matrices = self._matrices(displacement, balance, 4 / inertia.timestep**2)
+            change = self._factor(matrices).solve(-balance.residual)
+            displacement, balance = self._step(displacement, change, balance, forces)
+        raise NoConvergence(f"no balance of forces in {ITERATIONS} iterations")
+
+    def _balance(self, displacement: np.ndarray, start: Equilibrium, inertia: Inertia) -> Balance:
+        body = self.body
+        response = self._respond(displacement, start.response.state, inertia.timestep)
+        touch = self._touch(displacement, start)
+        inertial = 4 / inertia.timestep**2 * (body.mass_matrix @ (displacement - inertia.predicted))
+        internal = body.internal_force(displacement, response.stress)
+        residual = internal - touch.nodal + inertial
+        residual[self._fixed] = 0
+        scale = max(np.max(np.abs(part)) for part in (touch.nodal, internal, inertial))
+        return Balance(response, touch, residual, scale)
+
+    def _step(self, displacement: np.ndarray, change: np.ndarray, balance: Balance, forces: Forces):
+        """The displacement that Newton's method tries next, and the balance there: `change` is
+        what the tangent at `balance` asks for."""
+        return displacement + change, forces(displacement + change)
+
+    def _touch(self, displacement: np.ndarray, start: Equilibrium | None) -> Touch:
+        return self.plane.touch(displacement, 0.0 if start is None else start.height)
+
+    def _matrices(
+        self, displacement: np.ndarray, balance: Balance, factor: float
+    ) -> list[np.ndarray]:
+        """Of the elements and of the edges in contact, with `factor` times the masses."""
+        body = self.body
+        stiffness = body.stiffness(displacement, balance.response)
+        return [stiffness + factor * body.mass_matrices, balance.touch.stiffness]

@@ -1,0 +1,70 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""What is read from an equilibrium."""
+
+from __future__ import annotations
+
+import attrs
+import numpy as np
+
+from plastigran.fem.body.body import Body
+from plastigran.fem.body.pair import Pair
+from plastigran.fem.contact.plane import RigidPlane
+from plastigran.fem.stepping.increment import Equilibrium
+
+
+@attrs.frozen
+class Snapshot:
+    """Fields at one moment.
+
+    Attributes:
+        force: N.
+        radii: Mean of each edge of the surface (n,), m.
+        pressure: Mean there, Pa.
+        positions: (r, y) of the Gauss points (points, 2), m.
+        mises: Von Mises stress there, Pa; in finite strain that of the stress conjugate to the
+            logarithmic strain.
+        plastic_strain: Accumulated plastic strain there.
+        vertices: (r, y) of the elements' corners, undeformed (n_vertices, 2), m.
+        quads: Corners of each element (n_elements, 4); its Gauss points are four in turn.
+        displacement: Of the corners (n_vertices, 2), m.
+    """
+
+    force: float
+    radii: np.ndarray
+    pressure: np.ndarray
+    positions: np.ndarray
+    mises: np.ndarray
+    plastic_strain: np.ndarray
+    vertices: np.ndarray
+    quads: np.ndarray
+    displacement: np.ndarray
+
+
+def energies(body: Body | Pair, state: Equilibrium) -> dict[str, float]:
+    """Elastic energy, work of plastic flow and energy in the penalty, J."""
+    return {
+        "elastic_energy": body.elastic_energy(state.displacement, state.response),
+        "plastic_work": float(state.response.state.work @ body.volumes.ravel()),
+        "penalty_energy": state.touch.stored,
+    }
+
+
+def snapshot(body: Body | Pair, plane: RigidPlane, state: Equilibrium) -> Snapshot:
+    """The fields of an equilibrium."""
+    return Snapshot(
+        state.touch.force,
+        *plane.profile(state.touch),
+        body.positions.reshape(-1, 2),
+        mises_stress(state.response.stress),
+        state.response.state.accumulated,
+        body.vertices,
+        body.quads,
+        state.displacement[body.vertex_dofs],
+    )
+
+
+def mises_stress(stress: np.ndarray) -> np.ndarray:
+    """Von Mises stress (n,) of stresses (rr, yy, tt, ry) (n, 4), Pa."""
+    radial, axial, hoop, shear = stress.T
+    differences = (radial - axial) ** 2 + (axial - hoop) ** 2 + (hoop - radial) ** 2
+    return np.sqrt(differences / 2 + 3 * shear**2)

@@ -1,0 +1,92 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""An elastic sphere on a plane or a half space after Hertz (1882): scales of steps and meshes, and
+what coarse results are held against."""
+
+from __future__ import annotations
+
+from math import atan, gamma, pi, sqrt
+
+import attrs
+from scipy.optimize import minimize_scalar
+
+from plastigran.fem.material.elastic_plastic import ElasticPlastic
+
+
+@attrs.frozen
+class HertzSphere:
+    """One sphere.
+
+    Attributes:
+        material: Its metal; only the start of plastic flow is used.
+        radius: m.
+        plane: Metal of the half space under it; rigid if None.
+    """
+
+    material: ElasticPlastic
+    radius: float
+    plane: ElasticPlastic | None = None
+
+    @property
+    def modulus(self) -> float:
+        """E* of both bodies, Pa."""
+        return self.material.pair_modulus(self.plane)
+
+    @property
+    def mass(self) -> float:
+        """kg."""
+        return self.material.density * 4 / 3 * pi * self.radius**3
+
+    def contact_radius(self, force: float) -> float:
+        """m, at a force in N."""
+        return (3 * force * self.radius / (4 * self.modulus)) ** (1 / 3)
+
+    def approach(self, force: float) -> float:
+        """m, at a force in N."""
+        return self.contact_radius(force) ** 2 / self.radius
+
+    def force(self, approach: float) -> float:
+        """N, at an approach in m."""
+        return 4 / 3 * self.modulus * sqrt(self.radius) * approach**1.5
+
+    def approach_max(self, speed: float) -> float:
+        """m, of an impact at a speed in m/s."""
+        return (15 * self.mass * speed**2 / (16 * self.modulus * sqrt(self.radius))) ** 0.4
+
+    def duration(self, speed: float) -> float:
+        """s, of an impact at a speed in m/s."""
+        constant = 4 * sqrt(pi) * gamma(0.4) / (5 * gamma(0.9))
+        return constant * self.approach_max(speed) / speed
+
+    @property
+    def yielding(self) -> ElasticPlastic | None:
+        """The metal that yields first; None if none does."""
+        metals = [metal for metal in (self.material, self.plane) if metal and metal.hardening]
+        return min(metals, key=_yield_pressure, default=None)
+
+    @property
+    def yield_force(self) -> float:
+        """Force at which one of the bodies yields below its surface, N; infinite if none does."""
+        if self.yielding is None:
+            return float("inf")
+        return pi**3 * self.radius**2 * _yield_pressure(self.yielding) ** 3 / (6 * self.modulus**2)
+
+    @property
+    def yield_speed(self) -> float:
+        """Speed at which it yields, m/s."""
+        force = self.yield_force
+        return sqrt(0.8 * force * self.approach(force) / self.mass)
+
+
+def _yield_pressure(metal: ElasticPlastic) -> float:
+    """Largest pressure of Hertz' contact at which a metal yields, Pa.
+
+    The largest von Mises stress on the axis is p_0 F(nu),
+    F = max over z of 1.5/(1 + z^2) - (1 + nu)(1 - z atan(1/z)), z the depth over a.
+    """
+    poissons_ratio = metal.poissons_ratio
+    least = minimize_scalar(
+        lambda z: -abs(1.5 / (1 + z * z) - (1 + poissons_ratio) * (1 - z * atan(1 / z))),
+        bounds=(0.05, 3),
+        method="bounded",
+    )
+    return metal.hardening.yield_strength / -least.fun

@@ -1,0 +1,80 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""A rigid circle on an elastic layer in plane strain: scales of steps and meshes, and what coarse
+results are held against (Johnson, Contact Mechanics, 1985, secs. 4.2 and 5.6)."""
+
+from __future__ import annotations
+
+from math import exp, log, pi, sqrt
+
+import attrs
+from scipy.optimize import brentq, minimize_scalar
+
+from plastigran.declared import number
+from plastigran.fem.material.elastic_plastic import ElasticPlastic
+
+
+@attrs.frozen(kw_only=True)
+class HertzLine:
+    """A circle of some length on a layer that is held on its far side."""
+
+    material: ElasticPlastic
+    radius: float = number("radius of the circle", "m", 0)
+    length: float = number("length out of the plane", "m", 0)
+    thickness: float = number("thickness of the layer", "m", 0)
+
+    def half_width(self, force: float) -> float:
+        """m, at a force in N."""
+        return sqrt(4 * self._scale(force) * self.radius)
+
+    def approach(self, force: float) -> float:
+        """m, at a force in N."""
+        return self._scale(force) * self._logarithm(force)
+
+    def energy(self, force: float) -> float:
+        """Work of pressing up to a force in N, J: of F over the approach, in closed form."""
+        return force * self._scale(force) * (2 * self._logarithm(force) - 1) / 4
+
+    def _scale(self, force: float) -> float:
+        """Force over pi E* and length, m."""
+        return force / (pi * self.material.plane_modulus * self.length)
+
+    def _logarithm(self, force: float) -> float:
+        ratio = self.material.poissons_ratio
+        return log(self.thickness**2 / (self._scale(force) * self.radius)) - ratio / (1 - ratio)
+
+    @property
+    def yield_force(self) -> float:
+        """Force at which the body yields below its surface, N; infinite without hardening law.
+
+        At depth z half widths the stresses on the axis are, over the largest pressure,
+        -(1 + 2 z^2)/r + 2 z along the surface and -1/r across it, r = sqrt(1 + z^2).
+        """
+        if self.material.hardening is None:
+            return float("inf")
+        least = minimize_scalar(lambda z: -self._mises(z), bounds=(0.05, 3), method="bounded")
+        pressure = self.material.hardening.yield_strength / -least.fun
+        return pi * self.length * self.radius * pressure**2 / self.material.plane_modulus
+
+    def _mises(self, depth: float) -> float:
+        """On the axis, over the largest pressure."""
+        root = sqrt(1 + depth * depth)
+        along, across = 2 * depth - (1 + 2 * depth * depth) / root, -1 / root
+        out = self.material.poissons_ratio * (along + across)
+        return sqrt(((along - across) ** 2 + (across - out) ** 2 + (out - along) ** 2) / 2)
+
+    def impact_force(self, mass: float, speed: float) -> float:
+        """Largest force, N, when a mass (kg) hits at a speed (m/s)."""
+        wanted = mass * speed**2 / 2
+        ratio = self.material.poissons_ratio / (1 - self.material.poissons_ratio)
+        # Up to here the approach grows with the force; the contact is then wider than the layer.
+        largest = (
+            pi * self.material.plane_modulus * self.length * self.thickness**2 / self.radius
+        ) * exp(-2 - ratio)
+        if self.energy(largest) < wanted:
+            return largest
+        return brentq(lambda force: self.energy(force) - wanted, 1e-12 * largest, largest)
+
+    def duration(self, mass: float, speed: float) -> float:
+        """Of an impact, s, as of a spring with the secant stiffness: within some per cent."""
+        force = self.impact_force(mass, speed)
+        return pi * sqrt(mass * self.approach(force) / force)
