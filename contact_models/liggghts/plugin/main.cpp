@@ -110,11 +110,14 @@ std::string check_command_line(int argc, char** argv) {
 }
 
 // Open MPI starts a daemon for a process that no launcher started, and looks for ways to reach
-// others. A rank alone needs neither; together they take as long as the engine's own start.
+// others. A rank alone needs neither; together they take as long as the engine's own start. Without
+// a daemon all such processes have one session directory, which one that ends takes from another
+// that begins; a rank alone has nothing to keep there.
 void start_alone() {
   for (const char* name : {"OMPI_COMM_WORLD_SIZE", "PMIX_RANK", "PMI_RANK"})
     if (std::getenv(name)) return;
   setenv("OMPI_MCA_ess_singleton_isolated", "1", 0);
+  setenv("OMPI_MCA_orte_create_session_dirs", "0", 0);
   setenv("OMPI_MCA_pml", "ob1", 0);
   setenv("OMPI_MCA_btl", "self", 0);
 }
