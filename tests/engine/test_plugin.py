@@ -6,6 +6,7 @@ from __future__ import annotations
 import os
 import re
 import subprocess
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 import pytest
@@ -115,3 +116,15 @@ def test_launcher_under_mpirun(ranks, tmp_path):
     log = run_deck("collision/two_spheres.in", {}, tmp_path, ranks=ranks)
     assert f"on {ranks} procs" in log
     assert measure(tmp_path / "trajectory.dump").coefficient_of_restitution < 0.5
+
+
+def test_engines_start_alone_at_the_same_time(tmp_path):
+    """Each is a process of MPI that no launcher started: none may meet another's files."""
+    (tmp_path / "empty.in").write_text("")
+    line = [PROJECT / "build" / "liggghts-plastigran", "-in", "empty.in", "-log", "none"]
+
+    def start(_) -> int:
+        return subprocess.run(line, cwd=tmp_path, capture_output=True, check=False).returncode
+
+    with ThreadPoolExecutor(6) as pool:
+        assert set(pool.map(start, range(60))) == {0}
