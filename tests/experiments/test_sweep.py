@@ -42,6 +42,15 @@ def test_a_folder_of_results_is_refused_unless_forced(tmp_path):
     pd.testing.assert_frame_equal(again.table, runs.table)
 
 
+def test_a_folder_takes_one_sweep_at_a_time(tmp_path):
+    class Another(CentralImpact):
+        def run(self, folder, *_args, **_keys):
+            sweep(impacts(), tmp_path, progress=False, force=True)
+
+    with pytest.raises(ValueError, match=f"{tmp_path}: another sweep runs here"):
+        sweep([Another("thornton", 0.2, "aluminium_zv02", 0.1)], tmp_path, progress=False)
+
+
 @pytest.mark.parametrize("jobs", [0, -1, 1.5, "two"])
 def test_jobs_out_of_range_are_refused(jobs, tmp_path):
     with pytest.raises(ValueError, match=rf"jobs is {jobs!r}; it must be 1 or more"):

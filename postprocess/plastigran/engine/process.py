@@ -143,9 +143,10 @@ def run_deck(
     # The screen goes to a file: on a pipe, a helper process of MPI that outlives an interrupted
     # engine would keep us waiting. In a session of its own the engine does not get the terminal's
     # Ctrl-C: it is stopped from here, once.
+    log, said = folder / LOG, folder / "screen.txt"
     with (
-        open(folder / "screen.txt", "w") as screen,
-        closing(ProgressBar(deck.stem, folder / LOG, progress)) as bar,
+        open(said, "w") as screen,
+        closing(ProgressBar(deck.stem, log, progress)) as bar,
     ):
         engine = subprocess.Popen(
             ["setpriv", "--pdeathsig", "TERM", *line],
@@ -162,11 +163,10 @@ def run_deck(
             raise EngineStopped(f"{deck.name}: stopped after {timeout:g} s") from None
         finally:
             _stop(engine, folder)
-    log = folder / LOG
     text = log.read_text(errors="replace") if log.exists() else ""
     if returncode:
-        said = text + (folder / "screen.txt").read_text(errors="replace")
-        raise EngineStopped(f"{deck.name}: {_reason(returncode, said)} (log: {log})")
+        reason = _reason(returncode, text + said.read_text(errors="replace"))
+        raise EngineStopped(f"{deck.name}: {reason} (log: {log if text else said})")
     return text
 
 

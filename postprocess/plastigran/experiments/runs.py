@@ -4,8 +4,10 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from concurrent.futures import ThreadPoolExecutor, as_completed
+from contextlib import contextmanager
+from fcntl import LOCK_EX, LOCK_NB, flock
 from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -115,7 +117,8 @@ def sweep(
         force: Overwrite the results of an earlier sweep in `folder`.
 
     Raises:
-        ValueError: There is no case, `jobs` is out of range, or `folder` holds results.
+        ValueError: There is no case, `jobs` is out of range, or `folder` holds results or is
+            that of a sweep that runs.
         EngineError, ValueError: From the first case that failed; the others' rows are written
             before it is raised.
     """
@@ -124,11 +127,36 @@ def sweep(
         raise ValueError("there is no case to run")
     if jobs is not None and not (isinstance(jobs, int) and jobs >= 1):
         raise ValueError(f"jobs is {jobs!r}; it must be 1 or more")
-    if not force and any([*folder.glob(TABLE), *folder.glob("runs/*/*")]):
-        raise ValueError(
-            f"{folder} holds results; choose another folder, or overwrite them by force"
-        )
+    with _claimed(folder):
+        if not force and any([*folder.glob(TABLE), *folder.glob("runs/*/*")]):
+            raise ValueError(
+                f"{folder} holds results; choose another folder, or overwrite them by force"
+            )
+        return _sweep(cases, folder, jobs, progress, settings)
+
+
+@contextmanager
+def _claimed(folder: Path) -> Iterator[None]:
+    """A folder that no other sweep writes to."""
     folder.mkdir(parents=True, exist_ok=True)
+    claim = os.open(folder, os.O_RDONLY)
+    try:
+        try:
+            flock(claim, LOCK_EX | LOCK_NB)
+        except BlockingIOError:
+            raise ValueError(f"{folder}: another sweep runs here; choose another") from None
+        yield
+    finally:
+        os.close(claim)
+
+
+def _sweep(
+    cases: list[Experiment],
+    folder: Path,
+    jobs: int | None,
+    progress: bool,
+    settings: Mapping[str, Any] | None,
+) -> Runs:
     path = folder / TABLE
     path.unlink(missing_ok=True)
 
