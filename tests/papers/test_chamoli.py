@@ -5,14 +5,12 @@ from __future__ import annotations
 
 import pytest
 
-from plastigran.papers import find_paper
+from plastigran.papers.chamoli import PAPER
 
 
 @pytest.fixture(scope="module")
-def tables(tmp_path_factory):
-    with pytest.MonkeyPatch.context() as patch:
-        patch.setenv("PLASTIGRAN_CACHE", str(tmp_path_factory.mktemp("cache")))
-        return find_paper("chamoli").reproduce(coarse=True).tables
+def tables(coarse_table):
+    return {name: coarse_table("chamoli", name) for name in PAPER.tables}
 
 
 def test_slow_impact_is_that_of_hertz_in_elements_and_engine(tables):

@@ -3,6 +3,10 @@
 
 from __future__ import annotations
 
+import subprocess
+import sys
+import warnings
+
 import attrs
 import pytest
 
@@ -44,3 +48,36 @@ def test_results_come_by_name_in_the_order_asked_for_and_are_kept(tmp_path):
 def test_one_that_gives_up_is_named():
     with pytest.raises(ValueError, match="finite elements, the sphere: no step from here"):
         compute_all({"the sphere": Computation(give_up, ())})
+
+
+def tell(settings, progress):
+    warnings.warn("the contact is wide", stacklevel=1)
+    return Stopped(stopped="")
+
+
+def test_a_warning_is_told_in_one_plain_line(capfd):
+    compute_all({"the sphere": Computation(tell, ())})
+    assert capfd.readouterr().err == "plastigran: the contact is wide\n"
+
+
+WAITING = """
+from time import sleep
+from plastigran.papers.computing import Computation, compute_all
+
+def wait(settings, progress):
+    print("started", flush=True)
+    sleep(600)
+
+if __name__ == "__main__":
+    compute_all({"the sphere": Computation(wait, ())})
+"""
+
+
+def test_workers_end_with_the_process_that_started_them(tmp_path):
+    script = tmp_path / "waiting.py"
+    script.write_text(WAITING)
+    started = subprocess.Popen([sys.executable, script], stdout=subprocess.PIPE, text=True)
+    assert started.stdout.readline() == "started\n"
+    started.terminate()
+    # The worker's end of the pipe is closed when the worker has ended.
+    assert started.communicate(timeout=30) == ("", None)

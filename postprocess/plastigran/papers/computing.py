@@ -4,15 +4,19 @@
 from __future__ import annotations
 
 import os
+import sys
+import warnings
 from collections.abc import Callable, Hashable, Mapping
 from concurrent.futures import ProcessPoolExecutor, as_completed
-from multiprocessing import get_context
+from multiprocessing import get_context, parent_process
+from pathlib import Path
+from threading import Thread
 from typing import Any, TypeVar
 
 import attrs
 from tqdm import tqdm
 
-from plastigran.fem.cache import cached
+from plastigran.fem.cache import cached, folder
 
 Key = TypeVar("Key", bound=Hashable)
 
@@ -22,7 +26,7 @@ class Computation:
     """A call `compute(*arguments, settings, progress)` as `plastigran.fem.cache.cached` takes it.
 
     Attributes:
-        compute: A function of a module, such as `plastigran.fem.throw.throw`.
+        compute: A function of a module, such as `plastigran.fem.sphere.throw.throw`.
         arguments: Positional.
         settings: How fine; None for the defaults.
     """
@@ -46,8 +50,12 @@ def compute_all(computations: Mapping[Key, Computation], progress: bool = False)
         ValueError: One found no equilibrium, or gave up before its end; the message names it.
     """
     found: dict[Key, Any] = {}
-    # Not forked: this process may have threads.
-    pool = ProcessPoolExecutor(os.cpu_count(), mp_context=get_context("forkserver"))
+    pool = ProcessPoolExecutor(
+        os.cpu_count(),
+        mp_context=get_context("spawn"),  # this process may have threads
+        initializer=_begin,
+        initargs=(folder(),),
+    )
     waiting = {pool.submit(each.run): name for name, each in computations.items()}
     bar = tqdm(total=len(waiting), disable=not progress, desc="finite elements")
     try:
@@ -64,3 +72,17 @@ def compute_all(computations: Mapping[Key, Computation], progress: bool = False)
         pool.shutdown(wait=True, cancel_futures=True)
         bar.close()
     return {name: found[name] for name in computations}
+
+
+def _begin(cache: Path) -> None:
+    """Prepare a worker: results go to the folder `cache`, warnings are told as plain lines, and the
+    worker ends when the process that started it does."""
+    os.environ["PLASTIGRAN_CACHE"] = str(cache)
+    warnings.showwarning = lambda said, *_, **__: print(f"plastigran: {said}", file=sys.stderr)
+    Thread(target=_end_with_parent, daemon=True).start()
+
+
+def _end_with_parent() -> None:
+    # A killed parent closes no pool, and an idle worker would wait for work for ever.
+    parent_process().join()
+    os._exit(1)

@@ -26,6 +26,11 @@ LONG, SHORT = 200.0, 40.0  # flights, over the time a compression wave takes acr
 #: speeds within their range, m/s.
 ICE_RADIUS = 0.0275
 ICE_SPEEDS = (2e-4, 1e-3, 5e-3, 2e-2)
+#: Their fit to it: factor and power of the speed in cm/s.
+ICE_RESTITUTION = (0.32, -0.234)
+#: What the thesis prints, kHz, by kind, degree and overtone: the radial mode, and as the
+#: oblate-prolate one the first toroidal.
+PAPER_MODES = {("radial", 0, 0): 143.67, ("toroidal", 1, 0): 186.49}
 
 Impact = tuple[float, float]  # Young's modulus, Pa, and speed, m/s
 

@@ -9,6 +9,7 @@ from matplotlib.figure import Figure
 from plastigran.fem.sphere.vibration import Vibration
 from plastigran.papers.chamoli.computations import (
     HARD,
+    PAPER_MODES,
     RADIUS,
     SHOWN,
     Computed,
@@ -20,7 +21,7 @@ from plastigran.physics.central import hertz_force, hertz_history
 from plastigran.plot.style import COLOURS, styled, subplots
 
 FLIGHT_SHOWN = 1.0  # durations of the contact that are shown after it
-TOROIDAL = 186.49  # kHz
+TOROIDAL = PAPER_MODES["toroidal", 1, 0]
 
 
 @styled()
@@ -37,8 +38,12 @@ def impact_figure(computed: Computed) -> Figure:
         panels[1].plot(time, history["approach"] / approach, color=colour, label=_label(impact))
         swing = oscillation(found)
         panels[2].plot(swing.time / duration, 100 * swing.share, color=colour)
-    bodies = (RADIUS, hertz.mass, hertz.modulus)
-    time, overlap = hertz_history(*bodies, impact[1])
+    # One curve for all: in these units Hertz' impacts are the same.
+    speed = SHOWN[0][1]
+    hertz = sphere(SHOWN[0][0])
+    approach = hertz.approach_max(speed)
+    force, duration = hertz.force(approach), hertz.duration(speed)
+    time, overlap = hertz_history(RADIUS, hertz.mass, hertz.modulus, speed)
     curves = (hertz_force(RADIUS, hertz.modulus, overlap) / force, overlap / approach)
     for panel, curve in zip(panels, curves, strict=False):
         panel.plot(time / duration, curve, color="k", ls="--", lw=1, label="Hertz")

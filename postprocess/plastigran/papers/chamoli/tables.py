@@ -14,6 +14,8 @@ from plastigran.papers.base import add_difference
 from plastigran.papers.chamoli.computations import (
     HARD,
     ICE_RADIUS,
+    ICE_RESTITUTION,
+    PAPER_MODES,
     RADIUS,
     SHOWN,
     Computed,
@@ -27,8 +29,6 @@ from plastigran.physics.impact_modes import nearest_modes
 from plastigran.physics.modes import sphere_modes
 
 KHZ, MICRO = 1e-3, 1e6
-#: What the thesis prints: the radial mode, and as the oblate-prolate one the first toroidal.
-PAPER_MODES = {("radial", 0, 0): 143.67, ("toroidal", 1, 0): 186.49}
 NEAR = 0.01  # of a mode's frequency, within which a peak is its own
 
 
@@ -175,6 +175,7 @@ def viscoelastic(computed: Computed) -> pd.DataFrame:
     """Restitution of a viscoelastic ice sphere: measured, closed form, law, LIGGGHTS."""
     ice, runs = read_material("ice"), computed.viscoelastic
     speeds = runs["speed"].to_numpy()
+    factor, power = ICE_RESTITUTION
     impact = CentralImpact("viscoelastic_hertz", speeds[0], ice, ICE_RADIUS)
     number = viscoelastic_number(
         ice.dissipative_constant,
@@ -186,7 +187,7 @@ def viscoelastic(computed: Computed) -> pd.DataFrame:
     table = pd.DataFrame(
         {
             "speed (cm/s)": 100 * speeds,
-            "measured": 0.32 * (100 * speeds) ** -0.234,
+            "measured": factor * (100 * speeds) ** power,
             "closed form": viscoelastic_restitution(number),
             "viscoelastic_hertz": runs["coefficient_of_restitution_predicted"].to_numpy(),
             "LIGGGHTS": runs["coefficient_of_restitution"].to_numpy(),

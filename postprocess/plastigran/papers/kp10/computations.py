@@ -40,17 +40,29 @@ OBLIQUE_SPEEDS = {10.0: (1.0, 0.6), 100.0: (3.0,)}
 #: The impact whose residual depths the paper gives: length over radius, speed [m/s].
 SHOWN = (10.0, 1.0)
 LAWS = tuple(laws_for("cylinder"))
+HEAD_ON = Settings(divisions=4, steps_of_contact=120)
+#: An oblique strike takes ten times as long as a head-on one, for all of the track is fine.
+OBLIQUE = Settings(divisions=3, fineness=0.6, steps_of_contact=40)
+COARSE = Settings(divisions=2, fineness=0.5, steps_of_contact=20)
+KINDS = {"normal": "head-on", "oblique": "oblique"}  # of a key, and how they are shown
 
 
 @attrs.frozen(order=True)
 class Key:
     """What tells one computation: `body` is "layer", "thick" (no wave comes back), "thin" (half the
-    layer) or "glass" (by itself), `kind` "normal" or "oblique"."""
+    layer) or "glass" (by itself), `kind` "normal" or "oblique", `mesh` "usual" or "coarse"."""
 
     length_ratio: float
     speed: float
     kind: str = "normal"
     body: str = "layer"
+    mesh: str = "usual"
+
+    def settings(self) -> Settings:
+        """How fine."""
+        if self.mesh == "coarse":
+            return COARSE
+        return OBLIQUE if self.kind == "oblique" else HEAD_ON
 
     def case(self) -> CylinderStrike:
         thickness = {"thick": None, "thin": BODY_THICKNESS / 2}.get(self.body, BODY_THICKNESS)
@@ -81,8 +93,9 @@ class Computed:
 
 def keys(coarse: bool) -> list[Key]:
     """The computations, the longest first."""
+    shown = [Key(*SHOWN, "oblique"), Key(*SHOWN)]
     if coarse:
-        return [Key(*SHOWN, "oblique"), Key(*SHOWN), Key(*SHOWN, body="thick")]
+        return [*shown, Key(*SHOWN, body="thick")]
     found = [
         Key(ratio, speed, "oblique") for ratio, speeds in OBLIQUE_SPEEDS.items() for speed in speeds
     ]
@@ -90,17 +103,17 @@ def keys(coarse: bool) -> list[Key]:
         found += [
             Key(ratio, speed, body=body) for ratio, speeds in SPEEDS.items() for speed in speeds
         ]
+    found += [attrs.evolve(key, mesh="coarse") for key in shown]
     return [*found, Key(*SHOWN, body="glass"), Key(*SHOWN, body="thin")]
 
 
 def compute_finite_elements_and_runs(progress: bool, coarse: bool) -> Computed:
     """Compute, or find in the cache, what `Computed` holds; arguments as of `Paper.reproduce`."""
-    coarse_settings = Settings(divisions=3, fineness=0.6, steps_of_contact=40)
-    usual = coarse_settings if coarse else Settings(divisions=4, steps_of_contact=120)
-    # An oblique strike takes ten times as long as a head-on one: all of the track is fine.
-    by_kind = {"normal": usual, "oblique": coarse_settings}
     strikes = compute_all(
-        {key: Computation(strike, (key.case(),), by_kind[key.kind]) for key in keys(coarse)},
+        {
+            key: Computation(strike, (key.case(),), COARSE if coarse else key.settings())
+            for key in keys(coarse)
+        },
         progress,
     )
     head_on = sorted({(key.length_ratio, key.speed) for key in strikes if key.kind == "normal"})

@@ -78,14 +78,10 @@ def onset(pressing: Pressing) -> pd.DataFrame:
         ("distance from the axis over contact radius", "-", np.nan, deepest[0] / radius, 0.0),
     ]
     columns = ["quantity", "unit", PAPER, FINITE_ELEMENTS, "Hertz"]
-    table = add_difference(pd.DataFrame(rows, columns=columns), FINITE_ELEMENTS, PAPER)
-    return table.assign(
-        **{
-            "finite elements off Hertz (%)": add_difference(table, FINITE_ELEMENTS, "Hertz").iloc[
-                :, 4
-            ]
-        }
-    )
+    table = pd.DataFrame(rows, columns=columns)
+    off_hertz = f"{FINITE_ELEMENTS} off Hertz (%)"
+    differences = add_difference(table, FINITE_ELEMENTS, "Hertz")[off_hertz]
+    return add_difference(table, FINITE_ELEMENTS, PAPER).assign(**{off_hertz: differences})
 
 
 def _yield_depth() -> float:

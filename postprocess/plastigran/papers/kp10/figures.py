@@ -10,14 +10,13 @@ from matplotlib.figure import Figure
 from plastigran.fem.cylinder.struck import Strike
 from plastigran.fem.sphere.fields import at_vertices
 from plastigran.fem.stepping.snapshot import Snapshot
-from plastigran.papers.kp10.computations import LAWS, SHOWN, Computed, Key
+from plastigran.papers.kp10.computations import KINDS, LAWS, SHOWN, Computed, Key
 from plastigran.plot.fields import draw_field
 from plastigran.plot.style import COLOURS, styled, subplots, title
 
 MICRO = 1e6
 LEVELS = np.linspace(0, 1, 11)  # of von Mises stress over the flow stress
 YIELDED = 1e-4  # plastic strain from which a point counts as yielded
-KINDS = {"normal": "head-on", "oblique": "oblique"}
 
 
 def restitution_figure(found: Computed) -> Figure:
@@ -43,7 +42,7 @@ def restitution_figure(found: Computed) -> Figure:
                 some = {
                     key.speed: struck.coefficient_of_restitution
                     for key, struck in found.strikes.items()
-                    if (key.length_ratio, key.kind, key.body) == (ratio, kind, body)
+                    if key == Key(ratio, key.speed, kind, body)
                 }
                 axes.plot(some.keys(), some.values(), mark, mfc="none", label=label)
             axes.set(xlabel="impact speed (m/s)", title=f"length = {ratio:g} radii")
