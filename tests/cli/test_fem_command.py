@@ -5,6 +5,8 @@ from __future__ import annotations
 
 import argparse
 import json
+import re
+from functools import partial
 
 import pytest
 
@@ -12,14 +14,26 @@ from plastigran.cli import main
 from plastigran.cli.metal import add_metal, add_plane, plane
 from plastigran.fem.material.elastic_plastic import ElasticPlastic
 from plastigran.fem.material.hardening import LinearHardening
+from plastigran.fem.settings import Settings
 
 METAL = ["--young", "70e9", "--poisson", "0.3", "--yield", "1e8"]
 SOFT_PLANE = ["--plane-young", "1e9"]
+GLASS = ["--young", "79.5e9", "--poisson", "0.23", "--density", "2500"]
+ICE = ["--young", "9.3e9", "--poisson", "0.25", "--density", "900", "--radius", "0.01"]
+CYLINDER = ["--radius", "1e-5", "--length", "1e-4", "--mass", "1.59e-6", "--thickness", "1e-4"]
+ELASTIC = [*GLASS, "--elastic", "--speed", "1"]
+FEW = {"divisions": 3, "fineness": 0.5, "steps_of_contact": 40}
 
 
 @pytest.fixture(autouse=True)
 def cache_of_its_own(tmp_path, monkeypatch):
     monkeypatch.setenv("PLASTIGRAN_CACHE", str(tmp_path))
+
+
+@pytest.fixture
+def coarse(monkeypatch):
+    """Settings that take a second or two."""
+    monkeypatch.setattr("plastigran.cli.metal.Settings", partial(Settings, **FEW))
 
 
 def test_press_below_yield_says_so_and_gives_everything_back(capsys):
@@ -65,6 +79,10 @@ def test_vibrating_sphere_names_its_modes(capsys):
         (["fem", "throw", *METAL, "--speed", "900"], "speed of sound"),
         (["fem", "throw", *METAL, "--speed", "100"], "of the radius; up to 0.4"),
         (["fem", "press", *METAL[:4], "--elastic", "--force-ratio", "3"], "neither body yields"),
+        (
+            ["fem", "throw", *ELASTIC, "--hardening", "1e8"],
+            "--hardening is 1e+08; it needs --yield",
+        ),
         (["fem", "throw", *METAL, "--speed", "1", "--plane-yield", "1e8"], "needs --plane-young"),
         (
             ["fem", "throw", *METAL, "--speed", "1", "--plane-young", "1e9", "--finite-strain"],
@@ -85,16 +103,46 @@ def test_bad_input_is_refused_with_its_limit(line, said, capsys):
     assert said in capsys.readouterr().err
 
 
-CYLINDER = ["--radius", "1e-5", "--length", "1e-4", "--mass", "1.59e-6", "--thickness", "1e-4"]
-
-
 def test_a_cylinder_strikes_a_body(capsys):
-    metal = ["--young", "79.5e9", "--poisson", "0.23", "--density", "2500", "--elastic"]
-    assert main(["fem", "cylinder", *metal, *CYLINDER, "--speed", "0.1", "--json"]) == 0
+    assert (
+        main(["fem", "cylinder", *GLASS, "--elastic", *CYLINDER, "--speed", "0.1", "--json"]) == 0
+    )
     numbers = json.loads(capsys.readouterr().out)
     # Waves in the body, hundreds of times lighter than the cylinder, keep 1e-3 of the speed.
     assert numbers["coefficient_of_restitution"] == pytest.approx(1, abs=5e-3)
     assert len(numbers["history"]["force"]) > 100
+
+
+def test_a_slow_cylinder_is_said_not_to_reach_yield(capsys, coarse):
+    line = ["fem", "cylinder", *GLASS, "--yield", "2.41e9", *CYLINDER, "--json"]
+    assert main([*line, "--speed", "0.02"]) == 0
+    assert "0.02 m/s does not reach yield" in capsys.readouterr().err
+
+
+def test_finite_strain_of_a_cylinder_needs_no_warning(capsys, coarse):
+    line = ["fem", "cylinder", *GLASS, "--yield", "2.41e9", *CYLINDER, "--json"]
+    assert main([*line, "--speed", "1", "--finite-strain"]) == 0
+    printed = capsys.readouterr()
+    assert printed.err == ""
+    # 0.100 um with the default settings; these elements are a third of the contact wide.
+    assert json.loads(printed.out)["residual_depth"] == pytest.approx(0.1e-6, rel=0.1)
+
+
+@pytest.mark.parametrize(
+    ("line", "printed"),
+    [
+        (["press", *METAL, "--force-ratio", "0.5"], r"force +18\.319 +N\n(.+\n)*residual_approach"),
+        (["throw", *METAL, "--speed", "0.002"], r"nodal_restitution +[01]\.\d+\n"),
+        (["vibrate", *ICE, "--speed", "1", "--transits", "2"], r"timestep +\S+ +s\n(.*\n)+modes\n"),
+        (
+            ["cylinder", *GLASS, "--elastic", *CYLINDER, "--speed", "0.1"],
+            r"residual_depth +\S+ +m\n",
+        ),
+    ],
+)
+def test_numbers_are_printed_with_their_units(line, printed, capsys, coarse):
+    assert main(["fem", *line]) == 0
+    assert re.search(printed, capsys.readouterr().out)
 
 
 @pytest.mark.parametrize(

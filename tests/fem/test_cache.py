@@ -4,10 +4,11 @@
 from __future__ import annotations
 
 import attrs
+import numpy as np
 import pytest
 from coarse_sphere import COARSE, METAL, RADIUS
 
-from plastigran.fem.cache import cached, folder
+from plastigran.fem.cache import _sources, cached, folder
 from plastigran.fem.sphere.convergence import convergence
 
 
@@ -45,6 +46,26 @@ def test_another_computation_is_done_anew(counted, other):
     cached(compute, METAL, RADIUS, [5.0], settings=COARSE)
     *arguments, settings = other
     cached(compute, *arguments, settings=settings)
+    assert len(calls) == 2
+
+
+def test_long_arrays_are_told_apart(counted):
+    compute, calls = counted
+    forces = np.linspace(1, 5, 2001)
+    other = forces.copy()
+    other[1000] += 1e-3
+    for array in (forces, other, forces):
+        cached(compute, METAL, RADIUS, array, settings=COARSE)
+    assert len(calls) == 2
+
+
+def test_another_library_is_another_computation(counted, monkeypatch):
+    compute, calls = counted
+    cached(compute, METAL, RADIUS, [5.0], settings=COARSE)
+    monkeypatch.setattr("plastigran.fem.cache.version", lambda name: f"99 of {name}")
+    _sources.cache_clear()
+    cached(compute, METAL, RADIUS, [5.0], settings=COARSE)
+    _sources.cache_clear()
     assert len(calls) == 2
 
 

@@ -7,7 +7,7 @@ import attrs
 import numpy as np
 import pandas as pd
 import pytest
-from coarse_sphere import METAL, RADIUS
+from coarse_sphere import ELASTIC, METAL, RADIUS
 
 from plastigran.fem.sphere.calibration import calibrate
 from plastigran.fem.sphere.results import Pressing
@@ -63,3 +63,9 @@ def test_range_that_hardly_yields_is_refused():
     short = pressing.history[pressing.history["force"] < 2 * SPHERE.yield_force]
     with pytest.raises(ValueError, match="needs 3 times the force"):
         calibrate(attrs.evolve(pressing, history=short))
+
+
+def test_pressing_on_a_half_space_is_refused():
+    pressing = attrs.evolve(law_pressing(2.33e-7, 2.69e-4), plane=ELASTIC)
+    with pytest.raises(ValueError, match=r"plane is a half space with E = 7e\+10 Pa"):
+        calibrate(pressing)

@@ -74,7 +74,6 @@ def test_indentation_pressure_is_of_the_order_of_the_expanding_cavity(indentatio
     mean = top["force"] / (np.pi * top["contact_radius"] ** 2 * strength)
     assert 8 < strain < 12
     assert mean == pytest.approx(cavity, rel=0.15)
-    assert 1.1 < mean < 3.0  # between first yield and the fully plastic limit
 
 
 def test_indentation_leaves_a_dent_and_dissipates(indentation):

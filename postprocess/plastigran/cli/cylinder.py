@@ -6,7 +6,7 @@ from __future__ import annotations
 import argparse
 
 from plastigran.cli.arguments import positive
-from plastigran.cli.metal import add_metal, computed, metal
+from plastigran.cli.metal import add_metal, add_strain, computed, metal, say
 from plastigran.fem.cylinder.case import CylinderStrike
 from plastigran.fem.cylinder.strike import strike
 
@@ -21,6 +21,7 @@ def add_cylinder(command: argparse.ArgumentParser) -> None:
     command.add_argument("--speed", type=positive, required=True, help="towards the body, m/s")
     command.add_argument("--sliding-speed", type=float, default=0.0, help="along it, m/s")
     command.add_argument("--coefficient-of-friction", type=float, default=0.0, help="default 0")
+    add_strain(command)
     command.add_argument(
         "--thickness",
         type=positive,
@@ -40,4 +41,11 @@ def cylinder(arguments: argparse.Namespace) -> dict:
         "thickness",
     )
     given = {name: getattr(arguments, name) for name in names}
-    return computed(strike, CylinderStrike(material=metal(arguments), **given)).to_dict()
+    case = CylinderStrike(material=metal(arguments), **given)
+    force = case.line.impact_force(case.mass, case.speed)
+    if case.material.hardening is not None and force <= case.line.yield_force:
+        say(
+            f"{case.speed:g} m/s does not reach yield: the contact bears {force:.4g} N and "
+            f"yields at {case.line.yield_force:.4g} N"
+        )
+    return computed(strike, case, strain=arguments.strain).to_dict()

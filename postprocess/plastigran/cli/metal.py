@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Arguments of commands that compute one sphere by finite elements."""
+"""Arguments of commands that compute a sphere or a struck body by finite elements."""
 
 from __future__ import annotations
 
@@ -31,7 +31,6 @@ def add_metal(
     command.add_argument(
         "--hardening",
         type=float,
-        default=0.0,
         help="plastic modulus, Pa, default 0",
     )
 
@@ -58,7 +57,7 @@ def add_strain(command: argparse.ArgumentParser) -> None:
         const="finite",
         default="small",
         dest="strain",
-        help="for contacts wider than a tenth of the radius; takes up to twice as long",
+        help="for contacts wider than a tenth of the radius; takes longer",
     )
 
 
@@ -110,11 +109,13 @@ def metal(arguments: argparse.Namespace) -> ElasticPlastic:
     """The metal of `add_metal`'s or `add_elastic`'s arguments.
 
     Raises:
-        ValueError: A number out of range.
+        ValueError: A number out of range, or a plastic modulus of a metal that does not yield.
     """
-    hardening = None
+    hardening, modulus = None, getattr(arguments, "hardening", None)
     if getattr(arguments, "yield_strength", None) is not None:
-        hardening = LinearHardening(arguments.yield_strength, arguments.hardening)
+        hardening = LinearHardening(arguments.yield_strength, modulus or 0.0)
+    elif modulus is not None:
+        raise ValueError(f"--hardening is {modulus:g}; it needs --yield")
     return ElasticPlastic(
         youngs_modulus=arguments.young,
         poissons_ratio=arguments.poisson,
@@ -150,5 +151,10 @@ def computed(compute: Callable, *arguments: object, strain: str = "small", **nam
             raise ValueError(str(error)) from None
     for line in [*(str(warning.message) for warning in said), result.stopped]:
         if line:
-            print(f"plastigran: {line}", file=sys.stderr)
+            say(line)
     return result
+
+
+def say(line: str) -> None:
+    """Tell the user, on stderr, what no result holds."""
+    print(f"plastigran: {line}", file=sys.stderr)

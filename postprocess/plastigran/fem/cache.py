@@ -2,7 +2,7 @@
 """Results kept on disk by what they were computed from and with.
 
 A result is found again for the same metal, numbers and settings, as long as no file of this package
-has changed. The folder is `$PLASTIGRAN_CACHE`, or `~/.cache/plastigran`.
+and no library has changed. The folder is `$PLASTIGRAN_CACHE`, or `~/.cache/plastigran`.
 """
 
 from __future__ import annotations
@@ -12,15 +12,18 @@ import pickle
 from collections.abc import Callable
 from functools import cache
 from hashlib import sha256
+from importlib.metadata import version
 from pathlib import Path
 from tempfile import NamedTemporaryFile
 from typing import TypeVar
 
 import attrs
+import numpy as np
 
 from plastigran.fem.settings import Settings
 
 Result = TypeVar("Result")
+LIBRARIES = ("numpy", "scipy", "scikit-fem", "pandas")  # pandas: of the files
 
 
 def folder() -> Path:
@@ -72,6 +75,8 @@ def _plain(value: object) -> object:
         return type(value).__qualname__, {
             field.name: _plain(getattr(value, field.name)) for field in attrs.fields(type(value))
         }
+    if isinstance(value, np.ndarray):  # its repr leaves out what is between
+        return value.dtype.str, value.shape, sha256(value.tobytes()).hexdigest()
     if isinstance(value, list | tuple):
         return [_plain(entry) for entry in value]
     return value
@@ -79,8 +84,8 @@ def _plain(value: object) -> object:
 
 @cache
 def _sources() -> str:
-    """Digest of this package's code."""
-    digest = sha256()
+    """Digest of this package's code and of the libraries' versions."""
+    digest = sha256(repr([(name, version(name)) for name in LIBRARIES]).encode())
     for path in sorted(Path(__file__).parent.rglob("*.py")):
         digest.update(path.read_bytes())
     return digest.hexdigest()

@@ -6,7 +6,6 @@ from __future__ import annotations
 
 import argparse
 import json
-import sys
 from itertools import pairwise
 
 import pandas as pd
@@ -21,6 +20,7 @@ from plastigran.cli.metal import (
     computed,
     metal,
     plane,
+    say,
 )
 from plastigran.fem.sphere.press import press
 from plastigran.fem.sphere.throw import throw
@@ -35,17 +35,21 @@ UNITS = {
     "force": "N",
     "force_max": "N",
     "force_ratio": "of the force at yield",
+    "yield_force": "N",
     "radius": "m",
     "approach": "m",
     "contact_radius": "m",
     "residual_approach": "m",
     "overlap_max": "m",
     "overlap_res": "m",
+    "residual_depth": "m",
+    "thickness": "m",
     "work_loading": "J",
     "work_unloading": "J",
     "speed": "m/s",
     "timestep": "s",
     "kinetic_restitution": "",
+    "nodal_restitution": "",
     "vibration_energy": "",
     "contact_time": "s",
     "coefficient_of_restitution": "",
@@ -113,7 +117,7 @@ def _press(sphere: HertzSphere, arguments: argparse.Namespace) -> dict:
             raise ValueError(f"force-ratio {ratio:g} follows {before:g}; they must increase")
     forces = [ratio * sphere.yield_force for ratio in ratios]
     if ratios[-1] <= 1:
-        _say(f"{forces[-1]:.4g} N does not reach yield, which begins at {sphere.yield_force:.4g} N")
+        say(f"{forces[-1]:.4g} N does not reach yield, which begins at {sphere.yield_force:.4g} N")
     case = (sphere.material, sphere.radius, forces)
     numbers = computed(press, *case, strain=arguments.strain, plane=sphere.plane).to_dict()
     for row in numbers["unloadings"]:
@@ -123,7 +127,7 @@ def _press(sphere: HertzSphere, arguments: argparse.Namespace) -> dict:
 
 def _throw(sphere: HertzSphere, arguments: argparse.Namespace) -> dict:
     if sphere.yielding and arguments.speed <= sphere.yield_speed:
-        _say(
+        say(
             f"{arguments.speed:g} m/s does not reach yield, which begins at "
             f"{sphere.yield_speed:.4g} m/s"
         )
@@ -150,7 +154,3 @@ def _vibrate(sphere: HertzSphere, arguments: argparse.Namespace) -> dict:
             nearest = nearest_modes(table["frequency"], exact).drop(columns=["ka", "ha"])
             numbers[name] = nearest.to_dict("list") | rest
     return numbers
-
-
-def _say(line: str) -> None:
-    print(f"plastigran: {line}", file=sys.stderr)

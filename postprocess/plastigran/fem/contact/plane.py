@@ -14,7 +14,7 @@ import numpy as np
 from plastigran.fem.body.body import Body
 from plastigran.fem.contact.edges import Edges, contact_edge
 
-EDGE_NODES = 3  # of an edge of the sphere, the first of each of a contact's edges
+EDGE_NODES = 3  # nodes of the sphere's edge; in `dofs` they come first, a half space's follow
 PENALTY = 50.0  # stiffness over E*/h, h the length of the edge
 
 

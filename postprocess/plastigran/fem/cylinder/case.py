@@ -3,8 +3,6 @@
 
 from __future__ import annotations
 
-from math import sqrt
-
 import attrs
 
 from plastigran.declared import number
@@ -45,11 +43,12 @@ class CylinderStrike:
     )
 
     def __attrs_post_init__(self) -> None:
+        sound = self.material.wave_speed
         for name in ("speed", "sliding_speed"):
-            if getattr(self, name) > SUBSONIC * self.wave_speed:
+            if getattr(self, name) > SUBSONIC * sound:
                 raise ValueError(
                     f"{name} is {getattr(self, name):g} m/s; it must be below {SUBSONIC:g} of the "
-                    f"speed of sound in the body, {self.wave_speed:.4g} m/s (are the units Pa and "
+                    f"speed of sound in the body, {sound:.4g} m/s (are the units Pa and "
                     "kg/m3?)"
                 )
         ratio = self.reach / self.radius
@@ -61,20 +60,13 @@ class CylinderStrike:
             )
 
     @property
-    def wave_speed(self) -> float:
-        """Of pressure waves, m/s."""
-        metal = self.material
-        stiffness = metal.bulk_modulus + 4 / 3 * metal.shear_modulus
-        return sqrt(stiffness / metal.density)
-
-    @property
     def line(self) -> HertzLine:
         """The elastic contact."""
         if self.thickness is not None:
             return self._line(self.thickness)
         thickness = 10 * self.radius
         for _ in range(20):
-            way = self.wave_speed * self._line(thickness).duration(self.mass, self.speed)
+            way = self.material.wave_speed * self._line(thickness).duration(self.mass, self.speed)
             thickness = max(MARGIN * way / 2, 10 * self.radius)
         return self._line(thickness)
 

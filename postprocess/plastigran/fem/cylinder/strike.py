@@ -45,16 +45,27 @@ class StrikeEquations(Equations):
         self, displacement: np.ndarray, balance: Balance, factor: float
     ) -> list[np.ndarray]:
         elements, edges = super()._matrices(displacement, balance, factor)
+        edges = edges.copy()  # they are the contact's, without the mass of the circle
         edges[0, -2:, -2:] += factor * self.body.centre_mass * np.identity(2)
         return [elements, edges]
 
     def _step(self, displacement: np.ndarray, change: np.ndarray, balance: Balance, forces: Forces):
         """The largest of some shares of the change that brings the forces closer to balance: points
-        come in contact and begin to flow as the circle slides on."""
+        come in contact and begin to flow as the circle slides on. The least share is taken
+        whatever it brings.
+
+        Raises:
+            NoConvergence: Even the least share turns an element inside out.
+        """
         before = np.linalg.norm(balance.residual)
         for share in SHARES:
             tried = displacement + share * change
-            found = forces(tried)
+            try:
+                found = forces(tried)
+            except NoConvergence:
+                if share == SHARES[-1]:
+                    raise
+                continue
             if np.linalg.norm(found.residual) < before:
                 break
         return tried, found

@@ -14,9 +14,7 @@ from plastigran.fem.cylinder.case import CylinderStrike
 from plastigran.fem.stepping.flight import Flight
 from plastigran.fem.stepping.increment import Equilibrium
 from plastigran.fem.stepping.linear import SymmetricSystem
-from plastigran.fem.stepping.snapshot import Snapshot, energies, snapshot
-
-PLASTIC = 1e-4  # accumulated plastic strain from which a point counts as yielded
+from plastigran.fem.stepping.snapshot import YIELDED, Snapshot, energies, snapshot
 
 
 @attrs.frozen
@@ -120,7 +118,7 @@ class StrikeLog:
         now, touch, centre = self.flight.now, state.touch, self.body.centre
         way, up = state.displacement[centre]
         first, last = self.circle.ends(touch.gap)
-        yielded = state.response.state.accumulated > PLASTIC
+        yielded = state.response.state.accumulated > YIELDED
         depths = -self.body.positions.reshape(-1, 2)[yielded, 1]
         before = self.rows[-1]["friction_work"] if self.rows else 0.0
         return {
@@ -132,8 +130,8 @@ class StrikeLog:
             "velocity": now.velocity[centre[1]],
             "sliding_velocity": now.velocity[centre[0]],
             "half_width": (last - first) / 2,
-            "plastic_top": depths.min(initial=np.inf) if depths.size else nan,
-            "plastic_bottom": depths.max(initial=0.0) if depths.size else nan,
+            "plastic_top": depths.min() if depths.size else nan,
+            "plastic_bottom": depths.max() if depths.size else nan,
             "kinetic_energy": float(now.velocity @ (self.body.mass_matrix @ now.velocity)) / 2,
             **energies(self.body, state),
             "friction_work": before + touch.dissipated,
@@ -152,8 +150,12 @@ class StrikeLog:
         }
 
     def surface_at_rest(self) -> np.ndarray:
-        """(x, y) of the track's surface (n_points, 2), m, when the body has come to rest: waves die
-        away elastically."""
+        """(x, y) of the track's surface (n_points, 2), m, when the body has come to rest.
+
+        Waves die away elastically: one linear solution, with the stiffness of the undeformed body,
+        takes back the forces of the last stresses. In finite strain this is an approximation, and
+        whether a point yields again is not looked at.
+        """
         body, state = self.body, self.flight.now.state
         fixed = np.concatenate([body.held, body.centre])
         factor = SymmetricSystem([body.dofs], body.size, fixed).factor([body.elastic_stiffness])

@@ -54,8 +54,14 @@ def calibrate(pressing: Pressing) -> Calibration:
     """Fit C_a and K_c to the loading of a pressing, from P_Y to its largest force.
 
     Raises:
-        ValueError: The largest force is below LEAST_RATIO times that at yield.
+        ValueError: The largest force is below LEAST_RATIO times that at yield, or the plane is a
+            half space: the law's force at yield is that of a sphere on a rigid plane.
     """
+    if pressing.plane is not None:
+        raise ValueError(
+            f"plane is a half space with E = {pressing.plane.youngs_modulus:g} Pa; a fit needs a "
+            "sphere pressed on a rigid plane"
+        )
     sphere = HertzSphere(pressing.material, pressing.radius)
     yield_force = sphere.yield_force
     loading = virgin_loading(pressing.history)

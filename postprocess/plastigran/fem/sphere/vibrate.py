@@ -67,7 +67,7 @@ def vibrate(
     if not 0 < transits < inf:
         raise ValueError(f"transits is {transits:g}; it must be positive and finite")
     check_speed(sphere, speed, WIDEST)
-    transit = 2 * radius / compression_speed(material)
+    transit = 2 * radius / material.wave_speed
     duration = sphere.duration(speed)
     timestep = min(duration / settings.steps_of_contact, transit / STEPS_OF_TRANSIT)
     reach = force_of_impact(sphere, speed)[1]
@@ -93,11 +93,6 @@ def vibrate(
     if len(rows) == 1:
         raise NoConvergence(stopped)
     return _summary(material, radius, speed, pd.DataFrame(rows), steps, stopped)
-
-
-def compression_speed(material: ElasticPlastic) -> float:
-    """Speed c_l of compression waves, m/s."""
-    return sqrt((material.bulk_modulus + 4 / 3 * material.shear_modulus) / material.density)
 
 
 class _Watch:

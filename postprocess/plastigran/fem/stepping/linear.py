@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Symmetric systems of one sparsity, summed from element matrices and factored again and again."""
+"""Systems of one symmetric sparsity, summed from element matrices and factored again and again."""
 
 from __future__ import annotations
 
@@ -14,6 +14,8 @@ class SingularError(ArithmeticError):
 
 class SymmetricSystem:
     """Sums element matrices into one sparse matrix and factors it with SuperLU.
+
+    The pattern is symmetric; the values need not be, as those of friction are not.
 
     Sparsity and ordering are found once: degrees of freedom are numbered in the order the first
     factorisation chose.

@@ -11,6 +11,8 @@ from plastigran.fem.body.pair import Pair
 from plastigran.fem.contact.plane import RigidPlane
 from plastigran.fem.stepping.increment import Equilibrium
 
+YIELDED = 1e-4  # accumulated plastic strain from which a point counts as yielded
+
 
 @attrs.frozen
 class Snapshot:

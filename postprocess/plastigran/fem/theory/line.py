@@ -66,7 +66,8 @@ class HertzLine:
         """Largest force, N, when a mass (kg) hits at a speed (m/s)."""
         wanted = mass * speed**2 / 2
         ratio = self.material.poissons_ratio / (1 - self.material.poissons_ratio)
-        # Up to here the approach grows with the force; the contact is then wider than the layer.
+        # The approach grows with the force up to e times this. Here the contact is about as wide as
+        # the layer is thick already, and the formula is of narrow ones.
         largest = (
             pi * self.material.plane_modulus * self.length * self.thickness**2 / self.radius
         ) * exp(-2 - ratio)
