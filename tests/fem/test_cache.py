@@ -69,11 +69,15 @@ def test_another_library_is_another_computation(counted, monkeypatch):
     assert len(calls) == 2
 
 
-def test_broken_file_is_computed_again(counted):
+@pytest.mark.parametrize(
+    "damage",
+    [lambda whole: b"half", lambda whole: whole[:-9] + b"7" + whole[-8:], lambda whole: b""],
+)
+def test_broken_file_is_computed_again(counted, damage):
     compute, calls = counted
     cached(compute, METAL, RADIUS, [5.0], settings=COARSE)
     (file,) = folder().iterdir()
-    file.write_bytes(b"half")
+    file.write_bytes(damage(file.read_bytes()))
     assert cached(compute, METAL, RADIUS, [5.0], settings=COARSE) == 5.0
     assert len(calls) == 2
 

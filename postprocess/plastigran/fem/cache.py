@@ -23,6 +23,7 @@ import numpy as np
 from plastigran.fem.settings import Settings
 
 Result = TypeVar("Result")
+DIGEST = 32  # bytes before a result's own
 LIBRARIES = ("numpy", "scipy", "scikit-fem", "pandas")  # pandas: of the files
 
 
@@ -41,21 +42,34 @@ def cached(
     """The result of `compute(*arguments, settings, progress, **named)`, from disk where it is
     there.
 
-    A file that cannot be read is computed again. A result that stopped early is not kept.
+    What a damaged file held is computed again. A result that stopped early is not kept.
     """
     settings = settings or Settings()
     path = folder() / f"{compute.__name__}_{_key(compute, arguments, settings, named)}.pickle"
     try:
-        return pickle.loads(path.read_bytes())
-    except (OSError, EOFError, AttributeError, ImportError, pickle.UnpicklingError):
+        return pickle.loads(_sound(path.read_bytes()))
+    except Exception:  # a damaged pickle may raise any
         result = compute(*arguments, settings, progress, **named)
     if getattr(result, "stopped", ""):
         return result  # not whole
     path.parent.mkdir(parents=True, exist_ok=True)
+    content = pickle.dumps(result)
     with NamedTemporaryFile(dir=path.parent, delete=False) as file:
-        pickle.dump(result, file)
+        file.write(sha256(content).digest() + content)
     Path(file.name).replace(path)  # whole or not at all
     return result
+
+
+def _sound(file: bytes) -> bytes:
+    """What follows a digest.
+
+    Raises:
+        ValueError: It is not what was digested.
+    """
+    digest, content = file[:DIGEST], file[DIGEST:]
+    if sha256(content).digest() != digest:
+        raise ValueError("the file is damaged")
+    return content
 
 
 def _key(

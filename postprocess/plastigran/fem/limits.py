@@ -11,6 +11,7 @@ from plastigran.fem.theory.hertz import HertzSphere
 
 SMALL_STRAIN = 0.1  # a/R up to which small strain is good within a few tenths of a per cent
 LARGEST = 0.4  # a/R beyond which nothing here is meant
+SMALLEST = 1e-6  # a/R below which the gap at the contact's edge, r^2/2R, is lost in rounding of R
 SUBSONIC = 0.1  # speed over that of sound up to which an impact is computed
 LEAST_HARDNESS = 2.5  # mean pressure over the flow stress of a fully plastic contact, at least
 
@@ -106,9 +107,14 @@ def check_reach(
     """Warn of, or refuse, a contact too wide for the method.
 
     Raises:
-        ValueError: It is wider than `largest` times the radius.
+        ValueError: It is wider than `largest` times the radius, or narrower than SMALLEST times it.
     """
     ratio = reach / sphere.radius
+    if ratio < SMALLEST:
+        raise ValueError(
+            f"{cause} makes a contact of about {ratio:.2g} of the radius; from {SMALLEST:g} on it "
+            "can be computed (are the units Pa, kg/m3, m?)"
+        )
     if ratio > largest:
         raise ValueError(
             f"{cause} makes a contact of about {ratio:.2g} of the radius; up to {largest:g} can be "

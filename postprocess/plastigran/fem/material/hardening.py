@@ -30,8 +30,11 @@ class LinearHardening:
 
 
 def _increasing(instance: TabulatedHardening, field: attrs.Attribute, value: tuple) -> None:
-    if len(value) < 2 or np.any(np.diff(value) < (1e-15 if field.name == "strains" else 0)):
-        raise ValueError(f"{field.name} is {value}; it must be two or more values that increase")
+    least = 1e-15 if field.name == "strains" else 0
+    if len(value) < 2 or not np.all(np.isfinite(value)) or np.any(np.diff(value) < least):
+        raise ValueError(
+            f"{field.name} is {value}; it must be two or more finite values that increase"
+        )
 
 
 @attrs.frozen

@@ -14,7 +14,7 @@ from __future__ import annotations
 import attrs
 import numpy as np
 
-from plastigran.fem.sphere.results import Pressing, virgin_loading
+from plastigran.fem.sphere.results import ROUNDING, Pressing, virgin_loading
 from plastigran.fem.theory.hertz import HertzSphere
 
 LEAST_RATIO = 3.0  # forces over that at yield; there is nothing to fit below
@@ -95,7 +95,7 @@ def check_range(sphere: HertzSphere, force: float) -> None:
         ValueError: It is below LEAST_RATIO times that at yield.
     """
     least = LEAST_RATIO * sphere.yield_force
-    if force < least:
+    if force < (1 - ROUNDING) * least:
         raise ValueError(
             f"the largest force is {force:.4g} N; a fit needs {LEAST_RATIO:g} times the force at "
             f"yield or more, {least:.4g} N"
