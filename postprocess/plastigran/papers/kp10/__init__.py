@@ -8,19 +8,13 @@ from plastigran.papers.base import Paper, Reproduction
 
 def compute(progress: bool, coarse: bool) -> Reproduction:
     """Head-on and oblique strikes."""
-    from plastigran.papers.kp10 import figures  # what these need is slow to load
+    # What these need is slow to load.
     from plastigran.papers.kp10.computations import compute_finite_elements_and_runs
+    from plastigran.papers.kp10.figures import figures
     from plastigran.papers.kp10.tables import tables
 
     found = compute_finite_elements_and_runs(progress, coarse)
-    return Reproduction(
-        tables=tables(found),
-        figures={
-            "restitution": figures.restitution_figure(found),
-            "depth": figures.depth_figure(found),
-            "mises": figures.mises_figure(found),
-        },
-    )
+    return Reproduction(tables=tables(found), figures=figures(found))
 
 
 PAPER = Paper(

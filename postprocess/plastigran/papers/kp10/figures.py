@@ -19,6 +19,15 @@ LEVELS = np.linspace(0, 1, 11)  # of von Mises stress over the flow stress
 YIELDED = 1e-4  # plastic strain from which a point counts as yielded
 
 
+def figures(found: Computed) -> dict[str, Figure]:
+    """By name."""
+    return {
+        "restitution": restitution_figure(found),
+        "depth": depth_figure(found),
+        "mises": mises_figure(found),
+    }
+
+
 def restitution_figure(found: Computed) -> Figure:
     """Restitution over speed, one panel for each length of the cylinder."""
     ratios = sorted({ratio for ratio, _, _ in found.runs})
