@@ -2,17 +2,20 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Print the convergence tables of docs/finite_elements.md.
 
-    .venv/bin/python docs/convergence.py
+    .venv/bin/python docs/convergence.py [press] [throw] [vibrate] [strike]
 
-The press takes about three minutes on one core, the throw about six.
+The press takes about three minutes on one core, the throw about six, the others one or two.
 """
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Mapping, Sequence
 
 import pandas as pd
 
+from plastigran.fem.cylinder.case import CylinderStrike
+from plastigran.fem.cylinder.strike import strike
 from plastigran.fem.material.elastic_plastic import ElasticPlastic
 from plastigran.fem.material.hardening import LinearHardening
 from plastigran.fem.settings import Settings
@@ -23,6 +26,7 @@ from plastigran.fem.sphere.convergence import (
     press_measure,
     throw_measure,
 )
+from plastigran.fem.sphere.vibrate import vibrate
 
 #: The sphere of Zhang & Vu-Quoc 2002 (Int. J. Impact Eng. 27:317), pressed and thrown [m, N, m/s].
 METAL = ElasticPlastic(
@@ -30,7 +34,54 @@ METAL = ElasticPlastic(
 )
 RADIUS, FORCE, SPEED = 0.1, 1500.0, 0.02
 
+#: The sphere of ice of docs/papers/chamoli.md, thrown [m, m/s].
+ICE = ElasticPlastic(youngs_modulus=9.3e9, poissons_ratio=0.25, density=900.0)
+ICE_RADIUS, ICE_SPEED = 0.01, 5.0
+VIBRATE_VARIATIONS = {
+    "divisions": (8,),
+    "fineness": (2.0,),
+    "steps_of_contact": (500,),
+    "penalty": (15.0, 200.0),
+}
+
+#: The head-on strike of docs/papers/kp10.md, and its settings.
+STRIKE = CylinderStrike(
+    material=ElasticPlastic(
+        youngs_modulus=79.5e9,
+        poissons_ratio=0.23,
+        density=2500.0,
+        hardening=LinearHardening(2.41e9),
+    ),
+    radius=1e-5,
+    length=1e-4,
+    mass=1.59e-6,
+    speed=1.0,
+    thickness=1e-4,
+)
+STRIKE_SETTINGS = Settings(divisions=4, steps_of_contact=120)
+STRIKE_VARIATIONS = {
+    "divisions": (6,),
+    "steps_of_contact": (300,),
+    "penalty": (15.0, 200.0),
+    "strain": ("finite",),
+}
+
+
 Variations = Mapping[str, Sequence[float]]
+
+
+def press_table(
+    variations: Variations = PRESS_VARIATIONS, settings: Settings | None = None
+) -> pd.DataFrame:
+    """What each setting changes of a press."""
+    return convergence(press_measure(METAL, RADIUS, [FORCE]), variations, settings)
+
+
+def throw_table(
+    variations: Variations = THROW_VARIATIONS, settings: Settings | None = None
+) -> pd.DataFrame:
+    """What each setting changes of a throw."""
+    return convergence(throw_measure(METAL, RADIUS, SPEED), variations, settings)
 
 
 def tables(
@@ -39,12 +90,38 @@ def tables(
     settings: Settings | None = None,
 ) -> dict[str, pd.DataFrame]:
     """What each setting changes, by name of the computation; see `convergence`."""
-    return {
-        "press": convergence(press_measure(METAL, RADIUS, [FORCE]), press, settings),
-        "throw": convergence(throw_measure(METAL, RADIUS, SPEED), throw, settings),
-    }
+    return {"press": press_table(press, settings), "throw": throw_table(throw, settings)}
 
+
+def vibrate_table() -> pd.DataFrame:
+    """What each setting changes of the vibration that is left."""
+
+    def measure(settings: Settings) -> dict[str, float]:
+        found = vibrate(ICE, ICE_RADIUS, ICE_SPEED, 1.0, settings)
+        return {"vibration_energy": found.vibration_energy, "force_max": found.force_max}
+
+    return convergence(measure, VIBRATE_VARIATIONS)
+
+
+def strike_table() -> pd.DataFrame:
+    """What each setting changes of a strike."""
+    names = ("residual_depth", "coefficient_of_restitution", "force_max")
+
+    def measure(settings: Settings) -> dict[str, float]:
+        found = strike(STRIKE, settings)
+        return {name: float(getattr(found, name)) for name in names}
+
+    return convergence(measure, STRIKE_VARIATIONS, STRIKE_SETTINGS)
+
+
+PARTS = {
+    "press": press_table,
+    "throw": throw_table,
+    "vibrate": vibrate_table,
+    "strike": strike_table,
+}
 
 if __name__ == "__main__":
-    for name, table in tables().items():
+    for name in sys.argv[1:] or PARTS:
+        table = PARTS[name]()
         print(f"{name}\n{table.to_string(index=False, float_format='{:.4g}'.format)}\n")
