@@ -132,6 +132,7 @@ def test_pressing_that_gives_up_keeps_what_it_has(monkeypatch):
         ([200.0, 100.0], "100 N after 200 N"),
         ([float("nan")], "nan N"),
         ([1e12], "of the radius; up to 0.4"),
+        ([1e-15], "of the radius; from 1e-06 on"),
     ],
 )
 def test_forces_that_cannot_be_pressed_are_refused(forces, said):
