@@ -5,13 +5,14 @@ from __future__ import annotations
 
 import argparse
 import json
+import math
 import re
 from functools import partial
 
 import pytest
 
 from plastigran.cli import main
-from plastigran.cli.metal import add_metal, add_plane, plane
+from plastigran.cli.metal import add_metal, add_plane, plane, print_json
 from plastigran.fem.material.elastic_plastic import ElasticPlastic
 from plastigran.fem.material.hardening import LinearHardening
 from plastigran.fem.settings import Settings
@@ -156,3 +157,13 @@ def test_numbers_are_printed_with_their_units(line, printed, capsys, coarse):
 def test_a_cylinder_that_cannot_strike_is_refused(given, said, capsys):
     assert main(["fem", "cylinder", *METAL, *CYLINDER, *given]) == 1
     assert said in capsys.readouterr().err
+
+
+def test_what_is_not_known_is_null(capsys):
+    """JSON has no word for what is not a number."""
+    print_json({"history": {"mises": [1.0, math.nan]}, "residual_depth": math.nan, "name": "x"})
+    assert json.loads(capsys.readouterr().out) == {
+        "history": {"mises": [1.0, None]},
+        "residual_depth": None,
+        "name": "x",
+    }

@@ -4,9 +4,11 @@
 from __future__ import annotations
 
 import argparse
+import json
 import sys
 import warnings
 from collections.abc import Callable
+from math import isnan
 
 from plastigran.cli.arguments import positive
 from plastigran.fem.cache import cached
@@ -158,3 +160,16 @@ def computed(compute: Callable, *arguments: object, strain: str = "small", **nam
 def say(line: str) -> None:
     """Tell the user, on stderr, what no result holds."""
     print(f"plastigran: {line}", file=sys.stderr)
+
+
+def print_json(numbers: dict) -> None:
+    """Print numbers, with null where one is not known."""
+
+    def known(value: object) -> object:
+        if isinstance(value, dict):
+            return {name: known(entry) for name, entry in value.items()}
+        if isinstance(value, list):
+            return [known(entry) for entry in value]
+        return None if isinstance(value, float) and isnan(value) else value
+
+    print(json.dumps(known(numbers), allow_nan=False))

@@ -4,10 +4,9 @@
 from __future__ import annotations
 
 import argparse
-import json
 
 from plastigran.cli.arguments import positive
-from plastigran.cli.metal import add_metal, add_strain, computed, metal
+from plastigran.cli.metal import add_metal, add_strain, computed, metal, print_json
 from plastigran.engine.deck import property_name
 from plastigran.fem.sphere.calibration import calibrate, check_range
 from plastigran.fem.sphere.press import press
@@ -39,7 +38,7 @@ def run(arguments: argparse.Namespace) -> None:
     pressing = computed(press, sphere.material, sphere.radius, [force], strain=arguments.strain)
     numbers = calibrate(pressing).to_dict()
     if arguments.json:
-        print(json.dumps(numbers))
+        print_json(numbers)
         return
     for name, value in numbers.items():
         print(f"{name:28s} {value:.5g}")

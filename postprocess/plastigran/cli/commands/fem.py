@@ -5,7 +5,6 @@ thrown and followed while it vibrates, or of a body that a rigid cylinder strike
 from __future__ import annotations
 
 import argparse
-import json
 from itertools import pairwise
 
 import pandas as pd
@@ -20,6 +19,7 @@ from plastigran.cli.metal import (
     computed,
     metal,
     plane,
+    print_json,
     say,
 )
 from plastigran.fem.sphere.press import press
@@ -96,7 +96,7 @@ def run(arguments: argparse.Namespace) -> None:
         kinds = {"press": _press, "throw": _throw, "vibrate": _vibrate}
         numbers = kinds[arguments.kind](sphere, arguments)
     if arguments.json:
-        print(json.dumps(numbers))
+        print_json(numbers)
         return
     for row in numbers.get("unloadings", [numbers]):
         for name, value in row.items():
