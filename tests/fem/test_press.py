@@ -22,9 +22,9 @@ COARSE_MESH = 0.02
 FINE = {  # default settings
     500.0: {"approach": 6.80e-6, "residual_approach": 2.02e-6, "coefficient_of_restitution": 0.839},
     1500.0: {
-        "approach": 15.60e-6,
-        "residual_approach": 7.08e-6,
-        "coefficient_of_restitution": 0.7365,
+        "approach": 15.61e-6,
+        "residual_approach": 7.09e-6,
+        "coefficient_of_restitution": 0.7359,
     },
 }
 

@@ -57,6 +57,7 @@ UNITS = {
 
 
 def add_arguments(command: argparse.ArgumentParser) -> None:
+    """One command for each kind of computation."""
     kinds = command.add_subparsers(
         dest="kind", required=True, metavar="press|throw|vibrate|cylinder"
     )
@@ -89,6 +90,11 @@ def add_arguments(command: argparse.ArgumentParser) -> None:
 
 
 def run(arguments: argparse.Namespace) -> None:
+    """Compute, and print the numbers with their units, or all of them as JSON.
+
+    Raises:
+        ValueError: An argument out of range, or a first increment that does not converge.
+    """
     if arguments.kind == "cylinder":
         numbers = cylinder(arguments)
     else:

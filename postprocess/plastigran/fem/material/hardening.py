@@ -15,7 +15,14 @@ class Hardening(Protocol):
     """What a metal's flow stress is."""
 
     def flow_stress(self, strain: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """Flow stress and its slope, Pa, at accumulated plastic strains."""
+        """Flow stress at accumulated plastic strains.
+
+        Args:
+            strain: Accumulated plastic strains (n,).
+
+        Returns:
+            Flow stresses (n,), Pa, and their slopes over the strain (n,), Pa.
+        """
 
 
 @attrs.frozen

@@ -57,9 +57,16 @@ class SpringPlane(RigidPlane):
         return float(self._springs @ np.minimum(gap, 0) ** 2) / 2
 
     def mean_force(self, start: np.ndarray, end: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """Forces (n_points,), N, between two gaps, and how they fall with the second, N/m.
+        """Forces of a step by the discrete gradient of the penalty's energy (Gonzalez, 2000).
 
         With p = <-g> the difference quotient is k (p0 + p1)/2 |p1 - p0|/|g1 - g0|.
+
+        Args:
+            start: Gaps where the step starts (n_points,), m.
+            end: Gaps where it ends (n_points,), m.
+
+        Returns:
+            Forces (n_points,), N, and how they fall with the gaps at the end (n_points,), N/m.
         """
         before, after = np.maximum(-start, 0), np.maximum(-end, 0)
         closed, open_ = (start < 0) & (end < 0), (start >= 0) & (end >= 0)

@@ -19,7 +19,14 @@ CUTS = 6  # how often a step is halved before it is given up
 
 @attrs.frozen
 class Motion:
-    """A moving body at one time."""
+    """A moving body at one time.
+
+    Attributes:
+        time: s.
+        state: The balance of forces.
+        velocity: (size,), m/s.
+        acceleration: (size,), m/s2.
+    """
 
     time: float
     state: Equilibrium
@@ -28,9 +35,21 @@ class Motion:
 
 
 class Flight:
-    """Time steps of a body in contact."""
+    """Time steps of a body in contact.
+
+    Attributes:
+        equations: Balance of forces of the body.
+        timestep: Of a full step, s.
+        now: The motion at the end of the last step.
+    """
 
     def __init__(self, equations: Equations, velocity: np.ndarray, timestep: float) -> None:
+        """
+        Args:
+            equations: Balance of forces of a body that just touches.
+            velocity: At the start (size,), m/s.
+            timestep: s.
+        """
         self.equations, self.timestep = equations, timestep
         self.now = Motion(0.0, equations.at_rest(), velocity, np.zeros(velocity.size))
         self._step = FIRST_STEP * timestep

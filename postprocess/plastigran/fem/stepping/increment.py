@@ -45,7 +45,12 @@ class Equilibrium:
 
 @attrs.frozen
 class Inertia:
-    """A step of the trapezoidal rule: accelerations are 4/dt^2 (u - predicted)."""
+    """A step of the trapezoidal rule: accelerations are 4/dt^2 (u - predicted).
+
+    Attributes:
+        predicted: Displacement without the acceleration at the step's end (size,), m.
+        timestep: dt, s.
+    """
 
     predicted: np.ndarray
     timestep: float

@@ -18,7 +18,7 @@ class HertzSphere:
 
     Attributes:
         material: Its metal; only the start of plastic flow is used.
-        radius: m.
+        radius: Of the sphere, m.
         plane: Metal of the half space under it; rigid if None.
     """
 
