@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Print the convergence tables of docs/finite_elements.md.
+"""Print the tables of docs/finite_elements.md: how far off Hertz, and what each setting changes.
 
-    .venv/bin/python docs/convergence.py [press] [throw] [vibrate] [strike]
+    .venv/bin/python docs/convergence.py [elastic] [press] [throw] [vibrate] [strike]
 
 The press takes about three minutes on one core, the throw about six, the others one or two.
 """
@@ -13,6 +13,7 @@ import sys
 from collections.abc import Mapping, Sequence
 
 import pandas as pd
+from attrs import evolve
 
 from plastigran.fem.cylinder.case import CylinderStrike
 from plastigran.fem.cylinder.strike import strike
@@ -26,7 +27,9 @@ from plastigran.fem.sphere.convergence import (
     press_measure,
     throw_measure,
 )
+from plastigran.fem.sphere.press import press
 from plastigran.fem.sphere.vibrate import vibrate
+from plastigran.fem.theory.hertz import HertzSphere
 
 #: The sphere of Zhang & Vu-Quoc 2002 (Int. J. Impact Eng. 27:317), pressed and thrown [m, N, m/s].
 METAL = ElasticPlastic(
@@ -68,6 +71,22 @@ STRIKE_VARIATIONS = {
 
 
 Variations = Mapping[str, Sequence[float]]
+
+
+def elastic_table(
+    forces: Sequence[float] = (36.0, 61.0, 174.0, 496.0, 1417.0, 4048.0, 11563.0),
+    settings: Settings | None = None,
+) -> pd.DataFrame:
+    """An elastic sphere pressed to each force on a mesh made for it: its force, N, over that of
+    Hertz at the same approach."""
+    metal = evolve(METAL, hardening=None)
+    sphere = HertzSphere(metal, RADIUS)
+
+    def off(force: float) -> float:
+        pressing = press(metal, RADIUS, [force], settings or Settings(divisions=8))
+        return 100 * (force / sphere.force(pressing.unloadings["approach"][0]) - 1)
+
+    return pd.DataFrame({"force": forces, "off Hertz (%)": [off(force) for force in forces]})
 
 
 def press_table(
@@ -115,6 +134,7 @@ def strike_table() -> pd.DataFrame:
 
 
 PARTS = {
+    "elastic": elastic_table,
     "press": press_table,
     "throw": throw_table,
     "vibrate": vibrate_table,
