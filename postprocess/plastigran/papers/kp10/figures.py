@@ -88,13 +88,13 @@ def mises_figure(found: Computed) -> Figure:
         figure, grid = subplots(3, 2, figsize=(9.2, 6.2), width_ratios=(1, 2.4), sharey=True)
         for column, (kind, label) in zip(grid.T, KINDS.items(), strict=True):
             struck = found.strikes[Key(*SHOWN, kind)]
-            for axes, (name, said) in zip(column, moments.items(), strict=True):
+            for axes, name in zip(column, moments, strict=True):
                 contours = _draw_mises(axes, struck, struck.snapshots[name], kind == "normal")
-                axes.set_title(f"{label}, {said}", fontsize=10)
+                axes.set_title(label, fontsize=10)
+        for axes, said in zip(grid[:, 0], moments.values(), strict=True):
+            axes.set_ylabel(f"{said}\nheight (µm)")
         for axes in grid[-1]:
-            axes.set_xlabel("along the surface (µm)")
-        for axes in grid[:, 0]:
-            axes.set_ylabel("height (µm)")
+            axes.set_xlabel("along (µm)")
         figure.colorbar(contours, ax=grid, label="von Mises stress over flow stress", shrink=0.8)
     return figure
 
