@@ -15,11 +15,18 @@ def test_an_unknown_paper_is_refused_with_those_there_are(capsys):
     assert "zv02" in capsys.readouterr().err
 
 
-def test_results_are_not_overwritten(tmp_path, capsys):
-    table = find_paper("zv02").tables[0]
-    (tmp_path / f"{table}.csv").write_text("kept")
+@pytest.mark.parametrize("ending", [".csv", ".png", ".gif"])
+def test_results_are_not_overwritten(ending, tmp_path, capsys):
+    (name, *_) = (name for name in find_paper("zv02").files if name.endswith(ending))
+    (tmp_path / name).write_text("kept")
     assert main(["reproduce", "zv02", "--output", str(tmp_path)]) == 1
-    assert "holds results" in capsys.readouterr().err
+    assert f"holds results ({name})" in capsys.readouterr().err
+
+
+def test_a_folder_that_cannot_be_made_is_refused_before_anything_is_computed(tmp_path, capsys):
+    (tmp_path / "file").write_text("kept")
+    assert main(["reproduce", "zv02", "--output", str(tmp_path / "file" / "below")]) == 1
+    assert str(tmp_path / "file") in capsys.readouterr().err
 
 
 def test_a_page_without_places_is_refused(tmp_path, capsys):

@@ -69,3 +69,8 @@ def test_pressing_on_a_half_space_is_refused():
     pressing = attrs.evolve(law_pressing(2.33e-7, 2.69e-4), plane=ELASTIC)
     with pytest.raises(ValueError, match=r"plane is a half space with E = 7e\+10 Pa"):
         calibrate(pressing)
+
+
+def test_constants_that_the_law_does_not_take_are_refused():
+    with pytest.raises(ValueError, match=r"C_a would be -1e-09; the law takes positive ones"):
+        calibrate(law_pressing(-1e-9, 2.69e-4))

@@ -45,7 +45,7 @@ def test_stiff_half_space_is_a_rigid_plane(elastic_pressing):
 def test_forces_on_both_bodies_are_opposite():
     pair = HertzSphere(ELASTIC, RADIUS, SOFT)
     equations = pressed(pair, pair.contact_radius(FORCE), COARSE)
-    touch = equations.plane.touch(np.zeros(equations.body.size), pair.approach(FORCE))
+    touch = equations.contact.touch(np.zeros(equations.body.size), pair.approach(FORCE))
     above, below = np.split(touch.nodal, [equations.body.sphere.size])
     assert touch.force > 0
     assert_allclose([above.sum(), below.sum()], [touch.force, -touch.force], rtol=1e-12)

@@ -140,6 +140,12 @@ def test_forces_that_cannot_be_pressed_are_refused(forces, said):
         press(METAL, RADIUS, forces, COARSE)
 
 
+@pytest.mark.parametrize("radius", [0.0, -0.1, float("nan"), float("inf"), "wide"])
+def test_a_radius_out_of_range_is_refused(radius):
+    with pytest.raises(ValueError, match="radius"):
+        press(METAL, radius, [200.0], COARSE)
+
+
 def test_wide_contacts_are_warned_of():
     with pytest.warns(SmallStrainWarning, match="small strain is good to 0.1"):
         check_forces(HertzSphere(METAL, RADIUS), [2e5])

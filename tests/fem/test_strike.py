@@ -9,7 +9,8 @@ import numpy as np
 import pytest
 from attrs import evolve
 
-from plastigran.fem.contact.circle import RigidCircle, StruckBody
+from plastigran.fem.body.struck import StruckBody
+from plastigran.fem.contact.circle import RigidCircle
 from plastigran.fem.cylinder.case import CylinderStrike
 from plastigran.fem.cylinder.strike import equations, strike
 from plastigran.fem.limits import SmallStrainWarning
@@ -134,7 +135,7 @@ def test_waves_do_not_come_back_from_a_body_of_no_given_thickness():
 def test_friction_sticks_then_slides():
     balance = equations(evolve(CASE, sliding_speed=1.0, coefficient_of_friction=FRICTION), COARSE)
     body: StruckBody = balance.body
-    circle: RigidCircle = balance.plane
+    circle: RigidCircle = balance.contact
 
     def pushed(way, last=None):
         displacement = np.zeros(body.size)
@@ -157,7 +158,7 @@ def test_friction_sticks_then_slides():
 
 def test_tangent_of_the_contact_is_its_derivative():
     balance = equations(evolve(CASE, sliding_speed=1.0, coefficient_of_friction=FRICTION), COARSE)
-    circle, size = balance.plane, balance.body.size
+    circle, size = balance.contact, balance.body.size
     generator = np.random.default_rng(1)
     last = circle.touch(np.zeros(size))
     place = generator.normal(scale=1e-9, size=size)

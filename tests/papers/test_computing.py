@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+import os
+import signal
 import subprocess
 import sys
 import warnings
@@ -73,11 +75,22 @@ if __name__ == "__main__":
 """
 
 
-def test_workers_end_with_the_process_that_started_them(tmp_path):
+@pytest.mark.parametrize("said", [signal.SIGTERM, signal.SIGINT])
+def test_workers_end_with_the_process_that_started_them(said, tmp_path):
     script = tmp_path / "waiting.py"
     script.write_text(WAITING)
-    started = subprocess.Popen([sys.executable, script], stdout=subprocess.PIPE, text=True)
+    started = subprocess.Popen(
+        # A parent in the background ignores Ctrl-C, and so would what it starts.
+        ["env", "--default-signal=INT", sys.executable, script],
+        stdout=subprocess.PIPE,
+        stderr=subprocess.DEVNULL,
+        text=True,
+        process_group=0,
+    )
     assert started.stdout.readline() == "started\n"
-    started.terminate()
+    if said == signal.SIGINT:  # of a terminal, to all of them
+        os.killpg(started.pid, said)
+    else:
+        started.send_signal(said)
     # The worker's end of the pipe is closed when the worker has ended.
     assert started.communicate(timeout=30) == ("", None)

@@ -81,6 +81,12 @@ class Paper:
     movies: tuple[str, ...] = ()
     compute: Callable[[bool, bool], Reproduction]
 
+    @property
+    def files(self) -> list[str]:
+        """What `Reproduction.write` writes."""
+        kinds = {".csv": self.tables, ".png": self.figures, ".gif": self.movies}
+        return [name + ending for ending, names in kinds.items() for name in names]
+
     def reproduce(self, progress: bool = False, coarse: bool = False) -> Reproduction:
         """Compute every table, figure and movie.
 

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import os
+import signal
 import sys
 import warnings
 from collections.abc import Callable, Hashable, Mapping
@@ -76,7 +77,8 @@ def compute_all(computations: Mapping[Key, Computation], progress: bool = False)
 
 def _begin(cache: Path) -> None:
     """Prepare a worker: results go to the folder `cache`, warnings are told as plain lines, and the
-    worker ends when the process that started it does."""
+    worker ends with the process that started it, and at once upon Ctrl-C."""
+    signal.signal(signal.SIGINT, signal.SIG_DFL)
     os.environ["PLASTIGRAN_CACHE"] = str(cache)
     warnings.showwarning = lambda said, *_, **__: print(f"plastigran: {said}", file=sys.stderr)
     Thread(target=_end_with_parent, daemon=True).start()

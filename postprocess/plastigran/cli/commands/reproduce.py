@@ -29,20 +29,21 @@ def add_arguments(command: argparse.ArgumentParser) -> None:
 
 
 def run(arguments: argparse.Namespace) -> None:
-    from plastigran.papers.pages import (
-        publish,
-        read_page,
-        to_markdown,
-    )  # matplotlib is slow to load
+    # matplotlib is slow to load
+    from plastigran.papers.pages import publish, read_page, to_markdown
 
     paper = find_paper(arguments.paper)
     folder = arguments.output or Path("results") / paper.name
-    if (folder / f"{paper.tables[0]}.csv").exists() and not arguments.force:
-        raise ValueError(f"{folder} holds results; choose another --output, or add --force")
+    taken = [name for name in paper.files if (folder / name).exists()]
+    if taken and not arguments.force:
+        raise ValueError(
+            f"{folder} holds results ({taken[0]}); choose another --output, or add --force"
+        )
     if arguments.docs:
         if arguments.coarse:
             raise ValueError("--docs takes whole results, not --coarse ones")
         read_page(paper, arguments.docs)
+    folder.mkdir(parents=True, exist_ok=True)
     made = paper.reproduce(sys.stderr.isatty(), arguments.coarse)
     print(f"{paper.citation}: {paper.title}")
     for name, table in made.tables.items():

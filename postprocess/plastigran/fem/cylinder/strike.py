@@ -15,7 +15,8 @@ import numpy as np
 from tqdm import tqdm
 
 from plastigran.fem.body.section import PlaneStrain
-from plastigran.fem.contact.circle import RigidCircle, Rub, StruckBody
+from plastigran.fem.body.struck import StruckBody
+from plastigran.fem.contact.circle import RigidCircle, Rub
 from plastigran.fem.cylinder.case import CylinderStrike
 from plastigran.fem.cylinder.struck import Strike, StrikeLog, summary
 from plastigran.fem.limits import SMALL_STRAIN, SmallStrainWarning
@@ -26,9 +27,8 @@ from plastigran.fem.stepping.increment import Balance, Equations, Equilibrium, F
 
 SHARES = (1.0, 0.5, 0.25, 0.1)  # of a change by Newton's method
 LONGEST = 4.0  # elastic durations after which a strike that has not ended is given up
-STRIDE = (
-    0.3  # of an element that the cylinder slides in a step, at most: Newton finds no way farther
-)
+# Of an element, what the cylinder slides in a step at most: Newton finds no way farther.
+STRIDE = 0.3
 TRACK_MARGIN = 1.2  # on the way during an elastic contact
 
 
@@ -36,10 +36,10 @@ class StrikeEquations(Equations):
     """Balance of forces of a body and of the circle on it."""
 
     body: StruckBody
-    plane: RigidCircle
+    contact: RigidCircle
 
     def _touch(self, displacement: np.ndarray, start: Equilibrium | None) -> Rub:
-        return self.plane.touch(displacement, start and start.touch)
+        return self.contact.touch(displacement, start and start.touch)
 
     def _matrices(
         self, displacement: np.ndarray, balance: Balance, factor: float
@@ -134,7 +134,7 @@ def strike(
     duration = case.line.duration(case.mass, case.speed)
     timestep = duration / settings.steps_of_contact
     if case.oblique:
-        timestep = min(timestep, STRIDE * balance.plane.longest_edge / case.sliding_speed)
+        timestep = min(timestep, STRIDE * balance.contact.longest_edge / case.sliding_speed)
     flight = Flight(balance, velocity, timestep)
     log = StrikeLog(flight)
     stopped = ""

@@ -9,7 +9,8 @@ import attrs
 import numpy as np
 import pandas as pd
 
-from plastigran.fem.contact.circle import RigidCircle, StruckBody
+from plastigran.fem.body.struck import StruckBody
+from plastigran.fem.contact.circle import RigidCircle
 from plastigran.fem.cylinder.case import CylinderStrike
 from plastigran.fem.stepping.flight import Flight
 from plastigran.fem.stepping.increment import Equilibrium
@@ -93,7 +94,7 @@ class StrikeLog:
     def __init__(self, flight: Flight) -> None:
         self.flight = flight
         self.body: StruckBody = flight.equations.body
-        self.circle: RigidCircle = flight.equations.plane
+        self.circle: RigidCircle = flight.equations.contact
         self.rows: list[dict[str, float]] = []
         self.free = 0
         self.yield_point: np.ndarray | None = None

@@ -24,6 +24,10 @@ RETURN_ITERATIONS = 50
 RETURN_TOLERANCE = 1e-13  # of the trial stress
 
 
+class NoReturnError(ArithmeticError):
+    """No plastic strain was found that brings a stress to the flow stress."""
+
+
 @attrs.frozen
 class State:
     """What a material point remembers.
@@ -175,7 +179,7 @@ class ElasticPlastic:
             low, high = np.where(excess > 0, step, low), np.where(excess > 0, high, step)
             newton = step + excess / (3 * shear + slope)
             step = np.where((newton >= low) & (newton <= high), newton, (low + high) / 2)
-        raise ArithmeticError("the return to the yield surface does not converge")
+        raise NoReturnError("the return to the yield surface does not converge")
 
     def _flow_stress(
         self, accumulated: np.ndarray, step: np.ndarray, duration: float

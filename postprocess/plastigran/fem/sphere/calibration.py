@@ -54,8 +54,9 @@ def calibrate(pressing: Pressing) -> Calibration:
     """Fit C_a and K_c to the loading of a pressing, from P_Y to its largest force.
 
     Raises:
-        ValueError: The largest force is below LEAST_RATIO times that at yield, or the plane is a
-            half space: the law's force at yield is that of a sphere on a rigid plane.
+        ValueError: The largest force is below LEAST_RATIO times that at yield; or the plane is a
+            half space, for the law's force at yield is that of a sphere on a rigid plane; or a
+            constant is not positive, for the metal hardens so much that it hardly flows.
     """
     if pressing.plane is not None:
         raise ValueError(
@@ -75,6 +76,12 @@ def calibrate(pressing: Pressing) -> Calibration:
     widening = _slope(excess, radius - elastic, weight)
     fitted = elastic + widening * excess
     curvature = _slope(excess, fitted**2 / (pressing.radius * approach) - 1, weight)
+    for name, value in {"C_a": widening, "K_c": curvature}.items():
+        if not value > 0:
+            raise ValueError(
+                f"{name} would be {value:.3g}; the law takes positive ones (does the metal harden "
+                "too much to flow?)"
+            )
     fitted_approach = fitted**2 / (pressing.radius * (1 + curvature * excess))
     return Calibration(
         widening * yield_force / sphere.contact_radius(yield_force),

@@ -122,7 +122,7 @@ def press(
         try:
             for branch, ladder in enumerate(ladders):
                 path.go(ladder, branch, bar)
-                snapshots.append(snapshot(equations.body, equations.plane, path.now))
+                snapshots.append(snapshot(equations.body, equations.contact, path.now))
         except NoConvergence as error:
             if not path.rows:
                 raise

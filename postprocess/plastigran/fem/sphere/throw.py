@@ -70,7 +70,7 @@ def throw(
             rows.append(_row(flight))
             free = free + 1 if rows[-1]["force"] == 0 else 0
             if settings.frames and flight.now.time >= len(fields) * duration / settings.frames:
-                fields[flight.now.time] = snapshot(body, equations.plane, flight.now.state)
+                fields[flight.now.time] = snapshot(body, equations.contact, flight.now.state)
             bar.update(100 * flight.now.time / duration - bar.n)
             if flight.now.time > LONGEST * duration:
                 stopped = f"the contact has not ended after {flight.now.time:g} s"
@@ -120,7 +120,7 @@ def _summary(
         overlap_max=float(approach.max()),
         overlap_res=nan if stopped else float(np.interp(end, time, approach)),
         contact_time=nan if stopped else float(end - time[touching[0] - 1]),
-        snapshot=snapshot(flight.equations.body, flight.equations.plane, flight.now.state),
+        snapshot=snapshot(flight.equations.body, flight.equations.contact, flight.now.state),
         snapshots=fields,
         stopped=stopped,
     )

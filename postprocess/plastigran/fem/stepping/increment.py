@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""One increment of a body on a plane: Newton's method with the consistent tangent."""
+"""One increment of a body in contact: Newton's method with the consistent tangent."""
 
 from __future__ import annotations
 
@@ -10,8 +10,9 @@ import numpy as np
 
 from plastigran.fem.body.body import Body
 from plastigran.fem.body.pair import Pair
+from plastigran.fem.contact.circle import RigidCircle
 from plastigran.fem.contact.plane import RigidPlane, Touch
-from plastigran.fem.material.elastic_plastic import Response, State
+from plastigran.fem.material.elastic_plastic import NoReturnError, Response, State
 from plastigran.fem.material.stretch import InvertedError
 from plastigran.fem.stepping.linear import SingularError, SymmetricSystem
 
@@ -32,7 +33,7 @@ class Equilibrium:
         displacement: (size,), m.
         height: Of the plane, m.
         response: Of the material.
-        touch: Of the plane.
+        touch: Of the contact.
         iterations: That it took.
     """
 
@@ -62,7 +63,7 @@ class Balance:
 
     Attributes:
         response: Of the material.
-        touch: Of the plane.
+        touch: Of the contact.
         residual: What the forces lack to balance (size,), N.
         scale: Largest nodal force of any kind, N.
     """
@@ -77,12 +78,17 @@ Forces = Callable[[np.ndarray], Balance]
 
 
 class Equations:
-    """Balance of forces of a body over a plane."""
+    """Balance of forces of a body and what it meets.
 
-    def __init__(self, body: Body | Pair, plane: RigidPlane) -> None:
-        self.body, self.plane = body, plane
+    Attributes:
+        body: The body.
+        contact: What it meets.
+    """
+
+    def __init__(self, body: Body | Pair, contact: RigidPlane | RigidCircle) -> None:
+        self.body, self.contact = body, contact
         self._fixed = body.held
-        self._system = SymmetricSystem([body.dofs, plane.dofs], body.size, self._fixed)
+        self._system = SymmetricSystem([body.dofs, contact.dofs], body.size, self._fixed)
 
     def at_rest(self) -> Equilibrium:
         """The undeformed body that just touches."""
@@ -101,11 +107,11 @@ class Equations:
         Raises:
             NoConvergence: It finds none.
         """
-        body, plane = self.body, self.plane
+        body = self.body
         displacement, height = guess
         for iteration in range(ITERATIONS):
             response = self._respond(displacement, start.response.state)
-            touch = plane.touch(displacement, height)
+            touch = self.contact.touch(displacement, height)
             if touch.force == 0:
                 raise NoConvergence("the contact opens")
             residual = body.internal_force(displacement, response.stress) - touch.nodal
@@ -132,12 +138,12 @@ class Equations:
         return start.displacement + change[0], start.height + change[1]
 
     def _bordered(
-        self, stiffness: np.ndarray, contact: np.ndarray, right: np.ndarray, excess: float
+        self, stiffness: np.ndarray, edges: np.ndarray, right: np.ndarray, excess: float
     ) -> tuple[np.ndarray, float]:
         """Changes of displacement and of the plane's height that answer forces `right` and raise
         the contact's force by `excess`."""
-        column = self.plane.spread(contact)
-        factor = self._factor([stiffness, contact])
+        column = self.contact.spread(edges)
+        factor = self._factor([stiffness, edges])
         by_force, by_height = factor.solve(np.column_stack([right, column])).T
         support = (self.body.upward * column).sum() - column @ by_height
         if not support > 0:
@@ -150,7 +156,7 @@ class Equations:
     ) -> Response:
         try:
             return self.body.respond(displacement, state, duration)
-        except InvertedError as error:
+        except (InvertedError, NoReturnError) as error:
             raise NoConvergence(str(error)) from None
 
     def _factor(self, matrices: list[np.ndarray]):
@@ -196,7 +202,7 @@ class Equations:
         return displacement + change, forces(displacement + change)
 
     def _touch(self, displacement: np.ndarray, start: Equilibrium | None) -> Touch:
-        return self.plane.touch(displacement, 0.0 if start is None else start.height)
+        return self.contact.touch(displacement, 0.0 if start is None else start.height)
 
     def _matrices(
         self, displacement: np.ndarray, balance: Balance, factor: float

@@ -9,6 +9,7 @@ from math import atan, gamma, pi, sqrt
 import attrs
 from scipy.optimize import minimize_scalar
 
+from plastigran.declared import number
 from plastigran.fem.material.elastic_plastic import ElasticPlastic
 
 
@@ -23,7 +24,7 @@ class HertzSphere:
     """
 
     material: ElasticPlastic
-    radius: float
+    radius: float = number("radius of the sphere", "m", 0)
     plane: ElasticPlastic | None = None
 
     @property

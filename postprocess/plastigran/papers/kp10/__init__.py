@@ -20,7 +20,7 @@ def compute(progress: bool, coarse: bool) -> Reproduction:
 PAPER = Paper(
     name="kp10",
     title="A rigid cylinder on an elastic-plastic body",
-    citation="M. R. Katta & A. A. Polycarpou, J. Tribol. 132 (2010)",
+    citation="R. R. Katta & A. A. Polycarpou, J. Tribol. 132 (2010) 041402",
     tables=("comparison", "normal", "oblique", "bodies"),
     figures=("restitution", "depth", "mises"),
     compute=compute,

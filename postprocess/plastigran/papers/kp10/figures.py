@@ -9,14 +9,13 @@ from matplotlib.figure import Figure
 
 from plastigran.fem.cylinder.struck import Strike
 from plastigran.fem.sphere.fields import at_vertices
-from plastigran.fem.stepping.snapshot import Snapshot
+from plastigran.fem.stepping.snapshot import YIELDED, Snapshot
 from plastigran.papers.kp10.computations import KINDS, LAWS, SHOWN, Computed, Key
 from plastigran.plot.fields import draw_field
 from plastigran.plot.style import COLOURS, styled, subplots, title
 
 MICRO = 1e6
 LEVELS = np.linspace(0, 1, 11)  # of von Mises stress over the flow stress
-YIELDED = 1e-4  # plastic strain from which a point counts as yielded
 
 
 def figures(found: Computed) -> dict[str, Figure]:

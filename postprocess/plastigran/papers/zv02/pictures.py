@@ -19,8 +19,8 @@ from plastigran.plot.movie import Movie
 from plastigran.plot.style import COLOURS, styled, subplots
 
 MM = 1e3
-#: Plastic strain beyond which a point counts as yielded: a hundredth of the strain at yield here.
-YIELDED = 1e-5
+#: Plastic strain along the edges drawn: a hundredth of the strain at yield here.
+ZONE_EDGE = 1e-5
 LEVELS = np.linspace(0, 1, 11)  # of von Mises stress over the flow stress
 
 
@@ -86,9 +86,9 @@ def _draw_mises(axes: Axes, snapshot: Snapshot, strength: float, scale: float) -
     stress = np.minimum(stress, 1 - 1e-9)  # what flows is within the last level
     contours = draw_field(axes, vertices, snapshot.quads, stress, LEVELS, cmap="viridis")
     yielded = at_vertices(snapshot, snapshot.plastic_strain)
-    if yielded.max() > YIELDED:
+    if yielded.max() > ZONE_EDGE:
         edge = {"colors": COLOURS[1], "linewidths": 1.2}
-        draw_field(axes, vertices, snapshot.quads, yielded, [YIELDED], filled=False, **edge)
+        draw_field(axes, vertices, snapshot.quads, yielded, [ZONE_EDGE], filled=False, **edge)
     return contours
 
 
@@ -102,7 +102,7 @@ def plastic_zone_figure(pressing: Pressing) -> Figure:
             yielded = at_vertices(snapshot, snapshot.plastic_strain)
             vertices = MM * snapshot.vertices
             draw_field(
-                axes, vertices, snapshot.quads, yielded, [YIELDED], filled=False, colors=[shade]
+                axes, vertices, snapshot.quads, yielded, [ZONE_EDGE], filled=False, colors=[shade]
             )
             axes.plot([], [], color=shade, label=f"{force:g} N")
         reach = 2.2 * MM * pressing.unloadings["contact_radius"].max()
