@@ -130,7 +130,7 @@ class ElastoplasticNormalModel : public NormalModelBase {
     const plastigran::Response response =
         plastigran::respond(pair.law, radius_eff, contact.deltan, state, -contact.vn);
     if (contact.computeflag) {
-      if (contact.deltan > pair.watched * radius_eff) note(contact, pair, radius_eff);
+      if (contact.deltan > pair.watched * radius_eff) note(contact, pair, radius_eff, state);
       if (accounts_) account(contact, pair, radius_eff, i_forces);
       if (contact.shearupdate) std::memcpy(history, &state, state_size);
     }
@@ -192,8 +192,8 @@ class ElastoplasticNormalModel : public NormalModelBase {
   }
 
   [[gnu::noinline]] void note(const SurfacesIntersectData& contact, TypePair& pair,
-                              double radius_eff) {
-    watch_.note(contact, pair, radius_eff, state_before(contact));
+                              double radius_eff, const State& now) {
+    watch_.note(contact, pair, radius_eff, state_before(contact), now);
   }
 
   static plastigran::AccountedLoad& accounted(ForceData& load) {
