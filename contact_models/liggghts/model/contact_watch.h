@@ -18,6 +18,7 @@
 #include "liggghts/fixes/own_fix.h"
 #include "liggghts/fixes/range_watch.h"
 #include "liggghts/fixes/step_watch.h"
+#include "liggghts/model/deck_units.h"
 #include "liggghts/model/impact_forecast.h"
 #include "liggghts/model/type_pair.h"
 #include "pointers.h"
@@ -58,9 +59,15 @@ class ContactWatch : protected LAMMPS_NS::Pointers {
     if (times.outside_speed <= 1.01 * excess_->warned_speed) return;
     excess_->warned_speed = times.outside_speed;  // once for all walls, unless it gets worse
     std::ostringstream text;
-    text << model_ << ": impacts at the present speeds (up to " << times.outside_speed
-         << " m/s) leave the law's range (" << Law::range << ')';
+    text << model_ << ": impacts at the present speeds (at most " << times.outside_speed << ' '
+         << unit_in_deck(update->unit_style, "m/s") << ") leave the law's range (" << Law::range
+         << ')';
     error->warning(FLERR, text.str().c_str());
+  }
+
+  // Before a run, on the first rank: a warning that is given once, for all walls together.
+  void warn_once(const std::string& text) {
+    if (excess_->said.insert(text).second) error->warning(FLERR, (model_ + ": " + text).c_str());
   }
 
   // A contact deeper than `pair.watched`, whose state was `before` and is `now` after this step.

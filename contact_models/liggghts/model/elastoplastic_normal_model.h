@@ -121,8 +121,7 @@ class ElastoplasticNormalModel : public NormalModelBase {
                                   : contact.radi * contact.radj / (contact.radi + contact.radj);
     TypePair& pair = pairs_(contact.itype, contact.jtype);
     // Particles of these types may have been inserted since the check before the run.
-    if constexpr (plastigran::takes_bodies<Law>)
-      if (!pair.lacking.empty()) watch_.stop(pair.lacking);
+    if (!pair.refusal.empty()) watch_.stop(pair.refusal);
 
     double* const history = contact.contact_history + history_offset_;
     State state;
@@ -214,18 +213,21 @@ class ElastoplasticNormalModel : public NormalModelBase {
 
   // What the model was given and what it assumed: a misspelt optional property shows here.
   void report_constants(const plastigran::DeckProperties& deck) {
-    const std::string text =
+    std::string text =
         pairs_.describe(caller() + (owner_.is_wall() ? ", wall" : ""), deck, choices_);
+    if (!viscous_damping_ && !owner_.is_wall() && deck.given("coefficient_restitution"))
+      text += caller() +
+              ": coefficientRestitution is not used, restitution follows from the law; "
+              "it is the dashpot's, viscous_damping on\n";
     if (screen) fputs(text.c_str(), screen);
     if (logfile) fputs(text.c_str(), logfile);
+    for (const std::string& doubt : deck.doubts(pairs_.bodies())) watch_.warn_once(doubt);
   }
 
   void forecast_impacts(const plastigran::DeckProperties& deck) {
     const plastigran::ImpactForecast forecast(lmp, owner_, pairs_.type_count());
-    for (const auto& meeting : forecast.meetings()) {
-      const TypePair& pair = pairs_(meeting.type, meeting.partner_type);
-      if (!pair.lacking.empty()) deck.fail(pair.lacking);
-    }
+    const std::string refusal = plastigran::refusal(forecast, pairs_);
+    if (!refusal.empty()) deck.fail(refusal);
     if (comm->me == 0) watch_.expect(plastigran::impact_times(forecast, pairs_));
   }
 

@@ -83,7 +83,7 @@ void DeckWords::take(const std::string& line) {
   text_ += line + '\n';
   std::vector<std::string> words = words_of(line);
   if (words.empty()) return;
-  const std::string& command = words[0];
+  const std::string command = words[0];
   words.resize(std::max<std::size_t>(words.size(), 4));
   const auto has = [&](const char* word) {
     return std::find(words.begin() + 1, words.end(), word) != words.end();
