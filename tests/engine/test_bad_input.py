@@ -115,7 +115,10 @@ def test_good_input_runs(tmp_path, engine_law):
         ),
         ({"settings": "viscous_damping on"}, "coefficientRestitution"),
         ({"settings": "computeDissipatedEnergy on"}, "computeDissipatedEnergy is not available"),
-        ({"settings": "cohesion sjkr"}, "cohesion off"),
+        (
+            {"settings": "cohesion sjkr"},
+            "cohesion sjkr is not available with this model; possible: off",
+        ),
         ({"settings": "dampnig on"}, "Unknown argument or wrong keyword order: 'dampnig'"),
     ],
 )
