@@ -85,6 +85,15 @@ def test_good_input_runs(tmp_path, engine_law):
     assert "for 1 steps with 1 atoms" in log
 
 
+def test_tangent_modulus_of_a_law_that_hardens_is_told(tmp_path):
+    given = constant("tangentModulus", "2e9", "peratomtype")
+    log = run(tmp_path, law="ghaednia_2019", more=given)
+    assert "Pa, tangent modulus 2e+09 Pa, unloading brake_2015" in log
+    log = run(tmp_path, law="ghaednia_2019")
+    assert "Pa, tangent modulus 0 Pa (default), unloading" in log
+    assert "tangent modulus" not in run(tmp_path, law="jackson_green", more=given)
+
+
 @pytest.mark.parametrize(
     ("changes", "said"),
     [
@@ -100,6 +109,18 @@ def test_good_input_runs(tmp_path, engine_law):
         (
             {"more": constant("yieldPressureFactor", "100", "peratomtype")},
             "yieldPressureFactor is 100; it must be between 0.5 and 10",
+        ),
+        (
+            {"more": constant("tangentModulus", "7e10", "peratomtype")},
+            r"tangentModulus is 7e\+10; it must be 0 or more and less than youngsModulus",
+        ),
+        (
+            {"more": constant("rateCoefficient", "-0.1", "peratomtype")},
+            r"rateCoefficient is -0.1; it must be between 0 and 1 \[-\]",
+        ),
+        (
+            {"more": constant("referenceRate", "0", "peratomtype")},
+            r"referenceRate is 0; it must be positive and finite \[1/s\]",
         ),
         ({"settings": "viscous_damping on"}, "coefficientRestitution"),
         ({"settings": "computeDissipatedEnergy on"}, "computeDissipatedEnergy is not available"),
