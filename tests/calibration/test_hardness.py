@@ -92,15 +92,16 @@ def test_reading_is_a_thousand_times_the_law_s_restitution():
 
 
 def test_gravity_under_the_sensor_lowers_readings():
-    """A fall of 1 mm adds 2 g h to the square of the impact speed and takes it from the rebound's."""
+    """A fall of 1 mm adds 2 g h to the impact speed's square and takes it from the rebound's."""
     tester = attrs.evolve(TESTERS["D"], sensor_height=1e-3)
     share = 2 * 9.81 * 1e-3 / tester.speed**2
-    for strength in (9e7, 9e8, 9e9):
+    for strength in (5e8, 1e9, 2e9):
         steel = laws.Body(206e9, 0.3, strength)
         free, held = TESTERS["D"].reading("thornton", steel), tester.reading("thornton", steel)
         expected = 1e3 * ((free / 1e3) ** 2 * (1 + share) - share) ** 0.5
-        # The contact's own restitution falls by 0.06 % for a speed that is 0.23 % higher.
-        assert held == pytest.approx(expected, rel=1e-3)
+        # The contact's own restitution falls by 0.06 % for a speed that is 0.23 % higher; the
+        # reading's square by as much more as gravity takes from it.
+        assert held == pytest.approx(expected, rel=1.5e-3)
         back = tester.restitution(held)
         impact = tester.impact("thornton", steel)
         assert back == pytest.approx(impact.coefficient_of_restitution, rel=1e-9)
