@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""How far every law is off finite elements, papers and experiments; nothing here is fitted."""
+"""What the contact laws are held against, and how far off they are."""

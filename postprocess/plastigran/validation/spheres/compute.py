@@ -1,0 +1,73 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Compute the table of spheres, a process a core:
+
+    python -m plastigran.validation.spheres.compute [metal ...]
+
+Without names all metals that are not in the cache are computed, some minutes each, and the table
+is written.
+"""
+
+from __future__ import annotations
+
+import sys
+import warnings
+
+import numpy as np
+import pandas as pd
+
+from plastigran.fem.cache import cached
+from plastigran.fem.limits import SmallStrainWarning
+from plastigran.fem.settings import Settings
+from plastigran.fem.sphere.results import Pressing
+from plastigran.validation.spheres.metals import METALS, RADIUS, SphereMetal
+from plastigran.validation.spheres.release import press_and_release
+
+#: Smaller increments of force than usual, for backward Euler is of first order.
+SETTINGS = Settings(growth=1.04, unloading_steps=10)
+
+
+def compute(metal: SphereMetal, settings: Settings = SETTINGS) -> pd.DataFrame:
+    """Rows of the table of one metal, from the cache where they are there."""
+    found = cached(
+        press_and_release,
+        metal.material,
+        RADIUS,
+        tuple(float(force) for force in metal.forces),
+        settings=settings,
+    )
+    if found.stopped:
+        print(f"{metal.name}: {found.stopped}", file=sys.stderr)
+    return rows(metal, found)
+
+
+def rows(metal: SphereMetal, pressing: Pressing) -> pd.DataFrame:
+    """A row for each release, in yield units; the columns are those of the package."""
+    sphere = metal.sphere
+    force, overlap = sphere.yield_force, sphere.approach(sphere.yield_force)
+    radius = sphere.contact_radius(force)
+    found = pressing.unloadings
+    return pd.DataFrame(
+        {
+            "metal": metal.name,
+            "set": "held" if metal.held else "fit",
+            "yield_strength_ratio": metal.yield_strength_ratio,
+            "poissons_ratio": metal.poissons_ratio,
+            "hardening_ratio": metal.hardening_ratio,
+            "strain": metal.strain,
+            "force_ratio": found["force"] / force,
+            "speed_ratio": np.sqrt(found["work_loading"] / (0.4 * force * overlap)),
+            "coefficient_of_restitution": found["coefficient_of_restitution"],
+            "overlap_ratio": found["approach"] / overlap,
+            "overlap_res_ratio": found["residual_approach"] / overlap,
+            "contact_radius_ratio": found["contact_radius"] / radius,
+            "work_loading_ratio": found["work_loading"] / (force * overlap),
+            "work_unloading_ratio": found["work_unloading"] / (force * overlap),
+            "contact_radius_over_radius": found["contact_radius"] / pressing.radius,
+        }
+    )
+
+
+if __name__ == "__main__":
+    warnings.simplefilter("ignore", SmallStrainWarning)
+    for metal in METALS:
+        print(compute(metal).round(4).to_string(), flush=True)
