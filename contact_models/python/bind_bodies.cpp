@@ -9,16 +9,22 @@ namespace plastigran {
 
 namespace {
 
-constexpr std::array<Field<Body>, 4> body_fields{{
+constexpr std::array<Field<Body>, 7> body_fields{{
     {"youngs_modulus", &Body::youngs_modulus, "Young's modulus E [Pa]."},
     {"poissons_ratio", &Body::poissons_ratio, "Poisson's ratio nu [-]."},
     {"yield_strength", &Body::yield_strength,
      "Uniaxial yield strength sigma_Y [Pa]; inf: it never yields."},
     {"yield_pressure_factor", &Body::yield_pressure_factor,
      "Contact yield pressure over yield strength [-]; 0: the Hertz-von Mises value."},
+    {"tangent_modulus", &Body::tangent_modulus,
+     "E_t: slope of stress over total strain beyond yield [Pa]; 0: perfectly plastic."},
+    {"rate_coefficient", &Body::rate_coefficient,
+     "C: share of sigma_Y that a factor e in rate of strain adds [-]."},
+    {"reference_rate", &Body::reference_rate,
+     "Rate of strain at which the yield strength is sigma_Y [1/s]."},
 }};
 
-constexpr std::array<Field<MaterialPair>, 5> pair_fields{{
+constexpr std::array<Field<MaterialPair>, 9> pair_fields{{
     {"youngs_modulus_eff", &MaterialPair::youngs_modulus_eff,
      "E* [Pa]: 1/E* = (1-nu1^2)/E1 + (1-nu2^2)/E2."},
     {"shear_modulus_eff", &MaterialPair::shear_modulus_eff,
@@ -27,6 +33,12 @@ constexpr std::array<Field<MaterialPair>, 5> pair_fields{{
      "Contact pressure p_y at which the weaker body yields [Pa]."},
     {"yield_strength", &MaterialPair::yield_strength, "sigma_Y of the weaker body [Pa]."},
     {"poissons_ratio", &MaterialPair::poissons_ratio, "nu of the weaker body [-]."},
+    {"youngs_modulus", &MaterialPair::youngs_modulus, "E of the weaker body [Pa]."},
+    {"tangent_modulus", &MaterialPair::tangent_modulus, "E_t of the weaker body [Pa]."},
+    {"rate_coefficient", &MaterialPair::rate_coefficient,
+     "C of the weaker body's yield strength [-]."},
+    {"reference_rate", &MaterialPair::reference_rate,
+     "Rate of strain at which the weaker body's yield strength holds [1/s]."},
 }};
 
 constexpr Allowed ratio_of_a_body{[](double value) { return value > -1 && value < 0.5; },
@@ -39,15 +51,20 @@ void bind_bodies(nb::module_& module) {
   body.def(
       "__init__",
       [](Body* self, double youngs_modulus, double poissons_ratio, double yield_strength,
-         double yield_pressure_factor) {
-        const Body made{youngs_modulus, poissons_ratio, yield_strength, yield_pressure_factor};
+         double yield_pressure_factor, double tangent_modulus, double rate_coefficient,
+         double reference_rate) {
+        const Body made{youngs_modulus,  poissons_ratio,   yield_strength, yield_pressure_factor,
+                        tangent_modulus, rate_coefficient, reference_rate};
         raise_if(validate(made));
         new (self) Body(made);
       },
       "youngs_modulus"_a, "poissons_ratio"_a, "yield_strength"_a = unlimited,
-      "yield_pressure_factor"_a = 0.0,
+      "yield_pressure_factor"_a = 0.0, "tangent_modulus"_a = 0.0, "rate_coefficient"_a = 0.0,
+      "reference_rate"_a = 1.0,
       nb::sig("def __init__(self, youngs_modulus: float, poissons_ratio: float, "
-              "yield_strength: float = float('inf'), yield_pressure_factor: float = 0.0) -> None"),
+              "yield_strength: float = float('inf'), yield_pressure_factor: float = 0.0, "
+              "tangent_modulus: float = 0.0, rate_coefficient: float = 0.0, "
+              "reference_rate: float = 1.0) -> None"),
       R"(A body.
 
 Args:
@@ -56,6 +73,11 @@ Args:
     yield_strength: Uniaxial sigma_Y [Pa], positive; inf: it never yields.
     yield_pressure_factor: Contact yield pressure over yield strength [-], 0.5 to 10; 0 stands for
         the Hertz-von Mises value (`hertz_yield_pressure_factor`).
+    tangent_modulus: E_t beyond yield, the slope of stress over total strain [Pa], from 0, which
+        is perfectly plastic, to less than E. Laws with `hardens` use it.
+    rate_coefficient: C of Johnson and Cook [-], 0 to 1: the yield strength is
+        sigma_Y (1 + C ln(rate/reference_rate)). 0: the rate does not matter.
+    reference_rate: Rate of strain at which the yield strength is sigma_Y [1/s], positive.
 
 Raises:
     ValueError: A constant is out of range; the message names it, its value and the range.)");

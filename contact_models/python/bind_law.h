@@ -233,6 +233,7 @@ void bind_law(nb::module_& module, const char* class_name) {
   law.attr("range") = Law::range;
   law.attr("rate_dependent") = rate_dependent<Law>;
   law.attr("yields") = yields<Law>;
+  law.attr("hardens") = hardens<Law>;
   law.attr("shape") = shape<Law>;
   nb::list names;
   for (const char* name : Law::state_names) names.append(name);

@@ -43,6 +43,16 @@ class Material:
         "contact yield pressure over yield strength, 0 for the Hertz-von Mises value",
         lower=0, upper=10, closed=True, default=0.0,
     )  # fmt: skip
+    tangent_modulus: float = number(
+        "slope of stress over total strain beyond yield, 0 for perfectly plastic, less than "
+        "Young's modulus", "Pa", 0, closed=True, default=0.0,
+    )  # fmt: skip
+    rate_coefficient: float = number(
+        "share of the yield strength that a factor e in rate of strain adds", "-", 0, 1, True, 0.0
+    )
+    reference_rate: float = number(
+        "rate of strain at which the yield strength holds", "1/s", 0, default=1.0
+    )
     dissipative_constant: float | None = number(
         "viscous over elastic constants A", "s", 0, closed=True, default=None
     )
@@ -81,6 +91,9 @@ class Material:
             self.poissons_ratio,
             self.yield_strength,
             self.yield_pressure_factor,
+            self.tangent_modulus,
+            self.rate_coefficient,
+            self.reference_rate,
         )
 
 

@@ -16,6 +16,7 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from scenes import mapped_sphere
 from scipy.integrate import simpson
 from scipy.special import lambertw
 
@@ -59,7 +60,10 @@ def on_pairs(law_name: str, law_between) -> list[tuple]:
 
 
 def elastic(law_name: str, pair: laws.MaterialPair, overlap: np.ndarray) -> dict[str, np.ndarray]:
-    """The elastic contact's answer: Hertz's spheres, or a line contact by scipy's Lambert W."""
+    """The elastic contact's answer: Hertz's spheres, those of `mdr`, or a line contact by scipy's
+    Lambert W."""
+    if law_name == "mdr":
+        return mapped_sphere(pair, RADIUS, overlap)
     if laws.LAWS[law_name].shape == "sphere":
         return laws.Hertz(pair).follow(RADIUS, overlap, laws.Hertz.State())
     reach = LENGTH**2 * np.exp(-pair.poissons_ratio / (1 - pair.poissons_ratio)) / RADIUS
@@ -312,9 +316,17 @@ def test_pair_is_the_same_in_either_order():
         assert getattr(one, name) == getattr(other, name), name
     assert one.yield_pressure == 1e8 * laws.hertz_yield_pressure_factor(0.33)
     assert one.poissons_ratio == 0.33
+    assert one.youngs_modulus == 7e10
+    # What the weaker body brings beside its strength.
+    rated = laws.Body(7e10, 0.33, 1e8, tangent_modulus=1e9, rate_coefficient=0.02, reference_rate=3)
+    pair = laws.combine(hard, rated)
+    assert pair == laws.combine(rated, hard)
+    assert (pair.tangent_modulus, pair.rate_coefficient, pair.reference_rate) == (1e9, 0.02, 3)
     # The same yield pressure made two ways: still one answer.
     tied = laws.Body(7e10, 0.2, 8e7, 2.0), laws.Body(7e10, 0.3, 1e8, 1.6)
-    assert laws.combine(*tied).yield_strength == laws.combine(*tied[::-1]).yield_strength
+    assert laws.combine(*tied) == laws.combine(*tied[::-1])
+    for other in (laws.Body(2e11, 0.33, 1e8), rated):  # of the same yield pressure as `soft`
+        assert laws.combine(soft, other) == laws.combine(other, soft)
 
 
 @pytest.mark.parametrize(
@@ -335,6 +347,10 @@ def test_yield_pressure_factor(poissons_ratio, factor):
         ({"poissons_ratio": 0.5}, r"poissons_ratio is 0.5; it must be between -1 and 0.5"),
         ({"poissons_ratio": -1}, r"poissons_ratio is -1"),
         ({"yield_pressure_factor": -2}, r"yield_pressure_factor is -2; it must be between 0.5 and"),
+        ({"tangent_modulus": 7e10}, r"tangent_modulus is 7e\+10; it must be 0 or more and less"),
+        ({"tangent_modulus": -1}, r"tangent_modulus is -1; .* youngs_modulus, 7e\+10 \[Pa\]"),
+        ({"rate_coefficient": 1.1}, r"rate_coefficient is 1.1; it must be between 0 and 1 \[-\]"),
+        ({"reference_rate": 0}, r"reference_rate is 0; it must be positive and finite \[1/s\]"),
     ],
 )
 def test_materials_out_of_range_are_refused(given, said):

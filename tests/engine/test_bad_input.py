@@ -101,6 +101,18 @@ def test_good_input_runs(tmp_path, engine_law):
             {"more": constant("yieldPressureFactor", "100", "peratomtype")},
             "yieldPressureFactor is 100; it must be between 0.5 and 10",
         ),
+        (
+            {"more": constant("tangentModulus", "7e10", "peratomtype")},
+            r"tangentModulus is 7e\+10; it must be 0 or more and less than youngsModulus",
+        ),
+        (
+            {"more": constant("rateCoefficient", "-0.1", "peratomtype")},
+            r"rateCoefficient is -0.1; it must be between 0 and 1 \[-\]",
+        ),
+        (
+            {"more": constant("referenceRate", "0", "peratomtype")},
+            r"referenceRate is 0; it must be positive and finite \[1/s\]",
+        ),
         ({"settings": "viscous_damping on"}, "coefficientRestitution"),
         ({"settings": "computeDissipatedEnergy on"}, "computeDissipatedEnergy is not available"),
         ({"settings": "cohesion sjkr"}, "cohesion off"),

@@ -162,6 +162,10 @@ def test_without_input_scripts(monkeypatch, tmp_path, capsys):
         (("yield_strength ", "strength "), "no value for yield_strength"),
         (("factor  index 0 ", "factor  index 0.3 "), "yield_pressure_factor is 0.3"),
         (
+            ("variable density", "variable tangent_modulus index 3e11\nvariable density"),
+            "tangent_modulus is 3e+11; it must be 0 or more and less than youngs_modulus, 2.1e+11",
+        ),
+        (
             ("pressure_factor", "presure_factor"),
             "yield_presure_factor is no constant of a material",
         ),

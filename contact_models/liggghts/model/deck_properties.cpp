@@ -65,6 +65,9 @@ std::vector<Body> DeckProperties::bodies(bool yields) const {
     body.poissons_ratio = per_type("poissons_ratio", type, "-");
     body.yield_strength = per_type("yield_strength", type, "Pa", yields ? NAN : unlimited);
     body.yield_pressure_factor = per_type("yield_pressure_factor", type, "-", 0);
+    body.tangent_modulus = per_type("tangent_modulus", type, "Pa", 0);
+    body.rate_coefficient = per_type("rate_coefficient", type, "-", 0);
+    body.reference_rate = per_type("reference_rate", type, "1/s", 1);
     check(validate(body), type);
   }
   return bodies;

@@ -81,6 +81,9 @@ class TypePairs {
         if (yields<Law>)
           text << ", yield strength " << pair.bodies.yield_strength << " Pa, yield pressure "
                << pair.bodies.yield_pressure << " Pa";
+        if (hardens<Law>)
+          text << ", tangent modulus " << pair.bodies.tangent_modulus << " Pa"
+               << (deck.given("tangent_modulus") ? "" : " (default)");
         for (const auto& parameter : parameters_of<Law>)
           text << ", " << property_name(parameter.name) << ' ' << pair.constants.*parameter.value
                << (deck.given(parameter.name) ? "" : " (default)");

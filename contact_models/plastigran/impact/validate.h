@@ -25,6 +25,15 @@ inline Complaint validate(const Body& body) {
         (body.yield_pressure_factor >= 0.5 && body.yield_pressure_factor <= 10)))
     return Complaint::about("yield_pressure_factor", body.yield_pressure_factor,
                             "between 0.5 and 10, or 0 for the Hertz-von Mises value");
+  if (!(body.tangent_modulus >= 0 && body.tangent_modulus < body.youngs_modulus)) {
+    std::ostringstream allowed;
+    allowed << "0 or more and less than {youngs_modulus}, " << body.youngs_modulus << " [Pa]";
+    return Complaint::about("tangent_modulus", body.tangent_modulus, allowed.str());
+  }
+  if (!(body.rate_coefficient >= 0 && body.rate_coefficient <= 1))
+    return Complaint::about("rate_coefficient", body.rate_coefficient, "between 0 and 1 [-]");
+  if (!positive(body.reference_rate))
+    return Complaint::about("reference_rate", body.reference_rate, "positive and finite [1/s]");
   return {};
 }
 

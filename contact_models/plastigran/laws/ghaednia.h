@@ -44,7 +44,9 @@ struct GhaedniaCurve : JacksonGreenCurve {
            4 * hardness_ratio(x) / pressure_factor * -std::expm1(-std::pow(x, 5.0 / 9) / 78) *
                growth;
   }
-  double overlap_range() const { return 1000 * yield_radius_ratio * yield_radius_ratio; }
+  double overlap_range() const {
+    return std::min(1000 * yield_radius_ratio * yield_radius_ratio, widest_overlap_range);
+  }
   double recovery(double x) const {
     const double t = 6.5 / (x + 5.5);
     return x * (1 - 0.8 * (1 - t * t));

@@ -54,7 +54,9 @@ struct KogutEtsionCurve {
     return x * (1 - (1 - std::pow(x, -0.28)) * (1 - std::pow(x, -0.69)));
   }
   double exponent(double x) const { return 1.5 * std::pow(x, -0.0331); }
-  double overlap_range() const { return 110 * yield_radius_ratio * yield_radius_ratio; }
+  double overlap_range() const {
+    return std::min(110 * yield_radius_ratio * yield_radius_ratio, widest_overlap_range);
+  }
   double contact_radius(double x) const {
     if (x <= 6) return std::sqrt(0.93 * std::pow(x, 1.136));
     return fully_plastic && x > 110 ? std::sqrt(2 * x) : std::sqrt(0.94 * std::pow(x, 1.146));

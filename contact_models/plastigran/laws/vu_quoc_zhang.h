@@ -106,7 +106,9 @@ class VuQuocZhang {
   // The calibration reaches F = 41 P_Y; 2 % for rounded figures.
   double overlap_range() const {
     const Shape at = shape(std::cbrt(42));
-    return at.radius * at.radius / at.curvature * yield_radius_ratio_ * yield_radius_ratio_;
+    return std::min(
+        at.radius * at.radius / at.curvature * yield_radius_ratio_ * yield_radius_ratio_,
+        widest_overlap_range);
   }
 
   // P_Y [N].

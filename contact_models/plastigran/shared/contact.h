@@ -23,6 +23,7 @@
 //   rate_dependent = true   the force depends on the rate of overlap, too [m/s, closing positive]:
 //                respond(radius_eff, overlap, state, overlap_rate = 0), a total law at rate zero
 //   yields = false          no yield: the yield strength is not asked for
+//   hardens = true          the tangent modulus matters
 //   overlap_range()         the largest overlap over R* it is good for
 //   elastic_stiffness(contact_radius)      of the elastic contact
 //
@@ -55,15 +56,25 @@ struct Body {
   double poissons_ratio = 0;          // nu [-]
   double yield_strength = unlimited;  // sigma_Y, uniaxial [Pa]
   double yield_pressure_factor = 0;   // p_y / sigma_Y [-]; 0 asks for the Hertz-von Mises value
+  double tangent_modulus = 0;         // E_t beyond yield, stress over total strain [Pa]
+  // The yield strength grows with the rate of strain: 1 + rate_coefficient ln(rate/reference_rate)
+  // (Johnson & Cook 1983, 7th Int. Symp. Ballistics: 541).
+  double rate_coefficient = 0;  // C [-]; 0: the rate does not matter
+  double reference_rate = 1;    // of the test that gave sigma_Y [1/s]
 };
 
-// What two bodies bring to any contact between them; the same in either order.
+// What two bodies bring to any contact between them; the same in either order. The weaker body is
+// the one that yields.
 struct MaterialPair {
   double youngs_modulus_eff = 0;  // E*: 1/E* = (1-nu1^2)/E1 + (1-nu2^2)/E2 [Pa]
   double shear_modulus_eff = 0;   // G*: 1/G* = (2-nu1)/G1 + (2-nu2)/G2 [Pa]
   double yield_pressure = 0;      // p_y, contact pressure at which the weaker body yields [Pa]
   double yield_strength = 0;      // sigma_Y of the weaker body [Pa]
   double poissons_ratio = 0;      // nu of the weaker body [-]
+  double youngs_modulus = 0;      // E of the weaker body [Pa]
+  double tangent_modulus = 0;     // E_t of the weaker body [Pa]
+  double rate_coefficient = 0;    // C of the weaker body [-]
+  double reference_rate = 1;      // of the weaker body [1/s]
 };
 
 // A law's answer. Energies are totals since the contact was virgin. An energy ledger closes with
@@ -112,7 +123,7 @@ struct NoConstants {
 };
 
 // What a law says of itself, and what holds where it says nothing: its constants, its choices, the
-// shape of its bodies, whether the rate of overlap matters, whether the bodies yield.
+// shape of its bodies, whether the rate of overlap matters, whether the bodies yield and harden.
 template <class Law, class = void>
 constexpr std::array<Parameter<typename Law::Parameters>, 0> parameters_of{};
 template <class Law>
@@ -139,6 +150,11 @@ constexpr bool yields = true;
 template <class Law>
 constexpr bool yields<Law, std::void_t<decltype(Law::yields)>> = Law::yields;
 
+template <class Law, class = void>
+constexpr bool hardens = false;
+template <class Law>
+constexpr bool hardens<Law, std::void_t<decltype(Law::hardens)>> = Law::hardens;
+
 // Ask any law; one that does not depend on the rate never sees it.
 template <class Law>
 Response respond(const Law& law, double radius_eff, double overlap, typename Law::State& state,
@@ -150,7 +166,7 @@ Response respond(const Law& law, double radius_eff, double overlap, typename Law
 }
 
 // Largest overlap over R* a law is good for. No contact law is good for overlaps of the order of
-// the radius; a law may narrow that.
+// the radius: 0.1, unless the law says otherwise.
 constexpr double widest_overlap_range = 0.1;
 
 template <class Law, class = void>
@@ -161,7 +177,7 @@ constexpr bool says_range<Law, std::void_t<decltype(&Law::overlap_range)>> = tru
 template <class Law>
 double overlap_range(const Law& law) {
   if constexpr (says_range<Law>)
-    return std::min(law.overlap_range(), widest_overlap_range);
+    return law.overlap_range();
   else
     return widest_overlap_range;
 }
@@ -183,24 +199,33 @@ inline double yield_pressure(const Body& body) {
   return factor * body.yield_strength;
 }
 
+// (1-nu^2)/E [1/Pa], of a Body or of a MaterialPair's weaker body.
+template <class Constants>
+double plane_strain_compliance(const Constants& body) {
+  return (1 - body.poissons_ratio * body.poissons_ratio) / body.youngs_modulus;
+}
+
 inline MaterialPair combine(const Body& a, const Body& b) {
-  const auto plane_compliance = [](const Body& body) {
-    return (1 - body.poissons_ratio * body.poissons_ratio) / body.youngs_modulus;
-  };
   const auto shear_compliance = [](const Body& body) {
     return 2 * (2 - body.poissons_ratio) * (1 + body.poissons_ratio) / body.youngs_modulus;
   };
   // The one that yields at the lower pressure; ties are broken so that the order never matters.
   const auto rank = [](const Body& body) {
-    return std::make_tuple(yield_pressure(body), body.yield_strength, body.poissons_ratio);
+    return std::make_tuple(yield_pressure(body), body.yield_strength, body.poissons_ratio,
+                           body.youngs_modulus, body.tangent_modulus, body.rate_coefficient,
+                           body.reference_rate);
   };
   const Body& weaker = rank(a) <= rank(b) ? a : b;
   MaterialPair pair;
-  pair.youngs_modulus_eff = 1 / (plane_compliance(a) + plane_compliance(b));
+  pair.youngs_modulus_eff = 1 / (plane_strain_compliance(a) + plane_strain_compliance(b));
   pair.shear_modulus_eff = 1 / (shear_compliance(a) + shear_compliance(b));
   pair.yield_pressure = yield_pressure(weaker);
   pair.yield_strength = weaker.yield_strength;
   pair.poissons_ratio = weaker.poissons_ratio;
+  pair.youngs_modulus = weaker.youngs_modulus;
+  pair.tangent_modulus = weaker.tangent_modulus;
+  pair.rate_coefficient = weaker.rate_coefficient;
+  pair.reference_rate = weaker.reference_rate;
   return pair;
 }
 

@@ -83,6 +83,9 @@ class BulkDeck:
     density: float = number("of a grain", "kg/m^3", 0)
     yield_strength: float = number("of the grains", "Pa", 0)
     yield_pressure_factor: float = number("contact yield pressure over yield strength; 0: Hertz's")
+    tangent_modulus: float = number("of stress over strain beyond yield", "Pa", 0, closed=True)
+    rate_coefficient: float = number("of the yield strength", "-", 0, 1, closed=True)
+    reference_rate: float = number("of strain, at which the yield strength holds", "1/s", 0)
     dissipative_constant: float = number("viscous over elastic constants", "s", 0, closed=True)
     radius: float = number("of a grain, in the mean", "m", 0)
     timestep: float = number("of the engine", "s", 0)
@@ -168,6 +171,9 @@ class BulkDeck:
             density=self.density,
             yield_strength=self.yield_strength,
             yield_pressure_factor=self.yield_pressure_factor,
+            tangent_modulus=self.tangent_modulus,
+            rate_coefficient=self.rate_coefficient,
+            reference_rate=self.reference_rate,
             dissipative_constant=self.dissipative_constant or None,
         )
         known = {option["name"] for option in laws.LAWS[self.law].options()}

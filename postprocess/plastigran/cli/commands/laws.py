@@ -27,6 +27,7 @@ def flags(name: str) -> str:
     said = {
         "the engine's own": name == "hertz",
         "no yield": not law.yields,
+        "hardens": law.hardens,
         "rate dependent": law.rate_dependent,
         "energy guard": "energy_guard" in options,
     }
@@ -51,7 +52,8 @@ def run(arguments: argparse.Namespace) -> None:
     print(table.to_string(index=False, justify="left"))
     print(
         "\nAll take youngsModulus [Pa], poissonsRatio [-] and, where there is yield, yieldStrength "
-        "[Pa] and\nyieldPressureFactor [-] (0: Hertz-von Mises) of each body; further:"
+        "[Pa] and\nyieldPressureFactor [-] (0: Hertz-von Mises) of each body; those that harden "
+        "tangentModulus [Pa]; further:"
     )
     for name in names:
         law = laws.LAWS[name]
