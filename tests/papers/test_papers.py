@@ -11,21 +11,10 @@ import pytest
 
 from plastigran.engine.process import PROJECT
 from plastigran.papers import find_paper, paper_names
-from plastigran.report.pages import PLACE, read_pages
+from plastigran.report.pages import read_pages, read_tables
 
 PAGES = PROJECT / "docs" / "papers"
 NAMES = paper_names()
-
-
-def read_tables(name: str) -> dict[str, pd.DataFrame]:
-    """The tables of a page, as text."""
-    found = {}
-    for _, table, text, _ in PLACE.findall((PAGES / f"{name}.md").read_text()):
-        head, _, *lines = (
-            [cell.strip() for cell in line.split("|")[1:-1]] for line in text.splitlines()
-        )
-        found[table] = pd.DataFrame(lines, columns=head)
-    return found
 
 
 def test_papers_are_found():
@@ -48,7 +37,7 @@ def test_a_page_holds_the_papers_tables_and_pictures(name):
 @pytest.mark.parametrize("name", NAMES)
 def test_tables_of_a_page_hold(name):
     """Each has lines, and its differences are those of the columns beside them."""
-    for table in read_tables(name).values():
+    for table in read_tables((PAGES / f"{name}.md").read_text()).values():
         assert len(table)
         for column in table.columns:
             named = re.fullmatch(r"(.*) off (.*) \(%\)", column)

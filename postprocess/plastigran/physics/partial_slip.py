@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Oblique elastic impacts with partial slip: what Maw, Barber & Fawcett (1976, Wear 38:101) computed.
+"""Oblique elastic impacts with partial slip, as of Maw, Barber & Fawcett (1976, Wear 38:101).
 
 The contact sticks in its middle and slips at its edge, and each ring keeps the share of friction it
 was given. Cattaneo's and Mindlin's tangential contact is a superposition of normal contacts: a ring
@@ -40,8 +40,10 @@ class Rings:
         return sum(share * (end**1.5 - begin**1.5) for begin, end, share in self.rings)
 
     def move(self, overlap: float, shift: float) -> None:
-        """Take the bodies to another overlap, and along the surface by `shift` more than the contact
-        has slid; shift and overlap in one unit."""
+        """Take the bodies to another overlap, and along the surface by `shift` from where they are.
+
+        Shift and overlap are in one unit; what the rings cannot stretch by, slides.
+        """
         wanted = shift
         if overlap > self.overlap:
             grown = self.compliance * (overlap - self.overlap)

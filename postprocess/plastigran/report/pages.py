@@ -46,6 +46,17 @@ def read_pages(report: Report, folder: Path) -> dict[Path, str]:
     return pages
 
 
+def read_tables(text: str) -> dict[str, pd.DataFrame]:
+    """The tables of a page, by name, their cells as text."""
+    found = {}
+    for _, name, table, _ in PLACE.findall(text):
+        head, _, *lines = (
+            [cell.strip() for cell in line.split("|")[1:-1]] for line in table.splitlines()
+        )
+        found[name] = pd.DataFrame(lines, columns=head)
+    return found
+
+
 def fill(text: str, tables: Mapping[str, pd.DataFrame]) -> str:
     """A page's text with the tables in their places."""
     return PLACE.sub(lambda place: place[1] + to_markdown(tables[place[2]]) + place[4], text)

@@ -10,8 +10,10 @@ import pandas as pd
 
 from plastigran import laws
 from plastigran.materials import RIGID, laws_for
+from plastigran.physics.central import yield_speed
 from plastigran.validation.spheres import table
 from plastigran.validation.spheres.metals import PLANE_MODULUS, RADIUS, SphereMetal
+from plastigran.validation.tables import root_mean_square
 
 #: Bounds of the regimes of speed, v/v_Y.
 REGIMES = (1, 3, 10, 100, 300, 1000)
@@ -19,6 +21,7 @@ REGIMES = (1, 3, 10, 100, 300, 1000)
 WIDE = 0.05
 #: Kinds of rows, the order of the tables.
 KINDS = ("perfectly plastic", "hardening", "wide")
+MASS = 1.0  # of a sphere [kg]; ratios do not depend on it
 #: What is compared, by column of the table of errors.
 QUANTITIES = ("coefficient_of_restitution", "force_max")
 
@@ -36,8 +39,8 @@ def compare(names: Iterable[str] | None = None, rows: pd.DataFrame | None = None
         rows: Of the table of spheres, or None for all of it.
 
     Returns:
-        A row for each law and row of the table: law, metal, set, kind, speed_ratio, and `QUANTITIES`,
-        each the law's over that of the finite elements less 1 [-].
+        A row for each law and row of the table: law, metal, set, kind, speed_ratio, and
+        `QUANTITIES`, each the law's over that of the finite elements less 1 [-].
     """
     rows = table() if rows is None else rows
     rows = rows[rows["speed_ratio"] > 1].assign(kind=kind)
@@ -46,11 +49,10 @@ def compare(names: Iterable[str] | None = None, rows: pd.DataFrame | None = None
         properties = metal.iloc[0]
         sphere = _metal(properties).sphere
         force = sphere.yield_force
-        # A mass of 1 kg: the speed at yield has the work 2/5 P_Y alpha_Y.
-        speed = np.sqrt(0.8 * force * sphere.approach(force)) * metal["speed_ratio"].to_numpy()
         pair = laws.combine(_body(properties), RIGID)
+        speed = yield_speed(pair, RADIUS, MASS) * metal["speed_ratio"].to_numpy()
         for name in yielding_laws() if names is None else names:
-            impact = laws.LAWS[name](pair).central_impact(RADIUS, 1.0, speed)
+            impact = laws.LAWS[name](pair).central_impact(RADIUS, MASS, speed)
             line = metal[["metal", "set", "kind", "speed_ratio"]].assign(law=name)
             reference = metal["coefficient_of_restitution"].to_numpy()
             line["coefficient_of_restitution"] = impact.coefficient_of_restitution / reference - 1
@@ -78,9 +80,10 @@ def errors(compared: pd.DataFrame) -> pd.DataFrame:
         [-], cases: how many. A regime without cases has no row.
     """
     regime = pd.cut(compared["speed_ratio"], REGIMES, labels=False)
-    compared = compared.assign(regime=regime).dropna(subset="regime")
+    kinds = pd.Categorical(compared["kind"], KINDS, ordered=True)
+    compared = compared.assign(regime=regime, kind=kinds).dropna(subset="regime")
     found = []
-    for (law, sort, step), part in compared.groupby(["law", "kind", "regime"]):
+    for (law, sort, step), part in compared.groupby(["law", "kind", "regime"], observed=True):
         for quantity in QUANTITIES:
             error = part[quantity].to_numpy()
             found.append(
@@ -90,21 +93,16 @@ def errors(compared: pd.DataFrame) -> pd.DataFrame:
                     "speed_ratio_from": REGIMES[int(step)],
                     "speed_ratio_to": REGIMES[int(step) + 1],
                     "quantity": quantity,
-                    "rms": float(np.sqrt(np.mean(error**2))),
+                    "rms": root_mean_square(error),
                     "max": float(np.abs(error).max()),
                     "cases": len(error),
                 }
             )
-    result = pd.DataFrame(found)
-    order = result["kind"].map(KINDS.index)
-    columns = ["law", "order", "speed_ratio_from", "quantity"]
-    return result.assign(order=order).sort_values(columns).drop(columns="order", ignore_index=True)
+    return pd.DataFrame(found)
 
 
 def _metal(row: pd.Series) -> SphereMetal:
-    return SphereMetal(
-        row["yield_strength_ratio"], row["poissons_ratio"], row["hardening_ratio"]
-    )
+    return SphereMetal(row["yield_strength_ratio"], row["poissons_ratio"], row["hardening_ratio"])
 
 
 def _body(row: pd.Series) -> laws.Body:

@@ -15,6 +15,7 @@ from plastigran.physics.rebound_hardness import TESTERS, TUNGSTEN_CARBIDE
 from plastigran.validation.laws_on_spheres import WIDE
 from plastigran.validation.spheres import table
 from plastigran.validation.steel import contact_radius, rebound
+from plastigran.validation.tables import root_mean_square
 
 #: Johnson & Cook's C for 4340 steel, and its rate [1/s]: 7th Int. Symp. Ballistics, The Hague 1983,
 #: p. 541.
@@ -144,8 +145,8 @@ def with_rate(rebounds: pd.DataFrame) -> pd.DataFrame:
                 "law": law,
                 "mean (%)": error.mean(),
                 "mean with rate (%)": rated.mean(),
-                "rms": np.sqrt(np.mean(error**2)),
-                "rms with rate": np.sqrt(np.mean(rated**2)),
+                "rms": root_mean_square(error),
+                "rms with rate": root_mean_square(rated),
             }
         )
     return pd.DataFrame(rows).sort_values("rms with rate", ignore_index=True).round(2)

@@ -7,15 +7,17 @@ nothing else is put in.
 
 from __future__ import annotations
 
-from math import pi, sqrt
+from math import pi
 
 import numpy as np
 import pandas as pd
 
 from plastigran import laws
 from plastigran.calibration.hardness import flow_stress, leeb_table
+from plastigran.physics.central import yield_speed
 from plastigran.physics.rebound_hardness import TESTERS, ReboundTester
 from plastigran.validation.laws_on_spheres import yielding_laws
+from plastigran.validation.tables import nearest_first, root_mean_square
 
 #: Steel that does not yield; its strength is its hardness'.
 YOUNGS_MODULUS, POISSONS_RATIO = 206e9, 0.3
@@ -41,16 +43,6 @@ def speed_ratio(tester: ReboundTester, strength: float) -> float:
     """v/v_Y of a tester on steel of a strength [Pa], by Hertz and von Mises."""
     pair = tester.pair(steel(strength))
     return tester.speed / yield_speed(pair, tester.ball_radius, tester.mass)
-
-
-def yield_speed(pair: laws.MaterialPair, radius_eff: float, mass_eff: float) -> float:
-    """Closing speed at which a contact first yields [m/s]: 1/2 m* v_Y^2 = 2/5 P_Y alpha_Y, with the
-    yield pressure p: a_Y = pi p R*/(2 E*), alpha_Y = a_Y^2/R*, P_Y = 2/3 pi a_Y^2 p.
-    """
-    pressure, modulus = pair.yield_pressure, pair.youngs_modulus_eff
-    radius = pi * pressure * radius_eff / (2 * modulus)
-    work = 0.4 * (2 / 3 * pi * radius**2 * pressure) * radius**2 / radius_eff
-    return sqrt(2 * work / mass_eff)
 
 
 def rebound(law: str, tester: ReboundTester = TESTERS["D"], **steel_constants: float) -> np.ndarray:
@@ -96,8 +88,8 @@ def summary(rebounds: pd.DataFrame) -> pd.DataFrame:
         rows.append(
             {
                 "law": law,
-                "rms, all 59": _rms(error),
-                f"rms, {TRUSTED[0]}–{TRUSTED[1]} HLD": _rms(trusted),
+                "rms, all 59": root_mean_square(error),
+                f"rms, {TRUSTED[0]}–{TRUSTED[1]} HLD": root_mean_square(trusted),
                 "mean (%)": error.mean(),
                 "rms about the mean": error.std(ddof=0),
                 "at 80 HV (%)": error.iloc[0],
@@ -107,12 +99,9 @@ def summary(rebounds: pd.DataFrame) -> pd.DataFrame:
     return pd.DataFrame(rows).sort_values("rms, all 59", ignore_index=True).round(2)
 
 
-def _rms(values: pd.Series) -> float:
-    return float(np.sqrt(np.mean(values**2)))
-
-
 def single_impacts() -> pd.DataFrame:
-    """Every law for the other devices and for alumina: measured restitution, and errors [%]."""
+    """Every law for the other devices and for alumina: errors of restitution [%], with the measured
+    one in the head of the column. The law with the least sum comes first."""
     cases = [
         (f"Leeb {name}, {hardness:g} HV", reading / 1000, TESTERS[name], hardness)
         for name, reading, hardness in SINGLE_READINGS
@@ -124,22 +113,26 @@ def single_impacts() -> pd.DataFrame:
         for hardness, measured in ALUMINA_RESTITUTION.items()
     ]
     rows = []
-    for name, measured, tester, hardness in cases:
-        strength = float(flow_stress(hardness))
-        row = {"impact": name, "v/v_Y": speed_ratio(tester, strength), "measured": measured}
-        for law in yielding_laws():
-            row[f"{law} (%)"] = 100 * (_restitution(law, tester, strength, {}) / measured - 1)
+    for law in yielding_laws():
+        row: dict[str, object] = {"law": law}
+        for name, measured, tester, hardness in cases:
+            found = _restitution(law, tester, float(flow_stress(hardness)), {})
+            row[f"{name}: {measured:g} (%)"] = 100 * (found / measured - 1)
         rows.append(row)
-    return pd.DataFrame(rows)
+    return nearest_first(rows)
 
 
 def craters() -> pd.DataFrame:
     """Every law's largest contact under device D: diameter [mm] beside that of the crater."""
+    heads = {
+        hardness: f"{hardness:g} HV: about {1e3 * measured:.2f} mm"
+        for hardness, measured in CRATERS.items()
+    }
     rows = []
-    for hardness, measured in CRATERS.items():
-        row = {"HV": hardness, "measured, about": 1e3 * measured}
-        for law in yielding_laws():
-            row[law] = 1e3 * 2 * contact_radius(law, float(flow_stress(hardness)))
+    for law in yielding_laws():
+        row: dict[str, object] = {"law": law}
+        for hardness, head in heads.items():
+            row[head] = round(1e3 * 2 * contact_radius(law, float(flow_stress(hardness))), 3)
         rows.append(row)
     return pd.DataFrame(rows)
 
