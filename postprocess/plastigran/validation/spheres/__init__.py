@@ -32,7 +32,10 @@ from importlib.resources import files
 import pandas as pd
 
 
+TABLE = files("plastigran") / "data" / "finite_elements_spheres.csv"
+
+
 def table() -> pd.DataFrame:
     """The table as it is kept with the package."""
-    with (files("plastigran") / "data" / "finite_elements_spheres.csv").open() as file:
+    with TABLE.open() as file:
         return pd.read_csv(file, comment="#")
