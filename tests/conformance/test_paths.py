@@ -16,6 +16,7 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from scenes import mapped_sphere
 from scipy.integrate import simpson
 from scipy.special import lambertw
 
@@ -59,7 +60,10 @@ def on_pairs(law_name: str, law_between) -> list[tuple]:
 
 
 def elastic(law_name: str, pair: laws.MaterialPair, overlap: np.ndarray) -> dict[str, np.ndarray]:
-    """The elastic contact's answer: Hertz's spheres, or a line contact by scipy's Lambert W."""
+    """The elastic contact's answer: Hertz's spheres, those of `mdr`, or a line contact by scipy's
+    Lambert W."""
+    if law_name == "mdr":
+        return mapped_sphere(pair, RADIUS, overlap)
     if laws.LAWS[law_name].shape == "sphere":
         return laws.Hertz(pair).follow(RADIUS, overlap, laws.Hertz.State())
     reach = LENGTH**2 * np.exp(-pair.poissons_ratio / (1 - pair.poissons_ratio)) / RADIUS
