@@ -10,6 +10,7 @@ import numpy as np
 import pandas as pd
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+from matplotlib.ticker import LogLocator
 
 from plastigran.calibration.metal import CalibratedMetal
 from plastigran.contact import Contact
@@ -117,5 +118,7 @@ def _path(contact: Contact, pressing: Pressing) -> pd.DataFrame:
 def _restitution_axes(axes: Axes) -> None:
     axes.set(xscale="log", xlabel="impact speed (m/s)", ylabel="coefficient of restitution")
     axes.set_ylim(0, 1.05)
+    axes.xaxis.set_major_locator(LogLocator(subs=(1, 2, 5)))
     axes.xaxis.set_major_formatter("{x:g}")
+    axes.xaxis.set_minor_formatter("")
     axes.legend(fontsize="small", loc="lower left")
