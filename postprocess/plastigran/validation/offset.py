@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from math import log
 
 import attrs
 import numpy as np
@@ -14,7 +15,7 @@ from plastigran.calibration.hardness import CONSTRAINT_FACTOR, flow_stress, leeb
 from plastigran.physics.rebound_hardness import TESTERS, TUNGSTEN_CARBIDE
 from plastigran.validation.laws_on_spheres import WIDE
 from plastigran.validation.spheres import table
-from plastigran.validation.steel import contact_radius, rebound
+from plastigran.validation.steel import contact_radius, rebound, steel
 from plastigran.validation.tables import root_mean_square
 
 #: Johnson & Cook's C for 4340 steel, and its rate [1/s]: 7th Int. Symp. Ballistics, The Hague 1983,
@@ -58,7 +59,7 @@ def _changes(law: str, usual: np.ndarray) -> Iterator[tuple[str, str, np.ndarray
     device = TESTERS["D"]
     yield (
         "rate of strain",
-        f"none → Johnson and Cook's C = {RATE_COEFFICIENT:g} of 4340 steel",
+        f"none → C = {RATE_COEFFICIENT:g}",
         rebound_with_rate(law),
     )
     for factor in CONSTRAINT_FACTORS:
@@ -100,14 +101,18 @@ def _changes(law: str, usual: np.ndarray) -> Iterator[tuple[str, str, np.ndarray
     reach /= device.ball_radius
     yield (
         "wide contact",
-        f"a/R of {reach[-1]:.2f} to {reach[0]:.2f}, as a flattened sphere, extrapolated",
+        f"0 → {reach[-1]:.2f} to {reach[0]:.2f} a/R",
         usual * (1 + width_slope() * reach),
     )
 
 
 def rebound_with_rate(law: str) -> np.ndarray:
     """Restitution as of `rebound` with the rate of strain's share of the strength."""
-    return rebound(law, rate_coefficient=RATE_COEFFICIENT, reference_rate=REFERENCE_RATE)
+    tester, sample = TESTERS["D"], steel(1e9)
+    pair = tester.pair(sample)
+    share = pair.youngs_modulus_eff / (sample.youngs_modulus / (1 - sample.poissons_ratio**2))
+    rate = tester.speed * share**2 / tester.ball_radius
+    return rebound(law, strength_factor=1 + RATE_COEFFICIENT * log(rate / REFERENCE_RATE))
 
 
 def width_slope() -> float:
