@@ -35,8 +35,7 @@ TABLE = "finite_elements_leeb.csv"
 HARDNESSES = (80, 158, 304, 550, 940)
 #: Largest forces over that of a rigid ball at the pressure H throughout; the impact's lies between.
 SHARES = (0.65, 0.85, 1.1)
-#: As fine as the table of spheres.
-SETTINGS = Settings(growth=1.04, unloading_steps=10)
+SETTINGS = Settings(divisions=4, fineness=0.7, growth=1.08, unloading_steps=10)
 
 
 def table() -> pd.DataFrame:

@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from math import log
 
 import attrs
 import numpy as np
@@ -15,7 +14,7 @@ from plastigran.calibration.hardness import CONSTRAINT_FACTOR, flow_stress, leeb
 from plastigran.physics.rebound_hardness import TESTERS, TUNGSTEN_CARBIDE
 from plastigran.validation.laws_on_spheres import WIDE
 from plastigran.validation.spheres import table
-from plastigran.validation.steel import contact_radius, rebound, steel
+from plastigran.validation.steel import contact_radius, rebound
 from plastigran.validation.tables import root_mean_square
 
 #: Johnson & Cook's C for 4340 steel, and its rate [1/s]: 7th Int. Symp. Ballistics, The Hague 1983,
@@ -108,11 +107,7 @@ def _changes(law: str, usual: np.ndarray) -> Iterator[tuple[str, str, np.ndarray
 
 def rebound_with_rate(law: str) -> np.ndarray:
     """Restitution as of `rebound` with the rate of strain's share of the strength."""
-    tester, sample = TESTERS["D"], steel(1e9)
-    pair = tester.pair(sample)
-    share = pair.youngs_modulus_eff / (sample.youngs_modulus / (1 - sample.poissons_ratio**2))
-    rate = tester.speed * share**2 / tester.ball_radius
-    return rebound(law, strength_factor=1 + RATE_COEFFICIENT * log(rate / REFERENCE_RATE))
+    return rebound(law, rate_coefficient=RATE_COEFFICIENT, reference_rate=REFERENCE_RATE)
 
 
 def width_slope() -> float:
