@@ -225,8 +225,9 @@ def test_force_is_continuous_along_the_virgin_curve(law_name, virgin_jumps, decl
     overlap_y, _ = scales(law_name, PAIRS["aluminium on rigid"])
     found = virgin_jumps(law_name, "aluminium on rigid")
     declared = declared_jumps[law_name]
-    assert len(found) == len(declared), found
-    for (place, _, size), (declared_place, declared_size) in zip(found, declared, strict=True):
+    seen = [jump for jump in declared if abs(jump[1]) > 2e-4]
+    assert len(found) == len(seen), found
+    for (place, _, size), (declared_place, declared_size) in zip(found, seen, strict=True):
         assert place / overlap_y == pytest.approx(declared_place, rel=2e-3)
         assert size == pytest.approx(declared_size, abs=2e-4)
     # Another pair's jumps lie elsewhere, and may lie beyond the reach; there are no more of them.

@@ -36,15 +36,15 @@ def test_force_is_lammps(table):
 
 
 def test_energy_guard_acts_just_beyond_yield(paper_pair):
-    """As published the work lost falls by up to 6 % between 1 and 1.17 overlaps at yield, where the
+    """As published the work lost falls by up to 6 % between 1 and 1.14 overlaps at yield, where the
     guard keeps it; beyond they are the same."""
     guarded, published = (laws.Mdr(paper_pair, energy_guard=word) for word in ("on", "off"))
     overlap = np.linspace(0.95, 1.5, 1101) * 7.0925e-6
     kept = guarded.follow(0.1, overlap)["plastic_work"]
     lost = published.follow(0.1, overlap)["plastic_work"]
-    assert (np.diff(kept) >= 0).all()
+    assert (np.diff(kept) >= -1e-13 * kept.max()).all()
     falls = np.diff(lost) < 0
-    assert overlap[:-1][falls].max() < 1.17 * 7.0925e-6
+    assert overlap[:-1][falls].max() < 1.15 * 7.0925e-6
     assert lost[1:][falls].min() == pytest.approx(0.94 * lost[:-1][falls].max(), rel=0.01)
-    beyond = overlap > 1.18 * 7.0925e-6
+    beyond = overlap > 1.15 * 7.0925e-6
     assert kept[beyond] == pytest.approx(lost[beyond], rel=1e-12)

@@ -21,8 +21,9 @@
 // does with equal ones.
 //
 // Just beyond yield what unloading gives back grows faster than what loading puts in: there the
-// energy guard (default on) keeps the work lost. Beyond an overlap of R the contact no longer
-// grows. Range: a contact that no other one on the same body disturbs.
+// energy guard (default on) keeps the work lost. Beyond an overlap of 0.7 R, where the source's
+// rebound shrinks to nothing, the contact no longer grows. Range: a contact that no other one on
+// the same body disturbs.
 #pragma once
 
 #include <algorithm>
@@ -58,8 +59,8 @@ class Mdr {
     const auto yielded = [this](double depth) {
       return 4 * std::sqrt(depth) > 3 * pi * pressure(depth);
     };
-    if (!yielded(1)) return;
-    double low = 0, high = 1;
+    if (!yielded(largest)) return;
+    double low = 0, high = largest;
     for (int i = 0; i < 100; ++i) {
       const double middle = 0.5 * (low + high);
       (yielded(middle) ? high : low) = middle;
@@ -98,6 +99,8 @@ class Mdr {
   double overlap_range() const { return sphere_.overlap_of_pair(0.1); }
 
  private:
+  static constexpr double largest = 0.7;  // overlap over R up to which the contact grows
+
   // Share h(y) of the force at half the height. Where the closed form cancels, the series of the
   // integral of 4/pi sqrt(2y) sqrt(1 - y/2); beyond y = 1 a flat punch.
   static double share(double y) {
@@ -138,12 +141,12 @@ class Mdr {
 
   // p/E' at an overlap over R.
   double pressure(double depth) const {
-    return strength_ * (1.75 * std::exp(-4.4 * std::min(depth, 1.0)) + 1);
+    return strength_ * (1.75 * std::exp(-4.4 * std::min(depth, largest)) + 1);
   }
 
   // (a_max/R)^2.
   double area(double depth) const {
-    const double held = std::min(depth, 1.0);
+    const double held = std::min(depth, largest);
     return held * (2 - held) - yield_ * (1 - yield_);
   }
 
@@ -153,7 +156,7 @@ class Mdr {
   // (overlap_max - overlap_res)/R after loading beyond yield.
   double recovery(double depth) const {
     const double radius = std::sqrt(area(depth)), half_height = 2 * pressure(depth) * radius;
-    const double z = 1 - std::min(depth, 1.0) + half_height, slant = std::hypot(radius, z);
+    const double z = 1 - std::min(depth, largest) + half_height, slant = std::hypot(radius, z);
     return half_height * (1 - radius / slant * (1 - correction_ * z / (slant + z)));
   }
 
@@ -161,10 +164,10 @@ class Mdr {
   // exponential, which one panel takes to rounding.
   double virgin_work(double depth) const {
     if (depth <= yield_) return 2 * stored(0.5 * depth);
-    const double grown = std::max(yield_, std::min(depth, 1.0));
+    const double grown = std::min(depth, largest);
     return 2 * stored(0.5 * yield_) +
            gauss_legendre([this](double at) { return force(at); }, yield_, grown) +
-           (depth - grown) * force(1);
+           (depth - grown) * force(largest);
   }
 
   double published_plastic_work(double depth) const {
@@ -185,7 +188,7 @@ class Mdr {
     };
     double low = yield_, high = 1.01 * yield_;
     if (made_good(high)) return;
-    while (!made_good(high) && high < 1) low = high, high *= 1.01;
+    while (!made_good(high) && high < largest) low = high, high *= 1.01;
     for (int i = 0; i < 60; ++i) {
       const double middle = 0.5 * (low + high);
       (made_good(middle) ? high : low) = middle;

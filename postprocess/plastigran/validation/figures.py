@@ -11,12 +11,14 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from plastigran.plot.style import COLOURS, MARKERS, styled, subplots, title
+from plastigran.validation import oblique
 from plastigran.validation.laws_on_spheres import KINDS
-from plastigran.validation.oblique import ENGINE, PARTIAL_SLIP, QUANTITIES, SPRING
 
 COLUMNS = 5  # of panels
 #: Half the height of a panel of errors [%]; what is beyond stands at its edge.
 REACH = 40
+#: Incident angles [degrees] of the lines of theory.
+FINE_ANGLES = np.linspace(1, 86, 52)
 
 
 def spheres_figure(compared: pd.DataFrame, quantity: str) -> Figure:
@@ -91,7 +93,7 @@ def budget_figure(parts: pd.DataFrame, law: str, mean: float) -> Figure:
         axes.axvline(-mean, color=COLOURS[1], ls="--", label="would close the mean")
         axes.axvline(0, color="0.4", lw=0.8)
         said = [f"{row['source']}, {row['change']}" for row in parts.to_dict("records")]
-        axes.set_yticks(places, [line if len(line) < 48 else line[:46] + "…" for line in said])
+        axes.set_yticks(places, said)
         axes.tick_params(axis="y", labelsize=7.5)
         axes.set(xlabel=f"change of restitution (%), {title(law)}")
         axes.legend(fontsize=8)
@@ -127,12 +129,18 @@ def oblique_figure(computed: pd.DataFrame) -> Figure:
     """
     with styled():
         figure, panels = subplots(1, 3, figsize=(11, 3.8))
-        for axes, (name, (said, _)) in zip(panels, QUANTITIES.items(), strict=True):
+        for axes, (name, (said, _)) in zip(panels, oblique.QUANTITIES.items(), strict=True):
             part = computed[computed["quantity"] == name].sort_values("incident_angle")
             angle = part["incident_angle"]
-            axes.plot(angle, part[PARTIAL_SLIP], "-", color=COLOURS[0], label=PARTIAL_SLIP)
-            axes.plot(angle, part[SPRING], "--", color=COLOURS[1], label=SPRING)
-            axes.plot(angle, part[ENGINE], "s", color=COLOURS[2], mfc="none", label=ENGINE)
+            impacts = [oblique.impact(float(each)) for each in FINE_ANGLES]
+            for (way, move), dashes, colour in zip(
+                oblique.THEORIES.items(), ("-", "--"), COLOURS, strict=False
+            ):
+                found = [oblique.quantity(name, each, move(each)) for each in impacts]
+                axes.plot(FINE_ANGLES, found, dashes, color=colour, label=way)
+            axes.plot(
+                angle, part[oblique.ENGINE], "s", color=COLOURS[2], mfc="none", label=oblique.ENGINE
+            )
             axes.plot(angle, part["value"], "ko", ms=4, label="measured")
             axes.set(xlabel="incident angle (°)", ylabel=said)
         panels[0].legend(fontsize=8)

@@ -106,6 +106,11 @@ def _metal(row: pd.Series) -> SphereMetal:
 
 
 def _body(row: pd.Series) -> laws.Body:
-    nu = row["poissons_ratio"]
+    nu, hardening = row["poissons_ratio"], row["hardening_ratio"]
     youngs_modulus = PLANE_MODULUS * (1 - nu**2)
-    return laws.Body(youngs_modulus, nu, row["yield_strength_ratio"] * PLANE_MODULUS)
+    return laws.Body(
+        youngs_modulus,
+        nu,
+        row["yield_strength_ratio"] * PLANE_MODULUS,
+        tangent_modulus=youngs_modulus * hardening / (1 + hardening),
+    )

@@ -29,6 +29,10 @@ QUANTITIES = {
 }
 #: The ways they are computed.
 PARTIAL_SLIP, SPRING, ENGINE = "partial slip", "spring and slider", "LIGGGHTS"
+THEORIES: dict[str, Callable[[ObliqueImpact], Motion]] = {
+    PARTIAL_SLIP: partial_slip,
+    SPRING: ObliqueImpact.spring_slider,
+}
 
 
 @cache
@@ -74,21 +78,15 @@ def computed(engine: Iterable[float] | None = None) -> pd.DataFrame:
     with TemporaryDirectory() as folder:
         runs = sweep([case(angle) for angle in asked], folder, progress=False)
     moved = {run.value: outcome.after for run, outcome in runs.outcomes.items()}
-    ways: dict[str, Callable[[float], Motion | None]] = {
-        PARTIAL_SLIP: lambda angle: partial_slip(impact(angle)),
-        SPRING: lambda angle: impact(angle).spring_slider(),
-        ENGINE: moved.get,
-    }
-    for way, move in ways.items():
-        table = table.assign(**{way: [_value(row, move) for row in table.to_dict("records")]})
-    return table
+    rows = list(zip(table["incident_angle"], table["quantity"], strict=True))
+    for way, move in THEORIES.items():
+        found = [_value(*row, move(impact(row[0]))) for row in rows]
+        table = table.assign(**{way: found})
+    return table.assign(**{ENGINE: [_value(*row, moved.get(row[0])) for row in rows]})
 
 
-def _value(row: dict, move: Callable[[float], Motion | None]) -> float:
-    after = move(row["incident_angle"])
-    return (
-        np.nan if after is None else quantity(row["quantity"], impact(row["incident_angle"]), after)
-    )
+def _value(angle: float, name: str, after: Motion | None) -> float:
+    return np.nan if after is None else quantity(name, impact(angle), after)
 
 
 def comparison(table: pd.DataFrame, name: str) -> pd.DataFrame:
@@ -136,7 +134,7 @@ def summary(table: pd.DataFrame) -> pd.DataFrame:
     for name, (said, bound) in QUANTITIES.items():
         part = table[table["quantity"] == name]
         for way in (PARTIAL_SLIP, SPRING, ENGINE):
-            off = (part[way] - part["value"]).abs()
+            off = (part[way] - part["value"]).abs().dropna()
             rows.append(
                 {
                     "quantity": said,

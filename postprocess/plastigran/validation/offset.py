@@ -58,7 +58,7 @@ def _changes(law: str, usual: np.ndarray) -> Iterator[tuple[str, str, np.ndarray
     device = TESTERS["D"]
     yield (
         "rate of strain",
-        f"none → Johnson and Cook's C = {RATE_COEFFICIENT:g} of 4340 steel",
+        f"none → C = {RATE_COEFFICIENT:g}",
         rebound_with_rate(law),
     )
     for factor in CONSTRAINT_FACTORS:
@@ -100,7 +100,7 @@ def _changes(law: str, usual: np.ndarray) -> Iterator[tuple[str, str, np.ndarray
     reach /= device.ball_radius
     yield (
         "wide contact",
-        f"a/R of {reach[-1]:.2f} to {reach[0]:.2f}, as a flattened sphere, extrapolated",
+        f"0 → {reach[-1]:.2f} to {reach[0]:.2f} a/R",
         usual * (1 + width_slope() * reach),
     )
 

@@ -18,8 +18,8 @@ from plastigran.validation import (
     steel,
 )
 
-#: Incident angles that LIGGGHTS runs for a quick look [degrees].
-FEW_ANGLES = (9.50, 20.01, 60.02)
+#: Incident angles that LIGGGHTS runs for a quick look [degrees], one for each quantity.
+FEW_ANGLES = (20.01, 21.25, 20.57)
 #: The errors by law and regime that other rooms read.
 ERRORS = Path(plastigran.__file__).parent / "data" / "errors.csv"
 

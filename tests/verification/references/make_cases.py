@@ -34,7 +34,7 @@ def jumps(impact: CentralImpact) -> str:
     lines = ""
     for (end, before), (_, beyond) in pairwise(impact.pieces):
         size = float(beyond(end) / before(end)) - 1
-        if abs(size) > 1e-5:  # a smaller one no path shows
+        if abs(size) > 1e-9:
             place = end / impact.overlap_at(impact.material.yield_pressure)
             lines += f"# jump {place:.6g} {size:.4g}\n"
     return lines

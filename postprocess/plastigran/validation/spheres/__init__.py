@@ -31,7 +31,6 @@ from importlib.resources import files
 
 import pandas as pd
 
-
 TABLE = files("plastigran") / "data" / "finite_elements_spheres.csv"
 
 
