@@ -16,6 +16,7 @@ from plastigran.calibration import DropTest, calibrate
 from plastigran.calibration.expected_errors import DEFAULT_LAW, errors_table, expected_error
 from plastigran.calibration.hardness import Hardness, leeb_table
 from plastigran.calibration.strength import LEEB_SCATTER, read_leeb
+from plastigran.materials import write_material
 
 STEEL = {"youngs_modulus": 206e9, "poissons_ratio": 0.3, "density": 7850.0}
 ALUMINIUM = {"youngs_modulus": 70e9, "poissons_ratio": 0.3, "density": 2700.0}
@@ -97,19 +98,36 @@ def test_a_body_that_yields_first_makes_the_strength_a_lower_bound():
 
 
 def test_error_is_that_of_the_speeds_that_are_asked_about():
-    slow = calibrate(**STEEL, yield_strength=3e8, speeds=(0.01, 0.001))
+    slow = calibrate(**STEEL, yield_strength=3e8, speeds=(0.01, 0.001), law="kogut_etsion")
     ratio = slow.expected_error.speed_ratio
     assert ratio == pytest.approx((0.001 / slow.yield_speed, 0.01 / slow.yield_speed))
     table = errors_table()
-    law = table[(table["law"] == DEFAULT_LAW) & (table["quantity"] == "coefficient_of_restitution")]
-    rows = law[law["kind"] == "perfectly plastic"]
-    found = expected_error(DEFAULT_LAW, (2.0, 200.0), False, 0.01)
+    rows = table[
+        (table["law"] == "kogut_etsion")
+        & (table["quantity"] == "coefficient_of_restitution")
+        & (table["kind"] == "perfectly plastic")
+    ]
+    found = expected_error("kogut_etsion", (2.0, 200.0), False, 0.01)
     assert found.restitution_largest == rows[rows["speed_ratio_to"] <= 300]["max"].max()
+    assert found.restitution == rows[rows["speed_ratio_to"] <= 300]["rms"].max()
+
+
+def test_error_is_not_known_beyond_the_table():
     assert expected_error("no such law", (2.0, 200.0), False, 0.01).restitution is None
-    assert expected_error(DEFAULT_LAW, (2.0, 1e6), False, 0.01).restitution is None
-    hardening = expected_error(DEFAULT_LAW, (2.0, 9.0), True, 0.01)
+    beyond = expected_error("kogut_etsion", (2.0, 1e6), False, 0.01)
+    assert beyond.restitution is None
+    assert "not known" in str(beyond)
+
+
+def test_hardening_and_wide_contacts_have_errors_of_their_own():
+    plain, hardening, wide = (
+        expected_error("kogut_etsion", (20.0, 200.0), *kind)
+        for kind in ((False, 0.01), (True, 0.01), (False, 0.1))
+    )
     assert hardening.kind == "hardening"
-    assert expected_error(DEFAULT_LAW, (2.0, 200.0), False, 0.1).kind == "perfectly plastic, wide"
+    assert wide.kind == "perfectly plastic, wide"
+    assert wide.restitution_largest >= plain.restitution_largest
+    assert hardening.restitution_largest != plain.restitution_largest
 
 
 def test_constants_without_finite_elements_are_the_law_s_own():
@@ -120,11 +138,12 @@ def test_constants_without_finite_elements_are_the_law_s_own():
 def test_a_material_file_reads_back(tmp_path):
     found = calibrate(**STEEL, hardness="45HRC", plastic_modulus=1e9, name="spring")
     path = tmp_path / "spring.in"
-    path.write_text(found.material_file())
+    write_material(found.material, path, found.remark)
     read = pg.material(path)
     assert read.name == "spring"
-    # Six digits are written.
-    assert read.variables() == pytest.approx(found.material.variables(), rel=1e-5)
+    # Twelve digits are written.
+    assert read.variables() == pytest.approx(found.material.variables(), rel=1e-11)
+    assert path.read_text().startswith("# Yield strength 45 HRC = 446 HV")
 
 
 @pytest.mark.parametrize(
@@ -167,5 +186,17 @@ def test_hardness_and_leeb_are_inverses_of_the_steel_table():
 def test_numbers_that_leave_the_law_s_range_are_noted_not_warned():
     with warnings.catch_warnings():
         warnings.simplefilter("error")
-        found = calibrate(**STEEL, leeb=320)
+        found = calibrate(**STEEL, leeb=320, law="kogut_etsion")
     assert any("beyond the range of" in note for note in found.notes)
+
+
+def test_rate_of_strain_takes_its_share_of_the_strength_of_an_impact():
+    """A tester's ball comes at v/R = 1367/s: the strength at 1/s is less by 1 + C ln 1367."""
+    fast = calibrate(**STEEL, leeb=540)
+    slow = calibrate(**STEEL, leeb=540, rate_coefficient=0.014)
+    body = slow.material.body()
+    pair = read_leeb(540)[0].pair(body)
+    factor = laws.rate_factor(pair, 1.5e-3, 2.05)
+    assert factor == pytest.approx(1 + 0.014 * np.log(2.05 / 1.5e-3), rel=0.01)
+    assert fast.yield_strength / slow.yield_strength == pytest.approx(factor, rel=1e-4)
+    assert any("rateCoefficient" in line for line in slow.deck_lines())

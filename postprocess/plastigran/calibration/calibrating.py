@@ -41,6 +41,7 @@ def calibrate(
     leeb: float | str | None = None,
     drops: DropTest | str | Path | None = None,
     plastic_modulus: float = 0.0,
+    rate_coefficient: float = 0.0,
     scatter: float | None = None,
     law: str = DEFAULT_LAW,
     speeds: Sequence[float] | None = None,
@@ -61,6 +62,8 @@ def calibrate(
         leeb: Reading of a rebound tester: HLD, or a text such as "750HLG".
         drops: A drop test, or a file of one whose ball is the metal and whose plate is rigid.
         plastic_modulus: H, stress over plastic strain [Pa]; 0 for perfectly plastic.
+        rate_coefficient: Share of the strength that a factor e in rate of strain adds [-]; the
+            strength that an impact tells is then that at 1/s.
         scatter: Standard deviation of one measured restitution [share]; None for 0.02 of drops and
             what conversions of rebound hardness have.
         law: Name of the law.
@@ -103,6 +106,7 @@ def calibrate(
         density,
         yield_strength=youngs_modulus,
         tangent_modulus=youngs_modulus * plastic_modulus / (youngs_modulus + plastic_modulus),
+        rate_coefficient=rate_coefficient,
     )
     if yield_strength is not None:
         found = strength.given(

@@ -31,6 +31,7 @@ REBOUND = {
     "rebound_speed": Declaration("after the impact", "m/s", 0, 1000),
     "rebound_height": Declaration("after the impact", "m", 0, 100),
 }
+BALL_RADIUS = 5e-3  # where none is given [m]
 SYNONYMS = {"coefficient_of_restitution": "restitution"}
 
 
@@ -47,8 +48,8 @@ class DropTest:
         restitution: Of each [-], (N,).
         ball: Its material.
         plate: Its material, or `RIGID`.
-        radius: Of the ball [m]. Where a ball alone falls on a plate, restitution does not depend
-            on it.
+        radius: Of the ball [m]. Restitution depends on it only where the strength grows with the
+            rate of strain.
 
     Raises:
         ValueError: A speed or restitution is out of range, they are not as many, neither ball nor
@@ -59,7 +60,7 @@ class DropTest:
     restitution: np.ndarray = attrs.field(converter=_floats, eq=attrs.cmp_using(np.array_equal))
     ball: Material | None = None
     plate: Material | laws.Body | None = RIGID
-    radius: float = 5e-3
+    radius: float = BALL_RADIUS
 
     def __attrs_post_init__(self) -> None:
         for name, said in (("speed", IMPACT["speed"]), ("restitution", REBOUND["restitution"])):

@@ -10,7 +10,7 @@ import attrs
 import pandas as pd
 
 #: The law that is taken unless another is named.
-DEFAULT_LAW = "kogut_etsion"
+DEFAULT_LAW = "universal"
 #: Contact radius over radius from which a contact is wide.
 WIDE = 0.05
 #: Speeds over the yield speed where none is named.

@@ -16,8 +16,8 @@ from plastigran.materials import Material
 
 #: Constants of `vu_quoc_zhang`, fitted by finite elements.
 FITTED = ("contact_radius_coefficient", "curvature_coefficient")
-UNITS = {"youngs_modulus": "Pa", "poissons_ratio": "-", "density": "kg/m^3", "yield_strength": "Pa"}
-UNITS |= {"tangent_modulus": "Pa", "yield_pressure_factor": "0: Hertz-von Mises value"}
+#: Constants of a body that a deck names only where they are not zero.
+OPTIONAL = ("tangent_modulus", "rate_coefficient")
 
 
 @attrs.frozen
@@ -86,8 +86,7 @@ class CalibratedMetal:
     def deck_lines(self) -> list[str]:
         """Lines of a deck whose type 1 is the metal."""
         names = ["youngs_modulus", "poissons_ratio", "yield_strength"]
-        if self.material.tangent_modulus:
-            names.append("tangent_modulus")
+        names += [name for name in OPTIONAL if getattr(self.material, name)]
         lines = [
             f"fix {name} all property/global {property_name(name)} peratomtype "
             f"{getattr(self.material, name):.6g}"
@@ -101,20 +100,10 @@ class CalibratedMetal:
             ]
         return [*lines, f"pair_style gran model {self.law} tangential history"]
 
-    def material_file(self) -> str:
-        """A file in the form of `inputs/materials`."""
-        least, largest = self.yield_strength_interval
-        given = self.material.variables()
-        names = ["youngs_modulus", "poissons_ratio", "density", "yield_strength"]
-        names += ["tangent_modulus"] if self.material.tangent_modulus else []
-        names += ["yield_pressure_factor"]
-        lines = [f"# {self.material.name}. Yield strength: {self.source}."]
-        if least < largest:
-            lines.append(f"# 95 % interval of the yield strength: {self._interval()} Pa.")
-        lines += [
-            f"variable {name:22s} index {given[name]:<10.6g} # {UNITS[name]}" for name in names
-        ]
-        return "\n".join(lines) + "\n"
+    @property
+    def remark(self) -> str:
+        """Where the strength is from, for the head of a material's file."""
+        return f"Yield strength {self.source}; 95 % {self._interval()} Pa."
 
     def __str__(self) -> str:
         """What a person reads first."""

@@ -8,12 +8,18 @@ import sys
 from pathlib import Path
 
 from plastigran.calibration import CalibratedMetal, DropTest, calibrate
-from plastigran.calibration.drop_test import read_drop_test
+from plastigran.calibration.drop_test import BALL_RADIUS, read_drop_test
 from plastigran.calibration.expected_errors import DEFAULT_LAW
 from plastigran.calibration.finite_elements import USUAL_RANGE
 from plastigran.cli.arguments import positive
 from plastigran.cli.metal import add_elastic, add_strain, print_json
-from plastigran.materials import RIGID, read_material
+from plastigran.materials import (
+    RIGID,
+    check_material_file,
+    material_lines,
+    read_material,
+    write_material,
+)
 
 HELP = "yield strength from hardness, rebound or drops; law, its error, lines of a deck"
 
@@ -41,6 +47,19 @@ def add_arguments(command: argparse.ArgumentParser) -> None:
         "--plate", help="of the plate of --drop: rigid (default under the metal), metal, a material"
     )
     command.add_argument(
+        "--ball-radius",
+        type=positive,
+        default=BALL_RADIUS,
+        help=f"of --drop, m, default {BALL_RADIUS:g}; it matters with --rate-coefficient only",
+    )
+    command.add_argument(
+        "--rate-coefficient",
+        type=float,
+        default=0.0,
+        help="share of the yield strength that a factor e in rate of strain adds, default 0; the "
+        "strength is then that at 1/s",
+    )
+    command.add_argument(
         "--scatter",
         type=positive,
         help="standard deviation of one measured restitution as a share, default 0.02 of drops",
@@ -64,9 +83,8 @@ def add_arguments(command: argparse.ArgumentParser) -> None:
         help=f"largest force of the fit over the force at yield, default {USUAL_RANGE:g}; is --fem",
     )
     add_strain(command)
-    command.add_argument(
-        "--output", type=Path, metavar="FILE.in", help="a material file to write; never overwrites"
-    )
+    command.add_argument("--output", type=Path, metavar="FILE.in", help="material file to write")
+    command.add_argument("--force", action="store_true", help="overwrite that file")
     command.add_argument(
         "--figure", type=Path, metavar="FILE.png", help="law against drops or finite elements"
     )
@@ -75,7 +93,7 @@ def add_arguments(command: argparse.ArgumentParser) -> None:
 def run(arguments: argparse.Namespace) -> None:
     output = arguments.output
     if output is not None:
-        _check_output(output)
+        check_material_file(output, arguments.force)
     if arguments.figure is not None and not (arguments.drop or _finite_elements(arguments)):
         raise ValueError(f"--figure is {arguments.figure}; it needs --drop or --fem")
     found = calibrate(
@@ -87,6 +105,7 @@ def run(arguments: argparse.Namespace) -> None:
         leeb=arguments.leeb,
         drops=_drops(arguments),
         plastic_modulus=arguments.hardening,
+        rate_coefficient=arguments.rate_coefficient,
         scatter=arguments.scatter,
         law=arguments.law,
         speeds=arguments.speeds,
@@ -97,7 +116,7 @@ def run(arguments: argparse.Namespace) -> None:
         progress=sys.stderr.isatty(),
     )
     if output is not None:
-        output.write_text(found.material_file())
+        write_material(found.material, output, found.remark, arguments.force)
     if arguments.figure is not None:
         _draw(found, arguments.figure)
     if arguments.json:
@@ -122,14 +141,8 @@ def _drops(arguments: argparse.Namespace) -> DropTest | None:
     plate = arguments.plate or ("rigid" if ball is None else METAL)
     bodies = {"rigid": RIGID, METAL: None}
     plate = bodies[plate] if plate in bodies else read_material(plate)
-    return DropTest(**read_drop_test(arguments.drop), ball=ball, plate=plate)
-
-
-def _check_output(output: Path) -> None:
-    if output.suffix != ".in":
-        raise ValueError(f"--output is {output}; a material file ends in .in")
-    if output.exists():
-        raise ValueError(f"--output is {output}; it is there already and is not overwritten")
+    drops = read_drop_test(arguments.drop)
+    return DropTest(**drops, ball=ball, plate=plate, radius=arguments.ball_radius)
 
 
 def _draw(found: CalibratedMetal, path: Path) -> None:
@@ -147,5 +160,4 @@ def _print(found: CalibratedMetal) -> None:
             print(f"{name:28s} {value:.5g}")
     print("\nLines of a deck:")
     print("\n".join(found.deck_lines()))
-    print("\nA material file:")
-    print(found.material_file(), end="")
+    print(f"\nA material's file:\n# {found.remark}\n{material_lines(found.material)}")
