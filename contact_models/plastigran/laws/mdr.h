@@ -96,7 +96,7 @@ class Mdr {
     return response;
   }
 
-  double overlap_range() const { return sphere_.overlap_of_pair(0.1); }
+  double overlap_range() const { return sphere_.overlap_range(0.1); }
 
  private:
   static constexpr double largest = 0.7;  // overlap over R up to which the contact grows
