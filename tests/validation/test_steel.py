@@ -1,0 +1,56 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Laws on steel of known hardness: nothing is fitted, and each part of the offset has its sign."""
+
+from __future__ import annotations
+
+import pandas as pd
+import pytest
+
+from plastigran.validation import offset, steel
+
+
+def test_single_impacts_and_craters_are_as_the_page_says(assert_on_page):
+    assert_on_page("single_impacts", steel.single_impacts())
+    assert_on_page("craters", steel.craters())
+
+
+def test_the_nearest_law_is_within_the_scatter_of_the_table(page_table):
+    """5 % in restitution where the table is trusted, 450 to 890 HLD; 10 % over all."""
+    nearest = page_table("leeb").iloc[0]
+    assert float(nearest["rms, 450–890 HLD"]) < 5
+    assert float(nearest["rms, all 59"]) < 10
+
+
+def test_parts_of_the_offset_have_the_sign_of_their_cause(page_table):
+    """Stronger steel gives more back; a weaker ball yields more to the same energy."""
+    parts = page_table("leeb_offset").set_index(["source", "change"])["mean (%)"].astype(float)
+    assert parts["rate of strain"].item() > 2
+    assert parts["hardness over flow stress", "2.8 → 2.6"] > 0
+    assert parts["hardness over flow stress", "2.8 → 3"] < 0
+    assert (
+        parts["scatter of a conversion", "HV +10 %"]
+        > 0
+        > parts["scatter of a conversion", "HV -10 %"]
+    )
+    assert parts["modulus of the ball", "625 → 600 GPa"] > 0
+    assert parts["modulus of the ball", "625 → 650 GPa"] < 0
+    assert parts["speed of the body"].item() > 0  # slower
+    assert parts["mass of the body"].item() < 0  # heavier
+    assert parts["height of the sensor"].item() < 0  # gravity takes speed twice
+
+
+def test_parts_of_the_offset_are_those_of_the_page(page_table, monkeypatch):
+    nearest = page_table("leeb")["law"][0]
+    table = steel.leeb_table().iloc[[0, -1]]
+    for module in (steel, offset):
+        monkeypatch.setattr(module, "leeb_table", lambda: table)
+    found, shown = offset.budget(nearest), page_table("leeb_offset")
+    assert list(found["source"]) == list(shown["source"])
+    for column in ("at 80 HV (%)", "at 940 HV (%)"):
+        assert found[column].to_numpy() == pytest.approx(pd.to_numeric(shown[column]), abs=0.011)
+
+
+def test_the_rate_of_strain_moves_every_law_up(page_table):
+    rate = page_table("leeb_rate")
+    gained = pd.to_numeric(rate["mean with rate (%)"]) - pd.to_numeric(rate["mean (%)"])
+    assert (gained > 0).all()
