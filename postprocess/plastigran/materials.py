@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING
 import attrs
 
 from plastigran import laws
-from plastigran.declared import Declaration, number
+from plastigran.declared import Declaration, declaration, number
 from plastigran.engine.deck import index_variables
 from plastigran.engine.process import EngineError, inputs_folder, own_inputs
 
@@ -158,6 +158,35 @@ def read_material(name: Material | str | Path) -> Material:
         return Material(path.stem, **given)
     except ValueError as error:
         raise ValueError(f"{path}: {error}") from error
+
+
+def material_lines(material: Material) -> str:
+    """The constants that are given, as lines of a material's file."""
+    units = {name: said.unit for name, said in declaration(Material).items()}
+    return "\n".join(
+        f"variable {name:22s} index {value:<18.12g} # {units[name]}"
+        for name, value in material.variables().items()
+    )
+
+
+def write_material(material: Material, file: Path, remark: str, force: bool = False) -> None:
+    """Write a material as a file that decks include and `read_material` takes.
+
+    Args:
+        material: What to write.
+        file: Path that ends in .in; its folder is there.
+        remark: Where the constants are from, a line.
+        force: Overwrite the file.
+
+    Raises:
+        ValueError: The path does not end in .in.
+        FileExistsError: The file is there, and may not be overwritten.
+    """
+    if file.suffix != ".in":
+        raise ValueError(f"{file} is no name of a material's file; it must end in .in")
+    if file.exists() and not force:
+        raise FileExistsError(f"{file} exists; --force overwrites it")
+    file.write_text(f"# {remark}\n{material_lines(material)}\n", encoding="utf-8")
 
 
 def _required(field: attrs.Attribute) -> bool:

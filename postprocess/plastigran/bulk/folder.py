@@ -43,6 +43,7 @@ OWN_FILES = (
     CHECKS,
 )
 
+_TIMESTEP = re.compile(r"^timestep\s+(\d\S*)\s*$", re.MULTILINE)  # as the engine echoes it
 _DERIVED = re.compile(r"^derived (\w+) = (\S+)\s*$", re.MULTILINE)
 
 
@@ -100,7 +101,9 @@ def read_series(folder: str | Path) -> pd.DataFrame:
     """The log of a run from step 0 on, whatever checkpoints it went on from.
 
     Returns:
-        One row a line: `step`, `time` [s] from step 0, then the deck's columns in SI units.
+        One row a line: `step`, `time` [s] from step 0, then the deck's columns in SI units. Of a
+        deck without a class every run is there, by number in `run`, and `time` where the log has
+        it or a `timestep` command of the deck gives it.
 
     Raises:
         DumpError: There is no log, or it shows nothing yet.
@@ -112,21 +115,43 @@ def read_series(folder: str | Path) -> pd.DataFrame:
         except (KeyError, ValueError) as error:
             raise DumpError(f"{before} is damaged: {error}") from None
     try:
-        parts.append(_read_log(folder))
+        parts.append(_read_own_log(folder) if _is_own(folder) else _read_log(folder))
     except DumpError:
         if not parts:  # else the run was stopped before its first line
             raise
+    if len(parts) == 2 and _is_own(folder) and "time" in parts[1]:
+        # The engine's time begins anew at a checkpoint, whose line both logs have.
+        parts[1]["time"] += parts[0]["time"].iloc[-1] - parts[1]["time"].iloc[0]
     # The checkpoint's line is the earlier log's: while setting up, meshes know no forces.
     return pd.concat(parts, ignore_index=True).drop_duplicates("step", ignore_index=True)
 
 
-def _read_log(folder: Path) -> pd.DataFrame:
+def _is_own(folder: Path) -> bool:
+    return (folder / RECORD).is_file() and bool(read_record(folder).get("own"))
+
+
+def _read_thermo(folder: Path) -> pd.DataFrame:
     if not (folder / LOG).is_file():
         raise DumpError(f"{folder} holds no {LOG}")
     with warnings.catch_warnings():
         # The run was stopped: its end is known.
         warnings.simplefilter("ignore", TruncatedFileWarning)
-        log = read_thermo(folder / LOG)
+        return read_thermo(folder / LOG)
+
+
+def _read_own_log(folder: Path) -> pd.DataFrame:
+    series = _read_thermo(folder)
+    if "time" not in series:
+        said = _TIMESTEP.findall((folder / LOG).read_text(errors="replace"))
+        if "timestep" in series:
+            series["time"] = series["step"] * series["timestep"]
+        elif said:
+            series["time"] = series["step"] * float(said[-1])
+    return series.rename(columns=lambda name: name.removeprefix("v_"))
+
+
+def _read_log(folder: Path) -> pd.DataFrame:
+    log = _read_thermo(folder)
     series = log[log["run"] == log["run"].max()].drop(columns="run").reset_index(drop=True)
     series.insert(1, "time", series["step"] * series.pop("timestep"))
     return series.rename(columns=lambda name: name.removeprefix("v_"))

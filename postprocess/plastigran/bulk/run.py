@@ -29,6 +29,7 @@ from plastigran.bulk.folder import (
     restart_point,
     write_record,
 )
+from plastigran.bulk.own import analyse_own, check_goes_on, own_places
 from plastigran.engine.checkpoints import step_of
 from plastigran.engine.deck import find_deck, read_deck
 from plastigran.engine.dumps import DumpError
@@ -118,6 +119,10 @@ def run_bulk(
 ) -> BulkRun:
     """Run a deck from its start or from the newest whole checkpoint of an earlier run.
 
+    An input script without a class is the user's own: it runs in its own folder, from which its
+    relative paths are, is told where results go where it reads ${output}, and goes on from a
+    checkpoint where it has settings `start` and `checkpoint`.
+
     Args:
         deck: Name of a deck of `inputs/bulk`, or path of an input script.
         values: Settings given another value than the deck's, or with `restart` than the earlier
@@ -146,7 +151,11 @@ def run_bulk(
         earlier = _earlier(restart, folder, script.stem)
         checkpoint = restart_point(restart, earlier)
         values = earlier["values"] | values | {"start": "checkpoint", "checkpoint": str(checkpoint)}
-    source, kind = read_deck(script, values, folder), deck_class(script.stem)
+    kind = deck_class(script.stem)
+    if earlier and not kind:
+        check_goes_on(read_deck(script, {}, folder))
+    source = read_deck(script, values, folder)
+    places = {"inputs": folder / "deck"} if kind else own_places(source, folder)
     if kind:
         if earlier:
             check_continued(source.settings, earlier["settings"], kind.continuable_settings())
@@ -158,6 +167,7 @@ def run_bulk(
     script = source.copy(folder / "deck")
     record = {
         "deck": source.name,
+        "own": kind is None,
         "values": values,
         "settings": source.settings,
         "ranks": ranks,
@@ -173,7 +183,13 @@ def run_bulk(
     write_record(folder, record)  # last: a folder with a record can be gone on from
     try:
         run_deck(
-            script, values | {"inputs": folder / "deck"}, folder, ranks, timeout=None, progress=show
+            script,
+            values | places,
+            folder,
+            ranks,
+            timeout=None,
+            progress=show,
+            working_folder=None if kind else source.path.parent,
         )
     finally:
         if (log := folder / LOG).exists():
@@ -203,7 +219,9 @@ def open_run(folder: str | Path) -> BulkRun:
     except ValueError as error:
         raise EngineError(f"{folder / RECORD}: {error}") from None
     try:
-        analysis = deck.analyse(series) if deck and finished else Analysis(series)
+        analysis = Analysis(series)
+        if finished:
+            analysis = deck.analyse(series) if deck else analyse_own(series)
     except (ArithmeticError, LookupError, OSError, ValueError) as error:
         said = f"{type(error).__name__}: {error}"
         raise DumpError(
@@ -215,7 +233,7 @@ def open_run(folder: str | Path) -> BulkRun:
 def write_results(run: BulkRun) -> None:
     """Write the series, checks and figures of a run into its folder."""
     run.series.to_csv(run.folder / SERIES, index=False)
-    if run.deck:
+    if run.analysis.checks:
         run.checks.to_csv(run.folder / CHECKS, index=False)
     for name, figure in run.figures.items():
         style.save(figure, run.folder / "figures" / name)

@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""From what people can measure of a metal to what the laws take."""
+"""From what one can measure, or afford, to the constants of a deck."""

@@ -12,6 +12,7 @@ from pathlib import Path
 from plastigran.engine.process import EngineError, inputs_folder
 
 _SETTING = re.compile(r'variable\s+(\w+)\s+index\s+(?:"([^"]*)"|(\S+))')
+_VARIABLE = re.compile(r"variable\s+(\w+)")
 _INCLUDE = re.compile(r"include\s+(\S+)")
 _REFERENCE = re.compile(r"\$\{(\w+)\}")
 
@@ -57,11 +58,13 @@ class DeckSource:
         path: The input script.
         files: The script, its includes and what they read from the inputs, such as meshes.
         settings: Every setting of them with the value it will have.
+        references: Names of the variables they read as ${name} and do not define.
     """
 
     path: Path
     files: list[Path]
     settings: dict[str, str]
+    references: frozenset[str]
 
     @property
     def name(self) -> str:
@@ -108,7 +111,9 @@ def find_deck(deck: str | Path) -> Path:
 
 
 def read_deck(deck: str | Path, values: Mapping[str, object], folder: Path) -> DeckSource:
-    """Read a deck with its includes as the engine will.
+    """Read a deck with its includes as the engine will, from the deck's own folder.
+
+    Includes whose names hold variables that are no settings are left to the engine.
 
     Args:
         deck: Name or path, as `find_deck` takes it.
@@ -124,6 +129,8 @@ def read_deck(deck: str | Path, values: Mapping[str, object], folder: Path) -> D
     given |= {name: str(value) for name, value in values.items()}
     settings: dict[str, str] = {}
     files: list[Path] = []
+    references: set[str] = set()
+    defined: set[str] = set()
 
     def resolve(text: str) -> str:
         return _REFERENCE.sub(lambda m: settings.get(m[1], m[0]), text)
@@ -134,18 +141,22 @@ def read_deck(deck: str | Path, values: Mapping[str, object], folder: Path) -> D
             raise EngineError(f"{included_by} includes {file}, which is not there")
         files.append(file)
         for command in commands(file):
+            references.update(_REFERENCE.findall(command))
+            defined.update(_VARIABLE.findall(command))
             if setting := index_variable(command):
                 name, value = setting
                 settings.setdefault(name, given.get(name, resolve(value)))
             elif found := _INCLUDE.match(command):
-                take_in(Path(resolve(found[1])), file.name)
+                if not _REFERENCE.search(included := resolve(found[1])):
+                    take_in(path.parent / included, file.name)
             else:
                 words = (Path(resolve(word)) for word in command.split() if "${inputs}" in word)
                 files.extend(word for word in words if word.is_file())
 
     take_in(path, "")
-    if unknown := sorted(set(given) - set(settings) - {"inputs", "output"}):
+    references -= defined
+    if unknown := sorted(set(given) - set(settings) - references - {"inputs", "output"}):
         raise ValueError(
             f"{path.name} has no setting {unknown[0]!r}; it takes {' '.join(settings)}"
         )
-    return DeckSource(path, files, settings)
+    return DeckSource(path, files, settings, frozenset(references))

@@ -137,8 +137,18 @@ def read_thermo(path: str | Path) -> pd.DataFrame:
         )
     frames = []
     for number, names, values in tables:
-        frame = pd.DataFrame(values, columns=[THERMO_COLUMNS.get(name, name) for name in names])
+        frame = pd.DataFrame(values, columns=_distinct(names))
         frame.insert(0, "run", number)
         frames.append(frame)
     table = pd.concat(frames, ignore_index=True)
     return table.astype({"step": np.int64})
+
+
+def _distinct(names: list[str]) -> list[str]:
+    """Names of columns; the engine cuts long ones, and those that then are alike get a number."""
+    seen: dict[str, int] = {}
+    columns = []
+    for name in (THERMO_COLUMNS.get(name, name) for name in names):
+        seen[name] = seen.get(name, 0) + 1
+        columns.append(name if seen[name] == 1 else f"{name}.{seen[name]}")
+    return columns

@@ -68,13 +68,15 @@ def command(
     """Command line that runs a deck with its results in `folder`, from where it is to be run.
 
     The engine splits a line of a deck at white space, in paths too: a file or folder whose path has
-    some is reached through a link in `folder`.
+    some is reached through a link in `folder`. A variable whose value is None is not given.
 
     Never add `-screen none`: the engine's mesh reader then writes to a null file and crashes.
     """
     line = [str(engine_path()), "-in", str(deck), "-log", str(folder / LOG)]
     settings = {"inputs": inputs_folder(), "output": folder, **variables}
     for name, value in settings.items():
+        if value is None:
+            continue
         text = repr(float(value)) if isinstance(value, float) else str(value)
         if any(map(str.isspace, text)) and Path(text).is_absolute() and Path(text).exists():
             text = _link(name, Path(text), folder)
@@ -113,6 +115,7 @@ def run_deck(
     ranks: int = 1,
     timeout: float | None = 600.0,
     progress: bool = False,
+    working_folder: Path | None = None,
 ) -> str:
     """Run a deck to its end.
 
@@ -126,6 +129,8 @@ def run_deck(
         ranks: MPI ranks.
         timeout: Seconds before the run is stopped; None for no limit.
         progress: Show a progress bar when standard error is a terminal.
+        working_folder: Where the engine runs, which relative paths of the deck are from; `folder`
+            if None.
 
     Returns:
         The log.
@@ -150,7 +155,7 @@ def run_deck(
     ):
         engine = subprocess.Popen(
             ["setpriv", "--pdeathsig", "TERM", *line],
-            cwd=folder,
+            cwd=working_folder or folder,
             env=environment(),
             stdin=subprocess.DEVNULL,
             stdout=screen,

@@ -83,10 +83,9 @@ def run(arguments: argparse.Namespace) -> None:
         raise KeyboardInterrupt(how_to_go_on(arguments.output)) from None
     except EngineStopped as error:
         raise EngineError(f"{error}; {how_to_go_on(arguments.output)}") from None
-    if bulk_run.deck is None:
-        print(f"{name} has no checks and figures")
-    else:
-        report(bulk_run)
+    if bulk_run.deck is None and not bulk_run.checks.size:
+        print(f"{name} keeps no energy ledger: nothing was checked")
+    report(bulk_run)
     print(f"written: {arguments.output}")
 
 

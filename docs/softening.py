@@ -1,0 +1,96 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Print the table of docs/soften.md: two bulk decks with a stiff material, and softened.
+
+    .venv/bin/python docs/softening.py [--factors 1 0.01 0.0001] [--seeds 1 2 3] [--output FOLDER]
+
+With the defaults the stiff runs take half an hour each on one core, all others some minutes.
+"""
+
+from __future__ import annotations
+
+import argparse
+from collections.abc import Mapping
+from pathlib import Path
+
+import attrs
+import pandas as pd
+from scipy.stats import linregress
+
+from plastigran.bulk import BulkRun, run_bulk
+from plastigran.calibration.softening import TIME_POWER, soften
+from plastigran.materials import Material, read_material, write_material
+
+LAW = "kogut_etsion"
+#: Factor that makes of the stiff material the decks' own granules.
+SOFTEST = 1e-4
+#: Small decks, with the time steps [s] of the softest material.
+HOPPER = {"orifice": 8, "layers": 5, "timestep": 1.5e-5, "duration": 0.7, "rows": 150}
+HOPPER |= {"filling": 0.1, "checkpoints": 1}
+DRUM = {"drum_radius": 0.05, "length": 0.03, "froude": 0.05, "duration": 0.9, "settling": 0.3}
+DRUM |= {"timestep": 2e-5, "checkpoints": 2}
+DECKS = {"hopper": HOPPER, "drum": DRUM}
+SHARES = ("plastic", "friction", "viscous")
+
+
+def stiff_material() -> Material:
+    """The granules of the decks, 10 000 times as stiff, with their restitution."""
+    granules = read_material("soft_granules")
+    return attrs.evolve(
+        granules,
+        name="stiff_granules",
+        youngs_modulus=granules.youngs_modulus / SOFTEST,
+        yield_strength=granules.yield_strength / SOFTEST**0.8,
+    )
+
+
+def measure(run: BulkRun) -> dict[str, float]:
+    """What is compared: grains that leave a second or the wall's power [W], and shares of what is
+    dissipated meanwhile."""
+    series, deck = run.series, run.deck
+    if run.name == "hopper":
+        out = series["counted"] / series["atoms"].iloc[0]
+        steady, quantity = series[out.between(0.1, 0.5)], "counted"
+    else:
+        steady, quantity = series[series["time"] >= deck.settled], "wallwork"
+    lost = steady[list(SHARES)].iloc[-1] - steady[list(SHARES)].iloc[0]
+    rate = linregress(steady["time"], steady[quantity]).slope
+    return {"rate or power": rate, **(lost / lost.sum())}
+
+
+def compared(folder: Path, factors: list[float], seeds: list[int]) -> pd.DataFrame:
+    """Mean and standard deviation over seeds of what each deck measures at each factor."""
+    rows = []
+    for deck, settings in DECKS.items():
+        for factor in factors:
+            for seed in seeds:
+                run = _run(folder / f"{deck}_{factor:g}_{seed}", deck, settings, factor, seed)
+                rows.append({"deck": deck, "factor": factor, **measure(run)})
+    grouped = pd.DataFrame(rows).groupby(["deck", "factor"], sort=False)
+    return grouped.agg(["mean", "std"])
+
+
+def _run(
+    folder: Path, deck: str, settings: Mapping[str, object], factor: float, seed: int
+) -> BulkRun:
+    folder.mkdir(parents=True, exist_ok=True)
+    file = folder / "material.in"
+    write_material(soften(stiff_material(), factor), file, f"Granules at {factor:g}.", force=True)
+    timestep = settings["timestep"] * (factor / SOFTEST) ** TIME_POWER
+    values = {**settings, "timestep": timestep, "law": LAW, "seed": seed}
+    values |= {"materials": folder.resolve(), "material": file.stem}
+    return run_bulk(deck, values, folder / "run", force=True, show=False)
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--factors", type=float, nargs="+", default=[1, 0.01, 0.0001])
+    parser.add_argument("--seeds", type=int, nargs="+", default=[1, 2, 3])
+    parser.add_argument("--output", type=Path, default=Path("results/softening"))
+    arguments = parser.parse_args()
+    table = compared(arguments.output, arguments.factors, arguments.seeds)
+    print(table.to_string(float_format="{:.4g}".format))
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,68 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""A deck of the user's own, from the template of `inputs/template`."""
+
+from __future__ import annotations
+
+import shutil
+from math import floor, log10
+from pathlib import Path
+
+from plastigran.contact import Contact
+from plastigran.engine.deck import index_variables
+from plastigran.engine.process import inputs_folder
+from plastigran.materials import Material, laws_for, read_material, write_material
+
+#: Speed of the fastest impact of the template, a fall from its top [m/s], with room to spare.
+SPEED = 2.0
+#: Files of the inputs that lie beside the deck.
+PARTS = ("energy_ledger.in", "meshes/plate.stl")
+
+
+def write_deck(folder: Path, law: str, material: Material | str | Path) -> Path:
+    """Write a folder with a deck, its material, its mesh and the names of the ledger's entries.
+
+    Args:
+        folder: To make; the deck is called like it.
+        law: Between grains, and with walls.
+        material: Of both.
+
+    Returns:
+        Path of the deck.
+
+    Raises:
+        ValueError: No such law for spheres or material, or the name has white space.
+        FileExistsError: The folder is there.
+    """
+    material = read_material(material)
+    if any(map(str.isspace, folder.name)):
+        raise ValueError(f"{folder.name!r} holds white space, at which the engine splits names")
+    if law not in (fitting := laws_for("sphere", [material])):
+        raise ValueError(
+            f"{law!r} is no law for spheres of {material.name}; there are {', '.join(fitting)}"
+        )
+    source = inputs_folder() / "template"
+    text = (source / "deck.in").read_text()
+    radius = float(index_variables(source / "deck.in")["radius"])
+    contact = Contact(law, material, material, radius=radius, radius_other=radius)
+    values = {
+        "LAW": law,
+        "MATERIAL": material.name,
+        "TIMESTEP": _rounded_down(float(contact.timestep(SPEED))),
+        "DECK": folder.name,
+    }
+    for word, value in values.items():
+        text = text.replace(word, value)
+    folder.mkdir(parents=True)
+    deck = folder / f"{folder.name}.in"
+    deck.write_text(text)
+    remark = f"Material of {deck.name}, made from {material.name}."
+    write_material(material, folder / f"{material.name}.in", remark)
+    for file in (*PARTS, source / "fresh.in", source / "checkpoint.in"):
+        shutil.copyfile(inputs_folder() / file, folder / Path(file).name)
+    return deck
+
+
+def _rounded_down(step: float) -> str:
+    """A step of one digit, not above the one given."""
+    power = floor(log10(step))
+    return f"{floor(step / 10.0**power)}.0e{power}"

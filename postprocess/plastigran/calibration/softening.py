@@ -1,0 +1,154 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""A softer material with the same restitution, so that a deck affords its time step.
+
+Let Young's modulus become s E. An impact at speed v depends on v over the yield speed
+v_Y ~ (p_Y^5 / (E*^4 rho))^(1/2) and on nu alone, for laws without any other number in them. With
+the yield strength multiplied by s^(4/5), at the same nu and rho, v_Y stays, and with it the
+restitution at every speed. Durations grow as s^(-2/5) and so do time step, overlap and, as
+s^(-1/5), contact radius over radius; forces fall as s^(2/5). Constants of a law keep it exact as
+`POWERS` says.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from math import pi
+
+import attrs
+import numpy as np
+import pandas as pd
+
+from plastigran.contact import Contact
+from plastigran.declared import Declaration, read_number
+from plastigran.materials import Material, laws_for
+from plastigran.physics.central import yield_speed
+
+#: Power of s by which each constant of a material is multiplied; the others stay.
+POWERS = {
+    "youngs_modulus": 1.0,
+    "yield_strength": 0.8,
+    "tangent_modulus": 1.0,  # times a strain ~ a/R, it stays in step with the strength
+    "dissipative_constant": -0.4,  # a time, in step with the duration
+}
+#: Power of s by which durations, overlaps and time steps are multiplied.
+TIME_POWER = -0.4
+#: The same of the overlaps of grains that carry a given weight.
+REST_POWER = -2 / 3
+#: Overlap over the radius up to which grains count as hard: one percent of the diameter.
+SOUND_OVERLAP = 0.02
+#: Yield speeds between which laws are compared before and after.
+SPEED_RATIOS = np.geomspace(1, 1000, 61)
+#: A law is exact whose restitution stays within rounding.
+EXACT = 1e-9
+#: Contacts per grain and share of the volume filled, of a random packing.
+COORDINATION, FILLING = 6, 0.6
+GRAVITY = 9.81
+
+_FACTOR = Declaration("modulus after over before", lower=1e-12, upper=1, closed=True)
+
+
+def soften(material: Material, factor: float) -> Material:
+    """The material with `factor` times its Young's modulus and the restitution it had.
+
+    Args:
+        material: As it is.
+        factor: s, modulus after over before [-], at most 1.
+
+    Raises:
+        ValueError: The factor is no number or out of range.
+    """
+    factor = read_number("factor", factor, _FACTOR)
+    changed = {
+        name: getattr(material, name) * factor**power
+        for name, power in POWERS.items()
+        if getattr(material, name, None) is not None
+    }
+    return attrs.evolve(material, name=f"{material.name}_softened", **changed)
+
+
+def comparison(
+    material: Material, factor: float, radius: float, speed: float, laws: Iterable[str] = ()
+) -> pd.DataFrame:
+    """Impacts of two equal spheres before and after softening, a row for each law.
+
+    Args:
+        material: Before.
+        factor: s [-].
+        radius: Of the spheres [m].
+        speed: Closing speed [m/s].
+        laws: Names; those for spheres that the material has the constants for when empty.
+
+    Returns:
+        Columns law; coefficient_of_restitution and coefficient_of_restitution_softened [-], at
+        `speed`; restitution_change [-], the largest from 1 to 1000 yield speeds, 0 of an exact law;
+        timestep and timestep_softened [s], recommended at `speed`; overlap and overlap_softened,
+        largest at `speed`, over the radius [-]; in_range and in_range_softened, whether that impact
+        is within the law's range.
+
+    Raises:
+        ValueError: A number is out of range, or the material lacks a constant of a law.
+    """
+    rows = []
+    for name in laws or laws_for("sphere", [material]):
+        before, after = (
+            Contact(name, body, body, radius=radius, radius_other=radius)
+            for body in (material, soften(material, factor))
+        )
+        hard, soft = before.impact(speed), after.impact(speed)
+        change = np.max(np.abs(_restitution(after) - _restitution(before)))
+        rows.append(
+            {
+                "law": name,
+                "coefficient_of_restitution": hard.coefficient_of_restitution,
+                "coefficient_of_restitution_softened": soft.coefficient_of_restitution,
+                "restitution_change": change if change > EXACT else 0.0,
+                "timestep": before.timestep(speed),
+                "timestep_softened": after.timestep(speed),
+                "overlap": hard.overlap_max / radius,
+                "overlap_softened": soft.overlap_max / radius,
+                "in_range": bool(hard.in_range),
+                "in_range_softened": bool(soft.in_range),
+            }
+        )
+    return pd.DataFrame(rows)
+
+
+def _restitution(contact: Contact) -> np.ndarray:
+    speed = yield_speed(contact.pair, contact.radius_eff, contact.mass_eff)
+    return contact.impact(SPEED_RATIOS * speed).coefficient_of_restitution
+
+
+def lowest_factor(impact: float, rest: float = 0.0) -> float:
+    """The factor at which the first of two overlaps reaches SOUND_OVERLAP.
+
+    Args:
+        impact: Overlap of the fastest impact of the grains as they are, over their radius [-].
+        rest: The same at rest under a load.
+    """
+    needed = [
+        (overlap / SOUND_OVERLAP) ** (-1 / power)
+        for overlap, power in ((impact, TIME_POWER), (rest, REST_POWER))
+    ]
+    return float(min(1.0, max(needed)))
+
+
+def resting_overlap(material: Material, radius: float, depth: float) -> float:
+    """Overlap of grains at rest under a bed of the same, over the radius [-].
+
+    A contact carries F = 4 pi R^2 p/(Z phi) of the pressure p = rho phi g h (Rumpf 1958, Chem. Ing.
+    Tech. 30:144), Z = 6 and phi = 0.6, as Hertz' equal spheres do.
+
+    Args:
+        material: Of the grains.
+        radius: R [m].
+        depth: h, of the bed above them [m].
+
+    Raises:
+        ValueError: A number is out of range.
+    """
+    radius = read_number("radius", radius, Declaration("of the grains", "m", 0))
+    depth = read_number("depth", depth, Declaration("of the bed", "m", 0))
+    pressure = material.density * FILLING * GRAVITY * depth
+    force = 4 * pi * radius**2 * pressure / (COORDINATION * FILLING)
+    modulus = material.youngs_modulus / (2 * (1 - material.poissons_ratio**2))
+    return float((0.75 * force / modulus) ** (2 / 3) / (radius / 2) ** (1 / 3) / radius)

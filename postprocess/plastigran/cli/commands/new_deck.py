@@ -1,0 +1,23 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""`plastigran new-deck`: a deck of one's own to begin with."""
+
+from __future__ import annotations
+
+import argparse
+from pathlib import Path
+
+from plastigran.bulk.template import write_deck
+from plastigran.cli.arguments import add_material
+
+HELP = "write a deck of one's own that runs as it is"
+
+
+def add_arguments(command: argparse.ArgumentParser) -> None:
+    command.add_argument("name", type=Path, help="folder to make; the deck has its name")
+    command.add_argument("--law", default="thornton", help="between grains, default thornton")
+    add_material(command, "soft_granules")
+
+
+def run(arguments: argparse.Namespace) -> None:
+    deck = write_deck(arguments.name, arguments.law, arguments.material)
+    print(f"written: {deck}\nrun it: plastigran bulk {deck}")

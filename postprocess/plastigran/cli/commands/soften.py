@@ -1,0 +1,96 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""`plastigran soften`: a softer material with the same restitution."""
+
+from __future__ import annotations
+
+import argparse
+from pathlib import Path
+
+from plastigran import materials
+from plastigran.calibration.softening import (
+    SOUND_OVERLAP,
+    TIME_POWER,
+    comparison,
+    lowest_factor,
+    resting_overlap,
+    soften,
+)
+from plastigran.cli.arguments import add_material, positive
+from plastigran.cli.metal import print_json
+
+HELP = "a softer material of the same restitution, for longer time steps"
+
+
+def add_arguments(command: argparse.ArgumentParser) -> None:
+    add_material(command)
+    how = command.add_mutually_exclusive_group(required=True)
+    how.add_argument("--factor", type=positive, help="of Young's modulus, at most 1")
+    how.add_argument("--speedup", type=positive, help="of the run, in place of the factor")
+    command.add_argument("--radius", type=positive, required=True, help="of the grains, m")
+    command.add_argument(
+        "--speed", type=positive, required=True, help="of the fastest impacts of the run, m/s"
+    )
+    command.add_argument("--depth", type=positive, help="of a bed at rest, m")
+    command.add_argument(
+        "--law",
+        nargs="+",
+        default=["all"],
+        metavar="LAW",
+        help="laws, or all (default) for spheres that the material has the constants for",
+    )
+    command.add_argument("--output", type=Path, help="material file to write, NAME.in")
+    command.add_argument("--force", action="store_true", help="overwrite that file")
+    command.add_argument("--json", action="store_true", help="all numbers, as JSON")
+
+
+def run(arguments: argparse.Namespace) -> None:
+    material = materials.read_material(arguments.material)
+    factor = arguments.factor or arguments.speedup ** (1 / TIME_POWER)
+    softened = soften(material, factor)
+    names = materials.choose_laws(arguments.law, "sphere", [material])
+    table = comparison(material, factor, arguments.radius, arguments.speed, names)
+    overlaps = {"impact": [float(table[name].max()) for name in ("overlap", "overlap_softened")]}
+    if arguments.depth:
+        overlaps["rest"] = [
+            resting_overlap(body, arguments.radius, arguments.depth)
+            for body in (material, softened)
+        ]
+    growth = factor**TIME_POWER
+    numbers = {
+        "factor": factor,
+        "speedup": growth,
+        "material": softened.variables(),
+        "overlap_softened": {kind: after for kind, (_, after) in overlaps.items()},
+        "sound_to_factor": lowest_factor(*(before for before, _ in overlaps.values())),
+        "laws": table.to_dict("records"),
+    }
+    if arguments.output:
+        remark = f"{material.name} with {factor:g} times its Young's modulus and its restitution."
+        materials.write_material(softened, arguments.output, remark, force=arguments.force)
+    if arguments.json:
+        print_json(numbers)
+        return
+    print(materials.material_lines(softened))
+    print(
+        f"\nTime steps are {growth:.4g} times as long. Overlaps over the radius:\n"
+        + "\n".join(
+            f"  {kind:8s} {before:.2g} -> {after:.2g}" for kind, (before, after) in overlaps.items()
+        )
+    )
+    lowest = numbers["sound_to_factor"]
+    verdict = "sound" if factor >= lowest else "TOO SOFT: grains do not count as hard"
+    print(f"  {verdict}; {SOUND_OVERLAP:g} of the radius is reached at the factor {lowest:.2g}")
+    print(
+        "\nlaw                    restitution      softened  largest change  step, s  softened, s"
+    )
+    for row in numbers["laws"]:
+        change = row["restitution_change"]
+        said = f"{change:.3f}" if change else "exact"
+        left = "" if row["in_range_softened"] else "  beyond the law's range"
+        if left and not row["in_range"]:
+            left += ", as before"
+        print(
+            f"{row['law']:20s} {row['coefficient_of_restitution']:13.4f} "
+            f"{row['coefficient_of_restitution_softened']:13.4f} {said:>15s} "
+            f"{row['timestep']:8.2g} {row['timestep_softened']:12.2g}{left}"
+        )

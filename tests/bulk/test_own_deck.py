@@ -1,0 +1,133 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Decks of the user's own: the template, and input scripts that know nothing of this package."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from numpy.testing import assert_allclose
+
+import plastigran as pg
+from plastigran.bulk.run import run_bulk
+from plastigran.bulk.template import write_deck
+from plastigran.cli import main
+from plastigran.engine.log import read_thermo
+from plastigran.plot.snapshot import find_frames
+
+#: A sphere falls on a plane and a mesh beside the deck; no variable, no dt, long names in the log.
+PLAIN = """
+units si
+atom_style granular
+boundary f f f
+newton off
+communicate single vel yes
+region box block -0.05 0.05 -0.05 0.05 -0.01 0.05 units box
+create_box 1 box
+neighbor 0.002 bin
+include properties.in
+pair_style gran model thornton tangential history
+pair_coeff * *
+fix plate all mesh/surface file meshes/plate.stl type 1 scale 0.008 rotate axis 0 1 0 angle 90
+fix floor all wall/gran model thornton tangential history mesh n_meshes 1 meshes plate
+create_atoms 1 single 0 0 0.00501
+set group all diameter 0.01 density 7850
+velocity all set 0 0 -0.1
+fix integrate all nve/sphere
+variable kinetic_of_all equal ke
+variable kinetic_of_all_twice equal 2*ke
+timestep 1.0e-7
+thermo_style custom step atoms ke v_kinetic_of_all v_kinetic_of_all_twice
+thermo 100
+run 1000
+run 500
+"""
+PROPERTIES = """
+fix m1 all property/global youngsModulus peratomtype 2.1e11
+fix m2 all property/global poissonsRatio peratomtype 0.3
+fix m3 all property/global yieldStrength peratomtype 3.0e8
+fix m4 all property/global coefficientFriction peratomtypepair 1 0.3
+"""
+
+
+@pytest.fixture
+def plain(tmp_path) -> Path:
+    """A deck in a folder with white space in its name, its include and mesh beside it."""
+    folder = tmp_path / "my decks"
+    (folder / "meshes").mkdir(parents=True)
+    template = write_deck(tmp_path / "template", "thornton", "steel")
+    (template.parent / "plate.stl").rename(folder / "meshes" / "plate.stl")
+    (folder / "properties.in").write_text(PROPERTIES)
+    (folder / "plain.in").write_text(PLAIN)
+    return folder / "plain.in"
+
+
+def test_a_plain_deck_runs_where_it_lies(plain, tmp_path, monkeypatch, capsys):
+    """Includes and meshes are found from the deck's place, from any folder; time comes from its
+    timestep command; both runs are kept; results lie in the present folder."""
+    monkeypatch.chdir(tmp_path)
+    assert main(["bulk", str(plain)]) == 0
+    assert "plain keeps no energy ledger" in capsys.readouterr().out
+    run = pg.open("results/plain")
+    series = run.series
+    assert run.deck is None and run.finished
+    assert series["step"].tolist() == list(range(0, 1501, 100))
+    assert_allclose(series["time"], series["step"] * 1e-7)
+    assert series["run"].max() == 1
+    # The log cuts both variables' names to the same letters.
+    assert_allclose(series["kinetic_.2"], 2 * series["kinetic_"], rtol=1e-6)
+    assert series["kinetic_"].iloc[-1] < series["kinetic_"].iloc[0]
+    # Nothing but the run's folder is written.
+    assert sorted(path.name for path in plain.parent.iterdir()) == [
+        "meshes", "plain.in", "properties.in",
+    ]  # fmt: skip
+
+
+def test_a_plain_deck_cannot_go_on(plain, tmp_path):
+    run_bulk(plain, {}, tmp_path / "run", show=False)
+    (tmp_path / "run" / "checkpoint.1000.restart").write_bytes(b"")
+    with pytest.raises(ValueError, match=r"plain\.in has no setting 'start' and cannot go on"):
+        run_bulk(plain, {}, tmp_path / "rest", restart=tmp_path / "run", show=False)
+
+
+def test_an_unknown_setting_is_refused(plain, tmp_path):
+    with pytest.raises(ValueError, match=r"plain\.in has no setting 'radius'"):
+        run_bulk(plain, {"radius": 1}, tmp_path / "run", show=False)
+
+
+def test_columns_of_one_name_are_numbered(tmp_path):
+    """The engine cuts long names, to the same letters here."""
+    log = tmp_path / "log"
+    log.write_text("Step kinetic_ kinetic_\n0 1 2\n10 3 4\nLoop time of 1\n")
+    table = read_thermo(log)
+    assert table["kinetic_"].tolist() == [1, 3] and table["kinetic_.2"].tolist() == [2, 4]
+
+
+def test_the_template_runs_keeps_its_ledger_and_goes_on(tmp_path, capsys):
+    """Frames can be drawn, the ledger is checked, and a run gone on is that of one go."""
+    folder = tmp_path / "mine"
+    assert main(["new-deck", str(folder), "--law", "kogut_etsion"]) == 0
+    capsys.readouterr()
+    deck = folder / "mine.in"
+    short = {"duration": 0.12, "rows": 12, "checkpoints": 3, "frames": 2}
+    whole = run_bulk(deck, short, tmp_path / "whole", show=False)
+    assert whole.passed and "ledger" in whole.figures and len(whole.checks) == 2
+    assert whole.series["plastic"].iloc[-1] > 0
+    assert len(find_frames(tmp_path / "whole")) >= 2
+    half = tmp_path / "half"
+    run_bulk(deck, short | {"duration": 0.08, "rows": 8, "checkpoints": 2}, half, show=False)
+    rest = run_bulk(deck, short, tmp_path / "rest", restart=half, show=False)
+    assert rest.series["step"].tolist() == whole.series["step"].tolist()
+    for column in ("time", "kinetic", "plastic"):
+        assert_allclose(rest.series[column], whole.series[column], rtol=1e-9, atol=1e-15)
+
+
+def test_the_template_refuses(tmp_path, capsys):
+    (tmp_path / "mine").mkdir()
+    for line, said in (
+        ([str(tmp_path / "mine")], "File exists"),
+        ([str(tmp_path / "a b")], "'a b' holds white space"),
+        ([str(tmp_path / "new"), "--law", "lim_stronge"], "'lim_stronge' is no law for spheres"),
+    ):
+        assert main(["new-deck", *line]) == 1
+        assert said in capsys.readouterr().err
