@@ -6,6 +6,7 @@
 #include <map>
 
 #include "fix.h"
+#include "fix_property_global.h"
 #include "modify.h"
 #include "output.h"
 #include "settings.h"
@@ -31,6 +32,10 @@ struct NextRestart {
   typedef LAMMPS_NS::bigint LAMMPS_NS::Output::*type;
   friend type reach(NextRestart);
 };
+struct VariableName {
+  typedef char* LAMMPS_NS::FixPropertyGlobal::*type;
+  friend type reach(VariableName);
+};
 
 template <class Tag, typename Tag::type Member>
 struct Reach {
@@ -40,6 +45,7 @@ template struct Reach<SettingsByName, &Settings::settings>;
 template struct Reach<FixCreators, &LAMMPS_NS::Modify::fix_map>;
 template struct Reach<LostFlag, &LAMMPS_NS::Thermo::lostflag>;
 template struct Reach<NextRestart, &LAMMPS_NS::Output::next_restart>;
+template struct Reach<VariableName, &LAMMPS_NS::FixPropertyGlobal::variablename>;
 
 }  // namespace
 
@@ -64,6 +70,10 @@ bool lost_is_error(const LAMMPS_NS::Output* output) {
 
 LAMMPS_NS::bigint next_restart(const LAMMPS_NS::Output* output) {
   return output->*reach(NextRestart());
+}
+
+std::string variable_name(LAMMPS_NS::FixPropertyGlobal* property) {
+  return property->*reach(VariableName());
 }
 
 }  // namespace plastigran

@@ -12,6 +12,7 @@ class Settings;
 
 namespace LAMMPS_NS {
 class Fix;
+class FixPropertyGlobal;
 class LAMMPS;
 class Modify;
 class Output;
@@ -34,5 +35,8 @@ bool lost_is_error(const LAMMPS_NS::Output* output);
 
 // The step of the next file of the `restart` command.
 LAMMPS_NS::bigint next_restart(const LAMMPS_NS::Output* output);
+
+// The name by which models ask for a property/global.
+std::string variable_name(LAMMPS_NS::FixPropertyGlobal* property);
 
 }  // namespace plastigran

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <map>
+#include <set>
 #include <string>
 
 #include "fix.h"
@@ -16,10 +17,11 @@ class RangeWatch : public LAMMPS_NS::Fix {
   // Of one model, on this rank.
   struct Excess {
     const char* range = "";
-    double contacts = 0;      // one seen from both sides of a border counts half on each
-    double furthest = 0;      // largest overlap over the range's
-    double announced = 0;     // contacts, over all ranks, when it was last said
-    double warned_speed = 0;  // of impacts before a run that leave the range [m/s]
+    double contacts = 0;         // one seen from both sides of a border counts half on each
+    double furthest = 0;         // largest overlap over the range's
+    double announced = 0;        // contacts, over all ranks, when it was last said
+    double warned_speed = 0;     // of impacts before a run that leave the range [m/s]
+    std::set<std::string> said;  // warnings before a run that are given once
   };
 
   RangeWatch(LAMMPS_NS::LAMMPS* engine, int count, char** words) : Fix(engine, count, words) {}

@@ -34,7 +34,7 @@ void StepWatch::setup(int) {
     warned_impact_ = impact_.step;
     std::ostringstream text;
     text << model_ << ": the time step " << update->dt << " is too long for rebound from "
-         << (impact_.wall ? "wall " : "") << "impacts at the present speeds (up to "
+         << (impact_.wall ? "wall " : "") << "impacts at the present speeds (at most "
          << impact_.speed << "); restitution may be off by more than 0.1 %. Recommended: timestep "
          << impact_.step;
     warn(text.str());

@@ -5,6 +5,7 @@
 
 #include "fix_mesh_surface.h"
 #include "fix_wall_gran.h"
+#include "modify.h"
 #include "pair_gran.h"
 
 namespace plastigran {
@@ -28,6 +29,14 @@ std::vector<int> ContactOwner::partner_types(int type_count) const {
   if (!wall->is_mesh_wall()) return {wall->atom_type_wall()};
   for (int mesh = 0; mesh < wall->n_meshes(); ++mesh)
     types.push_back(wall->mesh_list()[mesh]->atomTypeWall());
+  return types;
+}
+
+std::set<int> ContactOwner::wall_types(LAMMPS_NS::Modify* modify) {
+  std::set<int> types;
+  for (int k = 0; k < modify->nfix; ++k)
+    if (const auto wall = dynamic_cast<FixWallGran*>(modify->fix[k]))
+      for (int type : ContactOwner(wall, true).partner_types(0)) types.insert(type);
   return types;
 }
 

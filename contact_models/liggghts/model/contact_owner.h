@@ -3,10 +3,15 @@
 // Whose contacts a model computes: those of the pair style, or of one wall with all its meshes.
 #pragma once
 
+#include <set>
 #include <string>
 #include <vector>
 
 #include "contact_interface.h"
+
+namespace LAMMPS_NS {
+class Modify;
+}
 
 namespace plastigran {
 
@@ -22,6 +27,9 @@ class ContactOwner {
 
   // The atom types particles meet here: all of them, or those of the wall.
   std::vector<int> partner_types(int type_count) const;
+
+  // The atom types of all granular walls of the engine.
+  static std::set<int> wall_types(LAMMPS_NS::Modify* modify);
 
  private:
   LIGGGHTS::IContactHistorySetup* owner_;  // a PairGran or FixWallGran

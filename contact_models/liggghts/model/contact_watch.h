@@ -2,7 +2,7 @@
 //
 // Looks at contacts as they grow deeper, for a model: is the law still good for the load, is the
 // time step short enough for it, has the overlap left all bounds? A contact is looked at only when
-// it is a tenth deeper than those of its pair of types were, or near a limit.
+// it is a tenth deeper than those of its pair of types were, or beyond a limit.
 #pragma once
 
 #include <algorithm>
@@ -18,9 +18,11 @@
 #include "liggghts/fixes/own_fix.h"
 #include "liggghts/fixes/range_watch.h"
 #include "liggghts/fixes/step_watch.h"
+#include "liggghts/model/deck_units.h"
 #include "liggghts/model/impact_forecast.h"
 #include "liggghts/model/type_pair.h"
 #include "pointers.h"
+#include "update.h"
 
 namespace plastigran {
 
@@ -28,6 +30,10 @@ namespace plastigran {
 std::string describe_overlap(const LAMMPS_NS::Atom* atom,
                              const LIGGGHTS::ContactModels::SurfacesIntersectData& contact,
                              double overlap, double overlap_limit);
+
+// What to say of a particle whose centre is about to pass a wall.
+std::string describe_passage(const LAMMPS_NS::Atom* atom,
+                             const LIGGGHTS::ContactModels::SurfacesIntersectData& contact);
 
 template <class Law>
 class ContactWatch : protected LAMMPS_NS::Pointers {
@@ -53,19 +59,27 @@ class ContactWatch : protected LAMMPS_NS::Pointers {
     if (times.outside_speed <= 1.01 * excess_->warned_speed) return;
     excess_->warned_speed = times.outside_speed;  // once for all walls, unless it gets worse
     std::ostringstream text;
-    text << model_ << ": impacts at the present speeds (up to " << times.outside_speed
-         << " m/s) leave the law's range (" << Law::range << ')';
+    text << model_ << ": impacts at the present speeds (at most " << times.outside_speed << ' '
+         << unit_in_deck(update->unit_style, "m/s") << ") leave the law's range (" << Law::range
+         << ')';
     error->warning(FLERR, text.str().c_str());
   }
 
-  // A contact deeper than `pair.watched`, whose state before this step is `before`.
+  // Before a run, on the first rank: a warning that is given once, for all walls together.
+  void warn_once(const std::string& text) {
+    if (excess_->said.insert(text).second) error->warning(FLERR, (model_ + ": " + text).c_str());
+  }
+
+  // A contact deeper than `pair.watched`, whose state was `before` and is `now` after this step.
   [[gnu::noinline]] void note(const Contact& contact, TypePair<Law>& pair, double radius_eff,
-                              const State& before) {
+                              const State& before, const State& now) {
     const double smaller = contact.is_wall ? contact.radi : std::min(contact.radi, contact.radj);
     if (contact.deltan > overlap_limit_ * smaller)
       stop(describe_overlap(atom, contact, contact.deltan / smaller, overlap_limit_));
+    if (contact.is_wall && overlap_limit_ <= 1 && contact.deltan + 2 * closing(contact) > smaller)
+      stop(describe_passage(atom, contact));
     if (contact.shearupdate && contact.deltan > pair.range * radius_eff)
-      note_excess(contact, pair, radius_eff, before);
+      note_excess(contact, pair, radius_eff, before, now);
     const double depth = contact.deltan / radius_eff;
     if (depth <= pair.noted) return;
     pair.noted = 1.1 * depth;
@@ -75,11 +89,12 @@ class ContactWatch : protected LAMMPS_NS::Pointers {
     const double energy = virgin.elastic_energy + virgin.plastic_work;
     const double speed = std::sqrt(2 * energy / contact.meff);
     const double* const x = atom->x[contact.i];
-    step_watch_->met({recommended_timestep(pair.law, radius_eff, contact.meff, speed),
-                      speed,
-                      {x[0], x[1], x[2]},
-                      atom->tag[contact.i],
-                      contact.is_wall ? 0 : atom->tag[contact.j]});
+    step_watch_->met(
+        {recommended_timestep_of_load(pair.law, radius_eff, contact.meff, speed, contact.deltan),
+         speed,
+         {x[0], x[1], x[2]},
+         atom->tag[contact.i],
+         contact.is_wall ? 0 : atom->tag[contact.j]});
   }
 
   // On this rank alone: the others are not in the force loop at the same contact.
@@ -88,17 +103,30 @@ class ContactWatch : protected LAMMPS_NS::Pointers {
   }
 
  private:
+  // How far the two close in on each other in a step [m].
+  double closing(const Contact& contact) const { return std::max(0.0, -contact.vn) * update->dt; }
+
   // A contact is counted when it passes the end of its law's range for the first time: when what it
-  // had reached before this step is less than loading to that end makes of it.
+  // had reached before this step is less than loading to that end makes of it. The law is asked
+  // only where that can be so: a contact that nothing new has been reached in, or that was well
+  // beyond the end a step ago, has passed before. Positions move freely between runs: the first
+  // step of one looks at all.
   void note_excess(const Contact& contact, const TypePair<Law>& pair, double radius_eff,
-                   const State& before) {
+                   const State& before, const State& now) {
     const double limit = pair.range * radius_eff;
     excess_->furthest = std::max(excess_->furthest, contact.deltan / limit);
+    if (same(before, now)) return;
+    const bool far = contact.deltan > 1.001 * limit + 2 * closing(contact);
+    if (far && !same(before, State()) && update->ntimestep > update->firststep + 1) return;
     State reached = before;
     pair.law.respond(radius_eff, limit, reached);
-    if (std::memcmp(&before, &reached, Law::state_names.size() * sizeof(double)) == 0) return;
+    if (same(before, reached)) return;
     const bool shared = !contact.is_wall && !force->newton_pair && contact.j >= atom->nlocal;
     excess_->contacts += shared ? 0.5 : 1;
+  }
+
+  static bool same(const State& one, const State& other) {
+    return std::memcmp(&one, &other, Law::state_names.size() * sizeof(double)) == 0;
   }
 
   std::string model_;

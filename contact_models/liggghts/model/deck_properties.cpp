@@ -1,15 +1,40 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "liggghts/model/deck_properties.h"
 
+#include <algorithm>
 #include <cctype>
+#include <numeric>
 #include <sstream>
 
 #include "error.h"
 #include "fix_property_global.h"
+#include "liggghts/fixes/engine_access.h"
+#include "liggghts/model/deck_units.h"
 #include "modify.h"
+#include "plastigran/impact/plausibility.h"
 #include "plastigran/impact/validate.h"
+#include "update.h"
 
 namespace plastigran {
+
+namespace {
+
+// How many letters must be changed, added or left out to make one word of the other (Levenshtein
+// 1966).
+int letters_apart(const std::string& one, const std::string& other) {
+  std::vector<int> before(other.size() + 1);
+  std::iota(before.begin(), before.end(), 0);
+  for (std::size_t i = 0; i < one.size(); ++i) {
+    std::vector<int> now{before[0] + 1};
+    for (std::size_t j = 0; j < other.size(); ++j)
+      now.push_back(
+          std::min({now[j] + 1, before[j + 1] + 1, before[j] + (one[i] == other[j] ? 0 : 1)}));
+    before = now;
+  }
+  return before.back();
+}
+
+}  // namespace
 
 std::string property_name(const std::string& field) {
   std::string name;
@@ -23,6 +48,7 @@ std::string property_name(const std::string& field) {
 
 LAMMPS_NS::FixPropertyGlobal* DeckProperties::find(const char* field, const char* shape, int rows,
                                                    int columns, bool required) const {
+  asked_.insert(property_name(field));
   return static_cast<LAMMPS_NS::FixPropertyGlobal*>(
       modify->find_fix_property(property_name(field).c_str(), "property/global", shape, rows,
                                 columns, model_.c_str(), required));
@@ -51,9 +77,11 @@ double DeckProperties::per_type(const char* field, int type, const char* unit,
   if (const auto found = values(field, "peratomtype", type_count_, 0))
     return found->compute_vector(type - 1);
   const std::string name = property_name(field);
-  if (std::isnan(fallback))
-    fail(name + " is missing; give it for every atom type [" + unit + "]: fix ID all " +
-         "property/global " + name + " peratomtype VALUE ...");
+  if (!std::isnan(fallback)) return fallback;
+  std::string found_instead;
+  for (const std::string& other : misspelt(name)) found_instead += ". The deck has " + other;
+  fail(name + " is missing; give it for every atom type [" + this->unit(unit) + "]: fix ID all " +
+       "property/global " + name + " peratomtype VALUE ..." + found_instead);
   return fallback;
 }
 
@@ -87,8 +115,12 @@ void DeckProperties::check(const Complaint& complaint, int type, int other_type)
   if (!complaint.empty()) fail(about_types(worded(complaint), type, other_type));
 }
 
-std::string DeckProperties::worded(const Complaint& complaint) {
-  return complaint.worded(property_name);
+std::string DeckProperties::worded(const Complaint& complaint) const {
+  return sentence_in_deck(update->unit_style, complaint.worded(property_name));
+}
+
+std::string DeckProperties::unit(const std::string& si) const {
+  return unit_in_deck(update->unit_style, si);
 }
 
 std::string DeckProperties::about_types(const std::string& sentence, int type, int other_type) {
@@ -97,6 +129,30 @@ std::string DeckProperties::about_types(const std::string& sentence, int type, i
   if (other_type) text << " and " << other_type;
   text << ')';
   return text.str();
+}
+
+std::vector<std::string> DeckProperties::misspelt(const std::string& name) const {
+  std::vector<std::string> found;
+  for (int k = 0; k < modify->nfix; ++k) {
+    const auto property = dynamic_cast<LAMMPS_NS::FixPropertyGlobal*>(modify->fix[k]);
+    if (!property) continue;
+    const std::string given = variable_name(property);
+    if (!asked_.count(given) && letters_apart(given, name) <= 2) found.push_back(given);
+  }
+  return found;
+}
+
+std::vector<std::string> DeckProperties::doubts(const std::vector<Body>& bodies) const {
+  std::vector<std::string> sentences;
+  const double pascal = pascal_in_deck(update->unit_style);
+  for (int type = 1; pascal > 0 && type <= type_count_; ++type) {
+    const Complaint complaint = implausible(bodies[type - 1], pascal);
+    if (!complaint.empty()) sentences.push_back(about_types(worded(complaint), type, 0));
+  }
+  for (const std::string& name : asked_)
+    for (const std::string& other : misspelt(name))
+      sentences.push_back("nothing asks for the property " + other + "; is it " + name + '?');
+  return sentences;
 }
 
 }  // namespace plastigran

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cmath>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -48,11 +49,18 @@ class DeckProperties : protected LAMMPS_NS::Pointers {
   // Stops with a complaint about these atom types (other_type 0: about one), unless it is empty.
   void check(const Complaint& complaint, int type, int other_type = 0) const;
 
-  // A complaint with the properties' names.
-  static std::string worded(const Complaint& complaint);
+  // A complaint with the properties' names and the deck's units.
+  std::string worded(const Complaint& complaint) const;
 
-  // A sentence and the atom types it is about.
+  // A sentence and the atom types it is about (other_type 0: one).
   static std::string about_types(const std::string& sentence, int type, int other_type);
+
+  // The deck's unit for an SI unit.
+  std::string unit(const std::string& si) const;
+
+  // Sentences on what is allowed and yet looks like a slip: values of bodies, and properties whose
+  // name is a letter or two off one that has been asked for.
+  std::vector<std::string> doubts(const std::vector<Body>& bodies) const;
 
  private:
   LAMMPS_NS::FixPropertyGlobal* find(const char* field, const char* shape, int rows, int columns,
@@ -60,8 +68,12 @@ class DeckProperties : protected LAMMPS_NS::Pointers {
   LAMMPS_NS::FixPropertyGlobal* values(const char* field, const char* shape, int rows,
                                        int columns) const;
 
+  // Properties of the deck that may stand for a misspelt `name`.
+  std::vector<std::string> misspelt(const std::string& name) const;
+
   std::string model_;
   int type_count_;
+  mutable std::set<std::string> asked_;  // names asked for so far
 };
 
 }  // namespace plastigran

@@ -139,8 +139,7 @@ class ElastoplasticNormalModel : public NormalModelBase {
                                   : contact.radi * contact.radj / (contact.radi + contact.radj);
     TypePair& at_rest = pairs_(contact.itype, contact.jtype);
     // Particles of these types may have been inserted since the check before the run.
-    if constexpr (plastigran::takes_bodies<Law>)
-      if (!at_rest.lacking.empty()) watch_.stop(at_rest.lacking);
+    if (!at_rest.refusal.empty()) watch_.stop(at_rest.refusal);
     TypePair& pair = rate_offset_ < 0 ? at_rest : at_rate(contact, at_rest, radius_eff);
 
     double* const history = contact.contact_history + history_offset_;
@@ -149,7 +148,7 @@ class ElastoplasticNormalModel : public NormalModelBase {
     const plastigran::Response response =
         plastigran::respond(pair.law, radius_eff, contact.deltan, state, -contact.vn);
     if (contact.computeflag) {
-      if (contact.deltan > pair.watched * radius_eff) note(contact, pair, radius_eff);
+      if (contact.deltan > pair.watched * radius_eff) note(contact, pair, radius_eff, state);
       if (accounts_) account(contact, pair, radius_eff, i_forces);
       if (contact.shearupdate) std::memcpy(history, &state, state_size);
     }
@@ -225,8 +224,8 @@ class ElastoplasticNormalModel : public NormalModelBase {
   }
 
   [[gnu::noinline]] void note(const SurfacesIntersectData& contact, TypePair& pair,
-                              double radius_eff) {
-    watch_.note(contact, pair, radius_eff, state_before(contact));
+                              double radius_eff, const State& now) {
+    watch_.note(contact, pair, radius_eff, state_before(contact), now);
   }
 
   static plastigran::AccountedLoad& accounted(ForceData& load) {
@@ -247,18 +246,21 @@ class ElastoplasticNormalModel : public NormalModelBase {
 
   // What the model was given and what it assumed: a misspelt optional property shows here.
   void report_constants(const plastigran::DeckProperties& deck) {
-    const std::string text =
+    std::string text =
         pairs_.describe(caller() + (owner_.is_wall() ? ", wall" : ""), deck, choices_);
+    if (!viscous_damping_ && !owner_.is_wall() && deck.given("coefficient_restitution"))
+      text += caller() +
+              ": coefficientRestitution is not used, restitution follows from the law; "
+              "it is the dashpot's, viscous_damping on\n";
     if (screen) fputs(text.c_str(), screen);
     if (logfile) fputs(text.c_str(), logfile);
+    for (const std::string& doubt : deck.doubts(pairs_.bodies())) watch_.warn_once(doubt);
   }
 
   void forecast_impacts(const plastigran::DeckProperties& deck) {
     const plastigran::ImpactForecast forecast(lmp, owner_, pairs_.type_count());
-    for (const auto& meeting : forecast.meetings()) {
-      const TypePair& pair = pairs_(meeting.type, meeting.partner_type);
-      if (!pair.lacking.empty()) deck.fail(pair.lacking);
-    }
+    const std::string refusal = plastigran::refusal(forecast, pairs_);
+    if (!refusal.empty()) deck.fail(refusal);
     if (comm->me == 0) watch_.expect(plastigran::impact_times(forecast, pairs_));
   }
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "atom.h"
 #include "plastigran/impact/elastic_times.h"
@@ -15,8 +16,12 @@ ImpactForecast::ImpactForecast(LAMMPS_NS::LAMMPS* engine, const ContactOwner& ow
     : Pointers(engine), is_wall_(owner.is_wall()), types_(type_count + 1) {
   gather();
   const auto reduced = [](double a, double b) { return a * b / (a + b); };
+  const std::set<int> walls = ContactOwner::wall_types(modify);
+  const auto may_come = [&](int type) { return types_[type].count > 0 || !walls.count(type); };
   for (int type = 1; type <= type_count; ++type) {
     const Extremes& one = types_[type];
+    for (int partner : owner.partner_types(type_count))
+      if (may_come(type) && (is_wall_ || may_come(partner))) expected_.push_back({type, partner});
     if (one.count == 0) continue;
     for (int partner : owner.partner_types(type_count)) {
       const Extremes& other = types_[partner];
@@ -24,9 +29,19 @@ ImpactForecast::ImpactForecast(LAMMPS_NS::LAMMPS* engine, const ContactOwner& ow
         meetings_.push_back({type, partner, one.radius, one.mass, one.speed});
       else if (other.count > (type == partner ? 1 : 0))
         meetings_.push_back({type, partner, reduced(one.radius, other.radius),
-                             reduced(one.mass, other.mass), one.speed + other.speed});
+                             reduced(one.mass, other.mass), relative_speed(one, other)});
     }
   }
+}
+
+double ImpactForecast::relative_speed(const Extremes& one, const Extremes& other) {
+  double squared = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double apart =
+        std::max(one.most[axis] - other.least[axis], other.most[axis] - one.least[axis]);
+    squared += apart * apart;
+  }
+  return std::min(std::sqrt(squared), one.speed + other.speed);
 }
 
 void ImpactForecast::gather() {
@@ -37,29 +52,37 @@ void ImpactForecast::gather() {
     type.radius = std::min(type.radius, atom->radius[i]);
     type.mass = std::min(type.mass, atom->rmass[i]);
     type.speed = std::max(type.speed, std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]));
+    for (int axis = 0; axis < 3; ++axis) {
+      type.least[axis] = std::min(type.least[axis], v[axis]);
+      type.most[axis] = std::max(type.most[axis], v[axis]);
+    }
   }
-  const auto over_ranks = [&](double Extremes::*value, MPI_Op operation) {
+  const auto over_ranks = [&](MPI_Op operation, auto value) {
     std::vector<double> values;
-    for (const Extremes& type : types_) values.push_back(type.*value);
+    for (Extremes& type : types_) values.push_back(value(type));
     MPI_Allreduce(MPI_IN_PLACE, values.data(), values.size(), MPI_DOUBLE, operation, world);
-    for (std::size_t type = 0; type < types_.size(); ++type) types_[type].*value = values[type];
+    for (std::size_t type = 0; type < types_.size(); ++type) value(types_[type]) = values[type];
   };
-  over_ranks(&Extremes::count, MPI_SUM);
-  over_ranks(&Extremes::radius, MPI_MIN);
-  over_ranks(&Extremes::mass, MPI_MIN);
-  over_ranks(&Extremes::speed, MPI_MAX);
+  over_ranks(MPI_SUM, [](Extremes& type) -> double& { return type.count; });
+  over_ranks(MPI_MIN, [](Extremes& type) -> double& { return type.radius; });
+  over_ranks(MPI_MIN, [](Extremes& type) -> double& { return type.mass; });
+  over_ranks(MPI_MAX, [](Extremes& type) -> double& { return type.speed; });
+  for (int axis = 0; axis < 3; ++axis) {
+    over_ranks(MPI_MIN, [=](Extremes& type) -> double& { return type.least[axis]; });
+    over_ranks(MPI_MAX, [=](Extremes& type) -> double& { return type.most[axis]; });
+  }
 }
 
 double ImpactForecast::rayleigh_time(const std::vector<Body>& materials) const {
   double shortest = StepWatch::unknown;
   for (std::size_t type = 1; type < types_.size(); ++type) {
-    const auto& [count, radius, mass, speed] = types_[type];
-    if (count == 0) continue;
+    const Extremes& extremes = types_[type];
+    if (extremes.count == 0) continue;
     const Body& body = materials[type - 1];
-    const double volume = 4.0 / 3 * pi * std::pow(radius, 3);
-    shortest = std::min(
-        shortest,
-        plastigran::rayleigh_time(radius, mass / volume, body.youngs_modulus, body.poissons_ratio));
+    const double volume = 4.0 / 3 * pi * std::pow(extremes.radius, 3);
+    shortest =
+        std::min(shortest, plastigran::rayleigh_time(extremes.radius, extremes.mass / volume,
+                                                     body.youngs_modulus, body.poissons_ratio));
   }
   return shortest;
 }

@@ -18,14 +18,6 @@
 
 namespace plastigran {
 
-// Whether bodies bring constants of the law's own (cylinders their length).
-template <class Law>
-constexpr bool takes_bodies = [] {
-  for (const auto& parameter : parameters_of<Law>)
-    if (parameter.per_body) return true;
-  return false;
-}();
-
 template <class Law>
 constexpr bool is_cylinder = std::string_view(shape<Law>) == std::string_view("cylinder");
 
@@ -33,19 +25,19 @@ template <class Law>
 struct TypePair {
   typedef typename Law::Parameters Constants;
 
+  double watched = 0;    // overlap over R* from which on the contact watch looks at contacts
+  std::string refusal;   // why the law is none for these two; empty when it is
+  bool lacking = false;  // neither body brings what one must: refused once two particles can meet
   Law law;
   MaterialPair bodies;
-  double watched = 0;   // overlap over R* from which on the contact watch looks at contacts
-  double noted = 0;     // overlap over R* up to which it has
-  double range;         // largest overlap over R* the law is good for
-  std::string lacking;  // what neither body brings: an error once the two can meet
+  double noted = 0;  // overlap over R* up to which the contact watch has looked
+  double range;      // largest overlap over R* the law is good for
   Constants constants;
 
-  TypePair(const MaterialPair& bodies_, const Constants& constants_, const std::string& lacking_)
+  TypePair(const MaterialPair& bodies_, const Constants& constants_)
       : law(bodies_, constants_),
         bodies(bodies_),
         range(overlap_range(law)),
-        lacking(lacking_),
         constants(constants_) {}
 
   // The two with their strength at a rate factor; made when first asked for. A new one counts as
@@ -103,17 +95,18 @@ class TypePairs {
     for (int i = 1; i <= type_count_; ++i)
       for (int j = i; j <= type_count_; ++j) {
         const TypePair<Law>& pair = (*this)(i, j);
-        if (!pair.lacking.empty()) continue;
+        if (!pair.refusal.empty()) continue;
+        const std::string pascal = ' ' + deck.unit("Pa");
         text << caller << ", atom types " << i << " and " << j << ": effective modulus "
-             << pair.bodies.youngs_modulus_eff << " Pa";
+             << pair.bodies.youngs_modulus_eff << pascal;
         if (yields<Law>)
-          text << ", yield strength " << pair.bodies.yield_strength << " Pa, yield pressure "
-               << pair.bodies.yield_pressure << " Pa";
+          text << ", yield strength " << pair.bodies.yield_strength << pascal << ", yield pressure "
+               << pair.bodies.yield_pressure << pascal;
         if (pair.bodies.rate_coefficient > 0)
           text << ", rate coefficient " << pair.bodies.rate_coefficient << ", reference rate "
-               << pair.bodies.reference_rate << " 1/s";
+               << pair.bodies.reference_rate << ' ' << deck.unit("1/s");
         if (hardens<Law>)
-          text << ", tangent modulus " << pair.bodies.tangent_modulus << " Pa"
+          text << ", tangent modulus " << pair.bodies.tangent_modulus << pascal
                << (deck.given("tangent_modulus") ? "" : " (default)");
         for (const auto& parameter : parameters_of<Law>)
           text << ", " << property_name(parameter.name) << ' ' << pair.constants.*parameter.value
@@ -137,7 +130,7 @@ class TypePairs {
 
  private:
   TypePair<Law> between(const DeckProperties& deck, int i, int j, Constants constants) const {
-    std::string lacking;
+    Complaint lacking;
     for (const auto& parameter : parameters_of<Law>) {
       double& value = constants.*parameter.value;
       if (!parameter.per_body) {
@@ -145,14 +138,15 @@ class TypePairs {
         continue;
       }
       value = larger_of_bodies(deck, parameter, i, j);
-      if (lacking.empty() && value == 0)
-        lacking = DeckProperties::about_types(
-            DeckProperties::worded(complaint(parameter, 0)) + "; one of the two must have it", i,
-            j);
+      if (lacking.empty() && value == 0) lacking = complaint(parameter, 0);
     }
-    const MaterialPair pair = combine(bodies_[i - 1], bodies_[j - 1]);
-    if (lacking.empty()) deck.check(validate<Law>(pair, constants), i, j);
-    return TypePair<Law>(pair, constants, lacking);
+    const MaterialPair bodies = combine(bodies_[i - 1], bodies_[j - 1]);
+    TypePair<Law> pair(bodies, constants);
+    pair.lacking = !lacking.empty();
+    std::string reason = deck.worded(pair.lacking ? lacking : validate<Law>(bodies, constants));
+    if (pair.lacking) reason += "; one of the two must have it";
+    if (!reason.empty()) pair.refusal = DeckProperties::about_types(reason, i, j);
+    return pair;
   }
 
   // A pair's value of a constant that bodies bring: the larger one; 0 says "not this body".

@@ -6,7 +6,10 @@
 // which knows nothing of models that came with a plugin.)
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <string>
+#include <vector>
 
 #include "fix_insert_stream.h"  // granular_styles.h uses it without including it
 #include "granular_styles.h"
@@ -29,30 +32,77 @@ inline void require_version(LAMMPS_NS::LAMMPS* lmp) {
   lmp->error->all(FLERR, text.c_str());
 }
 
-// Ids of the models to combine with, as the engine's headers list them.
-constexpr int tangential_ids[] = {
-    TANGENTIAL_OFF,
-#define TANGENTIAL_MODEL(identifier, name, id) identifier,
+// A model to combine with, as a deck names it.
+struct Companion {
+  int id;
+  const char* name;
+};
+
+// The four places of a combination beside the normal model, in the order of the engine's hash: what
+// a deck calls it, the models of the engine's headers, and which of them we promise.
+struct Place {
+  const char* keyword;
+  std::vector<Companion> models;
+  std::vector<int> promised;
+
+  bool promises(int id) const {
+    return std::find(promised.begin(), promised.end(), id) != promised.end();
+  }
+};
+
+inline const std::array<Place, 4> places{{
+    {"tangential",
+     {
+         {TANGENTIAL_OFF, "off"},
+#define TANGENTIAL_MODEL(identifier, name, id) {identifier, #name},
 #include "style_tangential_model.h"
 #undef TANGENTIAL_MODEL
-};
-constexpr int cohesion_ids[] = {
-    COHESION_OFF,
-#define COHESION_MODEL(identifier, name, id) identifier,
+     },
+     {TANGENTIAL_OFF, TANGENTIAL_NO_HISTORY, TANGENTIAL_HISTORY}},
+    {"cohesion",
+     {
+         {COHESION_OFF, "off"},
+#define COHESION_MODEL(identifier, name, id) {identifier, #name},
 #include "style_cohesion_model.h"
 #undef COHESION_MODEL
-};
-constexpr int rolling_ids[] = {
-    ROLLING_OFF,
-#define ROLLING_MODEL(identifier, name, id) identifier,
+     },
+     {COHESION_OFF}},
+    {"rolling_friction",
+     {
+         {ROLLING_OFF, "off"},
+#define ROLLING_MODEL(identifier, name, id) {identifier, #name},
 #include "style_rolling_model.h"
 #undef ROLLING_MODEL
-};
-constexpr int surface_ids[] = {
-#define SURFACE_MODEL(identifier, name, id) identifier,
+     },
+     {ROLLING_OFF, ROLLING_CDT, ROLLING_EPSD2}},
+    {"surface",
+     {
+#define SURFACE_MODEL(identifier, name, id) {identifier, #name},
 #include "style_surface_model.h"
 #undef SURFACE_MODEL
-};
+     },
+     {SURFACE_DEFAULT}},
+}};
+
+// What a deck asks of a place by the engine's hash.
+inline int asked(int64_t hash, std::size_t place) { return hash >> 6 * (place + 1) & 63; }
+
+// The words of a combination that are not promised, with those that are.
+inline std::string describe_refusal(const std::string& model, int64_t hash) {
+  std::string text;
+  for (std::size_t k = 0; k < places.size(); ++k) {
+    const Place& place = places[k];
+    if (place.promises(asked(hash, k))) continue;
+    std::string refused, possible;
+    for (const Companion& companion : place.models) {
+      if (companion.id == asked(hash, k)) refused = companion.name;
+      if (place.promises(companion.id)) possible += std::string(" ") + companion.name;
+    }
+    text += (text.empty() ? "model " + model + ": " : "; ") + place.keyword + ' ' + refused +
+            " is not available with this model; possible:" + possible;
+  }
+  return text;
+}
 
 template <class Style, class Interface, class Parent>
 Interface* create(LAMMPS_NS::LAMMPS* lmp, Parent* parent, int64_t hash) {
@@ -60,28 +110,22 @@ Interface* create(LAMMPS_NS::LAMMPS* lmp, Parent* parent, int64_t hash) {
   return new Style(lmp, parent, hash);
 }
 
-template <class Interface, class Parent>
-Interface* refuse(LAMMPS_NS::LAMMPS* lmp, Parent*, int64_t) {
-  lmp->error->all(FLERR,
-                  "This contact model works with tangential off | no_history | history, "
-                  "rolling_friction off | cdt | epsd2, cohesion off, surface default; "
-                  "other combinations are not available");
-  return nullptr;
-}
-
 template <int Model>
 class RegisterModel {
  public:
   explicit RegisterModel(const char* name) {
+    name_ = name;
     ContactModels::Factory::instance().addNormalModel(name, Model);
-    for (int tangential : tangential_ids)
-      for (int cohesion : cohesion_ids)
-        for (int rolling : rolling_ids)
-          for (int surface : surface_ids)
-            if (!promised(tangential, cohesion, rolling, surface))
-              add(Utils::generate_gran_hashcode(Model, tangential, cohesion, rolling, surface),
-                  &refuse<PairStyles::IGranularPairStyle, PairGran>,
+    for (const Companion& tangential : places[0].models)
+      for (const Companion& cohesion : places[1].models)
+        for (const Companion& rolling : places[2].models)
+          for (const Companion& surface : places[3].models) {
+            const int64_t hash = Utils::generate_gran_hashcode(Model, tangential.id, cohesion.id,
+                                                               rolling.id, surface.id);
+            if (!promised(hash))
+              add(hash, &refuse<PairStyles::IGranularPairStyle, PairGran>,
                   &refuse<Walls::IGranularWall, FixWallGran>);
+          }
     with_tangential<TANGENTIAL_OFF>();
     with_tangential<TANGENTIAL_NO_HISTORY>();
     with_tangential<TANGENTIAL_HISTORY>();
@@ -91,12 +135,16 @@ class RegisterModel {
   typedef PairStyles::IGranularPairStyle* (*PairCreator)(LAMMPS_NS::LAMMPS*, PairGran*, int64_t);
   typedef Walls::IGranularWall* (*WallCreator)(LAMMPS_NS::LAMMPS*, FixWallGran*, int64_t);
 
-  static bool promised(int tangential, int cohesion, int rolling, int surface) {
-    return (tangential == TANGENTIAL_OFF || tangential == TANGENTIAL_NO_HISTORY ||
-            tangential == TANGENTIAL_HISTORY) &&
-           cohesion == COHESION_OFF &&
-           (rolling == ROLLING_OFF || rolling == ROLLING_CDT || rolling == ROLLING_EPSD2) &&
-           surface == SURFACE_DEFAULT;
+  static bool promised(int64_t hash) {
+    for (std::size_t k = 0; k < places.size(); ++k)
+      if (!places[k].promises(asked(hash, k))) return false;
+    return true;
+  }
+
+  template <class Interface, class Parent>
+  static Interface* refuse(LAMMPS_NS::LAMMPS* lmp, Parent*, int64_t hash) {
+    lmp->error->all(FLERR, describe_refusal(name_, hash).c_str());
+    return nullptr;
   }
 
   static void add(int64_t hash, PairCreator pair, WallCreator wall) {
@@ -119,6 +167,8 @@ class RegisterModel {
         &create<PairStyles::Granular<Contact>, PairStyles::IGranularPairStyle, PairGran>,
         &create<Walls::Granular<Contact>, Walls::IGranularWall, FixWallGran>);
   }
+
+  inline static const char* name_ = nullptr;
 };
 
 }  // namespace plastigran

@@ -42,7 +42,7 @@ struct Brake2015Curve {
       "{indentation_pressure} must be more than a third of the weaker body's contact yield "
       "pressure";
 
-  std::array<double, 1> breaks{1};
+  std::array<double, 2> breaks;  // the second only says how far the transition reaches
   double yield_radius_ratio;
   double meyer;    // n
   double plastic;  // x_p
@@ -52,6 +52,7 @@ struct Brake2015Curve {
     const double root =
         3 * indentation_pressure(pair, constants.indentation_pressure) / pair.yield_pressure;
     plastic = root * root;
+    breaks = {1, plastic};
   }
 
   double elastic_share(double x) const {

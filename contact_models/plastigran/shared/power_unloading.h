@@ -70,7 +70,15 @@ class PowerUnloading : public Curve {
       : Curve(pair, constants),
         modulus_(4.0 / 3.0 * pair.youngs_modulus_eff),
         overlap_ratio_(Curve::yield_radius_ratio * Curve::yield_radius_ratio) {
+    sum_panels();
     if (constants.energy_guard == 1) find_guarded();
+  }
+
+  // Overlaps over R* where the formula changes: the virgin force may jump there.
+  auto overlap_breaks() const {
+    auto overlaps = Curve::breaks;
+    for (double& overlap : overlaps) overlap *= overlap_ratio_;
+    return overlaps;
   }
 
   Response respond(double radius_eff, double overlap, State& state) const {
@@ -114,19 +122,36 @@ class PowerUnloading : public Curve {
       return 1.5;
   }
 
-  // Work of the virgin curve up to x, over F_y overlap_y: Gauss-Legendre between the breaks on
-  // panels that double in length.
+  // The virgin curve's work up to x, over F_y overlap_y.
+  struct Work {
+    double x, work;
+  };
+
+  // Beyond the first break the work is summed by Gauss-Legendre on panels that double in length and
+  // end at breaks.
+  Work panel_after(const Work& begin, double end) const {
+    double right = std::min(2 * begin.x, end);
+    for (double edge : Curve::breaks)
+      if (edge > begin.x) right = std::min(right, edge);
+    return {right, begin.work + gauss_legendre([this](double at) { return Curve::force(at); },
+                                               begin.x, right)};
+  }
+
+  // The whole panels, once per pair of materials.
+  void sum_panels() {
+    const double yield = Curve::breaks[0];
+    panels_[0] = {yield, 0.4 * yield * yield * std::sqrt(yield)};
+    for (std::size_t k = 1; k < panels_.size(); ++k)
+      panels_[k] = panel_after(panels_[k - 1], std::numeric_limits<double>::infinity());
+  }
+
   double virgin_work(double x) const {
-    double left = std::min(x, Curve::breaks[0]);
-    double work = 0.4 * left * left * std::sqrt(left);
-    while (left < x) {
-      double right = std::min(2 * left, x);
-      for (double edge : Curve::breaks)
-        if (edge > left) right = std::min(right, edge);
-      work += gauss_legendre([this](double at) { return Curve::force(at); }, left, right);
-      left = right;
-    }
-    return work;
+    if (x <= panels_[0].x) return 0.4 * x * x * std::sqrt(x);
+    const auto above = std::upper_bound(panels_.begin(), panels_.end(), x,
+                                        [](double at, const Work& edge) { return at < edge.x; });
+    Work reached = *(above - 1);
+    while (reached.x < x) reached = panel_after(reached, x);
+    return reached.work;
   }
 
   double published_plastic_work(double x) const {
@@ -189,6 +214,7 @@ class PowerUnloading : public Curve {
   double modulus_;        // 4/3 E*
   double overlap_ratio_;  // overlap_y / R*
   std::array<Guarded, std::tuple_size_v<decltype(Curve::breaks)> + 2> guarded_{};
+  std::array<Work, 48> panels_;  // their ends, from yield to above 1e12 times its overlap
 };
 
 }  // namespace plastigran

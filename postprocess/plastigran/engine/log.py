@@ -25,13 +25,22 @@ THERMO_COLUMNS = {
     "CPU": "cpu_time",
 }
 _RUN = re.compile(r"run\s+(\d+)(\s+upto)?\s*$")
-_ERROR = re.compile(r"^ERROR\b.*", re.MULTILINE)  # a deck's echoed comment begins with #
+#: How the engine ends; a deck may print or echo the word as well.
+_ERROR = re.compile(r"^ERROR(?: on proc \d+)?: .*", re.MULTILINE)
+#: What the contact models and the launcher warn of, without the place in the source.
+_WARNING = re.compile(
+    r"^WARNING: ((?:model|the time step|energy_ledger).*?)(?: \(\S+:\d+\))?$", re.M
+)
 
 
 def find_error(text: str) -> str | None:
-    """The first error line that the engine wrote to a log or screen; None when there is none."""
-    found = _ERROR.search(text)
-    return found[0] if found else None
+    """The last error line that the engine wrote to a log or screen; None when there is none."""
+    return next(reversed(_ERROR.findall(text)), None)
+
+
+def find_warnings(text: str) -> list[str]:
+    """What contact models and launcher warned of in a log or screen, each once, in order."""
+    return list(dict.fromkeys(_WARNING.findall(text)))
 
 
 @dataclass

@@ -13,7 +13,7 @@ from contextlib import closing, suppress
 from pathlib import Path
 from time import monotonic
 
-from plastigran.engine.log import LOG, find_error
+from plastigran.engine.log import LOG, find_error, find_warnings
 from plastigran.engine.watch import ProgressBar
 
 PROJECT = Path(__file__).resolve().parents[3]
@@ -137,7 +137,8 @@ def run_deck(
 
     Raises:
         EngineError: There is no such deck or no engine.
-        EngineStopped: The engine ended with an error, which is quoted, or took too long.
+        EngineStopped: The engine ended with an error or took too long. The error is quoted, with
+            the last warnings of contact models that came before it.
     """
     folder = Path(folder).resolve()
     folder.mkdir(parents=True, exist_ok=True)
@@ -223,9 +224,10 @@ def _stop(engine: subprocess.Popen, folder: Path) -> None:
 
 
 def _reason(returncode: int, said: str) -> str:
-    """Why a run ended, from its code and what it wrote to log and screen."""
+    """Why a run ended, from its code and what it wrote to log and screen, warnings included."""
     if error := find_error(said):
-        return error
+        warned = find_warnings(said)[-3:]
+        return f"{error}; it had warned: {'; '.join(warned)}" if warned else error
     killer = -returncode if returncode < 0 else returncode - 128  # as mpirun reports a rank's
     if killer in set(signal.Signals):
         return f"the engine was ended by {signal.Signals(killer).name}"

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+//
+// Values that are allowed but look like a slip: typed in another unit than the others.
+#pragma once
+
+#include <sstream>
+
+#include "plastigran/shared/complaint.h"
+#include "plastigran/shared/contact.h"
+
+namespace plastigran {
+
+// What is odd about a body's constants; empty when nothing is. `pascal` is 1 Pa in their unit.
+//
+// Modulus: engines ask for 5 MPa at least, and solids softer than 1 MPa are gels. Strength: the
+// ideal strength of a solid is about a tenth of its modulus, nothing reaches a third (Kelly &
+// Macmillan, Strong Solids, 1986); pure annealed metals have 1e-4 of it, none 2e-5. Bodies stiffer
+// than 1e15 Pa stand for rigid ones, such strengths for none.
+inline Complaint implausible(const Body& body, double pascal) {
+  const double modulus = body.youngs_modulus, strength = body.yield_strength;
+  const double rigid = 1e15 * pascal;
+  std::ostringstream text;
+  if (modulus < 1e6 * pascal) {
+    text << "{youngs_modulus} is " << modulus << " [Pa], as soft as a gel; meant in GPa it is "
+         << 1e9 * pascal * modulus << ", in MPa " << 1e6 * pascal * modulus;
+  } else if (modulus < rigid && strength < rigid && strength > modulus / 3) {
+    text << "{yield_strength} is " << strength << " [Pa], more than a third of {youngs_modulus} "
+         << modulus << ": no solid is as strong; one of them may be in another unit";
+  } else if (modulus < rigid && strength < 2e-5 * modulus) {
+    text << "{yield_strength} is " << strength << " [Pa], less than 2e-5 of {youngs_modulus} "
+         << modulus << "; meant in MPa it is " << 1e6 * pascal * strength;
+  }
+  return Complaint(text.str());
+}
+
+}  // namespace plastigran

@@ -1,0 +1,102 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""A particle that would pass a wall stops the run: a wall pushes out to either side, so that no
+overlap with it exceeds the radius."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+import pytest
+
+from plastigran.engine.process import EngineStopped, inputs_folder, run_deck
+
+#: The README's balls above a floor, with a modulus typed in GPa or a step that is too long.
+DECK = """
+variable output index .
+variable inputs index inputs
+units si
+atom_style granular
+boundary f f f
+newton off
+communicate single vel yes
+region box block 0 0.05 0 0.05 -0.02 0.1 units box
+create_box 1 box
+neighbor 0.002 bin
+neigh_modify delay 0
+fix m1 all property/global youngsModulus peratomtype {youngs_modulus}
+fix m2 all property/global poissonsRatio peratomtype 0.3
+fix m3 all property/global yieldStrength peratomtype {yield_strength}
+fix m4 all property/global coefficientFriction peratomtypepair 1 0.3
+pair_style gran model {law} tangential history {settings}
+pair_coeff * *
+{mesh}
+fix floor all wall/gran model {law} tangential history {wall} {settings}
+lattice sc 0.015
+region balls block 0 2 0 2 1 3 units lattice
+create_atoms 1 region balls
+set group all diameter 0.01 density 7850
+velocity all set 0 0 {velocity}
+fix gravity all gravity 9.81 vector 0 0 -1
+fix integrate all nve/sphere
+timestep {timestep}
+thermo 300000
+run {steps}
+"""
+PLANE = "primitive type 1 zplane 0.0"
+TYPED_IN_GPA = {"youngs_modulus": "210", "yield_strength": "3e8", "timestep": "1e-4"}
+STEP_TOO_LONG = {"youngs_modulus": "2.1e11", "yield_strength": "3e8", "timestep": "2e-4"}
+
+
+def run(folder: Path, **changes: object) -> str:
+    values = {"law": "kogut_etsion", "settings": "", "mesh": "", "wall": PLANE, "velocity": 0}
+    values |= {"steps": 3000} | changes
+    (folder / "deck.in").write_text(DECK.format(**values))
+    return run_deck(folder / "deck.in", {}, folder)
+
+
+def said(folder: Path, **changes: object) -> str:
+    with pytest.raises(EngineStopped) as stopped:
+        run(folder, **changes)
+    return str(stopped.value)
+
+
+def test_a_modulus_typed_in_gpa(engine_wall, tmp_path):
+    """With the warning before it, which says what the cause is."""
+    text = said(tmp_path, **TYPED_IN_GPA, **engine_wall)
+    found = re.search(
+        r"particle \d+ at \(\S+ \S+ (\S+)\) is about to pass through a wall: it overlaps it by "
+        r"(\S+) of its radius",
+        text,
+    )
+    assert 0 < float(found[1]) < 0.05 * 0.005
+    assert float(found[2]) == pytest.approx(1 - float(found[1]) / 0.005, abs=1e-4)
+    assert "it had warned: model kogut_etsion: youngsModulus is 210 [Pa]" in text
+
+
+@pytest.fixture(params=["plane", "mesh"])
+def engine_wall(request):
+    """A plane, or the same as a mesh."""
+    if request.param == "plane":
+        return {}
+    plate = inputs_folder() / "meshes" / "plate.stl"  # 5 by 6 at x = 0
+    mesh = f"fix mesh all mesh/surface file {plate} type 1 scale 0.04 rotate axis 0 1 0 angle 90"
+    return {"mesh": mesh, "wall": "mesh n_meshes 1 meshes mesh"}
+
+
+def test_a_step_that_is_too_long(tmp_path):
+    """A wall hit at 10 m/s, in steps of 0.4 of the radius: the first contact is too strong, or the
+    second step through the wall. The warnings before it are quoted."""
+    text = said(tmp_path, **STEP_TOO_LONG, velocity=-10)
+    assert "is about to pass through a wall" in text or "of its radius in a step" in text
+    assert "the time step 0.0002 is too long for rebound from wall impacts" in text
+
+
+def test_a_wall_that_may_be_passed(tmp_path):
+    """The user allows overlaps beyond the radius: the run goes on."""
+    run(tmp_path, **TYPED_IN_GPA, settings="overlap_limit 2")
+
+
+def test_sound_balls_pass_nothing(tmp_path):
+    sound = {"youngs_modulus": "2.1e7", "yield_strength": "3e5", "timestep": "1e-5"}
+    assert "WARNING" not in run(tmp_path, **sound, steps=6000)

@@ -1,0 +1,188 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Values that look like a slip are said once; a refusal names what is possible instead."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+import pytest
+
+from plastigran.engine.process import EngineError, run_deck
+
+DECK = """
+variable output index .
+variable inputs index inputs
+units           {units}
+atom_style      granular
+boundary        f f f
+newton          off
+communicate     single vel yes
+region          box block -1 1 -1 1 -1 1 units box
+create_box      2 box
+neighbor        0.01 bin
+neigh_modify    delay 0
+fix youngs  all property/global youngsModulus peratomtype {youngs_modulus} 1e30
+fix poisson all property/global poissonsRatio peratomtype 0.3 0.3
+fix strength all property/global {strength_name} peratomtype {yield_strength} 1e30
+{more}
+create_atoms    1 single 0 0 0.5
+create_atoms    1 single 0.5 0 0.5
+set group all diameter 0.2 density 2700
+{velocities}
+pair_style      gran model {model}
+pair_coeff      * *
+{floor}
+timestep        {timestep}
+fix integrate   all nve/sphere
+run             0
+"""
+FLOOR = "primitive type 2 zplane 0.0"
+GOOD = {
+    "units": "si",
+    "youngs_modulus": "7.0e10",
+    "yield_strength": "1e8",
+    "strength_name": "yieldStrength",
+    "model": "thornton tangential off",
+    "velocities": "",
+    "timestep": "1e-7",
+    "more": "",
+}
+
+
+def run(folder: Path, **changes: str) -> str:
+    values = GOOD | changes
+    values.setdefault("floor", f"fix floor all wall/gran model {values['model']} {FLOOR}")
+    (folder / "deck.in").write_text(DECK.format(**values))
+    return run_deck(folder / "deck.in", {}, folder)
+
+
+def property_global(name: str, values: str, shape: str = "peratomtype") -> str:
+    return f"fix more all property/global {name} {shape} {values}"
+
+
+def matrix(name: str, value: str) -> str:
+    return property_global(name, f"2 {value} {value} {value} {value}", "peratomtypepair")
+
+
+def test_a_good_deck_is_told_nothing(tmp_path):
+    assert "WARNING" not in run(tmp_path)
+
+
+@pytest.mark.parametrize(
+    ("changes", "said"),
+    [
+        (
+            {"youngs_modulus": "210", "yield_strength": "2.5e8"},
+            "youngsModulus is 210 [Pa], as soft as a gel; meant in GPa it is 2.1e+11, in MPa "
+            "2.1e+08 (atom type 1)",
+        ),
+        (
+            {"youngs_modulus": "2.1e5", "yield_strength": "250"},
+            "youngsModulus is 210000 [Pa], as soft as a gel; meant in GPa it is 2.1e+14, in MPa "
+            "2.1e+11 (atom type 1)",
+        ),
+        (
+            {"yield_strength": "250"},
+            "yieldStrength is 250 [Pa], less than 2e-5 of youngsModulus 7e+10; meant in MPa it is "
+            "2.5e+08 (atom type 1)",
+        ),
+        (
+            {"yield_strength": "3e10"},
+            "yieldStrength is 3e+10 [Pa], more than a third of youngsModulus 7e+10: no solid",
+        ),
+        (
+            {"units": "cgs", "youngs_modulus": "2.1e6"},
+            "youngsModulus is 2.1e+06 [dyn/cm2], as soft as a gel; meant in GPa it is 2.1e+16, in "
+            "MPa 2.1e+13 (atom type 1)",
+        ),
+        (
+            {"more": property_global("yieldPresureFactor", "2.0 2.0")},
+            "nothing asks for the property yieldPresureFactor; is it yieldPressureFactor?",
+        ),
+        (
+            {"more": matrix("indentatonPressure", "1e9"), "model": "brake_2012 tangential off"},
+            "nothing asks for the property indentatonPressure; is it indentationPressure?",
+        ),
+    ],
+)
+def test_what_looks_like_a_slip_is_said_once(changes, said, tmp_path):
+    """Pairs and walls have the same bodies: one warning in all."""
+    log = run(tmp_path, **changes)
+    assert log.count("WARNING: model ") == 1
+    assert said in log
+
+
+def test_a_body_that_is_rigid_or_never_yields_is_no_slip(tmp_path):
+    assert "WARNING" not in run(tmp_path, yield_strength="1e30")
+
+
+def test_messages_are_in_the_units_of_the_deck(tmp_path):
+    log = run(tmp_path, units="cgs", youngs_modulus="7e11", yield_strength="1e9")
+    assert "yield strength 1e+09 dyn/cm2, yield pressure" in log
+    assert not re.search(r"\bPa\b", log)
+    with pytest.raises(EngineError, match=r"yieldStrength is 0; .* finite \[dyn/cm2\]"):
+        run(tmp_path, units="cgs", yield_strength="0")
+
+
+def test_a_misspelt_property_that_must_be_there_is_named(tmp_path):
+    said = r"yieldStrength is missing; .*\. The deck has yieldStrenght"
+    with pytest.raises(EngineError, match=said):
+        run(tmp_path, strength_name="yieldStrenght")
+
+
+def test_restitution_that_nothing_uses_is_said(tmp_path):
+    given = matrix("coefficientRestitution", "0.9")
+    said = "model thornton: coefficientRestitution is not used"
+    assert run(tmp_path, more=given).count(said) == 1
+    damped = run(tmp_path, more=given, model="thornton tangential off viscous_damping on")
+    assert said not in damped
+
+
+@pytest.mark.parametrize(
+    ("model", "said"),
+    [
+        ("thornton cohesion sjkr", "cohesion sjkr is not available with this model; possible: off"),
+        (
+            "thornton tangential off rolling_friction epsd",
+            "rolling_friction epsd is not available with this model; possible: off cdt epsd2",
+        ),
+        (
+            "thornton tangential tan_luding",
+            "tangential tan_luding is not available with this model; possible: off no_history "
+            "history|history no_history",
+        ),
+        ("thornton surface multicontact", "surface multicontact is not .* possible: default"),
+    ],
+)
+def test_a_refused_combination_names_the_word(model, said, tmp_path):
+    with pytest.raises(EngineError, match=f"model thornton: {said}"):
+        run(tmp_path, model=model)
+
+
+def test_an_unknown_law_is_named_with_those_there_are(tmp_path):
+    with pytest.raises(EngineError) as error:
+        run(tmp_path, model="vu_quok_zhang tangential off")
+    assert "Invalid model specified" in str(error.value)
+    assert "model vu_quok_zhang is unknown; there are brake_2012 brake_2015" in str(error.value)
+    assert " hertz " in str(error.value) and " vu_quoc_zhang " in str(error.value)
+
+
+def test_a_wall_does_not_meet_itself(tmp_path):
+    """An indentation pressure that is none for the rigid wall's own type stops nothing: no particle
+    has that type. One that has is another matter."""
+    bad = {"model": "brake_2012 tangential off", "more": matrix("indentationPressure", "1e9")}
+    assert "atom types 1 and 2" in run(tmp_path, **bad)
+    particle = "create_atoms 2 single -0.5 0 0.5\nset group all diameter 0.2 density 2700"
+    said = r"indentationPressure 1e\+09 .*two thirds .*\(atom types 2 and 2\)"
+    with pytest.raises(EngineError, match=said):
+        run(tmp_path, **bad, velocities=particle)
+
+
+def test_grains_side_by_side_are_no_impact(tmp_path):
+    """At 1 m/s alike they touch nothing; only one that flies against the other asks for a step."""
+    side_by_side = {"velocities": "velocity all set 1 0 0.01", "timestep": "1e-5", "floor": ""}
+    assert "WARNING" not in run(tmp_path, **side_by_side)
+    apart = "region one block -0.1 0.1 -1 1 -1 1 units box\ngroup one region one\n"
+    against = side_by_side | {"velocities": f"{apart}velocity one set 1 0 0\n"}
+    assert "impacts at the present speeds (at most 1)" in run(tmp_path, **against)
