@@ -7,11 +7,11 @@
 #include <map>
 #include <string>
 
-#include "fix.h"
+#include "liggghts/fixes/own_fix.h"
 
 namespace plastigran {
 
-class RangeWatch : public LAMMPS_NS::Fix {
+class RangeWatch : public OwnFix {
  public:
   // Of one model, on this rank.
   struct Excess {
@@ -22,7 +22,7 @@ class RangeWatch : public LAMMPS_NS::Fix {
     double warned_speed = 0;  // of impacts before a run that leave the range [m/s]
   };
 
-  RangeWatch(LAMMPS_NS::LAMMPS* engine, int count, char** words) : Fix(engine, count, words) {}
+  RangeWatch(LAMMPS_NS::LAMMPS* engine, int count, char** words) : OwnFix(engine, count, words) {}
   static const char* id() { return "plastigran_range"; }
   static const char* style() { return "plastigran/range"; }
 

@@ -17,6 +17,15 @@ class ContactOwner {
 
   bool is_wall() const { return is_wall_; }
 
+  // The owner's line in the deck: "pair_style", or "fix ID" of a wall.
+  std::string name() const;
+
+  // The models beside the normal one, as that line has them.
+  std::string other_models() const;
+
+  // IDs of the engine's fixes that store what these contacts remember; none when they do not.
+  std::vector<std::string> histories() const;
+
   // Whether the tangential model beside the normal one has that name.
   bool tangential_model_is(const std::string& name) const;
 
@@ -24,6 +33,8 @@ class ContactOwner {
   std::vector<int> partner_types(int type_count) const;
 
  private:
+  bool has_model(const std::string& kind, const std::string& name) const;
+
   LIGGGHTS::IContactHistorySetup* owner_;  // a PairGran or FixWallGran
   bool is_wall_;
 };
