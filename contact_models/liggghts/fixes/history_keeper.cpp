@@ -49,10 +49,11 @@ void HistoryKeeper::connect(const std::string& owner, const Line& line) {
   const std::string models = found->second.models;
   in_file_.erase(found);
   if (models.empty() || models == line.models || line.histories.empty()) return;
-  error->all(FLERR, (owner + ": the contacts of the restart file are those of `" + models +
-                     "`, not of `" + line.models +
-                     "`. Give that line, or to begin contacts anew: `run 0` with it, then this one")
-                        .c_str());
+  error->all(FLERR,
+             (owner + ": the restart file has contacts of `" + models + "`, the line is of `" +
+              line.models + "`. Give the line as it was; for contacts that begin anew, `run 0` " +
+              "with that line comes before the other")
+                 .c_str());
 }
 
 std::string HistoryKeeper::restarted_settings(const std::string& owner) const {

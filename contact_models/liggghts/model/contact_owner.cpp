@@ -28,14 +28,14 @@ std::string ContactOwner::name() const {
 
 std::string ContactOwner::other_models() const {
   const std::pair<const char*, std::vector<const char*>> known[] = {
-      {"tangential", {"off", "no_history", "history"}},
-      {"rolling_friction", {"off", "cdt", "epsd", "epsd2", "epsd3", "luding"}},
-      {"cohesion", {"off", "sjkr", "sjkr2"}},
+      {"tangential", {"no_history", "history"}},
+      {"rolling_friction", {"cdt", "epsd", "epsd2", "epsd3", "luding"}},
+      {"cohesion", {"sjkr", "sjkr2"}},
   };
   std::string text;
   for (const auto& [kind, names] : known)
     for (const char* name : names)
-      if (has_model(kind, name)) text += std::string(text.empty() ? "" : " ") + kind + ' ' + name;
+      if (has_model(kind, name)) text += std::string(" ") + kind + ' ' + name;
   return text;
 }
 

@@ -20,7 +20,7 @@ class ContactOwner {
   // The owner's line in the deck: "pair_style", or "fix ID" of a wall.
   std::string name() const;
 
-  // The models beside the normal one, as that line has them.
+  // The models beside the normal one, as that line has them (" KIND NAME ..."), without those off.
   std::string other_models() const;
 
   // IDs of the engine's fixes that store what these contacts remember; none when they do not.

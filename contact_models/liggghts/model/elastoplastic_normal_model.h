@@ -194,7 +194,7 @@ class ElastoplasticNormalModel : public NormalModelBase {
 
   // What gives the contacts' memory its meaning.
   std::string models() const {
-    std::string text = caller() + ' ' + owner_.other_models();
+    std::string text = caller() + owner_.other_models();
     for (const auto& option : plastigran::options_of<Law>)
       text += std::string(" ") + option.name + ' ' + option.choices[choices_.*option.value];
     return text;
