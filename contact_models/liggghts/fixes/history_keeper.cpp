@@ -78,8 +78,7 @@ HistoryKeeper::Lines HistoryKeeper::all_lines(const Lines& ours) const {
 }
 
 void HistoryKeeper::post_run() {
-  records_.clear();
-  kept_.clear();
+  forget();
   std::vector<StoredHistories> stored;
   for (const auto& [owner, line] : all_lines(lines_))
     for (const std::string& id : line.histories) {

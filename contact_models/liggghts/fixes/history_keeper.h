@@ -46,7 +46,7 @@ class HistoryKeeper : public OwnFix {
 
   int setmask() override;
   void setup_pre_exchange() override;
-  void setup(int) override { records_.clear(), kept_.clear(); }
+  void setup(int) override { forget(); }
   void end_of_step() override;
   void post_run() override;
 
@@ -70,6 +70,7 @@ class HistoryKeeper : public OwnFix {
     unsigned long mesh;  // of a mesh's histories: where its triangles are
   };
 
+  void forget() { records_ = ParticleRecords(), kept_.clear(); }
   Lines all_lines(const Lines& ours) const;
   bool goes_on(const Kept& kept, const Line& line, LAMMPS_NS::Fix* fix) const;
   void hand_back(const std::vector<LAMMPS_NS::Fix*>& fixes);

@@ -50,11 +50,6 @@ NewNumbers::NewNumbers(const int* before, const int* now, int count, long total_
   for (std::size_t k = 0; k < pairs.size(); k += 2) numbers_[pairs[k]] = pairs[k + 1];
 }
 
-void ParticleRecords::clear() {
-  places_.clear();
-  values_.clear();
-}
-
 void ParticleRecords::begin(int number) {
   places_[number] = last_ = values_.size();
   values_.insert(values_.end(), {static_cast<double>(number), 0});

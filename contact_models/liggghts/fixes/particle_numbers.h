@@ -38,8 +38,6 @@ class NewNumbers {
 // What is known of particles, by their numbers, as spans of one list of values.
 class ParticleRecords {
  public:
-  void clear();
-
   // Begins the record of a particle; values are then appended to it.
   void begin(int number);
   void append(const double* values, int count);
