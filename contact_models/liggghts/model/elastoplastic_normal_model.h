@@ -32,6 +32,7 @@
 #include "liggghts/model/contact_watch.h"
 #include "liggghts/model/history_names.h"
 #include "liggghts/model/impact_forecast.h"
+#include "liggghts/model/line_settings.h"
 #include "liggghts/model/type_pair.h"
 #include "neighbor.h"
 #include "plastigran/shared/contact.h"
@@ -74,6 +75,7 @@ class ElastoplasticNormalModel : public NormalModelBase {
   }
 
   void registerSettings(Settings& settings) override {
+    settings_ = &settings;
     settings.registerOnOff("viscous_damping", viscous_damping_, false);
     settings.registerOnOff("tangential_damping", tangential_damping_, true);
     settings.registerDoubleSetting("overlap_limit", overlap_limit_, 1.0);
@@ -85,6 +87,7 @@ class ElastoplasticNormalModel : public NormalModelBase {
   }
 
   void postSettings(IContactHistorySetup*, ContactModelBase*) override {
+    line_settings_ = plastigran::settings_text(*settings_);
     if (engine_elastic_potential_) refuse("computeElasticPotential");
     if (engine_dissipated_energy_) refuse("computeDissipatedEnergy");
     if (!(overlap_limit_ > 0 && overlap_limit_ <= 2))
@@ -99,6 +102,12 @@ class ElastoplasticNormalModel : public NormalModelBase {
 #endif
     if (is_cylinder && domain->dimension != 2)
       fail("it is for cylinders, the discs of a 2D deck (dimension 2); this deck is 3D");
+    const auto keeper = plastigran::own_fix<plastigran::HistoryKeeper>(lmp);
+    const std::string owner = owner_.name();
+    if (line_settings_.empty())
+      plastigran::restore_settings(lmp, *this, keeper->restarted_settings(owner),
+                                   [this] { postSettings(nullptr, nullptr); });
+    keeper->connect(owner, {models(), line_settings_, owner_.histories(), !reported_});
     const plastigran::DeckProperties deck(lmp, caller(), registry.max_type());
     pairs_.build(deck, registry.max_type(), choices_);
     if (plastigran::yields<Law> && !owner_.is_wall())
@@ -109,7 +118,6 @@ class ElastoplasticNormalModel : public NormalModelBase {
            ", when it is decided what contacts remember");
     watch_.begin(caller(), overlap_limit_);
     plastigran::own_fix<plastigran::MotionWatch>(lmp);
-    plastigran::own_fix<plastigran::HistoryKeeper>(lmp);
     const auto taker = dynamic_cast<plastigran::AccountTaker*>(contact_model_);
     accounts_ = taker && taker->takes_accounts;
     if (viscous_damping_) {
@@ -216,6 +224,14 @@ class ElastoplasticNormalModel : public NormalModelBase {
     return pair.strengthened(factor);
   }
 
+  // What gives the contacts' memory its meaning.
+  std::string models() const {
+    std::string text = caller() + owner_.other_models();
+    for (const auto& option : plastigran::options_of<Law>)
+      text += std::string(" ") + option.name + ' ' + option.choices[choices_.*option.value];
+    return text;
+  }
+
   // The state before this step: the history is written at the end of it.
   State state_before(const SurfacesIntersectData& contact) const {
     State before;
@@ -280,6 +296,8 @@ class ElastoplasticNormalModel : public NormalModelBase {
   bool accounts_ = false;       // the loads on particle i are AccountedLoads
   double** damping_ = nullptr;  // the engine's beta(coefficientRestitution) of each type pair
   bool reported_ = false;
+  Settings* settings_ = nullptr;  // while the line is read
+  std::string line_settings_;     // empty as long as no line was read
 };
 
 }  // namespace ContactModels
