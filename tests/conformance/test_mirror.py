@@ -108,6 +108,18 @@ def test_the_fits_to_one_sphere_differ_in_the_other_reading():
     assert all(abs(off) > 1e-5 for off in found.values()), found
 
 
+@pytest.mark.parametrize("name", ["ghaednia_2019", "jackson_green", "ye_komvopoulos"])
+def test_the_range_of_a_fit_mirrors(name):
+    """Of two equal spheres each has half of the overlap, and R* is half: four times the ratio. A
+    much softer elastic body may be dented by a tenth of R*, as in any law."""
+    steel, soft = BODIES["hardening_steel"], laws.Body(2.1e7, 0.3)
+    plane, pair, dented = (
+        laws.LAWS[name](laws.combine(steel, other)).overlap_range for other in (RIGID, steel, soft)
+    )
+    assert pair == pytest.approx(4 * plane, rel=SAME)
+    assert dented == pytest.approx(0.1, rel=1e-3)  # steel takes 1e-4 of the overlap
+
+
 @pytest.mark.parametrize("speed", [0.02, 0.3])
 def test_the_engine_mirrors(sphere_law, speed, tmp_path):
     """The same step on both sides: the integrator makes the same error of both, and what is left is

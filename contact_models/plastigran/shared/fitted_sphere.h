@@ -32,9 +32,12 @@ struct FittedSphere {
       : modulus(reading == of_pair ? pair.youngs_modulus_eff : 1 / plane_strain_compliance(pair)),
         radius_ratio(modulus / pair.youngs_modulus_eff) {}
 
-  // The law's overlap_range(), of the fit's largest overlap over R.
+  // The law's overlap_range(), of the fit's largest overlap over R. The other body's share of the
+  // overlap, 1 - E*/E', is held against that body's sphere likewise.
   double overlap_range(double depth) const {
-    return std::min(depth, widest_overlap_range) * radius_ratio * radius_ratio;
+    const double others_share = 1 - 1 / radius_ratio;
+    return std::min(std::min(depth, widest_overlap_range) * radius_ratio * radius_ratio,
+                    widest_overlap_range / (others_share * others_share));
   }
 };
 
