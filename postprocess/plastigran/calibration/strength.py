@@ -32,6 +32,7 @@ DROP_SCATTER = 0.02  # standard deviation of one restitution, where no other is 
 LEEB_SCATTER = 0.045 / 1.96  # of a reading, conversions' 95 % being 4.5 %
 LEEB_RANGE = Declaration("rebound hardness", "HL", 100, 1000, closed=True)
 STEEL = Declaration("Young's modulus of steel", "Pa", 1.9e11, 2.2e11)
+STEEL_RATE_COEFFICIENT = 0.014  # of steel 4340, at 1/s: Johnson & Cook 1983
 
 
 @attrs.frozen
@@ -124,8 +125,9 @@ def from_leeb(given: float | str, law: str, metal: Material, scatter: float | No
         sample = attrs.evolve(metal, yield_strength=strength)
         return Contact(law, sample, tester.ball, radius=tester.ball_radius, mass_eff=tester.mass)
 
+    rate = f" at 1/s (C = {metal.rate_coefficient:g})" if metal.rate_coefficient else ""
     source = (
-        f"{reading:g} HL{tester.name} by {law}'s impact of the tester's ball, "
+        f"{reading:g} HL{tester.name} by {law}'s impact of the tester's ball{rate}, "
         f"restitution within {1.96 * scatter:.1%}"
     )
     measured = np.array([tester.restitution(reading)])
