@@ -6,7 +6,7 @@ from __future__ import annotations
 import pandas as pd
 import pytest
 
-from plastigran.validation import choice, laws_on_spheres, paper_sphere, steel
+from plastigran.validation import choice, laws_on_spheres, offset, paper_sphere, steel
 from plastigran.validation.report import ERRORS
 from plastigran.validation.spheres import table
 
@@ -23,10 +23,11 @@ def test_the_errors_of_the_package_and_the_pages_are_those_of_the_laws(compared,
     assert kept[keys].to_numpy().tolist() == found[keys].to_numpy().tolist()
     for size in ("rms", "max"):  # 1e-6: rounding of libraries, where an error is next to nothing
         assert kept[size].to_numpy() == pytest.approx(found[size].to_numpy(), rel=1e-3, abs=1e-6)
-    rebounds = steel.rebounds()
+    rebounds, rated = steel.rebounds(), steel.rebounds(**offset.RATE)
     for word in ("restitution", "force"):
         assert_on_page(word, choice.by_law(compared, rebounds, word))
-    assert_on_page("regimes", choice.by_regime(compared, rebounds))
+    assert_on_page("regimes", choice.by_regime(compared, rebounds, rated))
+    assert_on_page("leeb_rate", offset.with_rate(rebounds, rated))
     assert_on_page("leeb", steel.summary(rebounds))
 
 

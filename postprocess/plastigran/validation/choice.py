@@ -24,11 +24,12 @@ INDENTATION = {
     "a hard ball dents steel, v/v_Y 10–300": (10, 300),
     "peening: v/v_Y 1000 and more": (1000, np.inf),
 }
+RATED = ", with the steel's rate of strain"
 WORDS = {QUANTITIES[0]: "restitution", QUANTITIES[1]: "force"}
 
 
 def _errors(
-    compared: pd.DataFrame, rebounds: pd.DataFrame
+    compared: pd.DataFrame, rebounds: pd.DataFrame, rated: pd.DataFrame | None = None
 ) -> Mapping[tuple[str, str], pd.DataFrame]:
     """Columns law and error of each regime and quantity."""
     parts = {}
@@ -37,25 +38,29 @@ def _errors(
         for quantity, word in WORDS.items():
             part = compared.loc[chosen, ["law", quantity]]
             parts[regime, word] = part.rename(columns={quantity: "error"})
-    for regime, (least, most) in INDENTATION.items():
-        chosen = rebounds["speed_ratio"].between(least, most)
-        parts[regime, "restitution"] = rebounds.loc[chosen, ["law", "error"]]
+    for added, found in (("", rebounds), (RATED, rated)):
+        if found is None:
+            continue
+        for regime, (least, most) in INDENTATION.items():
+            chosen = found["speed_ratio"].between(least, most)
+            parts[regime + added, "restitution"] = found.loc[chosen, ["law", "error"]]
     return parts
 
 
-def by_regime(compared: pd.DataFrame, rebounds: pd.DataFrame) -> pd.DataFrame:
+def by_regime(compared: pd.DataFrame, rebounds: pd.DataFrame, rated: pd.DataFrame) -> pd.DataFrame:
     """The laws in order of their error, regime by regime: the three best and the last.
 
     Args:
         compared: As of `laws_on_spheres.compare`.
         rebounds: As of `steel.rebounds`.
+        rated: The same with the rate of strain.
 
     Returns:
         A row for each regime and quantity; each law with the root of its mean square error and its
         largest error [%].
     """
     rows = []
-    for (regime, word), part in _errors(compared, rebounds).items():
+    for (regime, word), part in _errors(compared, rebounds, rated).items():
         found = _sizes(part)
         row = {"regime": regime, "quantity": word}
         for place, name in enumerate(("best", "second", "third")):

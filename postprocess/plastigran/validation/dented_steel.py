@@ -28,8 +28,11 @@ from plastigran.fem.sphere.press import press
 from plastigran.fem.sphere.results import Pressing
 from plastigran.physics.rebound_hardness import TESTERS, ReboundTester
 from plastigran.report.computing import Computation, compute_all
-from plastigran.validation.steel import POISSONS_RATIO, YOUNGS_MODULUS, speed_ratio
+from plastigran.validation.laws_on_spheres import KINDS, kind
+from plastigran.validation.spheres import table as spheres
+from plastigran.validation.steel import POISSONS_RATIO, YOUNGS_MODULUS, speed_ratio, steel
 
+FINITE_ELEMENTS = "finite elements"
 TABLE = "finite_elements_leeb.csv"
 #: Hardnesses of the table, HV, the longest computation first.
 HARDNESSES = (80, 158, 304, 550, 940)
@@ -80,6 +83,48 @@ def row(hardness: float, pressing: Pressing) -> dict[str, float]:
         "force_max": at_impact("force"),
         "contact_radius_over_radius": at_impact("contact_radius") / tester.ball_radius,
     }
+
+
+def comparison(law: str) -> pd.DataFrame:
+    """The finite elements' restitution beside that of the tester's table and of a narrow contact.
+
+    Args:
+        law: Name of a law that is held against them, too.
+
+    Returns:
+        A row for each hardness of `table`; differences in per cent.
+    """
+    found = table()
+    measured, own = found["HLD"] / 1000, found["restitution"]
+    narrow = narrow_restitution(found["speed_ratio"].to_numpy())
+    tester, strengths = TESTERS["D"], flow_stress(found["HV"])
+    by_law = [tester.reading(law, steel(float(each))) / 1000 for each in strengths]
+    return pd.DataFrame(
+        {
+            "HV": found["HV"],
+            "v/v_Y": found["speed_ratio"],
+            "a/R": found["contact_radius_over_radius"],
+            "measured": measured,
+            FINITE_ELEMENTS: own,
+            f"{FINITE_ELEMENTS} off measured (%)": 100 * (own / measured - 1),
+            f"{FINITE_ELEMENTS} off a narrow contact (%)": 100 * (own / narrow - 1),
+            f"{law} off {FINITE_ELEMENTS} (%)": 100 * (by_law / own - 1),
+        }
+    )
+
+
+def narrow_restitution(ratios: np.ndarray) -> np.ndarray:
+    """Restitution of narrow contacts of perfectly plastic spheres at some v/v_Y.
+
+    From the table of spheres; beyond it, the power of speed of its fastest ones.
+    """
+    rows = spheres()
+    rows = rows[kind(rows) == KINDS[0]].sort_values("speed_ratio")
+    speed, restitution = np.log(rows[["speed_ratio", "coefficient_of_restitution"]].to_numpy().T)
+    fast = speed > speed[-1] - 1
+    beyond = np.polyval(np.polyfit(speed[fast], restitution[fast], 1), np.log(ratios))
+    within = np.interp(np.log(ratios), speed, restitution)
+    return np.exp(np.where(np.log(ratios) > speed[-1], beyond, within))
 
 
 def _energy(tester: ReboundTester) -> float:

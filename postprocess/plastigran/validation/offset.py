@@ -10,16 +10,14 @@ import numpy as np
 import pandas as pd
 
 from plastigran import laws
-from plastigran.calibration.hardness import CONSTRAINT_FACTOR, flow_stress, leeb_table
+from plastigran.calibration.hardness import CONSTRAINT_FACTOR
 from plastigran.physics.rebound_hardness import TESTERS, TUNGSTEN_CARBIDE
-from plastigran.validation.laws_on_spheres import WIDE
-from plastigran.validation.spheres import table
-from plastigran.validation.steel import contact_radius, rebound
+from plastigran.validation.steel import rebound
 from plastigran.validation.tables import root_mean_square
 
 #: Johnson & Cook's C for 4340 steel, and its rate [1/s]: 7th Int. Symp. Ballistics, The Hague 1983,
 #: p. 541.
-RATE_COEFFICIENT, REFERENCE_RATE = 0.014, 1.0
+RATE = {"rate_coefficient": 0.014, "reference_rate": 1.0}
 #: What else is not known of the testers and of steel.
 MASS, SPEED = 5.5e-3, 2.00  # makers' tables; ISO 16859 has 5.45 g, and 2.05 m/s
 BALL_MODULI = (600e9, 650e9)
@@ -58,8 +56,8 @@ def _changes(law: str, usual: np.ndarray) -> Iterator[tuple[str, str, np.ndarray
     device = TESTERS["D"]
     yield (
         "rate of strain",
-        f"none → C = {RATE_COEFFICIENT:g}",
-        rebound_with_rate(law),
+        f"none → C = {RATE['rate_coefficient']:g}",
+        rebound(law, **RATE),
     )
     for factor in CONSTRAINT_FACTORS:
         yield (
@@ -96,57 +94,23 @@ def _changes(law: str, usual: np.ndarray) -> Iterator[tuple[str, str, np.ndarray
         f"0 → {1e3 * SENSOR_HEIGHT:g} mm",
         rebound(law, attrs.evolve(device, sensor_height=SENSOR_HEIGHT)),
     )
-    reach = np.array([contact_radius(law, each) for each in flow_stress(leeb_table()["HV"])])
-    reach /= device.ball_radius
-    yield (
-        "wide contact",
-        f"0 → {reach[-1]:.2f} to {reach[0]:.2f} a/R",
-        usual * (1 + width_slope() * reach),
-    )
 
 
-def rebound_with_rate(law: str) -> np.ndarray:
-    """Restitution as of `rebound` with the rate of strain's share of the strength."""
-    return rebound(law, rate_coefficient=RATE_COEFFICIENT, reference_rate=REFERENCE_RATE)
-
-
-def width_slope() -> float:
-    """Relative change of restitution per a/R [-], at one v/v_Y, by the table of spheres.
-
-    Perfectly plastic metals with a/R above `WIDE`, against those below half of it.
-    """
-    rows = table()
-    rows = rows[rows["hardening_ratio"] == 0]
-    reach = rows["contact_radius_over_radius"]
-    narrow = rows[reach < WIDE / 2].sort_values("speed_ratio")
-    wide = rows[(reach >= WIDE) & (rows["speed_ratio"] <= narrow["speed_ratio"].max())]
-    expected = np.interp(
-        np.log(wide["speed_ratio"]),
-        np.log(narrow["speed_ratio"]),
-        narrow["coefficient_of_restitution"],
-    )
-    off = wide["coefficient_of_restitution"] / expected - 1
-    reach = wide["contact_radius_over_radius"]
-    return float(off @ reach / (reach @ reach))
-
-
-def with_rate(rebounds: pd.DataFrame) -> pd.DataFrame:
+def with_rate(rebounds: pd.DataFrame, rated: pd.DataFrame) -> pd.DataFrame:
     """Every law's mean error and its root of the mean square [%], without and with the rate.
 
     Args:
-        rebounds: As of `plastigran.validation.steel.rebounds`.
+        rebounds, rated: As of `plastigran.validation.steel.rebounds`, the second with `RATE`.
     """
-    rows = []
-    for law, part in rebounds.groupby("law"):
-        error = 100 * part["error"].to_numpy()
-        rated = 100 * (rebound_with_rate(law) / (part["HLD"].to_numpy() / 1000) - 1)
-        rows.append(
-            {
-                "law": law,
-                "mean (%)": error.mean(),
-                "mean with rate (%)": rated.mean(),
-                "rms": root_mean_square(error),
-                "rms with rate": root_mean_square(rated),
-            }
-        )
-    return pd.DataFrame(rows).sort_values("rms with rate", ignore_index=True).round(2)
+    usual, moved = (
+        (100 * found.set_index("law")["error"]).groupby("law") for found in (rebounds, rated)
+    )
+    table = pd.DataFrame(
+        {
+            "mean (%)": usual.mean(),
+            "mean with rate (%)": moved.mean(),
+            "rms": usual.agg(root_mean_square),
+            "rms with rate": moved.agg(root_mean_square),
+        }
+    )
+    return table.sort_values("rms with rate").rename_axis("law").reset_index().round(2)

@@ -9,6 +9,7 @@ import plastigran
 from plastigran.report.base import Findings, Report
 from plastigran.validation import (
     choice,
+    dented_steel,
     figures,
     laws_on_spheres,
     oblique,
@@ -27,7 +28,7 @@ ERRORS = Path(plastigran.__file__).parent / "data" / "errors.csv"
 def compute(progress: bool, coarse: bool) -> Findings:
     """Every table and figure; a coarse one runs LIGGGHTS at a few angles only."""
     compared = laws_on_spheres.compare()
-    rebounds = steel.rebounds()
+    rebounds, rated = steel.rebounds(), steel.rebounds(**offset.RATE)
     leeb = steel.summary(rebounds)
     means = leeb.set_index("law")["mean (%)"]
     nearest = leeb["law"][0]
@@ -37,13 +38,14 @@ def compute(progress: bool, coarse: bool) -> Findings:
     singles, sphere = steel.single_impacts(), paper_sphere.compare()
     return Findings(
         tables={
-            "regimes": choice.by_regime(compared, rebounds),
+            "regimes": choice.by_regime(compared, rebounds, rated),
             "restitution": choice.by_law(compared, rebounds, "restitution"),
             "force": choice.by_law(compared, rebounds, "force"),
             "paper_sphere": sphere,
             "leeb": leeb,
-            "leeb_rate": offset.with_rate(rebounds),
+            "leeb_rate": offset.with_rate(rebounds, rated),
             "leeb_offset": parts,
+            "leeb_finite_elements": dented_steel.comparison(nearest),
             "single_impacts": singles,
             "craters": steel.craters(),
             "oblique": oblique.summary(moved),
@@ -75,6 +77,7 @@ REPORT = Report(
         "leeb",
         "leeb_rate",
         "leeb_offset",
+        "leeb_finite_elements",
         "single_impacts",
         "craters",
         "oblique",

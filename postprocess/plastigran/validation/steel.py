@@ -62,14 +62,20 @@ def _restitution(law: str, tester: ReboundTester, strength: float, constants: di
     return tester.reading(law, steel(strength, **constants)) / 1000
 
 
-def rebounds() -> pd.DataFrame:
-    """Every law on the steel of `leeb_table`: columns HV, HLD, speed_ratio, law, restitution, error
-    (relative to the table's)."""
+def rebounds(**steel_constants: float) -> pd.DataFrame:
+    """Every law on the steel of `leeb_table`.
+
+    Args:
+        steel_constants: As of `rebound`.
+
+    Returns:
+        Columns HV, HLD, speed_ratio, law, restitution and error (relative to the table's).
+    """
     table = leeb_table()
     ratio = [speed_ratio(TESTERS["D"], strength) for strength in flow_stress(table["HV"])]
     parts = []
     for law in yielding_laws():
-        found = rebound(law)
+        found = rebound(law, **steel_constants)
         error = found / (table["HLD"].to_numpy() / 1000) - 1
         parts.append(table.assign(speed_ratio=ratio, law=law, restitution=found, error=error))
     return pd.concat(parts, ignore_index=True)

@@ -55,6 +55,9 @@ UNITS = {
     "coefficient_of_restitution": "",
 }
 
+#: Units of columns of tables.
+COLUMNS = {"frequency": "Hz", "found": "Hz", "energy": "J"}
+
 
 def add_arguments(command: argparse.ArgumentParser) -> None:
     """One command for each kind of computation."""
@@ -110,8 +113,13 @@ def run(arguments: argparse.Namespace) -> None:
                 print(f"{name:28s} {value:<12.5g} {UNITS[name]}".rstrip())
     for name in ("modes", *(f"{signal}_peaks" for signal in SIGNALS)):
         if name in numbers:
-            table = pd.DataFrame(numbers[name]).to_string(index=False, float_format="{:.6g}".format)
-            print(f"\n{name.replace('_', ' ')}\n{table}")
+            table = pd.DataFrame(numbers[name]).rename(
+                columns=lambda column: (
+                    f"{column}, {COLUMNS[column]}" if column in COLUMNS else column
+                )
+            )
+            shown = table.to_string(index=False, float_format="{:.6g}".format)
+            print(f"\n{name.replace('_', ' ')}\n{shown}")
 
 
 def _press(sphere: HertzSphere, arguments: argparse.Namespace) -> dict:
