@@ -28,6 +28,7 @@ from plastigran.physics.central import yield_speed
 from plastigran.physics.rebound_hardness import TESTERS, ReboundTester
 
 LEAST_RATIO, LARGEST_RATIO = 1e-6, 0.3  # strengths over Young's modulus that are looked at
+DENTS = "expected errors are those of spheres that flatten; of balls that dent, docs/validation.md"
 DROP_SCATTER = 0.02  # standard deviation of one restitution, where no other is stated
 LEEB_SCATTER = 0.045 / 1.96  # of a reading, conversions' 95 % being 4.5 %
 LEEB_RANGE = Declaration("rebound hardness", "HL", 100, 1000, closed=True)
@@ -132,6 +133,7 @@ def from_leeb(given: float | str, law: str, metal: Material, scatter: float | No
     )
     measured = np.array([tester.restitution(reading)])
     found = _inverted(contact, np.array([tester.speed]), measured, metal, scatter, source)
+    found = attrs.evolve(found, notes=(*found.notes, DENTS))
     if tester.name == "D" and STEEL.allows(metal.youngs_modulus):
         table = leeb_table()
         if table["HLD"].min() <= reading <= table["HLD"].max():
@@ -164,7 +166,10 @@ def from_drops(drops: DropTest, law: str, metal: Material, scatter: float | None
 
     count = len(drops.speed)
     source = f"{count} drop{'s' * (count > 1)} by {law}, restitution within {1.96 * scatter:.1%}"
-    return _inverted(contact, drops.speed, drops.restitution, metal, scatter, source)
+    found = _inverted(contact, drops.speed, drops.restitution, metal, scatter, source)
+    if drops.ball is not None:
+        found = attrs.evolve(found, notes=(*found.notes, DENTS))
+    return found
 
 
 def _inverted(contact, speed, measured, metal, scatter, source) -> Strength:
