@@ -25,7 +25,7 @@ def thornton(strength: float, speeds: np.ndarray = SPEEDS) -> np.ndarray:
     )
 
 
-@pytest.mark.parametrize("count", [1, 2, 3, 6])
+@pytest.mark.parametrize("count", [1, 2, 5])
 def test_the_interval_holds_the_strength_in_95_of_100(count):
     """100 drop tests of one to six drops with 2 % noise. The interval is the wider of two that hold
     in 95 % each (of one drop there is only the one), so 95 or more are expected; the seed is the

@@ -41,7 +41,7 @@ def calibrate(
     leeb: float | str | None = None,
     drops: DropTest | str | Path | None = None,
     plastic_modulus: float = 0.0,
-    rate_coefficient: float = 0.0,
+    rate_coefficient: float | None = None,
     scatter: float | None = None,
     law: str = DEFAULT_LAW,
     speeds: Sequence[float] | None = None,
@@ -63,7 +63,8 @@ def calibrate(
         drops: A drop test, or a file of one whose ball is the metal and whose plate is rigid.
         plastic_modulus: H, stress over plastic strain [Pa]; 0 for perfectly plastic.
         rate_coefficient: Share of the strength that a factor e in rate of strain adds [-]; the
-            strength that an impact tells is then that at 1/s.
+            strength is then that at 1/s. None for that of steel where a steel's hardness or rebound
+            hardness is given, for these are at rates far apart; else for 0.
         scatter: Standard deviation of one measured restitution [share]; None for 0.02 of drops and
             what conversions of rebound hardness have.
         law: Name of the law.
@@ -99,6 +100,9 @@ def calibrate(
     read_number("plastic_modulus", plastic_modulus, Declaration("", "Pa", 0, closed=True))
     if scatter is not None:
         read_number("scatter", scatter, Declaration("", "-", 0, 0.5))
+    if rate_coefficient is None:
+        steel = strength.STEEL.allows(youngs_modulus) and chosen[0] in ("hardness", "leeb")
+        rate_coefficient = strength.STEEL_RATE_COEFFICIENT if steel else 0.0
     metal = Material(
         name,
         youngs_modulus,
@@ -123,6 +127,10 @@ def calibrate(
     metal = attrs.evolve(metal, yield_strength=found.value)
     contact = Contact(law, metal, RIGID, radius=RADIUS)
     notes = list(found.notes)
+    if rate_coefficient:
+        notes.append(
+            f"the strength is that at a rate of strain of 1/s; it grows, C = {rate_coefficient:g}"
+        )
     if plastic_modulus and not laws.LAWS[law].hardens:
         notes.append(f"{law} does not know hardening: it takes the yield strength alone")
     pressed = None

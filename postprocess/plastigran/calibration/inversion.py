@@ -100,7 +100,7 @@ def estimate_strength(
         )
     if np.all(restitution(exp(at)) > ELASTIC):
         raise TooElastic(
-            f"restitution {measured.max():g} is too elastic for more than a lower bound: the yield "
+            f"restitution {measured.max():g} is too elastic, it says only a lower bound: the yield "
             f"strength is above {exp(lower):.4g} Pa (95 %)"
         )
     interval = exp(lower), inf if upper is None else exp(upper)

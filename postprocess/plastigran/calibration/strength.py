@@ -28,10 +28,12 @@ from plastigran.physics.central import yield_speed
 from plastigran.physics.rebound_hardness import TESTERS, ReboundTester
 
 LEAST_RATIO, LARGEST_RATIO = 1e-6, 0.3  # strengths over Young's modulus that are looked at
+DENTS = "expected errors are those of spheres that flatten; of balls that dent, docs/validation.md"
 DROP_SCATTER = 0.02  # standard deviation of one restitution, where no other is stated
 LEEB_SCATTER = 0.045 / 1.96  # of a reading, conversions' 95 % being 4.5 %
 LEEB_RANGE = Declaration("rebound hardness", "HL", 100, 1000, closed=True)
 STEEL = Declaration("Young's modulus of steel", "Pa", 1.9e11, 2.2e11)
+STEEL_RATE_COEFFICIENT = 0.014  # of steel 4340, at 1/s: Johnson & Cook 1983
 
 
 @attrs.frozen
@@ -124,12 +126,14 @@ def from_leeb(given: float | str, law: str, metal: Material, scatter: float | No
         sample = attrs.evolve(metal, yield_strength=strength)
         return Contact(law, sample, tester.ball, radius=tester.ball_radius, mass_eff=tester.mass)
 
+    rate = f" at 1/s (C = {metal.rate_coefficient:g})" if metal.rate_coefficient else ""
     source = (
-        f"{reading:g} HL{tester.name} by {law}'s impact of the tester's ball, "
+        f"{reading:g} HL{tester.name} by {law}'s impact of the tester's ball{rate}, "
         f"restitution within {1.96 * scatter:.1%}"
     )
     measured = np.array([tester.restitution(reading)])
     found = _inverted(contact, np.array([tester.speed]), measured, metal, scatter, source)
+    found = attrs.evolve(found, notes=(*found.notes, DENTS))
     if tester.name == "D" and STEEL.allows(metal.youngs_modulus):
         table = leeb_table()
         if table["HLD"].min() <= reading <= table["HLD"].max():
@@ -162,7 +166,10 @@ def from_drops(drops: DropTest, law: str, metal: Material, scatter: float | None
 
     count = len(drops.speed)
     source = f"{count} drop{'s' * (count > 1)} by {law}, restitution within {1.96 * scatter:.1%}"
-    return _inverted(contact, drops.speed, drops.restitution, metal, scatter, source)
+    found = _inverted(contact, drops.speed, drops.restitution, metal, scatter, source)
+    if drops.ball is not None:
+        found = attrs.evolve(found, notes=(*found.notes, DENTS))
+    return found
 
 
 def _inverted(contact, speed, measured, metal, scatter, source) -> Strength:

@@ -11,6 +11,7 @@ from plastigran.calibration import CalibratedMetal, DropTest, calibrate
 from plastigran.calibration.drop_test import BALL_RADIUS, read_drop_test
 from plastigran.calibration.expected_errors import DEFAULT_LAW
 from plastigran.calibration.finite_elements import USUAL_RANGE
+from plastigran.calibration.strength import STEEL_RATE_COEFFICIENT
 from plastigran.cli.arguments import positive
 from plastigran.cli.metal import add_elastic, add_strain, print_json
 from plastigran.materials import (
@@ -55,9 +56,8 @@ def add_arguments(command: argparse.ArgumentParser) -> None:
     command.add_argument(
         "--rate-coefficient",
         type=float,
-        default=0.0,
-        help="share of the yield strength that a factor e in rate of strain adds, default 0; the "
-        "strength is then that at 1/s",
+        help="share of the strength, then that at 1/s, that a factor e in rate of strain adds; "
+        f"default {STEEL_RATE_COEFFICIENT:g} with a steel's --hardness or --leeb, else 0",
     )
     command.add_argument(
         "--scatter",
