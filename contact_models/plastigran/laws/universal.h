@@ -7,14 +7,14 @@
 //
 //   q = (q_1 + s)/(q_1 + w s) + q_2 h s/(1 + q_3 s)       strength, over that at yield
 //   S = <t/q - 1>
-//   F = F_Y t^3/(1 + f_1 S^2 (S + f_2)/((S + f_3)(S + f_4)) (1 + f_5 (r S)^2/(1 + r S)))
-//   a = a_Y t (1 + c_1/(1 + c_4 h) S^2/(S^2 + c_2 S + c_3))^(1/2) (1 + c_5 r S)
+//   F = F_Y t^3/(1 + f_1 S^2 (S + f_2)/((S + f_3)(S + f_4)) (1 + f_5 Z)),  Z = (r S)^2/(1 + r S)
+//   a = a_Y t (1 + c_1 S^2/((1 + c_4 h) S^2 + c_2 S + c_3))^(1/2) (1 + c_5 Z)
 //   overlap_max - overlap_res = (1 - D) 3 F/(4 E* a),   D = d_1 S^2/(S^2 + d_2 S + d_3)
 //
 //   F = F_max y^(3/2) (1 + g)/(1 + g y^(1/2)),  g = g_1 D,       unloading and reloading
 //   y = (overlap - overlap_res)/(overlap_max - overlap_res)
 //
-// w is p_y/sigma_Y over that at nu = 0.3, squared: far from yield it matters less than sigma_Y;
+// w is p_y/sigma_Y over that at nu = 0.3: far from yield only sigma_Y matters.
 // h = (p_y/sigma_Y) H/E', H the plastic modulus; r = a_Y/R. E' and R are those of the fitted
 // sphere, see fitted_sphere.h. The contact radius falls in proportion to dF/d(overlap).
 //
@@ -58,8 +58,7 @@ class Universal : public NoConstants {
     const FittedSphere sphere(pair, of_yielding_body);
     const double pressure_factor = pair.yield_pressure / pair.yield_strength;
     yield_radius_ = pi * pair.yield_pressure / (2 * sphere.modulus);
-    const double onset = pressure_factor / hertz_yield_pressure_factor(0.3);
-    onset_ = onset * onset;
+    onset_ = pressure_factor / hertz_yield_pressure_factor(0.3);
     const double plastic_modulus =
         pair.tangent_modulus * pair.youngs_modulus / (pair.youngs_modulus - pair.tangent_modulus);
     hardening_ = pressure_factor * plastic_modulus / sphere.modulus;
@@ -78,7 +77,7 @@ class Universal : public NoConstants {
       const double f = force(t, S), a = contact_radius(t, S);
       state = {overlap, force_y * f, radius_y * a, overlap_y * (1 - lacking(S)) * f / a};
     }
-    const double g = rounding(state);
+    const double g = departure(state);
     double root = 1;  // y^(1/2)
     if (overlap < state.overlap_max) {
       const double y = 1 - (state.overlap_max - overlap) / state.recovery;
@@ -110,23 +109,23 @@ class Universal : public NoConstants {
 
  private:
   // As `python -m plastigran.validation.spheres.fit` prints them.
-  static constexpr double q_1 = 19.89;
-  static constexpr double q_2 = 0.3607;
-  static constexpr double q_3 = 0.01656;
-  static constexpr double f_1 = 0.1316;
-  static constexpr double f_2 = 6.028;
-  static constexpr double f_3 = 3.7;
-  static constexpr double f_4 = 1.429;
-  static constexpr double f_5 = 3.266;
-  static constexpr double c_1 = 1.209;
-  static constexpr double c_2 = 5.001;
-  static constexpr double c_3 = 4.204;
-  static constexpr double c_4 = 1.49;
-  static constexpr double c_5 = 0.351;
-  static constexpr double d_1 = 0.1917;
-  static constexpr double d_2 = 0.6424;
-  static constexpr double d_3 = 0.3508;
-  static constexpr double g_1 = 3.622;
+  static constexpr double q_1 = 6.791;
+  static constexpr double q_2 = 0.3561;
+  static constexpr double q_3 = 0.01798;
+  static constexpr double f_1 = 0.1253;
+  static constexpr double f_2 = 11.91;
+  static constexpr double f_3 = 8.355;
+  static constexpr double f_4 = 1.114;
+  static constexpr double f_5 = 3.802;
+  static constexpr double c_1 = 1.248;
+  static constexpr double c_2 = 5.11;
+  static constexpr double c_3 = 4.411;
+  static constexpr double c_4 = 3.473;
+  static constexpr double c_5 = 7.842;
+  static constexpr double d_1 = 0.1902;
+  static constexpr double d_2 = 0.6156;
+  static constexpr double d_3 = 0.359;
+  static constexpr double g_1 = 3.642;
 
   // S at t >= 1.
   double depth(double t) const {
@@ -134,22 +133,27 @@ class Universal : public NoConstants {
     const double strength = (q_1 + s) / (q_1 + onset_ * s) + q_2 * hardening_ * s / (1 + q_3 * s);
     return std::max(0.0, t / strength - 1);
   }
+  // Z, of a contact that is wide for its sphere.
+  double wide(double S) const {
+    const double a = yield_radius_ * S;
+    return a * a / (1 + a);
+  }
   // F/F_Y.
   double force(double t, double S) const {
-    const double wide = yield_radius_ * S;
     const double softening = f_1 * S * S * (S + f_2) / ((S + f_3) * (S + f_4));
-    return t * t * t / (1 + softening * (1 + f_5 * wide * wide / (1 + wide)));
+    return t * t * t / (1 + softening * (1 + f_5 * wide(S)));
   }
   // a/a_Y.
   double contact_radius(double t, double S) const {
-    const double widening = c_1 / (1 + c_4 * hardening_) * S * S / (S * S + c_2 * S + c_3);
-    return t * std::sqrt(1 + widening) * (1 + c_5 * yield_radius_ * S);
+    const double widening = c_1 * S * S / ((1 + c_4 * hardening_) * S * S + c_2 * S + c_3);
+    return t * std::sqrt(1 + widening) * (1 + c_5 * wide(S));
   }
   // D.
   static double lacking(double S) { return d_1 * S * S / (S * S + d_2 * S + d_3); }
 
-  // g, from what a contact keeps: 1 - D is its recovery over that of Hertz' contact of its radius.
-  double rounding(const State& state) const {
+  // g, how far unloading departs from Hertz' curve: 1 - D is the recovery that a contact keeps,
+  // over that of Hertz' contact of its force and radius.
+  double departure(const State& state) const {
     return g_1 * (1 - modulus_ * state.contact_radius_max * state.recovery / state.force_max);
   }
 

@@ -1,14 +1,14 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """docs/laws/universal.md, for a perfectly plastic sphere of radius R and modulus E' on a plane.
 
-With d_y = R (pi p_y/2E')^2, F_y and a_y Hertz's there, t = sqrt(d/d_y), s = t - 1,
-w = (p_y/p_y(nu = 0.3))^2 at the same yield strength, r = a_y/R:
+With d_y = R (pi p_y/2E')^2, F_y and a_y Hertz's there, t = sqrt(d/d_y), s = t - 1, w = p_y over
+p_y(nu = 0.3) at the same yield strength, r = a_y/R:
 
-    S = t (19.89 + w s)/(19.89 + s) - 1
-    F_y t^3/F = 1 + 0.1316 S^2 (S + 6.028)/((S + 3.7)(S + 1.429)) (1 + 3.266 (rS)^2/(1 + rS))
-    (a/a_y t)^2 = (1 + 1.209 S^2/(S^2 + 5.001 S + 4.204)) (1 + 0.351 r S)^2
-    D = 0.1917 S^2/(S^2 + 0.6424 S + 0.3508)
-    d_m - d_r = (1 - D) 3 F_m/(4 E' a_m),  F = F_m y^1.5 (1 + g)/(1 + g sqrt(y)),  g = 3.622 D
+    S = t (6.791 + w s)/(6.791 + s) - 1,  Z = (rS)^2/(1 + rS)
+    F_y t^3/F = 1 + 0.1253 S^2 (S + 11.91)/((S + 8.355)(S + 1.114)) (1 + 3.802 Z)
+    (a/a_y t)^2 = (1 + 1.248 S^2/(S^2 + 5.11 S + 4.411)) (1 + 7.842 Z)^2
+    D = 0.1902 S^2/(S^2 + 0.6156 S + 0.359)
+    d_m - d_r = (1 - D) 3 F_m/(4 E' a_m),  F = F_m y^1.5 (1 + g)/(1 + g sqrt(y)),  g = 3.642 D
 """
 
 from __future__ import annotations
@@ -35,24 +35,24 @@ class Reference(CentralImpact):
 
     def depth(self, overlap):
         t = np.sqrt(overlap / self.overlap_y)
-        w = (self.material.yield_pressure_factor / AT_NU_03) ** 2
-        return t * (19.89 + w * (t - 1)) / (19.89 + t - 1) - 1
+        w = self.material.yield_pressure_factor / AT_NU_03
+        return t * (6.791 + w * (t - 1)) / (6.791 + t - 1) - 1
 
     def wide(self, depth):
-        """r S."""
-        return sqrt(self.overlap_y / self.radius) * depth
+        """Z."""
+        a = sqrt(self.overlap_y / self.radius) * depth
+        return a**2 / (1 + a)
 
     def force_beyond(self, overlap):
         s = self.depth(overlap)
-        rs = self.wide(s)
-        resisting = 0.1316 * s**2 * (s + 6.028) / ((s + 3.7) * (s + 1.429))
-        return self.hertz(overlap) / (1 + resisting * (1 + 3.266 * rs**2 / (1 + rs)))
+        softening = 0.1253 * s**2 * (s + 11.91) / ((s + 8.355) * (s + 1.114))
+        return self.hertz(overlap) / (1 + softening * (1 + 3.802 * self.wide(s)))
 
     def published_rebound(self, overlap_max):
         s = self.depth(overlap_max)
-        spread = 1 + 1.209 * s**2 / (s**2 + 5.001 * s + 4.204)
-        contact_radius = sqrt(self.radius * overlap_max * spread) * (1 + 0.351 * self.wide(s))
-        lacking = 0.1917 * s**2 / (s**2 + 0.6424 * s + 0.3508)
-        g = 3.622 * lacking
+        spread = 1 + 1.248 * s**2 / (s**2 + 5.11 * s + 4.411)
+        contact_radius = sqrt(self.radius * overlap_max * spread) * (1 + 7.842 * self.wide(s))
+        lacking = 0.1902 * s**2 / (s**2 + 0.6156 * s + 0.359)
+        g = 3.642 * lacking
         hertzian = 3 * self.force_beyond(overlap_max) / (4 * self.material.modulus * contact_radius)
         return (1 - lacking) * hertzian, lambda y: y**1.5 * (1 + g) / (1 + g * np.sqrt(y))

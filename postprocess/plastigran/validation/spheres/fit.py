@@ -21,7 +21,7 @@ from plastigran.validation.spheres import table
 from plastigran.validation.spheres.forms import Constants, Metals, errors, peak
 
 #: What a difference is measured by, as a share: near the finite elements' own uncertainty.
-FORCE, CONTACT_RADIUS, WORK_UNLOADING, RECOVERY = 0.002, 0.012, 0.004, 0.008
+FORCE, CONTACT_RADIUS, WORK_UNLOADING, RECOVERY = 0.002, 0.006, 0.004, 0.008
 #: Over the force at yield, below which the contact spans too few elements for its radius to count.
 LEAST_FORCE = 8.0
 DIGITS = 4

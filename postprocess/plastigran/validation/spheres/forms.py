@@ -44,23 +44,23 @@ class Constants:
         g_1: How the unloading curve departs from Hertz'.
     """
 
-    q_1: float = 20.0
-    q_2: float = 0.36
-    q_3: float = 0.017
-    f_1: float = 0.131
-    f_2: float = 6.7
-    f_3: float = 4.4
-    f_4: float = 1.3
-    f_5: float = 2.8
-    c_1: float = 1.2
-    c_2: float = 4.9
-    c_3: float = 4.1
-    c_4: float = 1.5
-    c_5: float = 0.4
+    q_1: float = 6.8
+    q_2: float = 0.356
+    q_3: float = 0.018
+    f_1: float = 0.125
+    f_2: float = 12.0
+    f_3: float = 8.4
+    f_4: float = 1.11
+    f_5: float = 3.8
+    c_1: float = 1.25
+    c_2: float = 5.1
+    c_3: float = 4.4
+    c_4: float = 3.5
+    c_5: float = 7.5
     d_1: float = 0.19
-    d_2: float = 0.67
-    d_3: float = 0.34
-    g_1: float = 3.6
+    d_2: float = 0.615
+    d_3: float = 0.36
+    g_1: float = 3.64
 
 
 @attrs.frozen(eq=False)
@@ -68,7 +68,7 @@ class Metals:
     """What the forms take of a metal, each an array (n,) or a number.
 
     Attributes:
-        onset: p_y/sigma_Y over that at Poisson's ratio 0.3, squared.
+        onset: p_y/sigma_Y over that at Poisson's ratio 0.3.
         hardening: (p_y/sigma_Y) H/E'.
         yield_radius: a_Y/R.
     """
@@ -83,7 +83,7 @@ class Metals:
         poissons_ratio = table["poissons_ratio"].to_numpy()
         factor = np.array([_pressure_factor(value) for value in poissons_ratio])
         return cls(
-            (factor / _pressure_factor(0.3)) ** 2,
+            factor / _pressure_factor(0.3),
             factor * table["hardening_ratio"].to_numpy() * (1 - poissons_ratio**2),
             pi / 2 * factor * table["yield_strength_ratio"].to_numpy(),
         )
@@ -122,10 +122,10 @@ def depth(constants: Constants, metals: Metals, t: np.ndarray) -> np.ndarray:
 def peak(constants: Constants, metals: Metals, t: np.ndarray) -> Peak:
     """Force, contact radius and what unloading gives back at t >= 1 (n,)."""
     k, s = constants, depth(constants, metals, t)
-    wide = metals.yield_radius * s
+    wide = (metals.yield_radius * s) ** 2 / (1 + metals.yield_radius * s)
     softening = k.f_1 * s**2 * (s + k.f_2) / ((s + k.f_3) * (s + k.f_4))
-    force = t**3 / (1 + softening * (1 + k.f_5 * wide**2 / (1 + wide)))
-    widening = k.c_1 / (1 + k.c_4 * metals.hardening) * s**2 / (s**2 + k.c_2 * s + k.c_3)
+    force = t**3 / (1 + softening * (1 + k.f_5 * wide))
+    widening = k.c_1 * s**2 / ((1 + k.c_4 * metals.hardening) * s**2 + k.c_2 * s + k.c_3)
     contact_radius = t * np.sqrt(1 + widening) * (1 + k.c_5 * wide)
     lacking = k.d_1 * s**2 / (s**2 + k.d_2 * s + k.d_3)
     recovery = (1 - lacking) * force / contact_radius

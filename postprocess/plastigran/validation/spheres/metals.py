@@ -104,6 +104,6 @@ METALS = (
     SphereMetal(1e-3, 0.3, 1 / 100, held=True, force_ratio_max=2700.0),
     SphereMetal(6e-4, 0.45, 1 / 20),
     SphereMetal(3e-4, 0.45, force_ratio_max=2700.0),
-    SphereMetal(5e-3, strain="finite", widest=0.16),
+    SphereMetal(5e-3, held=True, strain="finite", widest=0.16),
     SphereMetal(2.5e-3, 0.3, 1 / 30, held=True, strain="finite", widest=0.16),
 )
