@@ -85,6 +85,15 @@ def test_good_input_runs(tmp_path, engine_law):
     assert "for 1 steps with 1 atoms" in log
 
 
+def test_tangent_modulus_of_a_law_that_hardens_is_told(tmp_path):
+    given = constant("tangentModulus", "2e9", "peratomtype")
+    log = run(tmp_path, law="ghaednia_2019", more=given)
+    assert "Pa, tangent modulus 2e+09 Pa, unloading brake_2015" in log
+    log = run(tmp_path, law="ghaednia_2019")
+    assert "Pa, tangent modulus 0 Pa (default), unloading" in log
+    assert "tangent modulus" not in run(tmp_path, law="jackson_green", more=given)
+
+
 @pytest.mark.parametrize(
     ("changes", "said"),
     [
