@@ -8,7 +8,8 @@ from pathlib import Path
 
 import numpy as np
 from attrs import evolve
-from scipy.special import hyp2f1, lambertw
+from elastic_contact import NOT_HERTZIAN, mapped_sphere
+from scipy.special import lambertw
 
 from plastigran import laws
 from plastigran.engine.process import run_deck
@@ -18,26 +19,6 @@ from plastigran.materials import RIGID, Material, read_material
 
 DECKS = Path(__file__).parent / "decks"
 LENGTH = 1.0  # of cylinders, and their bodies' thickness: the decks' defaults [m]
-
-
-def mapped_sphere(
-    pair: laws.MaterialPair, radius_eff: float, overlap: np.ndarray
-) -> dict[str, np.ndarray]:
-    """The elastic contact of `mdr`: 2 E' R^2 [acos(1 - y) - (1 - y) sqrt(2y - y^2)], y = d/2R, of
-    the yielding body's E' and a radius R that have the pair's Hertzian force and contact radius.
-    The bracket is 4 sqrt(2)/3 y^1.5 2F1(-1/2, 3/2; 5/2; y/2)."""
-    modulus = pair.youngs_modulus / (1 - pair.poissons_ratio**2)
-    ratio = modulus / pair.youngs_modulus_eff
-    radius = radius_eff * ratio
-    y = overlap / ratio / (2 * radius)
-    force = 2 * modulus * radius**2 * 4 * np.sqrt(2) / 3 * y**1.5
-    return {
-        "force": force * hyp2f1(-0.5, 1.5, 2.5, y / 2),
-        "contact_radius": radius * np.sqrt(y * (2 - y)),
-        "elastic_energy": 0.4 * force * overlap * hyp2f1(-0.5, 1.5, 3.5, y / 2),
-        "plastic_work": np.zeros_like(y),
-        "viscous_force": np.zeros_like(y),
-    }
 
 
 class Spheres:
@@ -148,4 +129,4 @@ def scene(law_name: str, dissipative_constant: float = 3e-5) -> Spheres:
     """The bodies a law is for; by default, viscous ones have the paper's sphere leave with 0.8 of
     its speed."""
     kind = {"sphere": Spheres, "cylinder": Cylinders}[laws.LAWS[law_name].shape]
-    return (MappedSpheres if law_name == "mdr" else kind)(law_name, dissipative_constant)
+    return (MappedSpheres if law_name in NOT_HERTZIAN else kind)(law_name, dissipative_constant)

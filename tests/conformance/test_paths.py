@@ -14,9 +14,9 @@ from functools import cache
 
 import numpy as np
 import pytest
+from elastic_contact import NOT_HERTZIAN, mapped_sphere
 from hypothesis import given
 from hypothesis import strategies as st
-from scenes import mapped_sphere
 from scipy.integrate import simpson
 from scipy.special import lambertw
 
@@ -62,7 +62,7 @@ def on_pairs(law_name: str, law_between) -> list[tuple]:
 def elastic(law_name: str, pair: laws.MaterialPair, overlap: np.ndarray) -> dict[str, np.ndarray]:
     """The elastic contact's answer: Hertz's spheres, those of `mdr`, or a line contact by scipy's
     Lambert W."""
-    if law_name == "mdr":
+    if law_name in NOT_HERTZIAN:
         return mapped_sphere(pair, RADIUS, overlap)
     if laws.LAWS[law_name].shape == "sphere":
         return laws.Hertz(pair).follow(RADIUS, overlap, laws.Hertz.State())

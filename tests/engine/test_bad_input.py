@@ -225,11 +225,11 @@ def test_constants_of_an_included_file_may_be_set(tmp_path):
     assert re.search(r"atom types 1 and 2: .* yield strength 2e\+08 Pa", log)
 
 
-def test_viscous_damping_is_the_classic_dashpot(sphere_law, tmp_path):
+def test_viscous_damping_is_the_classic_dashpot(hertzian_law, tmp_path):
     """Below yield, the model with viscous_damping is the engine's own hertz that never pulls."""
     stock = (PROJECT / "inputs/collision/two_spheres.in").read_text()
     found = []
-    for law, settings in ((sphere_law, "viscous_damping on"), ("hertz", "limitForce on")):
+    for law, settings in ((hertzian_law, "viscous_damping on"), ("hertz", "limitForce on")):
         deck = stock.replace("tangential ${tangential}", f"tangential off {settings}")
         deck = deck.replace("pair_style", f"unfix restitution\nfix {DAMPED}\npair_style", 1)
         folder = tmp_path / law

@@ -26,8 +26,6 @@
 // the same body disturbs.
 #pragma once
 
-#include <algorithm>
-
 #include "plastigran/shared/contact.h"
 #include "plastigran/shared/fitted_sphere.h"
 #include "plastigran/shared/numerics.h"
@@ -39,17 +37,17 @@ class Mdr {
   static constexpr const char* name = "mdr";
   static constexpr const char* source = "Zunker & Kamrin 2024, J. Mech. Phys. Solids 183:105492";
   static constexpr const char* range = "overlap <= 0.1 R, contacts apart from each other";
-  struct Parameters {
-    int energy_guard = 1;
-  };
-  static constexpr std::array<Option<Parameters>, 1> options{
-      {energy_guard_option<Parameters>(&Parameters::energy_guard)}};
+  static constexpr std::array<const char*, 3> state_names{"overlap_max", "force_max", "recovery"};
   struct State {
     double overlap_max = 0;  // largest overlap beyond yield [m]; 0 while elastic
     double force_max = 0;    // force there [N]
     double recovery = 0;     // overlap_max - overlap_res [m]
   };
-  static constexpr std::array<const char*, 3> state_names{"overlap_max", "force_max", "recovery"};
+  struct Parameters {
+    int energy_guard = 1;
+  };
+  static constexpr std::array<Option<Parameters>, 1> options{
+      {energy_guard_option<Parameters>(&Parameters::energy_guard)}};
 
   Mdr(const MaterialPair& pair, const Parameters& constants)
       : sphere_(pair, of_yielding_body),

@@ -27,6 +27,13 @@ from scipy.special import hyp2f1
 
 class Reference(CentralImpact):
     energy_guard = True
+    cases = """\
+material,radius,speed
+aluminium_zv02,0.1,0.01
+aluminium_zv02,0.1,0.05
+aluminium_zv02,0.1,0.10
+aluminium_zv02,0.1,0.20
+"""
 
     def __init__(self, material, radius, speed):
         super().__init__(material, radius, speed)
