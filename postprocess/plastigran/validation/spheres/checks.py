@@ -64,8 +64,8 @@ def refined() -> pd.DataFrame:
 
 
 def thrown() -> pd.DataFrame:
-    """Restitution and largest force, over that at yield, of spheres thrown, and of the same pressed,
-    between the rows of the table."""
+    """Restitution and largest force, over that at yield, of spheres thrown, and of the same
+    pressed, between the rows of the table."""
     found, rows = [], table()
     for name, speed in THROWN:
         metal = named(name)

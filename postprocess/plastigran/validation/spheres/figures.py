@@ -11,6 +11,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from plastigran.plot.style import COLOURS, save, styled, subplots
+from plastigran.validation.spheres.fit import KINDS, regimes
 from plastigran.validation.spheres.forms import Constants, Metals, depth, errors, peak, work_ratio
 
 
@@ -24,8 +25,9 @@ def write(constants: Constants, rows: pd.DataFrame, folder: Path) -> list[Path]:
 
 
 def collapse_figure(constants: Constants, rows: pd.DataFrame) -> Figure:
-    """Force, contact radius and energy given back over the depth S, metals of the fit filled, held
-    ones open; lines are the forms of a narrow contact without hardening."""
+    """Force, contact radius and energy given back over the depth S, beside those of Hertz' contact
+    of the same overlap, or of the same force and radius; lines are the forms of a narrow contact
+    without hardening."""
     metals, t = Metals.of(rows), np.sqrt(rows["overlap_ratio"].to_numpy())
     s = depth(constants, metals, t)
     narrow = Metals(np.ones(1), np.zeros(1), np.zeros(1))
@@ -39,7 +41,7 @@ def collapse_figure(constants: Constants, rows: pd.DataFrame) -> Figure:
             form.contact_radius / (1 + line),
         ),
         (
-            "energy given back over that of Hertz' contact\nof this force and radius",
+            "energy given back over Hertz'",
             work_ratio(
                 rows["work_unloading_ratio"], rows["force_ratio"], rows["contact_radius_ratio"]
             ),
@@ -54,7 +56,7 @@ def collapse_figure(constants: Constants, rows: pd.DataFrame) -> Figure:
             axes.set(xscale="log", xlabel="S", ylabel=label)
         panels[0].set_yscale("log")
         handles, labels = panels[0].get_legend_handles_labels()
-        figure.legend(handles, labels, loc="outside lower center", ncols=3, fontsize=7)
+        figure.legend(handles, labels, loc="outside lower center", ncols=3, fontsize=8)
     return figure
 
 
@@ -67,30 +69,27 @@ def errors_figure(constants: Constants, rows: pd.DataFrame) -> Figure:
         for axes, (name, label) in zip(
             panels, (("force", "peak force"), ("restitution", "restitution")), strict=True
         ):
-            _points(axes, rows, speed, off[name].to_numpy(), joined=True)
+            _points(axes, rows, speed, off[name].to_numpy())
             axes.axhline(0, color="k", lw=0.8)
             axes.set(xscale="log", xlabel="speed over that at yield", ylabel=f"{label}, % off")
         handles, labels = panels[0].get_legend_handles_labels()
-        figure.legend(handles, labels, loc="outside lower center", ncols=3, fontsize=7)
+        figure.legend(handles, labels, loc="outside lower center", ncols=3, fontsize=8)
     return figure
 
 
-def _points(
-    axes: Axes, rows: pd.DataFrame, x: np.ndarray, y: np.ndarray, joined: bool = False
-) -> None:
-    """Points of each metal in a colour of its own; those of the fit filled."""
-    for number, (metal, part) in enumerate(rows.groupby("metal", sort=False)):
-        at = (rows["metal"] == metal).to_numpy()
-        held = part["set"].iloc[0] == "held"
-        colour = COLOURS[number % len(COLOURS)]
-        axes.plot(
-            x[at],
-            y[at],
-            "-" if joined else "",
-            marker="osD^v"[number // len(COLOURS)],
-            color=colour,
-            mfc="white" if held else colour,
-            ms=3.5,
-            lw=0.6,
-            label=metal + (" (held out)" if held else ""),
-        )
+def _points(axes: Axes, rows: pd.DataFrame, x: np.ndarray, y: np.ndarray) -> None:
+    """Points by kind of contact; those of metals held out of the fit are open."""
+    kinds, held = regimes(rows)["kind"].to_numpy(), (rows["set"] == "held").to_numpy()
+    for kind, colour, marker in zip(KINDS, COLOURS, "osD", strict=False):
+        for out in (False, True):
+            shown = (kinds == kind) & (held == out)
+            axes.plot(
+                x[shown],
+                y[shown],
+                marker,
+                color=colour,
+                mfc="white" if out else colour,
+                ms=3,
+                mew=0.7,
+                label=kind + (", held out" if out else ""),
+            )

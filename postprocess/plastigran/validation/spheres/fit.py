@@ -30,6 +30,8 @@ DIGITS = 4
 STRETCHES = ((1, 3), (3, 10), (10, 100), (100, 300), (300, 1200))
 #: a/R up to which a contact counts as narrow.
 NARROW = 0.05
+#: Kinds of contact: narrow ones of two sorts of metal, and wide ones of either.
+KINDS = ("perfectly plastic", "hardening", "wide contact")
 
 
 def fit(rows: pd.DataFrame) -> Constants:
@@ -62,16 +64,16 @@ def fit(rows: pd.DataFrame) -> Constants:
 
 
 def regimes(rows: pd.DataFrame) -> pd.DataFrame:
-    """Which stretch of speed a row is in and what kind it is: `perfectly plastic`, to NARROW;
-    `hardening`, to NARROW; or `wide contact`. Columns `stretch` and `kind`."""
+    """Which stretch of speed a row is in, and which of KINDS it is: `stretch` and `kind`."""
     edges = [low for low, _ in STRETCHES] + [STRETCHES[-1][1]]
     labels = [f"{low} to {high}" for low, high in STRETCHES]
-    hardens = np.where(rows["hardening_ratio"] > 0, "hardening", "perfectly plastic")
+    plain, hardening, wide_contact = KINDS
+    hardens = np.where(rows["hardening_ratio"] > 0, hardening, plain)
     wide = rows["contact_radius_over_radius"] > NARROW
     return pd.DataFrame(
         {
             "stretch": pd.cut(rows["speed_ratio"], edges, labels=labels),
-            "kind": np.where(wide, "wide contact", hardens),
+            "kind": np.where(wide, wide_contact, hardens),
         },
         index=rows.index,
     )
