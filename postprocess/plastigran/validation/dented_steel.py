@@ -116,10 +116,12 @@ def comparison(law: str) -> pd.DataFrame:
 def narrow_restitution(ratios: np.ndarray) -> np.ndarray:
     """Restitution of narrow contacts of perfectly plastic spheres at some v/v_Y.
 
-    From the table of spheres; beyond it, the power of speed of its fastest ones.
+    From the softest metal of the table of spheres, a/R below 0.025; beyond it, the power of speed
+    of its fastest impacts.
     """
     rows = spheres()
     rows = rows[kind(rows) == KINDS[0]].sort_values("speed_ratio")
+    rows = rows[rows["yield_strength_ratio"] == rows["yield_strength_ratio"].min()]
     speed, restitution = np.log(rows[["speed_ratio", "coefficient_of_restitution"]].to_numpy().T)
     fast = speed > speed[-1] - 1
     beyond = np.polyval(np.polyfit(speed[fast], restitution[fast], 1), np.log(ratios))
