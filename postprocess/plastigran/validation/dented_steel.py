@@ -35,9 +35,10 @@ from plastigran.validation.steel import POISSONS_RATIO, YOUNGS_MODULUS, speed_ra
 FINITE_ELEMENTS = "finite elements"
 TABLE = "finite_elements_leeb.csv"
 #: Hardnesses of the table, HV; of softer steel, a/R above 0.2, small strain finds no equilibrium.
-HARDNESSES = (304, 550, 940)
+HARDNESSES = (211, 304, 550, 940)
 #: Largest forces over that of a rigid ball at the pressure H throughout; the impact's lies between.
 SHARES = (0.65, 0.85, 1.1)
+#: Restitution of a finer mesh, at 550 HV, is 0.4 % larger.
 SETTINGS = Settings(divisions=4, fineness=0.7, growth=1.08, unloading_steps=10)
 
 
