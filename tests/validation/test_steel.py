@@ -6,7 +6,7 @@ from __future__ import annotations
 import pandas as pd
 import pytest
 
-from plastigran.validation import offset, steel
+from plastigran.validation import dented_steel, offset, steel
 
 
 def test_single_impacts_and_craters_are_as_the_page_says(assert_on_page):
@@ -14,11 +14,11 @@ def test_single_impacts_and_craters_are_as_the_page_says(assert_on_page):
     assert_on_page("craters", steel.craters())
 
 
-def test_the_nearest_law_is_within_the_scatter_of_the_table(page_table):
-    """5 % in restitution where the table is trusted, 450 to 890 HLD; 10 % over all."""
-    nearest = page_table("leeb").iloc[0]
-    assert float(nearest["rms, 450–890 HLD"]) < 5
-    assert float(nearest["rms, all 59"]) < 10
+def test_the_nearest_law_has_the_slope_of_the_table_and_its_level_with_the_rate(page_table):
+    """The table is trusted to 5 % in restitution, its slope to the 4 % in HV, 1.7 % in restitution,
+    that other points of makers lie off it."""
+    assert float(page_table("leeb")["rms about the mean"][0]) < 1.7
+    assert float(page_table("leeb_rate")["rms with rate"][0]) < 5
 
 
 def test_parts_of_the_offset_have_the_sign_of_their_cause(page_table):
@@ -42,12 +42,21 @@ def test_parts_of_the_offset_have_the_sign_of_their_cause(page_table):
 def test_parts_of_the_offset_are_those_of_the_page(page_table, monkeypatch):
     nearest = page_table("leeb")["law"][0]
     table = steel.leeb_table().iloc[[0, -1]]
-    for module in (steel, offset):
-        monkeypatch.setattr(module, "leeb_table", lambda: table)
+    monkeypatch.setattr(steel, "leeb_table", lambda: table)
     found, shown = offset.budget(nearest), page_table("leeb_offset")
     assert list(found["source"]) == list(shown["source"])
     for column in ("at 80 HV (%)", "at 940 HV (%)"):
-        assert found[column].to_numpy() == pytest.approx(pd.to_numeric(shown[column]), abs=0.011)
+        said = pd.to_numeric(shown[column])
+        assert found[column].to_numpy() == pytest.approx(said.to_numpy(), abs=0.011, nan_ok=True)
+
+
+def test_finite_elements_of_the_dent_are_within_the_scatter_of_the_table(
+    page_table, assert_on_page
+):
+    """5 % in restitution, as the table is trusted; nothing of a law is in them."""
+    found = dented_steel.comparison(page_table("leeb")["law"][0])
+    assert found["finite elements off measured (%)"].abs().max() < 5
+    assert_on_page("leeb_finite_elements", found)
 
 
 def test_the_rate_of_strain_moves_every_law_up(page_table):

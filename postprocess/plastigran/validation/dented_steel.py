@@ -34,10 +34,11 @@ from plastigran.validation.steel import POISSONS_RATIO, YOUNGS_MODULUS, speed_ra
 
 FINITE_ELEMENTS = "finite elements"
 TABLE = "finite_elements_leeb.csv"
-#: Hardnesses of the table, HV, the longest computation first.
-HARDNESSES = (80, 158, 304, 550, 940)
+#: Hardnesses of the table, HV; of softer steel, a/R above 0.2, small strain finds no equilibrium.
+HARDNESSES = (211, 304, 550, 940)
 #: Largest forces over that of a rigid ball at the pressure H throughout; the impact's lies between.
 SHARES = (0.65, 0.85, 1.1)
+#: Restitution of a finer mesh, at 550 HV, is 0.4 % larger.
 SETTINGS = Settings(divisions=4, fineness=0.7, growth=1.08, unloading_steps=10)
 
 
@@ -116,10 +117,12 @@ def comparison(law: str) -> pd.DataFrame:
 def narrow_restitution(ratios: np.ndarray) -> np.ndarray:
     """Restitution of narrow contacts of perfectly plastic spheres at some v/v_Y.
 
-    From the table of spheres; beyond it, the power of speed of its fastest ones.
+    From the softest metal of the table of spheres, a/R below 0.025; beyond it, the power of speed
+    of its fastest impacts.
     """
     rows = spheres()
     rows = rows[kind(rows) == KINDS[0]].sort_values("speed_ratio")
+    rows = rows[rows["yield_strength_ratio"] == rows["yield_strength_ratio"].min()]
     speed, restitution = np.log(rows[["speed_ratio", "coefficient_of_restitution"]].to_numpy().T)
     fast = speed > speed[-1] - 1
     beyond = np.polyval(np.polyfit(speed[fast], restitution[fast], 1), np.log(ratios))
