@@ -16,7 +16,8 @@
 //
 // w is p_y/sigma_Y over that at nu = 0.3: far from yield only sigma_Y matters.
 // h = (p_y/sigma_Y) H/E', H the plastic modulus; r = a_Y/R. E' and R are those of the fitted
-// sphere, see fitted_sphere.h. The contact radius falls in proportion to dF/d(overlap).
+// sphere, see fitted_sphere.h. The contact radius falls in proportion to dF/d(overlap). Where a hard
+// sphere dents a flat, the body that yields has no radius: option yielding_body flat, r = 0.
 //
 //   F |            /           virgin curve: force and slope go on from Hertz'
 //     |          //            unloading and reloading on one curve back to F_max,
@@ -37,12 +38,22 @@
 
 namespace plastigran {
 
-class Universal : public NoConstants {
+class Universal {
  public:
   static constexpr const char* name = "universal";
   static constexpr const char* source = "finite elements of Plastigran, docs/laws/universal.md";
   static constexpr const char* range = "a/R <= 0.1, hardening to E/20";
   static constexpr bool hardens = true;
+  enum YieldingBody { sphere, flat };
+  struct Parameters {
+    int yielding_body = sphere;
+  };
+  static constexpr std::array<Option<Parameters>, 1> options{{
+      {"yielding_body",
+       &Parameters::yielding_body,
+       {"sphere", "flat", nullptr},
+       "what flattens or is dented; a flat's wide contact is as a narrow one"},
+  }};
   struct State {
     double overlap_max = 0;         // largest overlap beyond yield [m]; 0 while elastic
     double force_max = 0;           // force there [N]
@@ -52,16 +63,17 @@ class Universal : public NoConstants {
   static constexpr std::array<const char*, 4> state_names{"overlap_max", "force_max",
                                                           "contact_radius_max", "recovery"};
 
-  explicit Universal(const MaterialPair& pair, const Parameters&)
+  Universal(const MaterialPair& pair, const Parameters& constants)
       : modulus_(4.0 / 3.0 * pair.youngs_modulus_eff),
         yield_radius_ratio_(yield_radius_ratio(pair)) {
-    const FittedSphere sphere(pair, of_yielding_body);
+    const FittedSphere fitted(pair, of_yielding_body);
     const double pressure_factor = pair.yield_pressure / pair.yield_strength;
-    yield_radius_ = pi * pair.yield_pressure / (2 * sphere.modulus);
+    yield_radius_ = pi * pair.yield_pressure / (2 * fitted.modulus);
+    widening_radius_ = constants.yielding_body == flat ? 0 : yield_radius_;
     onset_ = pressure_factor / hertz_yield_pressure_factor(0.3);
     const double plastic_modulus =
         pair.tangent_modulus * pair.youngs_modulus / (pair.youngs_modulus - pair.tangent_modulus);
-    hardening_ = pressure_factor * plastic_modulus / sphere.modulus;
+    hardening_ = pressure_factor * plastic_modulus / fitted.modulus;
   }
 
   Response respond(double radius_eff, double overlap, State& state) const {
@@ -135,7 +147,7 @@ class Universal : public NoConstants {
   }
   // Z, of a contact that is wide for its sphere.
   double wide(double S) const {
-    const double a = yield_radius_ * S;
+    const double a = widening_radius_ * S;
     return a * a / (1 + a);
   }
   // F/F_Y.
@@ -175,7 +187,8 @@ class Universal : public NoConstants {
 
   double modulus_;             // 4/3 E*
   double yield_radius_ratio_;  // a_Y/R*
-  double yield_radius_;        // r = a_Y/R of the fitted sphere
+  double yield_radius_;        // a_Y/R of the fitted sphere
+  double widening_radius_;     // r
   double onset_;               // w
   double hardening_;           // h
 };

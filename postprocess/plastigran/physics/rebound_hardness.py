@@ -56,7 +56,7 @@ class ReboundTester:
         Raises:
             ValueError: A constant is missing or out of range.
         """
-        found = laws.LAWS[law](self.pair(sample), **constants)
+        found = laws.LAWS[law](self.pair(sample), **dented_flat(law), **constants)
         return found.central_impact(self.ball_radius, self.mass, self._speed_of_contact())
 
     def reading(self, law: str, sample: laws.Body, **constants: float | str) -> float:
@@ -79,6 +79,12 @@ class ReboundTester:
     def _speed_lost(self) -> float:
         """What a fall from the sensor to the sample gives [m/s]."""
         return sqrt(2 * GRAVITATIONAL_ACCELERATION * self.sensor_height)
+
+
+def dented_flat(law: str) -> dict[str, str]:
+    """Options by which a law knows that a flat is dented and no sphere flattened."""
+    words = {option["name"]: option["choices"] for option in laws.LAWS[law].options()}
+    return {name: "flat" for name in ("yielding_body",) if "flat" in words.get(name, ())}
 
 
 #: Impact devices by their letters; ISO 16859 and makers' tables.

@@ -9,6 +9,8 @@ p_y(nu = 0.3) at the same yield strength, r = a_y/R:
     (a/a_y t)^2 = (1 + 1.248 S^2/(S^2 + 5.11 S + 4.411)) (1 + 7.842 Z)^2
     D = 0.1902 S^2/(S^2 + 0.6156 S + 0.359)
     d_m - d_r = (1 - D) 3 F_m/(4 E' a_m),  F = F_m y^1.5 (1 + g)/(1 + g sqrt(y)),  g = 3.642 D
+
+Of a dented flat, which has no radius, Z = 0.
 """
 
 from __future__ import annotations
@@ -27,6 +29,7 @@ AT_NU_03 = 1 / float(np.max(1.5 / (1 + DEPTHS**2) - 1.3 * (1 - DEPTHS * np.arcta
 
 class Reference(CentralImpact):
     cases = thornton.Reference.cases
+    readings = ("yielding_body flat",)
 
     def __init__(self, material, radius, speed):
         super().__init__(material, radius, speed)
@@ -40,7 +43,8 @@ class Reference(CentralImpact):
 
     def wide(self, depth):
         """Z."""
-        a = sqrt(self.overlap_y / self.radius) * depth
+        flat = self.reading == "yielding_body flat"
+        a = 0 * depth if flat else sqrt(self.overlap_y / self.radius) * depth
         return a**2 / (1 + a)
 
     def force_beyond(self, overlap):
