@@ -20,7 +20,7 @@ from plastigran import laws
 from plastigran.contact import Contact
 from plastigran.declared import Declaration, read_number
 from plastigran.materials import RIGID, Material
-from plastigran.physics.rebound_hardness import GRAVITATIONAL_ACCELERATION
+from plastigran.physics.rebound_hardness import GRAVITATIONAL_ACCELERATION, dented_flat
 
 IMPACT = {
     "speed": Declaration("of the impact", "m/s", 1e-4, 1000),
@@ -81,7 +81,8 @@ class DropTest:
     def contact(self, law: str, metal: Material) -> Contact:
         """Ball and plate with a metal in the place that is asked about."""
         ball, plate = self.ball or metal, self.plate or metal
-        return Contact(law, ball, plate, radius=self.radius)
+        dented = dented_flat(law) if self.ball else {}
+        return Contact(law, ball, plate, radius=self.radius, **dented)
 
 
 def read_drop_test(path: str | Path) -> pd.DataFrame:

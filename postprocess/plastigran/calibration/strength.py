@@ -25,7 +25,7 @@ from plastigran.contact import Contact, RangeWarning
 from plastigran.declared import Declaration, read_number
 from plastigran.materials import Material
 from plastigran.physics.central import yield_speed
-from plastigran.physics.rebound_hardness import TESTERS, ReboundTester
+from plastigran.physics.rebound_hardness import TESTERS, ReboundTester, dented_flat
 
 LEAST_RATIO, LARGEST_RATIO = 1e-6, 0.3  # strengths over Young's modulus that are looked at
 DENTS = "expected errors are those of spheres that flatten; of balls that dent, docs/validation.md"
@@ -124,7 +124,14 @@ def from_leeb(given: float | str, law: str, metal: Material, scatter: float | No
 
     def contact(strength: float) -> Contact:
         sample = attrs.evolve(metal, yield_strength=strength)
-        return Contact(law, sample, tester.ball, radius=tester.ball_radius, mass_eff=tester.mass)
+        return Contact(
+            law,
+            sample,
+            tester.ball,
+            radius=tester.ball_radius,
+            mass_eff=tester.mass,
+            **dented_flat(law),
+        )
 
     rate = f" at 1/s (C = {metal.rate_coefficient:g})" if metal.rate_coefficient else ""
     source = (

@@ -15,7 +15,7 @@ import pandas as pd
 from plastigran import laws
 from plastigran.calibration.hardness import flow_stress, leeb_table
 from plastigran.physics.central import yield_speed
-from plastigran.physics.rebound_hardness import TESTERS, ReboundTester
+from plastigran.physics.rebound_hardness import TESTERS, ReboundTester, dented_flat
 from plastigran.validation.laws_on_spheres import yielding_laws
 from plastigran.validation.tables import nearest_first, root_mean_square
 
@@ -147,5 +147,5 @@ def contact_radius(law: str, strength: float) -> float:
     """Largest contact radius under device D on steel of a strength [Pa], m."""
     tester, sample = TESTERS["D"], steel(strength)
     overlap = tester.impact(law, sample).overlap_max
-    found = laws.LAWS[law](tester.pair(sample))
+    found = laws.LAWS[law](tester.pair(sample), **dented_flat(law))
     return found.respond(tester.ball_radius, overlap, found.State()).contact_radius
