@@ -31,12 +31,7 @@ def press_and_release(
 ) -> Pressing:
     """Press a sphere on a rigid plane and let it go from each of some forces.
 
-    Args:
-        material: The metal.
-        radius: Of the sphere, m.
-        forces: Where it is let go, N, increasing.
-        settings: How fine.
-        progress: Show a bar.
+    Args as of `press`; it is let go from each of the forces.
 
     Returns:
         As of `press`, without snapshots; releases before the one that found no equilibrium, and
