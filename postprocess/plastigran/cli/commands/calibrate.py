@@ -25,6 +25,11 @@ from plastigran.materials import (
 HELP = "yield strength from hardness, rebound or drops; law, its error, lines of a deck"
 
 METAL = "metal"  # the word that stands for it as ball or plate
+#: Arguments that the function takes as they are.
+PASSED_ON = (
+    *("density", "yield_strength", "hardness", "leeb", "plastic_modulus", "rate_coefficient"),
+    *("scatter", "law", "speeds", "radius", "strain"),
+)
 
 
 def add_arguments(command: argparse.ArgumentParser) -> None:
@@ -39,7 +44,11 @@ def add_arguments(command: argparse.ArgumentParser) -> None:
     )
     add_elastic(command)
     command.add_argument(
-        "--hardening", type=float, default=0.0, help="plastic modulus, Pa, default 0"
+        "--hardening",
+        type=float,
+        default=0.0,
+        dest="plastic_modulus",
+        help="plastic modulus, Pa, default 0",
     )
     command.add_argument(
         "--ball", default=METAL, help="material of the ball of --drop, default the metal itself"
@@ -99,21 +108,11 @@ def run(arguments: argparse.Namespace) -> None:
     found = calibrate(
         youngs_modulus=arguments.young,
         poissons_ratio=arguments.poisson,
-        density=arguments.density,
-        yield_strength=arguments.yield_strength,
-        hardness=arguments.hardness,
-        leeb=arguments.leeb,
         drops=_drops(arguments),
-        plastic_modulus=arguments.hardening,
-        rate_coefficient=arguments.rate_coefficient,
-        scatter=arguments.scatter,
-        law=arguments.law,
-        speeds=arguments.speeds,
         force_ratio=_finite_elements(arguments),
-        radius=arguments.radius,
-        strain=arguments.strain,
         name=output.stem if output else "metal",
         progress=sys.stderr.isatty(),
+        **{name: getattr(arguments, name) for name in PASSED_ON},
     )
     if output is not None:
         write_material(found.material, output, found.remark, arguments.force)
