@@ -30,8 +30,8 @@ def launch(folder: Path, deck: str, *words: str) -> subprocess.CompletedProcess:
         "include &\n  other.in\n",
         'include "other.in"\n',
         "variable name index other.in\ninclude ${name}\n",
-        'variable n equal 2\nif "${n} == 2" then "include other.in"\n',
-        'variable n equal 1\nif "${n} == 2" then "print no" else "include other.in"\n',
+        'variable n equal 2\nif "${n} == 2" then "jump other.in"\n',
+        'variable n equal 1\nif "${n} == 2" then "print no" else "jump other.in"\n',
         'if "2 == 2" then "variable speed index 1"\n',
         "variable name string other.in\ninclude ${name}\n",
         "jump other.in\n",
@@ -59,6 +59,12 @@ def test_a_misspelt_variable_is_refused(deck, tmp_path):
     assert done.returncode == 1
     assert "ERROR: -var speed: deck.in has no such variable" in done.stderr
     assert ("it takes sped" in done.stderr) == ("sped index" in deck)
+
+
+def test_the_engine_itself_says_what_it_refuses(tmp_path):
+    """It takes no include within an `if`; the launcher is not the one to say so."""
+    done = launch(tmp_path, 'if "2 == 2" then "include other.in"\n')
+    assert "Cannot use include command within an if command" in done.stdout
 
 
 def test_a_deck_may_be_read_from_a_pipe(tmp_path):

@@ -80,7 +80,8 @@ def engine_wall(request):
     if request.param == "plane":
         return {}
     plate = inputs_folder() / "meshes" / "plate.stl"  # 5 by 6 at x = 0
-    mesh = f"fix mesh all mesh/surface file {plate} type 1 scale 0.04 rotate axis 0 1 0 angle 90"
+    mesh = f"fix mesh all mesh/surface file {plate} type 1 scale 0.02"
+    mesh += " rotate axis 0 1 0 angle 90 move 0.025 0.025 0"
     return {"mesh": mesh, "wall": "mesh n_meshes 1 meshes mesh"}
 
 
@@ -98,5 +99,5 @@ def test_a_wall_that_may_be_passed(tmp_path):
 
 
 def test_sound_balls_pass_nothing(tmp_path):
-    sound = {"youngs_modulus": "2.1e7", "yield_strength": "3e5", "timestep": "1e-5"}
-    assert "WARNING" not in run(tmp_path, **sound, steps=6000)
+    sound = {"youngs_modulus": "2.1e8", "yield_strength": "3e6", "timestep": "3e-6"}
+    assert "WARNING" not in run(tmp_path, **sound, steps=20000)

@@ -26,7 +26,7 @@ std::string describe_passage(const LAMMPS_NS::Atom* atom,
       << describe_particle(atom, contact.i)
       << " is about to pass through a wall: it overlaps it by " << contact.deltan / contact.radi
       << " of its radius, and a wall pushes out to either side. Look for bodies too soft for their "
-         "load (youngsModulus is in the deck's own units), or a time step that is too long";
+         "load (is youngsModulus in the deck's units?), or a time step that is too long";
   return text.str();
 }
 

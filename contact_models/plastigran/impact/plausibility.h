@@ -4,6 +4,7 @@
 #pragma once
 
 #include <sstream>
+#include <utility>
 
 #include "plastigran/shared/complaint.h"
 #include "plastigran/shared/contact.h"
@@ -21,8 +22,13 @@ inline Complaint implausible(const Body& body, double pascal) {
   const double rigid = 1e15 * pascal;
   std::ostringstream text;
   if (modulus < 1e6 * pascal) {
-    text << "{youngs_modulus} is " << modulus << " [Pa], as soft as a gel; meant in GPa it is "
-         << 1e9 * pascal * modulus << ", in MPa " << 1e6 * pascal * modulus;
+    text << "{youngs_modulus} is " << modulus << " [Pa], as soft as a gel";
+    const char* stop = "; ";
+    for (const auto& [unit, in_pascal] : {std::pair("GPa", 1e9), std::pair("MPa", 1e6)})
+      if (modulus * in_pascal < 2e12) {  // diamond: 1.2e12 Pa
+        text << stop << "meant in " << unit << " it is " << modulus * in_pascal * pascal;
+        stop = ", ";
+      }
   } else if (modulus < rigid && strength < rigid && strength > modulus / 3) {
     text << "{yield_strength} is " << strength << " [Pa], more than a third of {youngs_modulus} "
          << modulus << ": no solid is as strong; one of them may be in another unit";
