@@ -16,8 +16,8 @@
 //
 // w is p_y/sigma_Y over that at nu = 0.3: far from yield only sigma_Y matters.
 // h = (p_y/sigma_Y) H/E', H the plastic modulus; r = a_Y/R. E' and R are those of the fitted
-// sphere, see fitted_sphere.h. The contact radius falls in proportion to dF/d(overlap). Where a hard
-// sphere dents a flat, the body that yields has no radius: option yielding_body flat, r = 0.
+// sphere, see fitted_sphere.h. Where a hard sphere dents a flat, the body that yields has no
+// radius: option yielding_body flat, r = 0. The contact radius falls as dF/d(overlap) does.
 //
 //   F |            /           virgin curve: force and slope go on from Hertz'
 //     |          //            unloading and reloading on one curve back to F_max,
