@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Draw the figures of the docs: one per law, found and never listed, and the README's, the rod's,
-the cylinder study's and the bulk decks'.
+the cylinder study's, the bulk decks' and of calibration.
 
 Run it with `./run figures`; the files in docs/figures are its output.
 """
@@ -23,6 +23,8 @@ from plastigran.bulk.decks.cooling_gas.figure import cooling_figure
 from plastigran.bulk.decks.hopper import orifices
 from plastigran.bulk.decks.hopper.figure import orifices_figure
 from plastigran.bulk.run import BulkRun, run_bulk
+from plastigran.calibration import DropTest, calibrate
+from plastigran.calibration.figures import figure as calibration_figure
 from plastigran.experiments import find_experiments
 from plastigran.materials import RIGID, read_material
 from plastigran.physics import central
@@ -238,8 +240,26 @@ def draw_bulk_decks() -> None:
     draw_hopper_grains()
 
 
+def draw_calibration() -> None:
+    """The law against the drops of docs/calibrate.md, and against finite elements: a minute."""
+    steel = {"youngs_modulus": 206e9, "poissons_ratio": 0.3, "density": 7850.0}
+    falls, rebounds = np.array(DROPS).T
+    drops = DropTest(np.sqrt(2 * 9.81 * falls), np.sqrt(rebounds / falls))
+    paper = {"youngs_modulus": 70e9, "poissons_ratio": 0.3, "density": 2699.0}
+    for name, metal in {
+        "calibrate_drops": calibrate(**steel, drops=drops),
+        "calibrate_finite_elements": calibrate(**paper, yield_strength=1e8, force_ratio=41),
+    }.items():
+        save(calibration_figure(metal), FOLDER / name, (".png",))
+
+
+# Heights of fall and rebound of a ball of steel on granite [m]: an example.
+DROPS = [(0.05, 0.0215), (0.05, 0.0222), (0.10, 0.0385), (0.20, 0.0680), (0.50, 0.1490)]
+
+
 if __name__ == "__main__":
     draw_laws(sys.argv[1:] or sorted(laws.LAWS))
     if len(sys.argv) == 1:
         draw_experiments()
         draw_bulk_decks()
+        draw_calibration()

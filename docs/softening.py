@@ -29,7 +29,7 @@ HOPPER = {"orifice": 8, "layers": 5, "timestep": 1.5e-5, "duration": 0.7, "rows"
 HOPPER |= {"filling": 0.1, "checkpoints": 1}
 DRUM = {"drum_radius": 0.05, "length": 0.03, "froude": 0.05, "duration": 0.9, "settling": 0.3}
 DRUM |= {"timestep": 2e-5, "checkpoints": 2}
-DECKS = {"hopper": HOPPER, "drum": DRUM}
+DECKS = {"drum": DRUM, "hopper": HOPPER}
 SHARES = ("plastic", "friction", "viscous")
 
 

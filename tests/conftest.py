@@ -17,6 +17,7 @@ from pathlib import Path
 
 import pytest
 from attrs import evolve
+from elastic_contact import NOT_HERTZIAN
 from engine_marker import mark
 from hypothesis import settings
 
@@ -53,7 +54,8 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
 
 def pytest_generate_tests(metafunc: pytest.Metafunc) -> None:
     """`law_name` runs a test for every law, `engine_law` for every law with an engine model,
-    `sphere_law` for those of them for spheres, `yielding_law` for those of these that yield,
+    `sphere_law` for those of them for spheres, `hertzian_law` for those of these whose elastic
+    contact is Hertz's, `yielding_law` for those of these that yield,
     `rod_law` for those the oblique rod takes."""
     if "law_name" in metafunc.fixturenames:
         metafunc.parametrize("law_name", sorted(laws.LAWS))
@@ -63,6 +65,9 @@ def pytest_generate_tests(metafunc: pytest.Metafunc) -> None:
     if "sphere_law" in metafunc.fixturenames:
         spheres = [name for name in ENGINE_LAWS if laws.LAWS[name].shape == "sphere"]
         metafunc.parametrize("sphere_law", spheres)
+    if "hertzian_law" in metafunc.fixturenames:
+        spheres = [name for name in ENGINE_LAWS if laws.LAWS[name].shape == "sphere"]
+        metafunc.parametrize("hertzian_law", [n for n in spheres if n not in NOT_HERTZIAN])
     if "yielding_law" in metafunc.fixturenames:
         spheres = [name for name in ENGINE_LAWS if laws.LAWS[name].shape == "sphere"]
         metafunc.parametrize("yielding_law", [n for n in spheres if laws.LAWS[n].yields])

@@ -3,6 +3,7 @@
 // What two bodies bring to a contact, in Python.
 #include "bind.h"
 #include "plastigran/impact/validate.h"
+#include "plastigran/shared/rate_factor.h"
 #include "values.h"
 
 namespace plastigran {
@@ -116,6 +117,33 @@ Raises:
     ValueError: A value is out of range.
 
 Source: Johnson, Contact Mechanics (1985), sec. 3.4 and 4.1.)");
+  module.def(
+      "rate_factor",
+      [](const MaterialPair& pair, const nb::object& radius_eff, const nb::object& speed) {
+        const Broadcast given(
+            {{"radius_eff", radius_eff, positive, "m"}, {"speed", speed, not_negative, "m/s"}});
+        return column<double>(
+            given, [&](std::size_t i) { return rate_factor(pair, given(0, i), given(1, i)); });
+      },
+      "pair"_a, "radius_eff"_a, "speed"_a,
+      nb::sig("def rate_factor(pair: MaterialPair, radius_eff: ArrayLike, speed: ArrayLike) -> "
+              "Numbers"),
+      R"(What an impact multiplies the yield strength of its weaker body by [-], in steps of 1e-4:
+1 + C ln(rate/reference_rate) above the reference rate, 1 up to it. The rate is v/R of the weaker
+body's sphere on a rigid plane: speed/R* (E*/E')^2.
+
+Args:
+    pair: The two bodies.
+    radius_eff: R* [m], positive. Numbers or arrays whose shapes broadcast together, as all below.
+    speed: At which the bodies close in at first touch [m/s].
+
+Returns:
+    A number, or an array of the shape all have together.
+
+Raises:
+    ValueError: A value is out of range, or the shapes do not fit together.
+
+Source: Johnson & Cook 1983, 7th Int. Symp. Ballistics: 541.)");
   module.def("yield_radius_ratio", &yield_radius_ratio, "pair"_a,
              R"(Contact radius over effective radius at first yield [-]: pi p_y/(2 E*).
 

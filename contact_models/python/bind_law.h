@@ -12,6 +12,7 @@
 
 #include "any_law.h"
 #include "plastigran/impact/validate.h"
+#include "plastigran/shared/rate_factor.h"
 #include "values.h"
 
 namespace plastigran {
@@ -43,11 +44,19 @@ class LawOf : public AnyLaw {
     return response;
   }
   ImpactOutcome central_impact(double radius_eff, double mass_eff, double speed) const override {
-    return plastigran::central_impact(law, radius_eff, mass_eff, speed);
+    const double factor = rate_factor(pair, radius_eff, speed);
+    return plastigran::central_impact(factor == 1 ? law : strengthened(factor).law, radius_eff,
+                                      mass_eff, speed);
   }
   double overlap_range() const override { return plastigran::overlap_range(law); }
   double recommended_timestep(double radius_eff, double mass_eff, double speed) const override {
-    return plastigran::recommended_timestep(law, radius_eff, mass_eff, speed);
+    const double factor = rate_factor(pair, radius_eff, speed);
+    return plastigran::recommended_timestep(factor == 1 ? law : strengthened(factor).law,
+                                            radius_eff, mass_eff, speed);
+  }
+  LawOf strengthened(double factor) const {
+    return LawOf(plastigran::strengthened(pair, factor),
+                 strengthened_constants<Law>(constants, factor));
   }
 };
 
@@ -222,6 +231,29 @@ void bind_law(nb::module_& module, const char* class_name) {
       },
       true);
   law.def_ro("pair", &Self::pair, "The two bodies.");
+  law.def(
+      "at_impact",
+      [](const Self& self, const nb::object& radius_eff, const nb::object& speed) {
+        const Broadcast given(
+            {{"radius_eff", radius_eff, positive, "m"}, {"speed", speed, positive, "m/s"}});
+        if (!given.shape().empty())
+          throw std::invalid_argument(
+              "at_impact is for one impact: radius_eff and speed are numbers");
+        return self.strengthened(rate_factor(self.pair, given(0, 0), given(1, 0)));
+      },
+      "radius_eff"_a, "speed"_a,
+      nb::sig("def at_impact(self, radius_eff: float, speed: float) -> Self"),
+      R"(The law during one impact: its yield strength times `rate_factor`, whatever the rate then.
+
+Args:
+    radius_eff: R* [m], positive.
+    speed: At which the bodies close in at first touch [m/s], positive.
+
+Returns:
+    A law whose pair has no rate coefficient; the same law where it had none.
+
+Raises:
+    ValueError: A value is out of range.)");
   law.def_static("parameters", &parameter_table<Law>,
                  nb::sig("def parameters() -> list[dict[str, Any]]"),
                  "The law's own constants: name, unit, default (None: it must be given), per_body "

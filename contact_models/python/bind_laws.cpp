@@ -118,13 +118,15 @@ void bind_laws(nb::module_& module) {
                          "`LAWS`. Immutable.");
   law.def_prop_ro("overlap_range", &AnyLaw::overlap_range,
                   "Largest overlap over R* that the law is good for [-]; in words `range`.");
-  law.def("respond", &respond_to, "radius_eff"_a, "overlap"_a, "state"_a = nb::none(),
-          "overlap_rate"_a = 0.0,
-          nb::sig("def respond(self, radius_eff: ArrayLike, overlap: ArrayLike, state: "
-                  "ContactState | Sequence[ContactState] | NDArray[Any] | None = None, "
-                  "overlap_rate: ArrayLike = 0.0) -> "
-                  "Response"),
-          R"(The law's answer for one contact, or for an array of contacts.
+  law.def(
+      "respond", &respond_to, "radius_eff"_a, "overlap"_a, "state"_a = nb::none(),
+      "overlap_rate"_a = 0.0,
+      nb::sig("def respond(self, radius_eff: ArrayLike, overlap: ArrayLike, state: "
+              "ContactState | Sequence[ContactState] | NDArray[Any] | None = None, "
+              "overlap_rate: ArrayLike = 0.0) -> "
+              "Response"),
+      R"(The law's answer for one contact, or for an array of contacts, with its yield strength at
+rest; `at_impact` has it at the rate of an impact.
 
 Args:
     radius_eff: R* [m], positive. Numbers or arrays whose shapes broadcast together, as all below.
@@ -146,7 +148,8 @@ Raises:
                   "ContactState | Sequence[ContactState] | NDArray[Any] | None = None, "
                   "overlap_rate: ArrayLike | None = "
                   "None) -> dict[str, Numbers]"),
-          R"(The law's answers along a path of overlaps, or along an array of paths.
+          R"(The law's answers along a path of overlaps, or along an array of paths, with its yield
+strength at rest; `at_impact` has it at the rate of an impact.
 
 Args:
     radius_eff: R* [m], positive: one, or one for each path, of shape (...).
@@ -169,7 +172,7 @@ Raises:
       nb::sig("def central_impact(self, radius_eff: ArrayLike, mass_eff: ArrayLike, speed: "
               "ArrayLike) -> ImpactOutcome"),
       R"(Central impact of two bodies, from the law's energies; by the equation of motion when the
-law is `rate_dependent`.
+law is `rate_dependent`. Its yield strength is that at the impact's rate (`rate_factor`).
 
 Args:
     radius_eff: R* [m], positive. Numbers or arrays whose shapes broadcast together, as all below.

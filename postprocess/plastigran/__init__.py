@@ -21,6 +21,7 @@ _PUBLIC = {
     "RIGID": ("materials", "RIGID"),
     "Contact": ("contact", "Contact"),
     "bulk": ("bulk", None),
+    "calibrate": ("calibration", "calibrate"),
     "collide": ("experiments.collide", "collide"),
     "laws": ("laws", None),
     "material": ("materials", "read_material"),

@@ -182,11 +182,16 @@ def write_material(material: Material, file: Path, remark: str, force: bool = Fa
         ValueError: The path does not end in .in.
         FileExistsError: The file is there, and may not be overwritten.
     """
+    check_material_file(file, force)
+    file.write_text(f"# {remark}\n{material_lines(material)}\n", encoding="utf-8")
+
+
+def check_material_file(file: Path, force: bool = False) -> None:
+    """Refuse what `write_material` refuses, before the material is known."""
     if file.suffix != ".in":
         raise ValueError(f"{file} is no name of a material's file; it must end in .in")
     if file.exists() and not force:
         raise FileExistsError(f"{file} exists; --force overwrites it")
-    file.write_text(f"# {remark}\n{material_lines(material)}\n", encoding="utf-8")
 
 
 def _required(field: attrs.Attribute) -> bool:

@@ -35,8 +35,9 @@ def test_restitution_stays(factor):
     for law in EXACT_LAWS:
         assert table.loc[law, "restitution_change"] == 0
     others = table.drop(list(EXACT_LAWS | {"hertz"}))
-    # Fits with sigma_Y/E in them change, and none by more than a tenth over four decades.
-    assert (others["restitution_change"] < 0.1).all()
+    # Fits with sigma_Y/E or a/R in them change; mdr, which is written for deep contacts, the most.
+    assert (others["restitution_change"] > 0).all()
+    assert (others["restitution_change"] < 0.2).all()
 
 
 def test_step_and_overlap_grow_alike():

@@ -8,6 +8,8 @@ from pathlib import Path
 
 import numpy as np
 from attrs import evolve
+from elastic_contact import NOT_HERTZIAN, mapped_sphere
+from scipy.special import lambertw
 
 from plastigran import laws
 from plastigran.engine.process import run_deck
@@ -20,8 +22,13 @@ LENGTH = 1.0  # of cylinders, and their bodies' thickness: the decks' defaults [
 
 
 class Spheres:
-    """Spheres of the paper's aluminium, for one law; radius 0.1 m where a method takes none."""
+    """Spheres of the paper's aluminium, for one law; radius 0.1 m where a method takes none.
 
+    Attributes:
+        hertzian: Whether bodies that do not yield are those of the engine's own hertz.
+    """
+
+    hertzian = True
     material: Material = read_material("aluminium_zv02")
     inertia: float = 0.4  # over mass times radius squared
     drift: float = 40.0  # that takes a head-on collision at 0.1 m/s across a border [m/s]
@@ -37,10 +44,6 @@ class Spheres:
         if "variable decks" in path.read_text():
             variables["decks"] = DECKS
         return run_deck(path, variables, folder, ranks=ranks)
-
-    @property
-    def is_sphere(self) -> bool:
-        return laws.LAWS[self.law_name].shape == "sphere"
 
     def variables(self) -> dict[str, object]:
         return {"dissipative_constant": self.material.dissipative_constant}
@@ -65,9 +68,21 @@ class Spheres:
         return 8 * self.wall().shear_modulus_eff * contact_radius
 
 
+class MappedSpheres(Spheres):
+    """Spheres whose elastic contact is an elliptical indenter."""
+
+    hertzian = False
+
+    def elastic_force(
+        self, pair: laws.MaterialPair, radius_eff: float, overlap: np.ndarray
+    ) -> np.ndarray:
+        return mapped_sphere(pair, radius_eff, overlap)["force"]
+
+
 class Cylinders(Spheres):
     """Discs 1 m long, of an aluminium soft enough to yield at the spheres' speeds."""
 
+    hertzian = False
     material: Material = evolve(read_material("aluminium_zv02"), yield_strength=3e7)
     inertia: float = 0.5
     drift: float = 140.0
@@ -78,6 +93,13 @@ class Cylinders(Spheres):
 
     def law(self, pair: laws.MaterialPair):
         return laws.LAWS[self.law_name](pair, cylinder_length=LENGTH, body_thickness=LENGTH)
+
+    def elastic_force(
+        self, pair: laws.MaterialPair, radius_eff: float, overlap: np.ndarray
+    ) -> np.ndarray:
+        """Of the line contact, its Lambert W from scipy."""
+        z = overlap * radius_eff * np.exp(0.3 / 0.7)  # nu/(1-nu); 1 m long and thick
+        return np.pi * pair.youngs_modulus_eff * overlap / -lambertw(-z, -1).real
 
     def mass(self, radius: float = 0.1, density: float | None = None) -> float:
         return pi * radius**2 * (density or self.material.density)
@@ -106,5 +128,5 @@ class Cylinders(Spheres):
 def scene(law_name: str, dissipative_constant: float = 3e-5) -> Spheres:
     """The bodies a law is for; by default, viscous ones have the paper's sphere leave with 0.8 of
     its speed."""
-    shape = laws.LAWS[law_name].shape
-    return {"sphere": Spheres, "cylinder": Cylinders}[shape](law_name, dissipative_constant)
+    kind = {"sphere": Spheres, "cylinder": Cylinders}[laws.LAWS[law_name].shape]
+    return (MappedSpheres if law_name in NOT_HERTZIAN else kind)(law_name, dissipative_constant)

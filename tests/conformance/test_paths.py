@@ -14,6 +14,7 @@ from functools import cache
 
 import numpy as np
 import pytest
+from elastic_contact import NOT_HERTZIAN, mapped_sphere
 from hypothesis import given
 from hypothesis import strategies as st
 from scipy.integrate import simpson
@@ -59,7 +60,10 @@ def on_pairs(law_name: str, law_between) -> list[tuple]:
 
 
 def elastic(law_name: str, pair: laws.MaterialPair, overlap: np.ndarray) -> dict[str, np.ndarray]:
-    """The elastic contact's answer: Hertz's spheres, or a line contact by scipy's Lambert W."""
+    """The elastic contact's answer: Hertz's spheres, those of `mdr`, or a line contact by scipy's
+    Lambert W."""
+    if law_name in NOT_HERTZIAN:
+        return mapped_sphere(pair, RADIUS, overlap)
     if laws.LAWS[law_name].shape == "sphere":
         return laws.Hertz(pair).follow(RADIUS, overlap, laws.Hertz.State())
     reach = LENGTH**2 * np.exp(-pair.poissons_ratio / (1 - pair.poissons_ratio)) / RADIUS
@@ -221,8 +225,9 @@ def test_force_is_continuous_along_the_virgin_curve(law_name, virgin_jumps, decl
     overlap_y, _ = scales(law_name, PAIRS["aluminium on rigid"])
     found = virgin_jumps(law_name, "aluminium on rigid")
     declared = declared_jumps[law_name]
-    assert len(found) == len(declared), found
-    for (place, _, size), (declared_place, declared_size) in zip(found, declared, strict=True):
+    seen = [jump for jump in declared if abs(jump[1]) > 2e-4]
+    assert len(found) == len(seen), found
+    for (place, _, size), (declared_place, declared_size) in zip(found, seen, strict=True):
         assert place / overlap_y == pytest.approx(declared_place, rel=2e-3)
         assert size == pytest.approx(declared_size, abs=2e-4)
     # Another pair's jumps lie elsewhere, and may lie beyond the reach; there are no more of them.

@@ -85,6 +85,15 @@ def test_good_input_runs(tmp_path, engine_law):
     assert "for 1 steps with 1 atoms" in log
 
 
+def test_tangent_modulus_of_a_law_that_hardens_is_told(tmp_path):
+    given = constant("tangentModulus", "2e9", "peratomtype")
+    log = run(tmp_path, law="ghaednia_2019", more=given)
+    assert "Pa, tangent modulus 2e+09 Pa, unloading brake_2015" in log
+    log = run(tmp_path, law="ghaednia_2019")
+    assert "Pa, tangent modulus 0 Pa (default), unloading" in log
+    assert "tangent modulus" not in run(tmp_path, law="jackson_green", more=given)
+
+
 @pytest.mark.parametrize(
     ("changes", "said"),
     [
@@ -219,11 +228,11 @@ def test_constants_of_an_included_file_may_be_set(tmp_path):
     assert re.search(r"atom types 1 and 2: .* yield strength 2e\+08 Pa", log)
 
 
-def test_viscous_damping_is_the_classic_dashpot(sphere_law, tmp_path):
+def test_viscous_damping_is_the_classic_dashpot(hertzian_law, tmp_path):
     """Below yield, the model with viscous_damping is the engine's own hertz that never pulls."""
     stock = (PROJECT / "inputs/collision/two_spheres.in").read_text()
     found = []
-    for law, settings in ((sphere_law, "viscous_damping on"), ("hertz", "limitForce on")):
+    for law, settings in ((hertzian_law, "viscous_damping on"), ("hertz", "limitForce on")):
         deck = stock.replace("tangential ${tangential}", f"tangential off {settings}")
         deck = deck.replace("pair_style", f"unfix restitution\nfix {DAMPED}\npair_style", 1)
         folder = tmp_path / law

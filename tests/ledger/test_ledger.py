@@ -227,6 +227,12 @@ def test_grains_come_and_go_while_the_engine_runs(tmp_path):
     assert np.ptp(falling["drift"]) < 1e-12 * scale
 
 
+def test_newton_on_is_refused(tmp_path):
+    """Each contact across a border between ranks is then seen from one side."""
+    with pytest.raises(EngineError, match="energy_ledger on: it needs `newton off`"):
+        run_deck(DECKS / "newton_on.in", {}, tmp_path)
+
+
 def test_a_wall_needs_the_pair_style(tmp_path):
     with pytest.raises(EngineError, match="energy_ledger on: the pair_style line must have it too"):
         run_deck(DECKS / "wall_alone.in", {"pair": "off"}, tmp_path)

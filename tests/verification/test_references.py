@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from references import make_cases
@@ -10,6 +12,7 @@ from references.contact import MATERIALS, work
 from test_cases import CASES, OUTCOMES, impact
 
 from plastigran import laws
+from plastigran.materials import RIGID, read_material
 
 RADIUS, LENGTH = 0.1, 1.0  # of sphere or cylinder, and of the cylinder; m
 #: Largest overlaps, over that at which the law's elastic formula ends.
@@ -54,19 +57,27 @@ def options(name: str) -> list[str]:
         for option in options(name)
     ]
 )
-def twins(request, paper_pair, law_between):
-    """A law's name, the law and its reference, of the paper's aluminium on a rigid plane."""
+def twins(request, law_between):
+    """A law's name, the law and its reference, of a body on a rigid plane.
+
+    A reading of R* and E* shows between two such bodies, of which E* is half.
+    """
     name, option = request.param
-    kind, aluminium = make_cases.reference(name), MATERIALS["aluminium_zv02"]
+    kind = make_cases.reference(name)
+    material, body = MATERIALS[kind.material_name], read_material(kind.material_name).body()
+    pair = laws.combine(body, RIGID)
+    if option == "reading pair":
+        material = replace(material, youngs_modulus=material.youngs_modulus / 2)
+        pair = laws.combine(body, body)
     others = {"mass": 1.0, "length_ratio": LENGTH / RADIUS, "body_thickness": LENGTH}
-    reference = kind(aluminium, RADIUS, speed=1.0, **(others if "mass" in kind.cases else {}))
+    reference = kind(material, RADIUS, speed=1.0, **(others if "mass" in kind.cases else {}))
     if option == "energy_guard off":
         reference.energy_guard = False
     else:
         reference.reading = option
     given = dict([option.split()]) if option else {}
     given = {key: float(word) if word[0].isdigit() else word for key, word in given.items()}
-    return name, law_between(name, paper_pair, LENGTH, **given), reference
+    return name, law_between(name, pair, LENGTH, **given), reference
 
 
 def test_every_option_is_held(law_name):

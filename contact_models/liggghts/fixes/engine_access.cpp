@@ -3,8 +3,6 @@
 // Naming a private member in an explicit instantiation is the language's own way in.
 #include "liggghts/fixes/engine_access.h"
 
-#include <map>
-
 #include "fix.h"
 #include "fix_property_global.h"
 #include "modify.h"
@@ -19,6 +17,10 @@ namespace {
 struct SettingsByName {
   typedef std::map<std::string, Setting*> Settings::*type;
   friend type reach(SettingsByName);
+};
+struct NumberValue {
+  typedef ValuePropagator<double> DoubleSetting::*type;
+  friend type reach(NumberValue);
 };
 struct FixCreators {
   typedef std::map<std::string, FixCreator>* LAMMPS_NS::Modify::*type;
@@ -42,6 +44,7 @@ struct Reach {
   friend typename Tag::type reach(Tag) { return Member; }
 };
 template struct Reach<SettingsByName, &Settings::settings>;
+template struct Reach<NumberValue, &DoubleSetting::current>;
 template struct Reach<FixCreators, &LAMMPS_NS::Modify::fix_map>;
 template struct Reach<LostFlag, &LAMMPS_NS::Thermo::lostflag>;
 template struct Reach<NextRestart, &LAMMPS_NS::Output::next_restart>;
@@ -57,6 +60,16 @@ void add_choice(Settings& settings, const std::string& name, const char* const* 
   setting->setDefault(words[chosen]);
   setting->registerTarget(chosen);
   (settings.*reach(SettingsByName()))[name] = setting;
+}
+
+const std::map<std::string, Setting*>& settings_by_name(const Settings& settings) {
+  return settings.*reach(SettingsByName());
+}
+
+bool is_number(const Setting& setting, double& number) {
+  const auto found = dynamic_cast<const DoubleSetting*>(&setting);
+  if (found) number = (found->*reach(NumberValue())).getValue();
+  return found;
 }
 
 void add_fix_style(LAMMPS_NS::Modify* modify, const std::string& style, FixCreator creator) {

@@ -4,10 +4,12 @@
 #pragma once
 
 #include <cstddef>
+#include <map>
 #include <string>
 
 #include "lmptype.h"
 
+class Setting;
 class Settings;
 
 namespace LAMMPS_NS {
@@ -25,6 +27,12 @@ namespace plastigran {
 // models only on/off and numbers. Words that are null are left out.
 void add_choice(Settings& settings, const std::string& name, const char* const* words,
                 std::size_t count, int& chosen);
+
+// All settings of a model line.
+const std::map<std::string, Setting*>& settings_by_name(const Settings& settings);
+
+// Whether the value of a setting is a number, and which.
+bool is_number(const Setting& setting, double& number);
 
 // Adds a style of fixes. A plugin has no other way to do that.
 typedef LAMMPS_NS::Fix* (*FixCreator)(LAMMPS_NS::LAMMPS*, int, char**);

@@ -1,23 +1,192 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "liggghts/fixes/history_keeper.h"
 
+#include <mpi.h>
+
+#include <sstream>
+
+#include "atom.h"
+#include "comm.h"
+#include "force.h"
 #include "liggghts/fixes/engine_access.h"
+#include "liggghts/fixes/stored_histories.h"
 #include "modify.h"
+#include "output.h"
+#include "pair_gran.h"
 #include "update.h"
 
 namespace plastigran {
 
+namespace {
+
+const char pair_owner[] = "pair_style", pair_histories[] = "contacthistory";
+
+}  // namespace
+
 HistoryKeeper::HistoryKeeper(LAMMPS_NS::LAMMPS* engine, int count, char** words)
-    : Fix(engine, count, words) {
+    : OwnFix(engine, count, words) {
   nevery = 1;
+  restart_global = 1;
+  create_attribute = 1;
+  grow_arrays(atom->nmax);
+  atom->add_callback(0);
 }
 
-int HistoryKeeper::setmask() { return LAMMPS_NS::FixConst::END_OF_STEP; }
+HistoryKeeper::~HistoryKeeper() { atom->delete_callback(Fix::id, 0); }
+
+int HistoryKeeper::setmask() {
+  using namespace LAMMPS_NS::FixConst;
+  return PRE_EXCHANGE | END_OF_STEP;  // the first for setup_pre_exchange
+}
+
+void HistoryKeeper::connect(const std::string& owner, const Line& line) {
+  Line& connected = connected_[owner];
+  const bool given_anew = line.given_anew || connected.given_anew;
+  connected = line;
+  connected.given_anew = given_anew;
+  const auto found = in_file_.find(owner);
+  if (found == in_file_.end()) return;
+  const std::string models = found->second.models;
+  in_file_.erase(found);
+  if (models.empty() || models == line.models || line.histories.empty()) return;
+  error->all(FLERR,
+             (owner + ": the restart file has contacts of `" + models + "`, the line is of `" +
+              line.models + "`. Give the line as it was; for contacts that begin anew, `run 0` " +
+              "with that line comes before the other")
+                 .c_str());
+}
+
+std::string HistoryKeeper::restarted_settings(const std::string& owner) const {
+  const auto found = in_file_.find(owner);
+  if (found != in_file_.end()) return found->second.settings;
+  if (comm->me == 0)
+    error->warning(FLERR, (owner + ": the restart file does not hold the settings of the line, "
+                                   "which now are the defaults; give the line if it had others")
+                              .c_str());
+  return {};
+}
+
+// With the line of a pair style of the engine's own, whose contacts are kept as well.
+HistoryKeeper::Lines HistoryKeeper::all_lines(const Lines& ours) const {
+  Lines lines = ours;
+  LAMMPS_NS::Pair* const pair = force->pair_match("gran", 1);
+  if (pair && !lines.count(pair_owner)) {
+    const auto hash = static_cast<LAMMPS_NS::PairGran*>(pair)->hashcode();
+    lines[pair_owner] = {"the engine's " + std::to_string(hash), "", {pair_histories}, false};
+  }
+  return lines;
+}
+
+void HistoryKeeper::post_run() {
+  forget();
+  std::vector<StoredHistories> stored;
+  for (const auto& [owner, line] : all_lines(lines_))
+    for (const std::string& id : line.histories) {
+      LAMMPS_NS::Fix* const fix = modify->find_fix_id(id.c_str());
+      if (!fix) continue;
+      stored.emplace_back(fix);
+      stored.back().update();
+      kept_.push_back({owner, line.models, id, stored.back().width(), mesh_position(lmp, fix)});
+    }
+  for (int i = 0; i < atom->nlocal; ++i) {
+    numbers_[i] = atom->tag[i];
+    records_.begin(atom->tag[i]);
+    for (const StoredHistories& histories : stored) {
+      const std::vector<double> values = histories.of(i);
+      const double count = values.size();
+      records_.append(&count, 1);
+      records_.append(values.data(), values.size());
+    }
+  }
+  total_ = atom->nlocal;
+  MPI_Allreduce(MPI_IN_PLACE, &total_, 1, MPI_LONG, MPI_SUM, world);
+}
+
+// Whether those who have these histories now can go on with them.
+bool HistoryKeeper::goes_on(const Kept& kept, const Line& line, LAMMPS_NS::Fix* fix) const {
+  return line.models == kept.models && StoredHistories(fix).width() == kept.width &&
+         mesh_position(lmp, fix) == kept.mesh;
+}
+
+void HistoryKeeper::setup_pre_exchange() {
+  lines_.swap(connected_);
+  connected_.clear();
+  if (kept_.empty()) return;
+  records_.fetch(numbers_.data(), atom->nlocal, world);
+  const Lines lines = all_lines(lines_);
+  std::vector<LAMMPS_NS::Fix*> fixes;  // null: nothing is handed back
+  for (std::size_t k = 0; k < kept_.size(); ++k) {
+    const Kept& kept = kept_[k];
+    fixes.push_back(nullptr);
+    const auto line = lines.find(kept.owner);
+    LAMMPS_NS::Fix* const fix = modify->find_fix_id(kept.fix.c_str());
+    if (line == lines.end() || !fix) continue;
+    // Walls lose theirs with their line alone.
+    if (kept.owner != pair_owner && !line->second.given_anew) continue;
+    if (goes_on(kept, line->second, fix)) {
+      fixes.back() = fix;
+      fix->just_created = 0;  // the engine blanks what a new fix has as a run begins
+    } else if (any_remembers(k) && comm->me == 0) {
+      error->warning(FLERR, (kept.owner + ": contacts of `" + kept.models +
+                             "` begin anew, they are now of `" + line->second.models + '`' +
+                             (kept.models == line->second.models ? " on another mesh" : ""))
+                                .c_str());
+    }
+  }
+  hand_back(fixes);
+}
+
+// Whether a contact had a memory in one of the histories kept. All ranks together.
+bool HistoryKeeper::any_remembers(std::size_t which) const {
+  int remembers = 0, length = 0;
+  for (int i = 0; i < atom->nlocal; ++i) {
+    const double* values = records_.of(numbers_[i], length);
+    for (std::size_t k = 0; values && k < which; ++k) values += 1 + static_cast<int>(*values);
+    if (values && StoredHistories::remembers(values + 1, static_cast<int>(*values))) remembers = 1;
+  }
+  MPI_Allreduce(MPI_IN_PLACE, &remembers, 1, MPI_INT, MPI_MAX, world);
+  return remembers;
+}
+
+void HistoryKeeper::hand_back(const std::vector<LAMMPS_NS::Fix*>& fixes) {
+  const NewNumbers numbers(numbers_.data(), atom->tag, atom->nlocal, total_, world);
+  for (int i = 0; i < atom->nlocal; ++i) {
+    int length = 0;
+    const double* values = records_.of(numbers_[i], length);
+    for (LAMMPS_NS::Fix* const fix : fixes) {
+      const int count = values ? static_cast<int>(*values) : 0;
+      if (fix && values) StoredHistories(fix).set(i, values + 1, count, numbers);
+      if (fix && !values) StoredHistories(fix).forget(i);
+      if (values) values += 1 + count;
+    }
+  }
+}
 
 void HistoryKeeper::end_of_step() {
   if (next_restart(output) != update->ntimestep) return;
-  for (int k = 0; k < modify->n_fixes_style_strict("contacthistory"); ++k)
-    modify->find_fix_style_strict("contacthistory", k)->setup_pre_exchange();
+  for (int k = 0; k < modify->n_fixes_style_strict(pair_histories); ++k)
+    modify->find_fix_style_strict(pair_histories, k)->setup_pre_exchange();
+}
+
+// A line of text for each owner: its ID, its models and its settings, between tabs.
+void HistoryKeeper::write_restart(FILE* file) {
+  if (comm->me != 0) return;
+  std::string text;
+  for (const auto& [owner, line] : lines_)
+    if (!line.histories.empty() || owner == pair_owner)
+      text +=
+          owner + '\t' + (line.histories.empty() ? "" : line.models) + '\t' + line.settings + '\n';
+  const int size = text.size() + 1;
+  fwrite(&size, sizeof size, 1, file);
+  fwrite(text.c_str(), 1, size, file);
+}
+
+void HistoryKeeper::restart(char* data) {
+  std::istringstream text(data);
+  for (std::string owner, models, settings; std::getline(text, owner, '\t') &&
+                                            std::getline(text, models, '\t') &&
+                                            std::getline(text, settings);)
+    in_file_[owner] = {models, settings, {}, false};
 }
 
 }  // namespace plastigran

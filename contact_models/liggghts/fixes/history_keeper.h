@@ -1,24 +1,88 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// Restart files with the contacts of their own step. At a step of the `restart` command the engine
-// stores the pairs' histories for the file at the step's beginning, before its forces have advanced
-// them: the file would lack what the last step added to tangential springs and to what a law has
-// reached. This fix stores them again at the step's end. (The command `write_restart` has no such
-// gap, walls neither.)
+// Keeps what contacts remember where the engine loses it.
+//
+// Between two runs the engine finds the pairs' histories by places and numbers of particles that
+// commands may have changed since (delete_atoms, create_atoms, displace_atoms, change_box), and
+// forgets those of a pair style or wall whose line is given again. Here they are stored at the end
+// of a run, by particle, and handed back as the next one is set up. They go to the contacts of the
+// same law with the same options; where those are others, the log says that contacts begin anew.
+//
+// Restart files: the engine's say which models contacts have, not their settings; this fix adds
+// these. At a step of the `restart` command the engine stores the pairs' histories at the step's
+// beginning, before its forces have advanced them: this fix stores them again at its end.
 #pragma once
 
-#include "fix.h"
+#include <map>
+#include <string>
+#include <vector>
+
+#include "liggghts/fixes/own_fix.h"
+#include "liggghts/fixes/particle_numbers.h"
 
 namespace plastigran {
 
-class HistoryKeeper : public LAMMPS_NS::Fix {
+class HistoryKeeper : public OwnFix {
  public:
+  // The line of a pair style or wall.
+  struct Line {
+    std::string models;                  // the law, its options and the models beside it
+    std::string settings;                // all that the line may set: NAME WORD NAME WORD ...
+    std::vector<std::string> histories;  // IDs of the engine's fixes that store the memory, if any
+    bool given_anew;                     // since the last run
+  };
+
   HistoryKeeper(LAMMPS_NS::LAMMPS* engine, int count, char** words);
+  ~HistoryKeeper();
   static const char* id() { return "plastigran_history"; }
   static const char* style() { return "plastigran/history"; }
 
+  // From a model before each run: `owner` is "pair_style" or "fix ID". Stops when the contacts that
+  // a restart file has of this owner are those of other models. All ranks together.
+  void connect(const std::string& owner, const Line& line);
+
+  // What a restart file says of an owner's settings; without a word of it, a warning and nothing.
+  std::string restarted_settings(const std::string& owner) const;
+
   int setmask() override;
+  void setup_pre_exchange() override;
+  void setup(int) override { forget(); }
   void end_of_step() override;
+  void post_run() override;
+
+  void write_restart(FILE* file) override;
+  void restart(char* data) override;
+
+  void grow_arrays(int size) override { numbers_.resize(size); }
+  void copy_arrays(int from, int to, int) override { numbers_[to] = numbers_[from]; }
+  void set_arrays(int i) override { numbers_[i] = 0; }
+  int pack_exchange(int i, double* buffer) override { return *buffer = numbers_[i], 1; }
+  int unpack_exchange(int i, double* buffer) override { return numbers_[i] = *buffer, 1; }
+  double memory_usage() override { return numbers_.size() * sizeof(int); }
+
+ private:
+  typedef std::map<std::string, Line> Lines;
+
+  // A fix with histories when they were stored.
+  struct Kept {
+    std::string owner, models, fix;
+    int width;           // values of a contact
+    unsigned long mesh;  // of a mesh's histories: where its triangles are
+  };
+
+  void forget() { records_ = ParticleRecords(), kept_.clear(); }
+  Lines all_lines(const Lines& ours) const;
+  bool goes_on(const Kept& kept, const Line& line, LAMMPS_NS::Fix* fix) const;
+  void hand_back(const std::vector<LAMMPS_NS::Fix*>& fixes);
+  bool any_remembers(std::size_t which) const;
+
+  Lines connected_;           // since the last set-up
+  Lines lines_;               // of the run under way, or the last one
+  Lines in_file_;             // what a restart file says, until the owner connects
+  std::vector<Kept> kept_;    // what each record has, in this order
+  ParticleRecords records_;   // by the particles' numbers at the end of the run
+  std::vector<int> numbers_;  // by local particle: these numbers, 0 for new ones
+  long total_ = 0;            // particles at the end of the run
 };
 
 }  // namespace plastigran

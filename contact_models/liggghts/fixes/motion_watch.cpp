@@ -14,7 +14,7 @@
 namespace plastigran {
 
 MotionWatch::MotionWatch(LAMMPS_NS::LAMMPS* engine, int count, char** words)
-    : Fix(engine, count, words) {
+    : OwnFix(engine, count, words) {
   nevery = 1;
 }
 

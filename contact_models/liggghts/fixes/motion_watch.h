@@ -8,11 +8,11 @@
 
 #include <string>
 
-#include "fix.h"
+#include "liggghts/fixes/own_fix.h"
 
 namespace plastigran {
 
-class MotionWatch : public LAMMPS_NS::Fix {
+class MotionWatch : public OwnFix {
  public:
   MotionWatch(LAMMPS_NS::LAMMPS* engine, int count, char** words);
   static const char* id() { return "plastigran_motion"; }

@@ -8,11 +8,11 @@
 #include <set>
 #include <string>
 
-#include "fix.h"
+#include "liggghts/fixes/own_fix.h"
 
 namespace plastigran {
 
-class RangeWatch : public LAMMPS_NS::Fix {
+class RangeWatch : public OwnFix {
  public:
   // Of one model, on this rank.
   struct Excess {
@@ -24,7 +24,7 @@ class RangeWatch : public LAMMPS_NS::Fix {
     std::set<std::string> said;  // warnings before a run that are given once
   };
 
-  RangeWatch(LAMMPS_NS::LAMMPS* engine, int count, char** words) : Fix(engine, count, words) {}
+  RangeWatch(LAMMPS_NS::LAMMPS* engine, int count, char** words) : OwnFix(engine, count, words) {}
   static const char* id() { return "plastigran_range"; }
   static const char* style() { return "plastigran/range"; }
 

@@ -8,11 +8,11 @@
 
 #include <string>
 
-#include "fix.h"
+#include "liggghts/fixes/own_fix.h"
 
 namespace plastigran {
 
-class StepWatch : public LAMMPS_NS::Fix {
+class StepWatch : public OwnFix {
  public:
   static constexpr double unknown = 1e300;  // a time nobody has told yet [s]
 

@@ -6,10 +6,13 @@
 
 #include "contact_models.h"
 #include "error.h"
+#include "liggghts/fixes/history_keeper.h"
 #include "liggghts/fixes/own_fix.h"
 #include "liggghts/ledger/energy_ledger.h"
 #include "liggghts/model/accounted_load.h"
+#include "liggghts/model/contact_owner.h"
 #include "liggghts/model/history_names.h"
+#include "liggghts/model/line_settings.h"
 
 namespace plastigran {
 
@@ -32,20 +35,24 @@ class AccountedContact : private HistoryNames,
         spring_offset_(offset_of("shearx")) {}
 
   void registerSettings(Settings& settings) {
+    line_read_ = true;
     Base::registerSettings(settings);
     settings.registerOnOff("energy_ledger", asked_, false);
   }
 
   void postSettings(LIGGGHTS::IContactHistorySetup* owner) {
+    if (this->is_wall()) refuse_replacement(engine_);
     Base::postSettings(owner);
     // Not for a wall: its fix is only being made, and the engine adds one fix at a time.
     if (asked_ && !this->is_wall()) EnergyLedger::open(engine_);
   }
 
   void connectToProperties(PropertyRegistry& registry) {
-    ledger_ = asked_ ? find_own_fix<EnergyLedger>(engine_) : nullptr;
-    if (asked_ && !ledger_)
-      engine_->error->all(FLERR, "energy_ledger on: the pair_style line must have it too");
+    if (!line_read_) restore_line();
+    ledger_ = find_own_fix<EnergyLedger>(engine_);
+    const char* const complaint = EnergyLedger::complaint(ledger_, asked_, this->is_wall());
+    if (complaint) engine_->error->all(FLERR, complaint);
+    if (!asked_) ledger_ = nullptr;
     if (ledger_) ledger_->attach(owner_);
     takes_accounts = ledger_;
     Base::connectToProperties(registry);
@@ -59,6 +66,14 @@ class AccountedContact : private HistoryNames,
   }
 
  private:
+  // From a restart file.
+  void restore_line() {
+    LIGGGHTS::IContactHistorySetup* const owner = owner_of(this);
+    const std::string name = ContactOwner(owner, this->is_wall()).name();
+    restore_settings(engine_, *this, own_fix<HistoryKeeper>(engine_)->restarted_settings(name),
+                     [&] { postSettings(owner); });
+  }
+
   [[gnu::noinline]] void account(Contact& contact, Load& on_i, Load& on_j) {
     AccountedLoad load(on_i);
     Base::surfacesIntersect(contact, load, on_j);
@@ -78,6 +93,7 @@ class AccountedContact : private HistoryNames,
   EnergyLedger* ledger_ = nullptr;
   int spring_offset_;  // of the tangential model's three values, -1 when it has no spring
   bool asked_ = false;
+  bool line_read_ = false;
 };
 
 }  // namespace plastigran

@@ -10,8 +10,7 @@
 #include "domain.h"
 #include "error.h"
 #include "fix_gravity.h"
-#include "fix_property_atom.h"
-#include "liggghts/fixes/own_fix.h"
+#include "force.h"
 #include "modify.h"
 #include "update.h"
 
@@ -32,7 +31,7 @@ void add_to(Vector& sum, const Term& term, double sign) {
 }  // namespace
 
 EnergyLedger::EnergyLedger(LAMMPS_NS::LAMMPS* engine, int count, char** words)
-    : Fix(engine, count, words) {
+    : OwnFix(engine, count, words) {
   vector_flag = scalar_flag = 1;
   size_vector = ENTRIES;
   global_freq = 1;
@@ -46,8 +45,22 @@ void EnergyLedger::open(LAMMPS_NS::LAMMPS* engine) {
   if (find_own_fix<EnergyLedger>(engine)) return;
   own_fix<EnergyLedger>(engine);
   // Restarts with the particles, needs no values on ghosts, and starts at zero.
-  add_fix(engine->modify, {"plastic_work", "all", "property/atom", "plastic_work", "scalar", "yes",
-                           "no", "no", "0.0"});
+  add_style<ParticlePlasticWork>(engine->modify);
+  add_fix(engine->modify, {ParticlePlasticWork::id(), "all", ParticlePlasticWork::style(),
+                           "plastic_work", "scalar", "yes", "no", "no", "0.0"});
+}
+
+const char* EnergyLedger::complaint(const EnergyLedger* ledger, bool asked, bool is_wall) {
+  if (asked && !ledger)
+    return is_wall
+               ? "energy_ledger on: the pair_style line must have it too"
+               : "energy_ledger on: its fix was removed (unfix energy_ledger). Keep it, or give "
+                 "the pair_style and wall lines again without energy_ledger on";
+  if (ledger && !asked && !is_wall)
+    return "pair_style: an energy ledger is kept, and this line has no energy_ledger on. Add it, "
+           "or "
+           "end the ledger first: unfix energy_ledger, unfix plastic_work";
+  return nullptr;
 }
 
 int EnergyLedger::setmask() {
@@ -57,12 +70,27 @@ int EnergyLedger::setmask() {
 }
 
 void EnergyLedger::init() {
-  particle_plastic_work_ = static_cast<LAMMPS_NS::FixPropertyAtom*>(
-      modify->find_fix_property("plastic_work", "property/atom", "scalar", 0, 0, "energy_ledger"));
-  gravity_.clear();
-  for (int k = 0; k < modify->n_fixes_style_strict("gravity"); ++k)
-    gravity_.push_back(
-        static_cast<LAMMPS_NS::FixGravity*>(modify->find_fix_style_strict("gravity", k)));
+  refuse_what_is_not_counted();
+  particle_plastic_work_ = find_own_fix<ParticlePlasticWork>(lmp);
+  if (!particle_plastic_work_)
+    error->all(
+        FLERR,
+        "energy_ledger on: its fix plastic_work was removed (unfix plastic_work). Keep it, or "
+        "remove energy_ledger too and give the pair_style and wall lines again without it");
+}
+
+void EnergyLedger::refuse_what_is_not_counted() {
+  if (force->newton_pair)
+    error->all(FLERR,
+               "energy_ledger on: it needs `newton off`, for contacts across the borders "
+               "between ranks");
+  for (const char* style : {"multisphere", "rigid"})
+    if (modify->n_fixes_style(style) > 0)
+      error->all(FLERR,
+                 (std::string("energy_ledger on: it counts particles, and not the bodies that "
+                              "fix ") +
+                  style + " makes of them; leave it off")
+                     .c_str());
 }
 
 void EnergyLedger::setup_pre_exchange() {
@@ -160,7 +188,9 @@ double EnergyLedger::kinetic_energy() const {
 
 double EnergyLedger::gravitational_energy() const {
   double energy = 0;
-  for (LAMMPS_NS::FixGravity* field : gravity_) {
+  for (int k = 0; k < modify->n_fixes_style_strict("gravity"); ++k) {
+    const auto field =
+        static_cast<LAMMPS_NS::FixGravity*>(modify->find_fix_style_strict("gravity", k));
     double acceleration[3];
     field->get_gravity(acceleration);
     for (int i = 0; i < atom->nlocal; ++i) {
@@ -194,12 +224,15 @@ void EnergyLedger::sum() {
 
 // Walls that do not report would show up as drift without a word.
 void EnergyLedger::warn_of_strangers() {
+  if (LAMMPS_NS::Pair* const pair = force->pair_match("gran", 1); !attached_.count(pair))
+    error->all(FLERR, complaint(this, false, false));
   std::string strangers;
   for (int k = 0; k < modify->nfix; ++k) {
     LAMMPS_NS::Fix* const wall = modify->fix[k];
     if (std::strncmp(wall->style, "wall/gran", 9) == 0 && !attached_.count(wall))
       strangers += std::string(strangers.empty() ? "" : ", ") + wall->id;
   }
+  attached_.clear();  // all connect before each run
   if (strangers == strangers_) return;
   strangers_ = strangers;
   if (comm->me == 0 && !strangers.empty())

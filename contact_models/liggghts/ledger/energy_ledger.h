@@ -20,20 +20,16 @@
 #include <vector>
 
 #include "contact_interface.h"
-#include "fix.h"
+#include "liggghts/fixes/own_fix.h"
+#include "liggghts/ledger/particle_plastic_work.h"
 #include "liggghts/ledger/wall_point.h"
 #include "liggghts/model/accounted_load.h"
-
-namespace LAMMPS_NS {
-class FixGravity;
-class FixPropertyAtom;
-}  // namespace LAMMPS_NS
 
 namespace plastigran {
 
 typedef std::array<double, 3> Vector;
 
-class EnergyLedger : public LAMMPS_NS::Fix {
+class EnergyLedger : public OwnFix {
   typedef LIGGGHTS::ContactModels::SurfacesIntersectData Contact;
   typedef LIGGGHTS::ContactModels::ForceData Load;
 
@@ -59,6 +55,10 @@ class EnergyLedger : public LAMMPS_NS::Fix {
 
   // Adds the ledger unless there is one. All ranks together.
   static void open(LAMMPS_NS::LAMMPS* engine);
+
+  // What is wrong with a pair style's or wall's line that asks for this ledger (null: there is
+  // none), or does not ask; null when nothing is.
+  static const char* complaint(const EnergyLedger* ledger, bool asked, bool is_wall);
 
   // The pair style or wall `owner` reports to the ledger.
   void attach(const void* owner) { attached_.insert(owner); }
@@ -127,11 +127,11 @@ class EnergyLedger : public LAMMPS_NS::Fix {
   double gravitational_energy() const;
   double mechanical_energy() const { return kinetic_energy() + gravitational_energy(); }
   void sum();
+  void refuse_what_is_not_counted();
   void warn_of_strangers();
 
-  LAMMPS_NS::FixPropertyAtom* particle_plastic_work_ = nullptr;
-  std::vector<LAMMPS_NS::FixGravity*> gravity_;
-  std::set<const void*> attached_;
+  ParticlePlasticWork* particle_plastic_work_ = nullptr;
+  std::set<const void*> attached_;  // for the coming run
   std::string strangers_;
 
   // Of the last force computation, on this rank.

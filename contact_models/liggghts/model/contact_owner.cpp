@@ -2,6 +2,7 @@
 #include "liggghts/model/contact_owner.h"
 
 #include <numeric>
+#include <utility>
 
 #include "fix_mesh_surface.h"
 #include "fix_wall_gran.h"
@@ -13,9 +14,44 @@ namespace plastigran {
 using LAMMPS_NS::FixWallGran;
 using LAMMPS_NS::PairGran;
 
+bool ContactOwner::has_model(const std::string& kind, const std::string& name) const {
+  return is_wall_ ? static_cast<FixWallGran*>(owner_)->contact_match(kind, name)
+                  : static_cast<PairGran*>(owner_)->contact_match(kind, name);
+}
+
 bool ContactOwner::tangential_model_is(const std::string& name) const {
-  return is_wall_ ? static_cast<FixWallGran*>(owner_)->contact_match("tangential", name)
-                  : static_cast<PairGran*>(owner_)->contact_match("tangential", name);
+  return has_model("tangential", name);
+}
+
+std::string ContactOwner::name() const {
+  return is_wall_ ? std::string("fix ") + static_cast<FixWallGran*>(owner_)->id : "pair_style";
+}
+
+std::string ContactOwner::other_models() const {
+  const std::pair<const char*, std::vector<const char*>> known[] = {
+      {"tangential", {"no_history", "history"}},
+      {"rolling_friction", {"cdt", "epsd", "epsd2", "epsd3", "luding"}},
+      {"cohesion", {"sjkr", "sjkr2"}},
+  };
+  std::string text;
+  for (const auto& [kind, names] : known)
+    for (const char* name : names)
+      if (has_model(kind, name)) text += std::string(" ") + kind + ' ' + name;
+  return text;
+}
+
+std::vector<std::string> ContactOwner::histories() const {
+  if (!is_wall_) {
+    if (static_cast<PairGran*>(owner_)->dnum() == 0) return {};
+    return {"contacthistory"};
+  }
+  FixWallGran* const wall = static_cast<FixWallGran*>(owner_);
+  if (wall->dnum() == 0) return {};
+  if (!wall->is_mesh_wall()) return {std::string("history_") + wall->id};
+  std::vector<std::string> ids;
+  for (int mesh = 0; mesh < wall->n_meshes(); ++mesh)
+    ids.push_back(std::string("tracker_") + wall->mesh_list()[mesh]->id);
+  return ids;
 }
 
 std::vector<int> ContactOwner::partner_types(int type_count) const {

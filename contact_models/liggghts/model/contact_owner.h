@@ -22,6 +22,15 @@ class ContactOwner {
 
   bool is_wall() const { return is_wall_; }
 
+  // The owner's line in the deck: "pair_style", or "fix ID" of a wall.
+  std::string name() const;
+
+  // The models beside the normal one, as that line has them (" KIND NAME ..."), without those off.
+  std::string other_models() const;
+
+  // IDs of the engine's fixes that store what these contacts remember; none when they do not.
+  std::vector<std::string> histories() const;
+
   // Whether the tangential model beside the normal one has that name.
   bool tangential_model_is(const std::string& name) const;
 
@@ -32,6 +41,8 @@ class ContactOwner {
   static std::set<int> wall_types(LAMMPS_NS::Modify* modify);
 
  private:
+  bool has_model(const std::string& kind, const std::string& name) const;
+
   LIGGGHTS::IContactHistorySetup* owner_;  // a PairGran or FixWallGran
   bool is_wall_;
 };

@@ -66,6 +66,12 @@ LAMMPS_NS::FixPropertyGlobal* DeckProperties::values(const char* field, const ch
   return given(field) ? find(field, shape, rows, columns, true) : nullptr;
 }
 
+bool DeckProperties::positive(const char* field) const {
+  for (int type = 1; type <= type_count_; ++type)
+    if (per_type(field, type, "", 0) > 0) return true;
+  return false;
+}
+
 double DeckProperties::per_type(const char* field, int type, const char* unit,
                                 double fallback) const {
   if (const auto found = values(field, "peratomtype", type_count_, 0))

@@ -31,6 +31,9 @@ class DeckProperties : protected LAMMPS_NS::Pointers {
   // Whether the deck gives the property at all.
   bool given(const char* field) const;
 
+  // Whether the deck gives the property and it is positive for any atom type.
+  bool positive(const char* field) const;
+
   // The value for an atom type. Without a fallback it must be given.
   double per_type(const char* field, int type, const char* unit, double fallback = NAN) const;
 

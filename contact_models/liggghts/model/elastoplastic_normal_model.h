@@ -26,11 +26,13 @@
 #include "liggghts/fixes/history_keeper.h"
 #include "liggghts/fixes/motion_watch.h"
 #include "liggghts/fixes/own_fix.h"
+#include "liggghts/fixes/rate_history.h"
 #include "liggghts/model/accounted_load.h"
 #include "liggghts/model/contact_owner.h"
 #include "liggghts/model/contact_watch.h"
 #include "liggghts/model/history_names.h"
 #include "liggghts/model/impact_forecast.h"
+#include "liggghts/model/line_settings.h"
 #include "liggghts/model/type_pair.h"
 #include "neighbor.h"
 #include "plastigran/shared/contact.h"
@@ -59,9 +61,21 @@ class ElastoplasticNormalModel : public NormalModelBase {
       const int offset = setup->add_history_value(Law::state_names[k], "0");
       if (k == 0) history_offset_ = offset;
     }
+    if (!plastigran::yields<Law>) return;
+    if (!owner_.is_wall() && domain->box_exist)
+      plastigran::own_fix<plastigran::RateHistory>(lmp)->begin();
+    else if (owner_.is_wall() &&
+             plastigran::DeckProperties(lmp, caller(), atom->ntypes).positive("rate_coefficient"))
+      rate_offset_ = setup->add_history_value("rate_factor", "0");
+  }
+
+  ~ElastoplasticNormalModel() {
+    const auto rates = plastigran::find_own_fix<plastigran::RateHistory>(lmp);
+    if (rates && !owner_.is_wall()) rates->end();
   }
 
   void registerSettings(Settings& settings) override {
+    settings_ = &settings;
     settings.registerOnOff("viscous_damping", viscous_damping_, false);
     settings.registerOnOff("tangential_damping", tangential_damping_, true);
     settings.registerDoubleSetting("overlap_limit", overlap_limit_, 1.0);
@@ -73,6 +87,7 @@ class ElastoplasticNormalModel : public NormalModelBase {
   }
 
   void postSettings(IContactHistorySetup*, ContactModelBase*) override {
+    line_settings_ = plastigran::settings_text(*settings_);
     if (engine_elastic_potential_) refuse("computeElasticPotential");
     if (engine_dissipated_energy_) refuse("computeDissipatedEnergy");
     if (!(overlap_limit_ > 0 && overlap_limit_ <= 2))
@@ -87,11 +102,22 @@ class ElastoplasticNormalModel : public NormalModelBase {
 #endif
     if (is_cylinder && domain->dimension != 2)
       fail("it is for cylinders, the discs of a 2D deck (dimension 2); this deck is 3D");
+    const auto keeper = plastigran::own_fix<plastigran::HistoryKeeper>(lmp);
+    const std::string owner = owner_.name();
+    if (line_settings_.empty())
+      plastigran::restore_settings(lmp, *this, keeper->restarted_settings(owner),
+                                   [this] { postSettings(nullptr, nullptr); });
+    keeper->connect(owner, {models(), line_settings_, owner_.histories(), !reported_});
     const plastigran::DeckProperties deck(lmp, caller(), registry.max_type());
     pairs_.build(deck, registry.max_type(), choices_);
+    if (plastigran::yields<Law> && !owner_.is_wall())
+      rate_offset_ = plastigran::own_fix<plastigran::RateHistory>(lmp)->offset();
+    if (rate_offset_ < 0 && pairs_.rate_matters())
+      fail(plastigran::property_name("rate_coefficient") + " must be given before " +
+           (owner_.is_wall() ? "the wall" : "the first run") +
+           ", when it is decided what contacts remember");
     watch_.begin(caller(), overlap_limit_);
     plastigran::own_fix<plastigran::MotionWatch>(lmp);
-    plastigran::own_fix<plastigran::HistoryKeeper>(lmp);
     const auto taker = dynamic_cast<plastigran::AccountTaker*>(contact_model_);
     accounts_ = taker && taker->takes_accounts;
     if (viscous_damping_) {
@@ -119,9 +145,10 @@ class ElastoplasticNormalModel : public NormalModelBase {
     const double radius_eff = contact.is_wall
                                   ? contact.radi
                                   : contact.radi * contact.radj / (contact.radi + contact.radj);
-    TypePair& pair = pairs_(contact.itype, contact.jtype);
+    TypePair& at_rest = pairs_(contact.itype, contact.jtype);
     // Particles of these types may have been inserted since the check before the run.
-    if (!pair.refusal.empty()) watch_.stop(pair.refusal);
+    if (!at_rest.refusal.empty()) watch_.stop(at_rest.refusal);
+    TypePair& pair = rate_offset_ < 0 ? at_rest : at_rate(contact, at_rest, radius_eff);
 
     double* const history = contact.contact_history + history_offset_;
     State state;
@@ -171,6 +198,7 @@ class ElastoplasticNormalModel : public NormalModelBase {
     if (contact.contact_flags) *contact.contact_flags &= ~CONTACT_NORMAL_MODEL;
     if (contact.contact_history)
       std::memset(contact.contact_history + history_offset_, 0, state_size);
+    if (contact.contact_history && rate_offset_ >= 0) contact.contact_history[rate_offset_] = 0;
   }
 
   void beginPass(SurfacesIntersectData&, ForceData&, ForceData&) override {}
@@ -181,6 +209,27 @@ class ElastoplasticNormalModel : public NormalModelBase {
   void fail(const std::string& reason) { error->all(FLERR, (caller() + ": " + reason).c_str()); }
   void refuse(const char* setting) {
     fail(std::string(setting) + " is not available with this model; leave it off");
+  }
+
+  // The two bodies with their strength at the rate of the contact's first touch, whose factor it
+  // remembers; 0 is none yet.
+  [[gnu::noinline]] TypePair& at_rate(const SurfacesIntersectData& contact, TypePair& pair,
+                                      double radius_eff) const {
+    double factor = contact.contact_history[rate_offset_];
+    if (factor == 0) {
+      factor = plastigran::rate_factor(pair.bodies, radius_eff, -contact.vn);
+      if (contact.computeflag && contact.shearupdate)
+        contact.contact_history[rate_offset_] = factor;
+    }
+    return pair.strengthened(factor);
+  }
+
+  // What gives the contacts' memory its meaning.
+  std::string models() const {
+    std::string text = caller() + owner_.other_models();
+    for (const auto& option : plastigran::options_of<Law>)
+      text += std::string(" ") + option.name + ' ' + option.choices[choices_.*option.value];
+    return text;
   }
 
   // The state before this step: the history is written at the end of it.
@@ -236,6 +285,7 @@ class ElastoplasticNormalModel : public NormalModelBase {
   plastigran::TypePairs<Law> pairs_;
   plastigran::ContactWatch<Law> watch_;
   int history_offset_ = 0;
+  int rate_offset_ = -1;              // of the rate factor, which is there if any pair has one
   typename Law::Parameters choices_;  // the law's options as set; its constants at their defaults
   bool viscous_damping_ = false;
   bool tangential_damping_ = true;  // the dashpot beside the tangential spring too
@@ -246,6 +296,8 @@ class ElastoplasticNormalModel : public NormalModelBase {
   bool accounts_ = false;       // the loads on particle i are AccountedLoads
   double** damping_ = nullptr;  // the engine's beta(coefficientRestitution) of each type pair
   bool reported_ = false;
+  Settings* settings_ = nullptr;  // while the line is read
+  std::string line_settings_;     // empty as long as no line was read
 };
 
 }  // namespace ContactModels

@@ -92,7 +92,9 @@ ImpactTimes impact_times(const ImpactForecast& forecast, TypePairs<Law>& pairs) 
   if (!is_cylinder<Law>) times.rayleigh = forecast.rayleigh_time(pairs.bodies());
   for (const auto& [type, partner_type, radius_eff, mass_eff, speed] : forecast.meetings()) {
     if (!(speed > 0)) continue;
-    const TypePair<Law>& pair = pairs(type, partner_type);
+    TypePair<Law>& at_rest = pairs(type, partner_type);
+    const TypePair<Law>& pair =
+        at_rest.strengthened(rate_factor(at_rest.bodies, radius_eff, speed));
     const double step = recommended_timestep(pair.law, radius_eff, mass_eff, speed);
     if (step < times.fastest.step) times.fastest.step = step, times.fastest.speed = speed;
     if (!is_cylinder<Law>)

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <algorithm>
+#include <memory>
 #include <sstream>
 #include <string>
 #include <string_view>
@@ -13,6 +14,7 @@
 #include "plastigran/impact/central_impact.h"
 #include "plastigran/impact/validate.h"
 #include "plastigran/shared/contact.h"
+#include "plastigran/shared/rate_factor.h"
 
 namespace plastigran {
 
@@ -37,6 +39,32 @@ struct TypePair {
         bodies(bodies_),
         range(overlap_range(law)),
         constants(constants_) {}
+
+  // The two with their strength at a rate factor; made when first asked for. A new one counts as
+  // watched as deeply as the others.
+  TypePair& strengthened(double factor) {
+    const std::size_t steps = rate_factor_steps(factor);
+    if (steps == 0) return *this;
+    if (steps >= stronger_.size()) stronger_.resize(steps + 1);
+    if (!stronger_[steps]) stronger_[steps] = make(factor);
+    return *stronger_[steps];
+  }
+
+ private:
+  std::shared_ptr<TypePair> make(double factor) const {
+    auto made = std::make_shared<TypePair>(*this);
+    made->stronger_.clear();
+    made->bodies = plastigran::strengthened(bodies, factor);
+    made->constants = strengthened_constants<Law>(constants, factor);
+    made->law = Law(made->bodies, made->constants);
+    made->range = overlap_range(made->law);
+    for (const auto& other : stronger_)
+      if (other && other->noted > made->noted)
+        made->noted = other->noted, made->watched = other->watched;
+    return made;
+  }
+
+  std::vector<std::shared_ptr<TypePair>> stronger_;  // by steps of the rate factor
 };
 
 template <class Law>
@@ -74,6 +102,9 @@ class TypePairs {
         if (yields<Law>)
           text << ", yield strength " << pair.bodies.yield_strength << pascal << ", yield pressure "
                << pair.bodies.yield_pressure << pascal;
+        if (pair.bodies.rate_coefficient > 0)
+          text << ", rate coefficient " << pair.bodies.rate_coefficient << ", reference rate "
+               << pair.bodies.reference_rate << ' ' << deck.unit("1/s");
         if (hardens<Law>)
           text << ", tangent modulus " << pair.bodies.tangent_modulus << pascal
                << (deck.given("tangent_modulus") ? "" : " (default)");
@@ -85,6 +116,13 @@ class TypePairs {
         text << '\n';
       }
     return text.str();
+  }
+
+  // Whether the strength of any two depends on the rate of their impact.
+  bool rate_matters() const {
+    return std::any_of(pairs_.begin(), pairs_.end(), [](const TypePair<Law>& pair) {
+      return yields<Law> && pair.bodies.rate_coefficient > 0;
+    });
   }
 
   int type_count() const { return type_count_; }

@@ -25,28 +25,28 @@ struct GhaedniaCurve : JacksonGreenCurve {
   enum Loading { exponent_of_overlap, prefactor };
   struct Parameters {
     int loading = exponent_of_overlap;
+    int reading = of_yielding_body;
   };
-  static constexpr std::array<Option<Parameters>, 1> options{{
+  static constexpr std::array<Option<Parameters>, 2> options{{
       {"loading",
        &Parameters::loading,
        {"exponent", "prefactor", nullptr},
        "reading of the 1.1 in the loading curve"},
+      reading_option(&Parameters::reading),
   }};
 
   int loading;
 
   GhaedniaCurve(const MaterialPair& pair, const Parameters& constants)
-      : JacksonGreenCurve(pair, {}), loading(constants.loading) {}
+      : JacksonGreenCurve(pair, {cosine, constants.reading}), loading(constants.loading) {}
 
   double force(double x) const {
     const double growth = loading == prefactor ? 1.1 * x : std::pow(x, 1.1);
     return std::exp(-0.17 * std::pow(x, 5.0 / 12)) * x * std::sqrt(x) +
-           4 * hardness_ratio(x) / pressure_factor * -std::expm1(-std::pow(x, 5.0 / 9) / 78) *
-               growth;
+           4 * hardness_ratio(contact_radius(x)) / pressure_factor *
+               -std::expm1(-std::pow(x, 5.0 / 9) / 78) * growth;
   }
-  double overlap_range() const {
-    return std::min(1000 * yield_radius_ratio * yield_radius_ratio, widest_overlap_range);
-  }
+  double overlap_range() const { return sphere.overlap_range(1000 * yield_radius * yield_radius); }
   double recovery(double x) const {
     const double t = 6.5 / (x + 5.5);
     return x * (1 - 0.8 * (1 - t * t));

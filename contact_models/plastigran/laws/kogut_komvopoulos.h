@@ -4,55 +4,58 @@
 // finite elements; as collected in Ghaednia et al. 2015 (Int. J. Impact Eng. 86:307), eqs 20-22,
 // repaired.
 //
-//   r'^2 = overlap (2R* - overlap),  t = overlap/r',  yield at (E*/sigma_Y) t = 1.78
+//   r'^2 = overlap (2R - overlap),  t = overlap/r',  yield at (E'/sigma_Y) t = 1.78
 //   F = pi r'^2 sigma_Y N/D
-//   N = 0.839 + ln((E*/sigma_Y)^0.656 t^0.651),  D = 2.192 - ln((E*/sigma_Y)^0.394 t^0.419)
-//   overlap_max - overlap_res = 0.591 (E*/sigma_Y)^-0.156 overlap_max
+//   N = 0.839 + ln((E'/sigma_Y)^0.656 t^0.651),  D = 2.192 - ln((E'/sigma_Y)^0.394 t^0.419)
+//   overlap_max - overlap_res = 0.591 (E'/sigma_Y)^-0.156 overlap_max
+//
+// R and E' are the fitted sphere's: fitted_sphere.h says which that is for two bodies.
 //
 // The force jumps by +11 % at yield and the residual overlap from 0 to three quarters, so that
 // restitution falls from 1 to one half there and stays: use it for well-developed plasticity only.
 // D would vanish for deep indentation; it is held at 0.71, where Ye & Komvopoulos's area ends, and
-// beyond overlap = R* pressure and area are kept.
+// beyond overlap = R pressure and area are kept.
 #pragma once
 
+#include "plastigran/shared/fitted_sphere.h"
 #include "plastigran/shared/power_unloading.h"
 
 namespace plastigran {
 
-struct KogutKomvopoulosCurve : NoConstants {
+struct KogutKomvopoulosCurve : ReadingAlone {
   static constexpr const char* name = "kogut_komvopoulos";
   static constexpr const char* source = "Kogut & Komvopoulos 2004, J. Mater. Res. 19:3641";
-  static constexpr const char* range = "well-developed plasticity; overlap <= 0.1 R*";
+  static constexpr const char* range = "well-developed plasticity; overlap <= 0.1 R";
 
   std::array<double, 3> breaks;
   double yield_radius_ratio;
-  double stiffness;  // E*/sigma_Y
+  FittedSphere sphere;
+  double stiffness;    // E'/sigma_Y
+  double yield_depth;  // overlap_y/R
 
-  KogutKomvopoulosCurve(const MaterialPair& pair, const Parameters&)
-      : stiffness(pair.youngs_modulus_eff / pair.yield_strength) {
+  KogutKomvopoulosCurve(const MaterialPair& pair, const Parameters& constants)
+      : sphere(pair, constants.reading), stiffness(sphere.modulus / pair.yield_strength) {
     const double slope = 1.78 / stiffness;
-    yield_radius_ratio = std::sqrt(2 * slope * slope / (1 + slope * slope));
+    yield_depth = 2 * slope * slope / (1 + slope * slope);
+    yield_radius_ratio = std::sqrt(yield_depth) * sphere.radius_ratio;
     const double t = std::exp((2.192 - 0.71 - 0.394 * std::log(stiffness)) / 0.419);
-    const double yield_depth = yield_radius_ratio * yield_radius_ratio;
     const double held = std::max(1.0, 2 * t * t / (1 + t * t) / yield_depth);
     breaks = {1, std::min(held, 1 / yield_depth), std::max(held, 1 / yield_depth)};
   }
 
-  double depth(double x) const {
-    return std::min(x * yield_radius_ratio * yield_radius_ratio, 1.0);
-  }
-  double area(double x) const {  // A/R*^2
+  double depth(double x) const { return std::min(x * yield_depth, 1.0); }
+  double overlap_range() const { return sphere.overlap_range(widest_overlap_range); }
+  double area(double x) const {  // A/R^2
     const double z = depth(x), log_t = 0.5 * std::log(z / (2 - z));
     return pi * z * (2 - z) / std::max(0.71, 2.192 - 0.394 * std::log(stiffness) - 0.419 * log_t);
   }
   double force(double x) const {
     const double z = depth(x), log_t = 0.5 * std::log(z / (2 - z));
     const double pressure = 0.839 + 0.656 * std::log(stiffness) + 0.651 * log_t;
-    const double r = yield_radius_ratio;
-    return 0.75 * pressure * area(x) / (stiffness * r * r * r);
+    return 0.75 * pressure * area(x) / (stiffness * yield_depth * std::sqrt(yield_depth));
   }
   double recovery(double x) const { return x * 0.591 * std::pow(stiffness, -0.156); }
-  double contact_radius(double x) const { return std::sqrt(area(x) / pi) / yield_radius_ratio; }
+  double contact_radius(double x) const { return std::sqrt(area(x) / (pi * yield_depth)); }
 };
 
 using KogutKomvopoulos = PowerUnloading<KogutKomvopoulosCurve>;

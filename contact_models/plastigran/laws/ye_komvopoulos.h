@@ -3,54 +3,58 @@
 // Ye & Komvopoulos 2003 (J. Tribol. 125:685), indentation by a rigid sphere, fitted to finite
 // elements; as collected in Ghaednia et al. 2015 (Int. J. Impact Eng. 86:307), eqs 23-27, repaired.
 //
-//   r'^2 = overlap (2R* - overlap),  Q = (E*/sigma_Y) overlap/r',  yield at Q = 1.78
+//   r'^2 = overlap (2R - overlap),  Q = (E'/sigma_Y) overlap/r',  yield at Q = 1.78
 //   F = p A;  p/sigma_Y = 0.70 ln Q + 0.66, 2.9 above Q = 21
 //   A = pi r'^2/(0.05 ln^2 Q - 0.57 ln Q + 2.41), pi r'^2/0.71 above Q = 400
 //   residual overlap: Jackson & Green's, not below 0 (the source of 2015's own choice)
 //
 // The force jumps by -5 % at yield, +4 % at Q = 21 and +11 % at 400. Below yield the source's line
-// is Hertz but for O(overlap/R*); Hertz is used. Beyond overlap = R* the pressure and area there
-// are kept.
+// is Hertz but for O(overlap/R); Hertz is used. Beyond overlap = R the pressure and area there are
+// kept. R and E' are the fitted sphere's: fitted_sphere.h says which that is for two bodies.
 #pragma once
 
 #include "plastigran/laws/jackson_green.h"
+#include "plastigran/shared/fitted_sphere.h"
 #include "plastigran/shared/power_unloading.h"
 
 namespace plastigran {
 
-struct YeKomvopoulosCurve : NoConstants {
+struct YeKomvopoulosCurve : ReadingAlone {
   static constexpr const char* name = "ye_komvopoulos";
   static constexpr const char* source = "Ye & Komvopoulos 2003, J. Tribol. 125:685";
-  static constexpr const char* range = "indentation; overlap <= 0.1 R*";
+  static constexpr const char* range = "indentation; overlap <= 0.1 R";
 
-  double yield_radius_ratio;
-  double compliance;  // sigma_Y/E*
+  FittedSphere sphere;
+  double compliance;  // sigma_Y/E'
   JacksonGreenCurve flattening;
+  double yield_depth;       // overlap_y/R
   double flattening_scale;  // this law's yield overlap over Jackson & Green's
+  double yield_radius_ratio;
   std::array<double, 4> breaks;
 
-  YeKomvopoulosCurve(const MaterialPair& pair, const Parameters&)
-      : compliance(pair.yield_strength / pair.youngs_modulus_eff), flattening(pair, {}) {
-    yield_radius_ratio = std::sqrt(depth_at(1.78));
-    flattening_scale =
-        depth_at(1.78) / (flattening.yield_radius_ratio * flattening.yield_radius_ratio);
-    breaks = {1, depth_at(21) / depth_at(1.78), depth_at(400) / depth_at(1.78), 1 / depth_at(1.78)};
+  YeKomvopoulosCurve(const MaterialPair& pair, const Parameters& constants)
+      : sphere(pair, constants.reading),
+        compliance(pair.yield_strength / sphere.modulus),
+        flattening(pair, {JacksonGreenCurve::cosine, constants.reading}),
+        yield_depth(depth_at(1.78)),
+        flattening_scale(yield_depth / (flattening.yield_radius * flattening.yield_radius)),
+        yield_radius_ratio(std::sqrt(yield_depth) * sphere.radius_ratio),
+        breaks{1, depth_at(21) / yield_depth, depth_at(400) / yield_depth, 1 / yield_depth} {
     std::sort(breaks.begin(), breaks.end());
   }
 
-  // overlap/R* at which Q has this value.
+  // overlap/R at which Q has this value.
   double depth_at(double q) const {
     const double slope = q * compliance;
     return 2 * slope * slope / (1 + slope * slope);
   }
-  double depth(double x) const {
-    return std::min(x * yield_radius_ratio * yield_radius_ratio, 1.0);
-  }
+  double depth(double x) const { return std::min(x * yield_depth, 1.0); }
+  double overlap_range() const { return sphere.overlap_range(widest_overlap_range); }
   double strain(double x) const {  // Q
     const double z = depth(x);
     return std::sqrt(z / (2 - z)) / compliance;
   }
-  double area(double x) const {  // A/R*^2
+  double area(double x) const {  // A/R^2
     const double z = depth(x), circle = pi * z * (2 - z), q = strain(x);
     if (q > 400) return circle / 0.71;
     const double log_q = std::log(q);
@@ -58,14 +62,13 @@ struct YeKomvopoulosCurve : NoConstants {
   }
   double force(double x) const {
     const double q = strain(x), pressure = q > 21 ? 2.9 : 0.70 * std::log(q) + 0.66;
-    const double r = yield_radius_ratio;
-    return 0.75 * pressure * compliance * area(x) / (r * r * r);
+    return 0.75 * pressure * compliance * area(x) / (yield_depth * std::sqrt(yield_depth));
   }
   double recovery(double x) const {
     const double flat = x * flattening_scale;
     return flat <= 1.9 ? x : std::min(x, flattening.recovery(flat) / flattening_scale);
   }
-  double contact_radius(double x) const { return std::sqrt(area(x) / pi) / yield_radius_ratio; }
+  double contact_radius(double x) const { return std::sqrt(area(x) / (pi * yield_depth)); }
 };
 
 using YeKomvopoulos = PowerUnloading<YeKomvopoulosCurve>;

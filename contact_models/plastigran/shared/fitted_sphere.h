@@ -16,6 +16,8 @@
 // the fitted sphere's a_y/R the pair's is (a_y/R) radius_ratio.
 #pragma once
 
+#include <algorithm>
+
 #include "plastigran/shared/contact.h"
 
 namespace plastigran {
@@ -30,8 +32,13 @@ struct FittedSphere {
       : modulus(reading == of_pair ? pair.youngs_modulus_eff : 1 / plane_strain_compliance(pair)),
         radius_ratio(modulus / pair.youngs_modulus_eff) {}
 
-  // Overlap over R* of an overlap over R.
-  double overlap_of_pair(double depth) const { return depth * radius_ratio * radius_ratio; }
+  // The law's overlap_range(), of the fit's largest overlap over R. The other body's share of the
+  // overlap, 1 - E*/E', is held against that body's sphere likewise.
+  double overlap_range(double depth) const {
+    const double others_share = 1 - 1 / radius_ratio;
+    return std::min(std::min(depth, widest_overlap_range) * radius_ratio * radius_ratio,
+                    widest_overlap_range / (others_share * others_share));
+  }
 };
 
 template <class Parameters>
@@ -41,5 +48,15 @@ constexpr Option<Parameters> reading_option(int Parameters::*value) {
           {"yielding_body", "pair", nullptr},
           "whose modulus and radius the fit to one sphere takes"};
 }
+
+// Laws with no other option and no constants of their own say so with this base.
+struct ReadingAlone {
+  struct Parameters {
+    int reading = of_yielding_body;
+  };
+  static constexpr std::array<Option<Parameters>, 1> options{{
+      reading_option(&Parameters::reading),
+  }};
+};
 
 }  // namespace plastigran

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from pathlib import Path
 
 import attrs
@@ -132,7 +133,7 @@ def measure_loop(loop: pd.DataFrame) -> CollisionOutcome:
     turn = int(np.flatnonzero(speed[start:] < 0)[0]) + start  # first frame on the way back
     turning_time, overlap_max = _turning_point(time, overlap, speed, turn - 1)
 
-    rebound = slice(max(last - 2, turn), last + 1)
+    rebound = slice(max(last - 3, turn), last + 1)
     overlap_res = _residual(overlap[rebound], force[rebound])
     if abs(overlap_res) < 1e-6 * overlap_max:
         overlap_res = 0.0
@@ -155,11 +156,23 @@ def _crossing(time, value, rate, k: int, level: float) -> float:
 
 
 def _residual(overlap, force) -> float:
-    """Overlap at which a force that falls as a power of the way left vanishes.
+    """Overlap at which the force of a rebound vanishes, from its last frames, the latest last.
 
-    Laws unload along (overlap - overlap_res)^n with n near 3/2, and this finds n where three frames
-    allow it: with the right one, force^(1/n) is a straight line.
+    Laws unload as (overlap - overlap_res)^n with n near 3/2, or as Hertz' power 3/2 over a straight
+    line in (overlap - overlap_res)^(1/2). Either follows from three frames; a fourth tells which.
     """
+    last = overlap[-3:], force[-3:]
+    residual, power = _end_of_power(*last)
+    if len(overlap) < 4:
+        return residual
+    other, bent = _end_of_bent_power(*last)
+    before, found = overlap[-4], force[-4]
+    return other if abs(bent(before) - found) < abs(power(before) - found) else residual
+
+
+def _end_of_power(overlap, force) -> tuple[float, Callable]:
+    """Where c (overlap - overlap_res)^n through up to three frames vanishes, and that force: with
+    the right n, force^(1/n) is a straight line."""
 
     def slopes(n: float):
         return np.diff(force ** (1 / n)) / np.diff(overlap)
@@ -173,7 +186,38 @@ def _residual(overlap, force) -> float:
         # From below 1: a straight line is one of them.
         if bend(0.9) * bend(3.0) < 0:
             n = brentq(bend, 0.9, 3.0, xtol=1e-9)
-    return overlap[-1] - force[-1] ** (1 / n) / slopes(n)[-1]
+    residual = overlap[-1] - force[-1] ** (1 / n) / slopes(n)[-1]
+    left = overlap[-1] - residual
+    return residual, lambda at: force[-1] * ((at - residual) / left) ** n
+
+
+def _end_of_bent_power(overlap, force) -> tuple[float, Callable]:
+    """The same of c z^3/(1 + g z), z = (overlap - overlap_res)^(1/2), through three frames: with
+    the right residual, z^3/force is a straight line over z. NaN where there is none."""
+
+    def line(residual: float):
+        z = np.sqrt(overlap - residual)
+        return z, z**3 / force
+
+    def bend(residual: float) -> float:
+        z, over = line(residual)
+        return np.subtract(*(np.diff(over) / np.diff(z)))
+
+    # Another root is close to the last frame; the residual is farther.
+    reach = overlap[-1] - (overlap[0] - overlap[-1]) * np.geomspace(3, 1e-6, 40)
+    bends = np.array([bend(residual) for residual in reach])
+    signs = np.flatnonzero(bends[1:] * bends[:-1] < 0)
+    if signs.size == 0:
+        return np.nan, lambda at: np.nan
+    residual = brentq(bend, reach[signs[0]], reach[signs[0] + 1], xtol=1e-9 * overlap[-1])
+    z, over = line(residual)
+    slope, level = np.polyfit(z, over, 1)
+
+    def bent(at: float) -> float:
+        root = np.sqrt(at - residual)
+        return root**3 / (level + slope * root)
+
+    return residual, bent
 
 
 def _turning_point(time, value, rate, k: int) -> tuple[float, float]:

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from plastigran.papers.base import Paper
 
 #: Modules here that are no paper.
-SHARED = {"base", "computing", "pages"}
+SHARED = {"base"}
 
 
 def paper_names() -> list[str]:

@@ -21,8 +21,9 @@ from plastigran.experiments.rod.paper import (
     paper_rods,
 )
 from plastigran.experiments.runs import Runs
-from plastigran.papers.base import Paper, Reproduction, add_difference
+from plastigran.papers.base import Paper
 from plastigran.physics.rod_motion import simulate
+from plastigran.report.base import Findings, add_difference
 
 #: The paper's nine laws; `ghaednia` is its modified Jackson and Green.
 LAWS = (
@@ -49,7 +50,7 @@ COMPARED = {
 OTHER_STRONGE = "stronge, original radius"
 
 
-def compute(progress: bool, coarse: bool) -> Reproduction:
+def compute(progress: bool, coarse: bool) -> Findings:
     """Every law at both angles, in LIGGGHTS and by the equations of motion, with the paper's
     friction: mu F as soon as the tip slides."""
     speeds = (-MEASURED.velocity_before,) if coarse else PAPER_SPEEDS
@@ -58,7 +59,7 @@ def compute(progress: bool, coarse: bool) -> Reproduction:
             folder, progress=progress, law=LAWS, speed=speeds, tangential="no_history"
         )
     closest = closest_to_measured(runs.outcomes)
-    return Reproduction(
+    return Findings(
         tables={
             "restitution": restitution(runs.table),
             "measured_run": measured_run(runs),

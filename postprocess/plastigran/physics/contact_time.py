@@ -24,6 +24,7 @@ def contact_time(law, radius_eff: float, mass_eff: float, speed: float) -> tuple
     Returns:
         Loading time and contact time [s].
     """
+    law = law.at_impact(radius_eff, speed)
     impact = law.central_impact(radius_eff, mass_eff, speed)
     root = 0.5 * (1 - _NODES)  # descending: the overlaps ascend, along the virgin curve
 

@@ -34,11 +34,12 @@ class _Motion:
     """
 
     def __init__(self, rod: Rod, law, speed: float, shear_modulus_eff: float | None) -> None:
-        self.rod, self.law, self.spring = rod, law, shear_modulus_eff is not None
+        self.rod, self.spring = rod, shear_modulus_eff is not None
+        self.law = law.at_impact(rod.tip_radius, speed)
         self.half, self.lean = rod.length / 2, radians(rod.angle)
         self.start = [0, 0, 0, 0, -speed, 0, 0]
         self.sticking = STICKING_SLIP * speed
-        overlap_max = law.central_impact(rod.tip_radius, rod.mass_eff, speed).overlap_max
+        overlap_max = self.law.central_impact(rod.tip_radius, rod.mass_eff, speed).overlap_max
         self.yielding = YIELDING_RATE * speed / overlap_max
         self.stiffness_per_radius = 8 * (shear_modulus_eff or 0.0)
         self.state = law.State()

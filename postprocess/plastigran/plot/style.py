@@ -33,6 +33,7 @@ def title(name: str) -> str:
         "vu_quoc_zhang": "Vu-Quoc–Zhang",
         "viscoelastic_hertz": "Viscoelastic Hertz",
         "aluminium_zv02": "Aluminium",
+        "mdr": "MDR",
     }
     words = "–".join(word.capitalize() for word in name.split("_"))
     return names.get(name, words.replace("–20", " 20"))

@@ -38,6 +38,7 @@ class CentralImpact(Contact):
         cases: What the law's case file holds beside the outcomes.
         comment: Its head.
         digits: Format of its numbers.
+        material_name: Of the material on whose paths the law is held.
     """
 
     cases = """\
@@ -48,6 +49,7 @@ aluminium_zv02,0.1,0.20
 """
     comment = ""
     digits = "#.6g"
+    material_name = "aluminium_zv02"
 
     def __init__(self, material: Material, radius: float, speed: float) -> None:
         super().__init__(material, radius)

@@ -16,7 +16,7 @@ from scipy.optimize import minimize_scalar
 @dataclass(frozen=True)
 class Material:
     """A body that meets a rigid plane: elastic constants [Pa, -], density [kg/m^3], uniaxial yield
-    strength [Pa], contact yield pressure over it, and its own constants of a law [SI]."""
+    strength [Pa], contact yield pressure over it, own constants of a law, tangent modulus [SI]."""
 
     youngs_modulus: float
     poissons_ratio: float
@@ -24,6 +24,7 @@ class Material:
     yield_strength: float = inf
     yield_pressure_factor: float = 0.0
     dissipative_constant: float = 0.0
+    tangent_modulus: float = 0.0
 
     @property
     def modulus(self) -> float:
@@ -41,6 +42,8 @@ MATERIALS = {
     "aluminium_zv02": Material(7e10, 0.3, 2699.0, 1e8, 1.61),
     # Katta & Polycarpou 2010, J. Tribol. 132: E* of the pair is 83.96 GPa.
     "glass_kp10": Material(83.96e9 * (1 - 0.23**2), 0.23, 2500.0, 2.41e9),
+    # EN 1993-1-1, 3.2; hardening of EN 1993-1-5, annex C.6: E/100.
+    "steel_s355": Material(2.1e11, 0.3, 7850.0, 3.55e8, tangent_modulus=2.1e9),
     # Rounded constants of ice; A fitted to Bridges, Hatzes & Lin 1984, Nature 309:333.
     "ice": Material(9.3e9, 0.25, 900.0, dissipative_constant=1e-4),
 }

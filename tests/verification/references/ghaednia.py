@@ -17,7 +17,7 @@ from references import jackson_green
 
 
 class Reference(jackson_green.Reference):
-    readings = ("loading prefactor",)
+    readings = ("loading prefactor", "reading pair")
 
     def beyond(self, overlap):
         x = overlap / self.overlap_c

@@ -20,6 +20,7 @@ from references.central_impact import CentralImpact
 
 class Reference(CentralImpact):
     energy_guard = True
+    readings = ("reading pair",)
 
     def __init__(self, material, radius, speed):
         super().__init__(material, radius, speed)

@@ -1,48 +1,162 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""`plastigran calibrate`: constants of a law from finite elements."""
+"""`plastigran calibrate`: what a deck takes of a metal, from what was measured of it."""
 
 from __future__ import annotations
 
 import argparse
+import sys
+from pathlib import Path
 
+from plastigran.calibration import CalibratedMetal, DropTest, calibrate
+from plastigran.calibration.drop_test import BALL_RADIUS, read_drop_test
+from plastigran.calibration.expected_errors import DEFAULT_LAW
+from plastigran.calibration.finite_elements import USUAL_RANGE
+from plastigran.calibration.strength import STEEL_RATE_COEFFICIENT
 from plastigran.cli.arguments import positive
-from plastigran.cli.metal import add_metal, add_strain, computed, metal, print_json
-from plastigran.engine.deck import property_name
-from plastigran.fem.sphere.calibration import calibrate, check_range
-from plastigran.fem.sphere.press import press
-from plastigran.fem.theory.hertz import HertzSphere
+from plastigran.cli.metal import add_elastic, add_strain, print_json
+from plastigran.materials import (
+    RIGID,
+    check_material_file,
+    material_lines,
+    read_material,
+    write_material,
+)
 
-HELP = "constants of vu_quoc_zhang from finite elements"
+HELP = "yield strength from hardness, rebound or drops; law, its error, lines of a deck"
+
+METAL = "metal"  # the word that stands for it as ball or plate
+#: Arguments that the function takes as they are.
+PASSED_ON = (
+    *("density", "yield_strength", "hardness", "leeb", "plastic_modulus", "rate_coefficient"),
+    *("scatter", "law", "speeds", "radius", "strain"),
+)
 
 
 def add_arguments(command: argparse.ArgumentParser) -> None:
-    command.add_argument(
-        "--fem", action="store_true", default=True, help="by finite elements, the only way so far"
+    measured = command.add_mutually_exclusive_group(required=True)
+    measured.add_argument(
+        "--yield", type=positive, dest="yield_strength", help="yield strength, Pa"
     )
-    add_metal(command)
-    add_strain(command)
+    measured.add_argument("--hardness", help="HV, or with its scale, as 45HRC or 200HB")
+    measured.add_argument("--leeb", help="rebound hardness HLD, or with its device, as 750HLG")
+    measured.add_argument(
+        "--drop", type=Path, metavar="FILE", help="table of drops: docs/calibrate.md"
+    )
+    add_elastic(command)
+    command.add_argument(
+        "--hardening",
+        type=float,
+        default=0.0,
+        dest="plastic_modulus",
+        help="plastic modulus, Pa, default 0",
+    )
+    command.add_argument(
+        "--ball", default=METAL, help="material of the ball of --drop, default the metal itself"
+    )
+    command.add_argument(
+        "--plate", help="of the plate of --drop: rigid (default under the metal), metal, a material"
+    )
+    command.add_argument(
+        "--ball-radius",
+        type=positive,
+        default=BALL_RADIUS,
+        help=f"of --drop, m, default {BALL_RADIUS:g}; it matters with --rate-coefficient only",
+    )
+    command.add_argument(
+        "--rate-coefficient",
+        type=float,
+        help="share of the strength, then that at 1/s, that a factor e in rate of strain adds; "
+        f"default {STEEL_RATE_COEFFICIENT:g} with a steel's --hardness or --leeb, else 0",
+    )
+    command.add_argument(
+        "--scatter",
+        type=positive,
+        help="standard deviation of one measured restitution as a share, default 0.02 of drops",
+    )
+    command.add_argument("--law", default=DEFAULT_LAW, help=f"default {DEFAULT_LAW}")
+    command.add_argument(
+        "--speeds",
+        nargs=2,
+        type=positive,
+        metavar=("SLOWEST", "FASTEST"),
+        help="m/s, of what is to be computed: the law's error is that between them",
+    )
+    command.add_argument(
+        "--fem", action="store_true", help="fit vu_quoc_zhang to finite elements of the metal"
+    )
     command.add_argument(
         "--range",
         type=positive,
-        default=41.0,
         dest="force_ratio",
         metavar="PMAX/PY",
-        help="largest force of the fit over the force at yield, default 41",
+        help=f"largest force of the fit over the force at yield, default {USUAL_RANGE:g}; is --fem",
+    )
+    add_strain(command)
+    command.add_argument("--output", type=Path, metavar="FILE.in", help="material file to write")
+    command.add_argument("--force", action="store_true", help="overwrite that file")
+    command.add_argument(
+        "--figure", type=Path, metavar="FILE.png", help="law against drops or finite elements"
     )
 
 
 def run(arguments: argparse.Namespace) -> None:
-    sphere = HertzSphere(metal(arguments), arguments.radius)
-    force = arguments.force_ratio * sphere.yield_force
-    check_range(sphere, force)
-    pressing = computed(press, sphere.material, sphere.radius, [force], strain=arguments.strain)
-    numbers = calibrate(pressing).to_dict()
+    output = arguments.output
+    if output is not None:
+        check_material_file(output, arguments.force)
+    if arguments.figure is not None and not (arguments.drop or _finite_elements(arguments)):
+        raise ValueError(f"--figure is {arguments.figure}; it needs --drop or --fem")
+    found = calibrate(
+        youngs_modulus=arguments.young,
+        poissons_ratio=arguments.poisson,
+        drops=_drops(arguments),
+        force_ratio=_finite_elements(arguments),
+        name=output.stem if output else "metal",
+        progress=sys.stderr.isatty(),
+        **{name: getattr(arguments, name) for name in PASSED_ON},
+    )
+    if output is not None:
+        write_material(found.material, output, found.remark, arguments.force)
+    if arguments.figure is not None:
+        _draw(found, arguments.figure)
     if arguments.json:
-        print_json(numbers)
-        return
-    for name, value in numbers.items():
-        print(f"{name:28s} {value:.5g}")
-    for name in ("contact_radius_coefficient", "curvature_coefficient"):
-        keyword, value = property_name(name), f"{numbers[name]:.6g}"
-        print(f"variable {name} index {value}  # a line of a material file")
-        print(f"fix {name} all property/global {keyword} peratomtypepair 1 {value}  # of a deck")
+        print_json(found.to_dict())
+    else:
+        _print(found)
+
+
+def _finite_elements(arguments: argparse.Namespace) -> float | None:
+    """Largest force over that at yield; None for none."""
+    usual = USUAL_RANGE if arguments.fem else None
+    return usual if arguments.force_ratio is None else arguments.force_ratio
+
+
+def _drops(arguments: argparse.Namespace) -> DropTest | None:
+    if arguments.drop is None:
+        for name in ("ball", "plate"):
+            if (value := getattr(arguments, name)) not in (None, METAL):
+                raise ValueError(f"--{name} is {value}; it needs --drop")
+        return None
+    ball = None if arguments.ball == METAL else read_material(arguments.ball)
+    plate = arguments.plate or ("rigid" if ball is None else METAL)
+    bodies = {"rigid": RIGID, METAL: None}
+    plate = bodies[plate] if plate in bodies else read_material(plate)
+    drops = read_drop_test(arguments.drop)
+    return DropTest(**drops, ball=ball, plate=plate, radius=arguments.ball_radius)
+
+
+def _draw(found: CalibratedMetal, path: Path) -> None:
+    from plastigran.calibration.figures import figure  # slow to load
+    from plastigran.plot.style import save
+
+    save(figure(found, sys.stderr.isatty()), path, (path.suffix or ".png",))
+
+
+def _print(found: CalibratedMetal) -> None:
+    print(found)
+    if found.pressed is not None:
+        print()
+        for name, value in found.pressed.fitted.to_dict().items():
+            print(f"{name:28s} {value:.5g}")
+    print("\nLines of a deck:")
+    print("\n".join(found.deck_lines()))
+    print(f"\nA material's file:\n# {found.remark}\n{material_lines(found.material)}")

@@ -48,6 +48,12 @@ class RodImpact(Experiment):
     tangential: str = word("friction", ("history", "no_history", "off"), default="history")
     material: Material = material_field("of the rod", "steel_gcm15")
     flat: Material = material_field("of the flat", "iron_gcm15")
+    # The paper puts the pair's E* and R* into all laws.
+    reading: str = word(
+        "whose modulus and radius laws fitted to one sphere take",
+        ("pair", "yielding_body"),
+        default="pair",
+    )
     # The paper prints (2/H_rod + 2/H_flat)^-1 of the Brinell hardnesses 327 and 105.
     indentation_pressure: float = number(
         "indentation pressure, for the laws that take one", "Pa", 0, default=3.8971e8
@@ -60,6 +66,7 @@ class RodImpact(Experiment):
         "angle": Flag(tuple(PAPER_FRICTION), said=_ROD["angle"]),
         "coefficient_of_friction": Flag(None, said=_FRICTION, many=False),
         "law": Flag(("all",)),
+        "reading": Flag("pair", many=False),
         "speed": Flag(PAPER_SPEEDS),
         "tangential": Flag("history", many=False),
     }
@@ -84,7 +91,13 @@ class RodImpact(Experiment):
         """The law between rod and flat; `options` are its own."""
         if any(row["name"] == "indentation_pressure" for row in laws.LAWS[self.law].parameters()):
             options = {"indentation_pressure": self.indentation_pressure, **options}
-        return self.material.law(self.law, self.pair, **options)
+        return self.material.law(self.law, self.pair, **self.options | options)
+
+    @property
+    def options(self) -> dict[str, str]:
+        """Those of the law that the case chooses, by name."""
+        known = {option["name"] for option in laws.LAWS[self.law].options()}
+        return {"reading": self.reading} if "reading" in known else {}
 
     def frozen(self) -> laws.ImpactOutcome:
         """The impact as a central one of the mass the tip feels, `Rod.mass_eff`."""
@@ -107,7 +120,9 @@ class RodImpact(Experiment):
         flat = {f"flat_{name}": value for name, value in self.flat.variables().items()}
         del flat["flat_density"]  # it does not move
         names = ("law", "speed", "tangential", "indentation_pressure")
-        own = {name: getattr(self, name) for name in names}
+        own: dict[str, object] = {name: getattr(self, name) for name in names}
+        if self.options:
+            own["options"] = " ".join(word for option in self.options.items() for word in option)
         return own | attrs.asdict(self.rod) | self.material.variables() | flat
 
     def predict(self) -> RodOutcome:
@@ -124,6 +139,7 @@ class RodImpact(Experiment):
     def facts(self) -> dict[str, object]:
         return {
             "law": self.law,
+            "reading": self.options.get("reading", ""),
             "angle": self.rod.angle,
             "coefficient_of_friction": self.rod.coefficient_of_friction,
             "speed": self.speed,

@@ -3,17 +3,18 @@
 
 from __future__ import annotations
 
-from plastigran.papers.base import Paper, Reproduction
+from plastigran.papers.base import Paper
+from plastigran.report.base import Findings
 
 
-def compute(progress: bool, coarse: bool) -> Reproduction:
+def compute(progress: bool, coarse: bool) -> Findings:
     """Every table and figure."""
     from plastigran.papers.chamoli import figures  # what these need is slow to load
     from plastigran.papers.chamoli.computations import compute_impacts
     from plastigran.papers.chamoli.tables import tables
 
     computed = compute_impacts(progress, coarse)
-    return Reproduction(
+    return Findings(
         tables=tables(computed),
         figures={
             "impact": figures.impact_figure(computed),

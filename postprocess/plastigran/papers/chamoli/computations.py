@@ -14,8 +14,8 @@ from plastigran.fem.sphere.vibrate import vibrate
 from plastigran.fem.sphere.vibration import Vibration
 from plastigran.fem.theory.hertz import HertzSphere
 from plastigran.materials import Material, read_material
-from plastigran.papers.computing import Computation, compute_all
 from plastigran.physics.impact_modes import impact_modes
+from plastigran.report.computing import Computation, compute_all
 
 RADIUS = 0.01
 HARD, SOFT = 9.3e9, 6e6  # Young's moduli, Pa

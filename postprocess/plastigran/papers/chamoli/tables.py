@@ -10,7 +10,6 @@ from plastigran.experiments.central import CentralImpact
 from plastigran.fem.sphere.spectrum import peaks, spectrum
 from plastigran.fem.sphere.vibration import SIGNALS, Vibration
 from plastigran.materials import read_material
-from plastigran.papers.base import add_difference
 from plastigran.papers.chamoli.computations import (
     HARD,
     ICE_RADIUS,
@@ -27,6 +26,7 @@ from plastigran.papers.chamoli.computations import (
 from plastigran.physics.central import viscoelastic_number, viscoelastic_restitution
 from plastigran.physics.impact_modes import nearest_modes
 from plastigran.physics.modes import sphere_modes
+from plastigran.report.base import add_difference
 
 KHZ, MICRO = 1e-3, 1e6
 NEAR = 0.01  # of a mode's frequency, within which a peak is its own

@@ -3,10 +3,11 @@
 
 from __future__ import annotations
 
-from plastigran.papers.base import Paper, Reproduction
+from plastigran.papers.base import Paper
+from plastigran.report.base import Findings
 
 
-def compute(progress: bool, coarse: bool) -> Reproduction:
+def compute(progress: bool, coarse: bool) -> Findings:
     """Head-on and oblique strikes."""
     # What these need is slow to load.
     from plastigran.papers.kp10.computations import compute_finite_elements_and_runs
@@ -14,7 +15,7 @@ def compute(progress: bool, coarse: bool) -> Reproduction:
     from plastigran.papers.kp10.tables import tables
 
     found = compute_finite_elements_and_runs(progress, coarse)
-    return Reproduction(tables=tables(found), figures=figures(found))
+    return Findings(tables=tables(found), figures=figures(found))
 
 
 PAPER = Paper(

@@ -18,7 +18,7 @@ from plastigran.fem.material.elastic_plastic import ElasticPlastic
 from plastigran.fem.material.hardening import LinearHardening
 from plastigran.fem.settings import Settings
 from plastigran.materials import laws_for, read_material
-from plastigran.papers.computing import Computation, compute_all
+from plastigran.report.computing import Computation, compute_all
 
 RADIUS = 1e-5
 GLASS = read_material(MATERIAL)
@@ -108,7 +108,7 @@ def keys(coarse: bool) -> list[Key]:
 
 
 def compute_finite_elements_and_runs(progress: bool, coarse: bool) -> Computed:
-    """Compute, or find in the cache, what `Computed` holds; arguments as of `Paper.reproduce`."""
+    """Compute, or find in the cache, what `Computed` holds; arguments as of `Report.run`."""
     strikes = compute_all(
         {
             key: Computation(strike, (key.case(),), COARSE if coarse else key.settings())

@@ -13,8 +13,8 @@ from plastigran.experiments.collision import CollisionOutcome
 from plastigran.experiments.cylinder.study import FINITE_ELEMENTS_OVERLAP_RES
 from plastigran.fem.cylinder.struck import Strike
 from plastigran.fem.stepping.snapshot import Snapshot
-from plastigran.papers.base import add_difference
 from plastigran.papers.kp10.computations import KINDS, LAWS, SHOWN, Computed, Key
+from plastigran.report.base import add_difference
 
 MICRO = 1e6
 #: The paper's finite elements at `SHOWN`, sliding along [m].

@@ -3,10 +3,11 @@
 
 from __future__ import annotations
 
-from plastigran.papers.base import Paper, Reproduction
+from plastigran.papers.base import Paper
+from plastigran.report.base import Findings
 
 
-def compute(progress: bool, coarse: bool) -> Reproduction:
+def compute(progress: bool, coarse: bool) -> Findings:
     """Every table, figure and movie."""
     from plastigran.papers.zv02 import figures, pictures  # what these need is slow to load
     from plastigran.papers.zv02.computations import SHOWN, compute_finite_elements_and_runs
@@ -15,7 +16,7 @@ def compute(progress: bool, coarse: bool) -> Reproduction:
     computed = compute_finite_elements_and_runs(progress, coarse)
     pressing, shown = computed.pressing, computed.throws[SHOWN]
     forces = pressing.unloadings["force"]
-    return Reproduction(
+    return Findings(
         tables=tables(computed),
         figures={
             "restitution": figures.restitution_figure(computed),

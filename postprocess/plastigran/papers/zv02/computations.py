@@ -20,7 +20,7 @@ from plastigran.fem.sphere.results import Pressing, Throw
 from plastigran.fem.sphere.throw import throw
 from plastigran.fem.theory.hertz import HertzSphere
 from plastigran.materials import RIGID, read_material
-from plastigran.papers.computing import Computation, compute_all
+from plastigran.report.computing import Computation, compute_all
 
 RADIUS = 0.1
 MATERIAL = read_material("aluminium_zv02")
@@ -74,7 +74,7 @@ class Computed:
 
 
 def compute_finite_elements_and_runs(progress: bool, coarse: bool) -> Computed:
-    """Compute, or find in the cache, what `Computed` holds; arguments as of `Paper.reproduce`."""
+    """Compute, or find in the cache, what `Computed` holds; arguments as of `Report.run`."""
     usual, frames = Settings(), 50
     if coarse:
         usual, frames = Settings(divisions=4, fineness=0.5, growth=1.15, steps_of_contact=80), 12

@@ -13,7 +13,6 @@ from plastigran import laws
 from plastigran.experiments.central.figures import finite_elements
 from plastigran.fem.sphere.calibration import calibrate
 from plastigran.fem.sphere.results import Pressing, Throw
-from plastigran.papers.base import add_difference
 from plastigran.papers.zv02.computations import (
     LAWS,
     MASS,
@@ -24,6 +23,7 @@ from plastigran.papers.zv02.computations import (
     Computed,
 )
 from plastigran.physics.contact_time import contact_time
+from plastigran.report.base import add_difference
 
 FINITE_ELEMENTS, PAPER = "finite elements", "paper"
 #: What the paper prints, beside its impacts in `data/finite_elements_zv02.csv`.

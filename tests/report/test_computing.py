@@ -15,7 +15,7 @@ import pytest
 from plastigran.fem.material.elastic_plastic import ElasticPlastic
 from plastigran.fem.settings import Settings
 from plastigran.fem.sphere.press import press
-from plastigran.papers.computing import Computation, compute_all
+from plastigran.report.computing import Computation, compute_all
 
 METAL = ElasticPlastic(youngs_modulus=70e9, poissons_ratio=0.3)
 COARSE = Settings(divisions=3, fineness=0.5, unloading_steps=4)
@@ -64,7 +64,7 @@ def test_a_warning_is_told_in_one_plain_line(capfd):
 
 WAITING = """
 from time import sleep
-from plastigran.papers.computing import Computation, compute_all
+from plastigran.report.computing import Computation, compute_all
 
 def wait(settings, progress):
     print("started", flush=True)

@@ -30,14 +30,16 @@ class Computation:
         compute: A function of a module, such as `plastigran.fem.sphere.throw.throw`.
         arguments: Positional.
         settings: How fine; None for the defaults.
+        named: Further arguments, by name.
     """
 
     compute: Callable[..., Any]
     arguments: tuple[object, ...]
     settings: Any = None
+    named: Mapping[str, object] = attrs.field(factory=dict)
 
     def run(self) -> Any:
-        return cached(self.compute, *self.arguments, settings=self.settings)
+        return cached(self.compute, *self.arguments, settings=self.settings, **self.named)
 
 
 def compute_all(computations: Mapping[Key, Computation], progress: bool = False) -> dict[Key, Any]:

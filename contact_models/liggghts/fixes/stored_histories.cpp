@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "liggghts/fixes/stored_histories.h"
+
+#include <mpi.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <cstring>
+
+#include "comm.h"
+#include "fix_contact_history.h"
+#include "fix_mesh_surface.h"
+#include "fix_property_atom.h"
+#include "lammps.h"
+#include "modify.h"
+#include "tri_mesh.h"
+
+namespace plastigran {
+
+using LAMMPS_NS::FixContactHistory;
+using LAMMPS_NS::FixPropertyAtom;
+
+namespace {
+
+// Whole numbers travel as they are, in the room of a double.
+double as_double(std::int64_t number) {
+  double same_bits;
+  std::memcpy(&same_bits, &number, sizeof number);
+  return same_bits;
+}
+
+const char mesh_histories[] = "tracker_";  // the engine's name of them, before the mesh's
+
+}  // namespace
+
+StoredHistories::StoredHistories(LAMMPS_NS::Fix* fix)
+    : fix_(fix),
+      listed_(std::strncmp(fix->style, "contacthistory", 14) == 0),
+      of_pairs_(std::strcmp(fix->style, "contacthistory") == 0) {}
+
+int StoredHistories::width() const {
+  return listed_ ? static_cast<FixContactHistory*>(fix_)->get_dnum()
+                 : static_cast<FixPropertyAtom*>(fix_)->get_nvalues();
+}
+
+std::vector<double> StoredHistories::of(int i) const {
+  std::vector<double> values;
+  if (!listed_) {
+    values.resize(width());
+    fix_->pack_exchange(i, values.data());
+    return values;
+  }
+  FixContactHistory* const list = static_cast<FixContactHistory*>(fix_);
+  values.push_back(list->n_partner(i));
+  for (int k = 0; k < list->n_partner(i); ++k) {
+    values.push_back(list->partner(i, k));
+    const double* const history = list->contacthistory(i, k);
+    values.insert(values.end(), history, history + width());
+  }
+  return values;
+}
+
+void StoredHistories::set(int i, const double* values, int count, const NewNumbers& numbers) {
+  std::vector<double> packed(values, values + count);
+  if (listed_) {
+    const int stride = 1 + width();
+    int partners = 0;
+    packed.resize(1);
+    for (const double* contact = values + 1; contact < values + count; contact += stride) {
+      const int before = static_cast<int>(*contact);
+      const int partner = of_pairs_ ? numbers.of(before) : before;
+      if (of_pairs_ && !partner) continue;
+      packed.push_back(as_double(partner));
+      packed.insert(packed.end(), contact + 1, contact + stride);
+      ++partners;
+    }
+    packed[0] = as_double(partners);
+  }
+  fix_->unpack_exchange(i, packed.data());
+}
+
+void StoredHistories::forget(int i) {
+  std::vector<double> nothing(listed_ ? 1 : width(), 0);
+  fix_->unpack_exchange(i, nothing.data());
+}
+
+bool StoredHistories::remembers(const double* values, int count) {
+  return std::any_of(values, values + count, [](double value) { return value != 0; });
+}
+
+// A sum that does not depend on the order of triangles, which ranks share out.
+unsigned long mesh_position(LAMMPS_NS::LAMMPS* engine, const LAMMPS_NS::Fix* histories) {
+  const std::size_t prefix = sizeof mesh_histories - 1;
+  if (std::strncmp(histories->id, mesh_histories, prefix) != 0) return 0;
+  LAMMPS_NS::Fix* const fix = engine->modify->find_fix_id(histories->id + prefix);
+  if (!fix) return 0;
+  LAMMPS_NS::TriMesh* const mesh = static_cast<LAMMPS_NS::FixMeshSurface*>(fix)->triMesh();
+  std::uint64_t sum = 0;
+  const bool shared_out = mesh->isParallel();  // before, each rank has them all
+  for (int triangle = 0; triangle < mesh->sizeLocal(); ++triangle) {
+    if (!shared_out && engine->comm->me != 0) break;
+    std::uint64_t mixed = mesh->id(triangle) + 1;
+    for (int node = 0; node < 3; ++node) {
+      double x[3];
+      mesh->node(triangle, node, x);
+      for (const double coordinate : x) {
+        std::uint64_t bits;
+        std::memcpy(&bits, &coordinate, sizeof bits);
+        mixed = (mixed ^ bits) * 1099511628211u;  // the step of the FNV-1a hash
+        mixed ^= mixed >> 32;
+      }
+    }
+    sum += mixed;
+  }
+  MPI_Allreduce(MPI_IN_PLACE, &sum, 1, MPI_UINT64_T, MPI_SUM, engine->world);
+  return sum;
+}
+
+}  // namespace plastigran

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+//
+// The engine's fixes that store what contacts remember, by particle: those of pairs and of meshes
+// have a list of partners with values for each, those of primitive walls the values of one contact.
+#pragma once
+
+#include <vector>
+
+#include "fix.h"
+#include "liggghts/fixes/particle_numbers.h"
+
+namespace LAMMPS_NS {
+class LAMMPS;
+}
+
+namespace plastigran {
+
+class StoredHistories {
+ public:
+  explicit StoredHistories(LAMMPS_NS::Fix* fix);
+
+  // Pairs: takes the histories from the neighbour lists. All: makes what follows possible.
+  void update() {
+    if (listed_) fix_->setup_pre_exchange();
+  }
+
+  int width() const;  // values of a contact
+
+  // The values of a particle, with the number of its contacts first, if any.
+  std::vector<double> of(int i) const;
+
+  // The same for particles numbered anew; a contact whose partner is gone is left out.
+  void set(int i, const double* values, int count, const NewNumbers& numbers);
+
+  void forget(int i);
+
+  // Whether what of() returned holds a memory.
+  static bool remembers(const double* values, int count);
+
+ private:
+  LAMMPS_NS::Fix* fix_;
+  bool listed_, of_pairs_;
+};
+
+// A number for where the triangles of that mesh are; 0 when the fix is no mesh's. All ranks.
+unsigned long mesh_position(LAMMPS_NS::LAMMPS* engine, const LAMMPS_NS::Fix* histories);
+
+}  // namespace plastigran

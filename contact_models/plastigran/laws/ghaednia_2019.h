@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+//
+// Ghaednia, Brake, Berryhill & Jackson 2019 (J. Tribol. 141:031402): flattening of a sphere with
+// linear hardening by a rigid plane, fitted to finite elements. Between Jackson & Green's law
+// (laws/jackson_green.h: C, x, f_p, a_p here), to which it comes back without hardening, and Hertz:
+//
+//   f = f_p + (x^1.5 - f_p) (1 - exp(-3.3 E_t/E))             x > 1.9; Hertz before
+//   a = a_e + (a_p - a_e) e^Y,   a_e^2 = R overlap
+//   Y = -2 sqrt(E/sigma_Y) (E_t/E)^(1 - (overlap - overlap_c)/R)
+//       / ((4 - 3 exp(-2 sqrt(E/sigma_Y) E_t/E)) (1 - E_t/E)),  0 without hardening
+//
+// with H in f_p at the a of this law. The print's equation for Y reads otherwise; this form is the
+// one in use. Beyond overlap = overlap_c + R its power of E_t/E is kept at 0.
+//
+// R and E' are the fitted sphere's: fitted_sphere.h says which that is for two bodies.
+//
+//   overlap_max - overlap_res = overlap_c f/x^0.5, n = 3/2    option unloading brake_2015 (default)
+//   overlap_res = overlap_max (1 - x^-0.28)(1 - x^-0.69), n = 1.5 x^-0.0331           etsion_2005
+//
+// The force jumps by up to +0.5 % at 1.9. Range: a/R <= 0.41 without hardening, as Jackson & Green.
+#pragma once
+
+#include "plastigran/laws/jackson_green.h"
+#include "plastigran/shared/power_unloading.h"
+
+namespace plastigran {
+
+struct Ghaednia2019Curve : JacksonGreenCurve {
+  static constexpr const char* name = "ghaednia_2019";
+  static constexpr const char* source =
+      "Ghaednia, Brake, Berryhill & Jackson 2019, J. Tribol. 141:031402";
+  static constexpr const char* range = "a/R <= 0.41, flattening; linear hardening";
+  static constexpr bool hardens = true;
+  enum Unloading { brake_2015, etsion_2005 };
+  struct Parameters {
+    int unloading = brake_2015;
+  };
+  static constexpr std::array<Option<Parameters>, 1> options{{
+      {"unloading",
+       &Parameters::unloading,
+       {"brake_2015", "etsion_2005", nullptr},
+       "whose residual overlap and power of the rebound"},
+  }};
+
+  int unloading;
+  double hardening;      // E_t/E
+  double elastic_share;  // of Hertz in the force
+  double decay;          // Y over the power of E_t/E
+
+  Ghaednia2019Curve(const MaterialPair& pair, const Parameters& constants)
+      : JacksonGreenCurve(pair, {}),
+        unloading(constants.unloading),
+        hardening(pair.tangent_modulus / pair.youngs_modulus),
+        elastic_share(-std::expm1(-3.3 * hardening)) {
+    const double stiffness = 2 * std::sqrt(pair.youngs_modulus / pair.yield_strength);
+    decay = -stiffness / ((4 - 3 * std::exp(-stiffness * hardening)) * (1 - hardening));
+  }
+
+  double contact_radius(double x) const {
+    const double plastic = JacksonGreenCurve::contact_radius(x);
+    if (hardening == 0) return plastic;
+    const double elastic = std::sqrt(x);
+    const double left = std::max(0.0, 1 - (x - 1) * yield_radius * yield_radius);
+    return elastic + (plastic - elastic) * std::exp(decay * std::pow(hardening, left));
+  }
+  double force(double x) const {
+    const double plastic = JacksonGreenCurve::force(x, contact_radius(x));
+    return plastic + (x * std::sqrt(x) - plastic) * elastic_share;
+  }
+  double recovery(double x) const {
+    if (unloading == brake_2015) return std::min(x, force(x) / std::sqrt(x));
+    return x * (1 - (1 - std::pow(x, -0.28)) * (1 - std::pow(x, -0.69)));
+  }
+  double exponent(double x) const {
+    return unloading == brake_2015 ? 1.5 : 1.5 * std::pow(x, -0.0331);
+  }
+};
+
+using Ghaednia2019 = PowerUnloading<Ghaednia2019Curve>;
+
+}  // namespace plastigran

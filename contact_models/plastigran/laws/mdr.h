@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+//
+// Zunker & Kamrin 2024 (J. Mech. Phys. Solids 183:105492), method of dimensionality reduction for
+// one contact without adhesion: a sphere on a rigid flat is mapped to an elliptical indenter that
+// sinks into a bed of springs. Equations as in LAMMPS' `normal mdr`; those of several contacts on
+// one body (bulk response, growth of the radius) are no part of it.
+//
+// For a sphere of modulus E' and radius R, in xi = overlap/R and y, the indenter's depth over half
+// its height:
+//
+//   h(y) = 2/pi (acos(1-y) - (1-y) sqrt(2y - y^2)),   p(xi) = sigma_Y (1.75 exp(-4.4 xi) + 1)
+//   F = pi E' R^2 h(y),  a = R sqrt(2y - y^2),  y = xi/2      while 4 E' sqrt(xi)/(3 pi) <= p(xi)
+//   beyond that xi_Y, for the largest xi:
+//   a_max^2 = R^2 (2 xi - xi^2 + xi_Y^2 - xi_Y),   F_max = pi a_max^2 p(xi)
+//   F = F_max h(y),  a = a_max sqrt(2y - y^2),  y = 1 - (overlap_max - overlap)/recovery
+//   recovery = A/2 (1 - a_max/s (1 - (1-2 nu) z/(2 (1-nu) (s+z)))),
+//   A/2 = 2 p a_max/E',  z = R - overlap_max + A/2,  s^2 = a_max^2 + z^2
+//
+// Below y = 1 the elliptical indenter, beyond (overlaps of 2 R that never yielded) a flat punch.
+// Two bodies are read as one sphere on a rigid flat (shared/fitted_sphere.h), which is what LAMMPS
+// does with equal ones.
+//
+// Just beyond yield what unloading gives back grows faster than what loading puts in: there the
+// energy guard (default on) keeps the work lost. Beyond an overlap of 0.7 R, where the source's
+// rebound shrinks to nothing, the contact no longer grows. Range: a contact that no other one on
+// the same body disturbs.
+#pragma once
+
+#include "plastigran/shared/contact.h"
+#include "plastigran/shared/fitted_sphere.h"
+#include "plastigran/shared/numerics.h"
+
+namespace plastigran {
+
+class Mdr {
+ public:
+  static constexpr const char* name = "mdr";
+  static constexpr const char* source = "Zunker & Kamrin 2024, J. Mech. Phys. Solids 183:105492";
+  static constexpr const char* range = "overlap <= 0.1 R, contacts apart from each other";
+  static constexpr std::array<const char*, 3> state_names{"overlap_max", "force_max", "recovery"};
+  struct State {
+    double overlap_max = 0;  // largest overlap beyond yield [m]; 0 while elastic
+    double force_max = 0;    // force there [N]
+    double recovery = 0;     // overlap_max - overlap_res [m]
+  };
+  struct Parameters {
+    int energy_guard = 1;
+  };
+  static constexpr std::array<Option<Parameters>, 1> options{
+      {energy_guard_option<Parameters>(&Parameters::energy_guard)}};
+
+  Mdr(const MaterialPair& pair, const Parameters& constants)
+      : sphere_(pair, of_yielding_body),
+        strength_(pair.yield_strength / sphere_.modulus),
+        correction_((1 - 2 * pair.poissons_ratio) / (2 * (1 - pair.poissons_ratio))) {
+    // The Hertzian mean pressure rises with the overlap, the pressure of yield falls.
+    const auto yielded = [this](double depth) {
+      return 4 * std::sqrt(depth) > 3 * pi * pressure(depth);
+    };
+    if (!yielded(largest)) return;
+    double low = 0, high = largest;
+    for (int i = 0; i < 100; ++i) {
+      const double middle = 0.5 * (low + high);
+      (yielded(middle) ? high : low) = middle;
+    }
+    yield_ = high;
+    if (constants.energy_guard == 1) find_guarded();
+  }
+
+  Response respond(double radius_eff, double overlap, State& state) const {
+    const double radius = radius_eff * sphere_.radius_ratio;
+    const double per_overlap = 1 / (radius * sphere_.radius_ratio);  // depth over overlap
+    const double force_unit = pi * sphere_.modulus * radius * radius;
+    if (state.overlap_max == 0 && overlap * per_overlap <= yield_) {
+      if (!(overlap > 0)) return {};
+      const double y = 0.5 * overlap * per_overlap;
+      return {force_unit * share(y), radius * chord(y), force_unit / per_overlap * 2 * stored(y), 0,
+              0};
+    }
+    if (overlap > state.overlap_max) {
+      const double depth = overlap * per_overlap;
+      state = {overlap, force_unit * force(depth), guarded_recovery(depth) / per_overlap};
+    }
+    const double y = 1 - (state.overlap_max - overlap) / state.recovery;
+    const double depth_max = state.overlap_max * per_overlap;
+    Response response;
+    if (y > 0 && overlap > 0) {
+      response.force = state.force_max * share(y);
+      response.contact_radius = radius * std::sqrt(area(depth_max)) * chord(y);
+      response.elastic_energy = state.force_max * state.recovery * stored(y);
+    }
+    response.plastic_work = force_unit / per_overlap * virgin_work(depth_max) -
+                            state.force_max * state.recovery * stored(1);
+    return response;
+  }
+
+  double overlap_range() const { return sphere_.overlap_range(0.1); }
+
+ private:
+  static constexpr double largest = 0.7;  // overlap over R up to which the contact grows
+
+  // Share h(y) of the force at half the height. Where the closed form cancels, the series of the
+  // integral of 4/pi sqrt(2y) sqrt(1 - y/2); beyond y = 1 a flat punch.
+  static double share(double y) {
+    if (y < series_end) return y * std::sqrt(y) * series(y, 0);
+    if (y > 1) return 1 + 4 / pi * (y - 1);
+    return 2 / pi * (std::acos(1 - y) - (1 - y) * chord(y));
+  }
+
+  // Integral of the share from 0.
+  static double stored(double y) {
+    if (y < series_end) return y * y * std::sqrt(y) * series(y, 1);
+    if (y > 1) return stored(1) + (y - 1) + 2 / pi * (y - 1) * (y - 1);
+    const double root = chord(y);
+    return 2 / pi * (root - (1 - y) * std::acos(1 - y) - root * root * root / 3);
+  }
+
+  // Contact radius over the largest.
+  static double chord(double y) { return y < 1 ? std::sqrt(y * (2 - y)) : 1; }
+
+  // 4 sqrt(2)/pi times the sum of (1/2 over k) (-y/2)^k/(k + 3/2), each over (k + 5/2) once more
+  // when integrated. 16 terms leave 1e-17 below y = 1/4.
+  static constexpr double series_end = 0.25;
+  static constexpr std::array<std::array<double, 16>, 2> coefficients = [] {
+    std::array<std::array<double, 16>, 2> all{};
+    double term = 4 * 1.4142135623730951 / pi;
+    for (int k = 0; k < 16; ++k) {
+      all[0][k] = term / (k + 1.5);
+      all[1][k] = all[0][k] / (k + 2.5);
+      term *= 0.5 * (k - 0.5) / (k + 1);
+    }
+    return all;
+  }();
+  static double series(double y, int integrals) {
+    double sum = 0;
+    for (int k = 15; k >= 0; --k) sum = sum * y + coefficients[integrals][k];
+    return sum;
+  }
+
+  // p/E' at an overlap over R.
+  double pressure(double depth) const {
+    return strength_ * (1.75 * std::exp(-4.4 * std::min(depth, largest)) + 1);
+  }
+
+  // (a_max/R)^2.
+  double area(double depth) const {
+    const double held = std::min(depth, largest);
+    return held * (2 - held) - yield_ * (1 - yield_);
+  }
+
+  // F/(pi E' R^2) on the virgin curve beyond yield.
+  double force(double depth) const { return area(depth) * pressure(depth); }
+
+  // (overlap_max - overlap_res)/R after loading beyond yield.
+  double recovery(double depth) const {
+    const double radius = std::sqrt(area(depth)), half_height = 2 * pressure(depth) * radius;
+    const double z = 1 - std::min(depth, largest) + half_height, slant = std::hypot(radius, z);
+    return half_height * (1 - radius / slant * (1 - correction_ * z / (slant + z)));
+  }
+
+  // Work of the virgin curve over pi E' R^3. Beyond yield the integrand is a polynomial times an
+  // exponential, which one panel takes to rounding.
+  double virgin_work(double depth) const {
+    if (depth <= yield_) return 2 * stored(0.5 * depth);
+    const double grown = std::min(depth, largest);
+    return 2 * stored(0.5 * yield_) +
+           gauss_legendre([this](double at) { return force(at); }, yield_, grown) +
+           (depth - grown) * force(largest);
+  }
+
+  double published_plastic_work(double depth) const {
+    return virgin_work(depth) - force(depth) * recovery(depth) * stored(1);
+  }
+
+  double guarded_recovery(double depth) const {
+    const double published = recovery(depth);
+    if (depth >= guarded_end_) return published;
+    return std::min(published, (virgin_work(depth) - guarded_work_) / (force(depth) * stored(1)));
+  }
+
+  // Upwards from yield, the work lost first falls; the guard ends where it is made good.
+  void find_guarded() {
+    guarded_work_ = published_plastic_work(yield_);
+    const auto made_good = [this](double depth) {
+      return published_plastic_work(depth) >= guarded_work_;
+    };
+    double low = yield_, high = 1.01 * yield_;
+    if (made_good(high)) return;
+    while (!made_good(high) && high < largest) low = high, high *= 1.01;
+    for (int i = 0; i < 60; ++i) {
+      const double middle = 0.5 * (low + high);
+      (made_good(middle) ? high : low) = middle;
+    }
+    guarded_end_ = high;
+  }
+
+  FittedSphere sphere_;
+  double strength_;           // sigma_Y/E'
+  double correction_;         // (1 - 2 nu)/(2 (1 - nu))
+  double yield_ = unlimited;  // overlap over R at yield
+  double guarded_work_ = 0;   // plastic work below guarded_end_, over pi E' R^3
+  double guarded_end_ = 0;    // overlap over R up to which the energy guard acts
+};
+
+}  // namespace plastigran

@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+//
+// A law of this project: Hertz to yield, then closed forms from yield through the fully plastic
+// regime, with linear hardening, fitted once to finite elements of spheres on a rigid plane and to
+// nothing else (docs/laws/universal.md). In t = (overlap/overlap_Y)^(1/2), s = t - 1, with
+// F_Y = 4/3 E* a_Y^3/R*, overlap_Y = a_Y^2/R*, a_Y = pi p_y R*/(2 E*):
+//
+//   q = (q_1 + s)/(q_1 + w s) + q_2 h s/(1 + q_3 s)       strength, over that at yield
+//   S = <t/q - 1>
+//   F = F_Y t^3/(1 + f_1 S^2 (S + f_2)/((S + f_3)(S + f_4)) (1 + f_5 Z)),  Z = (r S)^2/(1 + r S)
+//   a = a_Y t (1 + c_1 S^2/((1 + c_4 h) S^2 + c_2 S + c_3))^(1/2) (1 + c_5 Z)
+//   overlap_max - overlap_res = (1 - D) 3 F/(4 E* a),   D = d_1 S^2/(S^2 + d_2 S + d_3)
+//
+//   F = F_max y^(3/2) (1 + g)/(1 + g y^(1/2)),  g = g_1 D,       unloading and reloading
+//   y = (overlap - overlap_res)/(overlap_max - overlap_res)
+//
+// w is p_y/sigma_Y over that at nu = 0.3: far from yield only sigma_Y matters.
+// h = (p_y/sigma_Y) H/E', H the plastic modulus; r = a_Y/R. E' and R are those of the fitted
+// sphere, see fitted_sphere.h. Where a hard sphere dents a flat, the body that yields has no
+// radius: option yielding_body flat, r = 0. The contact radius falls as dF/d(overlap) does.
+//
+//   F |            /           virgin curve: force and slope go on from Hertz'
+//     |          //            unloading and reloading on one curve back to F_max,
+//     |       _/ /             then along the virgin curve again
+//     |    _/   |
+//     |__/_____/_____ overlap
+//          overlap_res
+//
+// Why e <= 1: beyond yield F/t^3 falls, and so does the energy given back over F^2/a, and a/t
+// grows. With all three constant, as Hertz has them, the energy given back grows as the work done.
+#pragma once
+
+#include <algorithm>
+
+#include "plastigran/shared/contact.h"
+#include "plastigran/shared/fitted_sphere.h"
+#include "plastigran/shared/hertz_contact.h"
+
+namespace plastigran {
+
+class Universal {
+ public:
+  static constexpr const char* name = "universal";
+  static constexpr const char* source = "finite elements of Plastigran, docs/laws/universal.md";
+  static constexpr const char* range = "a/R <= 0.1, hardening to E/20";
+  static constexpr bool hardens = true;
+  enum YieldingBody { sphere, flat };
+  struct Parameters {
+    int yielding_body = sphere;
+  };
+  static constexpr std::array<Option<Parameters>, 1> options{{
+      {"yielding_body",
+       &Parameters::yielding_body,
+       {"sphere", "flat", nullptr},
+       "what flattens or is dented; a flat's wide contact is as a narrow one"},
+  }};
+  struct State {
+    double overlap_max = 0;         // largest overlap beyond yield [m]; 0 while elastic
+    double force_max = 0;           // force there [N]
+    double contact_radius_max = 0;  // contact radius there [m]
+    double recovery = 0;            // overlap_max - overlap_res [m]
+  };
+  static constexpr std::array<const char*, 4> state_names{"overlap_max", "force_max",
+                                                          "contact_radius_max", "recovery"};
+
+  Universal(const MaterialPair& pair, const Parameters& constants)
+      : modulus_(4.0 / 3.0 * pair.youngs_modulus_eff),
+        yield_radius_ratio_(yield_radius_ratio(pair)) {
+    const FittedSphere fitted(pair, of_yielding_body);
+    const double pressure_factor = pair.yield_pressure / pair.yield_strength;
+    yield_radius_ = pi * pair.yield_pressure / (2 * fitted.modulus);
+    widening_radius_ = constants.yielding_body == flat ? 0 : yield_radius_;
+    onset_ = pressure_factor / hertz_yield_pressure_factor(0.3);
+    const double plastic_modulus =
+        pair.tangent_modulus * pair.youngs_modulus / (pair.youngs_modulus - pair.tangent_modulus);
+    hardening_ = pressure_factor * plastic_modulus / fitted.modulus;
+  }
+
+  Response respond(double radius_eff, double overlap, State& state) const {
+    const double overlap_y = radius_eff * yield_radius_ratio_ * yield_radius_ratio_;
+    if (state.overlap_max == 0 && overlap <= overlap_y) {
+      if (!(overlap > 0)) return {};
+      return hertz_response(modulus_, radius_eff, overlap);
+    }
+    const double radius_y = radius_eff * yield_radius_ratio_;
+    const double force_y = modulus_ * radius_y * overlap_y;
+    if (overlap > state.overlap_max) {
+      const double t = std::sqrt(overlap / overlap_y), S = depth(t);
+      const double f = force(t, S), a = contact_radius(t, S);
+      state = {overlap, force_y * f, radius_y * a, overlap_y * (1 - lacking(S)) * f / a};
+    }
+    const double g = departure(state);
+    double root = 1;  // y^(1/2)
+    if (overlap < state.overlap_max) {
+      const double y = 1 - (state.overlap_max - overlap) / state.recovery;
+      root = y > 0 && overlap > 0 ? std::sqrt(y) : 0;
+    }
+    const double fall = (1 + g) / (1 + g * root);
+    Response response;
+    response.force = state.force_max * root * root * root * fall;
+    response.contact_radius =
+        state.contact_radius_max * root * fall * fall * ((3 + 2 * g * root) / (3 + 2 * g));
+    response.elastic_energy = state.force_max * state.recovery * work(g, root);
+    response.plastic_work =
+        force_y * overlap_y * virgin_work(std::sqrt(state.overlap_max / overlap_y)) -
+        state.force_max * state.recovery * work(g, 1);
+    return response;
+  }
+
+  // Where a/R is 0.1, to which the finite elements go, over R*.
+  double overlap_range() const {
+    double left = 0, right = 0.1 / yield_radius_;  // of t; a is Hertz' or wider
+    for (int i = 0; i < 60; ++i) {
+      const double middle = 0.5 * (left + right);
+      const double radius =
+          yield_radius_ * (middle > 1 ? contact_radius(middle, depth(middle)) : middle);
+      (radius < 0.1 ? left : right) = middle;
+    }
+    return left * left * yield_radius_ratio_ * yield_radius_ratio_;
+  }
+
+ private:
+  // As `python -m plastigran.validation.spheres.fit` prints them.
+  static constexpr double q_1 = 6.791;
+  static constexpr double q_2 = 0.3561;
+  static constexpr double q_3 = 0.01798;
+  static constexpr double f_1 = 0.1253;
+  static constexpr double f_2 = 11.91;
+  static constexpr double f_3 = 8.355;
+  static constexpr double f_4 = 1.114;
+  static constexpr double f_5 = 3.802;
+  static constexpr double c_1 = 1.248;
+  static constexpr double c_2 = 5.11;
+  static constexpr double c_3 = 4.411;
+  static constexpr double c_4 = 3.473;
+  static constexpr double c_5 = 7.842;
+  static constexpr double d_1 = 0.1902;
+  static constexpr double d_2 = 0.6156;
+  static constexpr double d_3 = 0.359;
+  static constexpr double g_1 = 3.642;
+
+  // S at t >= 1.
+  double depth(double t) const {
+    const double s = t - 1;
+    const double strength = (q_1 + s) / (q_1 + onset_ * s) + q_2 * hardening_ * s / (1 + q_3 * s);
+    return std::max(0.0, t / strength - 1);
+  }
+  // Z, of a contact that is wide for its sphere.
+  double wide(double S) const {
+    const double a = widening_radius_ * S;
+    return a * a / (1 + a);
+  }
+  // F/F_Y.
+  double force(double t, double S) const {
+    const double softening = f_1 * S * S * (S + f_2) / ((S + f_3) * (S + f_4));
+    return t * t * t / (1 + softening * (1 + f_5 * wide(S)));
+  }
+  // a/a_Y.
+  double contact_radius(double t, double S) const {
+    const double widening = c_1 * S * S / ((1 + c_4 * hardening_) * S * S + c_2 * S + c_3);
+    return t * std::sqrt(1 + widening) * (1 + c_5 * wide(S));
+  }
+  // D.
+  static double lacking(double S) { return d_1 * S * S / (S * S + d_2 * S + d_3); }
+
+  // g, how far unloading departs from Hertz' curve: 1 - D is the recovery that a contact keeps,
+  // over that of Hertz' contact of its force and radius.
+  double departure(const State& state) const {
+    return g_1 * (1 - modulus_ * state.contact_radius_max * state.recovery / state.force_max);
+  }
+
+  // Work of the unloading from y = 0, over F_max (overlap_max - overlap_res).
+  static double work(double g, double root) {
+    return gauss_legendre([g](double z) { return 2 * z * z * z * z * (1 + g) / (1 + g * z); }, 0,
+                          root);
+  }
+
+  // Work of the virgin curve up to t, over F_Y overlap_Y: on panels that double in length, for the
+  // integrand's poles are some panel lengths away. Without a root in it the compiler can drop it.
+  double virgin_work(double t) const {
+    double sum = 0.4;
+    for (double left = 1; left < t; left *= 2)
+      sum += gauss_legendre([this](double at) { return 2 * at * force(at, depth(at)); }, left,
+                            std::min(2 * left, t));
+    return sum;
+  }
+
+  double modulus_;             // 4/3 E*
+  double yield_radius_ratio_;  // a_Y/R*
+  double yield_radius_;        // a_Y/R of the fitted sphere
+  double widening_radius_;     // r
+  double onset_;               // w
+  double hardening_;           // h
+};
+
+}  // namespace plastigran

@@ -1,0 +1,196 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""From one measurement of a metal to its constants, a law and lines of a deck."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+
+import attrs
+
+from plastigran import laws
+from plastigran.calibration import strength
+from plastigran.calibration.drop_test import DropTest, read_drop_test
+from plastigran.calibration.expected_errors import (
+    DEFAULT_LAW,
+    USUAL_SPEEDS,
+    ExpectedError,
+    expected_error,
+)
+from plastigran.calibration.finite_elements import press_sphere
+from plastigran.calibration.hardness import Hardness, read_hardness
+from plastigran.calibration.metal import CalibratedMetal
+from plastigran.contact import Contact
+from plastigran.declared import Declaration, read_number
+from plastigran.materials import RIGID, Material
+
+RADIUS = 1e-2  # of a sphere on a rigid plane [m]; restitution does not depend on it
+UNITS = {
+    "youngs_modulus": (Declaration("", "Pa", 1e3, 2e12), "is it in GPa?"),
+    "density": (Declaration("", "kg/m^3", 10, 3e4), "is it in g/cm^3?"),
+}
+
+
+def calibrate(
+    *,
+    youngs_modulus: float,
+    poissons_ratio: float,
+    density: float = 2700.0,
+    yield_strength: float | None = None,
+    hardness: Hardness | float | str | None = None,
+    leeb: float | str | None = None,
+    drops: DropTest | str | Path | None = None,
+    plastic_modulus: float = 0.0,
+    rate_coefficient: float | None = None,
+    scatter: float | None = None,
+    law: str = DEFAULT_LAW,
+    speeds: Sequence[float] | None = None,
+    force_ratio: float | None = None,
+    radius: float = 0.1,
+    strain: str = "small",
+    name: str = "metal",
+    progress: bool = False,
+) -> CalibratedMetal:
+    """Constants of a metal from one of yield strength, hardness, rebound hardness and drops.
+
+    Args:
+        youngs_modulus: E [Pa].
+        poissons_ratio: nu [-].
+        density: [kg/m^3].
+        yield_strength: sigma_Y [Pa], where it is known.
+        hardness: HV, or a text such as "45HRC" or "200HB".
+        leeb: Reading of a rebound tester: HLD, or a text such as "750HLG".
+        drops: A drop test, or a file of one whose ball is the metal and whose plate is rigid.
+        plastic_modulus: H, stress over plastic strain [Pa]; 0 for perfectly plastic.
+        rate_coefficient: Share of the strength that a factor e in rate of strain adds [-]; the
+            strength is then that at 1/s. None for that of steel where a steel's hardness or rebound
+            hardness is given, for these are at rates far apart; else for 0.
+        scatter: Standard deviation of one measured restitution [share]; None for 0.02 of drops and
+            what conversions of rebound hardness have.
+        law: Name of the law.
+        speeds: Least and largest speed of what is to be computed [m/s], of a sphere of the metal on
+            a rigid plane; None for those of the measurement, else to 300 times the yield speed.
+        force_ratio: Fit the constants of `vu_quoc_zhang` to finite elements up to this force over
+            that at yield; None for no finite elements.
+        radius: Of the sphere of the finite elements [m].
+        strain: Of the finite elements, small or finite.
+        name: Of the metal.
+        progress: Show a bar for the finite elements.
+
+    Raises:
+        ValueError: Not exactly one measurement is given; or a value is out of range, or looks as in
+            other units, or says nothing of the strength. The message names it and the range.
+        OSError: A file cannot be read.
+
+    Warns:
+        UserWarning: Measurements scatter about the law more than stated.
+        SmallStrainWarning: As of `press_sphere`.
+
+    Sources: see `hardness`, `physics.rebound_hardness` and `inversion` for each route.
+    """
+    measured = {
+        "yield_strength": yield_strength, "hardness": hardness, "leeb": leeb, "drops": drops,
+    }  # fmt: skip
+    chosen = [key for key, value in measured.items() if value is not None]
+    if len(chosen) != 1:
+        said = " and ".join(chosen) or "none"
+        raise ValueError(f"{said} of {', '.join(measured)} is given; it must be exactly one")
+    _check_units(youngs_modulus=youngs_modulus, density=density)
+    strength.check_law(law)
+    read_number("plastic_modulus", plastic_modulus, Declaration("", "Pa", 0, closed=True))
+    if scatter is not None:
+        read_number("scatter", scatter, Declaration("", "-", 0, 0.5))
+    if rate_coefficient is None:
+        steel = strength.STEEL.allows(youngs_modulus) and chosen[0] in ("hardness", "leeb")
+        rate_coefficient = strength.STEEL_RATE_COEFFICIENT if steel else 0.0
+    metal = Material(
+        name,
+        youngs_modulus,
+        poissons_ratio,
+        density,
+        yield_strength=youngs_modulus,
+        tangent_modulus=youngs_modulus * plastic_modulus / (youngs_modulus + plastic_modulus),
+        rate_coefficient=rate_coefficient,
+    )
+    if yield_strength is not None:
+        found = strength.given(
+            read_number("yield_strength", yield_strength, Declaration("", "Pa", 0))
+        )
+    elif hardness is not None:
+        found = strength.from_hardness(read_hardness(hardness), plastic_modulus, youngs_modulus)
+    elif leeb is not None:
+        found = strength.from_leeb(leeb, law, metal, scatter)
+    else:
+        drops = drops if isinstance(drops, DropTest) else DropTest(**read_drop_test(drops))
+        found = strength.from_drops(drops, law, metal, scatter)
+    _check_strength(found.value, youngs_modulus)
+    metal = attrs.evolve(metal, yield_strength=found.value)
+    contact = Contact(law, metal, RIGID, radius=RADIUS)
+    notes = list(found.notes)
+    if rate_coefficient:
+        notes.append(
+            f"the strength is that at a rate of strain of 1/s; it grows, C = {rate_coefficient:g}"
+        )
+    if plastic_modulus and not laws.LAWS[law].hardens:
+        notes.append(f"{law} does not know hardening: it takes the yield strength alone")
+    pressed = None
+    if force_ratio is not None:
+        pressed = press_sphere(
+            youngs_modulus, poissons_ratio, density, found.value, plastic_modulus, force_ratio,
+            radius, strain, progress,
+        )  # fmt: skip
+    return CalibratedMetal(
+        metal,
+        found.interval,
+        found.source,
+        law,
+        _error(contact, found, speeds, plastic_modulus > 0),
+        strength.yield_speed_of(contact),
+        tuple(notes),
+        drops if isinstance(drops, DropTest) else None,
+        pressed,
+    )
+
+
+def _error(
+    contact: Contact,
+    found: strength.Strength,
+    speeds: Sequence[float] | None,
+    hardening: bool,
+) -> ExpectedError:
+    """Of the law, over the speeds of use, else of the measurement, else the usual ones."""
+    ratio = found.speed_ratio or USUAL_SPEEDS
+    if speeds is not None:
+        said = Declaration("", "m/s", 0)
+        read = sorted(read_number("speeds", speed, said) for speed in speeds)
+        ratio = tuple(speed / strength.yield_speed_of(contact) for speed in (read[0], read[-1]))
+    elif found.contact is not None:
+        contact = found.contact
+    fastest = contact.impact(max(ratio[1], 1.0) * strength.yield_speed_of(contact))
+    widest = contact.law.follow(contact.radius_eff, [fastest.overlap_max])["contact_radius"][0]
+    return expected_error(contact.law.name, ratio, hardening, widest / contact.radius_eff)
+
+
+def _check_units(**values: float) -> None:
+    for name, value in values.items():
+        said, question = UNITS[name]
+        try:
+            read_number(name, value, said)
+        except ValueError as error:
+            raise ValueError(f"{error}; {question}") from None
+
+
+def _check_strength(value: float, youngs_modulus: float) -> None:
+    """Refuse a strength that no solid of that modulus has.
+
+    Raises:
+        ValueError: It is below 1e-6 of Young's modulus or above 0.3 of it.
+    """
+    least, largest = (
+        share * youngs_modulus for share in (strength.LEAST_RATIO, strength.LARGEST_RATIO)
+    )
+    if not least < value < largest:
+        raise ValueError(
+            f"yield_strength is {value:.4g} Pa; with youngs_modulus {youngs_modulus:.4g} Pa it "
+            f"must lie between {least:.3g} and {largest:.3g} Pa; are both in Pa, not MPa or GPa?"
+        )

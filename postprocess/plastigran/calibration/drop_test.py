@@ -1,0 +1,138 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Drop tests: restitution of a ball on a plate at one or more speeds, read from a table.
+
+The file has a line of column names, then one line a drop; columns are parted by commas, semicolons
+or blanks, and # begins a comment. How fast the ball comes is `speed` [m/s] or `drop_height` [m] of
+its lowest point over the plate; what comes back is `restitution` [-], `rebound_speed` [m/s] or
+`rebound_height` [m]. The air's drag is left out.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import attrs
+import numpy as np
+import pandas as pd
+from numpy.typing import ArrayLike
+
+from plastigran import laws
+from plastigran.contact import Contact
+from plastigran.declared import Declaration, read_number
+from plastigran.materials import RIGID, Material
+from plastigran.physics.rebound_hardness import GRAVITATIONAL_ACCELERATION, dented_flat
+
+IMPACT = {
+    "speed": Declaration("of the impact", "m/s", 1e-4, 1000),
+    "drop_height": Declaration("of the fall", "m", 1e-6, 100),
+}
+REBOUND = {
+    "restitution": Declaration("coefficient of restitution", "-", 0, 1.000001),  # 1 is allowed
+    "rebound_speed": Declaration("after the impact", "m/s", 0, 1000),
+    "rebound_height": Declaration("after the impact", "m", 0, 100),
+}
+BALL_RADIUS = 5e-3  # where none is given [m]
+SYNONYMS = {"coefficient_of_restitution": "restitution"}
+
+
+def _floats(values: ArrayLike) -> np.ndarray:
+    return np.array(values, dtype=float, ndmin=1)
+
+
+@attrs.frozen
+class DropTest:
+    """Drops of one ball on one plate. None stands for the metal that is asked about.
+
+    Attributes:
+        speed: Of each impact [m/s], (N,).
+        restitution: Of each [-], (N,).
+        ball: Its material.
+        plate: Its material, or `RIGID`.
+        radius: Of the ball [m]. Restitution depends on it only where the strength grows with the
+            rate of strain.
+
+    Raises:
+        ValueError: A speed or restitution is out of range, they are not as many, neither ball nor
+            plate is the metal, or there is no drop.
+    """
+
+    speed: np.ndarray = attrs.field(converter=_floats, eq=attrs.cmp_using(np.array_equal))
+    restitution: np.ndarray = attrs.field(converter=_floats, eq=attrs.cmp_using(np.array_equal))
+    ball: Material | None = None
+    plate: Material | laws.Body | None = RIGID
+    radius: float = BALL_RADIUS
+
+    def __attrs_post_init__(self) -> None:
+        for name, said in (("speed", IMPACT["speed"]), ("restitution", REBOUND["restitution"])):
+            for value in getattr(self, name):
+                read_number(name, value, said)
+        if self.speed.shape != self.restitution.shape:
+            raise ValueError(
+                f"there are {self.speed.size} speeds and {self.restitution.size} restitutions; "
+                "each drop has one of either"
+            )
+        if self.ball is not None and self.plate is not None:
+            raise ValueError(
+                f"ball is {self.ball.name} and the plate is given; one of them must be the metal"
+            )
+        if not len(self.speed):
+            raise ValueError("the drop test has no drop")
+
+    def contact(self, law: str, metal: Material) -> Contact:
+        """Ball and plate with a metal in the place that is asked about."""
+        ball, plate = self.ball or metal, self.plate or metal
+        dented = dented_flat(law) if self.ball else {}
+        return Contact(law, ball, plate, radius=self.radius, **dented)
+
+
+def read_drop_test(path: str | Path) -> pd.DataFrame:
+    """Speeds [m/s] and restitutions [-] of a file: columns `speed` and `restitution`, one row a
+    drop.
+
+    Raises:
+        ValueError: A column is missing, unknown or given twice over, or a value is no number or out
+            of range; the message names file, drop, value and range.
+        OSError: The file cannot be read.
+    """
+    path = Path(path)
+    try:
+        table = pd.read_csv(path, sep=r"\s*[,;]\s*|\s+", comment="#", engine="python")
+    except (UnicodeDecodeError, pd.errors.ParserError, pd.errors.EmptyDataError) as error:
+        raise ValueError(f"{path} is no table of drops: {error}") from None
+    table = table.rename(columns=SYNONYMS)
+    if unknown := [name for name in table if name not in IMPACT | REBOUND]:
+        raise ValueError(f"{path}: {unknown[0]!r} is no column of a drop test; {_columns()}")
+    came, back = (_one(path, table, choices) for choices in (IMPACT, REBOUND))
+    drops = [
+        _drop(f"{path}: {{}} of drop {row}", came, back, line[came], line[back])
+        for row, line in enumerate(table.to_dict("records"), start=1)
+    ]
+    return pd.DataFrame(drops, columns=["speed", "restitution"], dtype=float)
+
+
+def _columns() -> str:
+    return f"it has one of {', '.join(IMPACT)} and one of {', '.join(REBOUND)}"
+
+
+def _one(path: Path, table: pd.DataFrame, choices: dict[str, Declaration]) -> str:
+    given = [name for name in choices if name in table]
+    if len(given) != 1:
+        said = " and ".join(given) if given else f"none of {', '.join(choices)}"
+        raise ValueError(f"{path} has {said}; {_columns()}")
+    return given[0]
+
+
+def _drop(place: str, came: str, back: str, impact: object, rebound: object) -> tuple[float, float]:
+    speed = read_number(place.format(came), impact, IMPACT[came])
+    returned = read_number(place.format(back), rebound, REBOUND[back])
+    if came == "drop_height":
+        speed = _fall(speed)
+    if back == "restitution":
+        return speed, returned
+    restitution = (_fall(returned) if back == "rebound_height" else returned) / speed
+    return speed, read_number(place.format("restitution"), restitution, REBOUND["restitution"])
+
+
+def _fall(height: float) -> float:
+    """Speed after a fall [m/s]."""
+    return float(np.sqrt(2 * GRAVITATIONAL_ACCELERATION * height))

@@ -1,0 +1,86 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""How far a law is off, by what `plastigran validate` found against finite elements of spheres."""
+
+from __future__ import annotations
+
+from functools import cache
+from importlib.resources import files
+
+import attrs
+import pandas as pd
+
+#: The law that is taken unless another is named.
+DEFAULT_LAW = "universal"
+#: Contact radius over radius from which a contact is wide.
+WIDE = 0.05
+#: Speeds over the yield speed where none is named.
+USUAL_SPEEDS = (1.0, 300.0)
+
+
+@attrs.frozen
+class ExpectedError:
+    """Errors of a law against finite elements in a regime [share]; None where nothing is known.
+
+    Attributes:
+        kind: Of contacts: perfectly plastic or hardening; wide where they become so.
+        speed_ratio: Least and largest speed over the yield speed.
+        restitution, restitution_largest: Root of the mean square and largest size of the error in
+            the coefficient of restitution.
+        force, force_largest: The same of the largest force.
+    """
+
+    kind: str
+    speed_ratio: tuple[float, float]
+    restitution: float | None = None
+    restitution_largest: float | None = None
+    force: float | None = None
+    force_largest: float | None = None
+
+    def __str__(self) -> str:
+        regime = f"{self.kind}, v/v_Y {self.speed_ratio[0]:.3g} to {self.speed_ratio[1]:.3g}"
+        if self.restitution is None:
+            return f"not known ({regime})"
+        return (
+            f"restitution {self.restitution:.1%} rms, {self.restitution_largest:.1%} at most; "
+            f"largest force {self.force:.1%} rms, {self.force_largest:.1%} at most ({regime})"
+        )
+
+
+@cache
+def errors_table() -> pd.DataFrame:
+    """Errors by law, kind of contact and regime of speed, as `plastigran validate` writes them."""
+    with (files("plastigran") / "data" / "errors.csv").open() as file:
+        return pd.read_csv(file, comment="#")
+
+
+def expected_error(
+    law: str, speed_ratio: tuple[float, float], hardening: bool, contact_radius_ratio: float
+) -> ExpectedError:
+    """Errors of a law over a range of speeds: the largest of the regimes that it touches.
+
+    Args:
+        law: Name of the law.
+        speed_ratio: Least and largest speed over the yield speed [-].
+        hardening: Whether the metal hardens.
+        contact_radius_ratio: Contact radius over radius at the largest speed [-].
+    """
+    kinds = ["hardening" if hardening else "perfectly plastic"]
+    kinds += ["wide"] if contact_radius_ratio >= WIDE else []
+    kind = ", ".join(kinds)
+    least, largest = max(speed_ratio[0], 1.0), max(speed_ratio[1], 1.0)
+    table = errors_table()
+    rows = table[
+        (table["law"] == law)
+        & table["kind"].isin(kinds)
+        & (table["speed_ratio_from"] <= largest)
+        & (table["speed_ratio_to"] > least)
+    ]
+    known = not rows.empty and rows["speed_ratio_to"].max() >= largest
+    if not known:
+        return ExpectedError(kind, speed_ratio)
+    by = {name: part for name, part in rows.groupby("quantity")}
+    restitution, force = by["coefficient_of_restitution"], by["force_max"]
+    worst = [
+        float(part[column].max()) for part in (restitution, force) for column in ("rms", "max")
+    ]
+    return ExpectedError(kind, speed_ratio, *worst)

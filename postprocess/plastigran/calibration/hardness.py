@@ -1,0 +1,161 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Strength from hardness: conversions between scales, and flow stress from Vickers hardness.
+
+Vickers hardness is the force in kgf over the slanted area of the pyramid's dent in mm^2. Over the
+projected area, sin 68 deg = 0.9272 of it, the force gives the mean pressure H; a dent that is fully
+plastic has H = 2.8 times the flow stress at about 8 % strain (Tabor, The Hardness of Metals, 1951).
+
+Conversions between scales hold for steel that is not austenitic. Scatters are 95 % half-widths.
+"""
+
+from __future__ import annotations
+
+import re
+from functools import cache
+from importlib.resources import files
+from math import hypot
+
+import attrs
+import numpy as np
+import pandas as pd
+from numpy.typing import ArrayLike
+
+from plastigran.declared import Declaration, read_number
+
+CONSTRAINT_FACTOR = 2.8  # mean pressure of a dent over flow stress
+CONSTRAINT_SCATTER = 0.07  # 2.6 to 3.0
+DENT_STRAIN = 0.08  # at which the flow stress is the one of the dent
+READING_SCATTER = 0.03  # permissible error of a tester, ISO 6507-2
+
+#: Rockwell C and Vickers hardness of steel, ASTM E140-12b, table 1.
+ROCKWELL_C = np.arange(20, 70, 2.0)
+ROCKWELL_C_VICKERS = (
+    *(238, 248, 260, 272, 286, 302, 318, 336, 354, 372, 392, 412, 434),
+    *(458, 484, 513, 544, 577, 613, 653, 697, 746, 800, 865, 940),
+)  # fmt: skip
+
+
+@attrs.frozen
+class Scale:
+    """A scale of hardness.
+
+    Attributes:
+        range: Of its numbers.
+        scatter: Of the conversion into HV.
+        source: Of the conversion.
+    """
+
+    name: str
+    range: Declaration
+    scatter: float
+    source: str
+
+    def vickers(self, value: float) -> float:
+        """The number in HV."""
+        if self.name == "HB":
+            return value / 0.95
+        if self.name == "HRC":
+            return float(np.interp(value, ROCKWELL_C, ROCKWELL_C_VICKERS))
+        return value
+
+
+def _range(unit: str, lower: float, upper: float) -> Declaration:
+    return Declaration("hardness", unit, lower, upper, closed=True)
+
+
+SCALES = {
+    scale.name: scale
+    for scale in (
+        Scale("HV", _range("HV", 5, 2000), 0.0, "the scale itself"),
+        # ISO 18265, table A.1; ASTM E140 has HB = HV below 240 and agrees within 1.5 % above.
+        Scale("HB", _range("HB", 76, 618), 0.05, "HB = 0.95 HV for steel, ISO 18265"),
+        # Makers' manuals convert 41.5 and 54.5 HRC to HV that are 4 % off it.
+        Scale("HRC", _range("HRC", 20, 68), 0.05, "table 1 of ASTM E140, for steel"),
+    )
+}
+
+
+@attrs.frozen
+class Hardness:
+    """A measured hardness.
+
+    Attributes:
+        value: On its scale.
+        scale: HV, HB or HRC.
+
+    Raises:
+        ValueError: There is no such scale, or the number is out of its range.
+    """
+
+    value: float
+    scale: str = attrs.field(default="HV")
+
+    def __attrs_post_init__(self) -> None:
+        if self.scale not in SCALES:
+            raise ValueError(
+                f"hardness is {self.value:g} {self.scale}; scales are {', '.join(SCALES)}"
+            )
+        read_number("hardness", self.value, SCALES[self.scale].range)
+
+    @property
+    def vickers(self) -> float:
+        """In HV."""
+        return SCALES[self.scale].vickers(self.value)
+
+    @property
+    def scatter(self) -> float:
+        """95 % half-width of the flow stress [share]: of reading, conversion and constraint."""
+        return hypot(READING_SCATTER, SCALES[self.scale].scatter, CONSTRAINT_SCATTER)
+
+    @property
+    def flow_stress(self) -> float:
+        """At about 8 % strain [Pa]."""
+        return flow_stress(self.vickers)
+
+    def __str__(self) -> str:
+        return f"{self.value:g} {self.scale}"
+
+
+def read_hardness(given: Hardness | float | str) -> Hardness:
+    """A hardness from a number, which is HV, or a text such as "45HRC" or "200 HB".
+
+    Raises:
+        ValueError: It is neither, or out of the scale's range.
+    """
+    if isinstance(given, Hardness):
+        return given
+    found = re.fullmatch(r"\s*([-+.\dE]+?)\s*([A-Z]*)\s*", str(given).upper())
+    try:
+        value = float(found[1])
+    except (TypeError, ValueError):
+        raise ValueError(
+            f"hardness is {given!r}; it must be a number and a scale of {', '.join(SCALES)}, "
+            "as 45HRC"
+        ) from None
+    return Hardness(value, {"": "HV", "HBW": "HB"}.get(found[2], found[2]))
+
+
+def indentation_pressure(vickers: ArrayLike) -> np.ndarray:
+    """Mean pressure H [Pa] of a Vickers dent over its projected area; `vickers` [HV], any shape."""
+    return 9.807e6 * np.asarray(vickers, dtype=float) / 0.9272
+
+
+def flow_stress(vickers: ArrayLike) -> np.ndarray:
+    """Flow stress [Pa] at about 8 % strain, H/2.8; `vickers` [HV], any shape."""
+    return indentation_pressure(vickers) / CONSTRAINT_FACTOR
+
+
+def steel_yield_strength(vickers: ArrayLike) -> np.ndarray:
+    """Yield strength of a tensile test [Pa] of hypoeutectoid steels; `vickers` [HV], any shape.
+
+    A line fitted to 150 steels of 300 to 1700 MPa, below the flow stress under a contact.
+    Source: Pavlina & Van Tyne 2008, J. Mater. Eng. Perform. 17:888.
+    """
+    return 1e6 * (2.876 * np.asarray(vickers, dtype=float) - 90.7)
+
+
+@cache
+def leeb_table() -> pd.DataFrame:
+    """Leeb hardness HLD against Vickers hardness HV of steel, (59,) rows; see the file's head."""
+    with (files("plastigran") / "data" / "leeb_d_steel.csv").open() as file:
+        return pd.read_csv(file, comment="#")

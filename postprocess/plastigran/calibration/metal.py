@@ -1,0 +1,127 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""A metal as the laws take it, from what was measured of it, and how sure that is."""
+
+from __future__ import annotations
+
+from math import inf
+
+import attrs
+
+from plastigran import laws
+from plastigran.calibration.drop_test import DropTest
+from plastigran.calibration.expected_errors import ExpectedError
+from plastigran.calibration.finite_elements import PressedSphere
+from plastigran.engine.deck import property_name
+from plastigran.materials import Material
+
+#: Constants of `vu_quoc_zhang`, fitted by finite elements.
+FITTED = ("contact_radius_coefficient", "curvature_coefficient")
+#: Constants of a body that a deck names only where they are not zero.
+OPTIONAL = ("tangent_modulus", "rate_coefficient")
+
+
+@attrs.frozen
+class CalibratedMetal:
+    """What `calibrate` found.
+
+    Attributes:
+        material: The metal, as `plastigran.Contact` takes it.
+        yield_strength_interval: 95 % [Pa]; both ends are the value itself where it was given, the
+            upper one infinite where the measurement says no more than a lower bound.
+        source: What strength and interval come from.
+        law: The law to take.
+        expected_error: How far that law is off.
+        yield_speed: Of a sphere of the metal that hits a rigid plane [m/s].
+        notes: What else is to be known, a sentence each.
+        drops: The drop test, where that was it.
+        pressed: The finite elements, where they were asked for.
+    """
+
+    material: Material
+    yield_strength_interval: tuple[float, float]
+    source: str
+    law: str
+    expected_error: ExpectedError
+    yield_speed: float
+    notes: tuple[str, ...] = ()
+    drops: DropTest | None = None
+    pressed: PressedSphere | None = None
+
+    @property
+    def yield_strength(self) -> float:
+        """sigma_Y [Pa]."""
+        return self.material.yield_strength
+
+    @property
+    def constants(self) -> dict[str, float]:
+        """C_a P_Y/a_Y and K_c P_Y [-] of `vu_quoc_zhang`: fitted to finite elements of this metal
+        where there are such, else the law's own, for perfectly plastic metals up to 41 P_Y."""
+        if self.pressed is not None:
+            return {name: getattr(self.pressed.fitted, name) for name in FITTED}
+        own = {row["name"]: row["default"] for row in laws.LAWS["vu_quoc_zhang"].parameters()}
+        return {name: own[name] for name in FITTED}
+
+    def to_dict(self) -> dict:
+        """All numbers, SI; None for an end of the interval that is not known."""
+        error = self.expected_error
+        found = {
+            "yield_strength": self.yield_strength,
+            "yield_strength_interval": [
+                None if end == inf else end for end in self.yield_strength_interval
+            ],
+            "source": self.source,
+            "law": self.law,
+            "expected_error": error.restitution,
+            "expected_error_largest": error.restitution_largest,
+            "expected_force_error": error.force,
+            "expected_force_error_largest": error.force_largest,
+            "speed_ratio": list(error.speed_ratio),
+            "yield_speed": self.yield_speed,
+            "notes": list(self.notes),
+        }
+        if self.pressed is not None:
+            return found | self.pressed.fitted.to_dict()
+        return found | self.constants
+
+    def deck_lines(self) -> list[str]:
+        """Lines of a deck whose type 1 is the metal."""
+        names = ["youngs_modulus", "poissons_ratio", "yield_strength"]
+        names += [name for name in OPTIONAL if getattr(self.material, name)]
+        lines = [
+            f"fix {name} all property/global {property_name(name)} peratomtype "
+            f"{getattr(self.material, name):.6g}"
+            for name in names
+        ]
+        if self.law == "vu_quoc_zhang" or self.pressed is not None:
+            lines += [
+                f"fix {name} all property/global {property_name(name)} peratomtypepair 1 "
+                f"{value:.6g}  # of vu_quoc_zhang"
+                for name, value in self.constants.items()
+            ]
+        return [*lines, f"pair_style gran model {self.law} tangential history"]
+
+    @property
+    def remark(self) -> str:
+        """Where the strength is from, for the head of a material's file."""
+        return f"Yield strength {self.source}; 95 % {self._interval()} Pa."
+
+    def __str__(self) -> str:
+        """What a person reads first."""
+        lines = {
+            "yield strength": f"{self.yield_strength:.4g} Pa, 95 % {self._interval()} Pa",
+            "from": self.source,
+            "law": self.law,
+            "its expected error": str(self.expected_error),
+            "yield speed": f"{self.yield_speed:.3g} m/s, of a sphere on a rigid plane",
+        } | {f"note {k}": note for k, note in enumerate(self.notes, start=1)}
+        return "\n".join(f"{name:20s}{said}" for name, said in lines.items())
+
+    def __repr__(self) -> str:
+        return (
+            f"CalibratedMetal({self.material.name!r}, yield_strength={self.yield_strength:.4g} Pa "
+            f"({self._interval()}), law={self.law!r})"
+        )
+
+    def _interval(self) -> str:
+        least, largest = self.yield_strength_interval
+        return f"above {least:.4g}" if largest == inf else f"{least:.4g} to {largest:.4g}"

@@ -1,0 +1,23 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""`plastigran validate`: every law against finite elements, papers and experiments."""
+
+from __future__ import annotations
+
+import argparse
+
+from plastigran.cli.reports import add_report_arguments, run_report
+
+HELP = "how far every law is off finite elements, papers and experiments, nothing fitted"
+
+
+def add_arguments(command: argparse.ArgumentParser) -> None:
+    add_report_arguments(command, "results/validation", "docs")
+
+
+def run(arguments: argparse.Namespace) -> None:
+    from plastigran.validation.report import ERRORS, REPORT  # matplotlib is slow to load
+
+    made = run_report(REPORT, REPORT.title, arguments)
+    if arguments.docs:  # the package's own copy goes with its pages
+        made.tables["errors"].to_csv(ERRORS, index=False)
+        print(f"written: {ERRORS}")

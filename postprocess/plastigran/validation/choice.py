@@ -1,0 +1,107 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""What the errors say about the choice of a law, by regime."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+import numpy as np
+import pandas as pd
+
+from plastigran.validation.laws_on_spheres import KINDS, QUANTITIES
+
+#: Regimes of the table of spheres: name, kind of metal, bounds of v/v_Y.
+SPHERE_REGIMES = {
+    "just beyond yield, v/v_Y 1–10": (KINDS[0], 1, 10),
+    "v/v_Y 10–100": (KINDS[0], 10, 100),
+    "v/v_Y 100–300": (KINDS[0], 100, 300),
+    "v/v_Y 300–1000": (KINDS[0], 300, 1000),
+    "hardening, v/v_Y 1–300": (KINDS[1], 1, 300),
+    "wide contact, a/R 0.05–0.1": (KINDS[2], 1, 1000),
+}
+#: Regimes of the rebound hardness of steel: bounds of v/v_Y.
+INDENTATION = {
+    "a hard ball dents steel, v/v_Y 10–300": (10, 300),
+    "peening: v/v_Y 1000 and more": (1000, np.inf),
+}
+RATED = ", with the steel's rate of strain"
+WORDS = {QUANTITIES[0]: "restitution", QUANTITIES[1]: "force"}
+
+
+def _errors(
+    compared: pd.DataFrame, rebounds: pd.DataFrame, rated: pd.DataFrame | None = None
+) -> Mapping[tuple[str, str], pd.DataFrame]:
+    """Columns law and error of each regime and quantity."""
+    parts = {}
+    for regime, (kind, least, most) in SPHERE_REGIMES.items():
+        chosen = compared["speed_ratio"].between(least, most) & (compared["kind"] == kind)
+        for quantity, word in WORDS.items():
+            part = compared.loc[chosen, ["law", quantity]]
+            parts[regime, word] = part.rename(columns={quantity: "error"})
+    for added, found in (("", rebounds), (RATED, rated)):
+        if found is None:
+            continue
+        for regime, (least, most) in INDENTATION.items():
+            chosen = found["speed_ratio"].between(least, most)
+            parts[regime + added, "restitution"] = found.loc[chosen, ["law", "error"]]
+    return parts
+
+
+def by_regime(compared: pd.DataFrame, rebounds: pd.DataFrame, rated: pd.DataFrame) -> pd.DataFrame:
+    """The laws in order of their error, regime by regime: the three best and the last.
+
+    Args:
+        compared: As of `laws_on_spheres.compare`.
+        rebounds: As of `steel.rebounds`.
+        rated: The same with the rate of strain.
+
+    Returns:
+        A row for each regime and quantity; each law with the root of its mean square error and its
+        largest error [%].
+    """
+    rows = []
+    for (regime, word), part in _errors(compared, rebounds, rated).items():
+        found = _sizes(part)
+        row = {"regime": regime, "quantity": word}
+        for place, name in enumerate(("best", "second", "third")):
+            row[name] = _cell(found.iloc[place])
+        rows.append(row | {"last": _cell(found.iloc[-1])})
+    return pd.DataFrame(rows)
+
+
+def by_law(compared: pd.DataFrame, rebounds: pd.DataFrame, word: str) -> pd.DataFrame:
+    """Root of the mean square error of a quantity [%], laws down, regimes across; the law with the
+    least mean comes first.
+
+    Args:
+        compared, rebounds: As for `by_regime`.
+        word: "restitution" or "force".
+    """
+    parts = _errors(compared, rebounds)
+    columns = {
+        regime: _sizes(part)["rms"] for (regime, which), part in parts.items() if which == word
+    }
+    found = pd.DataFrame(columns)
+    found = found.loc[found.mean(axis="columns").sort_values().index].map(_digits)
+    return found.rename_axis("law").reset_index()
+
+
+def _sizes(part: pd.DataFrame) -> pd.DataFrame:
+    """Errors of the laws [%], the least first: index law, columns rms and max."""
+    groups = 100 * part.set_index("law")["error"]
+    found = pd.DataFrame(
+        {
+            "rms": (groups**2).groupby("law").mean() ** 0.5,
+            "max": groups.abs().groupby("law").max(),
+        }
+    )
+    return found.sort_values("rms")
+
+
+def _cell(row: pd.Series) -> str:
+    return f"`{row.name}` {_digits(row['rms']):g} ({_digits(row['max']):g})"
+
+
+def _digits(error: float) -> float:
+    """Two digits of an error, whole per cents from ten."""
+    return round(error) if error >= 10 else float(f"{error:.2g}")

@@ -1,0 +1,157 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Figures of the validation page."""
+
+from __future__ import annotations
+
+from math import ceil
+
+import numpy as np
+import pandas as pd
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+from plastigran.plot.style import COLOURS, MARKERS, styled, subplots, title
+from plastigran.validation import oblique
+from plastigran.validation.laws_on_spheres import KINDS
+
+COLUMNS = 5  # of panels
+#: Half the height of a panel of errors [%]; what is beyond stands at its edge.
+REACH = 40
+#: Incident angles [degrees] of the lines of theory.
+FINE_ANGLES = np.linspace(1, 86, 52)
+
+
+def spheres_figure(compared: pd.DataFrame, quantity: str) -> Figure:
+    """Error over v/v_Y, a panel a law.
+
+    Args:
+        compared: As of `laws_on_spheres.compare`.
+        quantity: One of `laws_on_spheres.QUANTITIES`.
+    """
+    names = sorted(compared["law"].unique())
+    with styled({"font.size": 8}):
+        figure, panels = _grid(len(names))
+        for axes, name in zip(panels, names, strict=True):
+            part = compared[compared["law"] == name]
+            for which, colour, marker in zip(KINDS, COLOURS, "os^", strict=False):
+                chosen = part[part["kind"] == which]
+                error = np.clip(100 * chosen[quantity], -REACH, REACH)
+                axes.plot(
+                    *(chosen["speed_ratio"], error, marker),
+                    **{"color": colour, "ms": 2.5, "mfc": "none", "label": which},
+                )
+            axes.axhline(0, color="0.4", lw=0.6)
+            axes.set(xscale="log", ylim=(-1.05 * REACH, 1.05 * REACH), title=title(name))
+        panels[0].legend(fontsize=7)
+        figure.supxlabel("$v/v_Y$", fontsize=9)
+        figure.supylabel("law over finite elements, less 1 (%)", fontsize=9)
+    return figure
+
+
+def rebound_figure(rebounds: pd.DataFrame) -> Figure:
+    """Restitution of steel over its Vickers hardness, and each law's error.
+
+    Args:
+        rebounds: As of `steel.rebounds`.
+    """
+    with styled():
+        figure, (left, right) = subplots(1, 2, figsize=(10.4, 4.6))
+        for k, (name, part) in enumerate(rebounds.groupby("law")):
+            line = {"color": COLOURS[k % len(COLOURS)], "ls": "-" if k < 7 else "--", "lw": 1.2}
+            left.plot(part["HV"], part["restitution"], **line)
+            right.plot(part["HV"], 100 * part["error"], label=title(name), **line)
+        table = part.assign(measured=part["HLD"] / 1000)
+        left.plot(table["HV"], table["measured"], "ko", ms=3, label="Leeb D")
+        share = np.where(table["HLD"] >= 450, 5.0, 9.0)
+        right.fill_between(table["HV"], -share, share, color="0.9", label="trust of the table")
+        right.axhline(0, color="0.3", lw=0.8)
+        for axes in (left, right):
+            axes.set(xscale="log", xlabel="Vickers hardness (HV)")
+            axes.set_xticks([100, 200, 400, 800], ["100", "200", "400", "800"])
+        left.set(ylabel="restitution", ylim=(0, 1))
+        left.legend()
+        right.set(ylabel="error of restitution (%)", ylim=(-60, 60))
+        figure.legend(*right.get_legend_handles_labels(), loc="outside right center", fontsize=8)
+    return figure
+
+
+def budget_figure(parts: pd.DataFrame, law: str, mean: float) -> Figure:
+    """What the offset of a law from the rebound hardness of steel may be made of.
+
+    Args:
+        parts: As of `offset.budget`.
+        law: Whose.
+        mean: Its mean error [%].
+    """
+    with styled():
+        figure, axes = subplots(figsize=(7.4, 4.4))
+        places = np.arange(len(parts))[::-1]
+        ends = parts[["at 80 HV (%)", "at 940 HV (%)"]].to_numpy()
+        axes.barh(places, parts["mean (%)"], color=COLOURS[0], height=0.6, label="mean")
+        reach = {"color": "0.2", "lw": 1.5, "label": "80 to 940 HV"}
+        axes.hlines(places, ends.min(axis=1), ends.max(axis=1), **reach)
+        axes.axvline(-mean, color=COLOURS[1], ls="--", label="would close the mean")
+        axes.axvline(0, color="0.4", lw=0.8)
+        said = [f"{row['source']}, {row['change']}" for row in parts.to_dict("records")]
+        axes.set_yticks(places, said)
+        axes.tick_params(axis="y", labelsize=7.5)
+        axes.set(xlabel=f"change of restitution (%), {title(law)}")
+        axes.legend(fontsize=8)
+    return figure
+
+
+def errors_figure(table: pd.DataFrame, head: str) -> Figure:
+    """Errors of the laws as points, a row a law.
+
+    Args:
+        table: Column law, and columns of errors whose names end in "(%)".
+        head: Of the figure.
+    """
+    columns = [name for name in table.columns if name.endswith("(%)")]
+    with styled():
+        figure, axes = subplots(figsize=(7.4, 1.2 + 0.3 * len(table)))
+        places = np.arange(len(table))[::-1]
+        for name, colour, marker in zip(columns, COLOURS, MARKERS, strict=False):
+            said = name.removesuffix(" (%)")
+            axes.plot(table[name], places, marker, color=colour, mfc="none", label=said)
+        axes.axvline(0, color="0.4", lw=0.8)
+        axes.set_yticks(places, [title(name) for name in table["law"]])
+        axes.set(xlabel="error (%)", title=head)
+        figure.legend(loc="outside lower center", fontsize=8, ncols=2)
+    return figure
+
+
+def oblique_figure(computed: pd.DataFrame) -> Figure:
+    """The oblique impacts: measured, and computed each way.
+
+    Args:
+        computed: As of `oblique.computed`.
+    """
+    with styled():
+        figure, panels = subplots(1, 3, figsize=(11, 3.8))
+        for axes, (name, (said, _)) in zip(panels, oblique.QUANTITIES.items(), strict=True):
+            part = computed[computed["quantity"] == name].sort_values("incident_angle")
+            angle = part["incident_angle"]
+            impacts = [oblique.impact(float(each)) for each in FINE_ANGLES]
+            for (way, move), dashes, colour in zip(
+                oblique.THEORIES.items(), ("-", "--"), COLOURS, strict=False
+            ):
+                found = [oblique.quantity(name, each, move(each)) for each in impacts]
+                axes.plot(FINE_ANGLES, found, dashes, color=colour, label=way)
+            axes.plot(
+                angle, part[oblique.ENGINE], "s", color=COLOURS[2], mfc="none", label=oblique.ENGINE
+            )
+            axes.plot(angle, part["value"], "ko", ms=4, label="measured")
+            axes.set(xlabel="incident angle (°)", ylabel=said)
+        panels[0].legend(fontsize=8)
+    return figure
+
+
+def _grid(count: int) -> tuple[Figure, list[Axes]]:
+    rows = ceil(count / COLUMNS)
+    figure, panels = subplots(
+        rows, COLUMNS, figsize=(10.4, 2.0 * rows + 0.4), sharex=True, sharey=True
+    )
+    for axes in panels.flat[count:]:
+        axes.set_visible(False)
+    return figure, list(panels.flat[:count])

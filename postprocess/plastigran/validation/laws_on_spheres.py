@@ -1,0 +1,116 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Every law against the finite elements of spheres, by kind of metal and regime of speed."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+import numpy as np
+import pandas as pd
+
+from plastigran import laws
+from plastigran.materials import RIGID, laws_for
+from plastigran.physics.central import yield_speed
+from plastigran.validation.spheres import table
+from plastigran.validation.spheres.metals import PLANE_MODULUS, RADIUS, SphereMetal
+from plastigran.validation.tables import root_mean_square
+
+#: Bounds of the regimes of speed, v/v_Y.
+REGIMES = (1, 3, 10, 100, 300, 1000)
+#: Contact radius over radius from which a contact is wide.
+WIDE = 0.05
+#: Kinds of rows, the order of the tables.
+KINDS = ("perfectly plastic", "hardening", "wide")
+MASS = 1.0  # of a sphere [kg]; ratios do not depend on it
+#: What is compared, by column of the table of errors.
+QUANTITIES = ("coefficient_of_restitution", "force_max")
+
+
+def yielding_laws() -> list[str]:
+    """Names of the laws for spheres that yield."""
+    return [name for name in laws_for("sphere") if laws.LAWS[name].yields]
+
+
+def compare(names: Iterable[str] | None = None, rows: pd.DataFrame | None = None) -> pd.DataFrame:
+    """Laws against each row of the table of spheres.
+
+    Args:
+        names: Of laws; None for all that yield.
+        rows: Of the table of spheres, or None for all of it.
+
+    Returns:
+        A row for each law and row of the table: law, metal, set, kind, speed_ratio, and
+        `QUANTITIES`, each the law's over that of the finite elements less 1 [-].
+    """
+    rows = table() if rows is None else rows
+    rows = rows[rows["speed_ratio"] > 1].assign(kind=kind)
+    found = []
+    for _, metal in rows.groupby("metal", sort=False):
+        properties = metal.iloc[0]
+        sphere = _metal(properties).sphere
+        force = sphere.yield_force
+        pair = laws.combine(_body(properties), RIGID)
+        speed = yield_speed(pair, RADIUS, MASS) * metal["speed_ratio"].to_numpy()
+        for name in yielding_laws() if names is None else names:
+            impact = laws.LAWS[name](pair).central_impact(RADIUS, MASS, speed)
+            line = metal[["metal", "set", "kind", "speed_ratio"]].assign(law=name)
+            reference = metal["coefficient_of_restitution"].to_numpy()
+            line["coefficient_of_restitution"] = impact.coefficient_of_restitution / reference - 1
+            reference = metal["force_ratio"].to_numpy() * force
+            line["force_max"] = impact.force_max / reference - 1
+            found.append(line)
+    return pd.concat(found, ignore_index=True)
+
+
+def kind(rows: pd.DataFrame) -> np.ndarray:
+    """Of each row of the table of spheres, one of `KINDS`."""
+    plastic = np.where(rows["hardening_ratio"] > 0, KINDS[1], KINDS[0])
+    return np.where(rows["contact_radius_over_radius"] >= WIDE, KINDS[2], plastic)
+
+
+def errors(compared: pd.DataFrame) -> pd.DataFrame:
+    """Errors by law, kind of metal and regime of speed.
+
+    Args:
+        compared: As of `compare`.
+
+    Returns:
+        Columns law, kind, speed_ratio_from and speed_ratio_to (the regime), quantity (one of
+        `QUANTITIES`), rms and max: root of the mean square and largest size of the relative error
+        [-], cases: how many. A regime without cases has no row.
+    """
+    regime = pd.cut(compared["speed_ratio"], REGIMES, labels=False)
+    kinds = pd.Categorical(compared["kind"], KINDS, ordered=True)
+    compared = compared.assign(regime=regime, kind=kinds).dropna(subset="regime")
+    found = []
+    for (law, sort, step), part in compared.groupby(["law", "kind", "regime"], observed=True):
+        for quantity in QUANTITIES:
+            error = part[quantity].to_numpy()
+            found.append(
+                {
+                    "law": law,
+                    "kind": sort,
+                    "speed_ratio_from": REGIMES[int(step)],
+                    "speed_ratio_to": REGIMES[int(step) + 1],
+                    "quantity": quantity,
+                    "rms": root_mean_square(error),
+                    "max": float(np.abs(error).max()),
+                    "cases": len(error),
+                }
+            )
+    return pd.DataFrame(found)
+
+
+def _metal(row: pd.Series) -> SphereMetal:
+    return SphereMetal(row["yield_strength_ratio"], row["poissons_ratio"], row["hardening_ratio"])
+
+
+def _body(row: pd.Series) -> laws.Body:
+    nu, hardening = row["poissons_ratio"], row["hardening_ratio"]
+    youngs_modulus = PLANE_MODULUS * (1 - nu**2)
+    return laws.Body(
+        youngs_modulus,
+        nu,
+        row["yield_strength_ratio"] * PLANE_MODULUS,
+        tangent_modulus=youngs_modulus * hardening / (1 + hardening),
+    )

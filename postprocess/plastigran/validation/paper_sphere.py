@@ -1,0 +1,37 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""The finite elements that Zhang & Vu-Quoc 2002 print of their sphere, and every law."""
+
+from __future__ import annotations
+
+from math import pi
+
+import pandas as pd
+
+from plastigran import laws
+from plastigran.experiments.central.figures import finite_elements
+from plastigran.materials import RIGID, read_material
+from plastigran.validation.laws_on_spheres import yielding_laws
+from plastigran.validation.tables import nearest_first
+
+RADIUS = 0.1
+QUANTITIES = {"force_max": "force", "coefficient_of_restitution": "restitution"}
+
+
+def compare() -> pd.DataFrame:
+    """How far every law is off the paper [%]: peak force at its speeds, and restitution; the law
+    with the least sum comes first."""
+    material = read_material("aluminium_zv02")
+    pair = laws.combine(material.body(), RIGID)
+    mass = 4 / 3 * pi * RADIUS**3 * material.density
+    paper = finite_elements()
+    rows = []
+    for name in yielding_laws():
+        found = laws.LAWS[name](pair).central_impact(RADIUS, mass, paper["speed"].to_numpy())
+        row: dict[str, object] = {"law": name}
+        for quantity, said in QUANTITIES.items():
+            off = 100 * (getattr(found, quantity) / paper[quantity] - 1)
+            for speed, error in zip(paper["speed"], off, strict=True):
+                if pd.notna(error):
+                    row[f"{said}, {speed:.2f} m/s (%)"] = error
+        rows.append(row)
+    return nearest_first(rows)

@@ -1,0 +1,103 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""The validation: every table and figure, and the pages that show them."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import plastigran
+from plastigran.report.base import Findings, Report
+from plastigran.validation import (
+    choice,
+    dented_steel,
+    figures,
+    laws_on_spheres,
+    oblique,
+    offset,
+    paper_sphere,
+    rod,
+    steel,
+)
+
+#: Incident angles that LIGGGHTS runs for a quick look [degrees], one for each quantity.
+FEW_ANGLES = (20.01, 21.25, 20.57)
+#: The errors by law and regime that other rooms read.
+ERRORS = Path(plastigran.__file__).parent / "data" / "errors.csv"
+
+
+def compute(progress: bool, coarse: bool) -> Findings:
+    """Every table and figure; a coarse one runs LIGGGHTS at a few angles only."""
+    compared = laws_on_spheres.compare()
+    rebounds, rated = steel.rebounds(), steel.rebounds(**offset.RATE)
+    leeb = steel.summary(rebounds)
+    means = leeb.set_index("law")["mean (%)"]
+    nearest = leeb["law"][0]
+    parts = offset.budget(nearest)
+    moved = oblique.computed(FEW_ANGLES if coarse else None)
+    rods = rod.summary(rod.impacts())
+    singles, sphere = steel.single_impacts(), paper_sphere.compare()
+    return Findings(
+        tables={
+            "regimes": choice.by_regime(compared, rebounds, rated),
+            "restitution": choice.by_law(compared, rebounds, "restitution"),
+            "force": choice.by_law(compared, rebounds, "force"),
+            "paper_sphere": sphere,
+            "leeb": leeb,
+            "leeb_rate": offset.with_rate(rebounds, rated),
+            "leeb_offset": parts,
+            "leeb_finite_elements": dented_steel.comparison(nearest),
+            "single_impacts": singles,
+            "craters": steel.craters(),
+            "oblique": oblique.summary(moved),
+            **{f"oblique_{name}": oblique.comparison(moved, name) for name in oblique.QUANTITIES},
+            "rod": rods,
+            "errors": laws_on_spheres.errors(compared),
+        },
+        figures={
+            "spheres_restitution": figures.spheres_figure(compared, "coefficient_of_restitution"),
+            "spheres_force": figures.spheres_figure(compared, "force_max"),
+            "paper_sphere": figures.errors_figure(sphere, "the sphere of Zhang and Vu-Quoc"),
+            "leeb": figures.rebound_figure(rebounds),
+            "leeb_offset": figures.budget_figure(parts, nearest, means[nearest]),
+            "single_impacts": figures.errors_figure(singles, "single impacts on steel"),
+            "oblique": figures.oblique_figure(moved),
+            "rod": figures.errors_figure(rods, "the oblique rod"),
+        },
+    )
+
+
+REPORT = Report(
+    name="validation",
+    title="How far every law is off",
+    tables=(
+        "regimes",
+        "restitution",
+        "force",
+        "paper_sphere",
+        "leeb",
+        "leeb_rate",
+        "leeb_offset",
+        "leeb_finite_elements",
+        "single_impacts",
+        "craters",
+        "oblique",
+        "oblique_restitution",
+        "oblique_spin",
+        "oblique_rebound_angle",
+        "rod",
+    ),
+    data=("errors",),
+    figures=(
+        "spheres_restitution",
+        "spheres_force",
+        "paper_sphere",
+        "leeb",
+        "leeb_offset",
+        "single_impacts",
+        "oblique",
+        "rod",
+    ),
+    pages=("validation.md", "choose_a_law.md"),
+    pictures="figures/validation",
+    compute=compute,
+)

@@ -1,0 +1,75 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""The oblique rod of Ghaednia, Cermik & Marghitu 2015 by its equations of motion, for every law."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from statistics import fmean
+
+import pandas as pd
+
+from plastigran.experiments.rod import RodImpact
+from plastigran.experiments.rod.paper import (
+    PAPER_RESTITUTION,
+    PAPER_SPEEDS,
+    MeasuredRun,
+    paper_rods,
+)
+from plastigran.physics.rod_motion import simulate
+from plastigran.validation.laws_on_spheres import yielding_laws
+from plastigran.validation.tables import nearest_first
+
+MEASURED = MeasuredRun()
+
+
+def impacts(names: Iterable[str] | None = None) -> pd.DataFrame:
+    """Restitution of the tip by law.
+
+    Args:
+        names: Of laws; None for all that yield.
+
+    Returns:
+        Columns law, angle [degrees], speed [m/s], restitution, angular_velocity [rad/s] and
+        measured, the restitution that the paper's experiments show at any speed.
+    """
+    rows = []
+    for name in yielding_laws() if names is None else names:
+        for rod in paper_rods():
+            law = RodImpact(name, 1.0, rod=rod).contact_law()
+            for speed in PAPER_SPEEDS:
+                found = simulate(rod, law, speed)
+                rows.append(
+                    {
+                        "law": name,
+                        "angle": rod.angle,
+                        "speed": speed,
+                        "restitution": found.coefficient_of_restitution,
+                        "angular_velocity": found.angular_velocity,
+                        "measured": PAPER_RESTITUTION[rod.angle],
+                    }
+                )
+    return pd.DataFrame(rows)
+
+
+def summary(impacts: pd.DataFrame) -> pd.DataFrame:
+    """Errors of each law [%]: of restitution over the speeds at either angle, and of the run whose
+    velocities the paper prints. The law with the least of the four comes first.
+
+    Args:
+        impacts: As of `impacts`.
+    """
+    rod = next(rod for rod in paper_rods() if rod.angle == MEASURED.angle)
+    rebound = MEASURED.coefficient_of_restitution(rod)
+    speed = -MEASURED.velocity_before
+    rows = []
+    for law, part in impacts.groupby("law"):
+        row: dict[str, object] = {"law": law}
+        error = 100 * (part["restitution"] / part["measured"] - 1)
+        for angle in sorted(PAPER_RESTITUTION, reverse=True):
+            row[f"restitution at {angle:g}° (%)"] = fmean(error[part["angle"] == angle])
+        run = part[(part["angle"] == MEASURED.angle) & (part["speed"] == speed)].iloc[0]
+        row["printed run, restitution (%)"] = 100 * (run["restitution"] / rebound - 1)
+        turned = run["angular_velocity"] / MEASURED.angular_velocity
+        row["printed run, angular velocity (%)"] = 100 * (turned - 1)
+        rows.append(row)
+    return nearest_first(rows)

@@ -1,0 +1,40 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Spheres of many metals on a rigid plane, pressed and let go by finite elements.
+
+`table()` reads `plastigran/data/finite_elements_spheres.csv`, a row for each largest force of each
+metal; `python -m plastigran.validation.spheres.compute` writes it. All quantities are
+dimensionless; in yield units means over the Hertzian value at first yield (force P_Y, overlap
+alpha_Y = a_Y^2/R, contact radius a_Y, work P_Y alpha_Y, speed v_Y with 1/2 m v_Y^2 = 2/5 P_Y
+alpha_Y).
+
+    metal                        name, the same for all rows of a metal
+    set                          `fit` or `held`: metals kept out of the fit of the law `universal`
+    yield_strength_ratio         sigma_Y/E*, E* = E/(1 - nu^2)
+    poissons_ratio               nu
+    hardening_ratio              H/E, H = d(stress)/d(plastic strain); 0: perfectly plastic
+    strain                       `small` or `finite`: kinematics of the finite elements
+    force_ratio                  largest force, in yield units
+    speed_ratio                  v/v_Y of the impact that has this largest force:
+                                 1/2 m v^2 = work_loading
+    coefficient_of_restitution   sqrt(work_unloading/work_loading)
+    overlap_ratio                at the largest force, in yield units
+    overlap_res_ratio            after unloading, in yield units
+    contact_radius_ratio         at the largest force, in yield units
+    work_loading_ratio           up to the largest force, over P_Y alpha_Y
+    work_unloading_ratio         given back, over P_Y alpha_Y
+    contact_radius_over_radius   a/R at the largest force
+"""
+
+from __future__ import annotations
+
+from importlib.resources import files
+
+import pandas as pd
+
+TABLE = files("plastigran") / "data" / "finite_elements_spheres.csv"
+
+
+def table() -> pd.DataFrame:
+    """The table as it is kept with the package."""
+    with TABLE.open() as file:
+        return pd.read_csv(file, comment="#")

@@ -1,0 +1,84 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Compute the table of spheres and write it:
+
+    python -m plastigran.validation.spheres.compute [metal ...]
+
+Metals that are in the cache are taken from there; another takes a minute or two. Names of metals
+leave all others out of the table.
+"""
+
+from __future__ import annotations
+
+import sys
+import warnings
+from collections.abc import Sequence
+
+import numpy as np
+import pandas as pd
+
+from plastigran.fem.cache import cached
+from plastigran.fem.limits import SmallStrainWarning
+from plastigran.fem.settings import Settings
+from plastigran.fem.sphere.results import Pressing
+from plastigran.validation.spheres import TABLE
+from plastigran.validation.spheres.metals import METALS, RADIUS, SphereMetal
+from plastigran.validation.spheres.release import press_and_release
+
+#: Smaller increments of force than usual, for backward Euler is of first order.
+SETTINGS = Settings(growth=1.04, unloading_steps=10)
+
+
+def compute(metal: SphereMetal, settings: Settings = SETTINGS) -> pd.DataFrame:
+    """Rows of the table of one metal, from the cache where they are there."""
+    found = cached(
+        press_and_release,
+        metal.material,
+        RADIUS,
+        tuple(float(force) for force in metal.forces),
+        settings=settings,
+    )
+    if found.stopped:
+        print(f"{metal.name}: {found.stopped}", file=sys.stderr)
+    return rows(metal, found)
+
+
+def rows(metal: SphereMetal, pressing: Pressing) -> pd.DataFrame:
+    """A row for each release, in yield units; the columns are those of the package."""
+    sphere = metal.sphere
+    force, overlap = sphere.yield_force, sphere.approach(sphere.yield_force)
+    radius = sphere.contact_radius(force)
+    found = pressing.unloadings
+    return pd.DataFrame(
+        {
+            "metal": metal.name,
+            "set": "held" if metal.held else "fit",
+            "yield_strength_ratio": metal.yield_strength_ratio,
+            "poissons_ratio": metal.poissons_ratio,
+            "hardening_ratio": metal.hardening_ratio,
+            "strain": metal.strain,
+            "force_ratio": found["force"] / force,
+            "speed_ratio": np.sqrt(found["work_loading"] / (0.4 * force * overlap)),
+            "coefficient_of_restitution": found["coefficient_of_restitution"],
+            "overlap_ratio": found["approach"] / overlap,
+            "overlap_res_ratio": found["residual_approach"] / overlap,
+            "contact_radius_ratio": found["contact_radius"] / radius,
+            "work_loading_ratio": found["work_loading"] / (force * overlap),
+            "work_unloading_ratio": found["work_unloading"] / (force * overlap),
+            "contact_radius_over_radius": found["contact_radius"] / pressing.radius,
+        }
+    )
+
+
+def main(names: Sequence[str]) -> None:
+    """Compute metals by their names, or all of them, and write the table of just these."""
+    warnings.simplefilter("ignore", SmallStrainWarning)
+    tables = []
+    for metal in METALS:
+        if not names or metal.name in names:
+            tables.append(compute(metal))
+            print(f"{metal.name}: {len(tables[-1])} releases", flush=True)
+    pd.concat(tables).to_csv(TABLE, index=False, float_format="%.6g", lineterminator="\n")
+
+
+if __name__ == "__main__":
+    main(sys.argv[1:])

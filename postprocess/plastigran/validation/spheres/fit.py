@@ -1,0 +1,102 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Fit the constants of the law `universal` to the table of spheres:
+
+    python -m plastigran.validation.spheres.fit [--figures FOLDER]
+
+It prints the constants as the law's header has them and how far the law is off, of the metals of
+the fit and of those held out of it.
+"""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+
+import attrs
+import numpy as np
+import pandas as pd
+from scipy.optimize import least_squares
+
+from plastigran.validation.spheres import table
+from plastigran.validation.spheres.forms import Constants, Metals, errors, peak
+
+#: What a difference is measured by, as a share: near the finite elements' own uncertainty.
+FORCE, CONTACT_RADIUS, WORK_UNLOADING, RECOVERY = 0.002, 0.006, 0.004, 0.008
+#: Over the force at yield, below which the contact spans too few elements for its radius to count.
+LEAST_FORCE = 8.0
+DIGITS = 4
+
+#: Of speed over that at yield: largest errors of the law are stated within each stretch.
+STRETCHES = ((1, 3), (3, 10), (10, 100), (100, 300), (300, 1200))
+#: a/R up to which a contact counts as narrow.
+NARROW = 0.05
+#: Kinds of contact: narrow ones of two sorts of metal, and wide ones of either.
+KINDS = ("perfectly plastic", "hardening", "wide contact")
+
+
+def fit(rows: pd.DataFrame) -> Constants:
+    """Constants nearest to the rows of metals of the fit, outliers weighing less (soft L1)."""
+    rows = rows[rows["set"] == "fit"]
+    metals, t = Metals.of(rows), np.sqrt(rows["overlap_ratio"].to_numpy())
+    names = [field.name for field in attrs.fields(Constants)]
+    start = np.array(attrs.astuple(Constants()))
+    wide_enough = rows["force_ratio"].to_numpy() >= LEAST_FORCE
+    measured = [
+        rows["force_ratio"],
+        rows["contact_radius_ratio"],
+        rows["overlap_ratio"] - rows["overlap_res_ratio"],
+        rows["work_unloading_ratio"],
+    ]
+    measured = np.log([column.to_numpy() for column in measured])
+    scale = np.array([FORCE, CONTACT_RADIUS, RECOVERY, WORK_UNLOADING])
+
+    def residuals(values: np.ndarray) -> np.ndarray:
+        found = peak(Constants(*values), metals, t)
+        off = (np.log(attrs.astuple(found)) - measured) / scale[:, None]
+        off[1] *= wide_enough
+        return off.ravel()
+
+    found = least_squares(
+        residuals, start, loss="soft_l1", x_scale=start, ftol=1e-12, xtol=1e-12, max_nfev=5000
+    )
+    rounded = {name: float(f"{x:.{DIGITS}g}") for name, x in zip(names, found.x, strict=True)}
+    return Constants(**rounded)
+
+
+def regimes(rows: pd.DataFrame) -> pd.DataFrame:
+    """Which stretch of speed a row is in, and which of KINDS it is: `stretch` and `kind`."""
+    edges = [low for low, _ in STRETCHES] + [STRETCHES[-1][1]]
+    labels = [f"{low} to {high}" for low, high in STRETCHES]
+    plain, hardening, wide_contact = KINDS
+    hardens = np.where(rows["hardening_ratio"] > 0, hardening, plain)
+    wide = rows["contact_radius_over_radius"] > NARROW
+    return pd.DataFrame(
+        {
+            "stretch": pd.cut(rows["speed_ratio"], edges, labels=labels),
+            "kind": np.where(wide, wide_contact, hardens),
+        },
+        index=rows.index,
+    )
+
+
+def bands(constants: Constants, rows: pd.DataFrame) -> pd.DataFrame:
+    """Largest errors, per cent, by set, kind of contact and stretch of speed."""
+    off = errors(constants, rows).abs()
+    where = [rows["set"], *(column for _, column in regimes(rows).items())]
+    return off.groupby(where, observed=True, sort=True).max()
+
+
+def main(arguments: list[str]) -> None:
+    rows = table()
+    constants = fit(rows)
+    for name, value in attrs.asdict(constants).items():
+        print(f"  static constexpr double {name} = {value:g};")
+    print(bands(constants, rows).round(2).to_string())
+    if arguments[:1] == ["--figures"]:
+        from plastigran.validation.spheres.figures import write
+
+        write(constants, rows, Path(arguments[1]))
+
+
+if __name__ == "__main__":
+    main(sys.argv[1:])

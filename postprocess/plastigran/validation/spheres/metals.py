@@ -1,0 +1,109 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""The metals of the table, and which of them are kept out of the fit."""
+
+from __future__ import annotations
+
+import attrs
+import numpy as np
+
+from plastigran.fem.limits import SMALL_STRAIN, contact_reach
+from plastigran.fem.material.elastic_plastic import ElasticPlastic
+from plastigran.fem.material.hardening import LinearHardening
+from plastigran.fem.theory.hertz import HertzSphere
+
+#: Of every sphere; ratios depend on neither [Pa, m].
+PLANE_MODULUS, RADIUS = 100e9, 0.01
+
+#: Largest forces over that at yield at which a sphere is let go.
+FORCE_RATIOS = (1.3, 2, 3, 5, 8, 13, 22, 38, 65, 110, 190, 320, 540, 900, 1600, 2700)
+
+
+@attrs.frozen
+class SphereMetal:
+    """One metal of the table.
+
+    Attributes:
+        yield_strength_ratio: sigma_Y/E*.
+        poissons_ratio: nu.
+        hardening_ratio: H/E.
+        held: Kept out of the fit.
+        force_ratio_max: Largest force over that at yield.
+        strain: Kinematics, "small" or "finite".
+        widest: Contact radius over the radius beyond which it is not pressed.
+    """
+
+    yield_strength_ratio: float
+    poissons_ratio: float = 0.3
+    hardening_ratio: float = 0.0
+    held: bool = False
+    force_ratio_max: float = 900.0
+    strain: str = "small"
+    widest: float = SMALL_STRAIN
+
+    @property
+    def name(self) -> str:
+        """All that tells it from the others."""
+        hardening = f"H{self.hardening_ratio:.4g}" if self.hardening_ratio else "perfect"
+        finite = "-finite" if self.strain == "finite" else ""
+        return f"s{self.yield_strength_ratio:g}-nu{self.poissons_ratio:g}-{hardening}{finite}"
+
+    @property
+    def material(self) -> ElasticPlastic:
+        """The metal as the finite elements take it."""
+        youngs_modulus = PLANE_MODULUS * (1 - self.poissons_ratio**2)
+        return ElasticPlastic(
+            youngs_modulus=youngs_modulus,
+            poissons_ratio=self.poissons_ratio,
+            density=7800.0,
+            hardening=LinearHardening(
+                self.yield_strength_ratio * PLANE_MODULUS, self.hardening_ratio * youngs_modulus
+            ),
+        )
+
+    @property
+    def sphere(self) -> HertzSphere:
+        """Scales of its sphere."""
+        return HertzSphere(self.material, RADIUS)
+
+    @property
+    def forces(self) -> np.ndarray:
+        """Largest forces, N, up to `force_ratio_max` and to the widest contact."""
+        sphere = self.sphere
+        forces = sphere.yield_force * np.array(FORCE_RATIOS)
+        reach = np.array([contact_reach(sphere, force) for force in forces])
+        asked = np.array(FORCE_RATIOS) <= self.force_ratio_max
+        return forces[asked & (reach <= self.widest * RADIUS)]
+
+
+#: The order is that of the computation. What is held was chosen before anything was fitted:
+#: strengths, Poisson's ratios and slopes of hardening that lie between those of the fit.
+METALS = (
+    SphereMetal(1.2e-3),
+    SphereMetal(8e-4, 0.35, held=True),
+    SphereMetal(1.2e-3, 0.3, 1 / 20),
+    SphereMetal(1.2e-3, 0.3, 1 / 50, held=True),
+    SphereMetal(3e-4, force_ratio_max=2700.0),
+    SphereMetal(5e-3),
+    SphereMetal(1.2e-3, 0.2),
+    SphereMetal(1.2e-3, 0.45),
+    SphereMetal(2.5e-3, 0.3, 1 / 30, held=True),
+    SphereMetal(2.5e-3),
+    SphereMetal(6e-4, 0.2, held=True, force_ratio_max=2700.0),
+    SphereMetal(1.2e-3, 0.3, 1 / 100),
+    SphereMetal(2e-3, 0.4, held=True),
+    SphereMetal(5e-3, 0.3, 1 / 20),
+    SphereMetal(1e-2),
+    SphereMetal(3e-4, 0.3, 1 / 30),
+    SphereMetal(6e-4, 0.3, 1 / 20, held=True),
+    SphereMetal(1e-2, 0.2, held=True),
+    SphereMetal(2.5e-3, 0.45, 1 / 50),
+    SphereMetal(5e-3, 0.2, 1 / 100, held=True),
+    SphereMetal(2e-2),
+    SphereMetal(1e-2, 0.3, 1 / 20, held=True),
+    SphereMetal(6e-4, 0.2, 1 / 50, force_ratio_max=2700.0),
+    SphereMetal(1e-3, 0.3, 1 / 100, held=True, force_ratio_max=2700.0),
+    SphereMetal(6e-4, 0.45, 1 / 20),
+    SphereMetal(3e-4, 0.45, force_ratio_max=2700.0),
+    SphereMetal(5e-3, held=True, strain="finite", widest=0.16),
+    SphereMetal(2.5e-3, 0.3, 1 / 30, held=True, strain="finite", widest=0.16),
+)

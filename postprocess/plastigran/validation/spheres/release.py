@@ -1,0 +1,62 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""A sphere pressed once, and let go from many forces on the way.
+
+`plastigran.fem.sphere.press` presses again after each release; here the loading goes on from where
+a release began, which is the same answer for half the increments.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import pandas as pd
+from tqdm import tqdm
+
+from plastigran.fem.limits import check_forces, contact_reach
+from plastigran.fem.material.elastic_plastic import ElasticPlastic
+from plastigran.fem.settings import Settings
+from plastigran.fem.sphere.assembly import pressed
+from plastigran.fem.sphere.press import Path, loading_ladders, unloading
+from plastigran.fem.sphere.results import Pressing
+from plastigran.fem.stepping.increment import NoConvergence
+from plastigran.fem.theory.hertz import HertzSphere
+
+
+def press_and_release(
+    material: ElasticPlastic,
+    radius: float,
+    forces: Sequence[float],
+    settings: Settings | None = None,
+    progress: bool = False,
+) -> Pressing:
+    """Press a sphere on a rigid plane and let it go from each of some forces.
+
+    Args as of `press`; it is let go from each of the forces.
+
+    Returns:
+        As of `press`, without snapshots; releases before the one that found no equilibrium, and
+        why in `stopped`.
+
+    Raises:
+        ValueError: As of `press`.
+    """
+    settings = settings or Settings()
+    sphere = HertzSphere(material, radius)
+    check_forces(sphere, forces, strain=settings.strain)
+    equations = pressed(sphere, contact_reach(sphere, forces[-1]), settings)
+    path = Path(equations, sphere)
+    ladders = loading_ladders(sphere, forces, settings)
+    reached, stopped, whole = 0.0, "", 0
+    with tqdm(disable=not progress, desc=f"press to {forces[-1]:.4g} N") as bar:
+        try:
+            for branch in range(0, len(ladders), 2):
+                up, down = ladders[branch : branch + 2]
+                path.go(up[up > reached], branch, bar)
+                top, reached = path.now, up[-1]
+                path.go(down, branch + 1, bar)
+                path.now, whole = top, branch + 2
+        except NoConvergence as error:
+            stopped = str(error)
+    history = pd.DataFrame(path.rows)
+    releases = [unloading(history, branch) for branch in range(1, whole, 2)]
+    return Pressing(material, radius, history, pd.DataFrame(releases), [], stopped)

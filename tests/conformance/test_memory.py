@@ -1,0 +1,219 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""What contacts remember outlives what decks do between two runs; restarts keep its meaning."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+from scenes import scene
+
+from plastigran import laws
+from plastigran.engine.dumps import read_dump
+from plastigran.engine.process import EngineStopped
+
+# In the order of between_runs.in.
+STAGES = (
+    "held",
+    "deleted",
+    "deleted twice",
+    "created",
+    "created and deleted",
+    "of another type",
+    "moved to other ranks",
+    *["run in pieces"] * 3,
+    "steps counted anew",
+    "restart file written",
+    "pair_style again",
+    "wall again",
+    *["inserted"] * 5,
+)
+
+
+def held_forces(folder: Path) -> np.ndarray:
+    """Forces (frame, body, axis) on the two spheres and the one at the wall, from left to right;
+    the first frame is that of the first run's set-up."""
+    table = read_dump(folder / "trajectory.dump")
+    bodies = [frame.sort_values("x")[["fx", "fy", "fz"]] for _, frame in table.groupby("step")]
+    return np.array([frame.to_numpy() for frame in bodies])
+
+
+def assert_held(forces: np.ndarray, stages: tuple[str, ...]) -> None:
+    """The same forces at all stages, with a spring's share that contacts must remember.
+
+    1e-9: where all are moved by 70 mm the overlap, 1e-4 of that, is rounded anew.
+    """
+    first = forces[0]
+    assert np.all(np.abs(first[:, 1]) > 0.05 * np.abs(first[:, 0])), "no spring is stretched"
+    assert len(forces) == len(stages)
+    scale = np.abs(first).max(axis=1)
+    for stage, now in zip(stages, forces, strict=True):
+        assert np.abs(now - first).max(axis=1) / scale == pytest.approx(0, abs=1e-9), stage
+
+
+def between_runs(law: str, folder: Path, ranks: int = 1, **variables: object) -> None:
+    scene(law).run("between_runs", folder, ranks=ranks, **variables)
+    stages = STAGES if scene(law).is_sphere else STAGES[: STAGES.index("inserted") + 1]
+    # Steps are counted anew in the middle: frames come in two parts.
+    assert_held(held_forces(folder), stages)
+
+
+def test_memory_outlives_what_decks_do_between_runs(engine_law, tmp_path):
+    between_runs(engine_law, tmp_path)
+
+
+@pytest.mark.parametrize(
+    ("grid", "variables"),
+    [
+        ("1 1", {"sort": 0, "compress": "no", "wall": "mesh"}),
+        ("2 1", {"sort": 1, "compress": "yes", "wall": "mesh"}),
+        ("1 2", {"sort": 0, "compress": "yes"}),
+        ("2 2", {"sort": 1, "compress": "no"}),
+    ],
+)
+def test_memory_outlives_them_on_all_ranks(grid, variables, tmp_path):
+    """The pair's contact lies on the border between ranks, at x = 0 and y = 0, and is moved."""
+    ranks = int(np.prod([int(number) for number in grid.split()]))
+    between_runs("thornton", tmp_path, ranks, grid=grid, **variables)
+
+
+def run_with(
+    commands: str, law: str, folder: Path, deck: str = "held_commands", **variables
+) -> str:
+    """Run a deck that includes these commands of another."""
+    folder.mkdir(exist_ok=True)
+    (folder / "commands.in").write_text(commands.replace("; ", "\n") + "\n")
+    return scene(law).run(deck, folder, commands=folder / "commands.in", **variables)
+
+
+OTHER_LINES = {
+    "pair_style": (
+        "pair_style gran model stronge tangential history unloading original_radius; "
+        "pair_coeff * *",
+        [1, 2],
+    ),
+    "fix wall": (
+        "unfix wall; fix wall all wall/gran model thornton tangential history "
+        "primitive type 2 xplane -0.45",
+        [0],
+    ),
+}
+
+
+@pytest.mark.parametrize("owner", OTHER_LINES)
+def test_contacts_of_another_line_begin_anew(owner, tmp_path):
+    """Another option or law: the log says so, and the contacts of that line alone are virgin.
+
+    0.3: at this overlap the law let go by a tenth has lost at least that of its force.
+    """
+    commands, changed = OTHER_LINES[owner]
+    log = run_with(commands, "stronge", tmp_path)
+    assert f"WARNING: {owner}: contacts of `model stronge tangential history unloading book" in log
+    assert log.count("begin anew") == 1
+    before, after = held_forces(tmp_path)[[0, -1]]
+    ratio = np.abs(after[:, 0] / before[:, 0])
+    stays = [k for k in range(3) if k not in changed]
+    assert ratio[stays] == pytest.approx(1, rel=1e-9)
+    assert np.all(np.abs(ratio[changed] - 1) > 0.3)
+    assert np.all(np.abs(after[changed, 1]) < 1e-3 * np.abs(before[changed, 1])), "the springs"
+
+
+def test_contacts_without_memory_begin_anew_in_silence(tmp_path):
+    commands = "pair_style gran model thornton tangential off; pair_coeff * *"
+    log = run_with(commands, "viscoelastic_hertz", tmp_path, tangential="off")
+    assert "begin anew" not in log
+
+
+SETTINGS = "unloading original_radius viscous_damping on tangential_damping off overlap_limit 0.25"
+
+
+def test_restart_has_the_settings_of_the_line(tmp_path):
+    """Read without a pair_style line, the file goes on with the options and settings of the one it
+    was written with, to every digit."""
+    case, before = {"after": 160, "coefficient_of_restitution": 0.7}, 40
+    bodies = scene("stronge")
+    for name, options in (("whole", SETTINGS), ("other", SETTINGS.replace(" on", " off"))):
+        bodies.run("restart_write", tmp_path / name, before=before, options=options, **case)
+    restart = (tmp_path / "whole" / "middle.restart").resolve()
+    log = bodies.run("restart_read", tmp_path / "rest", restart=restart, **case)
+    assert "unloading original_radius" in log
+    tables = {name: read_dump(tmp_path / name / "trajectory.dump") for name in ("whole", "rest")}
+    # The dashpot: a run begins with the velocities of that moment.
+    whole, rest = (
+        table[table["step"] > before].drop_duplicates(["step", "id"]) for table in tables.values()
+    )
+    assert len(rest) == len(whole)
+    assert (rest.to_numpy() == whole.to_numpy()).all()
+    other = read_dump(tmp_path / "other" / "trajectory.dump")
+    assert abs(other["vx"].iloc[-1] / rest["vx"].iloc[-1] - 1) > 0.01, "the settings do nothing"
+
+
+@pytest.mark.parametrize(
+    ("owner", "commands", "variables"),
+    [
+        ("pair_style", "pair_style gran model stronge tangential history; pair_coeff * *", {}),
+        ("fix wall", "", {"wall_options": "unloading original_radius"}),
+    ],
+)
+def test_restart_with_another_law_is_refused(owner, commands, variables, tmp_path):
+    case = {"geometry": "plane", "after": 1}
+    options = SETTINGS if owner == "pair_style" else ""
+    scene("stronge").run("restart_write", tmp_path, before=40, options=options, **case)
+    case["restart"] = (tmp_path / "middle.restart").resolve()
+    with pytest.raises(
+        EngineStopped, match=f"{owner}: the restart file has contacts of `model str"
+    ):
+        run_with(commands, "stronge", tmp_path, "restart_read", **case, **variables)
+
+
+@pytest.mark.parametrize("fix", ["range", "step", "motion", "history"])
+def test_own_fixes_may_be_removed(fix, tmp_path):
+    """The next run is set up anew, `pre no` or not: its forces are the same."""
+    log = run_with(f"unfix plastigran_{fix}; run 2 pre no", "thornton", tmp_path)
+    assert_held(held_forces(tmp_path), ("held",) * 5)
+    assert log.count("Setting up run") == 5
+
+
+LEDGER, LINE = {"options": "energy_ledger on"}, "gran model {} tangential history; pair_coeff * *"
+NO_LONGER = "an energy ledger is kept, and this line has no energy_ledger on"
+REFUSED = {
+    "energy_ledger on: its fix was removed": ("unfix energy_ledger; run 3 pre no", LEDGER),
+    "its fix plastic_work was removed": ("unfix plastic_work; run 3 pre no", LEDGER),
+    f"{NO_LONGER}": ("pair_style " + LINE.format("thornton"), LEDGER),
+    f"{NO_LONGER}.": ("pair_style " + LINE.format("hertz"), LEDGER),
+    "cannot be removed between the parts of one run": (
+        "run 4 pre no every 1 'unfix plastigran_range'",
+        {},
+    ),
+    "the engine cannot replace a wall; unfix it first": (
+        "fix wall all wall/gran model thornton tangential history primitive type 2 xplane -0.45",
+        {},
+    ),
+    "energy_ledger on: it counts particles, and not the bodies that fix rigid": (
+        "fix body pair rigid single",
+        LEDGER,
+    ),
+}
+
+
+@pytest.mark.parametrize("message", REFUSED)
+def test_what_would_go_wrong_is_refused(message, tmp_path):
+    commands, variables = REFUSED[message]
+    with pytest.raises(EngineStopped, match=message):
+        run_with(commands, "thornton", tmp_path, **variables)
+
+
+def test_a_ledger_ends_with_its_fixes_and_lines(tmp_path):
+    commands = "unfix energy_ledger; unfix plastic_work; pair_style " + LINE.format("thornton")
+    run_with(commands, "thornton", tmp_path, **LEDGER)
+    assert_held(held_forces(tmp_path), ("held",) * 3)
+
+
+def test_a_laws_options_are_in_restart_files(engine_law, tmp_path):
+    """What is compared and restored has every option of the law by name."""
+    run_with(f"write_restart {tmp_path}/held.restart", engine_law, tmp_path)
+    held = (tmp_path / "held.restart").read_bytes()
+    assert b"overlap_limit" in held
+    for option in laws.LAWS[engine_law].options():
+        assert f"{option['name']} {option['default']} ".encode() in held

@@ -1,0 +1,32 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""The elastic contact of sphere laws that have another than Hertz's."""
+
+from __future__ import annotations
+
+import numpy as np
+from scipy.special import hyp2f1
+
+from plastigran import laws
+
+#: Laws whose bodies, unyielding, are not those of the engine's own hertz.
+NOT_HERTZIAN = ("mdr",)
+
+
+def mapped_sphere(
+    pair: laws.MaterialPair, radius_eff: float, overlap: np.ndarray
+) -> dict[str, np.ndarray]:
+    """The elastic contact of `mdr`: 2 E' R^2 [acos(1 - y) - (1 - y) sqrt(2y - y^2)], y = d/2R, of
+    the yielding body's E' and a radius R that have the pair's Hertzian force and contact radius.
+    The bracket is 4 sqrt(2)/3 y^1.5 2F1(-1/2, 3/2; 5/2; y/2)."""
+    modulus = pair.youngs_modulus / (1 - pair.poissons_ratio**2)
+    ratio = modulus / pair.youngs_modulus_eff
+    radius = radius_eff * ratio
+    y = overlap / ratio / (2 * radius)
+    force = 2 * modulus * radius**2 * 4 * np.sqrt(2) / 3 * y**1.5
+    return {
+        "force": force * hyp2f1(-0.5, 1.5, 2.5, y / 2),
+        "contact_radius": radius * np.sqrt(y * (2 - y)),
+        "elastic_energy": 0.4 * force * overlap * hyp2f1(-0.5, 1.5, 3.5, y / 2),
+        "plastic_work": np.zeros_like(y),
+        "viscous_force": np.zeros_like(y),
+    }

@@ -1,0 +1,77 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""A report's tables stand in the places of its pages, and its pictures beside them."""
+
+from __future__ import annotations
+
+import attrs
+import pandas as pd
+import pytest
+
+from plastigran.plot.style import subplots
+from plastigran.report.base import Findings, Report, add_difference
+from plastigran.report.pages import fill, publish, read_pages, to_markdown
+
+
+def own_report() -> Report:
+    """One that is computed at once."""
+    table = add_difference(pd.DataFrame({"paper": [2.0, 0.0], "ours": [2.1, 3.0]}), "ours", "paper")
+    with_figure = {"line": subplots(figsize=(2, 2))[0]}
+    return Report(
+        name="own",
+        title="Own",
+        pictures="../figures/own",
+        tables=("one",),
+        figures=("line",),
+        compute=lambda progress, coarse: Findings({"one": table}, with_figure),
+    )
+
+
+PAGE = "before\n<!-- table one -->\nold\n<!-- end -->\nafter\n"
+
+
+def test_differences_are_per_cent_of_the_other_and_empty_where_it_is_zero():
+    table = own_report().run().tables["one"]
+    assert list(table) == ["paper", "ours", "ours off paper (%)"]
+    assert table["ours off paper (%)"].iloc[0] == pytest.approx(5)
+    assert to_markdown(table).splitlines()[2:] == ["| 2 | 2.1 | +5.00 |", "| 0 | 3 |  |"]
+
+
+def test_tables_replace_what_stood_in_their_places():
+    tables = {"one": pd.DataFrame({"a": [1.23456, 12345.6]})}
+    filled = fill(PAGE, tables)
+    table = "| a |\n| --- |\n| 1.235 |\n| 12350 |\n"
+    assert filled == f"before\n<!-- table one -->\n{table}<!-- end -->\nafter\n"
+    assert fill(filled, tables) == filled
+
+
+def test_a_page_is_written_with_its_pictures(tmp_path):
+    report, folder = own_report(), tmp_path / "docs" / "pages"
+    folder.mkdir(parents=True)
+    (folder / "own.md").write_text(PAGE)
+    made = report.run()
+    page, picture = publish(report, made, made.write(tmp_path / "results"), folder)
+    assert "+5.00" in page.read_text()
+    assert picture == tmp_path / "docs" / "figures" / "own" / "line.png"
+    assert picture.read_bytes().startswith(b"\x89PNG")
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        ("nothing", "has no <!-- table one -->"),
+        (PAGE + PAGE.replace("one", "two"), "has a place for two, no table of own"),
+        (PAGE + PAGE, "two places for one table"),
+        (None, "own.md is missing"),
+    ],
+)
+def test_a_page_without_the_right_places_is_refused(text, said, tmp_path):
+    if text is not None:
+        (tmp_path / "own.md").write_text(text)
+    with pytest.raises(ValueError, match=said):
+        read_pages(own_report(), tmp_path)
+
+
+def test_what_is_declared_must_be_made():
+    report = attrs.evolve(own_report(), tables=("one", "two"))
+    with pytest.raises(ValueError, match=r"tables of own: \['two'\] do not match"):
+        report.run()
