@@ -22,6 +22,8 @@ STATED = {
     "ye_komvopoulos": 1.1e-3,
     "brake_2012": 1.15e-3,
     "brake_2015": 1.2e-3,
+    "ghaednia_2019": 1.15e-3,
+    "mdr": 1.1e-3,
 }
 RADIUS, MASS = 0.01, 4 / 3 * pi * 0.01**3 * 2500
 LAWS = [
