@@ -95,7 +95,9 @@ class ElastoplasticNormalModel : public NormalModelBase {
     if (line_settings_.empty())
       plastigran::restore_settings(lmp, *this, keeper->restarted_settings(owner),
                                    [this] { postSettings(nullptr, nullptr); });
-    keeper->connect(owner, {models(), line_settings_, owner_.histories(), !reported_});
+    keeper->connect(
+        owner, {caller() + owner_.other_models() + plastigran::options_text<Law>(choices_, " "),
+                line_settings_, owner_.histories(), !reported_});
     const plastigran::DeckProperties deck(lmp, caller(), registry.max_type());
     pairs_.build(deck, registry.max_type(), choices_);
     watch_.begin(caller(), overlap_limit_);
@@ -190,14 +192,6 @@ class ElastoplasticNormalModel : public NormalModelBase {
   void fail(const std::string& reason) { error->all(FLERR, (caller() + ": " + reason).c_str()); }
   void refuse(const char* setting) {
     fail(std::string(setting) + " is not available with this model; leave it off");
-  }
-
-  // What gives the contacts' memory its meaning.
-  std::string models() const {
-    std::string text = caller() + owner_.other_models();
-    for (const auto& option : plastigran::options_of<Law>)
-      text += std::string(" ") + option.name + ' ' + option.choices[choices_.*option.value];
-    return text;
   }
 
   // The state before this step: the history is written at the end of it.
