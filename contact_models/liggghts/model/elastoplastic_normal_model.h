@@ -107,7 +107,9 @@ class ElastoplasticNormalModel : public NormalModelBase {
     if (line_settings_.empty())
       plastigran::restore_settings(lmp, *this, keeper->restarted_settings(owner),
                                    [this] { postSettings(nullptr, nullptr); });
-    keeper->connect(owner, {models(), line_settings_, owner_.histories(), !reported_});
+    keeper->connect(
+        owner, {caller() + owner_.other_models() + plastigran::options_text<Law>(choices_, " "),
+                line_settings_, owner_.histories(), !reported_});
     const plastigran::DeckProperties deck(lmp, caller(), registry.max_type());
     pairs_.build(deck, registry.max_type(), choices_);
     if (plastigran::yields<Law> && !owner_.is_wall())
@@ -222,14 +224,6 @@ class ElastoplasticNormalModel : public NormalModelBase {
         contact.contact_history[rate_offset_] = factor;
     }
     return pair.strengthened(factor);
-  }
-
-  // What gives the contacts' memory its meaning.
-  std::string models() const {
-    std::string text = caller() + owner_.other_models();
-    for (const auto& option : plastigran::options_of<Law>)
-      text += std::string(" ") + option.name + ' ' + option.choices[choices_.*option.value];
-    return text;
   }
 
   // The state before this step: the history is written at the end of it.
