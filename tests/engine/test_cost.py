@@ -81,4 +81,4 @@ def test_a_contact_beyond_the_range_costs_as_much_as_one_within(yielding_law, tm
 def narrow(law: str) -> bool:
     """Whether a hundredth of the strength leads beyond the law's range."""
     body = laws.Body(youngs_modulus=5e6, poissons_ratio=0.3, yield_strength=1e3)
-    return laws.LAWS[law](laws.combine(body, body)).overlap_range() < 0.08
+    return laws.LAWS[law](laws.combine(body, body)).overlap_range < 0.08

@@ -18,7 +18,9 @@ def launch(folder: Path, deck: str, *words: str) -> subprocess.CompletedProcess:
     (folder / "deck.in").write_text(HEAD + deck)
     (folder / "other.in").write_text(OTHER)
     line = [engine_path(), "-in", "deck.in", "-log", "none", "-var", "speed", "3", *words]
-    return subprocess.run(line, cwd=folder, capture_output=True, text=True, check=False)
+    return subprocess.run(
+        line, cwd=folder, capture_output=True, text=True, errors="replace", check=False
+    )
 
 
 @pytest.mark.parametrize(
