@@ -125,7 +125,7 @@ def test_the_template_runs_keeps_its_ledger_and_goes_on(tmp_path, capsys):
 def test_the_template_refuses(tmp_path, capsys):
     (tmp_path / "mine").mkdir()
     for line, said in (
-        ([str(tmp_path / "mine")], "File exists"),
+        ([str(tmp_path / "mine")], "mine is there; choose another name"),
         ([str(tmp_path / "a b")], "'a b' holds white space"),
         ([str(tmp_path / "new"), "--law", "lim_stronge"], "'lim_stronge' is no law for spheres"),
     ):

@@ -52,6 +52,8 @@ def write_deck(folder: Path, law: str, material: Material | str | Path) -> Path:
     }
     for word, value in values.items():
         text = text.replace(word, value)
+    if folder.exists():
+        raise FileExistsError(f"{folder} is there; choose another name")
     folder.mkdir(parents=True)
     deck = folder / f"{folder.name}.in"
     deck.write_text(text)
