@@ -88,6 +88,7 @@ class ElastoplasticNormalModel : public NormalModelBase {
 
   void postSettings(IContactHistorySetup*, ContactModelBase*) override {
     line_settings_ = plastigran::settings_text(*settings_);
+    settings_ = nullptr;
     if (engine_elastic_potential_) refuse("computeElasticPotential");
     if (engine_dissipated_energy_) refuse("computeDissipatedEnergy");
     if (!(overlap_limit_ > 0 && overlap_limit_ <= 2))
@@ -262,6 +263,8 @@ class ElastoplasticNormalModel : public NormalModelBase {
       text += caller() +
               ": coefficientRestitution is not used, restitution follows from the law; "
               "it is the dashpot's, viscous_damping on\n";
+    if (!plastigran::hardens<Law> && !owner_.is_wall() && deck.given("tangent_modulus"))
+      text += caller() + ": tangentModulus is not used, this law does not harden\n";
     if (screen) fputs(text.c_str(), screen);
     if (logfile) fputs(text.c_str(), logfile);
     for (const std::string& doubt : deck.doubts(pairs_.bodies())) watch_.warn_once(doubt);
