@@ -253,7 +253,7 @@ def draw_calibration() -> None:
         save(calibration_figure(metal), FOLDER / name, (".png",))
 
 
-# Heights of fall and rebound of a ball of steel on granite [m]: an example.
+# Heights of fall and rebound of a ball of steel on a rigid plate [m]: an example.
 DROPS = [(0.05, 0.0215), (0.05, 0.0222), (0.10, 0.0385), (0.20, 0.0680), (0.50, 0.1490)]
 
 

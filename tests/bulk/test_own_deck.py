@@ -13,6 +13,7 @@ from plastigran.bulk.run import run_bulk
 from plastigran.bulk.template import write_deck
 from plastigran.cli import main
 from plastigran.engine.log import read_thermo
+from plastigran.engine.process import EngineError
 from plastigran.plot.snapshot import find_frames
 
 #: A sphere falls on a plane and a mesh beside the deck; no variable, no dt, long names in the log.
@@ -125,9 +126,34 @@ def test_the_template_runs_keeps_its_ledger_and_goes_on(tmp_path, capsys):
 def test_the_template_refuses(tmp_path, capsys):
     (tmp_path / "mine").mkdir()
     for line, said in (
-        ([str(tmp_path / "mine")], "File exists"),
+        ([str(tmp_path / "mine")], "mine is there; choose another name"),
         ([str(tmp_path / "a b")], "'a b' holds white space"),
+        ([str(tmp_path / "fresh")], "'fresh' is the name of another file"),
+        ([str(tmp_path / "steel"), "--material", "steel"], "both called 'steel'"),
         ([str(tmp_path / "new"), "--law", "lim_stronge"], "'lim_stronge' is no law for spheres"),
     ):
         assert main(["new-deck", *line]) == 1
         assert said in capsys.readouterr().err
+
+
+def test_the_template_takes_all_that_the_material_has(tmp_path):
+    """The log says the constants of the contact."""
+    material = tmp_path / "rated.in"
+    material.write_text(
+        "variable youngs_modulus index 5e6\nvariable poissons_ratio index 0.3\n"
+        "variable density index 1500\nvariable yield_strength index 1e5\n"
+        "variable yield_pressure_factor index 1.5\nvariable tangent_modulus index 4e4\n"
+        "variable rate_coefficient index 0.014\n"
+    )
+    deck = write_deck(tmp_path / "mine", "universal", material)
+    run_bulk(deck, {"duration": 1e-3, "rows": 1, "checkpoints": 1}, tmp_path / "run", show=False)
+    said = (tmp_path / "run" / "log.liggghts").read_text()
+    assert "yield pressure 150000 Pa, rate coefficient 0.014" in said
+    assert "tangent modulus 40000 Pa" in said
+
+
+def test_a_deck_that_includes_itself_is_refused(tmp_path):
+    deck = tmp_path / "round.in"
+    deck.write_text("include round.in\n")
+    with pytest.raises(EngineError, match="does it include itself"):
+        run_bulk(deck, {}, tmp_path / "run", show=False)

@@ -83,3 +83,19 @@ def test_the_metal_stands_where_it_is_asked_about():
     glass = of_glass.contact("thornton", steel)
     assert glass.mass_eff / on_rigid.mass_eff == pytest.approx(2500 / 7850, rel=0.02)
     assert sqrt(glass.pair.yield_strength) == pytest.approx(sqrt(3e8))
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        ("speed;rebound_speed\n3,5;2,1\n4,5;2,1\n", "is no table of drops"),
+        ("speed,restitution\n1,0.5,0.45\n", "is no table of drops"),
+        ("speed,restitution,coefficient_of_restitution\n1,0.5,0.6\n", "has a column twice"),
+    ],
+)
+def test_lines_of_more_fields_and_columns_given_twice_are_refused(text, said, tmp_path):
+    """Decimal commas part a line into more fields than there are columns."""
+    file = tmp_path / "drops.csv"
+    file.write_text(text)
+    with pytest.raises(ValueError, match=said):
+        read_drop_test(file)

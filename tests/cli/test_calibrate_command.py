@@ -63,7 +63,7 @@ def test_drops_have_a_figure(capsys, tmp_path, drops):
     assert main(line) == 0
     numbers = json.loads(capsys.readouterr().out)
     assert numbers["law"] == "thornton"
-    assert numbers["source"].startswith("3 drops by thornton")
+    assert numbers["source"].startswith("3 drops of the metal on a rigid plate by thornton")
     assert figure.read_bytes().startswith(b"\x89PNG")
 
 

@@ -238,3 +238,14 @@ def assert_documented(node: ast.FunctionDef, function: object) -> None:
     if len(arguments) > ("self" in {given.arg for given in arguments}):
         for given in arguments:
             assert given.arg in ("self", "pair") or f"{given.arg}:" in said, (node.name, given.arg)
+
+
+@pytest.mark.parametrize("name", [name for name, law in laws.LAWS.items() if law.shape == "sphere"])
+def test_ranges_hold_for_a_soft_body_that_does_not_yield_first(name):
+    """Steel against rubber: the rubber takes the overlap, and no law is good for one as deep as its
+    radius."""
+    steel = laws.Body(2.1e11, 0.3, 3e8)
+    rubber = laws.Body(1e7, 0.49, 1e30)
+    needed = {"dissipative_constant": 1e-6} if name == "viscoelastic_hertz" else {}
+    law = laws.LAWS[name](laws.combine(steel, rubber), **needed)
+    assert law.overlap_range < 0.2

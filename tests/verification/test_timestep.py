@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The recommended time step keeps restitution to 1e-3, whenever within a step a contact begins."""
+"""The recommended time step keeps restitution to 1e-3, and to 1.2e-3 where the force has kinks,
+whenever within a step a contact begins."""
 
 from __future__ import annotations
 

@@ -88,6 +88,7 @@ class ElastoplasticNormalModel : public NormalModelBase {
 
   void postSettings(IContactHistorySetup*, ContactModelBase*) override {
     line_settings_ = plastigran::settings_text(*settings_);
+    settings_ = nullptr;
     if (engine_elastic_potential_) refuse("computeElasticPotential");
     if (engine_dissipated_energy_) refuse("computeDissipatedEnergy");
     if (!(overlap_limit_ > 0 && overlap_limit_ <= 2))
@@ -107,7 +108,9 @@ class ElastoplasticNormalModel : public NormalModelBase {
     if (line_settings_.empty())
       plastigran::restore_settings(lmp, *this, keeper->restarted_settings(owner),
                                    [this] { postSettings(nullptr, nullptr); });
-    keeper->connect(owner, {models(), line_settings_, owner_.histories(), !reported_});
+    keeper->connect(
+        owner, {caller() + owner_.other_models() + plastigran::options_text<Law>(choices_, " "),
+                line_settings_, owner_.histories(), !reported_});
     const plastigran::DeckProperties deck(lmp, caller(), registry.max_type());
     pairs_.build(deck, registry.max_type(), choices_);
     if (plastigran::yields<Law> && !owner_.is_wall())
@@ -224,14 +227,6 @@ class ElastoplasticNormalModel : public NormalModelBase {
     return pair.strengthened(factor);
   }
 
-  // What gives the contacts' memory its meaning.
-  std::string models() const {
-    std::string text = caller() + owner_.other_models();
-    for (const auto& option : plastigran::options_of<Law>)
-      text += std::string(" ") + option.name + ' ' + option.choices[choices_.*option.value];
-    return text;
-  }
-
   // The state before this step: the history is written at the end of it.
   State state_before(const SurfacesIntersectData& contact) const {
     State before;
@@ -268,6 +263,8 @@ class ElastoplasticNormalModel : public NormalModelBase {
       text += caller() +
               ": coefficientRestitution is not used, restitution follows from the law; "
               "it is the dashpot's, viscous_damping on\n";
+    if (!plastigran::hardens<Law> && !owner_.is_wall() && deck.given("tangent_modulus"))
+      text += caller() + ": tangentModulus is not used, this law does not harden\n";
     if (screen) fputs(text.c_str(), screen);
     if (logfile) fputs(text.c_str(), logfile);
     for (const std::string& doubt : deck.doubts(pairs_.bodies())) watch_.warn_once(doubt);

@@ -21,6 +21,15 @@ namespace plastigran {
 template <class Law>
 constexpr bool is_cylinder = std::string_view(shape<Law>) == std::string_view("cylinder");
 
+// The law's options with their choices, each after a separator.
+template <class Law>
+std::string options_text(const typename Law::Parameters& choices, const char* separator) {
+  std::string text;
+  for (const auto& option : options_of<Law>)
+    text += std::string(separator) + option.name + ' ' + option.choices[choices.*option.value];
+  return text;
+}
+
 template <class Law>
 struct TypePair {
   typedef typename Law::Parameters Constants;
@@ -111,9 +120,7 @@ class TypePairs {
         for (const auto& parameter : parameters_of<Law>)
           text << ", " << property_name(parameter.name) << ' ' << pair.constants.*parameter.value
                << (deck.given(parameter.name) ? "" : " (default)");
-        for (const auto& option : options_of<Law>)
-          text << ", " << option.name << ' ' << option.choices[options.*option.value];
-        text << '\n';
+        text << options_text<Law>(options, ", ") << '\n';
       }
     return text.str();
   }

@@ -186,7 +186,7 @@ double jump_error([[maybe_unused]] const Law& law, [[maybe_unused]] double radiu
 // where the force has a slope c over the rate: the engine knows the rate of half a step ago. It
 // leaves an error of the coefficient of restitution of 9e-4 at most where the force is smooth, of
 // second order in the step. Where the force jumps the step is shorter, so that both errors together
-// are 1e-3 (docs/timestep.md).
+// are 1e-3; kinks of the force leave up to 2e-4 beside (docs/timestep.md).
 constexpr double timestep_fraction = 0.1;
 constexpr double timestep_damping = 16;  // of c^2/(k m*)
 constexpr double smooth_error = 9e-4, restitution_error = 1e-3;

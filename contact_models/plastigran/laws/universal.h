@@ -17,7 +17,7 @@
 // w is p_y/sigma_Y over that at nu = 0.3: far from yield only sigma_Y matters.
 // h = (p_y/sigma_Y) H/E', H the plastic modulus; r = a_Y/R. E' and R are those of the fitted
 // sphere, see fitted_sphere.h. Where a hard sphere dents a flat, the body that yields has no
-// radius: option yielding_body flat, r = 0. The contact radius falls as dF/d(overlap) does.
+// radius: option yielding flat, r = 0. The contact radius falls as dF/d(overlap) does.
 //
 //   F |            /           virgin curve: force and slope go on from Hertz'
 //     |          //            unloading and reloading on one curve back to F_max,
@@ -44,13 +44,13 @@ class Universal {
   static constexpr const char* source = "finite elements of Plastigran, docs/laws/universal.md";
   static constexpr const char* range = "a/R <= 0.1, hardening to E/20";
   static constexpr bool hardens = true;
-  enum YieldingBody { sphere, flat };
+  enum Yielding { sphere, flat };
   struct Parameters {
-    int yielding_body = sphere;
+    int yielding = sphere;
   };
   static constexpr std::array<Option<Parameters>, 1> options{{
-      {"yielding_body",
-       &Parameters::yielding_body,
+      {"yielding",
+       &Parameters::yielding,
        {"sphere", "flat", nullptr},
        "what flattens or is dented; a flat's wide contact is as a narrow one"},
   }};
@@ -64,16 +64,16 @@ class Universal {
                                                           "contact_radius_max", "recovery"};
 
   Universal(const MaterialPair& pair, const Parameters& constants)
-      : modulus_(4.0 / 3.0 * pair.youngs_modulus_eff),
+      : fitted_(pair, of_yielding_body),
+        modulus_(4.0 / 3.0 * pair.youngs_modulus_eff),
         yield_radius_ratio_(yield_radius_ratio(pair)) {
-    const FittedSphere fitted(pair, of_yielding_body);
     const double pressure_factor = pair.yield_pressure / pair.yield_strength;
-    yield_radius_ = pi * pair.yield_pressure / (2 * fitted.modulus);
-    widening_radius_ = constants.yielding_body == flat ? 0 : yield_radius_;
+    yield_radius_ = pi * pair.yield_pressure / (2 * fitted_.modulus);
+    widening_radius_ = constants.yielding == flat ? 0 : yield_radius_;
     onset_ = pressure_factor / hertz_yield_pressure_factor(0.3);
     const double plastic_modulus =
         pair.tangent_modulus * pair.youngs_modulus / (pair.youngs_modulus - pair.tangent_modulus);
-    hardening_ = pressure_factor * plastic_modulus / fitted.modulus;
+    hardening_ = pressure_factor * plastic_modulus / fitted_.modulus;
   }
 
   Response respond(double radius_eff, double overlap, State& state) const {
@@ -116,7 +116,7 @@ class Universal {
           yield_radius_ * (middle > 1 ? contact_radius(middle, depth(middle)) : middle);
       (radius < 0.1 ? left : right) = middle;
     }
-    return left * left * yield_radius_ratio_ * yield_radius_ratio_;
+    return fitted_.overlap_range(left * left * yield_radius_ * yield_radius_);
   }
 
  private:
@@ -176,7 +176,8 @@ class Universal {
   }
 
   // Work of the virgin curve up to t, over F_Y overlap_Y: on panels that double in length, for the
-  // integrand's poles are some panel lengths away. Without a root in it the compiler can drop it.
+  // integrand's poles are some panel lengths away. The compiler eliminates it where the
+  // work is not used, for no root in it may set errno.
   double virgin_work(double t) const {
     double sum = 0.4;
     for (double left = 1; left < t; left *= 2)
@@ -185,6 +186,7 @@ class Universal {
     return sum;
   }
 
+  FittedSphere fitted_;
   double modulus_;             // 4/3 E*
   double yield_radius_ratio_;  // a_Y/R*
   double yield_radius_;        // a_Y/R of the fitted sphere

@@ -15,7 +15,9 @@ from plastigran.materials import Material, laws_for, read_material, write_materi
 #: Speed of the fastest impact of the template, a fall from its top [m/s], with room to spare.
 SPEED = 2.0
 #: Files of the inputs that lie beside the deck.
-PARTS = ("energy_ledger.in", "meshes/plate.stl")
+PARTS = ("energy_ledger.in", "meshes/plate.stl", "template/fresh.in", "template/checkpoint.in")
+#: Names that they have taken.
+TAKEN = [Path(file).stem for file in PARTS]
 
 
 def write_deck(folder: Path, law: str, material: Material | str | Path) -> Path:
@@ -30,12 +32,17 @@ def write_deck(folder: Path, law: str, material: Material | str | Path) -> Path:
         Path of the deck.
 
     Raises:
-        ValueError: No such law for spheres or material, or the name has white space.
+        ValueError: No such law for spheres or material, or a name that the folder cannot take.
         FileExistsError: The folder is there.
     """
     material = read_material(material)
-    if any(map(str.isspace, folder.name)):
-        raise ValueError(f"{folder.name!r} holds white space, at which the engine splits names")
+    for name in (folder.name, material.name):
+        if any(map(str.isspace, name)):
+            raise ValueError(f"{name!r} holds white space, at which the engine splits names")
+        if name in TAKEN:
+            raise ValueError(f"{name!r} is the name of another file of the deck's folder")
+    if folder.name == material.name:
+        raise ValueError(f"deck and material are both called {folder.name!r}; choose another name")
     if law not in (fitting := laws_for("sphere", [material])):
         raise ValueError(
             f"{law!r} is no law for spheres of {material.name}; there are {', '.join(fitting)}"
@@ -52,12 +59,14 @@ def write_deck(folder: Path, law: str, material: Material | str | Path) -> Path:
     }
     for word, value in values.items():
         text = text.replace(word, value)
+    if folder.exists():
+        raise FileExistsError(f"{folder} is there; choose another name")
     folder.mkdir(parents=True)
     deck = folder / f"{folder.name}.in"
     deck.write_text(text)
     remark = f"Material of {deck.name}, made from {material.name}."
     write_material(material, folder / f"{material.name}.in", remark)
-    for file in (*PARTS, source / "fresh.in", source / "checkpoint.in"):
+    for file in PARTS:
         shutil.copyfile(inputs_folder() / file, folder / Path(file).name)
     return deck
 

@@ -78,6 +78,18 @@ class DropTest:
         if not len(self.speed):
             raise ValueError("the drop test has no drop")
 
+    @property
+    def ball_said(self) -> str:
+        """The ball in words."""
+        return "the metal" if self.ball is None else self.ball.name
+
+    @property
+    def plate_said(self) -> str:
+        """The plate in words."""
+        if self.plate is None:
+            return "the metal"
+        return self.plate.name if isinstance(self.plate, Material) else "a rigid plate"
+
     def contact(self, law: str, metal: Material) -> Contact:
         """Ball and plate with a metal in the place that is asked about."""
         ball, plate = self.ball or metal, self.plate or metal
@@ -96,12 +108,17 @@ def read_drop_test(path: str | Path) -> pd.DataFrame:
     """
     path = Path(path)
     try:
-        table = pd.read_csv(path, sep=r"\s*[,;]\s*|\s+", comment="#", engine="python")
+        # Without a header a line with more fields than the first one is an error.
+        lines = pd.read_csv(
+            path, sep=r"\s*[,;]\s*|\s+", comment="#", engine="python", header=None, dtype=str
+        )
     except (UnicodeDecodeError, pd.errors.ParserError, pd.errors.EmptyDataError) as error:
         raise ValueError(f"{path} is no table of drops: {error}") from None
-    table = table.rename(columns=SYNONYMS)
+    table = lines.iloc[1:].set_axis([SYNONYMS.get(name, name) for name in lines.iloc[0]], axis=1)
     if unknown := [name for name in table if name not in IMPACT | REBOUND]:
         raise ValueError(f"{path}: {unknown[0]!r} is no column of a drop test; {_columns()}")
+    if not table.columns.is_unique:
+        raise ValueError(f"{path} has a column twice; {_columns()}")
     came, back = (_one(path, table, choices) for choices in (IMPACT, REBOUND))
     drops = [
         _drop(f"{path}: {{}} of drop {row}", came, back, line[came], line[back])

@@ -172,7 +172,10 @@ def from_drops(drops: DropTest, law: str, metal: Material, scatter: float | None
         return drops.contact(law, attrs.evolve(metal, yield_strength=strength))
 
     count = len(drops.speed)
-    source = f"{count} drop{'s' * (count > 1)} by {law}, restitution within {1.96 * scatter:.1%}"
+    source = (
+        f"{count} drop{'s' * (count > 1)} of {drops.ball_said} on {drops.plate_said} by {law}, "
+        f"restitution within {1.96 * scatter:.1%}"
+    )
     found = _inverted(contact, drops.speed, drops.restitution, metal, scatter, source)
     if drops.ball is not None:
         found = attrs.evolve(found, notes=(*found.notes, DENTS))

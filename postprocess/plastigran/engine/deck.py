@@ -11,6 +11,9 @@ from pathlib import Path
 
 from plastigran.engine.process import EngineError, inputs_folder
 
+#: Files a deck includes at most: more are taken for one that includes itself.
+MOST_FILES = 200
+
 _SETTING = re.compile(r'variable\s+(\w+)\s+index\s+(?:"([^"]*)"|(\S+))')
 _VARIABLE = re.compile(r"variable\s+(\w+)")
 _INCLUDE = re.compile(r"include\s+(\S+)")
@@ -139,6 +142,8 @@ def read_deck(deck: str | Path, values: Mapping[str, object], folder: Path) -> D
         """The settings and files of a script and of those it includes, in the engine's order."""
         if not file.is_file():
             raise EngineError(f"{included_by} includes {file}, which is not there")
+        if len(files) > MOST_FILES:
+            raise EngineError(f"{included_by} includes {file}, and so on: does it include itself?")
         files.append(file)
         for command in commands(file):
             references.update(_REFERENCE.findall(command))

@@ -84,7 +84,7 @@ class ReboundTester:
 def dented_flat(law: str) -> dict[str, str]:
     """Options by which a law knows that a flat is dented and no sphere flattened."""
     words = {option["name"]: option["choices"] for option in laws.LAWS[law].options()}
-    return {name: "flat" for name in ("yielding_body",) if "flat" in words.get(name, ())}
+    return {name: "flat" for name in ("yielding",) if "flat" in words.get(name, ())}
 
 
 #: Impact devices by their letters; ISO 16859 and makers' tables.

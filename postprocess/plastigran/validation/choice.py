@@ -17,7 +17,8 @@ SPHERE_REGIMES = {
     "v/v_Y 100–300": (KINDS[0], 100, 300),
     "v/v_Y 300–1000": (KINDS[0], 300, 1000),
     "hardening, v/v_Y 1–300": (KINDS[1], 1, 300),
-    "wide contact, a/R 0.05–0.1": (KINDS[2], 1, 1000),
+    "hardening, beyond v/v_Y 300": (KINDS[1], 300, np.inf),
+    "wide contact, a/R 0.05–0.15": (KINDS[2], 1, np.inf),
 }
 #: Regimes of the rebound hardness of steel: bounds of v/v_Y.
 INDENTATION = {

@@ -29,7 +29,7 @@ AT_NU_03 = 1 / float(np.max(1.5 / (1 + DEPTHS**2) - 1.3 * (1 - DEPTHS * np.arcta
 
 class Reference(CentralImpact):
     cases = thornton.Reference.cases
-    readings = ("yielding_body flat",)
+    readings = ("yielding flat",)
 
     def __init__(self, material, radius, speed):
         super().__init__(material, radius, speed)
@@ -43,7 +43,7 @@ class Reference(CentralImpact):
 
     def wide(self, depth):
         """Z."""
-        flat = self.reading == "yielding_body flat"
+        flat = self.reading == "yielding flat"
         a = 0 * depth if flat else sqrt(self.overlap_y / self.radius) * depth
         return a**2 / (1 + a)
 

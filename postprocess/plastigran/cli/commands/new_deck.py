@@ -14,7 +14,7 @@ HELP = "write a deck of one's own that runs as it is"
 
 def add_arguments(command: argparse.ArgumentParser) -> None:
     command.add_argument("name", type=Path, help="folder to make; the deck has its name")
-    command.add_argument("--law", default="thornton", help="between grains, default thornton")
+    command.add_argument("--law", default="universal", help="between grains, default universal")
     add_material(command, "soft_granules")
 
 
