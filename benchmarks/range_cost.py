@@ -1,14 +1,22 @@
+#!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Watching contacts costs nothing: beyond the range of a law a step is as cheap as within it."""
+"""Print for every law what a step costs beyond its range, over one within it.
+
+    .venv/bin/python benchmarks/range_cost.py
+
+It was 20 to 100 for laws whose energy is a quadrature when each contact was looked at in each step.
+"""
 
 from __future__ import annotations
 
 import re
 from pathlib import Path
 from resource import RUSAGE_CHILDREN, getrusage
+from tempfile import TemporaryDirectory
 
 from plastigran import laws
 from plastigran.engine.process import run_deck
+from plastigran.materials import laws_for
 
 #: 512 pairs of spheres so heavy that no contact changes their motion: one of each pair is driven
 #: into the other up to 0.08 R* and out again.
@@ -58,27 +66,36 @@ def cpu_time(law: str, strength: float, folder: Path) -> tuple[float, int]:
     return after.ru_utime - before.ru_utime, int(counted[-1]) if counted else 0
 
 
-def test_a_contact_beyond_the_range_costs_as_much_as_one_within(yielding_law, tmp_path):
-    """At most 1.3 times; it was 20 to 100 for laws whose energy is a quadrature.
+def ratio(law: str, folder: Path, rounds: int = 4) -> float:
+    """Processor time beyond a law's range over that within it, the shortest of some rounds each:
+    others use the machine. The motion is the same and all of it beyond yield, with a hundredth of
+    the strength. A law that asks for small overlaps alone has no other range to leave.
 
-    The same motion, all of it beyond yield, with a hundredth of the strength. A law that only asks
-    for small overlaps has no other range to leave: its time is compared all the same. The shortest
-    of up to four runs, because others use the machine.
+    Raises:
+        RuntimeError: Contacts were within the range, or beyond it, where they should not be.
     """
-    within = beyond = float("inf")
-    for _ in range(4):
-        seconds, counted = cpu_time(yielding_law, 1e5, tmp_path / "within")
-        assert counted == 0
-        within = min(within, seconds)
-        seconds, counted = cpu_time(yielding_law, 1e3, tmp_path / "beyond")
-        assert counted == (512 if narrow(yielding_law) else 0)
-        beyond = min(beyond, seconds)
-        if beyond <= 1.3 * within:
-            break
-    assert beyond <= 1.3 * within
+    times: dict[float, list[float]] = {1e5: [], 1e3: []}
+    for _ in range(rounds):
+        for strength, found in times.items():
+            seconds, counted = cpu_time(law, strength, folder)
+            if (counted > 0) != beyond(law, strength):
+                raise RuntimeError(f"{law}: {counted} contacts beyond its range at {strength:g} Pa")
+            found.append(seconds)
+    return min(times[1e3]) / min(times[1e5])
 
 
-def narrow(law: str) -> bool:
-    """Whether a hundredth of the strength leads beyond the law's range."""
-    body = laws.Body(youngs_modulus=5e6, poissons_ratio=0.3, yield_strength=1e3)
+def beyond(law: str, strength: float) -> bool:
+    """Whether the motion leads beyond the law's range."""
+    body = laws.Body(youngs_modulus=5e6, poissons_ratio=0.3, yield_strength=strength)
     return laws.LAWS[law](laws.combine(body, body)).overlap_range < 0.08
+
+
+def main() -> None:
+    names = [name for name in laws_for("sphere") if laws.LAWS[name].yields]
+    with TemporaryDirectory() as folder:
+        for name in names:
+            print(f"{name:20s} {ratio(name, Path(folder)):.2f}")
+
+
+if __name__ == "__main__":
+    main()
