@@ -218,4 +218,4 @@ def test_a_laws_options_are_in_restart_files(engine_law, tmp_path):
     held = (tmp_path / "held.restart").read_bytes()
     assert b"overlap_limit" in held
     for option in laws.LAWS[engine_law].options():
-        assert re.search(rf"{option['name']} {option['default']}[\\s\0]".encode(), held)
+        assert re.search(rf"{option['name']} {option['default']}[\s\0]".encode(), held)
