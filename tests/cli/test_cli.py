@@ -107,7 +107,7 @@ def test_timestep_of_every_law_says_which_bodies_it_leaves_out(capsys):
     ("line", "said"),
     [
         (["impact", "--law", "hook"], "no law 'hook'; there are brake_2012, "),
-        (["impact", "--material", "cheese"], "no material 'cheese'; there are aluminium_zv02, "),
+        (["impact", "--material", "cheese"], "no material 'cheese'; there are alumina, "),
         (["timestep", "--speed", "1", "--law", "x"], "no law 'x'"),
         (["impact", "--law", "lim_stronge"], "lim_stronge is a law for cylinders"),
     ],

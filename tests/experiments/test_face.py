@@ -103,7 +103,7 @@ def test_a_path_accounts_for_its_work():
         ({"radius_other": -1.0}, "radius_other is -1"),
         ({"mass_eff": 0.0}, "mass_eff is 0"),
         ({"a": 7850.0}, "a is 7850.0; it must be a material, its name or RIGID"),
-        ({"b": "cheese"}, "no material 'cheese'; there are aluminium_zv02"),
+        ({"b": "cheese"}, "no material 'cheese'; there are alumina"),
         ({"law": "viscoelastic_hertz"}, "material steel gives no dissipative_constant"),
         ({"meyer_index": 2.0}, "has no constant 'meyer_index'"),
     ],

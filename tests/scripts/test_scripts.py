@@ -125,3 +125,9 @@ def test_the_metal_given_to_the_independent_elements():
     expected = finite.conjugate(gradients, response.stress)[:, :3]
     found = stress[[0, 1, 2], [0, 1, 2], 0].T
     assert_allclose(found, expected, atol=1e-9 * material.youngs_modulus)  # rounding
+
+
+@pytest.mark.parametrize("law", ["kogut_etsion", "universal"])
+def test_the_cost_beyond_the_range_is_measured(law, tmp_path):
+    """Contacts are within the range and beyond it where they should be; no time is asserted."""
+    assert load("benchmarks/range_cost.py").ratio(law, tmp_path, rounds=1) > 0

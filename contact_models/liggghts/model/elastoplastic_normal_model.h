@@ -57,6 +57,7 @@ class ElastoplasticNormalModel : public NormalModelBase {
         contact_model_(contact_model),
         owner_(plastigran::HistoryNames::owner_of(setup), contact_model->is_wall()),
         watch_(lmp) {
+    plastigran::refuse_replacement(lmp);
     for (std::size_t k = 0; k < Law::state_names.size(); ++k) {
       const int offset = setup->add_history_value(Law::state_names[k], "0");
       if (k == 0) history_offset_ = offset;
