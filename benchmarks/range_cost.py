@@ -107,4 +107,3 @@ def main() -> None:
 
 if __name__ == "__main__":
     main()
->>>>>>> main:benchmarks/range_cost.py
