@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Print the table of docs/soften.md: two bulk decks with a stiff material, and softened.
+"""Print what two bulk decks measure with a stiff material, and with it softened.
 
     .venv/bin/python docs/softening.py [--factors 1 0.01 0.0001] [--seeds 1 2 3] [--output FOLDER]
 

@@ -131,3 +131,14 @@ def test_the_metal_given_to_the_independent_elements():
 def test_the_cost_beyond_the_range_is_measured(law, tmp_path):
     """Contacts are within the range and beyond it where they should be; no time is asserted."""
     assert load("benchmarks/range_cost.py").ratio(law, tmp_path, rounds=1) > 0
+
+
+def test_softened_decks_are_compared(tmp_path, monkeypatch):
+    """A drum of a moment: shares of what is dissipated, which sum up to one."""
+    script = load("docs/softening.py")
+    moment = {**script.DRUM, "duration": 0.06, "settling": 0.01, "rows": 24}
+    monkeypatch.setattr(script, "DECKS", {"drum": moment})
+    found = script.compared(tmp_path, factors=[1e-4], seeds=[1])
+    shares = found.xs("mean", axis="columns", level=1)[list(script.SHARES)]
+    assert_allclose(shares.sum(axis="columns"), 1)
+    assert (shares[["plastic", "friction"]] > 0).all(axis=None)

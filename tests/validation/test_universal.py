@@ -12,11 +12,12 @@ import pandas as pd
 import pytest
 
 from plastigran import laws
+from plastigran.calibration.expected_errors import WIDE
 from plastigran.engine.process import PROJECT
 from plastigran.materials import RIGID
 from plastigran.physics import central
 from plastigran.validation.spheres import table
-from plastigran.validation.spheres.fit import NARROW, fit
+from plastigran.validation.spheres.fit import fit
 from plastigran.validation.spheres.forms import Metals, peak
 from plastigran.validation.spheres.metals import METALS, PLANE_MODULUS
 
@@ -59,7 +60,7 @@ def largest_errors(rows: pd.DataFrame) -> dict[str, float]:
 
 HELD = TABLE[(TABLE["set"] == "held") & (TABLE["contact_radius_over_radius"] <= WIDEST)]
 SLOW = HELD["speed_ratio"] <= 300
-PLAIN = (HELD["hardening_ratio"] == 0) & (HELD["contact_radius_over_radius"] < NARROW)
+PLAIN = (HELD["hardening_ratio"] == 0) & (HELD["contact_radius_over_radius"] < WIDE)
 
 
 @pytest.mark.parametrize(

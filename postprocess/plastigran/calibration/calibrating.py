@@ -26,7 +26,7 @@ from plastigran.materials import RIGID, Material
 
 RADIUS = 1e-2  # of a sphere on a rigid plane [m]; restitution does not depend on it
 UNITS = {
-    "youngs_modulus": (Declaration("", "Pa", 1e3, 2e12), "is it in GPa?"),
+    "youngs_modulus": (Declaration("", "Pa", 1e6, 2e12), "is it in MPa or GPa?"),
     "density": (Declaration("", "kg/m^3", 10, 3e4), "is it in g/cm^3?"),
 }
 

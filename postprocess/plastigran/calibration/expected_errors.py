@@ -13,6 +13,8 @@ import pandas as pd
 DEFAULT_LAW = "universal"
 #: Contact radius over radius from which a contact is wide.
 WIDE = 0.05
+#: Kinds of contacts in the table of errors.
+KINDS = ("perfectly plastic", "hardening", "wide")
 #: Speeds over the yield speed where none is named.
 USUAL_SPEEDS = (1.0, 300.0)
 
@@ -64,8 +66,9 @@ def expected_error(
         hardening: Whether the metal hardens.
         contact_radius_ratio: Contact radius over radius at the largest speed [-].
     """
-    kinds = ["hardening" if hardening else "perfectly plastic"]
-    kinds += ["wide"] if contact_radius_ratio >= WIDE else []
+    plastic, hardens, wide = KINDS
+    kinds = [hardens if hardening else plastic]
+    kinds += [wide] if contact_radius_ratio >= WIDE else []
     kind = ", ".join(kinds)
     least, largest = max(speed_ratio[0], 1.0), max(speed_ratio[1], 1.0)
     table = errors_table()

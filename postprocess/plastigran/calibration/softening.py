@@ -22,6 +22,7 @@ from plastigran.contact import Contact
 from plastigran.declared import Declaration, read_number
 from plastigran.materials import Material, laws_for
 from plastigran.physics.central import yield_speed
+from plastigran.physics.rebound_hardness import GRAVITATIONAL_ACCELERATION
 
 #: Power of s by which each constant of a material is multiplied; the others stay.
 POWERS = {
@@ -42,7 +43,6 @@ SPEED_RATIOS = np.geomspace(1, 1000, 61)
 EXACT = 1e-9
 #: Contacts per grain and share of the volume filled, of a random packing.
 COORDINATION, FILLING = 6, 0.6
-GRAVITY = 9.81
 
 _FACTOR = Declaration("modulus after over before", lower=1e-12, upper=1, closed=True)
 
@@ -148,7 +148,7 @@ def resting_overlap(material: Material, radius: float, depth: float) -> float:
     """
     radius = read_number("radius", radius, Declaration("of the grains", "m", 0))
     depth = read_number("depth", depth, Declaration("of the bed", "m", 0))
-    pressure = material.density * FILLING * GRAVITY * depth
+    pressure = material.density * FILLING * GRAVITATIONAL_ACCELERATION * depth
     force = 4 * pi * radius**2 * pressure / (COORDINATION * FILLING)
     modulus = material.youngs_modulus / (2 * (1 - material.poissons_ratio**2))
     return float((0.75 * force / modulus) ** (2 / 3) / (radius / 2) ** (1 / 3) / radius)

@@ -33,7 +33,7 @@ DROP_SCATTER = 0.02  # standard deviation of one restitution, where no other is 
 LEEB_SCATTER = 0.045 / 1.96  # of a reading, conversions' 95 % being 4.5 %
 LEEB_RANGE = Declaration("rebound hardness", "HL", 100, 1000, closed=True)
 STEEL = Declaration("Young's modulus of steel", "Pa", 1.9e11, 2.2e11)
-STEEL_RATE_COEFFICIENT = 0.014  # of steel 4340, at 1/s: Johnson & Cook 1983
+STEEL_RATE_COEFFICIENT = 0.014  # of 4340, at 1/s: Johnson & Cook, 7th Int. Symp. Ballistics 1983
 
 
 @attrs.frozen

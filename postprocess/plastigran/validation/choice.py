@@ -8,7 +8,8 @@ from collections.abc import Mapping
 import numpy as np
 import pandas as pd
 
-from plastigran.validation.laws_on_spheres import KINDS, QUANTITIES
+from plastigran.calibration.expected_errors import KINDS
+from plastigran.validation.laws_on_spheres import QUANTITIES
 
 #: Regimes of the table of spheres: name, kind of metal, bounds of v/v_Y.
 SPHERE_REGIMES = {

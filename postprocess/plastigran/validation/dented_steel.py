@@ -19,6 +19,7 @@ import numpy as np
 import pandas as pd
 
 import plastigran
+from plastigran.calibration.expected_errors import KINDS
 from plastigran.calibration.hardness import flow_stress, indentation_pressure, leeb_table
 from plastigran.fem.limits import SmallStrainWarning
 from plastigran.fem.material.elastic_plastic import ElasticPlastic
@@ -28,7 +29,7 @@ from plastigran.fem.sphere.press import press
 from plastigran.fem.sphere.results import Pressing
 from plastigran.physics.rebound_hardness import TESTERS, ReboundTester
 from plastigran.report.computing import Computation, compute_all
-from plastigran.validation.laws_on_spheres import KINDS, kind
+from plastigran.validation.laws_on_spheres import kind
 from plastigran.validation.spheres import table as spheres
 from plastigran.validation.steel import POISSONS_RATIO, YOUNGS_MODULUS, speed_ratio, steel
 

@@ -10,9 +10,9 @@ import pandas as pd
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
+from plastigran.calibration.expected_errors import KINDS
 from plastigran.plot.style import COLOURS, MARKERS, styled, subplots, title
 from plastigran.validation import oblique
-from plastigran.validation.laws_on_spheres import KINDS
 
 COLUMNS = 5  # of panels
 #: Half the height of a panel of errors [%]; what is beyond stands at its edge.

@@ -9,6 +9,7 @@ import numpy as np
 import pandas as pd
 
 from plastigran import laws
+from plastigran.calibration.expected_errors import KINDS, WIDE
 from plastigran.materials import RIGID, laws_for
 from plastigran.physics.central import yield_speed
 from plastigran.validation.spheres import table
@@ -17,10 +18,6 @@ from plastigran.validation.tables import root_mean_square
 
 #: Bounds of the regimes of speed, v/v_Y.
 REGIMES = (1, 3, 10, 100, 300, 1000)
-#: Contact radius over radius from which a contact is wide.
-WIDE = 0.05
-#: Kinds of rows, the order of the tables.
-KINDS = ("perfectly plastic", "hardening", "wide")
 MASS = 1.0  # of a sphere [kg]; ratios do not depend on it
 #: What is compared, by column of the table of errors.
 QUANTITIES = ("coefficient_of_restitution", "force_max")

@@ -11,14 +11,14 @@ import pandas as pd
 
 from plastigran import laws
 from plastigran.calibration.hardness import CONSTRAINT_FACTOR
+from plastigran.calibration.strength import STEEL_RATE_COEFFICIENT
 from plastigran.physics.rebound_hardness import TESTERS, TUNGSTEN_CARBIDE
 from plastigran.validation import dented_steel
 from plastigran.validation.steel import rebound
 from plastigran.validation.tables import root_mean_square
 
-#: Johnson & Cook's C for 4340 steel, and its rate [1/s]: 7th Int. Symp. Ballistics, The Hague 1983,
-#: p. 541.
-RATE = {"rate_coefficient": 0.014, "reference_rate": 1.0}
+#: Of steel 4340, by Johnson & Cook, with its rate [1/s].
+RATE = {"rate_coefficient": STEEL_RATE_COEFFICIENT, "reference_rate": 1.0}
 #: What else is not known of the testers and of steel.
 MASS, SPEED = 5.5e-3, 2.00  # makers' tables; ISO 16859 has 5.45 g, and 2.05 m/s
 BALL_MODULI = (600e9, 650e9)

@@ -17,6 +17,7 @@ import numpy as np
 import pandas as pd
 from scipy.optimize import least_squares
 
+from plastigran.calibration.expected_errors import WIDE
 from plastigran.validation.spheres import table
 from plastigran.validation.spheres.forms import Constants, Metals, errors, peak
 
@@ -28,8 +29,6 @@ DIGITS = 4
 
 #: Of speed over that at yield: largest errors of the law are stated within each stretch.
 STRETCHES = ((1, 3), (3, 10), (10, 100), (100, 300), (300, 1200))
-#: a/R up to which a contact counts as narrow.
-NARROW = 0.05
 #: Kinds of contact: narrow ones of two sorts of metal, and wide ones of either.
 KINDS = ("perfectly plastic", "hardening", "wide contact")
 
@@ -69,7 +68,7 @@ def regimes(rows: pd.DataFrame) -> pd.DataFrame:
     labels = [f"{low} to {high}" for low, high in STRETCHES]
     plain, hardening, wide_contact = KINDS
     hardens = np.where(rows["hardening_ratio"] > 0, hardening, plain)
-    wide = rows["contact_radius_over_radius"] > NARROW
+    wide = rows["contact_radius_over_radius"] >= WIDE
     return pd.DataFrame(
         {
             "stretch": pd.cut(rows["speed_ratio"], edges, labels=labels),
