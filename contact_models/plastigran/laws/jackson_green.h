@@ -15,7 +15,7 @@
 // R and E' are the fitted sphere's: fitted_sphere.h says which that is for two bodies.
 //
 // The fit of the residual would pass overlap_max at x = 10 000: at least 1 % is recovered.
-// The force jumps by +0.5 % at 1.9. Range: a/R <= 0.41.
+// The force jumps at 1.9, by +0.5 % for weak bodies of nu = 0.3 (page). Range: a/R <= 0.41.
 #pragma once
 
 #include "plastigran/shared/fitted_sphere.h"

@@ -25,6 +25,8 @@
 //   yields = false          no yield: the yield strength is not asked for
 //   hardens = true          the tangent modulus matters
 //   overlap_range()         the largest overlap over R* it is good for
+//   overlap_breaks()        overlaps over R* at which the virgin force may jump
+//   overlap_breaks()        overlaps over R* at which the virgin force may jump
 //   elastic_stiffness(contact_radius)      of the elastic contact
 //
 // SI units throughout.

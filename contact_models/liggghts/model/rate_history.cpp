@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "liggghts/fixes/rate_history.h"
+#include "liggghts/model/rate_history.h"
 
 #include "atom.h"
 #include "force.h"
