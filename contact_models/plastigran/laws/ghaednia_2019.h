@@ -17,7 +17,8 @@
 //   overlap_max - overlap_res = overlap_c f/x^0.5, n = 3/2    option unloading brake_2015 (default)
 //   overlap_res = overlap_max (1 - x^-0.28)(1 - x^-0.69), n = 1.5 x^-0.0331           etsion_2005
 //
-// The force jumps at 1.9 as Jackson & Green's, by less with hardening. Range: a/R <= 0.41 without hardening, as Jackson & Green.
+// The force jumps at 1.9 as Jackson & Green's does, less with hardening. Range: a/R <= 0.41 without
+// hardening, as theirs.
 #pragma once
 
 #include "plastigran/laws/jackson_green.h"
