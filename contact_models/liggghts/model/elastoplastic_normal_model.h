@@ -28,8 +28,8 @@
 #include "liggghts/fixes/own_fix.h"
 #include "liggghts/model/accounted_load.h"
 #include "liggghts/model/contact_owner.h"
+#include "liggghts/model/contact_setup.h"
 #include "liggghts/model/contact_watch.h"
-#include "liggghts/model/history_names.h"
 #include "liggghts/model/impact_forecast.h"
 #include "liggghts/model/line_settings.h"
 #include "liggghts/model/rate_history.h"
@@ -55,7 +55,7 @@ class ElastoplasticNormalModel : public NormalModelBase {
                            ContactModelBase* contact_model)
       : NormalModelBase(lmp, setup, contact_model),
         contact_model_(contact_model),
-        owner_(plastigran::HistoryNames::owner_of(setup), contact_model->is_wall()),
+        owner_(plastigran::ContactSetup::owner_of(setup), contact_model->is_wall()),
         watch_(lmp) {
     plastigran::refuse_replacement(lmp);
     for (std::size_t k = 0; k < Law::state_names.size(); ++k) {
@@ -156,7 +156,7 @@ class ElastoplasticNormalModel : public NormalModelBase {
 
     double* const history = contact.contact_history + history_offset_;
     State state;
-    std::memcpy(&state, history, state_size);
+    std::memcpy(static_cast<void*>(&state), history, state_size);
     const plastigran::Response response =
         plastigran::respond(pair.law, radius_eff, contact.deltan, state, -contact.vn);
     if (contact.computeflag) {
@@ -231,7 +231,7 @@ class ElastoplasticNormalModel : public NormalModelBase {
   // The state before this step: the history is written at the end of it.
   State state_before(const SurfacesIntersectData& contact) const {
     State before;
-    std::memcpy(&before, contact.contact_history + history_offset_, state_size);
+    std::memcpy(static_cast<void*>(&before), contact.contact_history + history_offset_, state_size);
     return before;
   }
 
