@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// Stands before the owner of contacts, a pair style or wall, while the models of a contact are made.
-// It tells them what an owner of the engine cannot be asked: which models the deck names, and where
-// each value stands in a contact's history.
+// Stands before the owner of contacts, a pair style or wall, while the models of a contact are
+// made. It tells them what an owner of the engine cannot be asked: which models the deck names, and
+// where each value stands in a contact's history.
 #pragma once
 
 #include <cstdint>

@@ -2,8 +2,8 @@
 //
 // Puts every law into the engine's factories when the plugin is loaded: its name, each combination
 // with other models that is compiled in, and for every other combination a creator that says so.
-// (An unregistered combination would reach the engine's generic class, which knows nothing of models
-// that came with a plugin.)
+// (An unregistered combination would reach the engine's generic class, which knows nothing of
+// models that came with a plugin.)
 #include <algorithm>
 #include <array>
 #include <string>
@@ -95,9 +95,8 @@ const std::array<Place, 4> places{{
 int asked(int64_t hash, std::size_t place) { return hash >> 6 * place & 63; }
 
 const RegisteredLaw& law_of(int64_t hash) {
-  return **std::find_if(std::begin(laws), std::end(laws), [hash](const RegisteredLaw* law) {
-    return law->id == asked(hash, 0);
-  });
+  return **std::find_if(std::begin(laws), std::end(laws),
+                        [hash](const RegisteredLaw* law) { return law->id == asked(hash, 0); });
 }
 
 // Whether any combination has that model in that place.
@@ -153,9 +152,8 @@ void add_all(const RegisteredLaw& law) {
                                       refuse<PairStyles::IGranularPairStyle, PairGran>,
                                       refuse<Walls::IGranularWall, FixWallGran>};
           for (const RegisteredCombination* each : combinations)
-            if (std::all_of(places.begin(), places.end(), [&](const Place& place) {
-                  return asked.*place.id == each->*place.id;
-                }))
+            if (std::all_of(places.begin(), places.end(),
+                            [&](const Place& place) { return asked.*place.id == each->*place.id; }))
               asked = *each;
           add(law, asked);
         }
