@@ -47,15 +47,10 @@ def test_a_deck_that_may_use_a_variable_runs(deck, tmp_path):
     assert done.returncode == 0, done.stdout + done.stderr
 
 
-@pytest.mark.parametrize(
-    "deck",
-    [
-        "",
-        "# ${speed}\n",
-        "variable sped index 1\n",
-        'if "1 == 2" then "print no"\n',
-    ],
-)
+NO_SPEED = ["", "# ${speed}\n", "variable sped index 1\n", 'if "1 == 2" then "print no"\n']
+
+
+@pytest.mark.parametrize("deck", NO_SPEED)
 def test_a_misspelt_variable_is_refused(deck, tmp_path):
     done = launch(tmp_path, deck)
     assert done.returncode == 1
