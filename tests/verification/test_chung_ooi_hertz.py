@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The benchmark impacts of Chung & Ooi (2011): our models with unyielding bodies against hertz of the
-engine."""
+"""The benchmark impacts of Chung & Ooi (2011): our models with unyielding bodies are the engine's
+own hertz."""
 
 from __future__ import annotations
 
