@@ -18,39 +18,7 @@ from plastigran import laws
 from plastigran.engine.process import run_deck
 from plastigran.materials import laws_for
 
-#: 512 pairs of spheres so heavy that no contact changes their motion: one of each pair is driven
-#: into the other and out again.
-DECK = """
-variable output index .
-variable inputs index inputs
-units           si
-atom_style      granular
-boundary        f f f
-newton          off
-communicate     single vel yes
-region          box block -0.02 0.32 -0.02 0.32 -0.02 0.32 units box
-create_box      2 box
-neighbor        0.001 bin
-neigh_modify    delay 0
-fix youngs   all property/global youngsModulus peratomtype 5e6 5e6
-fix poisson  all property/global poissonsRatio peratomtype 0.3 0.3
-fix strength all property/global yieldStrength peratomtype {strength} {strength}
-fix viscous  all property/global dissipativeConstant peratomtypepair 2 1e-9 1e-9 1e-9 1e-9
-lattice         custom 0.04 a1 1 0 0 a2 0 1 0 a3 0 0 1 basis 0 0 0 basis 0 0 0.25
-region          all block -0.001 0.299 -0.001 0.299 -0.001 0.299 units box
-create_atoms    1 region all basis 2 2
-set group all diameter 0.0100000001 density 1e20
-group           driven type 2
-pair_style      gran model {law} tangential off
-pair_coeff      * *
-fix integrate   driven nve/sphere
-timestep        1e-7
-thermo          100000
-velocity        driven set 0 0 -{speed} units box
-run             2000
-velocity        driven set 0 0 {speed} units box
-run             2000
-"""
+DECK = Path(__file__).with_suffix(".in")
 
 #: Yield strengths [Pa]: with the first a motion is nearly all beyond yield; the first of the others
 #: that leads to twice the law's range is the one to compare with.
@@ -66,11 +34,9 @@ def overlap_range(law: str, strength: float) -> float:
 def cpu_time(law: str, strength: float, depth: float, folder: Path) -> tuple[float, int]:
     """Processor time of a run to an overlap of `depth` R* [s], which is less at the mercy of other
     processes than its length, and the number of contacts that left the law's range."""
-    folder.mkdir(exist_ok=True)
     speed = depth * 0.0025 / (2000 * 1e-7)
-    (folder / "deck.in").write_text(DECK.format(law=law, strength=strength, speed=speed))
     before = getrusage(RUSAGE_CHILDREN)
-    log = run_deck(folder / "deck.in", {}, folder)
+    log = run_deck(DECK, {"law": law, "strength": strength, "speed": speed}, folder)
     after = getrusage(RUSAGE_CHILDREN)
     assert "Loop time of" in log and " 2000 steps with 1024 atoms" in log
     counted = re.findall(r"contacts beyond the law's range .* so far: (\d+)", log)

@@ -23,7 +23,8 @@ from hypothesis import settings
 
 from plastigran import laws
 from plastigran.bulk.decks import deck_class
-from plastigran.bulk.run import BulkRun, open_run, run_bulk
+from plastigran.bulk.outcome import BulkRun, open_run
+from plastigran.bulk.run import run_bulk
 from plastigran.engine.process import PROJECT
 from plastigran.materials import RIGID, laws_for, read_material
 

@@ -10,7 +10,8 @@ import pandas as pd
 import pytest
 
 from plastigran.bulk.folder import read_series
-from plastigran.bulk.run import BulkRun, run_bulk
+from plastigran.bulk.outcome import BulkRun
+from plastigran.bulk.run import run_bulk
 from plastigran.physics.heckel import Loop, heckel_line, measure_loop, punch_work
 
 

@@ -17,6 +17,7 @@ from plastigran.experiments.central import CentralImpact
 from plastigran.experiments.cylinder import CylinderImpact
 from plastigran.materials import RIGID, Material, read_material
 
+GEOMETRIES = ("pair", "plane", "mesh")  # that decks take
 DECKS = Path(__file__).parent / "decks"
 LENGTH = 1.0  # of cylinders, and their bodies' thickness: the decks' defaults [m]
 

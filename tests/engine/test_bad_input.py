@@ -7,6 +7,7 @@ import re
 from pathlib import Path
 
 import pytest
+from deck_head import head
 
 from plastigran import laws
 from plastigran.engine.process import PROJECT, EngineError, run_deck
@@ -14,17 +15,9 @@ from plastigran.experiments.collision import measure
 
 DAMPED = "restitution all property/global coefficientRestitution peratomtypepair 2 .8 .8 .8 .8"
 
-DECK = """
-variable output index .
-variable inputs index inputs
-units           si
-atom_style      granular
-{space}
-newton          off
-communicate     single vel yes
-region          box block -1 1 -1 1 -1 1 units box
-create_box      1 box
-neighbor        0.01 bin
+DECK = (
+    head("-1 1 -1 1 -1 1", skin=0.01, space="{space}")
+    + """
 neigh_modify    delay 0
 fix youngs  all property/global youngsModulus peratomtype {youngs_modulus}
 fix poisson all property/global poissonsRatio peratomtype {poissons_ratio}
@@ -39,6 +32,7 @@ timestep        1e-6
 fix integrate   all nve/sphere
 run             1
 """
+)
 GOOD = {
     "law": "vu_quoc_zhang",
     "youngs_modulus": "7.0e10",

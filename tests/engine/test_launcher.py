@@ -3,12 +3,13 @@
 
 from __future__ import annotations
 
+import re
 import subprocess
 from pathlib import Path
 
 import pytest
 
-from plastigran.engine.process import engine_path
+from plastigran.engine.process import engine_path, run_deck
 
 HEAD = "units si\natom_style granular\n"
 OTHER = 'print "speed is ${speed}"\n'
@@ -47,15 +48,10 @@ def test_a_deck_that_may_use_a_variable_runs(deck, tmp_path):
     assert done.returncode == 0, done.stdout + done.stderr
 
 
-@pytest.mark.parametrize(
-    "deck",
-    [
-        "",
-        "# ${speed}\n",
-        "variable sped index 1\n",
-        'if "1 == 2" then "print no"\n',
-    ],
-)
+NO_SPEED = ["", "# ${speed}\n", "variable sped index 1\n", 'if "1 == 2" then "print no"\n']
+
+
+@pytest.mark.parametrize("deck", NO_SPEED)
 def test_a_misspelt_variable_is_refused(deck, tmp_path):
     done = launch(tmp_path, deck)
     assert done.returncode == 1
@@ -77,3 +73,14 @@ def test_a_deck_may_be_read_from_a_pipe(tmp_path):
             line, stdin=deck, cwd=tmp_path, capture_output=True, text=True, check=False
         )
     assert "speed is 3" in done.stdout
+
+
+def test_ranks_that_are_told_to_yield_sleep(decks, tmp_path, monkeypatch):
+    """The MPI library calls the launcher's sched_yield, not the system's."""
+    monkeypatch.setenv("OMPI_MCA_mpi_yield_when_idle", "1")
+    monkeypatch.setenv("LD_DEBUG", "bindings")
+    monkeypatch.setenv("LD_DEBUG_OUTPUT", str(tmp_path / "bound"))
+    run_deck(decks / "ranks.in", {"grid": "2 1", "steps": 20}, tmp_path, ranks=2)
+    bound = "".join(file.read_text() for file in tmp_path.glob("bound*"))
+    found = re.findall(r"libopen-pal\S* \S* to (\S+) .*`sched_yield'", bound)
+    assert found == 2 * [str(engine_path())]

@@ -8,21 +8,14 @@ import re
 from pathlib import Path
 
 import pytest
+from deck_head import head
 
 from plastigran.engine.process import EngineStopped, inputs_folder, run_deck
 
 #: The README's balls above a floor, with a modulus typed in GPa or a step that is too long.
-DECK = """
-variable output index .
-variable inputs index inputs
-units si
-atom_style granular
-boundary f f f
-newton off
-communicate single vel yes
-region box block 0 0.05 0 0.05 -0.02 0.1 units box
-create_box 1 box
-neighbor 0.002 bin
+DECK = (
+    head("0 0.05 0 0.05 -0.02 0.1", skin=0.002)
+    + """
 neigh_modify delay 0
 fix m1 all property/global youngsModulus peratomtype {youngs_modulus}
 fix m2 all property/global poissonsRatio peratomtype 0.3
@@ -43,6 +36,7 @@ timestep {timestep}
 thermo 300000
 run {steps}
 """
+)
 PLANE = "primitive type 1 zplane 0.0"
 TYPED_IN_GPA = {"youngs_modulus": "210", "yield_strength": "3e8", "timestep": "1e-4"}
 STEP_TOO_LONG = {"youngs_modulus": "2.1e11", "yield_strength": "3e8", "timestep": "2e-4"}

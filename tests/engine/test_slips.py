@@ -7,20 +7,13 @@ import re
 from pathlib import Path
 
 import pytest
+from deck_head import head
 
 from plastigran.engine.process import EngineError, run_deck
 
-DECK = """
-variable output index .
-variable inputs index inputs
-units           {units}
-atom_style      granular
-boundary        f f f
-newton          off
-communicate     single vel yes
-region          box block -1 1 -1 1 -1 1 units box
-create_box      2 box
-neighbor        0.01 bin
+DECK = (
+    head("-1 1 -1 1 -1 1", skin=0.01, types=2, units="{units}")
+    + """
 neigh_modify    delay 0
 fix youngs  all property/global youngsModulus peratomtype {youngs_modulus} 1e30
 fix poisson all property/global poissonsRatio peratomtype 0.3 0.3
@@ -37,6 +30,7 @@ timestep        {timestep}
 fix integrate   all nve/sphere
 run             0
 """
+)
 FLOOR = "primitive type 2 zplane 0.0"
 GOOD = {
     "units": "si",

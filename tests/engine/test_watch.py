@@ -9,6 +9,7 @@ from math import pi, sqrt
 from pathlib import Path
 
 import pytest
+from deck_head import head
 
 from plastigran import laws
 from plastigran.engine.process import EngineError, run_deck
@@ -19,17 +20,9 @@ BODY = laws.Body(youngs_modulus=5e6, poissons_ratio=0.3, yield_strength=1e5)
 DENSITY = 1500
 MASS = 4 / 3 * pi * RADIUS**3 * DENSITY
 
-DECK = """
-variable output index .
-variable inputs index inputs
-units           si
-atom_style      granular
-boundary        f f f
-newton          off
-communicate     single vel yes
-region          box block -0.1 0.1 -0.1 0.1 -0.1 0.1 units box
-create_box      1 box
-neighbor        0.001 bin
+DECK = (
+    head("-0.1 0.1 -0.1 0.1 -0.1 0.1", skin=0.001)
+    + """
 neigh_modify    delay 0
 fix youngs   all property/global youngsModulus peratomtype 5e6
 fix poisson  all property/global poissonsRatio peratomtype 0.3
@@ -45,6 +38,7 @@ thermo          100
 {more}
 run             {steps}
 """
+)
 
 
 def run(folder: Path, grains: list[tuple], ranks: int = 1, **changes) -> str:

@@ -15,7 +15,7 @@ import pandas as pd
 import pytest
 from numpy.testing import assert_allclose
 
-from plastigran.bulk.run import BulkRun
+from plastigran.bulk.outcome import BulkRun
 from plastigran.engine.process import PROJECT, run_deck
 from plastigran.fem.material.elastic_plastic import State
 from plastigran.fem.material.kinematics import FiniteStrain

@@ -22,8 +22,9 @@ import sys
 from pathlib import Path
 from types import ModuleType
 
-from plastigran.bulk.run import BulkRun, run_bulk
-from plastigran.bulk.run import open_run as open
+from plastigran.bulk.outcome import BulkRun
+from plastigran.bulk.outcome import open_run as open
+from plastigran.bulk.run import run_bulk
 
 
 class _Package(ModuleType):

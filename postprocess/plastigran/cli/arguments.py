@@ -37,6 +37,17 @@ def known_materials() -> str:
     return f"a name or the path of a file; there are {', '.join(materials.names())}"
 
 
+def add_laws(command: argparse.ArgumentParser, bodies: str) -> None:
+    """`--law`: those named, or all for some bodies, as `materials.choose_laws` takes them."""
+    command.add_argument(
+        "--law",
+        nargs="+",
+        default=["all"],
+        metavar="LAW",
+        help=f"laws, or all (default) for {bodies} that the material has the constants for",
+    )
+
+
 def add_material(command: argparse.ArgumentParser, default: str | None = None) -> None:
     """The material of a body; without a default it must be given."""
     usual = f"default {default}, " if default else ""

@@ -99,8 +99,9 @@ def _link(name: str, target: Path, folder: Path) -> str:
 def environment() -> dict[str, str]:
     """The environment for mpirun: Open MPI refuses root without being told twice.
 
-    Ranks are not told to yield while they wait (OMPI_MCA_mpi_yield_when_idle): beside other busy
-    processes each message then waits for a turn of all of them.
+    Up to as many ranks as there are cores wait awake. Open MPI has more of them yield while they
+    wait; with the launcher they sleep, for one that yields waits for a turn of all other busy
+    processes.
     """
     extra = {}
     if os.geteuid() == 0:

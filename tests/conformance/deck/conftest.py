@@ -6,7 +6,7 @@ from __future__ import annotations
 import pytest
 from deck_cases import CASES
 
-from plastigran.bulk.run import BulkRun
+from plastigran.bulk.outcome import BulkRun
 from plastigran.declared import declaration
 
 

@@ -6,7 +6,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cached_property
-from math import inf, pi
+from math import inf, pi, sqrt
 
 import numpy as np
 from scipy.integrate import quad
@@ -26,12 +26,12 @@ class Material:
     dissipative_constant: float = 0.0
     tangent_modulus: float = 0.0
 
-    @property
+    @cached_property
     def modulus(self) -> float:
         """E* [Pa] against a rigid plane."""
         return self.youngs_modulus / (1 - self.poissons_ratio**2)
 
-    @property
+    @cached_property
     def yield_pressure(self) -> float:
         """Contact yield pressure p_y [Pa]."""
         return self.yield_pressure_factor * self.yield_strength
@@ -76,7 +76,7 @@ class Contact:
 
     def hertz(self, overlap: float) -> float:
         """4/3 E* sqrt(R*) d^1.5 [N]."""
-        return 4 / 3 * self.material.modulus * np.sqrt(self.radius) * overlap**1.5
+        return 4 / 3 * self.material.modulus * sqrt(self.radius) * overlap**1.5
 
     def overlap_at(self, pressure: float) -> float:
         """Overlap [m] at which Hertz's largest pressure is a given one [Pa]: R* (pi p/2E*)^2."""

@@ -16,7 +16,7 @@ from plastigran.engine.log import LOG
 from plastigran.engine.process import EngineError, EngineStopped
 
 if TYPE_CHECKING:
-    from plastigran.bulk.run import BulkRun
+    from plastigran.bulk.outcome import BulkRun
 
 HELP = "run a bulk deck, check its invariants, draw its figures"
 

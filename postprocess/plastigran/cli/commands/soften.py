@@ -15,7 +15,7 @@ from plastigran.calibration.softening import (
     resting_overlap,
     soften,
 )
-from plastigran.cli.arguments import add_material, positive
+from plastigran.cli.arguments import add_laws, add_material, positive
 from plastigran.cli.metal import print_json
 
 HELP = "a softer material of the same restitution, for longer time steps"
@@ -31,13 +31,7 @@ def add_arguments(command: argparse.ArgumentParser) -> None:
         "--speed", type=positive, required=True, help="of the fastest impacts of the run, m/s"
     )
     command.add_argument("--depth", type=positive, help="of a bed at rest, m")
-    command.add_argument(
-        "--law",
-        nargs="+",
-        default=["all"],
-        metavar="LAW",
-        help="laws, or all (default) for spheres that the material has the constants for",
-    )
+    add_laws(command, "spheres")
     command.add_argument("--output", type=Path, help="material file to write, NAME.in")
     command.add_argument("--force", action="store_true", help="overwrite that file")
     command.add_argument("--json", action="store_true", help="all numbers, as JSON")

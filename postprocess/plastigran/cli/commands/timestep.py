@@ -7,7 +7,7 @@ import argparse
 import sys
 
 from plastigran import materials
-from plastigran.cli.arguments import add_material, positive
+from plastigran.cli.arguments import add_laws, add_material, positive
 from plastigran.experiments.collide import IMPACTS
 
 HELP = "recommended time step of an impact"
@@ -16,13 +16,7 @@ KINDS = {geometry: kind for kind in IMPACTS.values() for geometry in kind.geomet
 
 
 def add_arguments(command: argparse.ArgumentParser) -> None:
-    command.add_argument(
-        "--law",
-        nargs="+",
-        default=["all"],
-        metavar="LAW",
-        help="laws, or all (default) for these bodies that the material has the constants for",
-    )
+    add_laws(command, "these bodies")
     command.add_argument("--radius", type=positive, default=0.1, help="of the body, m, default 0.1")
     command.add_argument(
         "--geometry", choices=list(KINDS), default="sphere_wall", help="default sphere_wall"

@@ -9,20 +9,13 @@ from plastigran.report.base import Findings
 
 def compute(progress: bool, coarse: bool) -> Findings:
     """Every table and figure."""
-    from plastigran.papers.chamoli import figures  # what these need is slow to load
+    # What these need is slow to load.
     from plastigran.papers.chamoli.computations import compute_impacts
+    from plastigran.papers.chamoli.figures import figures
     from plastigran.papers.chamoli.tables import tables
 
     computed = compute_impacts(progress, coarse)
-    return Findings(
-        tables=tables(computed),
-        figures={
-            "impact": figures.impact_figure(computed),
-            "energies": figures.energies_figure(computed),
-            "restitution": figures.restitution_figure(computed),
-            "spectrum": figures.spectrum_figure(computed),
-        },
-    )
+    return Findings(tables=tables(computed), figures=figures(computed))
 
 
 PAPER = Paper(

@@ -24,6 +24,16 @@ FLIGHT_SHOWN = 1.0  # durations of the contact that are shown after it
 TOROIDAL = PAPER_MODES["toroidal", 1, 0]
 
 
+def figures(computed: Computed) -> dict[str, Figure]:
+    """By name."""
+    return {
+        "impact": impact_figure(computed),
+        "energies": energies_figure(computed),
+        "restitution": restitution_figure(computed),
+        "spectrum": spectrum_figure(computed),
+    }
+
+
 @styled()
 def impact_figure(computed: Computed) -> Figure:
     """Force, centre of mass and the force's oscillation over time, in Hertz' own units."""

@@ -34,14 +34,8 @@ NEAR = 0.01  # of a mode's frequency, within which a peak is its own
 
 def tables(computed: Computed) -> dict[str, pd.DataFrame]:
     """By name."""
-    return {
-        "impacts": impacts(computed),
-        "energies": energies(computed),
-        "restitution": restitution(computed),
-        "oscillations": oscillations(computed),
-        "modes": modes(computed),
-        "viscoelastic": viscoelastic(computed),
-    }
+    kinds = (impacts, energies, restitution, oscillations, modes, viscoelastic)
+    return {table.__name__: table(computed) for table in kinds}
 
 
 def impacts(computed: Computed) -> pd.DataFrame:

@@ -1,0 +1,116 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""A run of a bulk deck as it is handed over, or read again."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Self
+
+import attrs
+import pandas as pd
+from matplotlib.figure import Figure
+
+from plastigran.bulk.checks import Check
+from plastigran.bulk.deck import Analysis, BulkDeck
+from plastigran.bulk.decks import deck_class
+from plastigran.bulk.folder import RECORD, SERIES, read_record, read_series
+from plastigran.bulk.own import analyse_own
+from plastigran.engine.dumps import DumpError
+from plastigran.engine.log import LOG
+from plastigran.engine.process import EngineError
+
+
+class CheckError(ValueError):
+    """A deck ran to its end but broke one of its invariants; the message says which."""
+
+
+@attrs.frozen(repr=False)
+class BulkRun:
+    """A run of a bulk deck and what was made of it.
+
+    Attributes:
+        name: Of the deck.
+        folder: Where its files are.
+        deck: Its settings; None for a deck without a class.
+        analysis: What the deck made of it: without checks and figures where it has not finished.
+        finished: Whether the engine came to the end.
+    """
+
+    name: str
+    folder: Path
+    deck: BulkDeck | None
+    analysis: Analysis
+    finished: bool = True
+
+    @property
+    def series(self) -> pd.DataFrame:
+        """One row a line of the log, with measurement and theory beside it, in SI units."""
+        return self.analysis.series
+
+    @property
+    def checks(self) -> pd.DataFrame:
+        """One row a check: its name, value, limit, reason, and whether it passed."""
+        columns = [field.name for field in attrs.fields(Check)]
+        rows = [[*attrs.astuple(check), check.passed] for check in self.analysis.checks]
+        return pd.DataFrame(rows, columns=[*columns, "passed"])
+
+    @property
+    def figures(self) -> dict[str, Figure]:
+        """The deck's figures by name."""
+        return self.analysis.figures
+
+    @property
+    def notes(self) -> list[str]:
+        """Sentences on what could not be measured."""
+        return self.analysis.notes
+
+    @property
+    def passed(self) -> bool:
+        """Whether the run finished and every check passed."""
+        return self.finished and not self.analysis.failed
+
+    def __repr__(self) -> str:
+        state = "finished" if self.finished else "not finished"
+        if failed := self.analysis.failed:
+            state += f", failed: {'; '.join(check.name for check in failed)}"
+        elif self.analysis.checks:
+            state += f", {len(self.analysis.checks)} checks passed"
+        if self.notes:
+            state += ", not all measured: see notes"
+        return f"<run of {self.name} in {self.folder}: {len(self.series)} rows, {state}>"
+
+    def raise_if_failed(self) -> Self:
+        """The run itself. Raises CheckError when a check failed; the message names it."""
+        if failed := self.analysis.failed:
+            said = "; ".join(f"{c.name} {c.value:.3g}, at most {c.limit:.3g}" for c in failed)
+            raise CheckError(f"{said} (in {self.folder})")
+        return self
+
+
+def open_run(folder: str | Path) -> BulkRun:
+    """Read a run of a deck, finished or not, as `run_bulk` hands it over.
+
+    Args:
+        folder: Where its results are; it need not be where they were written.
+
+    Raises:
+        EngineError: The folder holds no run, or its record is damaged.
+        DumpError: The log shows nothing yet, or a file is damaged.
+    """
+    folder = Path(folder).resolve()
+    record, series = read_record(folder), read_series(folder)
+    kind, finished = deck_class(record["deck"]), (folder / SERIES).exists()
+    try:
+        deck = kind.read(record["settings"] | {"output": folder}) if kind else None
+    except ValueError as error:
+        raise EngineError(f"{folder / RECORD}: {error}") from None
+    try:
+        analysis = Analysis(series)
+        if finished:
+            analysis = deck.analyse(series) if deck else analyse_own(series)
+    except (ArithmeticError, LookupError, OSError, ValueError) as error:
+        said = f"{type(error).__name__}: {error}"
+        raise DumpError(
+            f"{folder}: {LOG} holds no whole run of {record['deck']} ({said})"
+        ) from error
+    return BulkRun(record["deck"], folder, deck, analysis, finished)

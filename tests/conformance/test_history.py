@@ -1,0 +1,159 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""What a contact of every law keeps in the engine: through sorts, restarts and borders of ranks,
+and not beyond its end."""
+
+from __future__ import annotations
+
+import re
+from functools import cache
+from math import ceil
+from pathlib import Path
+
+import numpy as np
+import pytest
+from scenes import GEOMETRIES, scene
+
+from plastigran import laws
+from plastigran.engine.dumps import read_dump
+from plastigran.experiments.collision import measure
+from plastigran.materials import RIGID
+
+LARGE = 1e-4  # dissipative constant [s], for less restitution than the paper's spheres have
+
+
+def turned_pair_forces(law: str, folder: Path) -> np.ndarray:
+    """Force on atom 1 along the line of centres while the pair turns rigidly."""
+    bodies = scene(law) if law in laws.LAWS else scene("hertz")
+    bodies.run("rotating_pair", folder, law=law)
+    table = read_dump(folder / "trajectory.dump")
+    table = table[table["step"] > 1100]
+    one, two = (table[table["id"] == k] for k in (1, 2))
+    line = one[["x", "y", "z"]].to_numpy() - two[["x", "y", "z"]].to_numpy()
+    line /= np.linalg.norm(line, axis=1)[:, None]
+    assert line[0, 0] > 0.99 and line[-1, 0] < -0.99, "the pair did not turn"
+    return np.einsum("ij,ij->i", line, one[["fx", "fy", "fz"]].to_numpy())
+
+
+def test_pair_flip(engine_law, tmp_path):
+    """A held, unloading contact turned half around keeps its force through sorts and rebuilds.
+
+    1e-7: the overlap is a difference of positions 2000 times larger than itself, and the unloading
+    curve is steep.
+    """
+    force = turned_pair_forces(engine_law, tmp_path)
+    assert force[0] > 0
+    assert np.abs(force / force[0] - 1).max() < 1e-7
+
+
+def test_pair_flip_catches_a_law_that_flips(tmp_path):
+    """The engine's thornton_ning marks scalars as vectors: the test above must see that."""
+    force = turned_pair_forces("thornton_ning", tmp_path)
+    assert np.abs(force / force[0] - 1).max() > 0.1
+
+
+@pytest.mark.parametrize("rebuild", ["no", "yes"])
+@pytest.mark.parametrize("geometry", GEOMETRIES)
+def test_second_touch_is_a_virgin_contact(engine_law, geometry, rebuild, tmp_path):
+    """Both impacts of a bouncing sphere have the restitution of their own speed.
+
+    A contact that remembered the first would return the second, slower one elastically (1 instead
+    of 0.8 or less). 0.02: gravity of 10/s times the speed, over a millisecond of contact.
+    """
+    bodies = scene(engine_law, dissipative_constant=LARGE)
+    body = bodies.material.body()
+    law = bodies.law(laws.combine(body, body if geometry == "pair" else RIGID))
+    # A held sphere is half of an equal pair: R/2, and as heavy as the falling one alone.
+    radius_eff = 0.05 if geometry == "pair" else 0.1
+    mass = bodies.mass()
+
+    def restitution(speed: float) -> float:
+        return law.central_impact(radius_eff, mass, speed).coefficient_of_restitution
+
+    first = next(speed for speed in (0.1, 0.3, 1.0) if restitution(speed) < 0.8)
+    log = bodies.run("bounce", tmp_path, geometry=geometry, rebuild=rebuild, speed=first)
+    builds = int(re.search(r"Neighbor list builds = (\d+)", log)[1])
+    assert (builds > 1000) if rebuild == "yes" else (builds == 0)
+
+    table = read_dump(tmp_path / "trajectory.dump")
+    speed, force = table["vx"].to_numpy(), table["fx"].to_numpy()
+    weight = mass * 10 * first
+    touching = force + weight > 1e-6 * weight
+    edges = np.flatnonzero(np.diff(touching.astype(int)))
+    assert len(edges) >= 4, "fewer than two impacts"
+    speeds_in = []
+    for start, end in (edges[0:2], edges[2:4]):
+        speed_in, speed_out = -speed[start], speed[end + 1]
+        assert speed_out / speed_in == pytest.approx(restitution(speed_in), abs=0.02)
+        speeds_in.append(speed_in)
+    assert speeds_in[1] < 0.9 * speeds_in[0]
+
+
+@pytest.fixture(scope="session")
+def course(tmp_path_factory):
+    """When a law's impact at 0.1 m/s turns and ends: measured once a law."""
+
+    @cache
+    def collide(law: str):
+        return scene(law).impact(0.1).run(tmp_path_factory.mktemp("course"))
+
+    return collide
+
+
+RESTARTS = [(geometry, moment, 1) for geometry in GEOMETRIES for moment in ("loading", "unloading")]
+RESTARTS += [("pair", "unloading", 2), ("plane", "loading", 2), ("mesh", "unloading", 2)]
+
+
+@pytest.mark.parametrize(("geometry", "moment", "ranks"), RESTARTS)
+def test_restart_in_mid_contact(engine_law, geometry, moment, ranks, course, tmp_path):
+    """The second half from the file is the second half of the whole run, to every digit written.
+
+    A run begins with the forces at the speeds of that moment, the one before ended with those at
+    the speeds of half a step earlier: where they matter, the first frame shows other forces.
+    """
+    bodies = scene(engine_law)
+    loading_time, contact_time = course(engine_law).loading_time, course(engine_law).contact_time
+    if moment == "loading":
+        time = 0.5 * loading_time
+    else:
+        time = loading_time + 0.4 * (contact_time - loading_time)
+    before = round(time / 8e-6)
+    case = {"geometry": geometry, "after": 160}
+    bodies.run("restart_write", tmp_path / "whole", ranks=ranks, before=before, **case)
+    restart = (tmp_path / "whole" / "middle.restart").resolve()
+    bodies.run("restart_read", tmp_path / "rest", ranks=ranks, restart=restart, **case)
+    whole = read_dump(tmp_path / "whole" / "trajectory.dump")
+    rest = read_dump(tmp_path / "rest" / "trajectory.dump")
+    peak = whole["fx"].abs().max()
+    whole = whole[whole["step"] >= before].drop_duplicates(["step", "id"]).reset_index(drop=True)
+    force = whole["fx"].abs().to_numpy()
+    assert 0.1 * peak < force[0] < 0.95 * peak
+    assert (force.max() > 1.05 * force[0]) == (moment == "loading")
+    if laws.LAWS[engine_law].rate_dependent:
+        rest, whole = (table[table["step"] > before] for table in (rest, whole))
+    assert len(rest) == len(whole)
+    assert (rest.to_numpy() == whole.to_numpy()).all()
+
+
+def test_ranks_share_and_hand_over_a_contact(engine_law, course, tmp_path):
+    """1, 2 and 4 ranks, the contact on one border and crossing another: the same collision.
+
+    1e-9: positions enter sums in another order on the other side of a border.
+    """
+    bodies, found = scene(engine_law), {}
+    steps = ceil(1.3 * course(engine_law).contact_time / 4e-6)
+    for ranks, grid in ((1, "1 1"), (2, "2 1"), (2, "1 2"), (4, "2 2")):
+        folder = tmp_path / grid.replace(" ", "x")
+        log = bodies.run("ranks", folder, ranks=ranks, grid=grid, drift=bodies.drift, steps=steps)
+        assert f"{grid.replace(' ', ' by ')} by 1 MPI processor grid" in log
+        table = read_dump(folder / "trajectory.dump")
+        x, y = (table.loc[table["fy"] != 0, axis] for axis in "xy")
+        assert x.min() < -0.005 and x.max() > 0.005, "the contact did not cross x = 0"
+        assert y.min() < 0 < y.max(), "the contact is not on y = 0"
+        found[grid] = measure(table)
+    one = found.pop("1 1")
+    assert 0 < one.coefficient_of_restitution < 0.99
+    for other in found.values():
+        assert other.coefficient_of_restitution == pytest.approx(
+            one.coefficient_of_restitution, rel=1e-9
+        )
+        assert other.force_max == pytest.approx(one.force_max, rel=1e-9)

@@ -1,0 +1,70 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""The virgin force has no jump but those a law declares, and unloading joins it; every option keeps
+the energy."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from pairs import PAIRS, RADIUS, scales
+
+from plastigran import laws
+from plastigran.physics import central
+
+
+def test_force_is_continuous_along_the_virgin_curve(law_name, virgin_jumps, declared_jumps):
+    """No jump over eight decades, apart from those a law declares, at their place and size."""
+    overlap_y, _ = scales(law_name, PAIRS["aluminium on rigid"])
+    found = virgin_jumps(law_name, "aluminium on rigid")
+    declared = declared_jumps[law_name]
+    seen = [jump for jump in declared if abs(jump[1]) > 2e-4]
+    assert len(found) == len(seen), found
+    for (place, _, size), (declared_place, declared_size) in zip(found, seen, strict=True):
+        assert place / overlap_y == pytest.approx(declared_place, rel=2e-3)
+        assert size == pytest.approx(declared_size, abs=2e-4)
+    # Another pair's jumps lie elsewhere, and may lie beyond the reach; there are no more of them.
+    assert len(virgin_jumps(law_name, "polymer on steel")) <= len(declared)
+
+
+@pytest.mark.parametrize("top", [1e-3, 0.9, 1.1, 10, 300])
+def test_force_is_continuous_where_unloading_begins_and_ends(law_name, law_between, pair, top):
+    overlap_y, _ = scales(law_name, pair)
+    law = law_between(law_name, pair)
+    state = law.State()
+    peak = law.respond(RADIUS, top * overlap_y, state).force
+    just_below = law.respond(RADIUS, top * overlap_y * (1 - 1e-12), state).force
+    assert just_below == pytest.approx(peak, rel=1e-9)
+    way_back = np.linspace(top, 0, 2001) * overlap_y
+    force = law.follow(RADIUS, way_back, state)["force"]
+    end = int((force == 0).argmax())
+    assert end > 0 and (force[end:] == 0).all()
+    way_back = np.linspace(way_back[0], way_back[end], 20_001)  # finer where there is a force
+    force = law.follow(RADIUS, way_back, state)["force"]
+    assert np.abs(np.diff(force)).max() < 1e-3 * peak
+
+
+def test_energy_guard_is_what_keeps_restitution_below_one():
+    """Without it Stronge's law, as published, returns up to 6 % more speed than it took."""
+    pair = PAIRS["aluminium on rigid"]
+    speed = 1.5 * central.yield_speed(pair, RADIUS, 1e-3)
+    kept = laws.Stronge(pair).central_impact(RADIUS, 1e-3, speed)
+    published = laws.Stronge(pair, energy_guard="off").central_impact(RADIUS, 1e-3, speed)
+    assert published.coefficient_of_restitution == pytest.approx(1.0597, abs=2e-3)
+    assert kept.coefficient_of_restitution <= 1 + 1e-12
+
+
+def test_every_choice_of_every_option_keeps_the_energy(law_name, law_between):
+    """Plastic work grows along the virgin curve whatever reading is chosen."""
+    pair = PAIRS["aluminium on rigid"]
+    overlap_y, force_y = scales(law_name, pair)
+    law_class = laws.LAWS[law_name]
+    for option in law_class.options():
+        for choice in option["choices"]:
+            if option["name"] == "energy_guard":
+                continue
+            law = law_between(law_name, pair, **{option["name"]: choice})
+            x = np.geomspace(0.5, 2e4, 3000) * overlap_y
+            work = law.follow(RADIUS, x, law.State())["plastic_work"]
+            assert (np.diff(work) >= -1e-12 * np.maximum(work[1:], force_y * overlap_y)).all()
+    with pytest.raises(ValueError, match="no constant 'colour'"):
+        law_class(pair, colour="red")

@@ -1,0 +1,38 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Which of the benchmark impacts of Chung & Ooi (2011) the tests take, and their steps."""
+
+from __future__ import annotations
+
+import pandas as pd
+
+from plastigran.engine.dumps import read_dump
+from plastigran.experiments.chung_ooi import BenchmarkImpact
+
+
+def sweeps(number: int) -> list[list[BenchmarkImpact]]:
+    """The impacts of a benchmark, one list a sweep."""
+    found: dict[tuple, list[BenchmarkImpact]] = {}
+    for case in BenchmarkImpact.cases():
+        if case.benchmark == number:
+            found.setdefault((case.material, case.modulus_ratio), []).append(case)
+    return list(found.values())
+
+
+def middles(number: int) -> list[BenchmarkImpact]:
+    """One impact of each sweep of a benchmark: the middle of it, where springs stick and slide."""
+    return [sweep[len(sweep) // 2] for sweep in sweeps(number)]
+
+
+def few(number: int) -> list[BenchmarkImpact]:
+    """The second, middle and last impact of each sweep of a benchmark, as far as there are."""
+    return [
+        sweep[k]
+        for sweep in sweeps(number)
+        for k in sorted({min(1, len(sweep) - 1), len(sweep) // 2, len(sweep) - 1})
+    ]
+
+
+def steps(case: BenchmarkImpact, folder) -> pd.DataFrame:
+    """Every step of an impact in the engine."""
+    case.execute(folder)
+    return read_dump(folder / "trajectory.dump")
