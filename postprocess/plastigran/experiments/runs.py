@@ -115,8 +115,8 @@ def sweep(
 
     Args:
         cases: What to run.
-        folder: Results go to `impacts.csv` here and to one folder a case under `runs/`; `study.json`
-            says what ran.
+        folder: Results go to `impacts.csv` here and to one folder a case under `runs/`;
+            `study.json` says what ran.
         jobs: Engines at a time, 1 or more; all cores by default.
         progress: Show a progress bar.
         settings: Of the study that the cases are of.

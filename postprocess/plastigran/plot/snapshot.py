@@ -119,7 +119,9 @@ def draw(
     else:
         _add_grains(plotter, frame, colour, bar)
     if frame.mesh:
-        plotter.add_mesh(load_pyvista().read(frame.mesh), color="grey", opacity=0.25, show_edges=False)
+        plotter.add_mesh(
+            load_pyvista().read(frame.mesh), color="grey", opacity=0.25, show_edges=False
+        )
     side, up = VIEWS[view]
     plotter.set_background("white")
     plotter.view_vector(side, viewup=up)

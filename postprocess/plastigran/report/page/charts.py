@@ -4,13 +4,12 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
+from collections.abc import Callable, Iterable, Mapping
 from typing import Any
 
 import attrs
 import plotly.graph_objects as go
 
-from plastigran import laws
 from plastigran.plot.style import COLOURS
 
 #: Traces of no law that a page leaves in the colour of its text.
@@ -54,14 +53,14 @@ def chart_name(*parts: object) -> str:
     return re.sub(r"[^a-z0-9]+", "-", "-".join(map(str, parts)).lower()).strip("-")
 
 
-def law_colour(law: str) -> int:
-    """Number of a law's colour of `COLOURS`, the same in every chart and report."""
-    return sorted(laws.LAWS).index(law) % len(COLOURS) if law in laws.LAWS else INK
+def law_colours(laws: Iterable[str]) -> dict[str, int]:
+    """Numbers of `COLOURS` for some laws: each its own, as far as there are so many."""
+    return {law: k % len(COLOURS) for k, law in enumerate(sorted(set(laws)))}
 
 
 def of_law(law: str) -> dict[str, Any]:
     """What a trace says of the law it belongs to: the page switches it and gives it its colour."""
-    return {"law": law, "colour": law_colour(law)}
+    return {"law": law}
 
 
 def figure(x: str, y: str, **layout: Any) -> go.Figure:
@@ -70,6 +69,11 @@ def figure(x: str, y: str, **layout: Any) -> go.Figure:
     made.update_xaxes(title=x)
     made.update_yaxes(title=y)
     return made
+
+
+def decades(axes: Callable[..., Any]) -> None:
+    """Make axes logarithmic, with a line a decade; `axes` is a figure's update_xaxes or so."""
+    axes(type="log", dtick=1, tickformat="~g", minor={"ticks": "outside", "ticklen": 3})
 
 
 def line(x: Any, y: Any, name: str, colour: dict[str, Any], hover: str, **more: Any) -> go.Scatter:

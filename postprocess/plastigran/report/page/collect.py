@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterable
 from pathlib import Path
 
@@ -15,6 +16,8 @@ from plastigran.experiments.runs import STUDY, TABLE
 DEPTH = 4
 #: Folders of a run's own files.
 _INNER = {"runs", "frames", "figures", "deck"}
+#: Kinds of results as a page has them: those that share a switch of laws first.
+ORDER = ("sweep", "tables", "nothing", "bulk")
 #: What the other commands leave.
 _ENDINGS = {".csv", ".png", ".svg", ".gif", ".in"}
 
@@ -35,7 +38,7 @@ class Results:
 
 
 def collect(folders: Iterable[str | Path]) -> list[Results]:
-    """The results in some folders and the folders in them, as given, then in the order of their runs.
+    """The results in some folders and the folders in them, by kind, as given, as they were begun.
 
     Raises:
         ValueError: A folder is not there, or none was given.
@@ -45,12 +48,21 @@ def collect(folders: Iterable[str | Path]) -> list[Results]:
         if not given.is_dir():
             raise ValueError(f"{given} is no folder; a report is made of folders of results")
         folder = given.resolve()
-        here = sorted(_search(folder, folder), key=_begun) or [Results("nothing", folder, folder.name)]
+        here = sorted(_search(folder, folder), key=_begun) or [
+            Results("nothing", folder, folder.name)
+        ]
         for each in here:
             found.setdefault(each.folder, each)
     if not found:
         raise ValueError("no folder was given; a report is made of folders of results")
-    return list(found.values())
+    names = Counter(each.name for each in found.values())
+    told = [
+        attrs.evolve(each, name=f"{each.folder.parent.name}/{each.name}")
+        if names[each.name] > 1
+        else each
+        for each in found.values()
+    ]
+    return sorted(told, key=lambda each: ORDER.index(each.kind))
 
 
 def kind(folder: Path) -> str | None:

@@ -18,8 +18,10 @@ def luminance(colour: str) -> float:
 
 
 def on_dark(colour: str) -> str:
-    """A colour of the same hue, light enough for a dark ground."""
+    """The same hue, light enough for a dark ground; of greys the darkest becomes the lightest."""
     hue, lightness, saturation = colorsys.rgb_to_hls(*to_rgb(colour))
+    if not saturation:
+        return to_hex(3 * [0.9 - 0.6 * lightness])
     while luminance(colour) < LEAST:
         lightness += 0.02
         colour = to_hex(colorsys.hls_to_rgb(hue, min(lightness, 1.0), saturation))

@@ -110,7 +110,8 @@ def _thinned(frame: GrainFrame, every: int) -> GrainFrame:
 
 def _pack(frames: list[GrainFrame], colours: list[str], timestep: float | None) -> str:
     corners = np.concatenate(
-        [np.concatenate([f.positions, f.walls.reshape(-1, 3)]) for f in frames] or [np.zeros((1, 3))]
+        [np.concatenate([f.positions, f.walls.reshape(-1, 3)]) for f in frames]
+        or [np.zeros((1, 3))]
     )
     low, size = corners.min(axis=0), max(float(np.ptp(corners, axis=0).max()), 1e-300)
     largest = max(float(f.radii.max(initial=0)) for f in frames) or 1.0

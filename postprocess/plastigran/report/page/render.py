@@ -21,7 +21,7 @@ from plotly.utils import PlotlyJSONEncoder
 from plastigran.plot.style import COLOURS
 from plastigran.plot.style import title as law_title
 from plastigran.report.page import bulk_section, sweep_section, table_section
-from plastigran.report.page.charts import law_colour
+from plastigran.report.page.charts import law_colours
 from plastigran.report.page.collect import Results, collect
 from plastigran.report.page.colours import on_dark
 from plastigran.report.page.names import number, words
@@ -91,9 +91,10 @@ def render(sections: list[Section], title: str) -> str:
         title: Headline.
     """
     charts = {chart.name: chart.to_json() for section in sections for chart in section.charts}
-    laws = sorted({law for section in sections if section.charts for law in section.laws})
+    shades = law_colours(law for section in sections for law in section.laws)
     switched = sorted({law for s in sections if s.kind != "bulk" for law in s.laws})
     colours = {"light": COLOURS, "dark": [on_dark(colour) for colour in COLOURS]}
+    numbers = {"charts": charts, "colours": colours, "laws": shades}
     page = _environment().get_template("page.html.j2")
     return page.render(
         title=title,
@@ -103,10 +104,9 @@ def render(sections: list[Section], title: str) -> str:
         sections=sections,
         counts={s: k for s in _STATES if (k := sum(each.state == s for each in sections))},
         laws=switched if len(switched) > 1 else [],
-        law_title={law: law_title(law) for law in laws},
-        law_colour={law: law_colour(law) for law in laws},
+        law_colour=shades,
         colours=colours,
-        numbers=packed(json.dumps({"charts": charts, "colours": colours}, cls=PlotlyJSONEncoder)),
+        numbers=packed(json.dumps(numbers, cls=PlotlyJSONEncoder)),
         plotly=_plotly() if charts else "",
     )
 

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Charts of a sweep: what was measured with theory's lines, and loops of force over overlap."""
+"""Chart of a sweep: what was measured, with theory's lines."""
 
 from __future__ import annotations
 
-from pathlib import Path
+from itertools import cycle
 
 import numpy as np
 import pandas as pd
@@ -11,17 +11,13 @@ import plotly.graph_objects as go
 
 from plastigran import laws
 from plastigran.experiments.central import GEOMETRIES, CentralImpact
-from plastigran.experiments.collision import CollisionError, force_overlap_loop
-from plastigran.engine.dumps import DumpError, read_dump
 from plastigran.materials import read_material
 from plastigran.plot.style import title
-from plastigran.report.page.charts import Chart, chart_name, figure, line, of_law, points
+from plastigran.report.page.charts import Chart, chart_name, decades, figure, line, of_law, points
 from plastigran.report.page.names import scale, words
 
 #: Speeds of a line of theory.
 FINE = 60
-#: Points a loop is drawn with at most.
-LOOP_POINTS = 80
 _PREDICTED = "_predicted"
 
 
@@ -75,16 +71,18 @@ def _groups(table: pd.DataFrame, abscissa: str) -> dict[tuple[str, str], pd.Data
     law = table["law"] if "law" in table else pd.Series("", table.index)
     found = {}
     for key, rows in table.groupby([law, *(table[name] for name in apart)], sort=True):
-        others = ", ".join(_said(name, value) for name, value in zip(apart, key[1:], strict=True))
+        others = ", ".join(said_of(name, value) for name, value in zip(apart, key[1:], strict=True))
         found[str(key[0]), others] = rows.sort_values(abscissa)
     return found
 
 
-def _said(name: str, value: object) -> str:
+def said_of(name: str, value: object) -> str:
+    """A value of a case in words, with its unit."""
     if isinstance(value, str):
         return title(value) if name == "material" else value.replace("_", " ")
     found = scale(name, [value])
-    return f"{found.title} {value * found.factor:g} {found.unit}".strip()
+    shown = f"{value * found.factor:.3g} {found.unit}".strip()
+    return shown if name == "speed" else f"{found.title} {shown}"
 
 
 def _measured(groups: dict, theory: dict, quantity: str, abscissa: str) -> go.Figure:
@@ -94,12 +92,13 @@ def _measured(groups: dict, theory: dict, quantity: str, abscissa: str) -> go.Fi
     x = scale(abscissa, every[abscissa] if numbers else [])
     made = figure(x.axis, y.axis)
     if numbers and every[abscissa].min() > 0 and np.ptp(np.log(every[abscissa])) > 3:
-        made.update_xaxes(type="log")
+        decades(made.update_xaxes)
         if y.unit and (every[quantity] > 0).all():
-            made.update_yaxes(type="log")
+            decades(made.update_yaxes)
     if quantity == "coefficient_of_restitution":
         made.update_yaxes(range=[0, 1.05])
-    dashes = dict(zip(dict.fromkeys(key[1] for key in groups), ("solid", "dash", "dot") * 9))
+    apart = dict.fromkeys(key[1] for key in groups)
+    dashes = dict(zip(apart, cycle(("solid", "dash", "dot")), strict=False))
     for (law, others), rows in groups.items():
         name = ", ".join(filter(None, (title(law), others)))
         at = f"{x.title} %{{x:.4g}} {x.unit}" if numbers else "%{x}"
@@ -160,73 +159,6 @@ def _theory(rows: pd.DataFrame, abscissa: str) -> pd.DataFrame:
     if not np.allclose(again, rows[f"force_max{_PREDICTED}"], rtol=1e-6):
         return rows
     return pd.DataFrame({"speed": speeds, **fine})
-
-
-def loops_chart(name: str, folder: Path, table: pd.DataFrame) -> Chart | None:
-    """Force over overlap of central impacts, a loop each, one speed at a time; None where the
-    trajectories are not there."""
-    loops: dict[float, list] = {}
-    if not {"geometry", "law", "speed", "material"} <= set(table):
-        return None
-    for run in sorted(folder.glob("runs/*/trajectory.dump")):
-        if found := _loop(run, table):
-            row, loop = found
-            loops.setdefault(row["speed"], []).append((row, loop))
-    if not loops:
-        return None
-    views = {f"{speed:.3g} m/s": _loops(loops[speed]) for speed in sorted(loops)}
-    names = list(views)
-    return Chart(
-        chart_name(name, "loops"),
-        views,
-        "normal force over overlap during an impact, a loop for each law",
-        "Loading goes up the left side, the rebound comes down the right one: the area between is "
-        "what the impact took. Where a loop ends on the axis is the dent that stays.",
-        "Impact speed" if len(views) > 1 else "",
-        names[len(names) // 2],
-        height=440,
-    )
-
-
-def _loop(trajectory: Path, table: pd.DataFrame) -> tuple[pd.Series, pd.DataFrame] | None:
-    """The loop in a run's folder, and the row of the table that is its; None where it has none."""
-    label = trajectory.parent.name
-    rows = table[
-        [label.endswith(f"{r.geometry}_{r.material}_{r.law}") for r in table.itertuples()]
-    ]
-    try:
-        loop = force_overlap_loop(read_dump(trajectory))
-    except (CollisionError, DumpError):
-        return None
-    if rows.empty:
-        return None
-    closing = loop["speed"].iloc[0] / rows["geometry"].map(GEOMETRIES).iloc[0]
-    row = rows.loc[(rows["speed"] / closing - 1).abs().idxmin()]
-    touching = loop[loop["overlap"] >= 0]
-    every = max(1, -(-len(touching) // LOOP_POINTS))
-    return row, touching.iloc[::every]
-
-
-def _loops(loops: list[tuple[pd.Series, pd.DataFrame]]) -> go.Figure:
-    every = pd.concat([loop for _, loop in loops])
-    x, y = scale("overlap_max", every["overlap"]), scale("force_max", every["force"])
-    made = figure(f"overlap ({x.unit})", f"normal force ({y.unit})")
-    varied = len({(r["geometry"], r["material"], r["radius"]) for r, _ in loops}) > 1
-    for row, loop in sorted(loops, key=lambda each: each[0]["law"]):
-        name = title(row["law"])
-        if varied:
-            name += f", {title(row['material'])}, {row['geometry'].replace('_', ' ')}"
-        made.add_trace(
-            line(
-                (loop["overlap"] * x.factor).astype("float32"),
-                (loop["force"] * y.factor).astype("float32"),
-                name,
-                of_law(row["law"]),
-                f"<b>{name}</b><br>overlap %{{x:.4g}} {x.unit}<br>force %{{y:.4g}} {y.unit}"
-                "<extra></extra>",
-            )
-        )
-    return made
 
 
 def leaves_range(table: pd.DataFrame) -> dict[str, float]:

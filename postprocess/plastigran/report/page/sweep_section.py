@@ -15,10 +15,11 @@ from plastigran.materials import read_material
 from plastigran.plot.style import title
 from plastigran.report.page.bulk_section import version_facts
 from plastigran.report.page.collect import Results
+from plastigran.report.page.loop_chart import loops_chart
 from plastigran.report.page.names import number, words
 from plastigran.report.page.pictures import read_pictures
 from plastigran.report.page.sections import Section, cells
-from plastigran.report.page.sweep_charts import loops_chart, measured_chart
+from plastigran.report.page.sweep_charts import measured_chart
 from plastigran.report.page.trust import trust, validation_chart, verification_chart
 
 #: Figures of central impacts, which charts replace.
@@ -50,12 +51,9 @@ def make(results: Results, name: str) -> Section:
     charts = []
     if len(table):
         hardening = _hardens(table)
-        charts = [
-            measured_chart(name, table),
-            loops_chart(name, folder, table),
-            verification_chart(name, table),
-            validation_chart(name, laws) if "speed_ratio" in table else None,
-        ]
+        charts = [measured_chart(name, table), loops_chart(name, folder, table)]
+        if "speed_ratio" in table and table["speed_ratio"].nunique() > 1:
+            charts += [verification_chart(name, table), validation_chart(name, laws)]
     pictures, left = read_pictures(folder, _CHARTED if "geometry" in table else ())
     return Section(
         kind="sweep",

@@ -15,7 +15,7 @@ import pandas as pd
 
 from plastigran.calibration.expected_errors import errors_table
 from plastigran.plot.style import title
-from plastigran.report.page.charts import Chart, chart_name, figure, of_law, points
+from plastigran.report.page.charts import Chart, chart_name, decades, figure, of_law, points
 from plastigran.report.page.names import words
 from plastigran.report.page.sweep_charts import law_range, leaves_range
 
@@ -184,6 +184,7 @@ def validation_chart(name: str, laws: Iterable[str]) -> Chart | None:
 
 def _empty():
     made = figure(_SPEED, _SCALE)
-    made.update_xaxes(type="log")
-    made.update_yaxes(type="log", range=SPAN, dtick=1, ticksuffix=" %")
+    decades(made.update_xaxes)
+    decades(made.update_yaxes)
+    made.update_yaxes(range=SPAN)
     return made

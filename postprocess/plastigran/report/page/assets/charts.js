@@ -9,7 +9,7 @@ function template() {
   const [ink, muted, line, raised] = ["--ink", "--muted", "--line", "--raised"].map(css);
   const axis = {
     gridcolor: line, linecolor: muted, zerolinecolor: line, ticks: "outside", tickcolor: muted, ticklen: 4,
-    automargin: true, title: { standoff: 8 }, exponentformat: "power", minorloglabels: "none",
+    automargin: true, title: { standoff: 8 }, exponentformat: "power",
   };
   return { layout: {
     font: { family: getComputedStyle(document.body).fontFamily, size: 13, color: ink },
@@ -21,7 +21,7 @@ function template() {
 }
 
 function coloured(trace) {
-  const { law, colour } = trace.meta ?? {};
+  const { law, colour = page.laws[law] } = trace.meta ?? {};
   const shade = colour >= 0 ? page.colours[page.lit][colour] : css("--ink");
   const made = { ...trace, visible: !page.hidden.has(law) };
   made.line = { ...trace.line, color: shade };
@@ -41,14 +41,20 @@ async function draw(element) {
 }
 
 const all = () => [...document.querySelectorAll(".plot")];
-/** Charts are drawn as they come near, so that a long page is there at once. */
+/** Charts are drawn as they come near, the others when there is time: a long page is there at once. */
 const near = new IntersectionObserver((seen) => {
   for (const { isIntersecting, target } of seen)
     if (isIntersecting) { near.unobserve(target); draw(target); }
 }, { rootMargin: "600px" });
+const rest = window.requestIdleCallback ?? ((then) => setTimeout(then, 50));
+function drawNext() {
+  const next = all().find((element) => !element.dataset.drawn);
+  if (next) draw(next).then(() => rest(drawNext));
+}
 
 page.startCharts = () => {
   for (const element of all()) near.observe(element);
+  rest(drawNext);
   for (const choice of document.querySelectorAll("select[data-chart]"))
     choice.addEventListener("change", () => {
       const element = document.getElementById(choice.dataset.chart);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The page's light and its laws; charts and views are told of both by events.
 const root = document.documentElement;
-const page = window.plastigran = { hidden: new Set(), charts: {}, colours: {}, lit: "light" };
+const page = window.plastigran = { hidden: new Set(), charts: {}, colours: {}, laws: {}, lit: "light" };
 
 /** Text that the page carries as gzip in base64. */
 page.unpack = async (text) => {

@@ -5,8 +5,7 @@ const carried = (name) => document.getElementById(name).textContent;
 
 async function start() {
   const numbers = JSON.parse(new TextDecoder().decode(await page.unpack(carried("numbers"))));
-  page.charts = numbers.charts;
-  page.colours = numbers.colours;
+  Object.assign(page, numbers);
   for (const figure of document.querySelectorAll("[data-movie]")) await page.startMovie(figure);
   if (carried("plotly")) {
     const script = document.createElement("script");
