@@ -34,7 +34,7 @@ def settle(page: Page) -> None:
 def shown_laws(page: Page, chart: str) -> set[str]:
     return set(
         page.evaluate(
-            "name => document.getElementById(name).data.filter(t => t.visible).map(t => t.meta.law)",
+            "n => document.getElementById(n).data.filter(t => t.visible).map(t => t.meta.law)",
             chart,
         )
     )

@@ -15,9 +15,9 @@ from plastigran.materials import laws_for, read_material
 
 HELP = "the tour: collisions, a gas that cools and a hopper, with figures and a report"
 
-#: Settings of the hopper. Grains as soft overlap by up to a quarter of their effective radius where
-#: they land: of the laws near finite elements only `jackson_green` goes as far, and at these speeds,
-#: to 27 times that of first yield, its restitution is off them by 4 % (docs/validation.md).
+#: Settings of the hopper. Where its soft grains land they overlap by up to a quarter of their
+#: effective radius: of the laws near finite elements `jackson_green` alone goes as far. At these
+#: speeds, up to 27 times that of first yield, its restitution is off by 4 % (docs/validation.md).
 HOPPER = {"law": "jackson_green", "layers": "10", "frames": "20"}
 
 
