@@ -38,6 +38,7 @@ class Movie:
         data: Gzip of a line of JSON and 16-bit numbers, in base64.
         frames: How many.
         colours: What grains can be coloured by, in words, by name.
+        walls: Whether there are any.
         caption: A sentence or two.
     """
 
@@ -45,6 +46,7 @@ class Movie:
     data: str
     frames: int
     colours: dict[str, str]
+    walls: bool
     caption: str
 
 
@@ -77,6 +79,7 @@ def pack_movie(name: str, folder: Path, timestep: float | None) -> Movie | None:
         _pack(frames, list(colours), timestep),
         len(frames),
         colours,
+        any(len(frame.walls) for frame in frames),
         f"{len(frames[-1].radii) * thin} grains in the last frame, to scale. Drag to turn, pinch "
         f"or scroll with Ctrl to come nearer, point at a grain for its values.{said}",
     )

@@ -4,15 +4,19 @@
 from __future__ import annotations
 
 import base64
+import re
 from collections.abc import Collection
 from pathlib import Path
 
 import attrs
+from PIL import Image
 
 #: A picture of lines is carried as such up to this size [bytes], else its dots.
 LARGEST_LINES = 120_000
 #: A picture beyond this size is left out [bytes].
 LARGEST = 500_000
+#: Width over height from which a picture is wide.
+WIDE = 1.7
 _KINDS = {".svg": "image/svg+xml", ".png": "image/png", ".gif": "image/gif"}
 
 
@@ -24,11 +28,13 @@ class Picture:
         name: The file's, in words.
         source: Its content, as an address of the page's own.
         light: Whether its ground is white: the page turns it dark with itself.
+        wide: Whether it takes the page's width.
     """
 
     name: str
     source: str
     light: bool = True
+    wide: bool = False
 
 
 def read_pictures(folder: Path, besides: Collection[str] = ()) -> tuple[list[Picture], list[str]]:
@@ -50,8 +56,18 @@ def read_pictures(folder: Path, besides: Collection[str] = ()) -> tuple[list[Pic
             continue
         content = base64.b64encode(chosen.read_bytes()).decode()
         source = f"data:{_KINDS[chosen.suffix]};base64,{content}"
-        found.append(Picture(stem.replace("_", " "), source, chosen.stem != "grains"))
+        name, light = stem.replace("_", " "), chosen.stem != "grains"
+        found.append(Picture(name, source, light, _is_wide(chosen)))
     return found, left
+
+
+def _is_wide(file: Path) -> bool:
+    if file.suffix == ".svg":
+        head = file.read_text(encoding="utf-8", errors="replace")[:4000]
+        sides = re.search(r"viewBox=\"\S+ \S+ (\S+) (\S+)\"", head)
+        return bool(sides) and float(sides[1]) > WIDE * float(sides[2])
+    with Image.open(file) as image:
+        return image.width > WIDE * image.height
 
 
 def _choose(files: dict[str, Path]) -> Path | None:
