@@ -10,11 +10,13 @@ from fcntl import LOCK_EX, flock
 from pathlib import Path
 
 import pytest
-from playwright.sync_api import Browser, ConsoleMessage, Page, Request, sync_playwright
+from playwright.sync_api import Browser, ConsoleMessage, Page, Request, expect, sync_playwright
 
 from plastigran.experiments.central import CentralImpact
 from plastigran.report.page import write_report
 
+#: A loaded machine draws slowly [ms].
+PATIENCE = 60_000
 LAWS = ("kogut_etsion", "thornton", "universal")
 SPEEDS = (0.001, 0.01, 0.1)
 
@@ -65,6 +67,7 @@ def page_file(shared, sweep_folder, hopper) -> Path:
 def browser() -> Iterator[Browser]:
     """Chromium without a screen, which draws in three dimensions by software."""
     drawing = ["--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"]
+    expect.set_options(timeout=PATIENCE)
     with sync_playwright() as driver:
         chromium = shutil.which("chromium")
         assert chromium, "Debian's chromium is missing: ./run setup installs it"
@@ -93,18 +96,16 @@ class Visit:
     def open(self, file: Path) -> Page:
         """Open a file and wait until every chart is drawn."""
         self.page.goto(file.as_uri())
-        self.page.wait_for_selector("html[data-ready]", timeout=60_000)
-        for _ in range(300):
-            if not self.page.locator(".plot:not([data-drawn])").count():
-                return self.page
-            self.page.wait_for_timeout(100)
-        raise AssertionError("a chart was not drawn in 30 s")
+        self.page.wait_for_selector("html[data-ready]")
+        expect(self.page.locator(".plot:not([data-drawn])")).to_have_count(0)
+        return self.page
 
 
 @pytest.fixture(scope="session")
 def visit(browser, page_file) -> Iterator[Visit]:
     """The page, opened once; tests leave its switches as they find them."""
     with browser.new_context(viewport={"width": 1200, "height": 900}) as context:
+        context.set_default_timeout(PATIENCE)
         visited = Visit(context.new_page())
         visited.open(page_file)
         yield visited
