@@ -3,9 +3,7 @@
 
 from __future__ import annotations
 
-import hashlib
 from collections.abc import Mapping
-from importlib.metadata import version
 from pathlib import Path
 
 from plastigran.bulk.decks import deck_class
@@ -26,7 +24,8 @@ from plastigran.bulk.own import check_goes_on, own_places
 from plastigran.engine.checkpoints import step_of
 from plastigran.engine.deck import find_deck, read_deck
 from plastigran.engine.log import LOG
-from plastigran.engine.process import engine_path, run_deck
+from plastigran.engine.process import run_deck
+from plastigran.engine.versions import versions
 from plastigran.plot import style
 
 #: Settings that name files and places; they differ between runs and are not compared.
@@ -86,7 +85,7 @@ def run_bulk(
             check_continued(source.settings, earlier["settings"], kind.continuable_settings())
         kind.read(source.settings).check_inputs()
 
-    plugin = _fingerprint()  # raises where there is no engine, before anything is written
+    made_with = versions()  # raises where there is no engine, before anything is written
     prepare_folder(folder, force)
     # The engine reads a script as it goes: run one that nobody edits meanwhile.
     script = source.copy(folder / "deck")
@@ -98,7 +97,7 @@ def run_bulk(
         "ranks": ranks,
         "restart": str(restart) if restart else None,
         "derived": all_derived(restart) if restart else {},
-        "versions": {"plastigran": version("plastigran"), "plugin": plugin},
+        "versions": made_with,
     }
     if checkpoint:
         step = step_of(checkpoint)
@@ -159,11 +158,3 @@ def _earlier(restart: Path, folder: Path, deck: str) -> dict:
     if restart == folder:
         raise ValueError(f"{folder} is the run to go on from; choose another --output")
     return record
-
-
-def _fingerprint() -> str:
-    """File and SHA-256 of the plugin beside the engine."""
-    plugin = engine_path().parent / "libplastigran.so"
-    if not plugin.exists():
-        return f"none beside {engine_path()}"
-    return f"{plugin.name} sha256 {hashlib.sha256(plugin.read_bytes()).hexdigest()}"

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import json
 import os
 from collections.abc import Iterable, Iterator, Mapping
 from concurrent.futures import ThreadPoolExecutor, as_completed
@@ -16,6 +17,8 @@ import attrs
 import pandas as pd
 from tqdm import tqdm
 
+from plastigran.engine.versions import versions
+
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
@@ -23,6 +26,8 @@ if TYPE_CHECKING:
 
 #: The results table in a sweep's folder.
 TABLE = "impacts.csv"
+#: What ran, in a sweep's folder: command, settings, versions.
+STUDY = "study.json"
 
 
 @attrs.frozen(slots=False, eq=False, repr=False)
@@ -110,7 +115,8 @@ def sweep(
 
     Args:
         cases: What to run.
-        folder: Results go to `impacts.csv` here and to one folder a case under `runs/`.
+        folder: Results go to `impacts.csv` here and to one folder a case under `runs/`;
+            `study.json` says what ran.
         jobs: Engines at a time, 1 or more; all cores by default.
         progress: Show a progress bar.
         settings: Of the study that the cases are of.
@@ -159,6 +165,7 @@ def _sweep(
 ) -> Runs:
     path = folder / TABLE
     path.unlink(missing_ok=True)
+    _write_study(folder / STUDY, type(cases[0]), len(cases), settings or {})
 
     def run(number: int, case: Experiment) -> Any:
         return case.run(folder / "runs" / f"{number:04d}_{case.label}")
@@ -190,3 +197,25 @@ def _sweep(
     table.to_csv(path, index=False)
     outcomes = {case: measured[case] for case in cases}
     return Runs(type(cases[0]), outcomes, table, dict(settings or {}))
+
+
+def _write_study(
+    file: Path, experiment: type[Experiment], count: int, settings: Mapping[str, Any]
+) -> None:
+    """Record what is to be run, before it is."""
+    said = {
+        "command": experiment.command,
+        "cases": count,
+        "settings": {name: _plain(value) for name, value in settings.items()},
+        "versions": versions(),
+    }
+    file.write_text(json.dumps(said, indent=2) + "\n")
+
+
+def _plain(value: Any) -> Any:
+    """A setting as JSON has it: numbers and words, of another object its name."""
+    if value is None or isinstance(value, bool | int | float | str):
+        return value
+    if isinstance(value, Iterable):
+        return [_plain(each) for each in value]
+    return str(getattr(value, "name", value))

@@ -103,7 +103,7 @@ def draw(
         raise SnapshotError(f"colour is {colour!r}; it must be one of {', '.join(COLOURS)}")
     if view not in VIEWS:
         raise SnapshotError(f"view is {view!r}; it must be one of {', '.join(VIEWS)}")
-    plotter = _load().Plotter(off_screen=True, window_size=size)
+    plotter = load_pyvista().Plotter(off_screen=True, window_size=size)
     bar = {
         "vertical": True,
         "position_x": 0.88,
@@ -119,7 +119,9 @@ def draw(
     else:
         _add_grains(plotter, frame, colour, bar)
     if frame.mesh:
-        plotter.add_mesh(_load().read(frame.mesh), color="grey", opacity=0.25, show_edges=False)
+        plotter.add_mesh(
+            load_pyvista().read(frame.mesh), color="grey", opacity=0.25, show_edges=False
+        )
     side, up = VIEWS[view]
     plotter.set_background("white")
     plotter.view_vector(side, viewup=up)
@@ -130,7 +132,7 @@ def draw(
     plotter.close()
 
 
-def _load():
+def load_pyvista():
     """pyvista, told which window to use where there is no screen."""
     if not os.environ.get("DISPLAY"):
         os.environ.setdefault("VTK_DEFAULT_OPENGL_WINDOW", "vtkEGLRenderWindow")
@@ -142,7 +144,7 @@ def _load():
 
 
 def _add_grains(plotter: pyvista.Plotter, frame: Frame, colour: str, bar: dict) -> None:
-    pyvista = _load()
+    pyvista = load_pyvista()
     grains = pyvista.read(frame.grains)
     columns = {
         "plastic_work": lambda: grains["f_plastic_work"],
@@ -167,7 +169,7 @@ def _add_grains(plotter: pyvista.Plotter, frame: Frame, colour: str, bar: dict) 
 
 
 def _add_contacts(plotter: pyvista.Plotter, frame: Frame, bar: dict) -> None:
-    pyvista = _load()
+    pyvista = load_pyvista()
     if frame.contacts is None:
         raise SnapshotError(f"{frame.grains.parent} has no contacts_{frame.step}.vtk")
     lines = pyvista.read(frame.contacts)

@@ -1,0 +1,37 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""`plastigran report`: one page of HTML for runs of any kind."""
+
+from __future__ import annotations
+
+import argparse
+from pathlib import Path
+
+HELP = "one page of HTML for results: charts, checks, grains in 3D; opens without network"
+
+
+def add_arguments(command: argparse.ArgumentParser) -> None:
+    command.add_argument(
+        "folders",
+        type=Path,
+        nargs="+",
+        metavar="DIR",
+        help="folder of a run, finished or not, or of several: results/demo",
+    )
+    command.add_argument(
+        "--output",
+        type=Path,
+        metavar="FILE.html",
+        help="the page, default DIR/report.html, of several folders results/report.html",
+    )
+    command.add_argument("--title", default="", help="headline, default the folders' names")
+    command.add_argument("--force", action="store_true", help="overwrite a file that is no report")
+
+
+def run(arguments: argparse.Namespace) -> None:
+    from plastigran.report.page import write_report  # plotly is slow to load
+
+    folders = arguments.folders
+    default = folders[0] if len(folders) == 1 else Path("results")
+    page = arguments.output or default / "report.html"
+    write_report(folders, page, arguments.title, arguments.force)
+    print(f"written: {page}")

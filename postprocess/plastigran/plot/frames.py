@@ -1,0 +1,77 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""The numbers in a run's VTK frames: grains with what they carry, and the walls' triangles."""
+
+from __future__ import annotations
+
+import attrs
+import numpy as np
+
+from plastigran.plot.snapshot import Frame, SnapshotError, load_pyvista
+
+
+@attrs.frozen(eq=False)
+class GrainFrame:
+    """Grains and walls of one step.
+
+    Attributes:
+        step: Of the engine.
+        positions: Of the grains' centres [m], (n, 3).
+        radii: [m], (n,).
+        speed: [m/s], (n,).
+        plastic_work: That each grain has taken [J], (n,); None without an energy ledger.
+        force: The largest between a grain and another that touches it [N], (n,); None where the
+            frame has no contacts.
+        walls: Corners of the walls' triangles [m], (m, 3, 3).
+    """
+
+    step: int
+    positions: np.ndarray
+    radii: np.ndarray
+    speed: np.ndarray
+    plastic_work: np.ndarray | None
+    force: np.ndarray | None
+    walls: np.ndarray
+
+
+def read_frame(frame: Frame) -> GrainFrame:
+    """Read the VTK files of a step.
+
+    Raises:
+        SnapshotError: A file is damaged or lacks a column, or pyvista is not installed.
+    """
+    pyvista = load_pyvista()
+    grains = pyvista.read(frame.grains)
+    if missing := {"radius", "v", "id"} - set(grains.point_data):
+        raise SnapshotError(f"{frame.grains} has no {', '.join(sorted(missing))}")
+    positions = np.asarray(grains.points, float).reshape(-1, 3)
+    work = grains.point_data.get("f_plastic_work")
+    walls = np.empty((0, 3, 3))
+    if frame.mesh and (mesh := pyvista.read(frame.mesh)).n_cells:
+        walls = np.asarray(mesh.points, float)[mesh.regular_faces]
+    return GrainFrame(
+        frame.step,
+        positions,
+        np.asarray(grains["radius"], float),
+        np.linalg.norm(np.asarray(grains["v"], float).reshape(-1, 3), axis=1),
+        None if work is None else np.asarray(work, float),
+        None if frame.contacts is None else _largest_force(frame, positions),
+        walls,
+    )
+
+
+def _largest_force(frame: Frame, positions: np.ndarray) -> np.ndarray:
+    """The largest contact force on each grain; a contact's line ends in the grains' centres."""
+    from scipy.spatial import cKDTree
+
+    found = np.zeros(len(positions))
+    with open(frame.contacts, "rb") as file:
+        none = b"\nPOINTS 0 " in file.read(500)  # the reader warns of them
+    if not none and len(positions):
+        lines = load_pyvista().read(frame.contacts)
+        force = np.linalg.norm(np.asarray(lines["force"], float).reshape(-1, 3), axis=1)
+        ends = np.asarray(lines.points, float).reshape(-1, 3)
+        # An end beyond a periodic side is no grain's centre; six digits are written of each.
+        distance, grain = cKDTree(positions).query(ends)
+        at_grain = distance < 1e-4 * np.ptp(positions, axis=0).max()
+        np.maximum.at(found, grain[at_grain], np.repeat(force, 2)[at_grain])
+    return found

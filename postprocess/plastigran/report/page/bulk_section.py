@@ -1,0 +1,185 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""The section of a bulk run, finished or not."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import pandas as pd
+
+from plastigran.bulk.deck import BulkDeck
+from plastigran.bulk.folder import read_record
+from plastigran.bulk.run import PLACES, BulkRun, open_run
+from plastigran.declared import Declaration, declaration
+from plastigran.engine.dumps import DumpError
+from plastigran.engine.log import LOG, LogFollower, find_error, find_warnings
+from plastigran.engine.process import EngineError
+from plastigran.plot.snapshot import SnapshotError
+from plastigran.plot.style import title
+from plastigran.report.page.bulk_charts import ledger_chart, series_chart
+from plastigran.report.page.charts import chart_name
+from plastigran.report.page.collect import Results
+from plastigran.report.page.movie import Movie, pack_movie
+from plastigran.report.page.names import number
+from plastigran.report.page.pictures import read_pictures
+from plastigran.report.page.sections import Section
+
+#: Settings that stand in the section's head.
+_HEAD = ("law", "material", "radius", "timestep")
+
+
+def make(results: Results, name: str) -> Section:
+    """What is to be shown of a run of a bulk deck.
+
+    Args:
+        results: Its folder.
+        name: Of the element of the page.
+    """
+    folder = results.folder
+    try:
+        record = read_record(folder)
+    except EngineError as error:
+        return Section(
+            kind="bulk", name=name, title=results.name, folder=folder,
+            state="unfinished", verdict="record damaged", missing=[f"{error}."],
+        )  # fmt: skip
+    log = _read(folder / LOG)
+    missing, run = [], None
+    try:
+        run = open_run(folder)
+    except (EngineError, DumpError) as error:
+        missing.append(f"The run cannot be read: {error}.")
+    if error := find_error(log):
+        missing.append(f"The engine stopped: {error.strip()}")
+    if run is None or not run.finished:
+        missing.append(_progress(folder, log))
+    state, verdict = _verdict(run)
+    series = run.series if run else pd.DataFrame()
+    charts = [ledger_chart(name, series), series_chart(name, series)] if run else []
+    movie, said = _movie(folder, name, record)
+    besides = {"ledger"} | ({"grains"} if movie else set())
+    pictures, left = read_pictures(folder / "figures", besides)
+    settings = record["settings"]
+    return Section(
+        kind="bulk",
+        name=name,
+        title=results.name,
+        folder=folder,
+        state=state,
+        verdict=verdict,
+        missing=missing + said + left,
+        warnings=_worst(find_warnings(log)),
+        facts=_facts(record, run),
+        settings=_settings(settings, run.deck if run else None, record["values"]),
+        checks=run.checks.to_dict("records") if run else [],
+        charts=[chart for chart in charts if chart],
+        movie=movie,
+        pictures=pictures,
+        laws=[settings["law"]] if "law" in settings else [],
+    )
+
+
+def _read(file: Path) -> str:
+    return file.read_text(errors="replace") if file.is_file() else ""
+
+
+def _progress(folder: Path, log: str) -> str:
+    """How far a run came that has not finished."""
+    if not log:
+        return f"The run has not begun: {LOG} is missing or empty."
+    at = LogFollower(folder / LOG).read()
+    if not at.last:
+        return f"The run has not finished: {LOG} ends before its first step."
+    share = (at.step - at.first) / max(at.last - at.first, 1)
+    return (
+        f"The run has not finished: {LOG} ends at step {at.step} of {at.last}, {share:.0%} of the "
+        f"deck's run number {at.run}. Figures and checks are made at its end; "
+        f"`plastigran bulk --restart` goes on from its newest checkpoint."
+    )
+
+
+def _verdict(run: BulkRun | None) -> tuple[str, str]:
+    if run is None or not run.finished:
+        return "unfinished", "not finished"
+    count = len(run.checks)
+    if failed := len(run.analysis.failed):
+        return "failed", f"{failed} of {count} checks failed"
+    return ("passed", f"{count} checks passed") if count else ("done", "finished")
+
+
+def _movie(folder: Path, name: str, record: dict) -> tuple[Movie | None, list[str]]:
+    try:
+        step = float(record["settings"]["timestep"])
+    except (KeyError, ValueError):
+        step = None
+    try:
+        return pack_movie(chart_name(name, "movie"), folder, step), []
+    except (SnapshotError, OSError, ValueError, KeyError) as error:
+        return None, [f"The frames cannot be shown: {error}."]
+
+
+def _worst(warnings: list[str]) -> list[str]:
+    """Of warnings that differ in their numbers alone, the last: it is the worst."""
+    return list({"".join(c for c in w if not c.isdigit()): w for w in warnings}.values())
+
+
+def _facts(record: dict[str, Any], run: BulkRun | None) -> dict[str, str]:
+    settings, versions = record["settings"], record.get("versions", {})
+    units = _declared(run.deck if run else None)
+    facts = {"deck": record["deck"]}
+    for name in _HEAD:
+        if name in settings:
+            facts[name.replace("_", " ")] = _with_unit(name, settings[name], units)
+    facts["ranks"] = str(record.get("ranks", "unknown"))
+    if run is not None and "atoms" in run.series and len(run.series):
+        facts["grains"] = number(float(run.series["atoms"].iloc[0]))
+    if record.get("restart"):
+        facts["goes on from"] = Path(record["restart"]).name
+    return facts | version_facts(versions)
+
+
+def version_facts(versions: dict[str, str]) -> dict[str, str]:
+    """Versions as facts: short, as far as the reader needs them to tell two runs apart."""
+    shown = {}
+    for name, said in versions.items():
+        if name == "plugin" and " sha256 " in said:
+            said = said.partition(" sha256 ")[2][:12]
+        if name == "engine" and "(Version " in said:
+            said = said.partition("(Version ")[2].partition(",")[0]
+        shown[{"plugin": "plugin, sha256"}.get(name, name)] = said
+    return shown
+
+
+def _declared(deck: BulkDeck | None) -> dict[str, Declaration]:
+    return declaration(type(deck)) if deck else {}
+
+
+def _with_unit(name: str, value: str, declared: dict[str, Declaration]) -> str:
+    if name == "law":
+        return title(value)
+    said = declared.get(name)
+    if said is None or said.kind is not float:
+        return value
+    try:
+        shown = number(float(value))
+    except ValueError:
+        return value
+    return f"{shown} {said.unit}" if said.unit != "-" else shown
+
+
+def _settings(
+    settings: dict[str, str], deck: BulkDeck | None, given: dict[str, str]
+) -> list[tuple[str, str, str]]:
+    """Settings with unit and meaning; those that were given another value come first."""
+    declared = _declared(deck)
+    names = [name for name in settings if name not in PLACES]
+    names.sort(key=lambda name: name not in given)
+    return [
+        (
+            name + (" *" if name in given else ""),
+            _with_unit(name, settings[name], declared) if name != "law" else settings[name],
+            declared[name].meaning if name in declared else "",
+        )
+        for name in names
+    ]

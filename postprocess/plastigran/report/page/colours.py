@@ -1,0 +1,28 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Colours of lines on a dark ground."""
+
+from __future__ import annotations
+
+import colorsys
+
+from matplotlib.colors import to_hex, to_rgb
+
+#: Least relative luminance of a line on a dark ground: a contrast of 4.5 with the page's.
+LEAST = 0.24
+
+
+def luminance(colour: str) -> float:
+    """Relative luminance of a colour, 0 to 1 (WCAG 2.2)."""
+    linear = [c / 12.92 if c <= 0.04045 else ((c + 0.055) / 1.055) ** 2.4 for c in to_rgb(colour)]
+    return 0.2126 * linear[0] + 0.7152 * linear[1] + 0.0722 * linear[2]
+
+
+def on_dark(colour: str) -> str:
+    """The same hue, light enough for a dark ground; of greys the darkest becomes the lightest."""
+    hue, lightness, saturation = colorsys.rgb_to_hls(*to_rgb(colour))
+    if not saturation:
+        return to_hex(3 * [0.9 - 0.6 * lightness])
+    while luminance(colour) < LEAST:
+        lightness += 0.02
+        colour = to_hex(colorsys.hls_to_rgb(hue, min(lightness, 1.0), saturation))
+    return colour

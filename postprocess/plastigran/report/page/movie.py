@@ -1,0 +1,181 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""The frames of a run, packed for the page's view of grains in three dimensions."""
+
+from __future__ import annotations
+
+import base64
+import gzip
+import json
+from pathlib import Path
+
+import attrs
+import matplotlib
+import numpy as np
+
+from plastigran.plot.frames import GrainFrame, read_frame
+from plastigran.plot.snapshot import Frame, SnapshotError, find_frames
+from plastigran.report.page.names import scale
+
+#: Grains in all frames of a run together, at most: 14 bytes each before they are packed.
+MOST = 90_000
+#: Share of the values that the scale of colours spans: a few grains may be far beyond.
+SPANNED = 99.5
+_DEEPEST = 65535  # of 16 bits
+#: What grains are coloured by: attribute of a frame, words, and the unit's column.
+COLOURED = {
+    "plastic_work": ("plastic work", "plastic"),
+    "force": ("largest contact force", "force"),
+    "speed": ("speed", "speed"),
+}
+
+
+@attrs.frozen(eq=False)
+class Movie:
+    """Frames of a run as the page takes them.
+
+    Attributes:
+        name: Of the element of the page.
+        data: Gzip of a line of JSON and 16-bit numbers, in base64.
+        frames: How many.
+        colours: What grains can be coloured by, in words, by name.
+        walls: Whether there are any.
+        caption: A sentence or two.
+    """
+
+    name: str
+    data: str
+    frames: int
+    colours: dict[str, str]
+    walls: bool
+    caption: str
+
+
+def pack_movie(name: str, folder: Path, timestep: float | None) -> Movie | None:
+    """The frames of a run; None where it has none.
+
+    Args:
+        name: Of the element of the page.
+        folder: Of the run.
+        timestep: Of the engine [s]; None where it is not known: steps are shown instead.
+
+    Raises:
+        SnapshotError: A frame is damaged, or pyvista is not installed.
+    """
+    try:
+        found = find_frames(folder)
+    except SnapshotError:
+        return None
+    kept, thin = _fitting(found)
+    frames = [_thinned(read_frame(frame), thin) for frame in kept]
+    left = []
+    if len(kept) < len(found):
+        left.append(f"{len(kept)} of {len(found)} frames")
+    if thin > 1:
+        left.append(f"every {thin}th grain")
+    said = f" The page holds {' and '.join(left)}." if left else ""
+    colours = {key: words for key, (words, _) in COLOURED.items() if _has(frames, key)}
+    return Movie(
+        name,
+        _pack(frames, list(colours), timestep),
+        len(frames),
+        colours,
+        any(len(frame.walls) for frame in frames),
+        f"{len(frames[-1].radii) * thin} grains in the last frame, to scale. Drag to turn, pinch "
+        f"or scroll with Ctrl to come nearer, point at a grain for its values.{said}",
+    )
+
+
+def _has(frames: list[GrainFrame], name: str) -> bool:
+    return all(getattr(frame, name) is not None for frame in frames)
+
+
+def _fitting(found: list[Frame]) -> tuple[list[Frame], int]:
+    """Frames as far as they fit into `MOST` grains, the first and last among them; one grain in
+    how many, where a single frame is more than that."""
+    grains = read_frame(found[-1]).radii.size, read_frame(found[0]).radii.size
+    many = max(1, MOST // max(*grains, 1))
+    thin = max(1, -(-max(grains) // MOST))
+    if many >= len(found):
+        return found, thin
+    chosen = np.unique(np.linspace(0, len(found) - 1, many).round().astype(int))
+    return [found[k] for k in (chosen if many > 1 else [-1])], thin
+
+
+def _thinned(frame: GrainFrame, every: int) -> GrainFrame:
+    if every == 1:
+        return frame
+    names = ("positions", "radii", "speed", "plastic_work", "force")
+    part = {name: getattr(frame, name) for name in names}
+    return attrs.evolve(
+        frame, **{name: value[::every] for name, value in part.items() if value is not None}
+    )
+
+
+def _pack(frames: list[GrainFrame], colours: list[str], timestep: float | None) -> str:
+    corners = np.concatenate(
+        [np.concatenate([f.positions, f.walls.reshape(-1, 3)]) for f in frames]
+        or [np.zeros((1, 3))]
+    )
+    low, size = corners.min(axis=0), max(float(np.ptp(corners, axis=0).max()), 1e-300)
+    largest = max(float(f.radii.max(initial=0)) for f in frames) or 1.0
+    tops = {name: max(float(getattr(f, name).max(initial=0)) for f in frames) for name in colours}
+
+    def small(values: np.ndarray, top: float) -> np.ndarray:
+        share = np.clip(np.asarray(values, float) / (top or 1.0), 0, 1)
+        return (share * _DEEPEST).round().astype("<u2")
+
+    parts, heads, walls_before = [], [], None
+    for frame in frames:
+        walls = small(frame.walls.reshape(-1, 3) - low, size)
+        same = walls_before is not None and np.array_equal(walls, walls_before)
+        walls_before = walls
+        heads.append(
+            {
+                "said": _said(frame.step, timestep),
+                "grains": len(frame.radii),
+                "corners": None if same else len(walls),
+            }
+        )
+        parts += [small(frame.positions - low, size), small(frame.radii, largest)]
+        parts += [small(getattr(frame, name), tops[name]) for name in colours]
+        parts += [] if same else [walls]
+    head = {
+        "size": size,
+        "extent": np.ptp(corners, axis=0).tolist(),
+        "radius": largest,
+        "frames": heads,
+        "colours": [_colour(name, frames, tops[name]) for name in colours],
+        "map": _colour_map(),
+    }
+    # Numbers begin at an even place.
+    line = json.dumps(head, ensure_ascii=True)
+    line += " " * (len(line) % 2 == 0) + "\n"
+    numbers = b"".join(part.tobytes() for part in parts)
+    return base64.b64encode(gzip.compress(line.encode() + numbers, 9, mtime=0)).decode()
+
+
+def _colour(name: str, frames: list[GrainFrame], top: float) -> dict:
+    """What the page needs of a quantity: its name, unit, and the values its colours span."""
+    values = np.concatenate([getattr(f, name) for f in frames])
+    spanned = float(np.percentile(values, SPANNED)) if values.size else 0.0
+    said, column = COLOURED[name]
+    shown = scale(column, [spanned or top or 1.0])
+    return {
+        "name": name,
+        "said": said,
+        "unit": shown.unit,
+        "top": top * shown.factor,
+        "spanned": (spanned or top or 1.0) * shown.factor,
+    }
+
+
+def _said(step: int, timestep: float | None) -> str:
+    if timestep is None:
+        return f"step {step}"
+    time = scale("time", [step * timestep])
+    return f"{step * timestep * time.factor:.3g} {time.unit}"
+
+
+def _colour_map() -> list[str]:
+    shades = matplotlib.colormaps["viridis"](np.linspace(0, 1, 16))
+    return [matplotlib.colors.to_hex(shade) for shade in shades]

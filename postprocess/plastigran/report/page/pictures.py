@@ -1,0 +1,81 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Figures that commands have drawn, as a page carries them."""
+
+from __future__ import annotations
+
+import base64
+import re
+from collections.abc import Collection
+from pathlib import Path
+
+import attrs
+from PIL import Image
+
+#: A picture of lines is carried as such up to this size [bytes], else its dots.
+LARGEST_LINES = 120_000
+#: A picture beyond this size is left out [bytes].
+LARGEST = 500_000
+#: Width over height from which a picture is wide.
+WIDE = 1.7
+_KINDS = {".svg": "image/svg+xml", ".png": "image/png", ".gif": "image/gif"}
+
+
+@attrs.frozen
+class Picture:
+    """A figure of a section.
+
+    Attributes:
+        name: The file's, in words.
+        source: Its content, as an address of the page's own.
+        light: Whether its ground is white: the page turns it dark with itself.
+        wide: Whether it takes the page's width.
+    """
+
+    name: str
+    source: str
+    light: bool = True
+    wide: bool = False
+
+
+def read_pictures(folder: Path, besides: Collection[str] = ()) -> tuple[list[Picture], list[str]]:
+    """The figures in a folder, each once, and sentences on those left out.
+
+    Args:
+        folder: Of the files.
+        besides: Names without ending of figures that the page shows otherwise.
+    """
+    if not folder.is_dir():
+        return [], []
+    found, left = [], []
+    files = (file for file in folder.iterdir() if file.suffix in _KINDS)
+    for stem in sorted({file.stem for file in files} - set(besides)):
+        at_hand = {kind: file for kind in _KINDS if (file := folder / (stem + kind)).is_file()}
+        chosen = _choose(at_hand)
+        if chosen is None:
+            left.append(f"The figure {stem} is too large for this page; it is in {folder}.")
+            continue
+        content = base64.b64encode(chosen.read_bytes()).decode()
+        source = f"data:{_KINDS[chosen.suffix]};base64,{content}"
+        name, light = stem.replace("_", " "), chosen.stem != "grains"
+        found.append(Picture(name, source, light, _is_wide(chosen)))
+    return found, left
+
+
+def _is_wide(file: Path) -> bool:
+    if file.suffix == ".svg":
+        head = file.read_text(encoding="utf-8", errors="replace")[:4000]
+        sides = re.search(r"viewBox=\"\S+ \S+ (\S+) (\S+)\"", head)
+        return bool(sides) and float(sides[1]) > WIDE * float(sides[2])
+    with Image.open(file) as image:
+        return image.width > WIDE * image.height
+
+
+def _choose(files: dict[str, Path]) -> Path | None:
+    """The file of a figure that a page takes: lines before dots, while they are small."""
+    sizes = {kind: file.stat().st_size for kind, file in files.items()}
+    if sizes.get(".svg", LARGEST) <= LARGEST_LINES:
+        return files[".svg"]
+    for kind in (".png", ".gif"):
+        if sizes.get(kind, LARGEST) < LARGEST:
+            return files[kind]
+    return None

@@ -1,0 +1,174 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Chart of a sweep: what was measured, with theory's lines."""
+
+from __future__ import annotations
+
+from itertools import cycle
+
+import numpy as np
+import pandas as pd
+import plotly.graph_objects as go
+
+from plastigran import laws
+from plastigran.experiments.central import GEOMETRIES, CentralImpact
+from plastigran.materials import read_material
+from plastigran.plot.style import title
+from plastigran.report.page.charts import Chart, chart_name, decades, figure, line, of_law, points
+from plastigran.report.page.names import scale, words
+
+#: Speeds of a line of theory.
+FINE = 60
+_PREDICTED = "_predicted"
+
+
+def measured_chart(name: str, table: pd.DataFrame) -> Chart | None:
+    """Every quantity that theory has too, over speed or angle: points measured in the engine,
+    lines of theory. None of a table without such a quantity."""
+    abscissa = _abscissa(table)
+    quantities = [
+        column
+        for column in table
+        if f"{column}{_PREDICTED}" in table and table[column].notna().any()
+    ]
+    if not quantities or abscissa is None:
+        return None
+    groups = _groups(table, abscissa)
+    theory = {key: _theory(rows, abscissa) for key, rows in groups.items()}
+    views = {
+        words(quantity).capitalize(): _measured(groups, theory, quantity, abscissa)
+        for quantity in quantities
+    }
+    return Chart(
+        chart_name(name, "measured"),
+        views,
+        f"{', '.join(map(words, quantities))} over {words(abscissa)}, a curve for each law",
+        "Points are what LIGGGHTS did with a law, lines what the law says without it. Where points "
+        "lie on their line, the run is verified; whether the law is right is another question, "
+        "below.",
+        "Quantity" if len(views) > 1 else "",
+        height=440,
+    )
+
+
+def _abscissa(table: pd.DataFrame) -> str | None:
+    """The case's number that varies most; where none does, the word."""
+    numbers = [name for name in ("speed", "angle", "incident_angle", "radius") if name in table]
+    words = [name for name in ("geometry", "material") if name in table]
+    varied = [name for name in numbers + words if table[name].nunique() > 1]
+    most = max(
+        (name for name in varied if name in numbers), key=lambda n: table[n].nunique(), default=None
+    )
+    return most or next(iter(varied), numbers[0] if numbers else None)
+
+
+def _groups(table: pd.DataFrame, abscissa: str) -> dict[tuple[str, str], pd.DataFrame]:
+    """Rows of a curve, by law and by what else sets the curve apart."""
+    apart = [
+        name
+        for name in ("material", "geometry", "radius", "angle", "coefficient_of_friction")
+        if name in table and name != abscissa and table[name].nunique() > 1
+    ]
+    law = table["law"] if "law" in table else pd.Series("", table.index)
+    found = {}
+    for key, rows in table.groupby([law, *(table[name] for name in apart)], sort=True):
+        others = ", ".join(said_of(name, value) for name, value in zip(apart, key[1:], strict=True))
+        found[str(key[0]), others] = rows.sort_values(abscissa)
+    return found
+
+
+def said_of(name: str, value: object) -> str:
+    """A value of a case in words, with its unit."""
+    if isinstance(value, str):
+        return title(value) if name == "material" else value.replace("_", " ")
+    found = scale(name, [value])
+    shown = f"{value * found.factor:.3g} {found.unit}".strip()
+    return shown if name == "speed" else f"{found.title} {shown}"
+
+
+def _measured(groups: dict, theory: dict, quantity: str, abscissa: str) -> go.Figure:
+    every = pd.concat(groups.values())
+    y = scale(quantity, every[quantity])
+    numbers = every[abscissa].dtype.kind in "if"
+    x = scale(abscissa, every[abscissa] if numbers else [])
+    made = figure(x.axis, y.axis)
+    if numbers and every[abscissa].min() > 0 and np.ptp(np.log(every[abscissa])) > 3:
+        decades(made.update_xaxes)
+        if y.unit and (every[quantity] > 0).all():
+            decades(made.update_yaxes)
+    if quantity == "coefficient_of_restitution":
+        made.update_yaxes(range=[0, 1.05])
+    apart = dict.fromkeys(key[1] for key in groups)
+    dashes = dict(zip(apart, cycle(("solid", "dash", "dot")), strict=False))
+    for (law, others), rows in groups.items():
+        name = ", ".join(filter(None, (title(law), others)))
+        at = f"{x.title} %{{x:.4g}} {x.unit}" if numbers else "%{x}"
+        said = f"<b>{name}</b><br>{at}<br>{y.title} %{{y:.5g}} {y.unit}"
+        fine = theory[law, others]
+        column = f"{quantity}{_PREDICTED}"
+        made.add_trace(
+            line(
+                _along(fine[abscissa], x.factor),
+                fine[column if column in fine else quantity] * y.factor,
+                name,
+                of_law(law),
+                said + "<extra>theory</extra>",
+                line={"dash": dashes[others]},
+            )
+        )
+        made.add_trace(
+            points(
+                _along(rows[abscissa], x.factor),
+                rows[quantity] * y.factor,
+                name,
+                of_law(law),
+                said + "<extra>LIGGGHTS</extra>",
+            )
+        )
+    return made
+
+
+def _along(values: pd.Series, factor: float) -> pd.Series:
+    """Numbers in an axis' unit, or words as they are read."""
+    return values * factor if values.dtype.kind in "if" else values.str.replace("_", " ")
+
+
+def _theory(rows: pd.DataFrame, abscissa: str) -> pd.DataFrame:
+    """Theory at many speeds, or where it cannot be had again, what the table has of it."""
+    first = rows.iloc[0]
+    if abscissa != "speed" or len(rows) < 2 or first.get("geometry") not in GEOMETRIES:
+        return rows
+    try:
+        case = CentralImpact(
+            law=first["law"],
+            speed=rows["speed"].max(),
+            material=read_material(first["material"]),
+            radius=first["radius"],
+            geometry=first["geometry"],
+        )
+        law = case.contact_law()
+    except ValueError:  # a material of the user's own, say
+        return rows
+    speeds = np.unique(
+        np.r_[rows["speed"], np.geomspace(rows["speed"].min(), rows["speed"].max(), FINE)]
+    )
+    found = law.central_impact(case.radius_eff, case.mass_eff, speeds * case.bodies)
+    names = ("coefficient_of_restitution", "force_max", "overlap_max", "overlap_res")
+    fine = {f"{name}{_PREDICTED}": getattr(found, name) for name in names}
+    # The same law with another material of that name would be another theory.
+    again = np.interp(rows["speed"], speeds, fine[f"force_max{_PREDICTED}"])
+    if not np.allclose(again, rows[f"force_max{_PREDICTED}"], rtol=1e-6):
+        return rows
+    return pd.DataFrame({"speed": speeds, **fine})
+
+
+def leaves_range(table: pd.DataFrame) -> dict[str, float]:
+    """The speed from which on each law was used beyond its range [m/s], of those that were."""
+    if not {"in_range", "law", "speed"} <= set(table):
+        return {}
+    outside = table[~table["in_range"].astype(bool)]
+    return outside.groupby("law")["speed"].min().to_dict()
+
+
+def law_range(law: str) -> str:
+    """What a law is good for, in its own words."""
+    return laws.LAWS[law].range if law in laws.LAWS else ""

@@ -1,0 +1,190 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Verification and validation side by side: how far runs are off the law, and the law off nature.
+
+Verification holds a run of the engine against the law's own theory. Validation holds the law
+against finite elements of spheres, by what `plastigran validate` found.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+import attrs
+import numpy as np
+import pandas as pd
+
+from plastigran.calibration.expected_errors import errors_table
+from plastigran.plot.style import title
+from plastigran.report.page.charts import Chart, chart_name, decades, figure, of_law, points
+from plastigran.report.page.names import words
+from plastigran.report.page.sweep_charts import law_range, leaves_range
+
+QUANTITIES = ("coefficient_of_restitution", "force_max")
+#: Limits of the charts' axes of errors, powers of ten of a per cent.
+SPAN = (-4, 2.2)
+_SCALE = "difference (%)"
+_SPEED = "impact speed / yield speed"
+
+
+@attrs.frozen
+class Trust:
+    """What is known of a law in a sweep; numbers are shares, None where nothing is known.
+
+    Attributes:
+        law: Its name.
+        verified: By quantity, the largest difference of the runs from the law's theory.
+        validated: By quantity, rms and largest error against finite elements at like speeds.
+        until: Speed from which on the law was beyond its range [m/s].
+        range: Its range in words.
+    """
+
+    law: str
+    verified: dict[str, float | None]
+    validated: dict[str, tuple[float, float] | None]
+    until: float | None
+    range: str
+
+
+def trust(table: pd.DataFrame, hardening: bool = False) -> list[Trust]:
+    """What is known of each law of a table of impacts.
+
+    Args:
+        table: Of a sweep.
+        hardening: Whether the metal hardens: other finite elements are held against it.
+    """
+    if "law" not in table:
+        return []
+    left = leaves_range(table)
+    found = []
+    for law, rows in table.groupby("law"):
+        ratios = rows["speed_ratio"].dropna() if "speed_ratio" in rows else pd.Series(dtype=float)
+        found.append(
+            Trust(
+                str(law),
+                {name: _verified(rows, name) for name in QUANTITIES},
+                {name: _validated(str(law), name, ratios, hardening) for name in QUANTITIES},
+                left.get(law),
+                law_range(str(law)),
+            )
+        )
+    return found
+
+
+def _verified(rows: pd.DataFrame, name: str) -> float | None:
+    if f"{name}_predicted" not in rows:
+        return None
+    off = (rows[name] / rows[f"{name}_predicted"] - 1).abs().max()
+    return None if np.isnan(off) else float(off)
+
+
+def _kinds(hardening: bool) -> str:
+    return "hardening" if hardening else "perfectly plastic"
+
+
+def _validated(
+    law: str, name: str, ratios: pd.Series, hardening: bool
+) -> tuple[float, float] | None:
+    table = errors_table()
+    if ratios.empty or ratios.max() < 1:
+        return None
+    rows = table[
+        (table["law"] == law)
+        & (table["quantity"] == name)
+        & (table["kind"] == _kinds(hardening))
+        & (table["speed_ratio_from"] <= ratios.max())
+        & (table["speed_ratio_to"] > max(ratios.min(), 1))
+    ]
+    return None if rows.empty else (float(rows["rms"].max()), float(rows["max"].max()))
+
+
+def verification_chart(name: str, table: pd.DataFrame) -> Chart | None:
+    """Difference of every impact from theory over speed; None where no law has a yield speed."""
+    if "speed_ratio" not in table or table["speed_ratio"].isna().all():
+        return None
+    views = {}
+    for quantity in QUANTITIES:
+        if f"{quantity}_predicted" not in table:
+            continue
+        made = _empty()
+        for law, rows in table.dropna(subset=["speed_ratio"]).groupby("law"):
+            rows = rows.sort_values("speed_ratio")
+            off = 100 * (rows[quantity] / rows[f"{quantity}_predicted"] - 1).abs()
+            made.add_trace(
+                points(
+                    rows["speed_ratio"],
+                    off.clip(lower=10 ** SPAN[0]),
+                    title(str(law)),
+                    of_law(str(law)),
+                    f"<b>{title(str(law))}</b><br>v/v<sub>Y</sub> %{{x:.3g}}"
+                    f"<br>run off theory by %{{customdata:.2g}} %<extra></extra>",
+                    mode="lines+markers",
+                    line={"width": 1},
+                    customdata=off,
+                    marker={"size": 6},
+                )
+            )
+        views[words(quantity).capitalize()] = made
+    if not views:
+        return None
+    return Chart(
+        chart_name(name, "verification"),
+        views,
+        "difference between runs of the engine and the law's own theory, over speed",
+        "Verification: runs of LIGGGHTS against the equations of their law, in per cent. This is "
+        "the code's and the time step's error.",
+        "Quantity",
+    )
+
+
+def validation_chart(name: str, laws: Iterable[str]) -> Chart | None:
+    """Errors of laws against finite elements over speed; None where none is known."""
+    table = errors_table()
+    table = table[table["law"].isin(set(laws))]
+    views = {}
+    for quantity in QUANTITIES:
+        for kind, rows in table[table["quantity"] == quantity].groupby("kind", sort=False):
+            made = _empty()
+            for law, errors in rows.groupby("law"):
+                errors = errors.sort_values("speed_ratio_from")
+                middle = np.sqrt(errors["speed_ratio_from"] * errors["speed_ratio_to"])
+                made.add_trace(
+                    points(
+                        middle,
+                        100 * errors["rms"],
+                        title(str(law)),
+                        of_law(str(law)),
+                        f"<b>{title(str(law))}</b><br>v/v<sub>Y</sub> %{{customdata[0]:.3g}} to "
+                        "%{customdata[1]:.3g}<br>law off finite elements by %{y:.2g} % rms, "
+                        "%{customdata[2]:.2g} % at most<extra></extra>",
+                        mode="lines+markers",
+                        line={"width": 1},
+                        marker={"size": 6},
+                        customdata=np.stack(
+                            [
+                                errors["speed_ratio_from"],
+                                errors["speed_ratio_to"],
+                                100 * errors["max"],
+                            ],
+                            axis=1,
+                        ),
+                    )
+                )
+            views[f"{words(quantity).capitalize()}, {kind}"] = made
+    if not views:
+        return None
+    return Chart(
+        chart_name(name, "validation"),
+        views,
+        "error of each law against finite elements of spheres, over speed",
+        "Validation: the law itself against finite elements of spheres of many metals, in per cent "
+        "(root mean square). This is what a law is off, however well it runs.",
+        "Quantity and metal",
+    )
+
+
+def _empty():
+    made = figure(_SPEED, _SCALE)
+    decades(made.update_xaxes)
+    decades(made.update_yaxes)
+    made.update_yaxes(range=SPAN)
+    return made

@@ -1,0 +1,223 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""The page in a browser: quiet, without network, and every switch does what it says."""
+
+from __future__ import annotations
+
+from io import BytesIO
+
+import numpy as np
+import pytest
+from axe_playwright_python.sync_playwright import Axe
+from PIL import Image
+from playwright.sync_api import Locator, Page, expect
+
+
+def pixels(element: Locator) -> np.ndarray:
+    """An element as it is seen, (height, width, 3)."""
+    element.scroll_into_view_if_needed()
+    return np.asarray(Image.open(BytesIO(element.screenshot())).convert("RGB"), int)
+
+
+def drawn(seen: np.ndarray) -> float:
+    """Share of the pixels that are not the ground's colour."""
+    ground = seen[2, 2]
+    return float((np.abs(seen - ground).max(axis=2) > 24).mean())
+
+
+def settle(page: Page) -> None:
+    """Two frames of the browser, in which what was asked for is drawn."""
+    page.evaluate(
+        "() => new Promise(done => requestAnimationFrame(() => requestAnimationFrame(done)))"
+    )
+
+
+def shown_laws(page: Page, chart: str) -> set[str]:
+    return set(
+        page.evaluate(
+            "n => document.getElementById(n).data.filter(t => t.visible).map(t => t.meta.law)",
+            chart,
+        )
+    )
+
+
+def test_the_page_is_quiet_small_and_needs_no_network(visit, page_file):
+    assert visit.said == []
+    assert visit.asked == [page_file.as_uri()]
+    assert page_file.stat().st_size < 5e6
+
+
+def test_every_chart_has_lines_and_titles_with_units(page):
+    charts = page.locator(".plot")
+    assert charts.count() == 6
+    for k in range(charts.count()):
+        chart = charts.nth(k)
+        assert chart.locator(".scatterlayer .trace path").count() >= 1
+        titles = chart.locator(".xtitle, .ytitle, .y2title").all_text_contents()
+        assert len(titles) >= 2
+        assert all(titles)
+        assert drawn(pixels(chart)) > 0.01
+
+
+def test_values_are_shown_where_a_chart_is_pointed_at(page):
+    chart = page.locator("#run-0-measured")
+    point = chart.locator(".point").nth(2)
+    point.scroll_into_view_if_needed()
+    point.hover(force=True)
+    said = chart.locator(".hoverlayer .hovertext")
+    expect(said.first).to_contain_text("coefficient of restitution")
+    expect(said.first).to_contain_text("m/s")
+
+
+def test_laws_are_switched_on_and_off(page):
+    row = page.locator("tr[data-of-law=thornton]").first
+    everything = {"kogut_etsion", "thornton", "universal"}
+    for chart in ("run-0-measured", "run-0-loops", "run-0-verification", "run-0-validation"):
+        assert shown_laws(page, chart) == everything
+    page.get_by_label("Thornton").uncheck()
+    expect(row).to_be_hidden()
+    settle(page)
+    for chart in ("run-0-measured", "run-0-loops", "run-0-verification", "run-0-validation"):
+        assert shown_laws(page, chart) == everything - {"thornton"}
+    page.get_by_role("button", name="None").click()
+    settle(page)
+    assert shown_laws(page, "run-0-measured") == set()
+    page.get_by_role("button", name="All").click()
+    settle(page)
+    assert shown_laws(page, "run-0-measured") == everything
+    expect(row).to_be_visible()
+
+
+@pytest.mark.parametrize(
+    ("chart", "choice", "said"),
+    [
+        ("run-0-measured", "Largest force", "largest force"),
+        ("run-0-verification", "Largest force", "difference"),
+        ("run-0-validation", "Largest force, hardening", "difference"),
+        ("run-2-series", "Plastic work", "plastic work"),
+    ],
+)
+def test_another_quantity_is_shown(page, chart, choice, said):
+    chosen, element = page.locator(f"[data-chart={chart}]"), page.locator(f"#{chart}")
+    before, first = pixels(element), chosen.input_value()
+    chosen.select_option(label=choice)
+    expect(element.locator(".ytitle")).to_contain_text(said)
+    settle(page)
+    assert (pixels(element) != before).any()
+    chosen.select_option(first)
+
+
+def test_the_movie_plays_and_stops(page):
+    movie = page.locator("[data-movie]")
+    canvas, now = movie.locator("canvas"), movie.locator(".now")
+    before, when = pixels(canvas), now.inner_text()
+    assert drawn(before) > 0.02
+    movie.get_by_role("button", name="Play").click()
+    expect(now).not_to_have_text(when)
+    movie.get_by_role("button", name="Pause").click()
+    movie.locator(".time").fill("0")
+    settle(page)
+    assert (np.abs(pixels(canvas) - before).max(axis=2) > 24).mean() > 0.01
+    movie.locator(".time").fill(movie.locator(".time").get_attribute("max"))
+    expect(now).to_have_text(when)
+
+
+def test_grains_are_turned_by_pointer_and_keys(page):
+    canvas = page.locator("[data-movie] canvas")
+    before = pixels(canvas)
+    box = canvas.bounding_box()
+    page.mouse.move(box["x"] + box["width"] / 2, box["y"] + box["height"] / 2)
+    page.mouse.down()
+    page.mouse.move(box["x"] + box["width"] / 2 + 90, box["y"] + box["height"] / 2 + 40, steps=3)
+    page.mouse.up()
+    settle(page)
+    turned = pixels(canvas)
+    assert (np.abs(turned - before).max(axis=2) > 24).mean() > 0.01
+    canvas.press("+")
+    settle(page)
+    assert drawn(pixels(canvas)) > 1.2 * drawn(turned)
+    canvas.dblclick()  # as it was at first
+    settle(page)
+    np.testing.assert_allclose(drawn(pixels(canvas)), drawn(before), rtol=0.05)
+
+
+@pytest.mark.parametrize("view", ["front", "side", "top"])
+def test_grains_are_seen_from_a_side(page, view):
+    canvas, choice = page.locator("[data-movie] canvas"), page.locator("[data-movie] .view")
+    before = pixels(canvas)
+    choice.select_option(view)
+    settle(page)
+    seen = pixels(canvas)
+    assert drawn(seen) > 0.02
+    assert (seen != before).any()
+    choice.select_option("corner")
+
+
+def test_grains_are_coloured_and_say_their_values(page):
+    movie = page.locator("[data-movie]")
+    canvas, colour = movie.locator("canvas"), movie.locator(".colour")
+    title, before = movie.locator(".scale-title"), pixels(canvas)
+    assert "plastic work (" in title.inner_text()
+    for name, said in (("force", "largest contact force ("), ("speed", "speed (m/s)")):
+        colour.select_option(name)
+        expect(title).to_contain_text(said)
+        settle(page)
+        assert (pixels(canvas) != before).any()
+    colour.select_option("plastic_work")
+    seen = pixels(canvas)
+    bright = np.argwhere(np.ptp(seen, axis=2) > 60)
+    row, column = bright[len(bright) // 2]
+    canvas.hover(position={"x": int(column), "y": int(row)})
+    tip = movie.locator(".tip")
+    for said in ("plastic work", "largest contact force", "m/s", "radius 5 mm"):
+        expect(tip).to_contain_text(said)
+
+
+def test_walls_are_switched_off(page):
+    canvas, walls = page.locator("[data-movie] canvas"), page.locator("[data-movie] .walls")
+    before = pixels(canvas)
+    walls.uncheck()
+    settle(page)
+    assert (pixels(canvas) != before).any()
+    walls.check()
+
+
+def test_the_page_is_dark_and_light(page):
+    def ground() -> int:
+        return int(pixels(page.locator("h1"))[0, 0].sum())
+
+    def text() -> str:
+        return page.locator("#run-0-measured .xtitle").evaluate("e => getComputedStyle(e).fill")
+
+    theme = page.get_by_label("Theme")
+    theme.select_option("light")
+    settle(page)
+    light, ink = ground(), text()
+    theme.select_option("dark")
+    page.wait_for_selector("#run-0-measured[data-drawn=dark]")
+    assert light > 720
+    assert ground() < 120
+    assert text() != ink
+    assert drawn(pixels(page.locator("[data-movie] canvas"))) > 0.02
+    page.emulate_media(media="print")
+    assert page.evaluate("getComputedStyle(document.body).backgroundColor") == "rgb(255, 255, 255)"
+    assert not page.locator(".laws").is_visible()
+    page.emulate_media(media="screen")
+    theme.select_option("auto")
+    page.wait_for_selector("#run-0-measured[data-drawn=light]")
+
+
+def test_a_phone_shows_it_without_moving_sideways(page):
+    page.set_viewport_size({"width": 390, "height": 844})
+    settle(page)
+    assert page.evaluate("document.documentElement.scrollWidth") <= 390
+    assert page.locator("[data-movie] canvas").bounding_box()["width"] > 300
+    page.set_viewport_size({"width": 1200, "height": 900})
+
+
+@pytest.mark.parametrize("mode", ["light", "dark"])
+def test_accessibility_lint_passes(page, mode):
+    page.get_by_label("Theme").select_option(mode)
+    page.wait_for_selector(f"#run-0-measured[data-drawn={mode}]")
+    found = Axe().run(page)
+    page.get_by_label("Theme").select_option("auto")
+    assert found.violations_count == 0, found.generate_report()

@@ -1,0 +1,258 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""What the page says of results: whole, cut short, failed, damaged, or none."""
+
+from __future__ import annotations
+
+import base64
+import gzip
+import json
+import re
+import shutil
+from pathlib import Path
+
+import numpy as np
+import pandas as pd
+import pytest
+
+from plastigran.cli import main
+from plastigran.materials import read_material, write_material
+from plastigran.plot.frames import read_frame
+from plastigran.plot.snapshot import find_frames
+from plastigran.report.page.collect import collect
+from plastigran.report.page.colours import LEAST, luminance, on_dark
+from plastigran.report.page.movie import pack_movie
+from plastigran.report.page.names import number, scale
+from plastigran.report.page.render import make_section, write_report
+from plastigran.report.page.sections import Section
+
+
+def section(folder: Path) -> Section:
+    """The section of the one result in a folder."""
+    (found,) = collect([folder])
+    return make_section(found, "run-0")
+
+
+@pytest.fixture
+def copied(hopper, tmp_path) -> Path:
+    """A copy of the hopper's run, to be broken."""
+    return Path(shutil.copytree(hopper, tmp_path / "hopper"))
+
+
+@pytest.fixture
+def copied_sweep(sweep_folder, tmp_path) -> Path:
+    return Path(shutil.copytree(sweep_folder, tmp_path / "speeds"))
+
+
+def test_results_are_found_in_their_order(sweep_folder, hopper, tmp_path):
+    (tmp_path / "deep" / "er").mkdir(parents=True)
+    (tmp_path / "deep" / "er" / "one.csv").write_text("a,b\n1,2\n")
+    found = collect([hopper, tmp_path, sweep_folder])
+    assert [each.kind for each in found] == ["sweep", "tables", "bulk"]
+    assert [each.name for each in found] == ["speeds", "deep/er", hopper.name]
+
+
+def test_runs_of_one_name_are_told_apart(hopper, tmp_path):
+    for name in ("a", "b"):
+        shutil.copytree(hopper, tmp_path / name / "hopper")
+    names = [each.name for each in collect([tmp_path / "a/hopper", tmp_path / "b/hopper"])]
+    assert names == ["a/hopper", "b/hopper"]
+
+
+def test_a_whole_run_says_what_ran_and_what_was_checked(hopper):
+    made = section(hopper)
+    assert made.kind == "bulk"
+    assert made.facts["deck"] == "hopper"
+    assert made.facts["radius"] == "0.005 m"
+    assert "3.8.0" in made.facts["engine"]
+    assert {check["name"] for check in made.checks} >= {
+        "plastic work lost, over the energy that came in"
+    }
+    assert all(check["reason"] for check in made.checks)
+    assert [chart.name for chart in made.charts] == ["run-0-ledger", "run-0-series"]
+    assert made.movie.frames >= 3
+    given = [name for name, _, _ in made.settings if name.endswith(" *")]
+    assert "layers *" in given
+
+
+def test_a_run_cut_short_says_how_far_it_came(copied):
+    (copied / "series.csv").unlink()
+    log = copied / "log.liggghts"
+    lines = log.read_text().splitlines(keepends=True)
+    heads = [k for k, line in enumerate(lines) if line.split()[:1] == ["Step"]]
+    log.write_text("".join(lines[: heads[-1] + 5]))
+    made = section(copied)
+    assert (made.state, made.verdict) == ("unfinished", "not finished")
+    assert any("ends at step" in said and "--restart" in said for said in made.missing)
+    assert not made.checks
+    assert made.charts  # what there is is shown
+
+
+def test_a_run_that_has_not_begun_says_so(copied):
+    for name in ("series.csv", "log.liggghts"):
+        (copied / name).unlink()
+    shutil.rmtree(copied / "frames")
+    made = section(copied)
+    assert made.state == "unfinished"
+    assert any("has not begun" in said for said in made.missing)
+    assert made.movie is None
+
+
+def test_a_run_that_failed_says_what_the_engine_said(copied):
+    (copied / "series.csv").unlink()
+    with open(copied / "log.liggghts", "a") as log:
+        log.write("ERROR: Lost atoms: original 400 current 399 (../thermo.cpp:431)\n")
+    made = section(copied)
+    assert any("Lost atoms: original 400 current 399" in said for said in made.missing)
+
+
+def test_a_failed_check_is_no_success(copied):
+    log = copied / "log.liggghts"
+    *before, last, newline = re.split(r"(^ *\d+ 2e-05 .*\n)", log.read_text(), flags=re.MULTILINE)
+    cells = last.split()
+    cells[3] = str(int(cells[3]) - 1)  # of the grains held, one is lost
+    log.write_text("".join([*before, " ".join(cells) + "\n", newline]))
+    made = section(copied)
+    assert (made.state, made.verdict) == ("failed", f"1 of {len(made.checks)} checks failed")
+    failed = [check["name"] for check in made.checks if not check["passed"]]
+    assert failed == ["grains neither in the hopper nor counted out"]
+
+
+@pytest.mark.parametrize("text", ["{", "[]", '{"deck": 1}'])
+def test_a_damaged_record_is_told(copied, text):
+    (copied / "run.json").write_text(text)
+    made = section(copied)
+    assert made.verdict == "record damaged"
+    assert "run.json" in made.missing[0]
+
+
+def test_damaged_frames_are_told(copied):
+    frame = next((copied / "frames").glob("grains_[0-9]*.vtk"))
+    frame.write_text(frame.read_text().replace("f_plastic_work", "other").replace("radius", "r"))
+    made = section(copied)
+    assert made.movie is None
+    assert any("frames cannot be shown" in said and "radius" in said for said in made.missing)
+
+
+def test_frames_are_packed_to_16_bits(hopper):
+    movie = pack_movie("m", hopper, 2e-5)
+    raw = gzip.decompress(base64.b64decode(movie.data))
+    at = raw.index(b"\n") + 1
+    assert at % 2 == 0  # the browser reads 16-bit numbers from there
+    head = json.loads(raw[:at])
+    numbers = np.frombuffer(raw[at:], "<u2") / 65535
+    frames = [read_frame(frame) for frame in find_frames(hopper)]
+    assert [frame["grains"] for frame in head["frames"]] == [len(f.radii) for f in frames]
+    first, count = frames[0], len(frames[0].radii)
+    low = np.concatenate([np.r_[f.positions, f.walls.reshape(-1, 3)] for f in frames]).min(axis=0)
+    places = numbers[: 3 * count].reshape(-1, 3) * head["size"] + low
+    half = 0.51 / 65535  # rounding
+    np.testing.assert_allclose(places, first.positions, atol=half * head["size"])
+    radii = numbers[3 * count : 4 * count] * head["radius"]
+    np.testing.assert_allclose(radii, first.radii, atol=half * head["radius"])
+    assert [colour["name"] for colour in head["colours"]] == ["plastic_work", "force", "speed"]
+    last = frames[-1]
+    at_end = [getattr(last, colour["name"]) for colour in head["colours"]]
+    assert all(values.max() > 0 for values in at_end)
+
+
+def test_the_largest_force_on_a_grain_is_that_of_its_contacts(hopper):
+    frame = read_frame(find_frames(hopper)[-1])
+    carried = frame.force > 0
+    assert 0.3 < carried.mean() < 1  # some fall
+    weight = 1500 * 4 / 3 * np.pi * frame.radii**3 * 9.81
+    assert np.median(frame.force[carried]) > 0.1 * weight[0]
+
+
+def test_a_sweep_is_recorded_and_drawn(sweep_folder):
+    made = section(sweep_folder)
+    assert made.facts["command"] == "plastigran impact"
+    assert made.facts["impact speed"] == "0.001 to 0.1 m/s"
+    assert "plugin, sha256" in made.facts
+    kinds = ["measured", "loops", "verification", "validation"]
+    assert [chart.name for chart in made.charts] == [f"run-0-{kind}" for kind in kinds]
+    table = pd.read_csv(sweep_folder / "impacts.csv")
+    restitution = made.charts[0].views["Coefficient of restitution"]
+    for k, (_, rows) in enumerate(table.groupby("law")):
+        theory, points = restitution.data[2 * k : 2 * k + 2]
+        np.testing.assert_allclose(points.y, rows["coefficient_of_restitution"])
+        again = np.interp(rows["speed"], theory.x, theory.y)
+        np.testing.assert_allclose(again, rows["coefficient_of_restitution_predicted"], rtol=1e-9)
+    assert [row.law for row in made.trust] == ["kogut_etsion", "thornton", "universal"]
+    assert all(row.verified["force_max"] < 2e-3 for row in made.trust)
+    universal = made.trust[-1].validated["coefficient_of_restitution"]
+    assert universal[0] <= universal[1] < 0.02
+
+
+def test_loops_are_those_of_their_law_and_speed(sweep_folder):
+    loops, table = section(sweep_folder).charts[1], pd.read_csv(sweep_folder / "impacts.csv")
+    assert list(loops.views) == ["0.001 m/s", "0.01 m/s", "0.1 m/s"]
+    fastest = table[table["speed"] == 0.1].sort_values("law")
+    for trace, force in zip(loops.views["0.1 m/s"].data, fastest["force_max"], strict=True):
+        # Every so many points are kept; a loop has 40 or more.
+        assert max(trace.y) == pytest.approx(force / 1e3, rel=0.02)
+
+
+def test_a_sweep_cut_short_says_what_is_missing(copied_sweep):
+    table = pd.read_csv(copied_sweep / "impacts.csv")
+    table.iloc[:4].to_csv(copied_sweep / "impacts.csv", index=False)
+    with open(next(copied_sweep.glob("runs/0007*")) / "log.liggghts", "a") as log:
+        log.write("ERROR: Could not find fix (../x.cpp:1)\n")
+    made = section(copied_sweep)
+    assert (made.state, made.verdict) == ("unfinished", "4 of 9 impacts")
+    assert "4 of 9 impacts have a line" in made.missing[0]
+    assert "runs/0007" in made.missing[1] and "Could not find fix" in made.missing[1]
+    (copied_sweep / "impacts.csv").unlink()
+    (copied_sweep / "study.json").write_text("{")
+    said = " ".join(section(copied_sweep).missing)
+    assert "impacts.csv is missing" in said and "study.json is damaged" in said
+
+
+def test_tables_and_materials_are_shown(tmp_path):
+    pd.DataFrame({"law": ["universal"], "rms": [0.5]}).to_csv(tmp_path / "own.csv", index=False)
+    (tmp_path / "empty.csv").write_text("")
+    write_material(read_material("steel"), tmp_path / "mine.in", "From a hardness of 200 HV.")
+    made = section(tmp_path)
+    material, own = made.tables
+    assert material.title == "Material mine: From a hardness of 200 HV."
+    assert ["youngs modulus", "2.1 × 10¹¹", "Pa"] in material.rows
+    assert (own.head, own.rows, own.laws) == (["law", "rms"], [["universal", "0.5"]], ["universal"])
+    assert "empty.csv cannot be read" in made.missing[0]
+
+
+def test_the_command_writes_a_page_and_spares_other_files(tmp_path, capsys):
+    folder = tmp_path / "<b>results"
+    folder.mkdir()
+    assert main(["report", str(folder)]) == 0
+    page = folder / "report.html"
+    assert f"written: {page}" in capsys.readouterr().out
+    text = page.read_text()
+    assert "<b>" not in text and "&lt;b&gt;results" in text
+    assert "holds nothing that a command of plastigran has written" in text
+    assert main(["report", str(folder)]) == 0  # again
+    page.write_text("something else")
+    assert main(["report", str(folder)]) == 1
+    assert "is no report; choose another, or add --force" in capsys.readouterr().err
+    assert main(["report", str(tmp_path / "none")]) == 1
+    assert "is no folder" in capsys.readouterr().err
+    with pytest.raises(ValueError, match=r"must end in \.html"):
+        write_report([folder], tmp_path / "page.txt")
+
+
+@pytest.mark.parametrize(
+    ("value", "said"),
+    [(1234.5, "1234"), (-2e-6, "−2 × 10⁻⁶"), (1e-9, "10⁻⁹"), (float("nan"), ""), (True, "yes")],
+)
+def test_numbers_are_written_as_people_do(value, said):
+    assert number(value) == said
+
+
+def test_axes_have_units_of_a_size_to_read():
+    found = scale("overlap_max", [1e-9, 3e-6])
+    assert (found.axis, found.factor) == ("largest overlap (µm)", pytest.approx(1e6))
+    assert scale("speed", [2e-3]).axis == "impact speed (m/s)"
+    assert scale("unheard_of", [1.0]).axis == "unheard of (as in the log)"
+
+
+@pytest.mark.parametrize("colour", ["#000000", "#332288", "#661100", "#0072B2"])
+def test_colours_are_seen_on_a_dark_ground(colour):
+    assert luminance(on_dark(colour)) >= LEAST
