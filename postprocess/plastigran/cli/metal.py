@@ -146,7 +146,7 @@ def computed(compute: Callable, *arguments: object, strain: str = "small", **nam
                 compute,
                 *arguments,
                 settings=Settings(strain=strain),
-                progress=sys.stderr.isatty(),
+                progress=True,
                 **named,
             )
         except ArithmeticError as error:

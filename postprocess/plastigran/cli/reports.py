@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 import argparse
-import sys
 from pathlib import Path
 
 from plastigran.report.base import Findings, Report
@@ -58,7 +57,7 @@ def run_report(report: Report, head: str, arguments: argparse.Namespace) -> Find
             raise ValueError("--docs takes whole results, not --coarse ones")
         read_pages(report, arguments.docs)
     folder.mkdir(parents=True, exist_ok=True)
-    made = report.run(sys.stderr.isatty(), arguments.coarse)
+    made = report.run(True, arguments.coarse)
     print(head)
     for name in report.tables:
         print(f"\n{name}\n{to_markdown(made.tables[name])}", end="")

@@ -14,7 +14,7 @@ from pathlib import Path
 from time import monotonic
 
 from plastigran.engine.log import LOG, find_error, find_warnings
-from plastigran.engine.watch import ProgressBar
+from plastigran.engine.watch import RunBar
 
 PROJECT = Path(__file__).resolve().parents[3]
 
@@ -128,7 +128,7 @@ def run_deck(
         folder: Where results go; made when missing.
         ranks: MPI ranks.
         timeout: Seconds before the run is stopped; None for no limit.
-        progress: Show a progress bar when standard error is a terminal.
+        progress: Show a progress bar; in a pipe, lines.
         working_folder: Where the engine runs, which relative paths of the deck are from; `folder`
             if None.
 
@@ -152,7 +152,7 @@ def run_deck(
     log, said = folder / LOG, folder / "screen.txt"
     with (
         open(said, "w") as screen,
-        closing(ProgressBar(deck.stem, log, progress)) as bar,
+        closing(RunBar(deck.stem, log, progress)) as bar,
     ):
         engine = subprocess.Popen(
             ["setpriv", "--pdeathsig", "TERM", *line],
@@ -186,7 +186,7 @@ def engines(folder: Path) -> list[int]:
     return found
 
 
-def _wait(engine: subprocess.Popen, timeout: float | None, bar: ProgressBar) -> int:
+def _wait(engine: subprocess.Popen, timeout: float | None, bar: RunBar) -> int:
     """Wait until the engine ends; returns its code.
 
     Raises:

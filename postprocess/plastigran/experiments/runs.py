@@ -14,7 +14,8 @@ from typing import TYPE_CHECKING, Any
 
 import attrs
 import pandas as pd
-from tqdm import tqdm
+
+from plastigran.progress import ProgressBar
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -168,7 +169,8 @@ def _sweep(
     failure: Exception | None = None
     pool = ThreadPoolExecutor(jobs or os.cpu_count())
     waiting = {pool.submit(run, number, case): case for number, case in enumerate(cases)}
-    bar = tqdm(total=len(cases), unit="impact", disable=None if progress else True)
+    name = cases[0].command or type(cases[0]).__name__
+    bar = ProgressBar(total=len(cases), desc=name, unit="impacts", shown=progress)
     try:
         for done in as_completed(waiting):
             case = waiting[done]

@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 import argparse
-import sys
 from pathlib import Path
 
 from plastigran.calibration import CalibratedMetal, DropTest, calibrate
@@ -111,7 +110,7 @@ def run(arguments: argparse.Namespace) -> None:
         drops=_drops(arguments),
         force_ratio=_finite_elements(arguments),
         name=output.stem if output else "metal",
-        progress=sys.stderr.isatty(),
+        progress=True,
         **{name: getattr(arguments, name) for name in PASSED_ON},
     )
     if output is not None:
@@ -148,7 +147,7 @@ def _draw(found: CalibratedMetal, path: Path) -> None:
     from plastigran.calibration.figures import figure  # slow to load
     from plastigran.plot.style import save
 
-    save(figure(found, sys.stderr.isatty()), path, (path.suffix or ".png",))
+    save(figure(found, progress=True), path, (path.suffix or ".png",))
 
 
 def _print(found: CalibratedMetal) -> None:
