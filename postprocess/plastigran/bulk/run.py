@@ -26,19 +26,15 @@ from plastigran.bulk.folder import (
     prepare_folder,
     read_record,
     read_series,
-    restart_point,
     write_record,
 )
-from plastigran.bulk.own import analyse_own, check_goes_on, own_places
+from plastigran.bulk.own import analyse_own
+from plastigran.bulk.plan import plan_bulk
 from plastigran.engine.checkpoints import step_of
-from plastigran.engine.deck import find_deck, read_deck
 from plastigran.engine.dumps import DumpError
 from plastigran.engine.log import LOG
 from plastigran.engine.process import EngineError, engine_path, run_deck
 from plastigran.plot import style
-
-#: Settings that name files and places; they differ between runs and are not compared.
-PLACES = frozenset({"start", "checkpoint", "inputs", "output", "materials"})
 
 
 class CheckError(ValueError):
@@ -141,25 +137,8 @@ def run_bulk(
         EngineError: No such deck, no whole checkpoint, or the engine stopped with an error.
         ValueError: An unknown setting, or one out of range, or `folder` holds results.
     """
-    if not (isinstance(ranks, int) and ranks >= 1):
-        raise ValueError(f"ranks is {ranks!r}; it must be 1 or more")
-    folder, script = Path(folder).resolve(), find_deck(deck)
-    values = {name: str(value) for name, value in values.items()}
-    earlier = checkpoint = None
-    if restart is not None:
-        restart = Path(restart).resolve()
-        earlier = _earlier(restart, folder, script.stem)
-        checkpoint = restart_point(restart, earlier)
-        values = earlier["values"] | values | {"start": "checkpoint", "checkpoint": str(checkpoint)}
-    kind = deck_class(script.stem)
-    if earlier and not kind:
-        check_goes_on(read_deck(script, {}, folder))
-    source = read_deck(script, values, folder)
-    places = {"inputs": folder / "deck"} if kind else own_places(source, folder)
-    if kind:
-        if earlier:
-            check_continued(source.settings, earlier["settings"], kind.continuable_settings())
-        kind.read(source.settings).check_inputs()
+    plan = plan_bulk(deck, values, folder, ranks, restart)
+    source, folder, restart = plan.source, plan.folder, plan.earlier
 
     plugin = _fingerprint()  # raises where there is no engine, before anything is written
     prepare_folder(folder, force)
@@ -167,16 +146,16 @@ def run_bulk(
     script = source.copy(folder / "deck")
     record = {
         "deck": source.name,
-        "own": kind is None,
-        "values": values,
+        "own": plan.kind is None,
+        "values": plan.values,
         "settings": source.settings,
         "ranks": ranks,
         "restart": str(restart) if restart else None,
         "derived": all_derived(restart) if restart else {},
         "versions": {"plastigran": version("plastigran"), "plugin": plugin},
     }
-    if checkpoint:
-        step = step_of(checkpoint)
+    if plan.checkpoint:
+        step = step_of(plan.checkpoint)
         before = read_series(restart)
         before[before["step"] <= step].to_csv(folder / BEFORE, index=False)
         carry_dump(restart, folder, step)
@@ -184,12 +163,12 @@ def run_bulk(
     try:
         run_deck(
             script,
-            values | places,
+            plan.values | plan.places,
             folder,
             ranks,
             timeout=None,
             progress=show,
-            working_folder=None if kind else source.path.parent,
+            working_folder=plan.working_folder,
         )
     finally:
         if (log := folder / LOG).exists():
@@ -237,32 +216,6 @@ def write_results(run: BulkRun) -> None:
         run.checks.to_csv(run.folder / CHECKS, index=False)
     for name, figure in run.figures.items():
         style.save(figure, run.folder / "figures" / name)
-
-
-def check_continued(
-    settings: dict[str, str], earlier: dict[str, str], continuable: frozenset[str]
-) -> None:
-    """A run that goes on is the same run: grains and course are in the checkpoint.
-
-    Raises:
-        ValueError: A setting has changed that may not; the message names it.
-    """
-    for name in settings.keys() - continuable - PLACES:
-        if settings[name] != earlier.get(name, settings[name]):
-            raise ValueError(
-                f"{name} is {settings[name]} and was {earlier[name]}; a run that goes on may "
-                f"change {', '.join(sorted(continuable))} only"
-            )
-
-
-def _earlier(restart: Path, folder: Path, deck: str) -> dict:
-    """The record of the run to go on from. Raises ValueError when it is another deck's or ours."""
-    record = read_record(restart)
-    if record["deck"] != deck:
-        raise ValueError(f"{restart} is a run of {record['deck']}, not of {deck}")
-    if restart == folder:
-        raise ValueError(f"{folder} is the run to go on from; choose another --output")
-    return record
 
 
 def _fingerprint() -> str:

@@ -57,8 +57,13 @@ def engine_path() -> Path:
     for path in candidates:
         if os.access(path, os.X_OK):
             return path
+    if named or (PROJECT / "run").is_file():
+        raise EngineError(
+            f"no engine at {candidates[0]}; build it (./run setup) or set PLASTIGRAN_ENGINE"
+        )
     raise EngineError(
-        f"no engine at {candidates[0]}; build it (./run setup) or set PLASTIGRAN_ENGINE"
+        "no engine: liggghts-plastigran is not on PATH; build it in the project's source tree "
+        "(./run setup) and set PLASTIGRAN_ENGINE to its build/liggghts-plastigran"
     )
 
 
@@ -91,8 +96,9 @@ def _link(name: str, target: Path, folder: Path) -> str:
     if target == folder:
         return "."
     link = folder / f".{name}"
-    link.unlink(missing_ok=True)
-    link.symlink_to(target)
+    if folder.is_dir():  # else the line is only looked at
+        link.unlink(missing_ok=True)
+        link.symlink_to(target)
     return link.name
 
 

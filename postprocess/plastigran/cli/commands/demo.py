@@ -14,6 +14,7 @@ from plastigran.experiments.runs import sweep
 from plastigran.materials import laws_for, read_material
 
 HELP = "the tour: collisions, a gas that cools and a hopper, with figures"
+EXAMPLE = "plastigran demo --output results/demo"
 
 
 def add_arguments(command: argparse.ArgumentParser) -> None:

@@ -9,6 +9,10 @@ from pathlib import Path
 from plastigran.plot.snapshot import COLOURS, VIEWS, SnapshotError, draw, find_frames
 
 HELP = "a picture of a bulk run's grains or force chains"
+EXAMPLE = """
+plastigran bulk hopper -v frames=20 --output results/frames
+plastigran snapshot results/frames --colour speed --view front
+"""
 
 
 def add_arguments(command: argparse.ArgumentParser) -> None:

@@ -8,6 +8,7 @@ import argparse
 from plastigran.cli.reports import add_report_arguments, run_report
 
 HELP = "how far every law is off finite elements, papers and experiments, nothing fitted"
+EXAMPLE = "plastigran validate --coarse"
 
 
 def add_arguments(command: argparse.ArgumentParser) -> None:
