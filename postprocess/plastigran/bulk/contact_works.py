@@ -18,7 +18,7 @@ from plastigran.bulk.grains import Grains
 from plastigran.engine.dumps import read_dump
 
 #: Columns of a frame's file of memories: both grains' ids, 1 through a periodic side, the memory.
-COLUMNS = ("id_i", "id_j", "periodic", "memory")
+COLUMNS = ("id1", "id2", "periodic", "memory")
 
 
 def read_memories(file: str | Path) -> pd.DataFrame:
@@ -28,7 +28,7 @@ def read_memories(file: str | Path) -> pd.DataFrame:
         DumpError: The file is damaged.
     """
     table = read_dump(file).drop(columns="step")
-    return table.set_axis(COLUMNS, axis=1).astype({"id_i": int, "id_j": int})
+    return table.set_axis(COLUMNS, axis=1).astype({"id1": int, "id2": int})
 
 
 def plastic_works(

@@ -64,9 +64,9 @@ def contact_columns(run: BulkRun, frame: Frame) -> dict[str, np.ndarray]:
     if run.deck is None or not memories.exists():
         return {}
     contacts = contact_table(frame)
-    pairs = pd.DataFrame({name: contacts[name].astype(int) for name in ("id_i", "id_j")})
-    remembered = read_memories(memories).drop_duplicates(["id_i", "id_j"])
-    memory = pairs.merge(remembered, how="left", on=["id_i", "id_j"])["memory"]
+    pairs = pd.DataFrame({name: contacts[name].astype(int) for name in ("id1", "id2")})
+    remembered = read_memories(memories).drop_duplicates(["id1", "id2"])
+    memory = pairs.merge(remembered, how="left", on=["id1", "id2"])["memory"]
     near = contacts["overlap"] <= 0  # listed, but apart
     works = plastic_works(
         run.deck.grains,

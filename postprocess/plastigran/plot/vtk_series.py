@@ -16,7 +16,7 @@ from plastigran.plot.snapshot import Frame, SnapshotError, load_pyvista
 
 #: Names of a frame's columns in the engine's files, and ours. All in SI units.
 GRAINS = {"v": "velocity", "f_plastic_work": "plastic_work"}
-CONTACTS = {"id1": "id_i", "id2": "id_j", "delta": "overlap"}
+CONTACTS = {"delta": "overlap"}
 
 
 def contact_table(frame: Frame) -> dict[str, np.ndarray]:
@@ -32,7 +32,7 @@ def contact_table(frame: Frame) -> dict[str, np.ndarray]:
         return {name: np.zeros(0) for name in (*CONTACTS.values(), "radius_eff")}
     order = np.argsort(grains["id"])
     radius = np.asarray(grains["radius"], dtype=float)[order]
-    pairs = np.stack([found["id_i"], found["id_j"]]).astype(int)
+    pairs = np.stack([found["id1"], found["id2"]]).astype(int)
     ends = radius[np.searchsorted(np.asarray(grains["id"])[order], pairs)]
     return found | {"radius_eff": 1 / (1 / ends).sum(axis=0)}
 
@@ -44,11 +44,11 @@ def write_grains(frame: Frame, path: Path) -> None:
     for old, new in GRAINS.items():
         if old in grains.point_data:
             grains.rename_array(old, new, preference="point")
-    grains.save(path)
+    grains.save(path, compression=None)
 
 
 def write_contacts(frame: Frame, path: Path, more: Mapping[str, np.ndarray]) -> None:
-    """Write the contacts of a frame: lines with id_i, id_j, overlap [m], force, force_normal,
+    """Write the contacts of a frame: lines with id1, id2, overlap [m], force, force_normal,
     force_tangential [N], and further columns, each (N,)."""
     contacts = _read(frame.contacts, frame)
     for old, new in CONTACTS.items():
@@ -56,12 +56,14 @@ def write_contacts(frame: Frame, path: Path, more: Mapping[str, np.ndarray]) -> 
             contacts.rename_array(old, new, preference="cell")
     for name, values in more.items():
         contacts.cell_data[name] = values
-    contacts.save(path)
+    contacts.save(path, compression=None)
 
 
 def write_mesh(frame: Frame, path: Path) -> None:
     """Write the walls of a frame: triangles with their ids."""
-    _read(frame.mesh, frame).extract_surface(algorithm="dataset_surface").save(path)
+    _read(frame.mesh, frame).extract_surface(algorithm="dataset_surface").save(
+        path, compression=None
+    )
 
 
 def write_series(path: Path, files: Mapping[float, Path]) -> None:
