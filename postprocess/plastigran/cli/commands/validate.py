@@ -21,4 +21,5 @@ def run(arguments: argparse.Namespace) -> None:
     made = run_report(REPORT, REPORT.title, arguments)
     if arguments.docs:  # the package's own copy goes with its pages
         made.tables["errors"].to_csv(ERRORS, index=False)
-        print(f"written: {ERRORS}")
+        if not arguments.json:
+            print(f"written: {ERRORS}")
