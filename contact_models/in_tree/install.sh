@@ -1,9 +1,9 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-2.0-or-later
 #
-# Adds every model to a LIGGGHTS source tree: the engine's list of models reads normal_model_*.h flat
-# in src/, its builds compile every .cpp flat in src/, all other headers keep their folders, and the
-# combinations to compile go into src/style_contact_model_user.whitelist. Running it again brings
+# Adds every model, and the energy ledger, to a LIGGGHTS source tree: the plugin's own files but for
+# its launcher and its look at the engine. The engine's builds compile every .cpp flat in src/, and its
+# list of models reads normal_model_*.h there; other headers keep their folders. Running it again brings
 # all up to date and leaves alone what already is.
 #
 #   install.sh DIR      DIR is the tree's top folder, the one that holds src/
@@ -21,49 +21,70 @@ version=$(cat "$tree/src/version_liggghts.txt")
 [ "$version" = 3.8.0 ] ||
   printf 'WARNING: %s is LIGGGHTS %s; the models are tested with 3.8.0\n' "$tree" "$version" >&2
 
-# Where a file goes, below src/. The energy ledger and the plugin's own files stay out.
 models=$(cd "$(dirname "$0")/.." && pwd)
-files=$(cd "$models" && find plastigran liggghts/model liggghts/models liggghts/fixes \
-  \( -name '*.h' -o -name '*.cpp' \))
-target_of() {
-  case $1 in
-    *.cpp | */normal_model_*.h) echo "$tree/src/${1##*/}" ;;
-    *) echo "$tree/src/$1" ;;
-  esac
-}
+plugin=$models/liggghts/plugin
+new=$(mktemp -d)
+trap 'rm -rf "$new"' EXIT
+
+# The files as they are to lie below src/. The engine's builds do not look for headers in src/ itself:
+# from a folder, two levels below it, every file is included by its way from there.
+cd "$models"
+for file in $(find plastigran liggghts -name '*.h' ! -path '*/plugin/*') liggghts/plugin/registered.h; do
+  mkdir -p "$new/${file%/*}"
+  sed 's|^#include "|&../../|' "$file" >"$new/$file"
+done
+mkdir -p "$new/liggghts/plugin"
+sed 's|^#include "|&../../|' "$plugin/any_law.h" >"$new/liggghts/plugin/any_law.h"
+echo '#include "liggghts/plugin/any_law.h"  // plastigran: one model of the engine for all laws
+// NORMAL_MODEL(ANY_LAW, any_law, 63)' >"$new/normal_model_any_law.h"
+for file in $(find liggghts -name '*.cpp' ! -path '*/plugin/*') in_tree/require_version.cpp \
+  liggghts/plugin/registration.cpp; do
+  cp "$file" "$new"
+done
+
+# One file a law and one a combination with other models, as plugin/CMakeLists.txt makes them.
+echo '// What registration.cpp puts into the factories of the engine; by plastigran.' >"$new/registered.inc"
+for header in liggghts/models/normal_model_*.h; do
+  header=${header##*/}
+  law=${header#normal_model_}
+  law=${law%.h}
+  sed "s|@header@|$header|; s|@law@|$law|" "$plugin/law.cpp.in" >"$new/law_$law.cpp"
+  echo "LAW($law)" >>"$new/registered.inc"
+done
+number=0
+for tangential in OFF NO_HISTORY HISTORY; do
+  for rolling in OFF CDT EPSD2; do
+    number=$((number + 1))
+    sed "s|@tangential@|TANGENTIAL_$tangential|g; s|@cohesion@|COHESION_OFF|g
+      s|@rolling@|ROLLING_$rolling|g; s|@surface@|SURFACE_DEFAULT|g; s|@number@|$number|g" \
+      "$plugin/combination.cpp.in" >"$new/combination_$number.cpp"
+    echo "COMBINATION($number)" >>"$new/registered.inc"
+  done
+done
 
 # A fork may have a file of the same name. All of ours name our namespace.
-for file in $files; do
-  target=$(target_of "$file")
-  if [ -e "$target" ] && ! grep -q 'plastigran' "$target"; then
-    fail "$target is not ours and would be overwritten; nothing was changed"
+cd "$new"
+find . -type f | while read -r file; do
+  if [ -e "$tree/src/$file" ] && ! grep -q 'plastigran' "$tree/src/$file"; then
+    fail "$tree/src/${file#./} is not ours and would be overwritten; nothing was changed"
   fi
 done
 
-# The engine's builds do not look for headers in src/ itself: from a folder, two levels below it,
-# every file is included by its way from there. Only what differs is written, so that a build after
-# this compiles no more than it must.
-for file in $files; do
-  target=$(target_of "$file")
-  mkdir -p "${target%/*}"
-  way=
-  [ "${target%/*}" = "$tree/src" ] || way=../../
-  sed "s|^#include \"|&$way|" "$models/$file" | cmp -s - "$target" ||
-    sed "s|^#include \"|&$way|" "$models/$file" >"$target"
+# Earlier versions had a list for the engine to compile, and every law as a model in it.
+for header in "$models"/liggghts/models/normal_model_*.h; do
+  rm -f "$tree/src/${header##*/}"
 done
-
-# The engine compiles combinations of low model ids by itself and runs the others through its slow
-# generic class, unless they are listed. These are the ones the plugin has too (plugin/CMakeLists.txt).
 whitelist=$tree/src/style_contact_model_user.whitelist
-touch -a "$whitelist"
-[ -z "$(tail -c 1 "$whitelist")" ] || echo >>"$whitelist"  # its last line may be unfinished
-for model in $(sed -n 's/^NORMAL_MODEL(\([A-Z0-9_]*\),.*/\1/p' "$models"/liggghts/models/*.h); do
-  for tangential in OFF NO_HISTORY HISTORY; do
-    for rolling in OFF CDT EPSD2; do
-      line="GRAN_MODEL($model, TANGENTIAL_$tangential, COHESION_OFF, ROLLING_$rolling, SURFACE_DEFAULT)"
-      grep -qxF "$line" "$whitelist" || echo "$line" >>"$whitelist"
-    done
-  done
+identifiers=$(sed -n 's/^NORMAL_MODEL(\([A-Z0-9_]*\),.*/\1/p' "$models"/liggghts/models/*.h | paste -s -d '|')
+if grep -q -E "^GRAN_MODEL\(($identifiers)," "$whitelist" 2>/dev/null; then
+  sed -i -E "/^GRAN_MODEL\\(($identifiers),/d" "$whitelist"
+fi
+
+# Only what differs is written, so that a build after this compiles no more than it must.
+find . -type f | while read -r file; do
+  cmp -s "$file" "$tree/src/$file" && continue
+  mkdir -p "$tree/src/${file%/*}"
+  cp "$file" "$tree/src/$file"
 done
 
 cat <<END

@@ -142,7 +142,9 @@ def read_material(name: Material | str | Path) -> Material:
     if path.suffix != ".in":
         path = folder() / f"{name}.in"
     if not path.is_file():
-        raise ValueError(f"no material {str(name)!r}; there are {', '.join(names())}")
+        file = Path(f"{name}.in")
+        hint = f"is it {file}? " if file.is_file() else ""
+        raise ValueError(f"no material {str(name)!r}; {hint}there are {', '.join(names())}")
     try:
         values = index_variables(path)
     except UnicodeDecodeError:

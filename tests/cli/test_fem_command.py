@@ -12,7 +12,8 @@ from functools import partial
 import pytest
 
 from plastigran.cli import main
-from plastigran.cli.metal import add_metal, add_plane, plane, print_json
+from plastigran.cli.arguments import print_json
+from plastigran.cli.metal import add_metal, add_plane, plane
 from plastigran.fem.material.elastic_plastic import ElasticPlastic
 from plastigran.fem.material.hardening import LinearHardening
 from plastigran.fem.settings import Settings

@@ -71,9 +71,9 @@ unpack() {
 # Brings our files in the tree up to date; one that left the project leaves the tree too.
 install_models() {
   for file in $(cd "$tree/src" && grep -rl --include='*.h' --include='*.cpp' plastigran .); do
+    case ${file##*/} in law_* | combination_* | normal_model_any_law.h) continue ;; esac
     [ -n "$(find "$models" -name "${file##*/}")" ] || rm "$tree/src/$file"
   done
-  rm -f "$tree/src/style_contact_model_user.whitelist"
   "$models/in_tree/install.sh" "$tree"
 }
 

@@ -9,6 +9,7 @@ from pathlib import Path
 import pytest
 
 from plastigran import laws
+from plastigran.engine.log import read_thermo
 from plastigran.engine.process import command, inputs_folder
 from plastigran.experiments.collide import IMPACTS
 from plastigran.experiments.collision import measure
@@ -52,6 +53,29 @@ def test_restitution_is_the_plugins(in_tree, law, deck, tmp_path):
     assert "not located in any whitelist" not in log  # compiled in, not the generic class
 
 
+def test_the_ledger_is_the_plugins(in_tree, tmp_path):
+    """Every account of an oblique impact on a mesh: its plastic work, its friction, its springs."""
+    decks = PROJECT / "tests/ledger/decks"
+    tables = []
+    for program in (in_tree, PLUGIN):
+        folder = tmp_path / Path(program).name
+        folder.mkdir()
+        words = command(decks / "impact.in", {"decks": decks, "geometry": "mesh"}, folder)
+        words[0] = str(program)
+        run = subprocess.run(words, cwd=folder, capture_output=True, text=True, errors="replace")
+        assert run.returncode == 0, run.stdout[-3000:] + run.stderr[-3000:]
+        tables.append(read_thermo(folder / "log.liggghts"))
+    ours, plugins = tables
+    began = plugins["kinetic"].iloc[0]
+    for entry in ("plastic", "friction"):
+        assert plugins[entry].iloc[-1] > 1e-3 * began
+    assert list(ours) == list(plugins)
+    for entry in ours:  # the accounts add up some hundred steps
+        assert ours[entry].to_numpy() == pytest.approx(
+            plugins[entry].to_numpy(), rel=1e-9, abs=TOLERANCE * began
+        )
+
+
 @pytest.fixture
 def bare_tree(tmp_path):
     """A folder that looks like LIGGGHTS' sources to install.sh."""
@@ -80,12 +104,16 @@ def contents(tree: Path):
 def test_every_model_is_installed(bare_tree):
     assert install(bare_tree).returncode == 0
     files = contents(bare_tree)
-    _, whitelist = files["style_contact_model_user.whitelist"]
-    for law, identifier in MODELS.items():
-        assert {f"plastigran/laws/{law}.h", f"normal_model_{law}.h"} <= set(files)
-        assert whitelist.count(f"GRAN_MODEL({identifier}, ") == 9
+    _, registered = files["registered.inc"]
+    for law in MODELS:
+        assert {f"plastigran/laws/{law}.h", f"law_{law}.cpp"} <= set(files)
+        assert f"liggghts/models/normal_model_{law}.h" in files
+        assert f"LAW({law})\n" in registered
+    assert registered.count("COMBINATION(") == 9
     names = {Path(name).name for name in files}
-    assert not {"any_law.h", "registration.cpp", "plugin.cpp", "energy_ledger.h"} & names
+    assert {"registration.cpp", "energy_ledger.cpp", "normal_model_any_law.h"} <= names
+    assert not {"plugin.cpp", "main.cpp"} & names
+    assert not any("@" in text for name, (_, text) in files.items() if name.startswith("law_"))
 
 
 def test_every_include_of_ours_is_installed(bare_tree):
@@ -109,12 +137,14 @@ def test_installing_twice_changes_nothing(bare_tree):
     assert contents(bare_tree) == before
 
 
-def test_lines_of_the_user_stay(bare_tree):
+def test_what_an_earlier_version_left_is_cleared(bare_tree):
     whitelist = bare_tree / "src/style_contact_model_user.whitelist"
-    theirs = "GRAN_MODEL(HERTZ, TANGENTIAL_OFF, COHESION_OFF, ROLLING_OFF, SURFACE_DEFAULT)"
-    whitelist.write_text(theirs)  # no newline at the end
-    install(bare_tree)
-    assert whitelist.read_text().splitlines()[0] == theirs
+    theirs = "GRAN_MODEL(HERTZ, TANGENTIAL_OFF, COHESION_OFF, ROLLING_OFF, SURFACE_DEFAULT)\n"
+    whitelist.write_text(theirs + theirs.replace("HERTZ", "THORNTON"))
+    (bare_tree / "src/normal_model_thornton.h").write_text("// of plastigran\n")
+    assert install(bare_tree).returncode == 0
+    assert whitelist.read_text() == theirs
+    assert not (bare_tree / "src/normal_model_thornton.h").exists()
 
 
 def test_another_folder_is_refused_by_name(tmp_path):

@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// Load-time check of the plugin: do the engine's structures have the layout it was compiled for?
+// Is the engine the one that the plugin was compiled for? Its version can be asked once an engine
+// exists; the layout of its structures as the plugin is loaded.
 // The build options of LIGGGHTS change them silently, pairs would still work and walls would crash.
 // The superquadric atom style is exported by just those engines that have the larger layout.
 #include <dlfcn.h>
 #include <unistd.h>
 
 #include <cstdio>
+#include <string>
+
+#include "liggghts/plugin/registered.h"
+#include "universe.h"
 
 namespace {
 
@@ -30,3 +35,16 @@ const bool engine_checked = [] {
 }();
 
 }  // namespace
+
+namespace plastigran {
+
+void require_version(LAMMPS_NS::LAMMPS* engine) {
+  if (std::string(engine->universe->version).find(PLASTIGRAN_ENGINE_VERSION) != std::string::npos)
+    return;
+  const std::string text = std::string("Plastigran was compiled for ") + PLASTIGRAN_ENGINE_VERSION +
+                           " but this engine is " + engine->universe->version +
+                           "; compile Plastigran against this engine's headers";
+  engine->error->all(FLERR, text.c_str());
+}
+
+}  // namespace plastigran

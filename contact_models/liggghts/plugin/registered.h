@@ -29,8 +29,7 @@ struct RegisteredCombination {
   LIGGGHTS::Walls::IGranularWall* (*wall)(LAMMPS_NS::LAMMPS*, LAMMPS_NS::FixWallGran*, int64_t);
 };
 
-// The engine's headers this plugin was compiled against must be the engine's own: see plugin.cpp
-// for the layout; the version is only known once an engine exists.
+// The engine's headers this was compiled against must be the engine's own; stops the run if not.
 void require_version(LAMMPS_NS::LAMMPS* engine);
 
 }  // namespace plastigran

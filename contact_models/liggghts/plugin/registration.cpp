@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// Puts every law into the engine's factories when the plugin is loaded: its name, each combination
+// Puts every law into the engine's factories when the program is loaded: its name, each combination
 // with other models that is compiled in, and for every other combination a creator that says so.
 // (An unregistered combination would reach the engine's generic class, which knows nothing of
 // models that came with a plugin.)
@@ -12,7 +12,6 @@
 #include "liggghts/model/contact_setup.h"
 #include "liggghts/plugin/any_law.h"
 #include "liggghts/plugin/registered.h"
-#include "universe.h"
 
 namespace plastigran {
 
@@ -168,17 +167,9 @@ const bool registered = [] {
 
 RegisteredLaw::Model make_normal_model(LAMMPS_NS::LAMMPS* engine, IContactHistorySetup* setup,
                                        ContactModelBase* contact_model) {
-  const int64_t hash = static_cast<ContactSetup*>(setup)->hash();
-  return law_of(hash).make(engine, setup, contact_model);
-}
-
-void require_version(LAMMPS_NS::LAMMPS* engine) {
-  if (std::string(engine->universe->version).find(PLASTIGRAN_ENGINE_VERSION) != std::string::npos)
-    return;
-  const std::string text = std::string("Plastigran was compiled for ") + PLASTIGRAN_ENGINE_VERSION +
-                           " but this engine is " + engine->universe->version +
-                           "; compile Plastigran against this engine's headers";
-  engine->error->all(FLERR, text.c_str());
+  const auto ours = dynamic_cast<ContactSetup*>(setup);
+  if (!ours) engine->error->all(FLERR, "model any_law stands for all laws; name one of them");
+  return law_of(ours->hash()).make(engine, setup, contact_model);
 }
 
 }  // namespace plastigran

@@ -91,6 +91,7 @@ class BulkDeck:
     timestep: float = number("of the engine", "s", 0)
     seed: float = number("another gives other grains")
     frames: int = continuable(whole("VTK files on the way"))
+    contact_history: int = continuable(whole("1: frames tell what contacts remember, 0: not"))
     rows: int = whole("lines of the log", 1)
     checkpoints: int = whole("restart files on the way, a divisor of rows", 1)
     ledger: str = word("the energy ledger", ("on", "off"))
@@ -119,6 +120,8 @@ class BulkDeck:
             raise ValueError(f"checkpoints is {self.checkpoints}; it must divide rows, {self.rows}")
         if self.law == "hertz" and self.ledger == "on":
             raise ValueError("ledger is on; the engine's own hertz keeps none: set ledger=off")
+        if self.contact_history and not laws.LAWS[self.law].yields:
+            raise ValueError(f"contact_history is {self.contact_history}; {self.law} has none")
         self.grains.contact_law()  # raises for constants it cannot take
 
     def check_inputs(self) -> None:

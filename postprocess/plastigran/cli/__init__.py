@@ -5,24 +5,44 @@ from __future__ import annotations
 
 import argparse
 import sys
+import traceback
 import warnings
 from importlib import import_module
+from importlib.metadata import version
 from pkgutil import iter_modules
 
 from plastigran.cli import commands
+from plastigran.cli.arguments import Subparsers, add_verbose
 from plastigran.cli.experiments import add_command
 from plastigran.engine.dumps import DumpError
 from plastigran.engine.process import EngineError
 from plastigran.experiments import find_experiments
 
+#: What the command's exit codes mean.
+EXIT_CODES = {
+    0: "all went well",
+    1: "a value, a file or the engine was at fault, or a check failed; stderr says which",
+    2: "the command line was not understood",
+    70: "a fault of plastigran itself; -v shows where",
+    130: "stopped by Ctrl-C or SIGTERM; what had finished is kept",
+}
+
 
 def parser() -> argparse.ArgumentParser:
     """A subcommand for each experiment, made from what it says of itself, and for each module of
-    `commands`, which brings HELP, add_arguments and run."""
+    `commands`, which brings HELP, EXAMPLE, add_arguments and run."""
+    listed = "\n".join(f"  {code:<4d}{meaning}" for code, meaning in EXIT_CODES.items())
     top = argparse.ArgumentParser(
-        prog="plastigran", description="Elasto-plastic contact laws for LIGGGHTS: runs and checks."
+        prog="plastigran",
+        description="Elasto-plastic contact laws for LIGGGHTS: runs and checks.",
+        epilog=f"exit codes:\n{listed}\n\nplastigran COMMAND --help has an example of each.",
+        formatter_class=argparse.RawDescriptionHelpFormatter,
     )
-    subcommands = top.add_subparsers(dest="command", required=True, metavar="COMMAND")
+    top.add_argument("--version", action="version", version=f"plastigran {version('plastigran')}")
+    add_verbose(top, False)
+    subcommands = Subparsers(
+        top.add_subparsers(dest="command", required=True, metavar="COMMAND", title="commands")
+    )
     experiments = find_experiments()
     modules = {
         found.name.replace("_", "-"): found.name for found in iter_modules(commands.__path__)
@@ -32,14 +52,14 @@ def parser() -> argparse.ArgumentParser:
             add_command(subcommands, experiments[name])
             continue
         module = import_module(f"{commands.__name__}.{modules[name]}")
-        subcommand = subcommands.add_parser(name, help=module.HELP)
+        subcommand = subcommands.add(name, module.HELP, getattr(module, "EXAMPLE", ""))
         module.add_arguments(subcommand)
         subcommand.set_defaults(run=module.run)
     return top
 
 
 def main(argv: list[str] | None = None) -> int:
-    """Entry point; 0 when all went well, 1 after an error, whose one line goes to stderr."""
+    """Entry point; returns one of `EXIT_CODES`. An error is one line on stderr."""
     arguments = parser().parse_args(argv)
     try:
         with warnings.catch_warnings():
@@ -49,12 +69,26 @@ def main(argv: list[str] | None = None) -> int:
             arguments.run(arguments)
     except BrokenPipeError:  # the reader of our output has had enough
         sys.stderr.close()
-    except (EngineError, DumpError, ValueError, OSError) as error:
-        print(f"plastigran: {error}", file=sys.stderr)
-        return 1
     except KeyboardInterrupt as stop:  # a command may say itself what is left
         output = getattr(arguments, "output", None)
         left = str(stop) or (output and f"the runs that finished are in {output}")
         print(f"plastigran: stopped{f'; {left}' if left else ''}", file=sys.stderr)
         return 130
+    except Exception as error:
+        return _report(error, arguments.verbose)
     return 0
+
+
+def _report(error: Exception, verbose: bool) -> int:
+    """Say what went wrong in a line, before it the trace if asked for; returns the exit code."""
+    if verbose:
+        traceback.print_exception(error)
+    if isinstance(error, EngineError | DumpError | ValueError | OSError):
+        print(f"plastigran: {error}", file=sys.stderr)
+        return 1
+    hint = "please report it" if verbose else "add -v (--verbose) for where, and please report it"
+    print(
+        f"plastigran: unexpected {type(error).__name__}: {error}; {hint}",
+        file=sys.stderr,
+    )
+    return 70

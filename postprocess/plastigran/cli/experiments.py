@@ -6,31 +6,46 @@ from __future__ import annotations
 import argparse
 from collections.abc import Callable
 from functools import partial
+from pathlib import Path
 from typing import Any
 
 import attrs
 import numpy as np
 
 from plastigran.cli.arguments import (
+    Subparsers,
+    add_dry_run,
     add_jobs,
+    add_json,
     add_output,
     known_materials,
     positive,
     positive_integer,
+    print_command,
+    print_json,
 )
 from plastigran.declared import Declaration, declaration
+from plastigran.engine.process import EngineError, engine_path
 from plastigran.experiments.base import Experiment
 from plastigran.experiments.fields import Flag
+from plastigran.experiments.runs import TABLE, Runs, case_folders
 
 
-def add_command(subcommands: Any, experiment: type[Experiment]) -> None:
+def add_command(subcommands: Subparsers, experiment: type[Experiment]) -> None:
     """Add an experiment's command, with a flag for each setting of its study."""
-    command = subcommands.add_parser(experiment.command, help=experiment.help)
+    example = experiment.example or f"plastigran {experiment.command}"
+    command = subcommands.add(experiment.command, experiment.help, example)
     said = declaration(experiment)
     for name, flag in experiment.all_flags().items():
         _add_flag(command, name, flag, flag.said or said[name])
     add_jobs(command)
     add_output(command, f"results/{experiment.command.replace('-', '_')}")
+    add_json(command)
+    add_dry_run(command)
+    if experiment.has_theory:
+        command.add_argument(
+            "--theory", action="store_true", help="by theory alone: no engine is needed or started"
+        )
     command.set_defaults(run=partial(run, experiment))
 
 
@@ -54,12 +69,11 @@ def _add_flag(command: argparse.ArgumentParser, name: str, flag: Flag, said: Dec
             f"--{word}s",
             nargs=2,
             type=positive,
-            default=(low, high),
             metavar=("LOW", "HIGH"),
             help=f"range of them when --{word} is not given, default {low:g} {high:g}",
         )
         command.add_argument(
-            "--points", type=positive_integer, default=count, help=f"how many, default {count}"
+            "--points", type=positive_integer, help=f"how many of them, default {count}"
         )
 
 
@@ -92,22 +106,82 @@ def _reader(word: str, said: Declaration) -> Callable[[str], Any]:
 
 
 def run(experiment: type[Experiment], arguments: argparse.Namespace) -> None:
-    """Run the study, print its summary, write its tables and figures."""
+    """Run the study, print its summary, write its tables and figures.
+
+    Raises:
+        ValueError: A value out of range, or a range of values beside the values themselves.
+    """
     flags = experiment.all_flags()
     given = {name: getattr(arguments, name) for name in flags}
     for name, flag in flags.items():
-        if flag.span and given[name] is None:
-            given[name] = np.geomspace(
-                *getattr(arguments, f"{flag.name or name}s"), arguments.points
-            )
+        if flag.span:
+            given[name] = _spanned(flag.name or name, flag, given[name], arguments)
     given = {name: value for name, value in given.items() if value is not None}
-    run_study(experiment, arguments.output, arguments.jobs, arguments.force, **given)
+    if arguments.dry_run:
+        plan_study(experiment, arguments.output, **given)
+        return
+    if getattr(arguments, "theory", False):
+        runs = experiment.theory(**given)
+        claim_results(arguments.output, arguments.force)
+    else:
+        _need_engine(experiment)
+        runs = experiment.study(arguments.output, arguments.jobs, force=arguments.force, **given)
+    show_study(runs, arguments.output, arguments.json)
+
+
+def _need_engine(experiment: type[Experiment]) -> None:
+    """Raises EngineError where there is no engine, with another way where there is one."""
+    try:
+        engine_path()
+    except EngineError as error:
+        way = "; --theory needs none" if experiment.has_theory else ""
+        raise EngineError(f"{error}{way}") from None
+
+
+def _spanned(
+    word: str, flag: Flag, given: list[float] | None, arguments: argparse.Namespace
+) -> Any:
+    """The values of a flag that may be given as a range instead."""
+    ends, points = getattr(arguments, f"{word}s"), arguments.points
+    if given is not None:
+        for name, value in ((f"{word}s", ends), ("points", points)):
+            if value is not None:
+                raise ValueError(f"--{name} is a range's; --{word} gives the values themselves")
+        return given
+    low, high, count = flag.span
+    return np.geomspace(*(ends or (low, high)), points or count)
+
+
+def claim_results(folder: Path, force: bool) -> None:
+    """A folder for a table that no engine makes.
+
+    Raises:
+        ValueError: It holds one, and may not be overwritten.
+    """
+    if (folder / TABLE).exists() and not force:
+        raise ValueError(f"{folder} holds results; choose another --output, or add --force")
+    folder.mkdir(parents=True, exist_ok=True)
+
+
+def plan_study(experiment: type[Experiment], folder: Path, **settings: Any) -> None:
+    """Print the command line of every case and its folder, and start nothing."""
+    cases = experiment.cases(**experiment.study_settings(**settings))
+    for case, place in zip(cases, case_folders(cases, folder.resolve()), strict=True):
+        print_command(place, place, case.command_line(place))
+    print(f"{len(cases)} runs; nothing was started")
 
 
 def run_study(
-    experiment: type[Experiment], folder: Any, jobs: int | None, force: bool, **settings: Any
+    experiment: type[Experiment], folder: Path, jobs: int | None, force: bool, **settings: Any
 ) -> None:
     """Run a study, print its summary, write its tables and figures into a folder."""
-    runs = experiment.study(folder, jobs, force=force, **settings)
-    print(runs)
-    print("\nwritten: " + "  ".join(str(path) for path in runs.write(folder)))
+    show_study(experiment.study(folder, jobs, force=force, **settings), folder)
+
+
+def show_study(runs: Runs, folder: Path, json: bool = False) -> None:
+    """Print a study's summary, or its table as JSON; write its tables and figures into a folder."""
+    written = [str(path) for path in runs.write(folder)]
+    if json:
+        print_json({"table": runs.table.to_dict("records"), "written": written})
+    else:
+        print(f"{runs}\n\nwritten: {'  '.join(written)}")

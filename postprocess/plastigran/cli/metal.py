@@ -4,13 +4,11 @@
 from __future__ import annotations
 
 import argparse
-import json
 import sys
 import warnings
 from collections.abc import Callable
-from math import isnan
 
-from plastigran.cli.arguments import positive
+from plastigran.cli.arguments import add_json, positive
 from plastigran.fem.cache import cached
 from plastigran.fem.limits import SmallStrainWarning
 from plastigran.fem.material.elastic_plastic import ElasticPlastic
@@ -48,7 +46,7 @@ def add_elastic(command: argparse.ArgumentParser, radius: float | None = 0.1) ->
     command.add_argument(
         "--radius", type=positive, default=radius, required=radius is None, help=said
     )
-    command.add_argument("--json", action="store_true", help="all numbers, as JSON")
+    add_json(command)
 
 
 def add_strain(command: argparse.ArgumentParser) -> None:
@@ -146,7 +144,7 @@ def computed(compute: Callable, *arguments: object, strain: str = "small", **nam
                 compute,
                 *arguments,
                 settings=Settings(strain=strain),
-                progress=sys.stderr.isatty(),
+                progress=True,
                 **named,
             )
         except ArithmeticError as error:
@@ -160,16 +158,3 @@ def computed(compute: Callable, *arguments: object, strain: str = "small", **nam
 def say(line: str) -> None:
     """Tell the user, on stderr, what no result holds."""
     print(f"plastigran: {line}", file=sys.stderr)
-
-
-def print_json(numbers: dict) -> None:
-    """Print numbers, with null where one is not known."""
-
-    def known(value: object) -> object:
-        if isinstance(value, dict):
-            return {name: known(entry) for name, entry in value.items()}
-        if isinstance(value, list):
-            return [known(entry) for entry in value]
-        return None if isinstance(value, float) and isnan(value) else value
-
-    print(json.dumps(known(numbers), allow_nan=False))

@@ -4,9 +4,9 @@
 from __future__ import annotations
 
 import argparse
-import sys
 from pathlib import Path
 
+from plastigran.cli.arguments import add_json, print_json
 from plastigran.report.base import Findings, Report
 
 
@@ -30,6 +30,7 @@ def add_report_arguments(command: argparse.ArgumentParser, results: str, pages: 
     command.add_argument(
         "--coarse", action="store_true", help="a quick look: results are off by some per cent"
     )
+    add_json(command)
 
 
 def run_report(report: Report, head: str, arguments: argparse.Namespace) -> Findings:
@@ -58,12 +59,18 @@ def run_report(report: Report, head: str, arguments: argparse.Namespace) -> Find
             raise ValueError("--docs takes whole results, not --coarse ones")
         read_pages(report, arguments.docs)
     folder.mkdir(parents=True, exist_ok=True)
-    made = report.run(sys.stderr.isatty(), arguments.coarse)
-    print(head)
-    for name in report.tables:
-        print(f"\n{name}\n{to_markdown(made.tables[name])}", end="")
+    made = report.run(True, arguments.coarse)
+    if not arguments.json:
+        print(head)
+        for name in report.tables:
+            print(f"\n{name}\n{to_markdown(made.tables[name])}", end="")
     written = made.write(folder)
     if arguments.docs:
         written += publish(report, made, written, arguments.docs)
-    print("\nwritten: " + "  ".join(str(path) for path in written))
+    places = [str(path) for path in written]
+    if arguments.json:
+        tables = {name: made.tables[name].to_dict("records") for name in report.tables}
+        print_json({"tables": tables, "written": places})
+    else:
+        print(f"\nwritten: {'  '.join(places)}")
     return made

@@ -14,7 +14,7 @@ from pathlib import Path
 from time import monotonic
 
 from plastigran.engine.log import LOG, find_error, find_warnings
-from plastigran.engine.watch import ProgressBar
+from plastigran.engine.watch import RunBar
 
 PROJECT = Path(__file__).resolve().parents[3]
 
@@ -57,8 +57,13 @@ def engine_path() -> Path:
     for path in candidates:
         if os.access(path, os.X_OK):
             return path
+    if named or (PROJECT / "run").is_file():
+        raise EngineError(
+            f"no engine at {candidates[0]}; build it (./run setup) or set PLASTIGRAN_ENGINE"
+        )
     raise EngineError(
-        f"no engine at {candidates[0]}; build it (./run setup) or set PLASTIGRAN_ENGINE"
+        "no engine: liggghts-plastigran is not on PATH; build it in the project's source tree "
+        "(./run setup) and set PLASTIGRAN_ENGINE to its build/liggghts-plastigran"
     )
 
 
@@ -91,8 +96,9 @@ def _link(name: str, target: Path, folder: Path) -> str:
     if target == folder:
         return "."
     link = folder / f".{name}"
-    link.unlink(missing_ok=True)
-    link.symlink_to(target)
+    if folder.is_dir():  # else the line is only looked at
+        link.unlink(missing_ok=True)
+        link.symlink_to(target)
     return link.name
 
 
@@ -129,7 +135,7 @@ def run_deck(
         folder: Where results go; made when missing.
         ranks: MPI ranks.
         timeout: Seconds before the run is stopped; None for no limit.
-        progress: Show a progress bar when standard error is a terminal.
+        progress: Show a progress bar; in a pipe, lines.
         working_folder: Where the engine runs, which relative paths of the deck are from; `folder`
             if None.
 
@@ -153,7 +159,7 @@ def run_deck(
     log, said = folder / LOG, folder / "screen.txt"
     with (
         open(said, "w") as screen,
-        closing(ProgressBar(deck.stem, log, progress)) as bar,
+        closing(RunBar(deck.stem, log, progress)) as bar,
     ):
         engine = subprocess.Popen(
             ["setpriv", "--pdeathsig", "TERM", *line],
@@ -187,7 +193,7 @@ def engines(folder: Path) -> list[int]:
     return found
 
 
-def _wait(engine: subprocess.Popen, timeout: float | None, bar: ProgressBar) -> int:
+def _wait(engine: subprocess.Popen, timeout: float | None, bar: RunBar) -> int:
     """Wait until the engine ends; returns its code.
 
     Raises:

@@ -5,36 +5,35 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from tqdm import tqdm
-
 from plastigran.engine.log import LogFollower
+from plastigran.progress import ProgressBar
 
 
-class ProgressBar:
+class RunBar:
     """A bar on standard error that follows a run's log.
 
     Args:
         name: What stands before the bar.
         log: The engine's log, which need not be there yet.
-        shown: Show the bar when standard error is a terminal.
+        shown: Show the bar.
     """
 
     def __init__(self, name: str, log: Path, shown: bool = True) -> None:
         self._follower = LogFollower(log)
-        self._bar = tqdm(desc=name, unit="step", unit_scale=True, disable=None if shown else True)
+        self._bar = ProgressBar(desc=name, unit="steps", unit_scale=True, shown=shown)
 
     def update(self) -> None:
         """Take in what the log has gained."""
         if self._bar.disable:
             return
         before = self._follower.progress.run
-        progress = self._follower.read()
-        if not progress.run:
+        now = self._follower.read()
+        if not now.run:
             return
-        self._bar.set_postfix_str(f"t = {progress.step * progress.timestep:.3g} s", refresh=False)
-        if progress.run != before:
-            self._bar.reset(progress.last - progress.first)
-        self._bar.update(progress.step - progress.first - self._bar.n)
+        self._bar.set_postfix_str(f"t = {now.step * now.timestep:.3g} s", refresh=False)
+        if now.run != before:
+            self._bar.reset(now.last - now.first)
+        self._bar.update(now.step - now.first - self._bar.n)
 
     def close(self) -> None:
         self._bar.close()

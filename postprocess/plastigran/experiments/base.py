@@ -13,9 +13,11 @@ from typing import TYPE_CHECKING, Any, ClassVar
 
 import attrs
 import numpy as np
+import pandas as pd
 
 from plastigran.declared import declaration
-from plastigran.engine.process import run_deck
+from plastigran.engine.process import command as engine_command
+from plastigran.engine.process import inputs_folder, run_deck
 from plastigran.experiments.fields import Flag
 from plastigran.experiments.runs import Runs, sweep
 from plastigran.experiments.tables import format_range, format_table
@@ -35,8 +37,10 @@ class Experiment:
     Attributes:
         command: Name of its command.
         help: Of the command, in a line.
+        example: Of the command, a line or several; by default it alone.
         deck: Path of its input script, in the folder of the input scripts.
         shape: Of its bodies, "sphere" or "cylinder".
+        has_theory: Whether its study can be answered by theory alone, without the engine.
         flags: Settings of its study, by name; by default its declared fields.
         usual_materials: Their constants tell which laws are usable, where no flag names a material.
         quantities: Attributes of its outcome that make columns of the table.
@@ -47,8 +51,10 @@ class Experiment:
 
     command: ClassVar[str] = ""
     help: ClassVar[str] = ""
+    example: ClassVar[str] = ""
     deck: ClassVar[str]
     shape: ClassVar[str] = "sphere"
+    has_theory: ClassVar[bool] = False
     flags: ClassVar[Mapping[str, Flag]] = {}
     usual_materials: ClassVar[tuple[str, ...]] = ()
     quantities: ClassVar[tuple[str, ...]] = ()
@@ -106,18 +112,31 @@ class Experiment:
                 line[f"{name}_predicted"] = expected
         return line | self.notes(measured, predicted)
 
+    def theory_row(self, predicted: Any) -> dict[str, object]:
+        """One line of the results table of theory alone: the case and what is predicted."""
+        found = {name: getattr(predicted, name, None) for name in (*self.quantities, "in_range")}
+        return self.facts() | {name: value for name, value in found.items() if value is not None}
+
     # Running one.
 
     def execute(
         self, folder: str | Path, timestep: float | None = None, gap: float = 0.0, ranks: int = 1
     ) -> None:
         """Run the deck in the engine; arguments and errors as for `run`."""
+        run_deck(self.deck, self._settings(timestep, gap), folder, ranks=ranks)
+
+    def command_line(self, folder: Path) -> list[str]:
+        """The words of the command that runs the deck, from that folder."""
+        return engine_command(inputs_folder() / self.deck, self._settings(None, 0.0), folder)
+
+    def _settings(self, timestep: float | None, gap: float) -> dict[str, object]:
+        """Of the deck, the time step and the gap among them."""
         variables, step = self.variables(), self.timestep if timestep is None else timestep
         if step is not None:
             variables["timestep"] = step
         if gap:
             variables["gap"] = gap
-        run_deck(self.deck, variables, folder, ranks=ranks)
+        return variables
 
     def run(
         self, folder: str | Path, timestep: float | None = None, gap: float = 0.0, ranks: int = 1
@@ -196,6 +215,23 @@ class Experiment:
         """
         settings = cls.study_settings(**settings)
         return sweep(cls.cases(**settings), folder, jobs, progress, settings, force)
+
+    @classmethod
+    def theory(cls, **settings: Any) -> Runs:
+        """What theory alone says of a study; no engine is needed.
+
+        Args:
+            settings: As for `study`.
+
+        Raises:
+            ValueError: As for `study_settings`, or the experiment has no theory of its own.
+        """
+        if not cls.has_theory:
+            raise ValueError(f"{cls.command} has no theory that stands for its runs")
+        settings = cls.study_settings(**settings)
+        found = {case: case.predict() for case in cls.cases(**settings)}
+        table = pd.DataFrame(case.theory_row(outcome) for case, outcome in found.items())
+        return Runs(cls, found, table, settings, by_theory=True)
 
     @classmethod
     def all_flags(cls) -> Mapping[str, Flag]:

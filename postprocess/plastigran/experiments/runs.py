@@ -15,9 +15,9 @@ from typing import TYPE_CHECKING, Any
 
 import attrs
 import pandas as pd
-from tqdm import tqdm
 
 from plastigran.engine.versions import versions
+from plastigran.progress import ProgressBar
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -39,12 +39,14 @@ class Runs:
         outcomes: What was measured, by case.
         table: One row a case, in the order given; columns of `Experiment.row`.
         settings: Of the study, where it is one.
+        by_theory: Whether the outcomes are theory's, made without the engine.
     """
 
     experiment: type[Experiment]
     outcomes: Mapping[Experiment, Any]
     table: pd.DataFrame
     settings: Mapping[str, Any] = attrs.field(factory=dict)
+    by_theory: bool = False
 
     @property
     def cases(self) -> list[Experiment]:
@@ -141,6 +143,11 @@ def sweep(
         return _sweep(cases, folder, jobs, progress, settings)
 
 
+def case_folders(cases: Iterable[Experiment], folder: Path) -> list[Path]:
+    """Where each case of a sweep runs."""
+    return [folder / "runs" / f"{number:04d}_{case.label}" for number, case in enumerate(cases)]
+
+
 @contextmanager
 def _claimed(folder: Path) -> Iterator[None]:
     """A folder that no other sweep writes to."""
@@ -167,15 +174,14 @@ def _sweep(
     path.unlink(missing_ok=True)
     _write_study(folder / STUDY, type(cases[0]), len(cases), settings or {})
 
-    def run(number: int, case: Experiment) -> Any:
-        return case.run(folder / "runs" / f"{number:04d}_{case.label}")
-
     measured: dict[Experiment, Any] = {}
     rows: dict[Experiment, dict[str, object]] = {}
     failure: Exception | None = None
     pool = ThreadPoolExecutor(jobs or os.cpu_count())
-    waiting = {pool.submit(run, number, case): case for number, case in enumerate(cases)}
-    bar = tqdm(total=len(cases), unit="impact", disable=None if progress else True)
+    places = zip(cases, case_folders(cases, folder), strict=True)
+    waiting = {pool.submit(case.run, place): case for case, place in places}
+    name = cases[0].command or type(cases[0]).__name__
+    bar = ProgressBar(total=len(cases), desc=name, unit="impacts", shown=progress)
     try:
         for done in as_completed(waiting):
             case = waiting[done]

@@ -7,6 +7,7 @@ Needs pyvista, an optional dependency: `pip install pyvista`.
 from __future__ import annotations
 
 import os
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -99,6 +100,29 @@ def draw(
     Raises:
         SnapshotError: An unknown colour or view, no such data, or pyvista is not installed.
     """
+    render(frame, path, colour, contacts, view, size)
+
+
+def render(
+    frame: Frame,
+    path: str | Path | None,
+    colour: str,
+    contacts: bool,
+    view: str,
+    size: tuple[int, int],
+    largest: float | None = None,
+    bounds: Sequence[float] | None = None,
+) -> np.ndarray:
+    """A picture of a frame; arguments and errors as for `draw`, and those that pictures share.
+
+    Args:
+        path: Of the file; None for none.
+        largest: Value at the top of the scale, which then begins at 0; the frame's own by default.
+        bounds: What to look at, two ends along x, y and z [m]; the frame's own by default.
+
+    Returns:
+        (height, width, 3) bytes.
+    """
     if colour not in COLOURS:
         raise SnapshotError(f"colour is {colour!r}; it must be one of {', '.join(COLOURS)}")
     if view not in VIEWS:
@@ -115,21 +139,22 @@ def draw(
         "label_font_size": 20,
     }
     if contacts:
-        _add_contacts(plotter, frame, bar)
+        _add_contacts(plotter, frame, bar, largest)
     else:
-        _add_grains(plotter, frame, colour, bar)
+        _add_grains(plotter, frame, colour, bar, largest)
     if frame.mesh:
         plotter.add_mesh(
             load_pyvista().read(frame.mesh), color="grey", opacity=0.25, show_edges=False
         )
     side, up = VIEWS[view]
     plotter.set_background("white")
-    plotter.view_vector(side, viewup=up)
+    plotter.view_vector(side, viewup=up, bounds=bounds)
     plotter.enable_parallel_projection()
     plotter.camera.SetWindowCenter(0.15, 0)  # room for the scale
     plotter.enable_anti_aliasing("ssaa")
-    plotter.screenshot(str(path))
+    picture = plotter.screenshot(path and str(path), return_img=True)
     plotter.close()
+    return picture
 
 
 def load_pyvista():
@@ -143,9 +168,13 @@ def load_pyvista():
     return pyvista
 
 
-def _add_grains(plotter: pyvista.Plotter, frame: Frame, colour: str, bar: dict) -> None:
-    pyvista = load_pyvista()
-    grains = pyvista.read(frame.grains)
+def grain_values(frame: Frame, colour: str) -> np.ndarray:
+    """What a colour of `COLOURS` shows of each grain, (N,).
+
+    Raises:
+        SnapshotError: The frame does not have it.
+    """
+    grains = load_pyvista().read(frame.grains)
     columns = {
         "plastic_work": lambda: grains["f_plastic_work"],
         "speed": lambda: np.linalg.norm(grains["v"], axis=1),
@@ -153,46 +182,67 @@ def _add_grains(plotter: pyvista.Plotter, frame: Frame, colour: str, bar: dict) 
         "radius": lambda: grains["radius"],
     }
     try:
-        grains[COLOURS[colour]] = columns[colour]()
+        return np.asarray(columns[colour]())
     except KeyError:
         raise SnapshotError(f"{frame.grains} has no {colour}; choose another colour") from None
+
+
+def contact_forces(frame: Frame) -> np.ndarray:
+    """Force of each contact [N], (N,).
+
+    Raises:
+        SnapshotError: The frame has no contacts.
+    """
+    if frame.contacts is None:
+        raise SnapshotError(f"{frame.grains.parent} has no contacts_{frame.step}.vtk")
+    lines = load_pyvista().read(frame.contacts)
+    return np.linalg.norm(lines["force"], axis=1) if lines.n_cells else np.zeros(0)
+
+
+def _add_grains(
+    plotter: pyvista.Plotter, frame: Frame, colour: str, bar: dict, largest: float | None
+) -> None:
+    pyvista = load_pyvista()
+    grains = pyvista.read(frame.grains)
+    grains[COLOURS[colour]] = grain_values(frame, colour)
     facets = 24 if grains.n_points < 10_000 else 10
     sphere = pyvista.Sphere(radius=1, theta_resolution=facets, phi_resolution=facets)
     balls = grains.glyph(geom=sphere, scale="radius", orient=False)
     plotter.add_mesh(
         balls,
         scalars=COLOURS[colour],
+        clim=None if largest is None else (0, largest),
         cmap="viridis",
         smooth_shading=True,
         scalar_bar_args=bar | {"title": f"{COLOURS[colour]}\n"},
     )
 
 
-def _add_contacts(plotter: pyvista.Plotter, frame: Frame, bar: dict) -> None:
-    pyvista = load_pyvista()
-    if frame.contacts is None:
-        raise SnapshotError(f"{frame.grains.parent} has no contacts_{frame.step}.vtk")
+def _add_contacts(plotter: pyvista.Plotter, frame: Frame, bar: dict, largest: float | None) -> None:
+    pyvista, force = load_pyvista(), contact_forces(frame)
     lines = pyvista.read(frame.contacts)
-    force = np.linalg.norm(lines["force"], axis=1) if lines.n_cells else np.zeros(0)
     # A contact through a periodic side would cross the whole box.
     ends = lines.points.reshape(-1, 2, 3)
     lengths = np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1)
     radius = float(pyvista.read(frame.grains)["radius"].max())
     shown = np.flatnonzero((force > 0) & (lengths < 2 * radius))
     if not len(shown):
+        if largest is not None:  # a movie may begin before anything touches
+            return
         raise SnapshotError(f"nothing touches in {frame.contacts}")
+    largest = force.max() if largest is None else largest
     name = "contact force (N)"
     chains = pyvista.PolyData(
         ends[shown].reshape(-1, 3), lines=np.insert(np.arange(2 * len(shown)), slice(0, None, 2), 2)
     )
     chains[name] = np.repeat(force[shown], 2)
     # Sections as the forces: the thickest tube is a third as wide as a grain.
-    chains["thickness"] = radius / 3 * np.sqrt(chains[name] / force.max())
+    chains["thickness"] = radius / 3 * np.sqrt(chains[name] / largest)
     tubes = chains.tube(scalars="thickness", absolute=True, n_sides=8, capping=True)
     plotter.add_mesh(
         tubes,
         scalars=name,
-        clim=(0, force.max()),
+        clim=(0, largest),
         cmap="inferno_r",
         smooth_shading=True,
         scalar_bar_args=bar | {"title": f"{name}\n"},

@@ -15,9 +15,9 @@ from threading import Thread
 from typing import Any, TypeVar
 
 import attrs
-from tqdm import tqdm
 
 from plastigran.fem.cache import cached, folder
+from plastigran.progress import ProgressBar
 
 Key = TypeVar("Key", bound=Hashable)
 
@@ -60,7 +60,7 @@ def compute_all(computations: Mapping[Key, Computation], progress: bool = False)
         initargs=(folder(),),
     )
     waiting = {pool.submit(each.run): name for name, each in computations.items()}
-    bar = tqdm(total=len(waiting), disable=not progress, desc="finite elements")
+    bar = ProgressBar(total=len(waiting), shown=progress, desc="finite elements")
     try:
         for done in as_completed(waiting):
             name = waiting[done]

@@ -11,7 +11,8 @@ import pytest
 from plastigran.bulk.deck import BulkDeck
 from plastigran.bulk.decks import deck_class, deck_names
 from plastigran.bulk.outcome import open_run
-from plastigran.bulk.run import PLACES, run_bulk
+from plastigran.bulk.plan import PLACES
+from plastigran.bulk.run import run_bulk
 from plastigran.declared import Declaration
 from plastigran.engine.process import EngineError, inputs_folder
 

@@ -9,7 +9,13 @@ import signal
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from plastigran.cli.arguments import positive_integer
+from plastigran.cli.arguments import (
+    add_dry_run,
+    add_json,
+    positive_integer,
+    print_command,
+    print_json,
+)
 from plastigran.engine.checkpoints import newest_checkpoint
 from plastigran.engine.deck import deck_names
 from plastigran.engine.log import LOG
@@ -19,6 +25,10 @@ if TYPE_CHECKING:
     from plastigran.bulk.outcome import BulkRun
 
 HELP = "run a bulk deck, check its invariants, draw its figures"
+EXAMPLE = """
+plastigran bulk hopper --ranks 2 -v law=kogut_etsion frames=10 --output results/hopper
+plastigran bulk hopper --restart results/hopper
+"""
 
 #: What our models warn of, without the place in the source.
 _WARNING = re.compile(r"^WARNING: ((?:model|the time step) .*?)(?: \(\S+:\d+\))?$", re.MULTILINE)
@@ -58,10 +68,13 @@ def add_arguments(command: argparse.ArgumentParser) -> None:
         help="folder of results, default results/DECK, or DIR_continued with --restart DIR",
     )
     command.add_argument("--force", action="store_true", help="overwrite results")
+    add_json(command)
+    add_dry_run(command)
 
 
 def run(arguments: argparse.Namespace) -> None:
-    from plastigran.bulk.run import run_bulk  # matplotlib is slow to load
+    from plastigran.bulk.plan import plan_bulk  # matplotlib is slow to load
+    from plastigran.bulk.run import run_bulk
 
     # A batch system's SIGTERM stops the ranks as Ctrl-C does.
     signal.signal(signal.SIGTERM, signal.default_int_handler)
@@ -70,19 +83,24 @@ def run(arguments: argparse.Namespace) -> None:
         arguments.output = (
             earlier.with_name(f"{earlier.name}_continued") if earlier else Path("results") / name
         )
+    what = (arguments.deck, dict(arguments.settings), arguments.output, arguments.ranks, earlier)
+    if arguments.dry_run:
+        plan = plan_bulk(*what)
+        print_command(plan.folder, plan.working_folder, plan.command_line())
+        print(f"results would be in {plan.folder}; nothing was started")
+        return
     try:
-        bulk_run = run_bulk(
-            arguments.deck,
-            dict(arguments.settings),
-            arguments.output,
-            arguments.ranks,
-            earlier,
-            arguments.force,
-        )
+        bulk_run = run_bulk(*what, arguments.force)
     except KeyboardInterrupt:
         raise KeyboardInterrupt(how_to_go_on(arguments.output)) from None
     except EngineStopped as error:
         raise EngineError(f"{error}; {how_to_go_on(arguments.output)}") from None
+    if arguments.json:
+        checks, warned = bulk_run.checks.to_dict("records"), warnings_of(bulk_run)
+        said = {"checks": checks, "notes": bulk_run.notes, "warnings": warned}
+        print_json(said | {"written": str(arguments.output)})
+        bulk_run.raise_if_failed()
+        return
     if bulk_run.deck is None and not bulk_run.checks.size:
         print(f"{name} keeps no energy ledger: nothing was checked")
     report(bulk_run)
@@ -100,8 +118,6 @@ def how_to_go_on(folder: Path) -> str:
 def report(run: BulkRun) -> None:
     """Print every check of a run, what was not measured, and what the models warned of.
 
-    Of warnings that differ in their numbers alone, the last is printed: it is the worst.
-
     Raises:
         CheckError: A check failed.
     """
@@ -112,7 +128,13 @@ def report(run: BulkRun) -> None:
         )
     for note in run.notes:
         print(f"--  {note}")
-    warned = _WARNING.findall((run.folder / LOG).read_text(errors="replace"))
-    for warning in {_NUMBER.sub("", warning): warning for warning in warned}.values():
+    for warning in warnings_of(run):
         print(f"the engine warned: {warning}")
     run.raise_if_failed()
+
+
+def warnings_of(run: BulkRun) -> list[str]:
+    """What the models warned of; of warnings that differ in their numbers alone the last one: it is
+    the worst."""
+    warned = _WARNING.findall((run.folder / LOG).read_text(errors="replace"))
+    return list({_NUMBER.sub("", warning): warning for warning in warned}.values())

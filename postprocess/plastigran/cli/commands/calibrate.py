@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 import argparse
-import sys
 from pathlib import Path
 
 from plastigran.calibration import CalibratedMetal, DropTest, calibrate
@@ -12,8 +11,8 @@ from plastigran.calibration.drop_test import BALL_RADIUS, read_drop_test
 from plastigran.calibration.expected_errors import DEFAULT_LAW
 from plastigran.calibration.finite_elements import USUAL_RANGE
 from plastigran.calibration.strength import STEEL_RATE_COEFFICIENT
-from plastigran.cli.arguments import positive
-from plastigran.cli.metal import add_elastic, add_strain, print_json
+from plastigran.cli.arguments import positive, print_json, refuse_idle
+from plastigran.cli.metal import add_elastic, add_strain
 from plastigran.materials import (
     RIGID,
     check_material_file,
@@ -23,7 +22,11 @@ from plastigran.materials import (
 )
 
 HELP = "yield strength from hardness, rebound or drops; law, its error, lines of a deck"
+EXAMPLE = """
+plastigran calibrate --young 206e9 --poisson 0.3 --density 7850 --hardness 45HRC --output spring.in
+"""
 
+FEM_RADIUS = 0.1  # m
 METAL = "metal"  # the word that stands for it as ball or plate
 #: Arguments that the function takes as they are.
 PASSED_ON = (
@@ -42,7 +45,7 @@ def add_arguments(command: argparse.ArgumentParser) -> None:
     measured.add_argument(
         "--drop", type=Path, metavar="FILE", help="table of drops: docs/calibrate.md"
     )
-    add_elastic(command)
+    add_elastic(command, FEM_RADIUS)
     command.add_argument(
         "--hardening",
         type=float,
@@ -50,16 +53,13 @@ def add_arguments(command: argparse.ArgumentParser) -> None:
         dest="plastic_modulus",
         help="plastic modulus, Pa, default 0",
     )
-    command.add_argument(
-        "--ball", default=METAL, help="material of the ball of --drop, default the metal itself"
-    )
+    command.add_argument("--ball", help="material of the ball of --drop, default the metal itself")
     command.add_argument(
         "--plate", help="of the plate of --drop: rigid (default under the metal), metal, a material"
     )
     command.add_argument(
         "--ball-radius",
         type=positive,
-        default=BALL_RADIUS,
         help=f"of --drop, m, default {BALL_RADIUS:g}; it matters with --rate-coefficient only",
     )
     command.add_argument(
@@ -101,17 +101,16 @@ def add_arguments(command: argparse.ArgumentParser) -> None:
 
 def run(arguments: argparse.Namespace) -> None:
     output = arguments.output
+    _refuse_idle(arguments)
     if output is not None:
         check_material_file(output, arguments.force)
-    if arguments.figure is not None and not (arguments.drop or _finite_elements(arguments)):
-        raise ValueError(f"--figure is {arguments.figure}; it needs --drop or --fem")
     found = calibrate(
         youngs_modulus=arguments.young,
         poissons_ratio=arguments.poisson,
         drops=_drops(arguments),
         force_ratio=_finite_elements(arguments),
         name=output.stem if output else "metal",
-        progress=sys.stderr.isatty(),
+        progress=True,
         **{name: getattr(arguments, name) for name in PASSED_ON},
     )
     if output is not None:
@@ -124,6 +123,23 @@ def run(arguments: argparse.Namespace) -> None:
         _print(found)
 
 
+def _refuse_idle(arguments: argparse.Namespace) -> None:
+    """Refuse flags that would say nothing. Raises ValueError, which names one."""
+    finite_elements = _finite_elements(arguments)
+    if arguments.output is None:
+        refuse_idle(arguments, "--output", force=False)
+    if arguments.drop is None:
+        refuse_idle(arguments, "--drop", ball=None, plate=None, ball_radius=None)
+        if arguments.leeb is None:
+            refuse_idle(arguments, "--drop or --leeb", scatter=None)
+        if not finite_elements:
+            refuse_idle(arguments, "--drop or --fem", figure=None)
+    if not finite_elements:
+        refuse_idle(arguments, "--fem", radius=FEM_RADIUS)
+        if arguments.strain == "finite":
+            raise ValueError("--finite-strain is given; it needs --fem")
+
+
 def _finite_elements(arguments: argparse.Namespace) -> float | None:
     """Largest force over that at yield; None for none."""
     usual = USUAL_RANGE if arguments.fem else None
@@ -132,23 +148,20 @@ def _finite_elements(arguments: argparse.Namespace) -> float | None:
 
 def _drops(arguments: argparse.Namespace) -> DropTest | None:
     if arguments.drop is None:
-        for name in ("ball", "plate"):
-            if (value := getattr(arguments, name)) not in (None, METAL):
-                raise ValueError(f"--{name} is {value}; it needs --drop")
         return None
-    ball = None if arguments.ball == METAL else read_material(arguments.ball)
+    ball = None if arguments.ball in (None, METAL) else read_material(arguments.ball)
     plate = arguments.plate or ("rigid" if ball is None else METAL)
     bodies = {"rigid": RIGID, METAL: None}
     plate = bodies[plate] if plate in bodies else read_material(plate)
     drops = read_drop_test(arguments.drop)
-    return DropTest(**drops, ball=ball, plate=plate, radius=arguments.ball_radius)
+    return DropTest(**drops, ball=ball, plate=plate, radius=arguments.ball_radius or BALL_RADIUS)
 
 
 def _draw(found: CalibratedMetal, path: Path) -> None:
     from plastigran.calibration.figures import figure  # slow to load
     from plastigran.plot.style import save
 
-    save(figure(found, sys.stderr.isatty()), path, (path.suffix or ".png",))
+    save(figure(found, progress=True), path, (path.suffix or ".png",))
 
 
 def _print(found: CalibratedMetal) -> None:

@@ -14,6 +14,7 @@ from plastigran.experiments.runs import sweep
 from plastigran.materials import laws_for, read_material
 
 HELP = "the tour: collisions, a gas that cools and a hopper, with figures and a report"
+EXAMPLE = "plastigran demo --output results/demo"
 
 #: Settings of the hopper. Where its soft grains land they overlap by up to a quarter of their
 #: effective radius: of the laws near finite elements `jackson_green` alone goes as far. At these

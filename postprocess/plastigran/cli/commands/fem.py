@@ -9,7 +9,7 @@ from itertools import pairwise
 
 import pandas as pd
 
-from plastigran.cli.arguments import positive
+from plastigran.cli.arguments import Subparsers, positive, print_json
 from plastigran.cli.cylinder import add_cylinder, cylinder
 from plastigran.cli.metal import (
     add_elastic,
@@ -19,7 +19,6 @@ from plastigran.cli.metal import (
     computed,
     metal,
     plane,
-    print_json,
     say,
 )
 from plastigran.fem.sphere.press import press
@@ -30,6 +29,11 @@ from plastigran.fem.theory.hertz import HertzSphere
 from plastigran.physics.impact_modes import impact_modes, nearest_modes
 
 HELP = "a sphere on a plane, or a rigid cylinder on a body, by finite elements"
+EXAMPLE = """
+plastigran fem throw --young 2.1e11 --poisson 0.3 --density 7850 --yield 3e8 --radius 0.01 \\
+    --speed 0.1
+plastigran fem press --help
+"""
 
 UNITS = {
     "force": "N",
@@ -61,10 +65,15 @@ COLUMNS = {"frequency": "Hz", "found": "Hz", "energy": "J"}
 
 def add_arguments(command: argparse.ArgumentParser) -> None:
     """One command for each kind of computation."""
-    kinds = command.add_subparsers(
-        dest="kind", required=True, metavar="press|throw|vibrate|cylinder"
+    kinds = Subparsers(
+        command.add_subparsers(dest="kind", required=True, metavar="press|throw|vibrate|cylinder")
     )
-    slow = kinds.add_parser("press", help="press the sphere slowly, and let it go")
+    steel = "--young 2.1e11 --poisson 0.3 --density 7850"
+    slow = kinds.add(
+        "press",
+        "press the sphere slowly, and let it go",
+        f"plastigran fem press {steel} --yield 3e8 --radius 0.01 --force-ratio 10 40",
+    )
     add_metal(slow, elastic=True)
     slow.add_argument(
         "--force-ratio",
@@ -73,14 +82,29 @@ def add_arguments(command: argparse.ArgumentParser) -> None:
         required=True,
         help="largest forces over the force at yield, increasing",
     )
-    fast = kinds.add_parser("throw", help="throw the sphere at the plane")
+    fast = kinds.add(
+        "throw",
+        "throw the sphere at the plane",
+        f"plastigran fem throw {steel} --yield 3e8 --radius 0.01 --speed 0.1",
+    )
     add_metal(fast, elastic=True)
     fast.add_argument("--speed", type=positive, required=True, help="of impact, m/s")
     for command in (slow, fast):
         add_plane(command)
         add_strain(command)
-    add_cylinder(kinds.add_parser("cylinder", help="let a rigid cylinder strike a body"))
-    ringing = kinds.add_parser("vibrate", help="throw an elastic sphere, and follow its vibration")
+    add_cylinder(
+        kinds.add(
+            "cylinder",
+            "let a rigid cylinder strike a body",
+            f"plastigran fem cylinder {steel} --yield 3e8 --radius 1e-5 --length 1e-4 \\\n"
+            "    --mass 1.6e-6 --speed 0.5",
+        )
+    )
+    ringing = kinds.add(
+        "vibrate",
+        "throw an elastic sphere, and follow its vibration",
+        f"plastigran fem vibrate {steel} --radius 0.01 --speed 0.5",
+    )
     add_elastic(ringing)
     ringing.add_argument("--speed", type=positive, required=True, help="of impact, m/s")
     ringing.add_argument(

@@ -8,16 +8,19 @@ import argparse
 import pandas as pd
 
 from plastigran import laws
+from plastigran.cli.arguments import add_json, print_json
 from plastigran.engine.deck import property_name
 from plastigran.materials import choose_laws
 
 HELP = "list the laws: bodies, range, source, constants, options"
+EXAMPLE = "plastigran laws universal thornton"
 
 
 def add_arguments(command: argparse.ArgumentParser) -> None:
     command.add_argument(
         "law", nargs="*", default=["all"], metavar="LAW", help="names of laws, default all"
     )
+    add_json(command)
 
 
 def flags(name: str) -> str:
@@ -34,10 +37,18 @@ def flags(name: str) -> str:
     return ", ".join(word for word, holds in said.items() if holds)
 
 
+def constants(name: str) -> dict[str, object]:
+    """A law's source, what it takes beside the bodies' constants, by the decks' names, and its
+    options."""
+    law = laws.LAWS[name]
+    named = [{**row, "name": property_name(row["name"])} for row in law.parameters()]
+    return {"source": law.source, "constants": named, "options": law.options()}
+
+
 def run(arguments: argparse.Namespace) -> None:
     shapes = {law.shape for law in laws.LAWS.values()}
     names = sorted({name for shape in shapes for name in choose_laws(arguments.law, shape)})
-    table = pd.DataFrame(
+    rows = [
         {
             "law": name,
             "bodies": f"{laws.LAWS[name].shape}s",
@@ -45,7 +56,11 @@ def run(arguments: argparse.Namespace) -> None:
             "range": laws.LAWS[name].range,
         }
         for name in names
-    )
+    ]
+    if arguments.json:
+        print_json([row | constants(row["law"]) for row in rows])
+        return
+    table = pd.DataFrame(rows)
     for column in table:
         width = max(table[column].str.len().max(), len(column))
         table[column] = table[column].str.ljust(width)

@@ -6,10 +6,11 @@ from __future__ import annotations
 import argparse
 
 from plastigran import materials
-from plastigran.cli.arguments import add_material, positive, positive_integer
+from plastigran.cli.arguments import add_json, add_material, positive, positive_integer, print_json
 from plastigran.physics.modes import sphere_modes
 
 HELP = "free vibrations of an elastic sphere"
+EXAMPLE = "plastigran modes --material ice --radius 0.01"
 
 
 def add_arguments(command: argparse.ArgumentParser) -> None:
@@ -24,6 +25,7 @@ def add_arguments(command: argparse.ArgumentParser) -> None:
         default=3,
         help="modes of each kind and degree, default 3",
     )
+    add_json(command)
 
 
 def run(arguments: argparse.Namespace) -> None:
@@ -36,5 +38,8 @@ def run(arguments: argparse.Namespace) -> None:
         range(arguments.degree + 1),
         arguments.overtones,
     )
+    if arguments.json:
+        print_json(table.to_dict("records"))
+        return
     table = table.rename(columns={"frequency": "frequency, Hz"})
     print(table.to_string(index=False, float_format="{:.6g}".format))

@@ -10,6 +10,7 @@ from plastigran.bulk.template import write_deck
 from plastigran.cli.arguments import add_material
 
 HELP = "write a deck of one's own that runs as it is"
+EXAMPLE = "plastigran new-deck plate --law universal --material steel"
 
 
 def add_arguments(command: argparse.ArgumentParser) -> None:

@@ -9,6 +9,7 @@ from plastigran.cli.reports import add_report_arguments, run_report
 from plastigran.papers import find_paper, paper_names
 
 HELP = "tables and figures of a paper, beside finite elements, laws and LIGGGHTS"
+EXAMPLE = "plastigran reproduce zv02 --coarse"
 
 
 def add_arguments(command: argparse.ArgumentParser) -> None:

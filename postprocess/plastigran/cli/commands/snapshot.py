@@ -6,18 +6,26 @@ from __future__ import annotations
 import argparse
 from pathlib import Path
 
+from plastigran.cli.arguments import positive, refuse_idle
+from plastigran.plot.grain_movie import save_grain_movie
 from plastigran.plot.snapshot import COLOURS, VIEWS, SnapshotError, draw, find_frames
 
 HELP = "a picture of a bulk run's grains or force chains"
+EXAMPLE = """
+plastigran bulk hopper -v frames=20 --output results/frames
+plastigran snapshot results/frames --colour speed --view front
+plastigran snapshot results/frames --movie hopper.mp4
+"""
 
 
 def add_arguments(command: argparse.ArgumentParser) -> None:
     command.add_argument("folder", type=Path, help="of a run with frames (-v frames=10)")
-    command.add_argument("--step", type=int, help="of the engine; default: the last frame")
+    what = command.add_mutually_exclusive_group()
+    what.add_argument("--step", type=int, help="of the engine; default: the last frame")
+    what.add_argument("--movie", type=Path, metavar="FILE", help="all frames, as .mp4 or .gif")
+    command.add_argument("--rate", type=positive, help="frames a second of --movie, default 10")
     command.add_argument("--contacts", action="store_true", help="force chains instead of grains")
-    command.add_argument(
-        "--colour", choices=list(COLOURS), default="plastic_work", help="default plastic_work"
-    )
+    command.add_argument("--colour", choices=list(COLOURS), help="of grains, default plastic_work")
     command.add_argument("--view", choices=list(VIEWS), default="corner", help="default corner")
     command.add_argument(
         "--output", type=Path, help="the picture, default FOLDER/figures/NAME_VIEW_STEP.png"
@@ -25,15 +33,32 @@ def add_arguments(command: argparse.ArgumentParser) -> None:
 
 
 def run(arguments: argparse.Namespace) -> None:
+    if arguments.contacts:
+        refuse_idle(arguments, "grains, not --contacts", colour=None)
+    if arguments.movie is None:
+        refuse_idle(arguments, "--movie", rate=None)
+    else:
+        refuse_idle(arguments, "a picture, not --movie", output=None)
+        save_grain_movie(
+            find_frames(arguments.folder),
+            arguments.movie,
+            arguments.colour or "plastic_work",
+            arguments.contacts,
+            arguments.view,
+            rate=arguments.rate or 10.0,
+        )
+        print(f"written: {arguments.movie}")
+        return
+    colour = arguments.colour or "plastic_work"
     frames = {frame.step: frame for frame in find_frames(arguments.folder)}
     step = max(frames) if arguments.step is None else arguments.step
     if step not in frames:
         steps = ", ".join(str(known) for known in frames)
         raise SnapshotError(f"no frame of step {step} in {arguments.folder}; there are {steps}")
-    name = "contacts" if arguments.contacts else arguments.colour
+    name = "contacts" if arguments.contacts else colour
     picture = (
         arguments.output or arguments.folder / "figures" / f"{name}_{arguments.view}_{step}.png"
     )
     picture.parent.mkdir(parents=True, exist_ok=True)
-    draw(frames[step], picture, arguments.colour, arguments.contacts, arguments.view)
+    draw(frames[step], picture, colour, arguments.contacts, arguments.view)
     print(f"written: {picture}")

@@ -15,10 +15,17 @@ from plastigran.calibration.softening import (
     resting_overlap,
     soften,
 )
-from plastigran.cli.arguments import add_laws, add_material, positive
-from plastigran.cli.metal import print_json
+from plastigran.cli.arguments import (
+    add_json,
+    add_laws,
+    add_material,
+    positive,
+    print_json,
+    refuse_idle,
+)
 
 HELP = "a softer material of the same restitution, for longer time steps"
+EXAMPLE = "plastigran soften --material steel --speedup 10 --radius 0.005 --speed 1"
 
 
 def add_arguments(command: argparse.ArgumentParser) -> None:
@@ -34,10 +41,12 @@ def add_arguments(command: argparse.ArgumentParser) -> None:
     add_laws(command, "spheres")
     command.add_argument("--output", type=Path, help="material file to write, NAME.in")
     command.add_argument("--force", action="store_true", help="overwrite that file")
-    command.add_argument("--json", action="store_true", help="all numbers, as JSON")
+    add_json(command)
 
 
 def run(arguments: argparse.Namespace) -> None:
+    if arguments.output is None:
+        refuse_idle(arguments, "--output", force=False)
     material = materials.read_material(arguments.material)
     factor = arguments.factor or arguments.speedup ** (1 / TIME_POWER)
     softened = soften(material, factor)

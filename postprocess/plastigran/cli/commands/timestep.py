@@ -7,10 +7,11 @@ import argparse
 import sys
 
 from plastigran import materials
-from plastigran.cli.arguments import add_laws, add_material, positive
+from plastigran.cli.arguments import add_json, add_laws, add_material, positive, print_json
 from plastigran.experiments.collide import IMPACTS
 
 HELP = "recommended time step of an impact"
+EXAMPLE = "plastigran timestep --law universal --material steel --radius 0.005 --speed 0.5"
 
 KINDS = {geometry: kind for kind in IMPACTS.values() for geometry in kind.geometries}
 
@@ -23,13 +24,20 @@ def add_arguments(command: argparse.ArgumentParser) -> None:
     )
     command.add_argument("--speed", type=positive, required=True, help="impact speed, m/s")
     add_material(command, "aluminium_zv02")
+    add_json(command)
 
 
 def run(arguments: argparse.Namespace) -> None:
     material, kind = materials.read_material(arguments.material), KINDS[arguments.geometry]
-    for name in materials.choose_laws(arguments.law, kind.shape, [material]):
-        case = kind(name, arguments.speed, material, arguments.radius, arguments.geometry)
-        print(f"{name:20s} {case.timestep:.4g} s")
+    steps = {
+        name: kind(name, arguments.speed, material, arguments.radius, arguments.geometry).timestep
+        for name in materials.choose_laws(arguments.law, kind.shape, [material])
+    }
+    if arguments.json:
+        print_json([{"law": name, "timestep": step} for name, step in steps.items()])
+    else:
+        for name, step in steps.items():
+            print(f"{name:20s} {step:.4g} s")
     for shape, other in IMPACTS.items():
         if "all" in arguments.law and shape != kind.shape:
             known = ", ".join(other.geometries)

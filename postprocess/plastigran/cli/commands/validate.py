@@ -8,6 +8,7 @@ import argparse
 from plastigran.cli.reports import add_report_arguments, run_report
 
 HELP = "how far every law is off finite elements, papers and experiments, nothing fitted"
+EXAMPLE = "plastigran validate --coarse"
 
 
 def add_arguments(command: argparse.ArgumentParser) -> None:
@@ -20,4 +21,5 @@ def run(arguments: argparse.Namespace) -> None:
     made = run_report(REPORT, REPORT.title, arguments)
     if arguments.docs:  # the package's own copy goes with its pages
         made.tables["errors"].to_csv(ERRORS, index=False)
-        print(f"written: {ERRORS}")
+        if not arguments.json:
+            print(f"written: {ERRORS}")

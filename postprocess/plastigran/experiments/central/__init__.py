@@ -9,6 +9,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING, ClassVar
 
 import attrs
+import numpy as np
+import pandas as pd
 
 from plastigran import laws
 from plastigran.declared import number, word
@@ -46,6 +48,11 @@ class CentralImpact(Experiment):
 
     command = "impact"
     help = "run collisions in the engine, table and figures"
+    example = (
+        "plastigran impact --law universal thornton --material steel --radius 0.005\n"
+        "plastigran impact --law all --theory"
+    )
+    has_theory = True
     geometries: ClassVar = GEOMETRIES
     overlap_ratio_max = SPHERE_OVERLAP
     flags: ClassVar = {
@@ -142,6 +149,14 @@ class CentralImpact(Experiment):
             in_range=found.in_range,
         )
 
+    def theoretical_loop(self, points: int = 200) -> pd.DataFrame:
+        """The impact as the law alone has it: (2 points,) rows overlap [m] and force [N]."""
+        found = self.predict()
+        up = np.linspace(0, found.overlap_max, points)
+        overlaps = np.concatenate([up, np.linspace(found.overlap_max, found.overlap_res, points)])
+        force = self.contact_law().follow(self.radius_eff, overlaps)["force"]
+        return pd.DataFrame({"overlap": overlaps, "force": force})
+
     def measure(self, folder: Path) -> CollisionOutcome:
         return measure(Path(folder) / "trajectory.dump")
 
@@ -161,6 +176,6 @@ class CentralImpact(Experiment):
         from plastigran.experiments.central import figures  # matplotlib is slow to load
 
         return {
-            "restitution": lambda: figures.restitution_figure(runs.outcomes),
+            "restitution": lambda: figures.restitution_figure(runs.outcomes, runs.by_theory),
             "loops": lambda: figures.loops_figure(runs.outcomes),
         }

@@ -33,11 +33,12 @@ def finite_elements() -> pd.DataFrame:
         return pd.read_csv(file, comment="#")
 
 
-def restitution_figure(collisions: Collisions) -> Figure:
+def restitution_figure(collisions: Collisions, by_theory: bool = False) -> Figure:
     """Restitution over impact speed: points from the engine, lines from theory.
 
-    Thornton's line is its closed form; the others' is the energy balance of the law. The paper's
-    finite elements are shown where all impacts are of their sphere.
+    With `by_theory` the points are theory's too. Thornton's line is its closed form; the others' is
+    the energy balance of the law. The paper's finite elements are shown where all impacts are of
+    their sphere.
     """
     with styled():
         law_names = sorted({impact.law for impact in collisions})
@@ -75,11 +76,12 @@ def restitution_figure(collisions: Collisions) -> Figure:
         _speed_axes(axes, list(collisions))
         axes.set_ylabel("coefficient of restitution")
         axes.set_ylim(0, 1.05)
-        axes.plot([], [], color="0.4", lw=1.3, label="theory")
+        if not by_theory:
+            axes.plot([], [], color="0.4", lw=1.3, label="theory")
         place = (
             {"loc": "center left", "bbox_to_anchor": (1, 0.5)} if crowded else {"loc": "lower left"}
         )
-        axes.legend(title="points: LIGGGHTS", fontsize="small", **place)
+        axes.legend(title=None if by_theory else "points: LIGGGHTS", fontsize="small", **place)
     return figure
 
 
@@ -159,7 +161,8 @@ def loops_figure(collisions: Collisions) -> Figure:
             shown = runs[-LOOPS:]
             shades = matplotlib.colormaps["viridis"](np.linspace(0.1, 0.85, len(shown)))
             for (impact, collision), shade in zip(shown, shades, strict=True):
-                touching = collision.loop[collision.loop["overlap"] >= 0]
+                loop = impact.theoretical_loop() if collision.loop is None else collision.loop
+                touching = loop[loop["overlap"] >= 0]
                 axes.plot(
                     touching["overlap"] * 1e6,
                     touching["force"] / 1e3,

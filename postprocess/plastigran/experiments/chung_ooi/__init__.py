@@ -86,6 +86,7 @@ class BenchmarkImpact(Experiment):
 
     command = "chung-ooi"
     help = "the eight benchmark impacts of Chung & Ooi (2011), against theory"
+    example = "plastigran chung-ooi --benchmark 2 7"
     flags: ClassVar = {
         "benchmark": Flag(
             tuple(TITLES),

@@ -43,7 +43,9 @@ class CylinderImpact(CentralImpact):
 
     command = "cylinder"
     help = "the cylinder study: maps and comparison"
+    example = "plastigran cylinder --points 10"
     shape = "cylinder"
+    has_theory = False  # its study sets the engine beside theory
     geometries: ClassVar = {"cylinder_wall": 1}
     # Beyond, the disc's centre passes the wall. The source goes as far; `in_range` is stricter.
     overlap_ratio_max = 1.0

@@ -13,12 +13,12 @@ from math import sqrt
 import numpy as np
 import pandas as pd
 from numpy.typing import ArrayLike
-from tqdm import tqdm
 
 from plastigran import laws
 from plastigran.materials import RIGID, laws_for, read_material
 from plastigran.physics import central
 from plastigran.physics.contact_time import contact_time
+from plastigran.progress import ProgressBar
 
 MATERIAL = "glass_kp10"
 MASS = 1.59e-6  # of the slider [kg]
@@ -87,7 +87,7 @@ def study(
         loading_time, contact_time [s], coefficient_of_restitution [-] and in_range.
     """
     axes = laws_for("cylinder"), np.asarray(radii).tolist(), np.asarray(speeds).tolist()
-    bar = tqdm(list(product(*axes)), unit="impact", disable=None if progress else True)
+    bar = ProgressBar(list(product(*axes)), unit="impact", desc="study", shown=progress)
     return pd.DataFrame(impact(*case, length_ratio) for case in bar)
 
 

@@ -61,6 +61,7 @@ class RodImpact(Experiment):
 
     command = "rod"
     help = "drop the paper's oblique rod, table and figures"
+    example = "plastigran rod --law thornton jackson_green"
     deck = "collision/rod.in"
     flags: ClassVar = {
         "angle": Flag(tuple(PAPER_FRICTION), said=_ROD["angle"]),

@@ -12,7 +12,6 @@ import warnings
 from math import inf
 
 import numpy as np
-from tqdm import tqdm
 
 from plastigran.fem.body.section import PlaneStrain
 from plastigran.fem.body.struck import StruckBody
@@ -24,6 +23,7 @@ from plastigran.fem.mesh.block import HalfBlock, TrackBlock
 from plastigran.fem.settings import Settings
 from plastigran.fem.stepping.flight import Flight
 from plastigran.fem.stepping.increment import Balance, Equations, Equilibrium, Forces, NoConvergence
+from plastigran.progress import ProgressBar
 
 SHARES = (1.0, 0.5, 0.25, 0.1)  # of a change by Newton's method
 LONGEST = 4.0  # elastic durations after which a strike that has not ended is given up
@@ -138,7 +138,7 @@ def strike(
     flight = Flight(balance, velocity, timestep)
     log = StrikeLog(flight)
     stopped = ""
-    with tqdm(total=100, disable=not progress, desc="strike", unit="% of elastic") as bar:
+    with ProgressBar(total=100, shown=progress, desc="strike", unit="% of elastic") as bar:
         while log.free < settings.free_steps and not stopped:
             try:
                 flight.advance()

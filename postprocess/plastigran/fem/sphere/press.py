@@ -12,7 +12,6 @@ from collections.abc import Sequence
 import numpy as np
 import pandas as pd
 from scipy.integrate import simpson
-from tqdm import tqdm
 
 from plastigran.fem.limits import check_forces, contact_reach
 from plastigran.fem.material.elastic_plastic import ElasticPlastic
@@ -22,6 +21,7 @@ from plastigran.fem.sphere.results import Pressing, virgin_loading
 from plastigran.fem.stepping.increment import Equations, Equilibrium, NoConvergence
 from plastigran.fem.stepping.snapshot import energies, snapshot
 from plastigran.fem.theory.hertz import HertzSphere
+from plastigran.progress import ProgressBar
 
 ELASTIC_GROWTH = 1.4  # of increments below yield, where the path does not matter
 FIRST_FORCE = 0.3  # over the force at yield, or the largest force of an elastic sphere / 100
@@ -38,7 +38,7 @@ class Path:
         self.now: Equilibrium = equations.at_rest()
         self._before: Equilibrium | None = None
 
-    def go(self, forces: Sequence[float], branch: int, bar: tqdm) -> None:
+    def go(self, forces: Sequence[float], branch: int, bar: ProgressBar) -> None:
         """Increments to each force in turn; the first one turns the direction of loading."""
         self._before = None
         for force in forces:
@@ -118,7 +118,7 @@ def press(
     path = Path(equations, sphere)
     ladders = loading_ladders(sphere, forces, settings)
     snapshots, stopped = [], ""
-    with tqdm(total=sum(map(len, ladders)), disable=not progress, desc="press") as bar:
+    with ProgressBar(total=sum(map(len, ladders)), shown=progress, desc="press") as bar:
         try:
             for branch, ladder in enumerate(ladders):
                 path.go(ladder, branch, bar)

@@ -10,7 +10,6 @@ from math import nan
 
 import numpy as np
 import pandas as pd
-from tqdm import tqdm
 
 from plastigran.fem.limits import check_speed, force_of_impact
 from plastigran.fem.material.elastic_plastic import ElasticPlastic
@@ -21,6 +20,7 @@ from plastigran.fem.stepping.flight import Flight
 from plastigran.fem.stepping.increment import NoConvergence
 from plastigran.fem.stepping.snapshot import Snapshot, energies, snapshot
 from plastigran.fem.theory.hertz import HertzSphere
+from plastigran.progress import ProgressBar
 
 LONGEST = 10.0  # Hertz' durations after which an impact that has not ended is given up
 
@@ -60,7 +60,7 @@ def throw(
     timestep = duration / settings.steps_of_contact
     flight = Flight(equations, -speed * body.upward, timestep)
     rows, fields, free, stopped = [_row(flight)], {}, 0, ""
-    with tqdm(total=100, disable=not progress, desc="throw", unit="% of Hertz") as bar:
+    with ProgressBar(total=100, shown=progress, desc="throw", unit="% of Hertz") as bar:
         while free < settings.free_steps and not stopped:
             try:
                 flight.advance()

@@ -11,7 +11,6 @@ from math import inf, nan, sqrt
 
 import numpy as np
 import pandas as pd
-from tqdm import tqdm
 
 from plastigran.fem.body.body import Body
 from plastigran.fem.body.elastic import ElasticBody
@@ -24,6 +23,7 @@ from plastigran.fem.sphere.vibration import Vibration
 from plastigran.fem.stepping.conservative import SpringPlane, Steps
 from plastigran.fem.stepping.increment import NoConvergence
 from plastigran.fem.theory.hertz import HertzSphere
+from plastigran.progress import ProgressBar
 
 STEPS_OF_TRANSIT = 40  # time steps while a compression wave crosses the sphere
 TRANSITS = 200.0
@@ -77,7 +77,7 @@ def vibrate(
     steps = Steps(elastic, plane, -speed * elastic.upward, timestep)
     watch = _Watch(steps, radius)
     rows, end, stopped = [watch.row()], transits * transit, ""
-    with tqdm(total=100, disable=not progress, desc="vibrate", unit="%") as bar:
+    with ProgressBar(total=100, shown=progress, desc="vibrate", unit="%") as bar:
         left = 0.0
         while steps.now.time - left < end and not stopped:
             try:

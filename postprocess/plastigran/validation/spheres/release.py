@@ -10,7 +10,6 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 import pandas as pd
-from tqdm import tqdm
 
 from plastigran.fem.limits import check_forces, contact_reach
 from plastigran.fem.material.elastic_plastic import ElasticPlastic
@@ -20,6 +19,7 @@ from plastigran.fem.sphere.press import Path, loading_ladders, unloading
 from plastigran.fem.sphere.results import Pressing
 from plastigran.fem.stepping.increment import NoConvergence
 from plastigran.fem.theory.hertz import HertzSphere
+from plastigran.progress import ProgressBar
 
 
 def press_and_release(
@@ -47,7 +47,7 @@ def press_and_release(
     path = Path(equations, sphere)
     ladders = loading_ladders(sphere, forces, settings)
     reached, stopped, whole = 0.0, "", 0
-    with tqdm(disable=not progress, desc=f"press to {forces[-1]:.4g} N") as bar:
+    with ProgressBar(shown=progress, desc=f"press to {forces[-1]:.4g} N") as bar:
         try:
             for branch in range(0, len(ladders), 2):
                 up, down = ladders[branch : branch + 2]

@@ -1,0 +1,110 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""What is to be run of a bulk deck: checked before anything is written or started."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from pathlib import Path
+
+import attrs
+
+from plastigran.bulk.deck import BulkDeck
+from plastigran.bulk.decks import deck_class
+from plastigran.bulk.folder import read_record, restart_point
+from plastigran.bulk.own import check_goes_on, own_places
+from plastigran.engine.deck import DeckSource, find_deck, read_deck
+from plastigran.engine.process import command
+
+#: Settings that name files and places; they differ between runs and are not compared.
+PLACES = frozenset({"start", "checkpoint", "inputs", "output", "materials"})
+
+
+@attrs.frozen
+class Plan:
+    """A run of a bulk deck that could be started.
+
+    Attributes:
+        source: The deck with what it includes.
+        kind: Its class; None for an input script of the user's own.
+        folder: Where results go.
+        ranks: MPI ranks.
+        values: Settings given another value than the deck's.
+        places: Settings that say where things are.
+        earlier: Folder of the run it goes on from, or None.
+        checkpoint: The file it goes on from, or None.
+    """
+
+    source: DeckSource
+    kind: type[BulkDeck] | None
+    folder: Path
+    ranks: int
+    values: dict[str, str]
+    places: dict[str, Path]
+    earlier: Path | None
+    checkpoint: Path | None
+
+    @property
+    def working_folder(self) -> Path:
+        """Where the engine runs, which relative paths of the deck are from."""
+        return self.folder if self.kind else self.source.path.parent
+
+    def command_line(self) -> list[str]:
+        """The words of the command that runs the deck itself; a run takes a copy of it."""
+        given = self.values | ({} if self.kind else self.places)
+        return command(self.source.path, given, self.folder, self.ranks)
+
+
+def plan_bulk(
+    deck: str | Path,
+    values: Mapping[str, object],
+    folder: str | Path,
+    ranks: int = 1,
+    restart: str | Path | None = None,
+) -> Plan:
+    """What `run_bulk` would start; arguments and errors as there."""
+    if not (isinstance(ranks, int) and ranks >= 1):
+        raise ValueError(f"ranks is {ranks!r}; it must be 1 or more")
+    folder, script = Path(folder).resolve(), find_deck(deck)
+    values = {name: str(value) for name, value in values.items()}
+    earlier = checkpoint = None
+    if restart is not None:
+        restart = Path(restart).resolve()
+        earlier = _earlier(restart, folder, script.stem)
+        checkpoint = restart_point(restart, earlier)
+        values = earlier["values"] | values | {"start": "checkpoint", "checkpoint": str(checkpoint)}
+    kind = deck_class(script.stem)
+    if earlier and not kind:
+        check_goes_on(read_deck(script, {}, folder))
+    source = read_deck(script, values, folder)
+    places = {"inputs": folder / "deck"} if kind else own_places(source, folder)
+    if kind:
+        if earlier:
+            check_continued(source.settings, earlier["settings"], kind.continuable_settings())
+        kind.read(source.settings).check_inputs()
+    return Plan(source, kind, folder, ranks, values, places, restart, checkpoint)
+
+
+def check_continued(
+    settings: dict[str, str], earlier: dict[str, str], continuable: frozenset[str]
+) -> None:
+    """A run that goes on is the same run: grains and course are in the checkpoint.
+
+    Raises:
+        ValueError: A setting has changed that may not; the message names it.
+    """
+    for name in settings.keys() - continuable - PLACES:
+        if settings[name] != earlier.get(name, settings[name]):
+            raise ValueError(
+                f"{name} is {settings[name]} and was {earlier[name]}; a run that goes on may "
+                f"change {', '.join(sorted(continuable))} only"
+            )
+
+
+def _earlier(restart: Path, folder: Path, deck: str) -> dict:
+    """The record of the run to go on from. Raises ValueError when it is another deck's or ours."""
+    record = read_record(restart)
+    if record["deck"] != deck:
+        raise ValueError(f"{restart} is a run of {record['deck']}, not of {deck}")
+    if restart == folder:
+        raise ValueError(f"{folder} is the run to go on from; choose another --output")
+    return record

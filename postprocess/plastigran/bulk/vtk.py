@@ -1,0 +1,84 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""A bulk run's frames for ParaView and OVITO, with the plastic work of every contact."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+
+import numpy as np
+import pandas as pd
+
+from plastigran.bulk.contact_works import plastic_works, read_memories
+from plastigran.bulk.run import BulkRun
+from plastigran.plot.snapshot import Frame, find_frames
+from plastigran.plot.vtk_series import (
+    contact_table,
+    write_contacts,
+    write_grains,
+    write_mesh,
+    write_series,
+)
+
+
+def write_vtk(run: BulkRun, folder: str | Path) -> list[Path]:
+    """Write the frames of a run as `grains_STEP.vtp`, `contacts_STEP.vtp` and `mesh_STEP.vtp`, and
+    a list of each by time, `grains.pvd`, `contacts.pvd`, `mesh.pvd`.
+
+    Contacts have a column `plastic_work` where the run had `contact_history=1`.
+
+    Args:
+        run: With frames.
+        folder: Where they go; made when missing.
+
+    Returns:
+        The lists.
+
+    Raises:
+        SnapshotError: There are no frames, or pyvista is not installed.
+        DumpError: A file is damaged.
+    """
+    folder, written = Path(folder), []
+    folder.mkdir(parents=True, exist_ok=True)
+    kinds: dict[str, Callable[[Frame, Path], None]] = {
+        "grains": write_grains,
+        "contacts": lambda frame, path: write_contacts(frame, path, contact_columns(run, frame)),
+        "mesh": write_mesh,
+    }
+    frames = find_frames(run.folder)
+    for kind, write in kinds.items():
+        files = {}
+        for frame in frames:
+            if getattr(frame, kind) is not None:
+                files[_time(run, frame.step)] = path = folder / f"{kind}_{frame.step}.vtp"
+                write(frame, path)
+        if files:
+            written.append(folder / f"{kind}.pvd")
+            write_series(written[-1], files)
+    return written
+
+
+def contact_columns(run: BulkRun, frame: Frame) -> dict[str, np.ndarray]:
+    """What a run tells of a frame's contacts beside the frame itself: `plastic_work` [J], (N,)."""
+    memories = frame.contacts.with_name(f"memories_{frame.step}.dump")
+    if run.deck is None or not memories.exists():
+        return {}
+    contacts = contact_table(frame)
+    pairs = pd.DataFrame({name: contacts[name].astype(int) for name in ("id1", "id2")})
+    remembered = read_memories(memories).drop_duplicates(["id1", "id2"])
+    memory = pairs.merge(remembered, how="left", on=["id1", "id2"])["memory"]
+    near = contacts["overlap"] <= 0  # listed, but apart
+    works = plastic_works(
+        run.deck.grains,
+        contacts["radius_eff"],
+        np.where(near, 0.0, contacts["overlap"]),
+        np.where(near, 0.0, memory),
+    )
+    return {"plastic_work": works}
+
+
+def _time(run: BulkRun, step: int) -> float:
+    """Of a step [s]; its number where the log has no time."""
+    if "time" not in run.series:
+        return float(step)
+    return float(np.interp(step, run.series["step"], run.series["time"]))

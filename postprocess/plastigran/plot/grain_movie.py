@@ -1,0 +1,89 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""A movie of a run's VTK frames, as MP4 or GIF. Needs pyvista and imageio, for MP4 also av."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+
+import numpy as np
+
+from plastigran.plot.snapshot import (
+    Frame,
+    SnapshotError,
+    contact_forces,
+    grain_values,
+    load_pyvista,
+    render,
+)
+from plastigran.progress import ProgressBar
+
+#: How each kind of file is written, by imageio's names.
+WRITERS = {
+    ".mp4": {"plugin": "pyav", "codec": "libx264"},
+    ".gif": {"plugin": "pillow", "loop": 0},
+}
+
+
+def save_grain_movie(
+    frames: Sequence[Frame],
+    path: str | Path,
+    colour: str = "plastic_work",
+    contacts: bool = False,
+    view: str = "corner",
+    size: tuple[int, int] = (960, 720),
+    rate: float = 10.0,
+) -> None:
+    """Draw frames one after the other, all from one place and with one scale of colours.
+
+    Args:
+        frames: What to draw, in order.
+        path: The file, .mp4 or .gif.
+        colour, contacts, view: As for `plastigran.plot.snapshot.draw`.
+        size: Pixels along x and y, even numbers.
+        rate: Frames a second.
+
+    Raises:
+        SnapshotError: As for `draw`, another kind of file, nothing touches in any frame, or a
+            library is not installed.
+    """
+    path = Path(path)
+    if path.suffix not in WRITERS:
+        raise SnapshotError(f"{path} is no movie; its name must end in {' or '.join(WRITERS)}")
+    values = [contact_forces(f) if contacts else grain_values(f, colour) for f in frames]
+    largest = max((found.max(initial=0.0) for found in values), default=0.0)
+    if contacts and largest == 0:
+        raise SnapshotError("nothing touches in any frame")
+    iio = _load(path.suffix)
+    bounds, pictures = _bounds(frames), []
+    for frame in ProgressBar(frames, desc="movie", unit="frames"):
+        scale = largest if contacts or colour != "height" else None
+        pictures.append(render(frame, None, colour, contacts, view, size, scale, bounds))
+    path.parent.mkdir(parents=True, exist_ok=True)
+    how = dict(WRITERS[path.suffix])
+    pace = {"fps": rate} if path.suffix == ".mp4" else {"duration": 1000 / rate}
+    iio.imwrite(path, np.stack(pictures), **how, **pace)
+
+
+def _bounds(frames: Sequence[Frame]) -> list[float]:
+    """Two ends along x, y and z [m] of all grains of all frames, and of meshes."""
+    pyvista, boxes = load_pyvista(), []
+    for frame in frames:
+        grains = pyvista.read(frame.grains)
+        boxes.append(np.reshape(grains.bounds, (3, 2)) + grains["radius"].max() * np.array([-1, 1]))
+        if frame.mesh:
+            boxes.append(np.reshape(pyvista.read(frame.mesh).bounds, (3, 2)))
+    low, high = np.min(boxes, axis=0)[:, 0], np.max(boxes, axis=0)[:, 1]
+    return np.stack([low, high], axis=1).ravel().tolist()
+
+
+def _load(suffix: str):
+    """imageio, with what the kind of file needs."""
+    try:
+        import imageio.v3
+
+        if suffix == ".mp4":
+            import av  # noqa: F401
+    except ImportError as error:
+        raise SnapshotError(f"movies need {error.name}: pip install {error.name}") from None
+    return imageio.v3

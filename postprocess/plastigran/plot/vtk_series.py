@@ -1,0 +1,84 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Frames as VTK's XML files, columns named, and a file that lists them by time.
+
+ParaView opens the list (.pvd), OVITO and ParaView the files themselves (.vtp). Needs pyvista.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from pathlib import Path
+from xml.etree import ElementTree
+
+import numpy as np
+
+from plastigran.plot.snapshot import Frame, SnapshotError, load_pyvista
+
+#: Names of a frame's columns in the engine's files, and ours. All in SI units.
+GRAINS = {"v": "velocity", "f_plastic_work": "plastic_work"}
+CONTACTS = {"delta": "overlap"}
+
+
+def contact_table(frame: Frame) -> dict[str, np.ndarray]:
+    """Columns of a frame's contacts, `CONTACTS` among them, each (N,) or (N, 3); and `radius_eff`
+    [m] of each, (N,).
+
+    Raises:
+        SnapshotError: The frame has no contacts.
+    """
+    contacts, grains = _read(frame.contacts, frame), _read(frame.grains, frame)
+    found = {CONTACTS.get(name, name): np.asarray(contacts[name]) for name in contacts.cell_data}
+    if not contacts.n_cells:
+        return {name: np.zeros(0) for name in (*CONTACTS.values(), "radius_eff")}
+    order = np.argsort(grains["id"])
+    radius = np.asarray(grains["radius"], dtype=float)[order]
+    pairs = np.stack([found["id1"], found["id2"]]).astype(int)
+    ends = radius[np.searchsorted(np.asarray(grains["id"])[order], pairs)]
+    return found | {"radius_eff": 1 / (1 / ends).sum(axis=0)}
+
+
+def write_grains(frame: Frame, path: Path) -> None:
+    """Write the grains of a frame: points with id, type, radius [m], velocity [m/s] and, with an
+    energy ledger, plastic_work [J]."""
+    grains = _read(frame.grains, frame)
+    for old, new in GRAINS.items():
+        if old in grains.point_data:
+            grains.rename_array(old, new, preference="point")
+    grains.save(path, compression=None)
+
+
+def write_contacts(frame: Frame, path: Path, more: Mapping[str, np.ndarray]) -> None:
+    """Write the contacts of a frame: lines with id1, id2, overlap [m], force, force_normal,
+    force_tangential [N], and further columns, each (N,)."""
+    contacts = _read(frame.contacts, frame)
+    for old, new in CONTACTS.items():
+        if old in contacts.cell_data:
+            contacts.rename_array(old, new, preference="cell")
+    for name, values in more.items():
+        contacts.cell_data[name] = values
+    contacts.save(path, compression=None)
+
+
+def write_mesh(frame: Frame, path: Path) -> None:
+    """Write the walls of a frame: triangles with their ids."""
+    _read(frame.mesh, frame).extract_surface(algorithm="dataset_surface").save(
+        path, compression=None
+    )
+
+
+def write_series(path: Path, files: Mapping[float, Path]) -> None:
+    """Write a ParaView data file that lists files by their time [s]; they lie beside it."""
+    root = ElementTree.Element("VTKFile", type="Collection", version="1.0")
+    collection = ElementTree.SubElement(root, "Collection")
+    for time, file in sorted(files.items()):
+        ElementTree.SubElement(collection, "DataSet", timestep=f"{time:.9g}", file=file.name)
+    ElementTree.indent(root)
+    ElementTree.ElementTree(root).write(path, encoding="utf-8", xml_declaration=True)
+
+
+def _read(path: Path | None, frame: Frame):
+    if path is None:
+        raise SnapshotError(f"the frame of step {frame.step} has no contacts or mesh")
+    pyvista = load_pyvista()
+    with pyvista.vtk_verbosity("off"):  # a frame without contacts is no fault
+        return pyvista.read(path)

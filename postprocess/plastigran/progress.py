@@ -1,0 +1,67 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Progress of long work on standard error: a bar on a terminal, now and then a line in a pipe."""
+
+from __future__ import annotations
+
+import sys
+from typing import Any
+
+from tqdm import tqdm
+
+#: Seconds until the first line in a pipe, and between lines.
+FIRST, EVERY = 5.0, 10.0
+
+
+class ProgressBar(tqdm):
+    """A bar that is drawn in place on a terminal; elsewhere lines, and none of brief work.
+
+    Args:
+        *arguments: As of tqdm.
+        shown: Show it at all.
+        **named: As of tqdm, but for `file`: it is standard error.
+    """
+
+    def __init__(self, *arguments: Any, shown: bool = True, **named: Any) -> None:
+        self._in_place = sys.stderr.isatty()
+        if not self._in_place:
+            named |= {"delay": FIRST, "mininterval": EVERY, "miniters": 0}
+        super().__init__(*arguments, file=sys.stderr, disable=not shown, **named)
+
+    def reset(self, total: float | None = None) -> None:
+        """Begin anew, with another total if it is given."""
+        drawn, self.display = self.display, lambda *_, **__: False
+        try:
+            super().reset(total)
+        finally:
+            self.display = drawn
+
+    def display(self, msg: str | None = None, pos: int | None = None) -> bool:
+        """Draw the bar, or print a line."""
+        if self._in_place:
+            return super().display(msg, pos)
+        if msg is None:
+            self.fp.write(f"{self._line()}\n")
+            self.fp.flush()
+        return False
+
+    def close(self) -> None:
+        """End it: the bar stays; the last line says where the work ended."""
+        if not (self.disable or self._in_place):
+            self.leave = False  # a line ends by itself
+            if self.last_print_t >= self.start_t + self.delay and self.n > self.last_print_n:
+                self.display()
+        super().close()
+
+    def _line(self) -> str:
+        """How far it is, in words: `impact: 24/84, 00:20 so far, 00:50 to go`."""
+        shown = self.format_dict
+        number = self.format_sizeof if self.unit_scale else "{:.4g}".format
+        said = f"{number(self.n)}/{number(self.total)}" if self.total else number(self.n)
+        words = [f"{self.desc.removesuffix(': ') or 'progress'}: {said} {self.unit}".rstrip()]
+        if self.postfix:
+            words.append(self.postfix)
+        words.append(f"{self.format_interval(shown['elapsed'])} so far")
+        if self.total and self.n:
+            left = shown["elapsed"] * (self.total / self.n - 1)
+            words.append(f"{self.format_interval(max(left, 0.0))} to go")
+        return ", ".join(words)

@@ -1,0 +1,204 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Manners of the command line: help, JSON, dry runs, completion, errors in a line, progress."""
+
+from __future__ import annotations
+
+import argparse
+import json
+import shlex
+import subprocess
+import sys
+
+import pytest
+
+from plastigran import laws
+from plastigran.cli import EXIT_CODES, main, parser
+from plastigran.cli.commands import doctor
+from plastigran.progress import ProgressBar
+
+STEEL = ["--young", "2.1e11", "--poisson", "0.3", "--density", "7850"]
+
+
+def all_commands(command: argparse.ArgumentParser) -> list[argparse.ArgumentParser]:
+    """Every command that is run, of subcommands their own."""
+    for action in command._actions:
+        if isinstance(action, argparse._SubParsersAction):
+            return [found for below in action.choices.values() for found in all_commands(below)]
+    return [command]
+
+
+def test_every_command_has_an_example_that_is_understood():
+    top = parser()
+    for command in all_commands(top):
+        head, marker, example = command.format_help().partition("example:\n")
+        assert marker, command.prog
+        assert "-v" in head or "--verbose" in head
+        lines = example.replace("\\\n", "").strip().splitlines()
+        own = [shlex.split(line.partition(">")[0]) for line in lines]
+        assert any(line[: len(command.prog.split())] == command.prog.split() for line in own)
+        for words in own:
+            top.parse_args(words[1:])  # exits where it is wrong
+
+
+def test_help_lists_the_exit_codes(capsys):
+    with pytest.raises(SystemExit) as stop:
+        main(["--help"])
+    assert stop.value.code == 0
+    said = capsys.readouterr().out
+    for code, meaning in EXIT_CODES.items():
+        assert f"{code:<4d}{meaning}" in said
+
+
+def test_tables_as_json(capsys):
+    assert main(["laws", "--json"]) == 0
+    listed = {row["law"]: row for row in json.loads(capsys.readouterr().out)}
+    assert listed.keys() == laws.LAWS.keys()
+    assert listed["viscoelastic_hertz"]["constants"][0]["name"] == "dissipativeConstant"
+    assert main(["timestep", "--law", "thornton", "--speed", "0.1", "--json"]) == 0
+    (row,) = json.loads(capsys.readouterr().out)
+    assert row == {"law": "thornton", "timestep": pytest.approx(1.835e-5, rel=1e-2)}
+    assert main(["modes", "--material", "ice", "--radius", "0.01", "--json"]) == 0
+    assert {"kind", "degree", "frequency"} <= json.loads(capsys.readouterr().out)[0].keys()
+
+
+def test_impact_by_theory_needs_no_engine(tmp_path, monkeypatch, capsys):
+    monkeypatch.setenv("PLASTIGRAN_ENGINE", str(tmp_path / "none"))
+    line = ["impact", "--law", "thornton", "universal", "--speed", "0.02", "0.2", "--theory"]
+    line += ["--output", str(tmp_path / "out")]
+    assert main([*line, "--json"]) == 0
+    table = json.loads(capsys.readouterr().out)["table"]
+    assert [(row["law"], row["speed"]) for row in table] == [
+        ("thornton", 0.02),
+        ("thornton", 0.2),
+        ("universal", 0.02),
+        ("universal", 0.2),
+    ]
+    assert all(0 < row["coefficient_of_restitution"] < 1 for row in table)
+    for name in ("restitution", "loops"):
+        assert (tmp_path / "out" / f"{name}.png").read_bytes().startswith(b"\x89PNG")
+    assert main(line) == 1  # it would overwrite them
+    assert "--force" in capsys.readouterr().err
+
+
+def test_dry_runs_print_what_would_run_and_leave_nothing(tmp_path, capsys):
+    folder = tmp_path / "with a space"
+    line = ["--output", str(folder), "--dry-run"]
+    assert main(["bulk", "cooling_gas", "--ranks", "2", "-v", "side=4", *line]) == 0
+    place, typed, _ = capsys.readouterr().out.splitlines()
+    assert shlex.split(place) == ["mkdir", "-p", str(folder), "&&", "cd", str(folder)]
+    words = shlex.split(typed)
+    assert words[:4] == ["mpirun", "--oversubscribe", "-np", "2"]
+    assert words[-3:] == ["-var", "side", "4"]
+    assert main(["impact", "--law", "thornton", "--points", "3", *line]) == 0
+    assert "3 runs; nothing was started" in capsys.readouterr().out
+    assert not folder.exists()
+
+
+@pytest.mark.parametrize(
+    ("line", "said"),
+    [
+        (["--yield", "3e8", "--ball-radius", "0.01"], "--ball-radius is 0.01; it needs --drop"),
+        (["--yield", "3e8", "--scatter", "0.1"], "--scatter is 0.1; it needs --drop or --leeb"),
+        (["--yield", "3e8", "--plate", "rigid"], "--plate is rigid; it needs --drop"),
+        (["--yield", "3e8", "--radius", "0.2"], "--radius is 0.2; it needs --fem"),
+        (["--yield", "3e8", "--finite-strain"], "--finite-strain is given; it needs --fem"),
+        (["--yield", "3e8", "--figure", "x.png"], "--figure is x.png; it needs --drop or --fem"),
+        (["--yield", "3e8", "--force"], "--force is given; it needs --output"),
+    ],
+)
+def test_calibrate_refuses_idle_options(line, said, capsys):
+    assert main(["calibrate", *STEEL, *line]) == 1
+    assert said in capsys.readouterr().err
+
+
+def test_a_range_of_speeds_beside_speeds_is_refused(tmp_path, capsys):
+    line = ["impact", "--speed", "1", "--speeds", "1", "2", "--output", str(tmp_path)]
+    assert main(line) == 1
+    assert "--speeds is a range's; --speed gives the values" in capsys.readouterr().err
+
+
+def test_a_file_without_its_ending_is_hinted_at(tmp_path, monkeypatch, capsys):
+    (tmp_path / "own.in").write_text("")
+    monkeypatch.chdir(tmp_path)
+    assert main(["modes", "--material", "./own", "--radius", "1"]) == 1
+    assert "no material './own'; is it own.in?" in capsys.readouterr().err
+
+
+def test_a_fault_of_ours_is_a_line_and_with_v_a_trace(monkeypatch, capsys):
+    monkeypatch.setattr("plastigran.cli.commands.modes.sphere_modes", lambda *_: 1 / 0)
+    line = ["modes", "--material", "ice", "--radius", "1"]
+    assert main(line) == 70
+    said = capsys.readouterr().err
+    assert said.startswith("plastigran: unexpected ZeroDivisionError: division by zero; add -v")
+    assert said.count("\n") == 1
+    assert main([*line, "-v"]) == 70
+    assert "Traceback" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("shell", ["bash", "zsh"])
+def test_completion_knows_every_command(shell, capsys):
+    assert main(["completion", shell]) == 0
+    script = capsys.readouterr().out
+    for command in all_commands(parser()):
+        assert command.prog.split()[-1] in script
+    assert "--dry-run" in script
+
+
+def test_bash_completes(capsys):
+    assert main(["completion", "bash"]) == 0
+    script = capsys.readouterr().out
+    asked = 'COMP_WORDS=(plastigran timestep --geom); COMP_CWORD=2; COMP_TYPE=9; COMP_LINE="x"\n'
+    told = "_shtab_plastigran plastigran --geom timestep\necho ${COMPREPLY[@]}\n"
+    done = subprocess.run(
+        ["bash"], input=script + asked + told, capture_output=True, text=True, check=True
+    )
+    assert done.stdout.split()[-1] == "--geometry"
+
+
+def test_doctor_lets_a_sphere_fall(capsys):
+    """On one rank and on two; nothing that runs need is amiss where the tests run."""
+    assert main(["doctor", "--json"]) == 0
+    found = {row["name"]: row for row in json.loads(capsys.readouterr().out)}
+    assert {found[name]["state"] for name in ("engine", "plugin", "impact", "MPI")} == {"ok"}
+    assert "LIGGGHTS-PUBLIC 3.8.0: restitution 0.42" in found["impact"]["said"]
+
+
+def test_doctor_says_what_lacks(tmp_path, monkeypatch, capsys):
+    monkeypatch.setenv("PLASTIGRAN_ENGINE", str(tmp_path / "none"))
+    assert main(["doctor"]) == 1
+    said = capsys.readouterr()
+    assert f"lacks   engine      no engine at {tmp_path / 'none'}; build it" in said.out
+    assert "engine: not as it should be; laws, timestep" in said.err
+
+
+def test_doctor_finds_a_plugin_that_is_another(monkeypatch):
+    monkeypatch.setattr(doctor, "TOLERANCE", 1e-9)  # as if its laws were others
+    found = {finding.name: finding for finding in doctor.examine()}
+    assert found["impact"].state == "lacks"
+    assert "by theory" in found["impact"].said
+    assert "MPI" not in found
+
+
+def test_progress_is_lines_in_a_pipe_and_nothing_for_brief_work(monkeypatch, capsys):
+    with ProgressBar(total=4, desc="brief") as bar:
+        bar.update(4)
+    assert capsys.readouterr().err == ""
+    monkeypatch.setattr("plastigran.progress.FIRST", 0.0)
+    monkeypatch.setattr("plastigran.progress.EVERY", 0.0)
+    with ProgressBar(total=4, desc="impact", unit="impacts") as bar:
+        for _ in range(4):
+            bar.update()
+    lines = capsys.readouterr().err.splitlines()
+    assert lines[-1].startswith("impact: 4/4 impacts, 00:0")
+    assert not any("\r" in line or "\x1b" in line for line in lines)
+
+
+def test_no_output_has_colours(monkeypatch):
+    """NO_COLOR or not: text is plain, on a terminal too."""
+    done = subprocess.run(
+        [sys.executable, "-m", "plastigran.cli", "laws", "thornton"],
+        capture_output=True,
+        env={"PATH": "/usr/bin", "FORCE_COLOR": "1"},
+        check=True,
+    )
+    assert b"\x1b" not in done.stdout + done.stderr

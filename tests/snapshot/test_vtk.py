@@ -1,0 +1,111 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Frames for ParaView and OVITO: what VTK reads of them, and each contact's plastic work."""
+
+from __future__ import annotations
+
+from types import SimpleNamespace
+from xml.etree import ElementTree
+
+import numpy as np
+import pandas as pd
+import pytest
+import pyvista
+from pressed_pairs import press_pairs
+
+from plastigran import laws
+from plastigran.bulk.contact_works import plastic_works
+from plastigran.bulk.deck import Analysis
+from plastigran.bulk.grains import Grains
+from plastigran.bulk.run import BulkRun
+from plastigran.bulk.vtk import write_vtk
+from plastigran.cli import main
+from plastigran.materials import read_material
+
+#: Laws whose memory begins with the largest overlap, and the one whose memory is another.
+LAWS = ("thornton", "universal", "vu_quoc_zhang")
+STEPS = (0, 50, 100)
+
+
+def read_run(folder, law):
+    """The run of pressed pairs as `open_run` would hand over a deck's."""
+    deck = SimpleNamespace(grains=Grains(law, {}, read_material("soft_granules"), 2e-3))
+    series = pd.DataFrame({"step": STEPS, "time": np.multiply(STEPS, 1e-7)})
+    return BulkRun("pressed_pairs", folder, deck, Analysis(series))
+
+
+@pytest.fixture(scope="module", params=LAWS)
+def vtk(request, tmp_path_factory):
+    """Folder of the written files, by law."""
+    folder = press_pairs(tmp_path_factory.mktemp("run"), law=request.param, contact_history=1)
+    write_vtk(read_run(folder, request.param), folder / "vtk")
+    return folder / "vtk"
+
+
+def test_contacts_have_the_plastic_work_that_their_grains_have_taken(vtk):
+    """Each grain has half its one contact's work: a sum over all steps, of a contact that has only
+    been loaded. The files have ten digits."""
+    grains, contacts = (pyvista.read(vtk / f"{kind}_100.vtp") for kind in ("grains", "contacts"))
+    work = dict(zip(grains["id"], grains["plastic_work"], strict=True))
+    assert contacts.n_cells == 2
+    for row in range(2):
+        ends = [int(contacts[name][row]) for name in ("id1", "id2")]
+        taken = sum(work[end] for end in ends)
+        assert taken > 0
+        assert contacts["plastic_work"][row] == pytest.approx(taken, rel=1e-6)
+
+
+def test_columns_have_their_names(vtk):
+    grains, contacts = (pyvista.read(vtk / f"{kind}_50.vtp") for kind in ("grains", "contacts"))
+    assert {"id", "type", "radius", "velocity", "plastic_work"} <= set(grains.point_data)
+    named = {"id1", "id2", "overlap", "force", "force_normal", "force_tangential", "plastic_work"}
+    assert set(contacts.cell_data) == named
+    for kind in ("grains", "contacts", "mesh"):  # OVITO reads no others
+        assert "compressor" not in (vtk / f"{kind}_50.vtp").read_text().partition("<Piece")[0]
+    assert contacts["overlap"] == pytest.approx([1e-4, 1e-4], rel=0.01)
+
+
+def test_series_lists_states_by_time(vtk):
+    for kind in ("grains", "contacts", "mesh"):
+        listed = pyvista.get_reader(vtk / f"{kind}.pvd")
+        assert listed.time_values == pytest.approx([step * 1e-7 for step in STEPS])
+        for entry in ElementTree.parse(vtk / f"{kind}.pvd").iter("DataSet"):
+            assert (vtk / entry.get("file")).exists()
+
+
+def test_without_history_there_is_no_plastic_work(tmp_path):
+    folder = press_pairs(tmp_path)
+    write_vtk(read_run(folder, "thornton"), folder / "vtk")
+    contacts = pyvista.read(folder / "vtk" / "contacts_100.vtp")
+    assert "plastic_work" not in contacts.cell_data
+    assert "overlap" in contacts.cell_data
+
+
+def test_a_memory_stands_for_the_path(yielding_law):
+    """Plastic work from memory and overlap is that of the whole path, unloading included."""
+    grains = Grains(yielding_law, {}, read_material("aluminium_zv02"), 0.1)
+    state = laws.LAWS[yielding_law].State()
+    path = grains.contact_law().follow(0.05, np.array([5e-6, 2e-5, 1.2e-5, 1.5e-5]), state)
+    found = plastic_works(grains, [0.05], [1.5e-5], [state.values()[0]])
+    assert found[0] == pytest.approx(path["plastic_work"][-1], rel=1e-9)
+
+
+@pytest.mark.parametrize("name", ["grains.gif", "grains.mp4"])
+def test_movie(name, tmp_path, capsys):
+    """A movie has a picture of every frame."""
+    import imageio.v3 as iio
+
+    folder = press_pairs(tmp_path)
+    line = ["snapshot", str(folder), "--colour", "speed", "--rate", "4"]
+    assert main([*line, "--movie", str(tmp_path / name)]) == 0
+    pictures = iio.imread(tmp_path / name, plugin="pyav" if name.endswith("mp4") else "pillow")
+    assert pictures.shape[:3] == (len(STEPS), 720, 960)
+    shown = (pictures[..., :3] < 200).any(axis=-1)
+    assert all(0.005 < picture.mean() < 0.5 for picture in shown)
+
+
+def test_another_kind_of_movie_is_refused(tmp_path, capsys):
+    folder = press_pairs(tmp_path)
+    assert main(["snapshot", str(folder), "--movie", "grains.avi"]) == 1
+    assert "grains.avi is no movie; its name must end in .mp4 or .gif" in capsys.readouterr().err
+    assert main(["snapshot", str(folder), "--rate", "3"]) == 1
+    assert "--rate is 3; it needs --movie" in capsys.readouterr().err

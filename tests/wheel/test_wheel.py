@@ -1,0 +1,156 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""The wheel where there is no LIGGGHTS and nothing of this project beside it.
+
+The environment borrows the libraries of the one that runs the tests; `./run wheel` gives one that
+has fetched its own, in $PLASTIGRAN_WHEEL_VENV.
+"""
+
+from __future__ import annotations
+
+import ast
+import json
+import os
+import site
+import subprocess
+import sys
+import venv
+import zipfile
+from fcntl import LOCK_EX, flock
+from importlib.metadata import packages_distributions, requires, version
+from pathlib import Path
+
+import pytest
+from packaging.requirements import Requirement
+from packaging.utils import canonicalize_name
+
+from plastigran.engine.process import PROJECT
+
+#: What a newcomer without an engine does in a notebook.
+NOTEBOOK = """
+import numpy as np, plastigran as pg
+from plastigran.physics.modes import sphere_modes
+from plastigran.fem.theory.hertz import HertzSphere
+
+assert pg.__file__.startswith(__import__("sys").prefix), pg.__file__
+steel = pg.material("steel")
+contact = pg.Contact("universal", steel, pg.RIGID, radius=5e-3)
+path = contact.path(np.linspace(0, 2e-6, 50))
+metal = pg.calibrate(youngs_modulus=206e9, poissons_ratio=0.3, density=7850, hardness="45HRC")
+print(contact.restitution(0.1), path["force"].max(), metal.material.yield_strength)
+path.plot("overlap", "force").figure.savefig("path.png")
+try:
+    pg.collide("thornton", 0.1, steel, radius=5e-3)
+except Exception as error:
+    print(error)
+"""
+
+
+def free_of_the_project() -> dict[str, str]:
+    """The environment without an engine or a way to this tree."""
+    kept = {k: v for k, v in os.environ.items() if not k.startswith(("PLASTIGRAN", "PYTHON"))}
+    return kept | {"PATH": "/usr/bin:/bin", "MPLBACKEND": "agg"}
+
+
+@pytest.fixture(scope="session")
+def wheel(tmp_path_factory) -> Path:
+    """The wheel, built in the folder that the environment's own package was built in."""
+    folder = tmp_path_factory.mktemp("wheel")
+    build = ["pip", "wheel", "-q", "--no-build-isolation", "--no-deps", "--no-index"]
+    with open(PROJECT / "build" / "wheel.lock", "w") as lock:
+        flock(lock, LOCK_EX)
+        subprocess.run([sys.executable, "-m", *build, "-w", folder, PROJECT], check=True)
+    (made,) = folder.glob("*.whl")
+    return made
+
+
+@pytest.fixture(scope="session")
+def here(wheel, tmp_path_factory) -> Path:
+    """The folder of an environment that has the wheel."""
+    if clean := os.environ.get("PLASTIGRAN_WHEEL_VENV"):
+        return Path(clean)
+    folder = tmp_path_factory.mktemp("environment")
+    venv.create(folder, with_pip=False, symlinks=True)
+    target = next(folder.glob("lib/python*/site-packages"))
+    install = ["install", "-q", "--no-deps", "--no-index", wheel]
+    subprocess.run(
+        [sys.executable, "-m", "pip", "--python", folder / "bin/python", *install], check=True
+    )
+    # A folder named in a .pth file is searched after the wheel's, and its own .pth files are not
+    # read: neither is the way to this tree among them.
+    (target / "libraries.pth").write_text("\n".join(site.getsitepackages()) + "\n")
+    return folder
+
+
+@pytest.fixture
+def run(here, tmp_path):
+    """Runs a program of the environment in an empty folder."""
+
+    def start(program: str, *words: str) -> subprocess.CompletedProcess:
+        line = [here / "bin" / program, *words]
+        return subprocess.run(
+            line, cwd=tmp_path, env=free_of_the_project(), capture_output=True, text=True
+        )
+
+    return start
+
+
+def test_one_wheel_serves_every_python_from_3_11(wheel):
+    assert wheel.name.startswith(f"plastigran-{version('plastigran')}-cp311-abi3-")
+    inside = zipfile.ZipFile(wheel).namelist()
+    for name in ("laws.abi3.so", "laws.pyi", "py.typed", "inputs/materials/steel.in"):
+        assert f"plastigran/{name}" in inside
+    assert not [name for name in inside if name.startswith(("tests/", "contact_models/"))]
+
+
+def test_what_it_imports_it_requires():
+    """Each library that a module of the package imports is asked for, by itself or as an extra."""
+    asked = {canonicalize_name(Requirement(line).name) for line in requires("plastigran")}
+    brings, unasked = packages_distributions(), set()
+    for path in (PROJECT / "postprocess" / "plastigran").rglob("*.py"):
+        for node in ast.walk(ast.parse(path.read_text())):
+            names = [alias.name for alias in node.names] if isinstance(node, ast.Import) else []
+            names += [node.module] if isinstance(node, ast.ImportFrom) and not node.level else []
+            for name in {name.partition(".")[0] for name in names} - sys.stdlib_module_names:
+                given = {canonicalize_name(found) for found in brings.get(name, [name])}
+                if not given & (asked | {"plastigran"}):
+                    unasked.add((path.name, name))
+    assert unasked == set()
+
+
+def test_laws(run):
+    done = run("plastigran", "laws")
+    assert done.returncode == 0, done.stderr
+    assert "universal" in done.stdout
+
+
+def test_impact_by_theory(run, tmp_path):
+    line = ["--law", "all", "--material", "steel", "--radius", "0.005", "--points", "4"]
+    done = run("plastigran", "impact", *line, "--theory", "--output", "out", "--json")
+    assert done.returncode == 0, done.stderr
+    assert len({row["law"] for row in json.loads(done.stdout)["table"]}) > 10
+    assert (tmp_path / "out" / "restitution.png").exists()
+
+
+def test_calibrate(run):
+    metal = ["--young", "206e9", "--poisson", "0.3", "--density", "7850", "--hardness", "45HRC"]
+    done = run("plastigran", "calibrate", *metal, "--json")
+    assert done.returncode == 0, done.stderr
+    assert json.loads(done.stdout)["yield_strength"] == pytest.approx(1.685e9, rel=1e-3)
+
+
+@pytest.mark.parametrize(
+    "line", ["impact --law thornton", "bulk hopper", "rod --law thornton", "demo", "doctor"]
+)
+def test_an_engine_command_says_in_a_line_what_to_install(run, line):
+    done = run("plastigran", *line.split())
+    assert done.returncode == 1
+    assert done.stderr.count("\n") == 1, done.stderr
+    assert "engine" in done.stderr
+    assert "./run setup" in done.stderr + done.stdout
+
+
+def test_what_a_notebook_does(run, tmp_path):
+    done = run("python", "-c", NOTEBOOK)
+    assert done.returncode == 0, done.stderr
+    assert "no engine: liggghts-plastigran is not on PATH" in done.stdout
+    assert (tmp_path / "path.png").exists()
