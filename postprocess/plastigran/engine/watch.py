@@ -37,4 +37,5 @@ class ProgressBar:
         self._bar.update(progress.step - progress.first - self._bar.n)
 
     def close(self) -> None:
+        """Leave the bar as it is."""
         self._bar.close()

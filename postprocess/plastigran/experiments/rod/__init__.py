@@ -85,6 +85,7 @@ class RodImpact(Experiment):
 
     @property
     def pair(self) -> laws.MaterialPair:
+        """What rod and flat bring to the contact."""
         return laws.combine(self.material.body(), self.flat.body())
 
     def contact_law(self, **options: str | float):
