@@ -22,6 +22,7 @@ _PUBLIC = {
     "Contact": ("contact", "Contact"),
     "bulk": ("bulk", None),
     "calibrate": ("calibration", "calibrate"),
+    "cite": ("citation", "cite"),
     "collide": ("experiments.collide", "collide"),
     "laws": ("laws", None),
     "material": ("materials", "read_material"),

@@ -50,6 +50,7 @@ class Declaration:
         return f"must lie between {self.lower:g} and {self.upper:g}{ends} [{self.unit}]"
 
     def allows(self, value: float) -> bool:
+        """Whether a value is finite and within the bounds."""
         if not isfinite(value):
             return False
         return self.lower < value < self.upper or (

@@ -5,10 +5,15 @@ from __future__ import annotations
 
 import re
 
+import pytest
+
+from plastigran import laws
+from plastigran.calibration.expected_errors import errors_table
 from plastigran.cli import main
 from plastigran.engine.process import PROJECT
 from plastigran.report.pages import read_pages
 from plastigran.validation.report import REPORT
+from plastigran.validation.summary import summarised
 
 
 def test_the_pages_show_every_picture():
@@ -23,3 +28,20 @@ def test_results_are_not_overwritten(tmp_path, capsys):
     (tmp_path / "leeb.csv").write_text("kept")
     assert main(["validate", "--output", str(tmp_path)]) == 1
     assert "holds results (leeb.csv)" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("law", sorted(laws.LAWS))
+def test_the_first_screen_of_a_law_says_what_it_is_good_for(law):
+    """What to take it for, what not, and how far off it is, as the table of errors has it."""
+    page = (PROJECT / "docs" / "laws" / f"{law}.md").read_text()
+    rows = re.findall(
+        r"^\| \*\*(.+?)\*\* \| (.+) \|$", "\n".join(page.splitlines()[:12]), re.MULTILINE
+    )
+    assert [name for name, said in rows if said][:3] == ["Take it for", "Not for", "How far off"]
+    if law in set(errors_table()["law"]):
+        assert summarised(page, law, errors_table()) == page
+
+
+def test_a_page_without_its_line_is_refused():
+    with pytest.raises(ValueError, match="page of thornton has no line"):
+        summarised("# `thornton`", "thornton", errors_table())

@@ -71,6 +71,7 @@ class DeckSource:
 
     @property
     def name(self) -> str:
+        """Of the deck: its script's, without the ending."""
         return self.path.stem
 
     def copy(self, folder: Path) -> Path:

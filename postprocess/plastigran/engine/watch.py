@@ -36,4 +36,5 @@ class RunBar:
         self._bar.update(now.step - now.first - self._bar.n)
 
     def close(self) -> None:
+        """Leave the bar as it is."""
         self._bar.close()

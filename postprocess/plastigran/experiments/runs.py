@@ -50,6 +50,7 @@ class Runs:
 
     @property
     def cases(self) -> list[Experiment]:
+        """What was run."""
         return list(self.outcomes)
 
     @cached_property

@@ -1,14 +1,16 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """What a paper's module gives: a report with the paper it is held against.
 
-PAPER = Paper(
-    name="zv02",
-    title="An elastic-plastic sphere on a rigid plane",
-    citation="X. Zhang & L. Vu-Quoc, Int. J. Impact Eng. 27 (2002) 317",
-    tables=("impacts",),
-    figures=("restitution",),
-    compute=compute,
-)
+    PAPER = Paper(
+        name="zv02",
+        title="An elastic-plastic sphere on a rigid plane",
+        citation="X. Zhang & L. Vu-Quoc, Int. J. Impact Eng. 27 (2002) 317",
+        tables=("impacts",),
+        figures=("restitution",),
+        compute=compute,
+    )
+
+It is found as `PAPER` of a module or package of `plastigran.papers`.
 """
 
 from __future__ import annotations

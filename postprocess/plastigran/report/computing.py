@@ -39,6 +39,7 @@ class Computation:
     named: Mapping[str, object] = attrs.field(factory=dict)
 
     def run(self) -> Any:
+        """The result, from disk where it was computed before."""
         return cached(self.compute, *self.arguments, settings=self.settings, **self.named)
 
 

@@ -17,9 +17,11 @@ def add_arguments(command: argparse.ArgumentParser) -> None:
 
 def run(arguments: argparse.Namespace) -> None:
     from plastigran.validation.report import ERRORS, REPORT  # matplotlib is slow to load
+    from plastigran.validation.summary import write_summaries
 
     made = run_report(REPORT, REPORT.title, arguments)
     if arguments.docs:  # the package's own copy goes with its pages
         made.tables["errors"].to_csv(ERRORS, index=False)
         if not arguments.json:
             print(f"written: {ERRORS}")
+        write_summaries(arguments.docs / "laws", made.tables["errors"])

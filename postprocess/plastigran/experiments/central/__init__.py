@@ -90,6 +90,7 @@ class CentralImpact(Experiment):
 
     @property
     def pair(self) -> laws.MaterialPair:
+        """What the two bodies bring to the contact."""
         body = self.material.body()
         return laws.combine(body, body if self.bodies == 2 else RIGID)
 
@@ -114,6 +115,7 @@ class CentralImpact(Experiment):
 
     @property
     def deck(self) -> str:
+        """Path of the input script, from `inputs`."""
         return f"collision/{self.geometry}.in"
 
     @property

@@ -105,6 +105,7 @@ class BenchmarkImpact(Experiment):
 
     @property
     def deck(self) -> str:
+        """Path of the input script, from `inputs`."""
         return f"collision/chung_ooi/{self.deck_name}.in"
 
     def variables(self) -> dict[str, object]:

@@ -86,6 +86,7 @@ class RodImpact(Experiment):
 
     @property
     def pair(self) -> laws.MaterialPair:
+        """What rod and flat bring to the contact."""
         return laws.combine(self.material.body(), self.flat.body())
 
     def contact_law(self, **options: str | float):

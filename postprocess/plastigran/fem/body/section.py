@@ -23,7 +23,7 @@ class Section(Protocol):
 
 
 @attrs.frozen
-class Axisymmetric:
+class Axisymmetric(Section):
     """The whole ring about the axis where the first coordinate is zero."""
 
     def thickness(self, first: np.ndarray) -> np.ndarray:
@@ -34,7 +34,7 @@ class Axisymmetric:
 
 
 @attrs.frozen
-class PlaneStrain:
+class PlaneStrain(Section):
     """A slab that does not strain out of its plane."""
 
     length: float = number("length out of the plane", "m", 0)

@@ -44,6 +44,7 @@ class State:
 
     @classmethod
     def virgin(cls, points: int) -> State:
+        """Of points that never flowed."""
         return cls(np.zeros((points, 4)), np.zeros(points), np.zeros(points))
 
     def between(self, start: int, end: int | None) -> State:
@@ -93,6 +94,7 @@ class ElasticPlastic:
 
     @property
     def shear_modulus(self) -> float:
+        """G, Pa."""
         return self.youngs_modulus / (2 * (1 + self.poissons_ratio))
 
     @property
@@ -113,6 +115,7 @@ class ElasticPlastic:
 
     @property
     def bulk_modulus(self) -> float:
+        """K, Pa."""
         return self.youngs_modulus / (3 * (1 - 2 * self.poissons_ratio))
 
     @property

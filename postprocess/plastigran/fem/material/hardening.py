@@ -26,7 +26,7 @@ class Hardening(Protocol):
 
 
 @attrs.frozen
-class LinearHardening:
+class LinearHardening(Hardening):
     """sigma = sigma_Y + H eps_p; perfectly plastic for H = 0."""
 
     yield_strength: float = number("uniaxial yield stress", "Pa", 0)
@@ -45,7 +45,7 @@ def _increasing(instance: TabulatedHardening, field: attrs.Attribute, value: tup
 
 
 @attrs.frozen
-class TabulatedHardening:
+class TabulatedHardening(Hardening):
     """Flow stress linear between the points of a table, constant beyond its last.
 
     Attributes:
@@ -64,6 +64,7 @@ class TabulatedHardening:
 
     @property
     def yield_strength(self) -> float:
+        """Flow stress where plastic strain begins, Pa."""
         return self.stresses[0]
 
     def flow_stress(self, strain: np.ndarray) -> tuple[np.ndarray, np.ndarray]:

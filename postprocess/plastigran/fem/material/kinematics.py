@@ -53,7 +53,7 @@ class Kinematics(Protocol):
         d measured there (k, m, m), Pa."""
 
 
-class SmallStrain:
+class SmallStrain(Kinematics):
     """Strain is the symmetric part of the displacement gradient; the shape does not change."""
 
     follows = False
@@ -78,7 +78,7 @@ class SmallStrain:
         return response.flowing, response.tangent
 
 
-class FiniteStrain:
+class FiniteStrain(Kinematics):
     """Strain is E = 1/2 ln C, additive in its elastic and plastic part, C = F^T F the stretch
     squared, F the displacement gradient and one.
 

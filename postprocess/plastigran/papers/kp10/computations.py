@@ -65,6 +65,7 @@ class Key:
         return OBLIQUE if self.kind == "oblique" else HEAD_ON
 
     def case(self) -> CylinderStrike:
+        """The strike to be computed."""
         thickness = {"thick": None, "thin": BODY_THICKNESS / 2}.get(self.body, BODY_THICKNESS)
         return CylinderStrike(
             material=GLASS_ALONE if self.body == "glass" else BODY,

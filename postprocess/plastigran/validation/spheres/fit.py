@@ -86,6 +86,7 @@ def bands(constants: Constants, rows: pd.DataFrame) -> pd.DataFrame:
 
 
 def main(arguments: list[str]) -> None:
+    """Print the constants and their errors; `--figures` draws the docs' two."""
     rows = table()
     constants = fit(rows)
     for name, value in attrs.asdict(constants).items():

@@ -1,0 +1,105 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Build the site of the pages in docs: `./run site`, into build/site/index.html.
+
+Pages are copied beside links to the project's other folders, so that what they point to is found
+from there too; those made of the code are written among them; Sphinx does the rest, and any
+warning of it is an error.
+"""
+
+from __future__ import annotations
+
+import os
+import sys
+from pathlib import Path
+from shutil import copy2, ignore_patterns
+
+import yaml
+from pages import write_pages
+from sphinx.cmd.build import main as sphinx
+
+PROJECT = Path(__file__).parents[2]
+#: Pages of the top folder that the site has among the others.
+TOP = ("CONTRIBUTING.md", "CHANGELOG.md")
+
+
+def stage(source: Path) -> Path:
+    """Lay out what Sphinx reads; files that did not change keep their time. Returns the pages."""
+    pages = source / "docs"
+    pages.mkdir(parents=True, exist_ok=True)
+    for folder in ("inputs", "contact_models", "tests", "postprocess", "benchmarks"):
+        link = source / folder
+        if not link.is_symlink():
+            link.symlink_to(PROJECT / folder, target_is_directory=True)
+    kept = set()
+    skip = ignore_patterns("__pycache__", "*.pyc")
+    for folder, folders, files in os.walk(PROJECT / "docs"):
+        folders[:] = [name for name in folders if name not in skip(folder, folders)]
+        for name in files:
+            place = Path(folder).relative_to(PROJECT / "docs") / name
+            kept.add(place)
+            _copy(Path(folder) / name, pages / place)
+    for name in TOP:
+        text = (PROJECT / name).read_text().replace("](docs/", "](")
+        _write(pages / name, text)
+    kept |= {Path(name) for name in TOP}
+    kept |= {path.relative_to(pages) for path in write_pages(pages, _write)}
+    for path in [path for path in pages.rglob("*.*") if path.relative_to(pages) not in kept]:
+        path.unlink()
+    return pages
+
+
+def navigation(pages: Path) -> str:
+    """The table of contents of toc.yml; pages it does not name come last."""
+    contents = yaml.safe_load((PROJECT / "docs" / "site" / "toc.yml").read_text())
+    named = {contents["root"]}
+    patterns = []
+
+    def walk(node: dict) -> None:
+        for entry in node.get("entries", []):
+            named.add(entry.get("file"))
+            patterns.extend([entry["glob"]] if "glob" in entry else [])
+            walk(entry)
+        for tree in node.get("subtrees", []):
+            walk(tree)
+
+    walk(contents)
+    found = [path.relative_to(pages).with_suffix("") for path in sorted(pages.rglob("*.[mr][ds]*"))]
+    further = [
+        {"file": str(page)}
+        for page in found
+        if str(page) not in named and not any(page.match(pattern) for pattern in patterns)
+    ]
+    if further:
+        contents["subtrees"].append({"caption": "Further", "entries": further})
+    return yaml.safe_dump(contents, sort_keys=False)
+
+
+def build(target: Path) -> int:
+    """Build the site into a folder; 0 when nothing was warned of."""
+    pages = stage(target.parent / f"{target.name}_pages")
+    _write(pages / "toc.yml", navigation(pages))
+    doctrees = target.parent / f"{target.name}_doctrees"
+    words = ["-W", "--keep-going", "-q", "-d", str(doctrees)]
+    status = sphinx([*words, "-c", str(PROJECT / "docs" / "site"), str(pages), str(target)])
+    if status:  # what is not read again is not warned of again
+        (doctrees / "environment.pickle").unlink(missing_ok=True)
+    return status
+
+
+def _copy(path: Path, to: Path) -> None:
+    to.parent.mkdir(parents=True, exist_ok=True)
+    if not to.exists() or to.stat().st_mtime != path.stat().st_mtime:
+        copy2(path, to)
+
+
+def _write(path: Path, text: str) -> None:
+    path.parent.mkdir(parents=True, exist_ok=True)
+    if not path.exists() or path.read_text() != text:
+        path.write_text(text)
+
+
+if __name__ == "__main__":
+    target = Path(sys.argv[1]) if len(sys.argv) > 1 else PROJECT / "build" / "site"
+    status = build(target.absolute())
+    print(f"the site is {target / 'index.html'}" if status == 0 else "the site has errors: above")
+    sys.exit(status)

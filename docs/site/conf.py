@@ -1,0 +1,80 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""How Sphinx makes the site of the pages in docs. `./run site` builds it (docs/site/build.py)."""
+
+from importlib.metadata import version as version_of
+
+project = "Plastigran"
+author = "The maintainers of Plastigran"
+copyright = author
+release = version = version_of("plastigran")
+
+extensions = [
+    "myst_nb",
+    "sphinx.ext.autodoc",
+    "sphinx.ext.napoleon",
+    "sphinx_copybutton",
+    "sphinx_external_toc",
+]
+exclude_patterns = ["site", "*.py", "_build"]
+external_toc_path = "toc.yml"  # written by build.py
+
+# Pages: Markdown as a git host shows it.
+myst_heading_anchors = 4
+myst_enable_extensions = ["smartquotes"]
+suppress_warnings = ["myst.strikethrough"]
+
+# Notebooks: Markdown that runs while the site is built; what fails stops the build.
+nb_execution_mode = "cache"
+nb_execution_raise_on_error = True
+nb_execution_timeout = 120
+nb_execution_show_tb = True
+nb_merge_streams = True
+
+# The Python reference, made of docstrings (docs/site/pages.py).
+add_module_names = False
+autodoc_class_signature = "separated"
+autodoc_member_order = "bysource"
+autodoc_typehints = "signature"
+autodoc_typehints_format = "short"
+autodoc_preserve_defaults = True
+default_role = "code"
+napoleon_numpy_docstring = False
+napoleon_use_ivar = True
+
+# The look: no file from elsewhere, light and dark.
+html_theme = "furo"
+html_title = "Plastigran"
+html_static_path = ["static"]
+html_css_files = ["site.css"]
+html_show_sphinx = False
+html_show_copyright = False
+html_copy_source = False
+html_show_sourcelink = False
+highlight_language = "text"
+copybutton_prompt_text = "$ "
+
+
+def process_docstring(app, what, name, found, options, lines):
+    """Docstrings are plain text: |x| is a magnitude, and what a module's docstring indents after a
+    blank line stands as it is."""
+    text, literal = [], False
+    for line in lines:
+        indented = line.startswith("    ")
+        if what == "module" and indented and text and not text[-1].strip() and not literal:
+            text += ["::", ""]
+            literal = True
+        elif line.strip() and not indented:
+            literal = False
+        text.append(line if literal else line.replace("|", r"\|"))
+    lines[:] = text
+
+
+def skip_member(app, what, name, found, skip, options):
+    """What a module imports from elsewhere is not its own."""
+    module = getattr(found, "__module__", None) or ""
+    return True if what == "module" and not module.startswith("plastigran") else None
+
+
+def setup(app):
+    app.connect("autodoc-process-docstring", process_docstring)
+    app.connect("autodoc-skip-member", skip_member)

@@ -1,0 +1,116 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Pages of the site that are made of the code: commands, headers of the laws."""
+
+from __future__ import annotations
+
+import os
+import re
+from argparse import _SubParsersAction
+from collections.abc import Callable
+from importlib import import_module
+from pathlib import Path
+from pkgutil import iter_modules, walk_packages
+
+import plastigran
+from plastigran import laws
+from plastigran.cli import parser
+from plastigran.engine.deck import property_name
+
+PROJECT = Path(__file__).parents[2]
+HEADERS = PROJECT / "contact_models" / "plastigran"
+
+
+def write_pages(folder: Path, write: Callable[[Path, str], None]) -> list[Path]:
+    """Write every page that is made of the code; returns their paths.
+
+    Args:
+        folder: Of all pages; these go to its `reference`.
+        write: Writes a text to a path.
+    """
+    texts = {"commands.md": commands()}
+    for room in rooms():
+        texts[f"python/{room}.rst"] = room_page(room)
+    for header in sorted(HEADERS.rglob("*.h")):
+        texts[f"cpp/{header.relative_to(HEADERS).with_suffix('.md')}"] = header_page(header)
+    paths = {folder / "reference" / name: text for name, text in texts.items()}
+    for path, text in paths.items():
+        write(path, text)
+    return list(paths)
+
+
+def commands() -> str:
+    """What `plastigran COMMAND --help` says, of every command."""
+    os.environ["COLUMNS"] = "92"  # argparse folds its lines there
+    lines = ["# Commands", "", "What `plastigran COMMAND --help` says.", ""]
+    for action in parser()._actions:
+        if isinstance(action, _SubParsersAction):
+            helps = {choice.dest: choice.help for choice in action._choices_actions}
+            for name, command in sorted(action.choices.items()):
+                lines += [f"## {name}", "", f"{_sentence(helps.get(name) or name)}", ""]
+                lines += ["```text", command.format_help().rstrip(), "```", ""]
+    return "\n".join(lines)
+
+
+def rooms() -> list[str]:
+    """The modules and packages right below `plastigran`, but the command line."""
+    found = [module.name for module in iter_modules(plastigran.__path__)]
+    return sorted({*found, "laws"} - {"cli"})
+
+
+def room_page(room: str) -> str:
+    """The docstrings of a room and of every module in it."""
+    name = f"plastigran.{room}"
+    module = import_module(name)
+    inside = walk_packages(getattr(module, "__path__", []), f"{name}.")
+    lines = [f"``{name}``", "=" * (len(name) + 4), ""]
+    for found in [name, *sorted(part.name for part in inside)]:
+        if found != name:
+            lines += [found, "-" * len(found), ""]
+        lines += [f".. automodule:: {found}", "   :members:", "   :show-inheritance:", ""]
+    return "\n".join(lines)
+
+
+def header_page(header: Path) -> str:
+    """A header of the laws: its head comment, constants and options, and the code."""
+    place = header.relative_to(HEADERS)
+    text = header.read_text()
+    lines = [f"# {place}", "", f'`#include "plastigran/{place}"`', ""]
+    head = re.match(r"// SPDX[^\n]*\n//\n((?://[^\n]*\n)+)", text)
+    if head:
+        comment = "\n".join(line[2:].removeprefix(" ") for line in head[1].splitlines())
+        lines += ["```text", comment, "```", ""]
+    name = header.stem
+    if place.parts[0] == "laws" and name in laws.LAWS:
+        lines += [f"[Equations, limits, how good it is](../../../laws/{name}.md)", ""]
+        lines += _law_tables(laws.LAWS[name])
+    depth = "../" * (len(place.parts) + 2)
+    lines += ["## Code", "", f"[{place}]({depth}contact_models/plastigran/{place})", ""]
+    lines += ["```cpp", text.rstrip(), "```", ""]
+    return "\n".join(lines)
+
+
+def _law_tables(law: type) -> list[str]:
+    lines = []
+    if law.parameters():
+        lines += [
+            "| constant | in decks | unit | default | allowed | |",
+            "|---|---|---|---|---|---|",
+        ]
+        for p in law.parameters():
+            default = "must be given" if p["default"] is None else f"{p['default']:g}"
+            lines.append(
+                f"| `{p['name']}` | `{property_name(p['name'])}` | {p['unit']} | {default} "
+                f"| {p['lower']:g} to {p['upper']:g} | {p['meaning']} |"
+            )
+        lines.append("")
+    if law.options():
+        lines += ["| option | choices | default | |", "|---|---|---|---|"]
+        for o in law.options():
+            choices = ", ".join(f"`{choice}`" for choice in o["choices"])
+            lines.append(f"| `{o['name']}` | {choices} | `{o['default']}` | {o['meaning']} |")
+        lines.append("")
+    return lines
+
+
+def _sentence(text: str) -> str:
+    return text[0].upper() + text[1:] + "."

@@ -1,0 +1,52 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""What to cite: the software, and the works that a law is made of, as BibTeX."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable
+from importlib.resources import files
+
+ENTRY = re.compile(r"^@(?!comment)(\w+)\{(\w+),\n(.*?)^\}\n", re.MULTILINE | re.DOTALL)
+FIELD = re.compile(r"^  (\w+) = \{(.*)\},$", re.MULTILINE)
+SOFTWARE = "plastigran"
+
+
+def entries() -> dict[str, str]:
+    """Every entry of `plastigran/data/sources.bib` as its BibTeX, by key."""
+    text = (files("plastigran") / "data" / "sources.bib").read_text(encoding="utf-8")
+    return {found[2]: found[0] for found in ENTRY.finditer(text)}
+
+
+def fields(entry: str) -> dict[str, str]:
+    """The fields of an entry, such as `author`, `year` and `keywords`."""
+    return dict(FIELD.findall(entry))
+
+
+def subjects() -> dict[str, list[str]]:
+    """What there is something to cite for, laws and `rate_factor`: the keys of its entries."""
+    found: dict[str, list[str]] = {}
+    for key, entry in entries().items():
+        for subject in fields(entry)["keywords"].split(", "):
+            found.setdefault(subject, []).append(key)
+    return dict(sorted(found.items()))
+
+
+def cite(names: Iterable[str] | str = ()) -> str:
+    """BibTeX of the software and of the works some laws are made of.
+
+    Args:
+        names: Of laws, or `rate_factor`; without any the software alone.
+
+    Returns:
+        The entries, the software's first, each once.
+
+    Raises:
+        ValueError: A name there is no entry for; the message lists those there are.
+    """
+    names = [names] if isinstance(names, str) else list(names)
+    known, found = subjects(), entries()
+    if unknown := [name for name in names if name not in known]:
+        raise ValueError(f"nothing to cite for {unknown[0]!r}; there are {', '.join(known)}")
+    keys = dict.fromkeys([SOFTWARE, *(key for name in names for key in known[name])])
+    return "\n".join(found[key] for key in keys)

@@ -1,0 +1,24 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""`plastigran cite`: BibTeX of the software and of the sources of its laws."""
+
+from __future__ import annotations
+
+import argparse
+
+from plastigran.citation import cite, subjects
+
+HELP = "BibTeX of the software and of the sources of the laws used"
+
+
+def add_arguments(command: argparse.ArgumentParser) -> None:
+    command.add_argument(
+        "law",
+        nargs="*",
+        metavar="LAW",
+        help="names of laws, `rate_factor`, or all; without any the software alone",
+    )
+
+
+def run(arguments: argparse.Namespace) -> None:
+    names = list(subjects()) if "all" in arguments.law else arguments.law
+    print(cite(names), end="")

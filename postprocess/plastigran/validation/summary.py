@@ -1,0 +1,72 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""How far off a law is, in one line at the head of its page of docs/laws."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+import numpy as np
+import pandas as pd
+
+from plastigran.calibration.expected_errors import KINDS
+
+#: Upper ends of the regimes that a line tells apart, in yield speeds.
+UPPER_ENDS = (10, 100, 300, 1000)
+WORDS = {"coefficient_of_restitution": "restitution", "force_max": "force"}
+LINE = re.compile(r"^\| \*\*How far off\*\* \| .* \|$", re.MULTILINE)
+
+
+def how_far_off(law: str, table: pd.DataFrame) -> str:
+    """Errors of a law for perfectly plastic spheres, by regime of speed.
+
+    Args:
+        law: A name of the table of errors.
+        table: As of `plastigran.calibration.expected_errors.errors_table`.
+
+    Returns:
+        Roots of the mean square error in restitution and largest force [%].
+    """
+    rows = table[(table["law"] == law) & (table["kind"] == KINDS[0])]
+    parts = []
+    for quantity, word in WORDS.items():
+        errors, start = [], 0
+        for end in UPPER_ENDS:
+            inside = rows["speed_ratio_to"].between(start, end, inclusive="right")
+            part = rows[inside & (rows["quantity"] == quantity)]
+            rms = 100 * np.average(part["rms"] ** 2, weights=part["cases"]) ** 0.5
+            errors.append(f"{rms:.0f}" if rms >= 10 else f"{rms:.2g}")
+            start = end
+        parts.append(f"{word} {', '.join(errors)} %")
+    ends = ", ".join(str(end) for end in UPPER_ENDS)
+    return (
+        f"{'; '.join(parts)} up to {ends} yield speeds, of perfectly plastic spheres by finite "
+        "elements (rms) ([all regimes](../validation.md))"
+    )
+
+
+def summarised(page: str, law: str, table: pd.DataFrame) -> str:
+    """The text of a law's page with its line as the table of errors has it.
+
+    Raises:
+        ValueError: The page has no such line.
+    """
+    if not LINE.search(page):
+        raise ValueError(f"the page of {law} has no line | **How far off** | ... |")
+    return LINE.sub(lambda _: f"| **How far off** | {how_far_off(law, table)} |", page, count=1)
+
+
+def write_summaries(folder: Path, table: pd.DataFrame) -> list[Path]:
+    """Write the line into the page of every law of the table of errors; returns the pages.
+
+    Args:
+        folder: Of the laws' pages.
+        table: As for `how_far_off`.
+
+    Raises:
+        ValueError: A page has no such line.
+    """
+    pages = [folder / f"{law}.md" for law in sorted(set(table["law"]))]
+    for page in pages:
+        page.write_text(summarised(page.read_text(), page.stem, table))
+    return pages

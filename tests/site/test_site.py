@@ -1,0 +1,100 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""The site builds without a warning, its notebooks run, and nothing in it leads nowhere."""
+
+from __future__ import annotations
+
+import re
+import subprocess
+import sys
+from fcntl import LOCK_EX, flock
+from html.parser import HTMLParser
+from pathlib import Path
+from urllib.parse import unquote, urldefrag, urlsplit
+
+import pytest
+
+from plastigran.engine.process import PROJECT
+
+SITE = PROJECT / "build" / "site"
+#: Attributes of elements by which a browser fetches something of its own accord.
+FETCHED = {"script": "src", "img": "src", "iframe": "src", "source": "src", "link": "href"}
+
+
+class Page(HTMLParser):
+    """What a page points to, what it fetches and what can be pointed to in it."""
+
+    def __init__(self, path: Path):
+        super().__init__()
+        self.links: set[str] = set()
+        self.fetched: set[str] = set()
+        self.places: set[str] = set()
+        self.feed(path.read_text(encoding="utf-8"))
+
+    def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
+        given = {name: value or "" for name, value in attrs}
+        self.places |= {given[name] for name in ("id", "name") if name in given}
+        if tag == "a" and "href" in given:
+            self.links.add(given["href"])
+        if tag in FETCHED and FETCHED[tag] in given and given.get("rel") != "canonical":
+            self.fetched.add(given[FETCHED[tag]])
+
+
+@pytest.fixture(scope="module")
+def pages() -> dict[Path, Page]:
+    """Builds the site as `./run site` does; what did not change since the last time stays."""
+    SITE.parent.mkdir(exist_ok=True)
+    with open(SITE.with_suffix(".lock"), "w") as lock:
+        flock(lock, LOCK_EX)
+        script = PROJECT / "docs" / "site" / "build.py"
+        built = subprocess.run([sys.executable, script, SITE], capture_output=True, text=True)
+    assert built.returncode == 0, built.stderr[-4000:]
+    return {path: Page(path) for path in SITE.rglob("*.html")}
+
+
+def test_no_link_is_dead(pages):
+    dead = []
+    for path, page in pages.items():
+        for link in page.links | page.fetched:
+            parts = urlsplit(link)
+            if parts.scheme or parts.netloc:
+                continue
+            place, anchor = urldefrag(link)
+            target = (path.parent / unquote(urlsplit(place).path)).resolve() if place else path
+            if not target.is_file():
+                dead.append(f"{path.relative_to(SITE)}: {link}")
+            elif anchor and target in pages and unquote(anchor) not in pages[target].places:
+                dead.append(f"{path.relative_to(SITE)}: {link}")
+    assert not dead
+
+
+def test_nothing_comes_from_elsewhere(pages):
+    """Scripts, styles, pictures and fonts are the site's own."""
+    foreign = {f for page in pages.values() for f in page.fetched if urlsplit(f).netloc}
+    for sheet in (SITE / "_static").rglob("*.css"):
+        foreign |= set(
+            re.findall(r"(?:@import|url\()\s*[\"']?(https?:[^\"')]*)", sheet.read_text())
+        )
+    assert not foreign
+
+
+def test_every_room_law_and_command_has_its_place(pages):
+    """The reference names the public face; every law has its page and its header's."""
+    from plastigran import __all__ as face
+    from plastigran import laws
+
+    reference = "".join((SITE / "reference" / "commands.html").read_text())
+    assert "plastigran calibrate" in reference
+    text = (SITE / "python.html").read_text()
+    assert not [name for name in face if f"pg.{name}" not in text]
+    for name in laws.LAWS:
+        assert SITE / "laws" / f"{name}.html" in pages
+        assert SITE / "reference" / "cpp" / "laws" / f"{name}.html" in pages
+
+
+def test_the_notebooks_ran(pages):
+    """Each shows pictures and what its cells print."""
+    notebooks = sorted((PROJECT / "docs" / "notebooks").glob("*.md"))
+    assert len(notebooks) >= 5
+    for notebook in notebooks:
+        text = (SITE / "notebooks" / notebook.with_suffix(".html").name).read_text()
+        assert "cell_output" in text and re.search(r"_images/[\w.]+\.(svg|png)", text), notebook
