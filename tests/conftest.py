@@ -42,9 +42,6 @@ settings.load_profile("test")
 
 
 def pytest_configure(config: pytest.Config) -> None:
-    search, ours = os.environ["PATH"].split(":"), str(Path(__file__).parent / "bin")
-    if ours not in search:  # a worker has it of whoever started it
-        os.environ["PATH"] = ":".join([ours, *search])
     if config.option.markexpr == "not engine":
         os.environ["PLASTIGRAN_ENGINE"] = "no engine: a test that starts it was not found to"
 

@@ -99,13 +99,12 @@ def _link(name: str, target: Path, folder: Path) -> str:
 def environment() -> dict[str, str]:
     """The environment for mpirun: Open MPI refuses root without being told twice.
 
-    Up to as many ranks as there are cores wait awake. Open MPI has more of them yield while they
-    wait; with the launcher they sleep, for one that yields waits for a turn of all other busy
-    processes.
+    Ranks yield while they wait, which the launcher makes a short sleep: a rank that waits awake
+    takes a core from whoever computes, which beside other work is the rank it waits for.
     """
-    extra = {}
+    extra = {"OMPI_MCA_mpi_yield_when_idle": "1"}
     if os.geteuid() == 0:
-        extra = {"OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1"}
+        extra |= {"OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1"}
     return {**extra, **os.environ}
 
 
