@@ -42,6 +42,7 @@ settings.load_profile("test")
 
 
 def pytest_configure(config: pytest.Config) -> None:
+    os.environ.setdefault("OMPI_MCA_mpi_yield_when_idle", "1")  # other tests want the cores
     if config.option.markexpr == "not engine":
         os.environ["PLASTIGRAN_ENGINE"] = "no engine: a test that starts it was not found to"
 

@@ -75,8 +75,9 @@ def test_a_deck_may_be_read_from_a_pipe(tmp_path):
     assert "speed is 3" in done.stdout
 
 
-def test_ranks_sleep_while_they_wait(decks, tmp_path, monkeypatch):
+def test_ranks_that_are_told_to_yield_sleep(decks, tmp_path, monkeypatch):
     """The MPI library calls the launcher's sched_yield, not the system's."""
+    monkeypatch.setenv("OMPI_MCA_mpi_yield_when_idle", "1")
     monkeypatch.setenv("LD_DEBUG", "bindings")
     monkeypatch.setenv("LD_DEBUG_OUTPUT", str(tmp_path / "bound"))
     run_deck(decks / "ranks.in", {"grid": "2 1", "steps": 20}, tmp_path, ranks=2)

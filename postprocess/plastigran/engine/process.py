@@ -99,12 +99,12 @@ def _link(name: str, target: Path, folder: Path) -> str:
 def environment() -> dict[str, str]:
     """The environment for mpirun: Open MPI refuses root without being told twice.
 
-    Ranks yield while they wait, which the launcher makes a short sleep: a rank that waits awake
-    takes a core from whoever computes, which beside other work is the rank it waits for.
+    Ranks that outnumber the cores rest while they wait. With OMPI_MCA_mpi_yield_when_idle=1 all do:
+    best beside other work, while ranks that have the machine to themselves are faster awake.
     """
-    extra = {"OMPI_MCA_mpi_yield_when_idle": "1"}
+    extra = {}
     if os.geteuid() == 0:
-        extra |= {"OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1"}
+        extra = {"OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1"}
     return {**extra, **os.environ}
 
 
