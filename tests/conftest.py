@@ -106,6 +106,7 @@ def law_between(aluminium):
     a cylinder's and its body's thickness, for laws that ask for them.
     """
 
+    @cache
     def make(name: str, pair: laws.MaterialPair, length: float = 0.1, **options: str):
         brought = [p["name"] for p in laws.LAWS[name].parameters() if p["per_body"]]
         return aluminium.law(name, pair, **dict.fromkeys(brought, length), **options)
