@@ -10,6 +10,8 @@ reaches every regime of every law for any size and material.
 
 from __future__ import annotations
 
+from functools import cache
+
 import numpy as np
 import pytest
 from hypothesis import given
@@ -25,6 +27,7 @@ turning_points = st.lists(
 )
 
 
+@cache
 def on_pairs(law_name: str, law_between) -> list[tuple]:
     """The law between each pair of bodies, with overlap and force at yield."""
     return [(law_between(law_name, pair), *scales(law_name, pair)) for pair in PAIRS.values()]

@@ -105,9 +105,8 @@ def _link(name: str, target: Path, folder: Path) -> str:
 def environment() -> dict[str, str]:
     """The environment for mpirun: Open MPI refuses root without being told twice.
 
-    Up to as many ranks as there are cores wait awake. Open MPI has more of them yield while they
-    wait; with the launcher they sleep, for one that yields waits for a turn of all other busy
-    processes.
+    Ranks that outnumber the cores rest while they wait. With OMPI_MCA_mpi_yield_when_idle=1 all do:
+    best beside other work, while ranks that have the machine to themselves are faster awake.
     """
     extra = {}
     if os.geteuid() == 0:

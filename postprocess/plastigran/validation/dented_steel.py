@@ -29,8 +29,8 @@ from plastigran.fem.sphere.press import press
 from plastigran.fem.sphere.results import Pressing
 from plastigran.physics.rebound_hardness import TESTERS, ReboundTester
 from plastigran.report.computing import Computation, compute_all
-from plastigran.validation.laws_on_spheres import kind
 from plastigran.validation.spheres import table as spheres
+from plastigran.validation.spheres.regimes import kind
 from plastigran.validation.steel import POISSONS_RATIO, YOUNGS_MODULUS, speed_ratio, steel
 
 FINITE_ELEMENTS = "finite elements"

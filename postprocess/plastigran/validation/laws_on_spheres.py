@@ -9,15 +9,16 @@ import numpy as np
 import pandas as pd
 
 from plastigran import laws
-from plastigran.calibration.expected_errors import KINDS, WIDE
+from plastigran.calibration.expected_errors import KINDS
 from plastigran.materials import RIGID, laws_for
 from plastigran.physics.central import yield_speed
 from plastigran.validation.spheres import table
 from plastigran.validation.spheres.metals import PLANE_MODULUS, RADIUS, SphereMetal
+from plastigran.validation.spheres.regimes import SPEED_RATIOS, kind
 from plastigran.validation.tables import root_mean_square
 
 #: Bounds of the regimes of speed, v/v_Y.
-REGIMES = (1, 3, 10, 100, 300, 1000)
+REGIMES = (*SPEED_RATIOS, 1000)
 MASS = 1.0  # of a sphere [kg]; ratios do not depend on it
 #: What is compared, by column of the table of errors.
 QUANTITIES = ("coefficient_of_restitution", "force_max")
@@ -57,12 +58,6 @@ def compare(names: Iterable[str] | None = None, rows: pd.DataFrame | None = None
             line["force_max"] = impact.force_max / reference - 1
             found.append(line)
     return pd.concat(found, ignore_index=True)
-
-
-def kind(rows: pd.DataFrame) -> np.ndarray:
-    """Of each row of the table of spheres, one of `KINDS`."""
-    plastic = np.where(rows["hardening_ratio"] > 0, KINDS[1], KINDS[0])
-    return np.where(rows["contact_radius_over_radius"] >= WIDE, KINDS[2], plastic)
 
 
 def errors(compared: pd.DataFrame) -> pd.DataFrame:

@@ -10,9 +10,10 @@ import pandas as pd
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
+from plastigran.calibration.expected_errors import KINDS
 from plastigran.plot.style import COLOURS, save, styled, subplots
-from plastigran.validation.spheres.fit import KINDS, regimes
 from plastigran.validation.spheres.forms import Constants, Metals, depth, errors, peak, work_ratio
+from plastigran.validation.spheres.regimes import kind
 
 
 def write(constants: Constants, rows: pd.DataFrame, folder: Path) -> list[Path]:
@@ -79,10 +80,10 @@ def errors_figure(constants: Constants, rows: pd.DataFrame) -> Figure:
 
 def _points(axes: Axes, rows: pd.DataFrame, x: np.ndarray, y: np.ndarray) -> None:
     """Points by kind of contact; those of metals held out of the fit are open."""
-    kinds, held = regimes(rows)["kind"].to_numpy(), (rows["set"] == "held").to_numpy()
-    for kind, colour, marker in zip(KINDS, COLOURS, "osD", strict=False):
+    kinds, held = kind(rows), (rows["set"] == "held").to_numpy()
+    for sort, colour, marker in zip(KINDS, COLOURS, "osD", strict=False):
         for out in (False, True):
-            shown = (kinds == kind) & (held == out)
+            shown = (kinds == sort) & (held == out)
             axes.plot(
                 x[shown],
                 y[shown],
@@ -91,5 +92,5 @@ def _points(axes: Axes, rows: pd.DataFrame, x: np.ndarray, y: np.ndarray) -> Non
                 mfc="white" if out else colour,
                 ms=3,
                 mew=0.7,
-                label=kind + (", held out" if out else ""),
+                label=sort + (", held out" if out else ""),
             )

@@ -10,6 +10,7 @@ the fit and of those held out of it.
 from __future__ import annotations
 
 import sys
+from itertools import pairwise
 from pathlib import Path
 
 import attrs
@@ -17,9 +18,9 @@ import numpy as np
 import pandas as pd
 from scipy.optimize import least_squares
 
-from plastigran.calibration.expected_errors import WIDE
 from plastigran.validation.spheres import table
 from plastigran.validation.spheres.forms import Constants, Metals, errors, peak
+from plastigran.validation.spheres.regimes import SPEED_RATIOS, kind
 
 #: What a difference is measured by, as a share: near the finite elements' own uncertainty.
 FORCE, CONTACT_RADIUS, WORK_UNLOADING, RECOVERY = 0.002, 0.006, 0.004, 0.008
@@ -27,10 +28,8 @@ FORCE, CONTACT_RADIUS, WORK_UNLOADING, RECOVERY = 0.002, 0.006, 0.004, 0.008
 LEAST_FORCE = 8.0
 DIGITS = 4
 
-#: Of speed over that at yield: largest errors of the law are stated within each stretch.
-STRETCHES = ((1, 3), (3, 10), (10, 100), (100, 300), (300, 1200))
-#: Kinds of contact: narrow ones of two sorts of metal, and wide ones of either.
-KINDS = ("perfectly plastic", "hardening", "wide contact")
+#: Bounds of the regimes of speed, v/v_Y: largest errors of the law are stated within each.
+REGIMES = (*SPEED_RATIOS, 1200)
 
 
 def fit(rows: pd.DataFrame) -> Constants:
@@ -63,23 +62,14 @@ def fit(rows: pd.DataFrame) -> Constants:
 
 
 def regimes(rows: pd.DataFrame) -> pd.DataFrame:
-    """Which stretch of speed a row is in, and which of KINDS it is: `stretch` and `kind`."""
-    edges = [low for low, _ in STRETCHES] + [STRETCHES[-1][1]]
-    labels = [f"{low} to {high}" for low, high in STRETCHES]
-    plain, hardening, wide_contact = KINDS
-    hardens = np.where(rows["hardening_ratio"] > 0, hardening, plain)
-    wide = rows["contact_radius_over_radius"] >= WIDE
-    return pd.DataFrame(
-        {
-            "stretch": pd.cut(rows["speed_ratio"], edges, labels=labels),
-            "kind": np.where(wide, wide_contact, hardens),
-        },
-        index=rows.index,
-    )
+    """Which regime of speed a row is in, and which kind of contact it is: `regime` and `kind`."""
+    labels = [f"{low} to {high}" for low, high in pairwise(REGIMES)]
+    regime = pd.cut(rows["speed_ratio"], REGIMES, labels=labels)
+    return pd.DataFrame({"regime": regime, "kind": kind(rows)}, index=rows.index)
 
 
 def bands(constants: Constants, rows: pd.DataFrame) -> pd.DataFrame:
-    """Largest errors, per cent, by set, kind of contact and stretch of speed."""
+    """Largest errors, per cent, by set, kind of contact and regime of speed."""
     off = errors(constants, rows).abs()
     where = [rows["set"], *(column for _, column in regimes(rows).items())]
     return off.groupby(where, observed=True, sort=True).max()
