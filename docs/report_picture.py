@@ -16,7 +16,7 @@ from playwright.sync_api import Browser, expect, sync_playwright
 
 FIGURE = Path(__file__).parent / "figures" / "report.png"
 PAGE = Path("results/demo/report.html")
-SIZE = {"width": 960, "height": 1080}
+SIZE = {"width": 960, "height": 1330}
 #: A loaded machine draws slowly [ms].
 PATIENCE = 120_000
 
@@ -28,7 +28,7 @@ def look(browser: Browser, page_file: Path, mode: str, at: str, frame: float) ->
         browser: That opens it.
         page_file: The page.
         mode: "light" or "dark".
-        at: Selector of the element at the top; "" for the page's own.
+        at: Selector of the element at the top.
         frame: Share of a movie's frames that is shown.
     """
     with browser.new_context(viewport=SIZE, color_scheme=mode) as context:
@@ -39,7 +39,8 @@ def look(browser: Browser, page_file: Path, mode: str, at: str, frame: float) ->
         expect(page.locator(".plot:not([data-drawn])")).to_have_count(0)
         for slider in page.locator("[data-movie] .time").all():
             slider.fill(str(round(frame * int(slider.get_attribute("max")))))
-        page.evaluate("s => s && document.querySelector(s).scrollIntoView()", at)
+        page.evaluate("document.activeElement.blur()")
+        page.evaluate("s => document.querySelector(s).scrollIntoView()", at)
         page.wait_for_timeout(2000)
         return Image.open(BytesIO(page.screenshot())).convert("RGB")
 
@@ -53,14 +54,14 @@ def draw(page_file: Path, figure: Path) -> None:
             executable_path=shutil.which("chromium"), args=[*drawing, "--no-sandbox"]
         )
         shown = [
-            look(browser, page_file, "light", "", 0),
+            look(browser, page_file, "light", "header", 0),
             look(browser, page_file, "dark", "main > section.run:last-child", 0.5),  # the hopper
         ]
         browser.close()
     whole = Image.new("RGB", (2 * SIZE["width"], SIZE["height"]))
     for k, part in enumerate(shown):
         whole.paste(part, (k * SIZE["width"], 0))
-    whole.quantize(256).save(figure, optimize=True)
+    whole.save(figure, optimize=True)
 
 
 if __name__ == "__main__":

@@ -44,7 +44,7 @@ def measured_chart(name: str, table: pd.DataFrame) -> Chart | None:
         f"{', '.join(map(words, quantities))} over {words(abscissa)}, a curve for each law",
         "Points are what LIGGGHTS did with a law, lines what the law says without it. Where points "
         "lie on their line, the run is verified; whether the law is right is another question, "
-        "below.",
+        f"below.{_dashes_said(groups)}",
         "Quantity" if len(views) > 1 else "",
         height=440,
     )
@@ -76,6 +76,19 @@ def _groups(table: pd.DataFrame, abscissa: str) -> dict[tuple[str, str], pd.Data
     return found
 
 
+def _dashes(groups: dict) -> dict[str, str]:
+    """The kind of line of what sets curves of a law apart."""
+    apart = dict.fromkeys(others for _, others in groups)
+    return dict(zip(apart, cycle(("solid", "dash", "dot")), strict=False))
+
+
+def _dashes_said(groups: dict) -> str:
+    """A sentence on the kinds of lines, where there are several."""
+    kinds = {"solid": "solid", "dash": "dashed", "dot": "dotted"}
+    found = [f"{kinds[dash]} {others}" for others, dash in _dashes(groups).items()]
+    return f" Lines: {'; '.join(found)}." if len(found) > 1 else ""
+
+
 def said_of(name: str, value: object) -> str:
     """A value of a case in words, with its unit."""
     if isinstance(value, str):
@@ -97,8 +110,7 @@ def _measured(groups: dict, theory: dict, quantity: str, abscissa: str) -> go.Fi
             decades(made.update_yaxes)
     if quantity == "coefficient_of_restitution":
         made.update_yaxes(range=[0, 1.05])
-    apart = dict.fromkeys(key[1] for key in groups)
-    dashes = dict(zip(apart, cycle(("solid", "dash", "dot")), strict=False))
+    dashes = _dashes(groups)
     for (law, others), rows in groups.items():
         name = ", ".join(filter(None, (title(law), others)))
         at = f"{x.title} %{{x:.4g}} {x.unit}" if numbers else "%{x}"
