@@ -23,7 +23,7 @@ _PREDICTED = "_predicted"
 
 def measured_chart(name: str, table: pd.DataFrame) -> Chart | None:
     """Every quantity that theory has too, over speed or angle: points measured in the engine,
-    lines of theory. None of a table without such a quantity."""
+    lines of theory. None of a table without such curves."""
     abscissa = _abscissa(table)
     quantities = [
         column
@@ -33,6 +33,8 @@ def measured_chart(name: str, table: pd.DataFrame) -> Chart | None:
     if not quantities or abscissa is None:
         return None
     groups = _groups(table, abscissa)
+    if any(rows[abscissa].duplicated().any() for rows in groups.values()):
+        return None  # something else varies: no curve
     theory = {key: _theory(rows, abscissa) for key, rows in groups.items()}
     views = {
         words(quantity).capitalize(): _measured(groups, theory, quantity, abscissa)
@@ -94,7 +96,8 @@ def said_of(name: str, value: object) -> str:
     if isinstance(value, str):
         return title(value) if name == "material" else value.replace("_", " ")
     found = scale(name, [value])
-    shown = f"{value * found.factor:.3g} {found.unit}".strip()
+    space = "" if found.unit == "°" else " "
+    shown = f"{value * found.factor:.3g}{space}{found.unit}".strip()
     return shown if name == "speed" else f"{found.title} {shown}"
 
 
