@@ -42,6 +42,7 @@ def run(arguments: argparse.Namespace) -> None:
     folder = arguments.output
     jobs, names = arguments.jobs, laws_for("sphere", [read_material("aluminium_zv02")])
     run_study(CentralImpact, folder / "speeds", jobs, True, law=names, speed=PAPER_SPEEDS)
+    print("A law is shown beyond its range, too, for the laws to be compared.")
     print("\nThe same impact, 0.1 m/s, as a pair, on a primitive wall and on a mesh:")
     through = CentralImpact.plan(
         geometry=GEOMETRIES, law=names, speed=0.1, material="aluminium_zv02", radius=0.1

@@ -23,7 +23,7 @@ _PREDICTED = "_predicted"
 
 def measured_chart(name: str, table: pd.DataFrame) -> Chart | None:
     """Every quantity that theory has too, over speed or angle: points measured in the engine,
-    lines of theory. None of a table without such a quantity."""
+    lines of theory. None of a table without such curves."""
     abscissa = _abscissa(table)
     quantities = [
         column
@@ -33,6 +33,8 @@ def measured_chart(name: str, table: pd.DataFrame) -> Chart | None:
     if not quantities or abscissa is None:
         return None
     groups = _groups(table, abscissa)
+    if any(rows[abscissa].duplicated().any() for rows in groups.values()):
+        return None  # something else varies: no curve
     theory = {key: _theory(rows, abscissa) for key, rows in groups.items()}
     views = {
         words(quantity).capitalize(): _measured(groups, theory, quantity, abscissa)
@@ -44,7 +46,7 @@ def measured_chart(name: str, table: pd.DataFrame) -> Chart | None:
         f"{', '.join(map(words, quantities))} over {words(abscissa)}, a curve for each law",
         "Points are what LIGGGHTS did with a law, lines what the law says without it. Where points "
         "lie on their line, the run is verified; whether the law is right is another question, "
-        "below.",
+        f"below.{_dashes_said(groups)}",
         "Quantity" if len(views) > 1 else "",
         height=440,
     )
@@ -76,12 +78,26 @@ def _groups(table: pd.DataFrame, abscissa: str) -> dict[tuple[str, str], pd.Data
     return found
 
 
+def _dashes(groups: dict) -> dict[str, str]:
+    """The kind of line of what sets curves of a law apart."""
+    apart = dict.fromkeys(others for _, others in groups)
+    return dict(zip(apart, cycle(("solid", "dash", "dot")), strict=False))
+
+
+def _dashes_said(groups: dict) -> str:
+    """A sentence on the kinds of lines, where there are several."""
+    kinds = {"solid": "solid", "dash": "dashed", "dot": "dotted"}
+    found = [f"{kinds[dash]} {others}" for others, dash in _dashes(groups).items()]
+    return f" Lines: {'; '.join(found)}." if len(found) > 1 else ""
+
+
 def said_of(name: str, value: object) -> str:
     """A value of a case in words, with its unit."""
     if isinstance(value, str):
         return title(value) if name == "material" else value.replace("_", " ")
     found = scale(name, [value])
-    shown = f"{value * found.factor:.3g} {found.unit}".strip()
+    space = "" if found.unit == "°" else " "
+    shown = f"{value * found.factor:.3g}{space}{found.unit}".strip()
     return shown if name == "speed" else f"{found.title} {shown}"
 
 
@@ -97,8 +113,7 @@ def _measured(groups: dict, theory: dict, quantity: str, abscissa: str) -> go.Fi
             decades(made.update_yaxes)
     if quantity == "coefficient_of_restitution":
         made.update_yaxes(range=[0, 1.05])
-    apart = dict.fromkeys(key[1] for key in groups)
-    dashes = dict(zip(apart, cycle(("solid", "dash", "dot")), strict=False))
+    dashes = _dashes(groups)
     for (law, others), rows in groups.items():
         name = ", ".join(filter(None, (title(law), others)))
         at = f"{x.title} %{{x:.4g}} {x.unit}" if numbers else "%{x}"

@@ -31,11 +31,16 @@ function coloured(trace) {
   return made;
 }
 
-async function draw(element) {
+/** Width on paper: that of A4 within margins, which a page that is about to be printed does not know. */
+const PAPER = 680;
+
+async function draw(element, printing = false) {
   const view = page.charts[element.id].views[element.dataset.view];
   const laws = view.data.some((trace) => trace.meta?.law !== undefined);
   const layout = { ...structuredClone(view.layout), template: template() };
   layout.showlegend = !laws && view.data.length > 1;
+  const whole = document.getElementById("content").clientWidth;
+  if (printing && whole > PAPER) layout.width = (element.clientWidth * PAPER) / whole;
   await Plotly.react(element, view.data.map(coloured), layout, config);
   element.dataset.drawn = page.lit;
 }
@@ -61,8 +66,8 @@ page.startCharts = () => {
       element.dataset.view = choice.value;
       draw(element);
     });
-  const again = () => all().filter((element) => element.dataset.drawn).forEach(draw);
+  const again = () => all().filter(({ dataset }) => dataset.drawn).forEach((each) => draw(each));
   document.addEventListener("lit", again);
   document.addEventListener("laws", again);
-  window.addEventListener("beforeprint", () => all().forEach(draw));
+  window.addEventListener("beforeprint", () => all().forEach((each) => draw(each, true)));
 };

@@ -1,0 +1,69 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Draw docs/figures/report.png: the demo's report in Chromium, light beside dark.
+
+python docs/report_picture.py [results/demo/report.html]
+"""
+
+from __future__ import annotations
+
+import shutil
+import sys
+from io import BytesIO
+from pathlib import Path
+
+from PIL import Image
+from playwright.sync_api import Browser, expect, sync_playwright
+
+FIGURE = Path(__file__).parent / "figures" / "report.png"
+PAGE = Path("results/demo/report.html")
+SIZE = {"width": 960, "height": 1330}
+#: A loaded machine draws slowly [ms].
+PATIENCE = 120_000
+
+
+def look(browser: Browser, page_file: Path, mode: str, at: str, frame: float) -> Image.Image:
+    """The page as a browser shows it.
+
+    Args:
+        browser: That opens it.
+        page_file: The page.
+        mode: "light" or "dark".
+        at: Selector of the element at the top.
+        frame: Share of a movie's frames that is shown.
+    """
+    with browser.new_context(viewport=SIZE, color_scheme=mode) as context:
+        context.set_default_timeout(PATIENCE)
+        page = context.new_page()
+        page.goto(page_file.resolve().as_uri())
+        page.wait_for_selector("html[data-ready]")
+        expect(page.locator(".plot:not([data-drawn])")).to_have_count(0)
+        for slider in page.locator("[data-movie] .time").all():
+            slider.fill(str(round(frame * int(slider.get_attribute("max")))))
+        page.evaluate("document.activeElement.blur()")
+        page.evaluate("s => document.querySelector(s).scrollIntoView()", at)
+        page.wait_for_timeout(2000)
+        return Image.open(BytesIO(page.screenshot())).convert("RGB")
+
+
+def draw(page_file: Path, figure: Path) -> None:
+    """Write the picture: the page's head in the light beside the hopper in the dark."""
+    expect.set_options(timeout=PATIENCE)
+    drawing = ["--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"]
+    with sync_playwright() as driver:
+        browser = driver.chromium.launch(
+            executable_path=shutil.which("chromium"), args=[*drawing, "--no-sandbox"]
+        )
+        shown = [
+            look(browser, page_file, "light", "header", 0),
+            look(browser, page_file, "dark", "main > section.run:last-child", 0.5),  # the hopper
+        ]
+        browser.close()
+    whole = Image.new("RGB", (2 * SIZE["width"], SIZE["height"]))
+    for k, part in enumerate(shown):
+        whole.paste(part, (k * SIZE["width"], 0))
+    whole.save(figure, optimize=True)
+
+
+if __name__ == "__main__":
+    draw(Path(sys.argv[1]) if len(sys.argv) > 1 else PAGE, FIGURE)
+    print(f"written: {FIGURE}")
