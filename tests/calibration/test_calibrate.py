@@ -161,6 +161,12 @@ def test_a_material_file_reads_back(tmp_path):
         ({"leeb": 5}, r"leeb is 5; it must lie between 100 and 1000"),
         ({"leeb": 1000}, "restitution 1 is too elastic, it says only a lower bound: .* above"),
         ({"leeb": 500, "scatter": 2}, "scatter is 2; it must lie between 0 and 0.5"),
+        ({"hardness": 200, "scatter": 0.1}, "scatter is 0.1; it is for leeb or drops, not"),
+        ({"hardness": 200, "strain": "finite"}, "strain is 'finite'; .* give force_ratio"),
+        ({"hardness": 200, "radius": "x"}, "radius is 'x'; it is for finite elements"),
+        ({"hardness": 200, "force_ratio": "x"}, "force_ratio is 'x'"),
+        ({"hardness": 200, "speeds": []}, "speeds is empty; it must be the least and the largest"),
+        ({"drops": 5}, "drops is 5; it must be a DropTest or a file of one"),
     ],
 )
 def test_bad_input_is_named(given, said):

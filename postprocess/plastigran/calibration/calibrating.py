@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from pathlib import Path
 
 import attrs
+import numpy as np
 
 from plastigran import laws
 from plastigran.calibration import strength
@@ -24,6 +25,7 @@ from plastigran.contact import Contact
 from plastigran.declared import Declaration, read_number
 from plastigran.materials import RIGID, Material
 
+FEM_RADIUS = 0.1  # of the sphere of the finite elements [m]
 RADIUS = 1e-2  # of a sphere on a rigid plane [m]; restitution does not depend on it
 UNITS = {
     "youngs_modulus": (Declaration("", "Pa", 1e6, 2e12), "is it in MPa or GPa?"),
@@ -44,9 +46,9 @@ def calibrate(
     rate_coefficient: float | None = None,
     scatter: float | None = None,
     law: str = DEFAULT_LAW,
-    speeds: Sequence[float] | None = None,
+    speeds: float | Sequence[float] | None = None,
     force_ratio: float | None = None,
-    radius: float = 0.1,
+    radius: float = FEM_RADIUS,
     strain: str = "small",
     name: str = "metal",
     progress: bool = False,
@@ -78,8 +80,9 @@ def calibrate(
         progress: Show a bar for the finite elements.
 
     Raises:
-        ValueError: Not exactly one measurement is given; or a value is out of range, or looks as in
-            other units, or says nothing of the strength. The message names it and the range.
+        ValueError: Not exactly one measurement is given; or a value would say nothing beside it, is
+            out of range, looks as in other units, or says nothing of the strength. The message
+            names it and the range.
         OSError: A file cannot be read.
 
     Warns:
@@ -95,11 +98,16 @@ def calibrate(
     if len(chosen) != 1:
         said = " and ".join(chosen) or "none"
         raise ValueError(f"{said} of {', '.join(measured)} is given; it must be exactly one")
+    finite_elements = {"radius": (radius, FEM_RADIUS), "strain": (strain, "small")}
+    _refuse_idle(chosen[0], scatter, {} if force_ratio is not None else finite_elements)
     _check_units(youngs_modulus=youngs_modulus, density=density)
     strength.check_law(law)
     read_number("plastic_modulus", plastic_modulus, Declaration("", "Pa", 0, closed=True))
     if scatter is not None:
         read_number("scatter", scatter, Declaration("", "-", 0, 0.5))
+    if force_ratio is not None:
+        read_number("force_ratio", force_ratio, Declaration("", "-", 0))
+        read_number("radius", radius, Declaration("", "m", 0))
     if rate_coefficient is None:
         steel = strength.STEEL.allows(youngs_modulus) and chosen[0] in ("hardness", "leeb")
         rate_coefficient = strength.STEEL_RATE_COEFFICIENT if steel else 0.0
@@ -121,6 +129,8 @@ def calibrate(
     elif leeb is not None:
         found = strength.from_leeb(leeb, law, metal, scatter)
     else:
+        if not isinstance(drops, DropTest | str | Path):
+            raise ValueError(f"drops is {drops!r}; it must be a DropTest or a file of one")
         drops = drops if isinstance(drops, DropTest) else DropTest(**read_drop_test(drops))
         found = strength.from_drops(drops, law, metal, scatter)
     _check_strength(found.value, youngs_modulus)
@@ -162,13 +172,26 @@ def _error(
     ratio = found.speed_ratio or USUAL_SPEEDS
     if speeds is not None:
         said = Declaration("", "m/s", 0)
-        read = sorted(read_number("speeds", speed, said) for speed in speeds)
+        read = sorted(read_number("speeds", speed, said) for speed in np.ravel(speeds).tolist())
+        if not read:
+            raise ValueError("speeds is empty; it must be the least and the largest [m/s]")
         ratio = tuple(speed / strength.yield_speed_of(contact) for speed in (read[0], read[-1]))
     elif found.contact is not None:
         contact = found.contact
     fastest = contact.impact(max(ratio[1], 1.0) * strength.yield_speed_of(contact))
     widest = contact.law.follow(contact.radius_eff, [fastest.overlap_max])["contact_radius"][0]
     return expected_error(contact.law.name, ratio, hardening, widest / contact.radius_eff)
+
+
+def _refuse_idle(measured: str, scatter: float | None, others: dict[str, tuple]) -> None:
+    """Refuse what would say nothing: `scatter` of what does not scatter, and settings of finite
+    elements that are not asked for, given with their defaults. Raises ValueError, which names it.
+    """
+    if scatter is not None and measured not in ("leeb", "drops"):
+        raise ValueError(f"scatter is {scatter!r}; it is for leeb or drops, not for {measured}")
+    for name, (value, usual) in others.items():
+        if value != usual:
+            raise ValueError(f"{name} is {value!r}; it is for finite elements: give force_ratio")
 
 
 def _check_units(**values: float) -> None:

@@ -7,6 +7,7 @@ import argparse
 from pathlib import Path
 
 from plastigran.calibration import CalibratedMetal, DropTest, calibrate
+from plastigran.calibration.calibrating import FEM_RADIUS
 from plastigran.calibration.drop_test import BALL_RADIUS, read_drop_test
 from plastigran.calibration.expected_errors import DEFAULT_LAW
 from plastigran.calibration.finite_elements import USUAL_RANGE
@@ -26,7 +27,6 @@ EXAMPLE = """
 plastigran calibrate --young 206e9 --poisson 0.3 --density 7850 --hardness 45HRC --output spring.in
 """
 
-FEM_RADIUS = 0.1  # m
 METAL = "metal"  # the word that stands for it as ball or plate
 #: Arguments that the function takes as they are.
 PASSED_ON = (
