@@ -6,9 +6,10 @@
 
 Contacts of random bodies and sizes are led along random paths of overlaps, from far apart to deeper
 than the bodies, some as small as numbers get. Every answer must be a number; no force, energy or
-contact radius may be negative; the plastic work of a contact may neither fall nor be negative
-while the energy guard is on; no force may exceed the largest the contact has borne but on the virgin curve; asked the same
-again a contact answers the same. What does not hold is printed with all that makes it again.
+contact radius may be negative. While the energy guard is on, the plastic work of a contact may
+neither fall nor be negative. No force may exceed the largest the contact has borne but on the
+virgin curve; asked the same again a contact answers the same. What does not hold is printed with
+all that makes it again.
 """
 
 from __future__ import annotations

@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The figures of the laws' pages."""
+"""The figure of a law's page: force over overlap, and restitution over speed."""
 
 from __future__ import annotations
 
 from itertools import pairwise
+from pathlib import Path
 
 import numpy as np
 from attrs import evolve
@@ -13,7 +14,7 @@ from scipy.integrate import solve_ivp
 from plastigran import laws
 from plastigran.materials import RIGID, read_material
 from plastigran.physics import central
-from plastigran.plot.style import COLOURS, styled, subplots, title
+from plastigran.plot.style import COLOURS, save, styled, subplots, title
 
 RADIUS = 0.01  # the figures are dimensionless; any size gives the same
 
@@ -130,6 +131,7 @@ def viscoelastic_figure() -> Figure:
 OWN_FIGURES = {"viscoelastic_hertz": viscoelastic_figure}
 
 
-def figure(name: str) -> Figure:
-    """The figure of a law's page."""
-    return OWN_FIGURES[name]() if name in OWN_FIGURES else law_figure(name)
+def draw_law(name: str, folder: Path) -> None:
+    """Write a law's figure into a folder."""
+    figure = OWN_FIGURES[name]() if name in OWN_FIGURES else law_figure(name)
+    save(figure, folder / name, (".svg",))

@@ -79,10 +79,15 @@ def build(target: Path) -> int:
     pages = stage(target.parent / f"{target.name}_pages")
     _write(pages / "toc.yml", navigation(pages))
     doctrees = target.parent / f"{target.name}_doctrees"
+    there = "\n".join(sorted(str(path.relative_to(pages)) for path in pages.rglob("*.*")))
+    last = doctrees / "pages.txt"
+    if not last.exists() or last.read_text() != there:  # links to pages are settled when read
+        (doctrees / "environment.pickle").unlink(missing_ok=True)
     words = ["-W", "--keep-going", "-q", "-d", str(doctrees)]
     status = sphinx([*words, "-c", str(PROJECT / "docs" / "site"), str(pages), str(target)])
     if status:  # what is not read again is not warned of again
         (doctrees / "environment.pickle").unlink(missing_ok=True)
+    _write(last, there)
     return status
 
 

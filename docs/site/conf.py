@@ -21,7 +21,7 @@ external_toc_path = "toc.yml"  # written by build.py
 # Pages: Markdown as a git host shows it.
 myst_heading_anchors = 4
 myst_enable_extensions = ["smartquotes"]
-suppress_warnings = ["myst.strikethrough"]
+suppress_warnings = ["ref.python"]  # a name in an annotation that several classes have
 
 # Notebooks: Markdown that runs while the site is built; what fails stops the build.
 nb_execution_mode = "cache"

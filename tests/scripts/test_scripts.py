@@ -15,15 +15,10 @@ import pandas as pd
 import pytest
 from numpy.testing import assert_allclose
 
-from plastigran.bulk.outcome import BulkRun
 from plastigran.engine.process import PROJECT, run_deck
 from plastigran.fem.material.elastic_plastic import State
 from plastigran.fem.material.kinematics import FiniteStrain
 from plastigran.fem.settings import Settings
-
-#: Long enough for a steady discharge; the hopper's own tests share the run.
-HOPPER = {"orifice": 8, "layers": 10, "timestep": 1.5e-5, "duration": 0.7, "rows": 150}
-HOPPER |= {"filling": 0.2, "checkpoints": 1}
 
 
 def load(path: str) -> ModuleType:
@@ -31,35 +26,6 @@ def load(path: str) -> ModuleType:
     module = sys.modules[spec.name] = module_from_spec(spec)
     spec.loader.exec_module(module)
     return module
-
-
-def test_a_figure_of_each_kind_of_law(tmp_path):
-    script = load("docs/make_figures.py")
-    script.FOLDER = tmp_path
-    names = ["brake_2015", "katta_polycarpou", "viscoelastic_hertz"]
-    script.draw_laws(names)
-    assert sorted(path.stem for path in tmp_path.iterdir()) == names
-
-
-def test_figures_of_the_bulk_decks(brief_run, bulk_run, tmp_path, monkeypatch):
-    script = load("docs/make_figures.py")
-    script.FOLDER = tmp_path
-
-    def run(deck: str, values: dict, _: Path) -> BulkRun:
-        if deck == "hopper":
-            return bulk_run(deck, HOPPER)
-        return brief_run(deck, values.get("target", ""))
-
-    monkeypatch.setattr(script, "run_bulk", run)
-    monkeypatch.setattr(BulkRun, "raise_if_failed", lambda self: self)  # too short for all checks
-    for deck in ("drum", "chute"):
-        script.draw_bulk(deck)
-    assert sorted(path.name for path in tmp_path.iterdir()) == ["chute.png", "drum.png"]
-    assert len(script.cooling_gases().axes) == 2
-    assert len(script.compactions().axes) == 2
-    assert len(script.shot_figures()) == 2
-    with pytest.raises(ValueError, match="need three orifices"):  # here it is one run four times
-        script.hoppers()
 
 
 def test_convergence_of_finite_elements():

@@ -1,0 +1,117 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""The figures of the bulk decks' pages; each runs its deck, a minute or more."""
+
+from __future__ import annotations
+
+import tempfile
+from pathlib import Path
+
+from matplotlib.figure import Figure
+
+from plastigran.bulk.decks.compaction.figure import compaction_figure
+from plastigran.bulk.decks.cooling_gas.figure import cooling_figure
+from plastigran.bulk.decks.hopper import orifices
+from plastigran.bulk.decks.hopper.figure import orifices_figure
+from plastigran.bulk.outcome import BulkRun
+from plastigran.bulk.run import run_bulk
+from plastigran.plot.snapshot import draw, find_frames
+from plastigran.plot.style import save, title
+
+#: Yield strengths of the compacted grains [Pa].
+STRENGTHS = [5e4, 1e5, 2e5]
+#: Settings of the cooling gas by law; the dissipative constant gives 0.93 at 1 m/s.
+COOLING = {
+    "vu_quoc_zhang": {},
+    "viscoelastic_hertz": {"dissipative_constant": 1e-7, "timestep": 7e-8},
+}
+
+
+def bulk(deck: str, **settings: object) -> BulkRun:
+    """A run of a bulk deck whose checks have passed; its folder is gone."""
+    with tempfile.TemporaryDirectory() as folder:
+        return run_bulk(deck, settings, Path(folder) / deck).raise_if_failed()
+
+
+def cooling_gases() -> Figure:
+    """A gas that yields beside a viscoelastic one of the same grains: a minute or two each."""
+    runs = {law: bulk("cooling_gas", law=law, side=10, **given) for law, given in COOLING.items()}
+    gas = runs["vu_quoc_zhang"].deck
+    rate = gas.gas().cooling_rate(gas.temperature)
+    return cooling_figure({title(law): run.series for law, run in runs.items()}, gas.stall, rate)
+
+
+def compactions() -> Figure:
+    """Grains of three strengths pressed to the same density: a minute each."""
+    settings = {"die_radius": 0.0075, "layers": 9, "relative_density": 0.7, "release": 0.3}
+    runs = {
+        f"$\\sigma_Y$ = {strength / 1e3:g} kPa": bulk(
+            "compaction", yield_strength=strength, **settings
+        ).series
+        for strength in STRENGTHS
+    }
+    return compaction_figure(runs, STRENGTHS)
+
+
+def shot_figures() -> dict[str, Figure]:
+    """Shot on a plate and on a bed, at the deck's defaults: a minute or two each."""
+    return {
+        f"bed_impact_{target}": bulk("bed_impact", target=target).figures["bed_impact"]
+        for target in ("plate", "bed")
+    }
+
+
+def hoppers() -> Figure:
+    """The same bed run out of every orifice: one to four minutes each, narrow ones the longest."""
+    runs = [bulk("hopper", orifice=orifice) for orifice in orifices()]
+    courses = [(r.series, r.deck.discharge(r.series), r.deck.grains.mass) for r in runs]
+    return orifices_figure(courses)
+
+
+def draw_cooling_gas(folder: Path) -> None:
+    """A gas that yields beside a viscoelastic one."""
+    save(cooling_gases(), folder / "cooling_gas", (".png",))
+
+
+def draw_drum(folder: Path) -> None:
+    """The drum at its defaults."""
+    save(bulk("drum").figures["drum"], folder / "drum", (".png",))
+
+
+def draw_chute(folder: Path) -> None:
+    """The chute at its defaults."""
+    save(bulk("chute").figures["chute"], folder / "chute", (".png",))
+
+
+def draw_compaction(folder: Path) -> None:
+    """Grains of three strengths."""
+    save(compactions(), folder / "compaction", (".png",))
+
+
+def draw_bed_impact(folder: Path) -> None:
+    """Shot on a plate and on a bed."""
+    for name, figure in shot_figures().items():
+        save(figure, folder / name, (".png",))
+
+
+def draw_hopper(folder: Path) -> None:
+    """The hopper run out of every orifice."""
+    save(hoppers(), folder / "hopper", (".png",))
+
+
+def draw_hopper_grains(folder: Path) -> None:
+    """Grains of a hopper half-way, by plastic work."""
+    with tempfile.TemporaryDirectory() as run:
+        run_bulk("hopper", {"layers": "10", "frames": "8"}, Path(run) / "run")
+        frames = find_frames(Path(run) / "run")
+        draw(frames[len(frames) // 2], folder / "hopper_grains.png", view="front")
+
+
+BULK = {
+    "cooling_gas": draw_cooling_gas,
+    "drum": draw_drum,
+    "chute": draw_chute,
+    "compaction": draw_compaction,
+    "bed_impact": draw_bed_impact,
+    "hopper": draw_hopper,
+    "hopper_grains": draw_hopper_grains,
+}
