@@ -3,6 +3,7 @@
 // Who is warmed by the plastic work of a contact, and by how much of it.
 #pragma once
 
+#include <string>
 #include <vector>
 
 namespace LAMMPS_NS {
@@ -15,7 +16,10 @@ class BodyShares {
  public:
   // From the deck's properties, by atom type. `caller` words who asks, in messages. Stops when a
   // Taylor-Quinney factor is outside 0 to 1. All ranks together.
-  void read(LAMMPS_NS::LAMMPS* engine, const char* caller);
+  void read(LAMMPS_NS::LAMMPS* engine, const std::string& caller);
+
+  // A line for each atom type: its Taylor-Quinney factor. `caller` begins each.
+  std::string describe(const std::string& caller) const;
 
   // The part of a contact's plastic work done in the first of two bodies: all of it in the one that
   // yields at the lower pressure, half in each of two alike.
@@ -29,6 +33,7 @@ class BodyShares {
 
  private:
   std::vector<double> yield_pressures_, factors_;  // by type - 1
+  bool given_ = false;                             // the factors, by the deck
 };
 
 }  // namespace plastigran

@@ -3,6 +3,8 @@
 
 #include <mpi.h>
 
+#include <algorithm>
+#include <cstdio>
 #include <cstring>
 
 #include "atom.h"
@@ -28,11 +30,18 @@ int DissipationHeat::setmask() {
 
 void DissipationHeat::init() {
   ContactObserver::init();
-  shares_.read(lmp, (std::string("fix ") + id + ' ' + style()).c_str());
+  const std::string caller = std::string("fix ") + id + ' ' + style();
+  shares_.read(lmp, caller);
   if (!modify->find_fix_scalar_transport_equation("heattransfer"))
     fail("it warms what fix heat/gran follows; give `fix ID all heat/gran initial_temperature T`");
   flux_ = static_cast<LAMMPS_NS::FixPropertyAtom*>(
       modify->find_fix_property("heatFlux", "property/atom", "scalar", 0, 0, style()));
+  if (comm->me == 0 && !described_) {
+    const std::string text = shares_.describe(caller);
+    if (screen) std::fputs(text.c_str(), screen);
+    if (logfile) std::fputs(text.c_str(), logfile);
+  }
+  described_ = true;
 }
 
 void DissipationHeat::add(const Contact& contact, const AccountedLoad& on_i, const Load& on_j,

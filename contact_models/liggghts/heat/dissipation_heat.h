@@ -78,6 +78,7 @@ class DissipationHeat : public ContactObserver {
   double work_on(int i, const Vector& force, const Vector& torque) const;
 
   BodyShares shares_;
+  bool described_ = false;
   LAMMPS_NS::FixPropertyAtom* flux_ = nullptr;  // the engine's [W]
   std::vector<PairContact> pairs_;              // of the last force computation, on this rank
   std::vector<WallContact> walls_;

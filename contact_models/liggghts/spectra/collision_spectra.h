@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// `fix ID all collision_spectra EVERY file|append FILE [per_decade N]`: how many impacts there
+// `fix ID all collision_spectra EVERY file FILE [per_decade N]`: how many impacts there
 // were, by speed, by energy and by force, between which atom types and with which walls. Written as
 // a table every so many steps. docs/collision_spectra.md says what counts as an impact.
 //
@@ -55,6 +55,7 @@ class CollisionSpectra : public ContactObserver {
 
  private:
   void read_words(int count, char** words);
+  void open(const std::string& path);
   int wall_of(const void* owner) const;
   void go_on(Impact& impact, const Contact& contact, const AccountedLoad& on_i,
              const LossyLoad& load, bool turned) const;

@@ -4,6 +4,7 @@
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
+#include <fstream>
 #include <iomanip>
 #include <sstream>
 
@@ -15,6 +16,7 @@ namespace plastigran {
 
 namespace {
 
+const char heading[] = "step,quantity,with,type,other_type,lower,upper,count,sum\n";
 const char* const quantities[] = {"normal_speed", "dissipated_energy", "largest_force"};
 
 // 0 unless the word is a positive whole number.
@@ -27,32 +29,40 @@ long positive_number(const char* word) {
 }  // namespace
 
 void CollisionSpectra::read_words(int count, char** words) {
-  std::string name;
-  bool append = false;
+  std::string path;
   if (count < 4 || !(every_ = positive_number(words[3])))
     fail(std::string("EVERY is ") + (count < 4 ? "missing" : words[3]) +
          "; it must be a positive number of steps, the first word after the style");
   for (int k = 4; k < count; k += 2) {
     const std::string word = words[k];
-    if (word != "file" && word != "append" && word != "per_decade")
-      fail("unknown word " + word + "; possible: file, append, per_decade");
+    if (word != "file" && word != "per_decade")
+      fail("unknown word " + word + "; possible: file, per_decade");
     if (k + 1 == count) fail(word + " lacks its value");
-    if (word != "per_decade") {
-      name = words[k + 1];
-      append = word == "append";
-    } else if (!(per_decade_ = positive_number(words[k + 1]))) {
+    if (word == "file")
+      path = words[k + 1];
+    else if (!(per_decade_ = positive_number(words[k + 1])))
       fail(std::string("per_decade is ") + words[k + 1] + "; it must be a positive whole number");
-    }
   }
-  if (name.empty()) fail("it needs `file FILE` or `append FILE`");
-  if (comm->me != 0) return;
-  file_.reset(std::fopen(name.c_str(), append ? "a" : "w"));
+  if (path.empty()) fail("it needs `file FILE`");
+  if (comm->me == 0) open(path);
+}
+
+// On the first rank. A run that goes on from a restart file writes the tables after it once more.
+void CollisionSpectra::open(const std::string& path) {
+  std::string kept = heading;
+  std::ifstream before(path);
+  std::string line;
+  std::getline(before, line);
+  const bool ours = line + '\n' == heading;
+  while (ours && std::getline(before, line))
+    if (std::atoll(line.c_str()) <= update->ntimestep) kept += line + '\n';
+  before.close();
+  file_.reset(std::fopen(path.c_str(), "w"));
   if (!file_)
-    error->one(FLERR, (std::string("fix ") + id + ' ' + style() + ": cannot write " + name + " (" +
+    error->one(FLERR, (std::string("fix ") + id + ' ' + style() + ": cannot write " + path + " (" +
                        std::strerror(errno) + ')')
                           .c_str());
-  if (std::ftell(file_.get()) == 0)
-    std::fputs("step,quantity,with,type,other_type,lower,upper,count,sum\n", file_.get());
+  std::fputs(kept.c_str(), file_.get());
   std::fflush(file_.get());
 }
 
