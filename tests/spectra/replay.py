@@ -16,9 +16,9 @@ from plastigran import laws
 from plastigran.engine.dumps import read_dump
 
 # As the deck has them.
-HEIGHT = 0.04  # period along z [m]
-PLANES = {"left": (0, -0.021, 1), "right": (0, 0.021, 1), "front": (1, -0.021, 2)}
-PLANES |= {"back": (1, 0.021, 2)}  # axis, place [m], atom type
+HEIGHT = 0.036  # period along z [m]
+PLANES = {"left": (0, -0.0185, 1), "right": (0, 0.0185, 1), "front": (1, -0.0185, 2)}
+PLANES |= {"back": (1, 0.0185, 2)}  # axis, place [m], atom type
 BODIES = {1: laws.Body(5e7, 0.3, 5e5), 2: laws.Body(3e7, 0.3, 4e5)}
 LAW = laws.LAWS["thornton"]
 

@@ -33,7 +33,7 @@ def read_spectra(path: str | Path) -> pd.DataFrame:
     """
     path = Path(path)
     try:
-        table = pd.read_csv(path, float_precision="round_trip")
+        table = pd.read_csv(path)
     except (pd.errors.ParserError, pd.errors.EmptyDataError, UnicodeDecodeError) as error:
         raise DumpError(f"{path}: no table of collision spectra ({error})") from None
     if list(table.columns) != _COLUMNS:
