@@ -13,6 +13,7 @@
 #include "liggghts/model/contact_owner.h"
 #include "liggghts/model/contact_setup.h"
 #include "liggghts/model/line_settings.h"
+#include "liggghts/observers/contact_observer.h"
 
 namespace plastigran {
 
@@ -32,7 +33,9 @@ class AccountedContact : private ContactSetup,
         Base(engine, static_cast<ContactSetup*>(this), is_wall, hash),
         engine_(engine),
         owner_(owner),
-        spring_offset_(offset_of("shearx")) {}
+        spring_offset_(offset_of("shearx")) {
+    ContactObserver::offer(engine);
+  }
 
   // The engine asks which models these are. The normal model is the one of the setup's hash.
   int64_t hashcode() { return hash(); }
@@ -61,12 +64,13 @@ class AccountedContact : private ContactSetup,
     if (complaint) engine_->error->all(FLERR, complaint);
     if (!asked_) ledger_ = nullptr;
     if (ledger_) ledger_->attach(owner_);
-    takes_accounts = ledger_;
+    observers_ = ContactObserver::attach(engine_, owner_);
+    takes_accounts = ledger_ || !observers_.empty();
     Base::connectToProperties(registry);
   }
 
   void surfacesIntersect(Contact& contact, Load& on_i, Load& on_j) {
-    if (ledger_ && contact.computeflag)
+    if (takes_accounts && contact.computeflag)
       account(contact, on_i, on_j);
     else
       Base::surfacesIntersect(contact, on_i, on_j);
@@ -85,7 +89,8 @@ class AccountedContact : private ContactSetup,
     AccountedLoad load(on_i);
     Base::surfacesIntersect(contact, load, on_j);
     on_i = load;
-    ledger_->add(contact, load, on_j, spring_energy(contact));
+    if (ledger_) ledger_->add(contact, load, on_j, spring_energy(contact));
+    for (ContactObserver* const observer : observers_) observer->add(contact, load, on_j, owner_);
   }
 
   double spring_energy(const Contact& contact) const {
@@ -98,6 +103,7 @@ class AccountedContact : private ContactSetup,
   LAMMPS_NS::LAMMPS* engine_;
   const void* owner_;  // the PairGran or FixWallGran
   EnergyLedger* ledger_ = nullptr;
+  std::vector<ContactObserver*> observers_;
   int spring_offset_;  // of the tangential model's three values, -1 when it has no spring
   bool asked_ = false;
   bool line_read_ = false;

@@ -17,11 +17,6 @@ namespace plastigran {
 
 namespace {
 
-template <class A, class B>
-double dot(const A& a, const B& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
 template <class Term>
 void add_to(Vector& sum, const Term& term, double sign) {
   for (int axis = 0; axis < 3; ++axis) sum[axis] += sign * term[axis];

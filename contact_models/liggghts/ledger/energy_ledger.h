@@ -13,7 +13,6 @@
 // the next step's displacement, and no particle changes its index in between.
 #pragma once
 
-#include <array>
 #include <cstdio>
 #include <set>
 #include <string>
@@ -24,10 +23,9 @@
 #include "liggghts/ledger/particle_plastic_work.h"
 #include "liggghts/ledger/wall_point.h"
 #include "liggghts/model/accounted_load.h"
+#include "liggghts/observers/lossy_load.h"
 
 namespace plastigran {
-
-typedef std::array<double, 3> Vector;
 
 class EnergyLedger : public OwnFix {
   typedef LIGGGHTS::ContactModels::SurfacesIntersectData Contact;

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
 // What a deck must be like for the ledger to be right, and what is said where it is not.
-#include <cstring>
 #include <string>
 
 #include "comm.h"
 #include "error.h"
 #include "force.h"
 #include "liggghts/ledger/energy_ledger.h"
-#include "modify.h"
+#include "liggghts/observers/contact_observer.h"
 #include "pair.h"
 
 namespace plastigran {
@@ -27,29 +26,15 @@ const char* EnergyLedger::complaint(const EnergyLedger* ledger, bool asked, bool
 }
 
 void EnergyLedger::refuse_what_is_not_counted() {
-  if (force->newton_pair)
-    error->all(FLERR,
-               "energy_ledger on: it needs `newton off`, for contacts across the borders "
-               "between ranks");
-  for (const char* style : {"multisphere", "rigid"})
-    if (modify->n_fixes_style(style) > 0)
-      error->all(FLERR,
-                 (std::string("energy_ledger on: it counts particles, and not the bodies that "
-                              "fix ") +
-                  style + " makes of them; leave it off")
-                     .c_str());
+  const std::string reason = uncountable(lmp);
+  if (!reason.empty()) error->all(FLERR, ("energy_ledger on: " + reason).c_str());
 }
 
 // Walls that do not report would show up as drift without a word.
 void EnergyLedger::warn_of_strangers() {
   if (LAMMPS_NS::Pair* const pair = force->pair_match("gran", 1); !attached_.count(pair))
     error->all(FLERR, complaint(this, false, false));
-  std::string strangers;
-  for (int k = 0; k < modify->nfix; ++k) {
-    LAMMPS_NS::Fix* const wall = modify->fix[k];
-    if (std::strncmp(wall->style, "wall/gran", 9) == 0 && !attached_.count(wall))
-      strangers += std::string(strangers.empty() ? "" : ", ") + wall->id;
-  }
+  const std::string strangers = strange_walls(modify, attached_);
   attached_.clear();  // all connect before each run
   if (strangers == strangers_) return;
   strangers_ = strangers;

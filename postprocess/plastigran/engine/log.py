@@ -29,7 +29,9 @@ _RUN = re.compile(r"run\s+(\d+)(\s+upto)?\s*$")
 _ERROR = re.compile(r"^ERROR(?: on proc \d+)?: .*", re.MULTILINE)
 #: What the contact models and the launcher warn of, without the place in the source.
 _WARNING = re.compile(
-    r"^WARNING: ((?:model|the time step|energy_ledger).*?)(?: \(\S+:\d+\))?$", re.M
+    r"^WARNING: ((?:model|the time step|energy_ledger|fix \S+ (?:heat/|collision_spectra)).*?)"
+    r"(?: \(\S+:\d+\))?$",
+    re.M,
 )
 
 

@@ -14,8 +14,10 @@ from plastigran.bulk.checks import Check, count_check, dissipated, trapezia_fact
 from plastigran.bulk.deck import Analysis, Brief, FlowDeck
 from plastigran.bulk.decks.drum.figure import drum_figure
 from plastigran.bulk.decks.drum.measurement import add_mechanics
-from plastigran.declared import number, require
+from plastigran.declared import number, require, word
 from plastigran.engine.dumps import read_dump
+from plastigran.engine.spectra import read_spectra
+from plastigran.plot.spectra import spectra_figure
 
 #: Angle at which a sphere without friction slides out of the hollow between three others [degrees].
 HOLLOW = degrees(atan(8**-0.5))
@@ -43,12 +45,15 @@ class Drum(FlowDeck):
     bed_height: float = number("of the lattice above the axis", "drum radii", -0.8, 0.8)
     duration: float = number("of the run", "revolutions", 0)
     settling: float = number("before the flow is measured", "revolutions", 0, closed=True)
+    spectra: str = word("collision spectra", ("on", "off"))
 
     def check(self) -> None:
         largest = (1 + self.size_spread) * self.radius
         require(self, "drum_radius", lower=4 * largest)
         # The shell is as long as its radius.
         require(self, "length", lower=4 * largest, upper=self.drum_radius)
+        if self.law == "hertz" and self.spectra == "on":
+            raise ValueError("spectra is on; the engine's own hertz counts none: set spectra=off")
         FlowDeck.check(self)
 
     @property
@@ -70,8 +75,11 @@ class Drum(FlowDeck):
         checks = [count_check(series, self.derived("grains")), *self.angle_checks(steady)]
         if self.ledger == "on":
             checks += [*self.ledger_checks(series), *self.power_checks(series, steady)]
-        figure = drum_figure(series, last, self.drum_radius, self.settled)
-        return Analysis(series, checks, {"drum": figure, **self.ledger_figure(series)})
+        figures = {"drum": drum_figure(series, last, self.drum_radius, self.settled)}
+        if self.spectra == "on":
+            table = read_spectra(self.output / "collision_spectra.csv")
+            figures["collision_spectra"] = spectra_figure(table)
+        return Analysis(series, checks, {**figures, **self.ledger_figure(series)})
 
     def angle_checks(self, steady: pd.DataFrame) -> list[Check]:
         """The mean angle lies between nothing and what friction can hold.

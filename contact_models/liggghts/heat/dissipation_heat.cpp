@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "liggghts/heat/dissipation_heat.h"
+
+#include <mpi.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <cstring>
+
+#include "atom.h"
+#include "comm.h"
+
+namespace plastigran {
+
+DissipationHeat::DissipationHeat(LAMMPS_NS::LAMMPS* engine, int count, char** words)
+    : ContactObserver(engine, count, words) {
+  if (count > 3) fail(std::string("it takes no words, and has ") + words[3]);
+  comm_reverse = 1;
+  scalar_flag = vector_flag = 1;
+  size_vector = ENTRIES;
+  global_freq = 1;
+  extscalar = extvector = 1;
+  restart_global = 1;
+}
+
+int DissipationHeat::setmask() {
+  using namespace LAMMPS_NS::FixConst;
+  return POST_INTEGRATE | PRE_EXCHANGE | PRE_FORCE | PRE_FINAL_INTEGRATE;
+}
+
+void DissipationHeat::init() {
+  ContactObserver::init();
+  const std::string caller = std::string("fix ") + id + ' ' + style();
+  shares_.read(lmp, caller);
+  if (!modify->find_fix_scalar_transport_equation("heattransfer"))
+    fail("it warms what fix heat/gran follows; give `fix ID all heat/gran initial_temperature T`");
+  flux_ = static_cast<LAMMPS_NS::FixPropertyAtom*>(
+      modify->find_fix_property("heatFlux", "property/atom", "scalar", 0, 0, style()));
+  if (comm->me == 0 && !described_) {
+    const std::string text = shares_.describe(caller);
+    if (screen) std::fputs(text.c_str(), screen);
+    if (logfile) std::fputs(text.c_str(), logfile);
+  }
+  described_ = true;
+}
+
+void DissipationHeat::add(const Contact& contact, const AccountedLoad& on_i, const Load& on_j,
+                          const void*) {
+  if (contact.shearupdate) add_plastic_work(contact, on_i.plastic_work);
+  const LossyLoad load(contact, on_i, on_j);
+  if (contact.is_wall)
+    walls_.push_back({contact.i, load, WallPoint(contact, atom->x[contact.i])});
+  else
+    pairs_.push_back({contact.i, contact.j, load});
+}
+
+// The part of a ghost is added on the side where it is none.
+void DissipationHeat::add_plastic_work(const Contact& contact, double work) {
+  const double part = shares_.of_plastic_work(contact.itype, contact.jtype);
+  const double mine = part * work, others = (1 - part) * work;
+  const double factor = shares_.taylor_quinney_factor(contact.itype);
+  const double other_factor = shares_.taylor_quinney_factor(contact.jtype);
+  heat_[contact.i] += factor * mine;
+  sums_[FROM_PLASTIC_WORK] += factor * mine;
+  sums_[STORED] += (1 - factor) * mine;
+  if (!contact.is_wall && contact.j >= atom->nlocal) return;
+  sums_[STORED] += (1 - other_factor) * others;
+  sums_[contact.is_wall ? TO_WALLS : FROM_PLASTIC_WORK] += other_factor * others;
+  if (!contact.is_wall) heat_[contact.j] += other_factor * others;
+}
+
+void DissipationHeat::begin_pass() {
+  pairs_.clear();
+  walls_.clear();
+  heat_.assign(atom->nlocal + atom->nghost, 0);
+}
+
+// What a load on a particle does in half a step [J].
+double DissipationHeat::work_on(int i, const Vector& force, const Vector& torque) const {
+  return 0.5 * update->dt * (dot(force, atom->v[i]) + dot(torque, atom->omega[i]));
+}
+
+void DissipationHeat::add_lossy_work() {
+  for (const PairContact& pair : pairs_) {
+    const Vector& force = pair.load.force;
+    double lost = -work_on(pair.i, force, pair.load.torque_i);
+    if (pair.j < atom->nlocal)
+      lost -= work_on(pair.j, {-force[0], -force[1], -force[2]}, pair.load.torque_j);
+    heat_[pair.i] += 0.5 * lost;
+    heat_[pair.j] += 0.5 * lost;
+    sums_[FROM_FRICTION] += lost;
+  }
+  for (const WallContact& wall : walls_) {
+    const double lost = 0.5 * update->dt * dot(wall.load.force, wall.point.velocity()) -
+                        work_on(wall.i, wall.load.force, wall.load.torque_i);
+    heat_[wall.i] += 0.5 * lost;
+    sums_[FROM_FRICTION] += 0.5 * lost;
+    sums_[TO_WALLS] += 0.5 * lost;
+  }
+}
+
+// Half a step's work of the forces at hand, and the plastic work of the force computation if there
+// was one, become heat.
+void DissipationHeat::deliver() {
+  add_lossy_work();
+  comm->reverse_comm_fix(this);
+  double* const flux = flux_->vector_atom;
+  for (int i = 0; i < atom->nlocal; ++i) flux[i] += heat_[i] / update->dt;
+  heat_.assign(heat_.size(), 0);
+}
+
+int DissipationHeat::pack_reverse_comm(int count, int first, double* buffer) {
+  std::copy_n(heat_.begin() + first, count, buffer);
+  return 1;  // value of each particle
+}
+
+void DissipationHeat::unpack_reverse_comm(int count, int* list, double* buffer) {
+  for (int k = 0; k < count; ++k) heat_[list[k]] += buffer[k];
+}
+
+double DissipationHeat::compute_scalar() {
+  return compute_vector(FROM_PLASTIC_WORK) + compute_vector(FROM_FRICTION);
+}
+
+double DissipationHeat::compute_vector(int entry) {
+  double sum;
+  MPI_Allreduce(&sums_[entry], &sum, 1, MPI_DOUBLE, MPI_SUM, world);
+  return sum;
+}
+
+void DissipationHeat::write_restart(FILE* file) {
+  double sums[ENTRIES];
+  MPI_Reduce(sums_, sums, ENTRIES, MPI_DOUBLE, MPI_SUM, 0, world);
+  const int size = sizeof sums;
+  if (comm->me == 0) fwrite(&size, sizeof size, 1, file), fwrite(sums, size, 1, file);
+}
+
+// A sum over ranks: the first one has it all.
+void DissipationHeat::restart(char* data) {
+  if (comm->me == 0) std::memcpy(sums_, data, sizeof sums_);
+}
+
+}  // namespace plastigran

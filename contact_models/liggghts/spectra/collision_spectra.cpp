@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "liggghts/spectra/collision_spectra.h"
+
+#include <mpi.h>
+
+#include <algorithm>
+
+#include "atom.h"
+#include "comm.h"
+#include "fix_wall_gran.h"
+
+namespace plastigran {
+
+CollisionSpectra::CollisionSpectra(LAMMPS_NS::LAMMPS* engine, int count, char** words)
+    : ContactObserver(engine, count, words), file_(nullptr, std::fclose) {
+  read_words(count, words);
+  nevery = 1;
+  scalar_flag = 1;
+  global_freq = 1;
+  extscalar = 1;
+  restart_global = restart_peratom = 1;
+  create_attribute = 1;
+  grow_arrays(atom->nmax);
+  atom->add_callback(0);
+  atom->add_callback(1);
+}
+
+CollisionSpectra::~CollisionSpectra() {
+  atom->delete_callback(Fix::id, 0);
+  atom->delete_callback(Fix::id, 1);
+}
+
+int CollisionSpectra::setmask() {
+  using namespace LAMMPS_NS::FixConst;
+  return PRE_EXCHANGE | END_OF_STEP;
+}
+
+void CollisionSpectra::init() {
+  ContactObserver::init();
+  walls_.assign(wall_ids_.size(), nullptr);
+  for (int k = 0; k < modify->nfix; ++k) {
+    const auto wall = dynamic_cast<LAMMPS_NS::FixWallGran*>(modify->fix[k]);
+    if (!wall) continue;
+    const auto known = std::find(wall_ids_.begin(), wall_ids_.end(), wall->id);
+    const std::size_t number = known - wall_ids_.begin();
+    if (known == wall_ids_.end()) wall_ids_.push_back(wall->id), walls_.push_back(nullptr);
+    walls_[number] = wall;
+  }
+}
+
+int CollisionSpectra::wall_of(const void* owner) const {
+  return std::find(walls_.begin(), walls_.end(), owner) - walls_.begin();
+}
+
+void CollisionSpectra::add(const Contact& contact, const AccountedLoad& on_i, const Load& on_j,
+                           const void* owner) {
+  const bool turned = !contact.is_wall && atom->tag[contact.j] < atom->tag[contact.i];
+  const int holder = turned ? contact.j : contact.i;
+  if (holder >= atom->nlocal) return;  // reported from the other side as well
+  const double partner = contact.is_wall ? Impact::wall_partner(wall_of(owner))
+                                         : atom->tag[turned ? contact.i : contact.j];
+  Impact* impact = records_.find(holder, partner);
+  if (!impact) {
+    impact = &records_.begin(holder, partner);
+    impact->type = turned ? contact.jtype : contact.itype;
+    impact->other_type = turned ? contact.itype : contact.jtype;
+    if (contact.shearupdate) impact->speed = -contact.vn;
+  }
+  if (!contact.shearupdate) return;
+  if (impact->counts()) go_on(*impact, contact, on_i, LossyLoad(contact, on_i, on_j), turned);
+  impact->touched = 1;
+}
+
+// A step of an impact. Power is that of the forces at velocities of mid-step; the forces of the
+// step before belong to the holder, the new ones to particle i.
+void CollisionSpectra::go_on(Impact& impact, const Contact& contact, const AccountedLoad& on_i,
+                             const LossyLoad& load, bool turned) const {
+  const Vector between{contact.v_i[0] - contact.v_j[0], contact.v_i[1] - contact.v_j[1],
+                       contact.v_i[2] - contact.v_j[2]};
+  const auto lost = [&](const LossyLoad& each) {
+    double power = -dot(each.force, between) - dot(each.torque_i, contact.omega_i);
+    if (!contact.is_wall) power -= dot(each.torque_j, contact.omega_j);
+    return 0.5 * update->dt * power;
+  };
+  if (!impact.touched) {  // else another triangle of the wall was first in this step
+    LossyLoad before = impact.load;
+    if (turned) before.turn();
+    impact.energy += lost(before);
+    impact.load = LossyLoad();
+    impact.force = 0;
+  }
+  impact.energy += lost(load) + on_i.plastic_work;
+  LossyLoad now = load;
+  if (turned) now.turn();
+  impact.load += now;
+  impact.force += dot(on_i.delta_F, contact.en);
+  impact.largest_force = std::max(impact.largest_force, impact.force);
+}
+
+void CollisionSpectra::count(const Impact& impact) {
+  if (!impact.counts()) return;
+  int type = static_cast<int>(impact.type), other_type = static_cast<int>(impact.other_type);
+  if (!impact.is_with_wall() && type > other_type) std::swap(type, other_type);
+  const int wall = impact.is_with_wall() ? static_cast<int>(impact.wall()) : -1;
+  const double values[] = {impact.speed, impact.energy, impact.largest_force};
+  for (const int quantity : {NORMAL_SPEED, DISSIPATED_ENERGY, LARGEST_FORCE}) {
+    const double value = values[quantity];
+    tally_.add({quantity, wall, type, other_type, Tally::bin_of(value, per_decade_)}, {1, value});
+  }
+  ++counted_;
+}
+
+void CollisionSpectra::setup_pre_exchange() {
+  ContactObserver::setup_pre_exchange();
+  if (total_ > 0) records_.follow(atom->tag, atom->nlocal, total_, world);
+  pre_exchange();
+}
+
+// A particle takes its impacts along.
+void CollisionSpectra::pre_exchange() {
+  comm->maxexchange_fix = std::max(comm->maxexchange_fix, records_.largest_size(atom->nlocal));
+}
+
+void CollisionSpectra::end_of_step() {
+  for (int i = 0; i < atom->nlocal; ++i)
+    records_.advance(i, [this](const Impact& impact) { count(impact); });
+  if (update->ntimestep % every_ == 0) write_table();
+}
+
+void CollisionSpectra::post_run() {
+  records_.remember(atom->tag, atom->nlocal);
+  total_ = atom->nlocal;
+  MPI_Allreduce(MPI_IN_PLACE, &total_, 1, MPI_LONG, MPI_SUM, world);
+}
+
+double CollisionSpectra::compute_scalar() {
+  double all;
+  MPI_Allreduce(&counted_, &all, 1, MPI_DOUBLE, MPI_SUM, world);
+  return all;
+}
+
+}  // namespace plastigran

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+//
+// The words of the fix's line, its table, and its part of restart files.
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <fstream>
+#include <iomanip>
+#include <sstream>
+
+#include "atom.h"
+#include "comm.h"
+#include "liggghts/spectra/collision_spectra.h"
+
+namespace plastigran {
+
+namespace {
+
+const char heading[] = "step,quantity,with,type,other_type,lower,upper,count,sum\n";
+const char* const quantities[] = {"normal_speed", "dissipated_energy", "largest_force"};
+
+// 0 unless the word is a positive whole number.
+long positive_number(const char* word) {
+  char* end;
+  const long number = std::strtol(word, &end, 10);
+  return *end == '\0' && number > 0 ? number : 0;
+}
+
+}  // namespace
+
+void CollisionSpectra::read_words(int count, char** words) {
+  std::string path;
+  if (count < 4 || !(every_ = positive_number(words[3])))
+    fail(std::string("EVERY is ") + (count < 4 ? "missing" : words[3]) +
+         "; it must be a positive number of steps, the first word after the style");
+  for (int k = 4; k < count; k += 2) {
+    const std::string word = words[k];
+    if (word != "file" && word != "per_decade")
+      fail("unknown word " + word + "; possible: file, per_decade");
+    if (k + 1 == count) fail(word + " lacks its value");
+    if (word == "file")
+      path = words[k + 1];
+    else if (!(per_decade_ = positive_number(words[k + 1])))
+      fail(std::string("per_decade is ") + words[k + 1] + "; it must be a positive whole number");
+  }
+  if (path.empty()) fail("it needs `file FILE`");
+  if (comm->me == 0) open(path);
+}
+
+// On the first rank. A run that goes on from a restart file writes the tables after it once more.
+void CollisionSpectra::open(const std::string& path) {
+  std::string kept = heading;
+  std::ifstream before(path);
+  std::string line;
+  std::getline(before, line);
+  const bool ours = line + '\n' == heading;
+  while (ours && std::getline(before, line))
+    if (std::atoll(line.c_str()) <= update->ntimestep) kept += line + '\n';
+  before.close();
+  file_.reset(std::fopen(path.c_str(), "w"));
+  if (!file_)
+    error->one(FLERR, (std::string("fix ") + id + ' ' + style() + ": cannot write " + path + " (" +
+                       std::strerror(errno) + ')')
+                          .c_str());
+  std::fputs(kept.c_str(), file_.get());
+  std::fflush(file_.get());
+}
+
+void CollisionSpectra::write_table() {
+  const Tally all = tally_.of_all(world);
+  tally_.clear();
+  if (!file_) return;
+  for (const auto& [key, count] : all.counts()) {
+    const bool positive = key.bin != Tally::no_bin;
+    std::fprintf(file_.get(), BIGINT_FORMAT ",%s,%s,%d,%d,%.10g,%.10g,%.0f,%.15g\n",
+                 update->ntimestep, quantities[key.quantity],
+                 key.wall < 0 ? "particle" : wall_ids_[key.wall].c_str(), key.type, key.other_type,
+                 Tally::edge(key.bin, per_decade_),
+                 positive ? Tally::edge(key.bin + 1, per_decade_) : 0, count.number, count.sum);
+  }
+  std::fflush(file_.get());
+}
+
+// The engine finds the values of this fix by the first one, which says how many they are.
+int CollisionSpectra::pack_restart(int i, double* buffer) {
+  buffer[0] = size_restart(i);
+  records_.write(i, buffer + 1);
+  buffer[1] = atom->tag[i];
+  return size_restart(i);
+}
+
+void CollisionSpectra::unpack_restart(int i, int nth) {
+  const double* values = atom->extra[i];
+  for (int k = 0; k < nth; ++k) values += static_cast<int>(*values);
+  records_.read(i, values + 1);
+}
+
+int CollisionSpectra::maxsize_restart() {
+  int largest = 1 + records_.largest_size(atom->nlocal);
+  MPI_Allreduce(MPI_IN_PLACE, &largest, 1, MPI_INT, MPI_MAX, world);
+  return largest;
+}
+
+// Text: the particles, the impacts counted, the walls' IDs after their number, the counts of the
+// table under way.
+void CollisionSpectra::write_restart(FILE* file) {
+  const double counted = compute_scalar();
+  const Tally all = tally_.of_all(world);
+  if (comm->me != 0) return;
+  std::ostringstream text;
+  text << std::setprecision(17) << atom->natoms << ' ' << counted << ' ' << per_decade_ << ' '
+       << wall_ids_.size();
+  for (const std::string& wall : wall_ids_) text << ' ' << wall;
+  for (const double value : all.packed()) text << ' ' << value;
+  const int size = text.str().size() + 1;
+  fwrite(&size, sizeof size, 1, file);
+  fwrite(text.str().c_str(), 1, size, file);
+}
+
+void CollisionSpectra::restart(char* data) {
+  std::istringstream text(data);
+  double counted;
+  int per_decade;
+  std::size_t wall_count;
+  text >> total_ >> counted >> per_decade >> wall_count;
+  wall_ids_.resize(wall_count);
+  for (std::string& wall : wall_ids_) text >> wall;
+  if (per_decade != per_decade_)
+    fail("the restart file has per_decade " + std::to_string(per_decade) + ", the line has " +
+         std::to_string(per_decade_) + ". Give the line as it was, or the fix another ID");
+  if (comm->me != 0) return;  // a sum over ranks: the first one has it all
+  counted_ = counted;
+  std::vector<double> packed;
+  for (double value; text >> value;) packed.push_back(value);
+  tally_.merge(packed);
+}
+
+}  // namespace plastigran

@@ -1,0 +1,175 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""What contacts dissipate warms the particles: against the ledger, theory, ranks and restarts."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pandas as pd
+import pytest
+
+from plastigran import laws
+from plastigran.engine.dumps import read_dump
+from plastigran.engine.log import read_thermo
+from plastigran.engine.process import EngineError, run_deck
+from plastigran.materials import RIGID
+
+DECKS = Path(__file__).parent / "decks"
+LEDGER_DECKS = DECKS.parents[1] / "ledger" / "decks"
+CAPACITY = 900.0  # of the decks' particles [J/kg/K]
+HEATS = ["heat", "hplastic", "hfric", "hwalls", "hstored"]
+EVERY_MODEL = {"tangential": "history", "rolling": "epsd2", "damping": "on"}
+FILE_ERROR = 1e-9  # of the energy: sums in another order
+
+
+def warm(deck: str, folder: Path, ranks: int = 1, **variables) -> pd.DataFrame:
+    """Run a deck; entries of the ledger and of the heat [J] by output line."""
+    variables = {"decks": LEDGER_DECKS, "heat_decks": DECKS, **variables}
+    run_deck(DECKS / f"{deck}.in", variables, folder, ranks=ranks)
+    return read_thermo(folder / "log.liggghts")
+
+
+def temperatures(folder: Path) -> pd.Series:
+    """The particles' rise of temperature [K] by id, at the last output."""
+    table = read_dump(folder / "warmth.dump")
+    return table[table["step"] == table["step"].max()].set_index("id")["Temp"]
+
+
+def dissipated(table: pd.DataFrame) -> pd.Series:
+    return table["plastic"] + table["friction"] + table["viscous"]
+
+
+@pytest.mark.parametrize("geometry", ["pair", "plane", "mesh", "pushing", "shearing"])
+def test_an_impact_warms_by_its_work(geometry, tmp_path):
+    """All work is found again as heat or stored; 1e-9: the temperature's sum over steps."""
+    end = warm("impact", tmp_path, geometry=geometry, **EVERY_MODEL).iloc[-1]
+    work = dissipated(end)
+    assert min(end["plastic"], end["viscous"]) > 0.1 * work and end["friction"] > 0.01 * work
+    given = end["hplastic"] + end["hfric"]
+    assert given + end["hwalls"] + end["hstored"] == pytest.approx(work, rel=1e-12)
+    assert end["heat"] == pytest.approx(given, rel=1e-9)
+    mass = read_dump(tmp_path / "warmth.dump")["mass"].iloc[0]
+    assert CAPACITY * mass * temperatures(tmp_path).sum() == pytest.approx(given, rel=1e-9)
+    # The wall is rigid: it takes half of what it does not yield for.
+    lossy, all_plastic = end["friction"] + end["viscous"], 0.9 * end["plastic"]
+    assert end["hplastic"] == pytest.approx(all_plastic, rel=1e-12)
+    assert end["hfric"] == pytest.approx(lossy if geometry == "pair" else lossy / 2, rel=1e-12)
+
+
+def test_the_rise_of_temperature_is_the_predicted_one(law_between, aluminium, tmp_path):
+    """0.9 of v^2 (1 - e^2) / 2c, with e of the law by itself, whatever the size.
+
+    1e-3: the time step's error of the restitution.
+    """
+    warm("impact", tmp_path, geometry="plane", tangential="off", slip=0.0, law="thornton")
+    law = law_between("thornton", laws.combine(aluminium.body(), RIGID))
+    restitution = law.central_impact(0.1, 11.3, 0.1).coefficient_of_restitution
+    rise = 0.9 * 0.1**2 * (1 - restitution**2) / (2 * CAPACITY)
+    assert temperatures(tmp_path)[1] == pytest.approx(rise, rel=1e-3)
+
+
+def test_alike_bodies_share(tmp_path):
+    """Half each, also where one flies and the other waits: the frame of reference is free.
+
+    1e-6: the frames differ by what is lost of digits of positions and velocities.
+    """
+    warm("impact", tmp_path / "rest", **EVERY_MODEL)
+    warm("impact", tmp_path / "drift", common=1.0, **EVERY_MODEL)
+    for folder in ("rest", "drift"):
+        rise = temperatures(tmp_path / folder)
+        assert rise[1] == pytest.approx(rise[2], rel=1e-9)
+    same = temperatures(tmp_path / "rest")[1]
+    assert temperatures(tmp_path / "drift")[1] == pytest.approx(same, rel=1e-6)
+
+
+def test_the_weaker_body_takes_the_plastic_work(tmp_path):
+    """With its own Taylor-Quinney factor; friction goes to both."""
+    table = warm("impact", tmp_path, other_type=2, factors="0.8 0.5", capacity="900 900")
+    end, rise = table.iloc[-1], temperatures(tmp_path)
+    assert end["hstored"] == pytest.approx(0.2 * end["plastic"], rel=1e-12)
+    masses = read_dump(tmp_path / "warmth.dump").groupby("id")["mass"].first()
+    heats = CAPACITY * masses * rise
+    assert heats[2] == pytest.approx(end["friction"] / 2, rel=1e-9)
+    assert heats[1] == pytest.approx(end["friction"] / 2 + 0.8 * end["plastic"], rel=1e-9)
+
+
+def test_warming_changes_no_motion(tmp_path):
+    """To every byte, with the ledger and without."""
+    for case, changes in {
+        "none": {"warming": "off", "ledger": "off"},
+        "warm": {"warming": "on"},
+    }.items():
+        variables = {"decks": LEDGER_DECKS, "heat_decks": DECKS, "every": 10, **changes}
+        run_deck(DECKS / "impact.in", variables, tmp_path / case)
+    motions = [(tmp_path / case / "motion.dump").read_bytes() for case in ("none", "warm")]
+    assert motions[0] == motions[1] and len(motions[0]) > 5000
+
+
+@pytest.fixture(scope="module")
+def bed(tmp_path_factory) -> tuple[Path, pd.DataFrame]:
+    """A bed of 80 grains, coming to rest with friction, damping and conduction."""
+    folder = tmp_path_factory.mktemp("bed")
+    return folder, warm("bed", folder)
+
+
+def test_a_bed_warms_by_its_work(bed):
+    """At every output line; 1e-9: the temperatures' sums over steps and grains."""
+    folder, table = bed
+    work = dissipated(table)
+    found = table[HEATS[1:]].sum(axis=1)
+    assert (found - work).abs().max() < 1e-12 * work.max()
+    given = table["hplastic"] + table["hfric"]
+    assert (table["heat"] - given).abs().max() < 1e-9 * given.max()
+    assert given.iloc[-1] > 0.5 * work.max() and table["hwalls"].iloc[-1] > 0.05 * work.max()
+    assert (temperatures(folder) > 0).all()
+
+
+@pytest.mark.parametrize(("ranks", "grid"), [(2, "2 1"), (4, "2 2")])
+def test_ranks_warm_alike(bed, ranks, grid, tmp_path):
+    """Before collisions have multiplied the difference of sums in another order."""
+    table = warm("bed", tmp_path, ranks, grid=grid, before=1000, after=0)
+    table = table[table["run"] == 0]
+    whole = bed[1].iloc[: len(table)]
+    assert table["hplastic"].iloc[-1] > 0 and table["hfric"].iloc[-1] > 0
+    scale = whole["heat"].max()
+    assert np.abs(table[HEATS] - whole[HEATS]).to_numpy().max() < FILE_ERROR * scale
+    given = table["hplastic"] + table["hfric"]
+    assert (table["heat"] - given).abs().max() < FILE_ERROR * scale
+
+
+@pytest.mark.parametrize("ranks", [1, 2])
+def test_a_restart_keeps_the_heat(bed, ranks, tmp_path):
+    folder, whole = bed
+    restart = folder / "middle.restart"
+    table = warm("bed_restart", tmp_path, ranks, restart=restart, after=1000)
+    second = whole[whole["run"] == 1].iloc[: len(table)]
+    assert len(table) == 3
+    scale = whole["heat"].max()
+    difference = table[HEATS].to_numpy() - second[HEATS].to_numpy()
+    assert np.abs(difference).max() < FILE_ERROR * scale
+
+
+@pytest.mark.parametrize(
+    ("line", "words"),
+    [
+        (
+            "fix w all heat/dissipation 0.9",
+            "fix w heat/dissipation: it takes no words, and has 0.9",
+        ),
+        ("fix w some heat/dissipation", "its group is some; it must be all"),
+        ("fix w all heat/dissipation", "give `fix ID all heat/gran initial_temperature T`"),
+        (
+            "fix f all property/global taylorQuinneyFactor peratomtype 1.2\n"
+            "fix w all heat/dissipation",
+            "taylorQuinneyFactor is 1.2; it must be between 0 and 1 (atom type 1)",
+        ),
+    ],
+)
+def test_a_wrong_line_is_named(line, words, tmp_path):
+    deck = tmp_path / "wrong.in"
+    bed = (DECKS / "bed.in").read_text().split("timestep        ${timestep}")[0]
+    deck.write_text(f"{bed}\ngroup some id 1\n{line}\nrun 1\n")
+    with pytest.raises(EngineError) as error:
+        run_deck(deck, {"decks": LEDGER_DECKS, "heat_decks": DECKS}, tmp_path)
+    assert words in str(error.value)

@@ -1,0 +1,158 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Collision spectra of the engine: against a replay of every step, the ledger, ranks, restarts."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pandas as pd
+import pytest
+from replay import Motion, impacts, spectra
+
+from plastigran.engine.dumps import DumpError
+from plastigran.engine.log import read_thermo
+from plastigran.engine.process import EngineError, run_deck
+from plastigran.engine.spectra import QUANTITIES, read_spectra, spectrum
+
+DECKS = Path(__file__).parent / "decks"
+TIMESTEP, PER_DECADE = 5e-6, 5  # of the decks
+
+
+def count(deck: str, folder: Path, ranks: int = 1, **variables) -> pd.DataFrame:
+    """Run a deck; its log."""
+    run_deck(DECKS / f"{deck}.in", {"decks": DECKS, **variables}, folder, ranks=ranks)
+    return read_thermo(folder / "log.liggghts")
+
+
+def counted(folder: Path) -> pd.DataFrame:
+    """Counts and sums as the replay has them."""
+    table = read_spectra(folder / "spectra.csv")
+    positive = table["lower"].where(table["lower"] > 0)
+    table["bin"] = np.round(PER_DECADE * np.log10(positive)).fillna(-np.inf)
+    keys = ["step", "quantity", "with", "type", "other_type", "bin"]
+    return table.set_index(keys)[["count", "sum"]].sort_index()
+
+
+def compare(folder: Path, every: int, *dumps: Path) -> pd.DataFrame:
+    """Every class has the impacts of the replay, which are returned.
+
+    1e-9 of a class's sum: positions have 17 digits, and a law may tell overlaps of 1e-16 of a
+    radius apart.
+    """
+    found = impacts(Motion(*(dumps or [folder / "motion.dump"])), TIMESTEP)
+    expected = spectra(found, every, PER_DECADE)
+    table = counted(folder)
+    pd.testing.assert_index_equal(table.index, expected.index)
+    assert (table["count"] == expected["size"]).all()
+    assert table["sum"].to_numpy() == pytest.approx(expected["sum"].to_numpy(), rel=1e-9)
+    return found
+
+
+@pytest.fixture(scope="module")
+def gas(tmp_path_factory) -> tuple[Path, pd.DataFrame]:
+    """A gas of 64 smooth spheres: its folder, and its log."""
+    folder = tmp_path_factory.mktemp("gas")
+    return folder, count("gas", folder)
+
+
+def test_a_gas_is_counted_as_it_is_replayed(gas):
+    folder, log = gas
+    found = compare(folder, 400)
+    assert len(found) == log["impacts"].iloc[-1] > 100
+    assert set(found["with"]) == {"particle", "left", "right", "front", "back"}
+    assert set(zip(found["type"], found["other_type"], strict=True)) >= {(1, 1), (1, 2), (2, 2)}
+    assert found["normal_speed"].max() > 10 * found["normal_speed"].min()
+
+
+@pytest.mark.parametrize(("ranks", "grid"), [(2, "1 1 2"), (4, "2 2 1")])
+def test_ranks_count_what_happens(ranks, grid, tmp_path):
+    """Impacts across borders, and grains that change rank while they touch."""
+    count("gas", tmp_path, ranks, grid=grid, before=400, after=0)
+    compare(tmp_path, 400)
+
+
+@pytest.mark.parametrize("ranks", [1, 2])
+def test_numbers_are_followed_between_runs(ranks, tmp_path):
+    """Grains taken away and the others numbered anew, in the middle of impacts."""
+    count("gas", tmp_path, ranks, between="removal", every=300)
+    found = compare(tmp_path, 300)
+    across = found[(found["end"] > 600) & (found["end"] < 606)]
+    assert len(across) >= 1  # an impact is longer than six steps
+
+
+@pytest.mark.parametrize("ranks", [1, 2])
+def test_a_restart_goes_on_counting(gas, ranks, tmp_path):
+    """With the impacts under way and the table begun; the tables after the file are written anew.
+
+    Counts are those of the whole run; 1e-6 of a sum, for impacts multiply the digits that another
+    order of sums costs.
+    """
+    folder, _ = gas
+    whole = (folder / "spectra.csv").read_text()
+    (tmp_path / "spectra.csv").write_text(whole)
+    count("gas_restart", tmp_path, ranks, restart=folder / "middle.restart")
+    table, expected = counted(tmp_path), counted(folder)
+    pd.testing.assert_index_equal(table.index, expected.index)
+    assert (table["count"] == expected["count"]).all()
+    assert table["sum"].to_numpy() == pytest.approx(expected["sum"].to_numpy(), rel=1e-6)
+
+
+def test_the_energies_are_the_ledgers(tmp_path):
+    """Of rough, damped spheres that rub: all that is lost in impacts that have ended.
+
+    1e-3: the work of a contact's last force after it, and the grains that still touch at the end.
+    """
+    models = {"tangential": "history", "rolling": "epsd2", "damping": "on"}
+    log = count("gas", tmp_path, every=1200, **models)
+    end = log.iloc[-1]
+    total = spectrum(read_spectra(tmp_path / "spectra.csv"), "dissipated_energy")["sum"].sum()
+    assert end["friction"] > 0.02 * total and end["viscous"] > 0.1 * total
+    assert total == pytest.approx(end["plastic"] + end["friction"] + end["viscous"], rel=1e-3)
+
+
+def test_counting_changes_no_motion(tmp_path):
+    """To every byte."""
+    for state in ("on", "off"):
+        count("gas", tmp_path / state, counted=state, before=300, after=0, tangential="history")
+    on, off = ((tmp_path / name / "motion.dump").read_bytes() for name in ("on", "off"))
+    assert on == off
+
+
+def test_every_impact_has_every_quantity(gas):
+    table = read_spectra(gas[0] / "spectra.csv")
+    counts = {name: spectrum(table, name)["count"].sum() for name in QUANTITIES}
+    assert set(counts.values()) == {gas[1]["impacts"].iloc[-1]}
+    speeds = spectrum(table, "normal_speed")
+    assert (speeds["lower"] * speeds["count"] <= speeds["sum"]).all()
+    assert (speeds["sum"] <= speeds["upper"] * speeds["count"]).all()
+    with pytest.raises(ValueError, match="one of normal_speed, dissipated_energy, largest_force"):
+        spectrum(table, "speed")
+
+
+def test_another_file_is_named(tmp_path):
+    path = tmp_path / "other.csv"
+    path.write_text("step,speed\n1,2\n")
+    with pytest.raises(DumpError, match=r"other\.csv: no table of collision spectra"):
+        read_spectra(path)
+
+
+@pytest.mark.parametrize(
+    ("words", "complaint"),
+    [
+        ("all collision_spectra", "EVERY is missing"),
+        ("all collision_spectra 0 file x.csv", "EVERY is 0; it must be a positive number"),
+        ("all collision_spectra 10", "it needs `file FILE`"),
+        ("all collision_spectra 10 bins 5", "unknown word bins; possible: file, per_decade"),
+        ("all collision_spectra 10 file x.csv per_decade -1", "per_decade is -1"),
+        ("all collision_spectra 10 file no/such/x.csv", "cannot write no/such/x.csv (No such"),
+        ("second collision_spectra 10 file x.csv", "its group is second; it must be all"),
+    ],
+)
+def test_a_wrong_line_is_named(words, complaint, tmp_path):
+    deck = tmp_path / "wrong.in"
+    gas = (DECKS / "gas.in").read_text().split("include         ${decks}/counting")[0]
+    deck.write_text(f"{gas}\nfix s {words}\n")
+    with pytest.raises(EngineError) as error:
+        run_deck(deck, {"decks": DECKS}, tmp_path)
+    assert f"collision_spectra: {complaint}" in str(error.value)
