@@ -44,6 +44,12 @@ class AccountedContact : private ContactSetup,
     return LIGGGHTS::ContactModels::Factory::instance().getNormalModelId(name) == (hash() & 63);
   }
 
+  // Where a value stands in a contact's history, -1 when no model has it.
+  int get_history_offset(const std::string& name) {
+    const int offset = offset_of(name);
+    return offset < 0 ? Base::get_history_offset(name) : offset;
+  }
+
   void registerSettings(Settings& settings) {
     line_read_ = true;
     Base::registerSettings(settings);

@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "liggghts/meshes/mesh_contacts.h"
+
+#include <algorithm>
+
+#include "atom.h"
+#include "fix_contact_history_mesh.h"
+#include "fix_neighlist_mesh.h"
+#include "liggghts/meshes/fold.h"
+#include "liggghts/meshes/turn.h"
+#include "neighbor.h"
+#include "tri_mesh.h"
+#include "update.h"
+
+namespace plastigran {
+
+namespace {
+
+// Depths that differ by less than this share of the radius are the same: over the edge between two
+// triangles in one plane, the engine may compute the one whose contact it knows, and it alone.
+const double same_depth = 1e-11;
+
+}  // namespace
+
+MeshContacts::MeshContacts(LAMMPS_NS::LAMMPS* engine, LAMMPS_NS::FixMeshSurface* mesh,
+                           double feature_cosine, std::vector<int> vectors)
+    : engine_(engine),
+      fix_(mesh),
+      mesh_(mesh->triMesh()),
+      feature_cosine_(feature_cosine),
+      vectors_(std::move(vectors)) {}
+
+bool MeshContacts::computes(int particle, int triangle, bool overlaps, double* history) {
+  const auto [first, last] = overlaps_of(particle);
+  for (int k = first; k < last; ++k) {
+    Overlap& overlap = overlaps_[k];
+    // The end of a contact whose memory another takes over, further on.
+    if (!overlaps && overlap.memory && overlap.memory == history) return false;
+    if (!overlaps || overlap.triangle != triangle) continue;
+    if (overlap.carries && overlap.memory) take_over(particle, overlap, history);
+    return overlap.carries;
+  }
+  return true;
+}
+
+std::pair<int, int> MeshContacts::overlaps_of(int particle) {
+  const LAMMPS_NS::bigint step = engine_->update->ntimestep;
+  if (step != contact_step_) {
+    if (engine_->neighbor->lastcall != list_step_) list_triangles();
+    list_step_ = engine_->neighbor->lastcall;
+    found_.assign(engine_->atom->nlocal, {-1, -1});
+    overlaps_.clear();
+    contact_step_ = step;
+  }
+  if (found_[particle].first < 0) {
+    const int first = overlaps_.size();
+    find_overlaps(particle);
+    join_surfaces(particle, first);
+    choose_carriers(particle, first);
+    find_memory(particle, first);
+    found_[particle] = {first, static_cast<int>(overlaps_.size())};
+  }
+  return found_[particle];
+}
+
+void MeshContacts::list_triangles() {
+  LAMMPS_NS::FixNeighlistMesh* const lists = fix_->meshNeighlist();
+  const int count = engine_->atom->nlocal, triangles = mesh_->sizeLocal() + mesh_->sizeGhost();
+  first_near_.assign(count + 1, 0);
+  for (int triangle = 0; triangle < triangles; ++triangle)
+    for (int particle : lists->get_contact_list(triangle))
+      if (particle < count) ++first_near_[particle + 1];
+  for (int i = 0; i < count; ++i) first_near_[i + 1] += first_near_[i];
+  near_.resize(first_near_[count]);
+  std::vector<int> next(first_near_.begin(), first_near_.end() - 1);
+  for (int triangle = 0; triangle < triangles; ++triangle)
+    for (int particle : lists->get_contact_list(triangle))
+      if (particle < count) near_[next[particle]++] = triangle;
+}
+
+void MeshContacts::find_overlaps(int particle) {
+  for (int k = first_near_[particle]; k < first_near_[particle + 1]; ++k) {
+    double to_surface[3];
+    if (distance(particle, near_[k], false, to_surface) > 0) continue;
+    const int index = overlaps_.size();
+    overlaps_.push_back({near_[k], -distance(particle, near_[k], true, to_surface),
+                         slot_of(particle, near_[k]) >= 0, index, false, nullptr, -1});
+  }
+}
+
+void MeshContacts::join_surfaces(int particle, int first) {
+  const double* const centre = engine_->atom->x[particle];
+  const int last = overlaps_.size();
+  for (int a = first; a < last; ++a)
+    for (int b = a + 1; b < last; ++b) {
+      const auto [kept, joined] = std::minmax(overlaps_[a].surface, overlaps_[b].surface);
+      const int surface = kept, other = joined;
+      if (surface == other || !one_surface(*mesh_, overlaps_[a].triangle, overlaps_[b].triangle,
+                                           centre, feature_cosine_))
+        continue;
+      for (int k = first; k < last; ++k)
+        if (overlaps_[k].surface == other) overlaps_[k].surface = surface;
+    }
+}
+
+void MeshContacts::choose_carriers(int particle, int first) {
+  const double tolerance = same_depth * engine_->atom->radius[particle];
+  const int last = overlaps_.size();
+  for (int surface = first; surface < last; ++surface) {
+    Overlap* deepest = nullptr;
+    for (int k = surface; k < last; ++k) {
+      Overlap& overlap = overlaps_[k];
+      if (overlap.surface != surface || overlap.depth < 0) continue;
+      const double deeper = deepest ? overlap.depth - deepest->depth : overlap.depth;
+      if (!deepest || deeper > tolerance ||
+          (deeper >= -tolerance && overlap.known && !deepest->known))
+        deepest = &overlap;
+    }
+    if (deepest) deepest->carries = true;
+  }
+}
+
+// What the particle's contacts remember goes to the ones that carry now. Where two surfaces have
+// become one, the memory of its deepest triangle is kept, or else the first.
+void MeshContacts::find_memory(int particle, int first) {
+  LAMMPS_NS::FixContactHistoryMesh* const stored = fix_->contactHistory();
+  if (!stored || stored->get_dnum() == 0) return;
+  for (int slot = 0; slot < stored->nneighs(particle); ++slot) {
+    const int id = stored->partner(particle, slot);
+    double* const history = id < 0 ? nullptr : stored->contacthistory(particle, slot);
+    if (!history || !remembers(history)) continue;
+    const auto end = near_.begin() + first_near_[particle + 1];
+    const auto former = std::find_if(near_.begin() + first_near_[particle], end,
+                                     [&](int triangle) { return mesh_->id(triangle) == id; });
+    Overlap* const heir = former == end ? nullptr : heir_of(particle, first, *former);
+    if (!heir) continue;
+    double* lost = history;
+    if (!heir->memory || heir->triangle == *former) {
+      lost = heir->memory;
+      heir->memory = history;
+      heir->former = *former;
+    }
+    if (lost) std::fill_n(lost, stored->get_dnum(), 0.0);
+  }
+}
+
+// The overlap that carries the contact of the surface the triangle belongs to, null when the
+// particle has left that surface.
+MeshContacts::Overlap* MeshContacts::heir_of(int particle, int first, int triangle) {
+  const double* const centre = engine_->atom->x[particle];
+  const auto begin = overlaps_.begin() + first, end = overlaps_.end();
+  auto same = std::find_if(begin, end, [&](const Overlap& o) { return o.triangle == triangle; });
+  if (same == end)
+    same = std::find_if(begin, end, [&](const Overlap& o) {
+      return one_surface(*mesh_, o.triangle, triangle, centre, feature_cosine_);
+    });
+  if (same == end)
+    same = std::find_if(begin, end, [&](const Overlap& o) {
+      return around_a_node(*mesh_, o.triangle, triangle, feature_cosine_);
+    });
+  if (same == end) return nullptr;
+  const auto heir = std::find_if(
+      begin, end, [&](const Overlap& o) { return o.carries && o.surface == same->surface; });
+  return heir == end ? nullptr : &*heir;
+}
+
+void MeshContacts::take_over(int particle, Overlap& overlap, double* history) const {
+  double* const memory = std::exchange(overlap.memory, nullptr);
+  if (memory == history) return;
+  const int width = fix_->contactHistory()->get_dnum();
+  std::copy_n(memory, width, history);
+  std::fill_n(memory, width, 0.0);
+  double before[3], now[3];
+  distance(particle, overlap.former, false, before);
+  distance(particle, overlap.triangle, false, now);
+  for (int offset : vectors_) turn(before, now, history + offset);
+}
+
+// From the particle's surface to the triangle; `to_surface` is from its centre to the nearest point.
+// The engine gives no contact at edges and corners that it leaves to another triangle.
+double MeshContacts::distance(int particle, int triangle, bool of_the_engine,
+                              double* to_surface) const {
+  double weights[3];
+  int region;
+  return mesh_->resolveTriSphereContactBary(particle, triangle, engine_->atom->radius[particle],
+                                            engine_->atom->x[particle], to_surface, weights, region,
+                                            of_the_engine);
+}
+
+bool MeshContacts::remembers(const double* history) const {
+  return std::any_of(history, history + fix_->contactHistory()->get_dnum(),
+                     [](double value) { return value != 0; });
+}
+
+int MeshContacts::slot_of(int particle, int triangle) const {
+  LAMMPS_NS::FixContactHistoryMesh* const stored = fix_->contactHistory();
+  for (int slot = 0; stored && slot < stored->nneighs(particle); ++slot)
+    if (stored->partner(particle, slot) == mesh_->id(triangle)) return slot;
+  return -1;
+}
+
+}  // namespace plastigran
