@@ -237,3 +237,15 @@ def test_viscous_damping_is_the_classic_dashpot(hertzian_law, tmp_path):
         found.append(measure(folder / "trajectory.dump").coefficient_of_restitution)
     assert 0.75 < found[0] < 0.85
     assert found[0] == pytest.approx(found[1], rel=1e-9)  # sums in another order
+
+
+@pytest.mark.parametrize("deck", ["sphere_wall", "sphere_mesh", "two_spheres", "cylinder_wall"])
+def test_an_impact_out_of_range_is_named(deck, tmp_path):
+    for name, value, allowed in (
+        ("radius", -1, r"positive \[m\]"),
+        ("speed", 0, r"positive \[m/s\]"),
+        ("timestep", 0, r"positive \[s\]"),
+        ("gap", -1, r"0 or more \[m\]"),
+    ):
+        with pytest.raises(EngineError, match=f"{name} is {value}; it must be {allowed}"):
+            run_deck(f"collision/{deck}.in", {name: value}, tmp_path)

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import numpy as np
+import pandas as pd
 import pytest
 
 from plastigran.fem.settings import Settings
@@ -66,4 +67,7 @@ def test_work_of_unloading():
 def test_figures_and_bands(tmp_path):
     files = write(Constants(), table(), tmp_path)
     assert sorted(path.name for path in files) == ["universal_errors.svg", "universal_fit.svg"]
-    assert (bands(Constants(), table()) < 10).all(axis=None)
+    # Largest errors found [%], and a fifth more.
+    largest = bands(Constants(), table()).max()
+    bounds = {"force": 2.5, "restitution": 3.5, "contact_radius": 4.0, "recovery": 3.8}
+    assert (largest < pd.Series(bounds)[largest.index]).all()
