@@ -166,6 +166,7 @@ def test_the_largest_force_on_a_grain_is_that_of_its_contacts(hopper):
 def test_a_sweep_is_recorded_and_drawn(sweep_folder):
     made = section(sweep_folder)
     assert made.facts["command"] == "plastigran impact"
+    assert made.facts["law"] == "Kogut–Etsion, Thornton, Universal"
     assert made.facts["impact speed"] == "0.001 to 0.1 m/s"
     assert "plugin, sha256" in made.facts
     kinds = ["measured", "loops", "verification", "validation"]

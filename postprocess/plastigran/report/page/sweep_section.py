@@ -22,6 +22,8 @@ from plastigran.report.page.sections import Section, cells
 from plastigran.report.page.sweep_charts import measured_chart
 from plastigran.report.page.trust import trust, validation_chart, verification_chart
 
+#: Laws of a sweep that its head names, at most.
+MOST_NAMED = 3
 #: Figures of central impacts, which charts replace.
 _CHARTED = {"restitution", "loops"}
 
@@ -103,6 +105,9 @@ def _hardens(table: pd.DataFrame) -> bool:
 
 def _facts(study: dict, table: pd.DataFrame, runs: list[Path]) -> dict[str, str]:
     facts = {"command": f"plastigran {study['command']}"} if study.get("command") else {}
+    if "law" in table:
+        names = [title(str(law)) for law in sorted(table["law"].unique())]
+        facts["law"] = ", ".join(names) if len(names) <= MOST_NAMED else f"{len(names)} laws"
     for name in ("geometry", "material", "radius", "angle", "speed"):
         if name not in table or table[name].isna().all():
             continue
