@@ -9,6 +9,7 @@ warning of it is an error.
 from __future__ import annotations
 
 import os
+import re
 import sys
 from pathlib import Path
 from shutil import copy2, ignore_patterns
@@ -49,29 +50,38 @@ def stage(source: Path) -> Path:
 
 
 def navigation(pages: Path) -> str:
-    """The table of contents of toc.yml; pages it does not name come last."""
+    """The table of contents of toc.yml, its patterns filled in; pages it does not name come last.
+
+    A page found by a pattern is called by what its title says before a colon: a law by its name.
+    """
     contents = yaml.safe_load((PROJECT / "docs" / "site" / "toc.yml").read_text())
-    named = {contents["root"]}
-    patterns = []
-
-    def walk(node: dict) -> None:
-        for entry in node.get("entries", []):
-            named.add(entry.get("file"))
-            patterns.extend([entry["glob"]] if "glob" in entry else [])
-            walk(entry)
-        for tree in node.get("subtrees", []):
-            walk(tree)
-
-    walk(contents)
     found = [path.relative_to(pages).with_suffix("") for path in sorted(pages.rglob("*.[mr][ds]*"))]
-    further = [
-        {"file": str(page)}
-        for page in found
-        if str(page) not in named and not any(page.match(pattern) for pattern in patterns)
-    ]
+    named = {contents["root"]}
+
+    def fill(node: dict) -> None:
+        entries = []
+        for entry in node.get("entries", []):
+            matches = [page for page in found if page.match(entry.get("glob", ""))]
+            entries += [_entry(pages, page) for page in matches] if "glob" in entry else [entry]
+        for entry in entries:
+            named.add(entry["file"])
+            fill(entry)
+        node |= {"entries": entries} if entries else {}
+        for tree in node.get("subtrees", []):
+            fill(tree)
+
+    fill(contents)
+    further = [_entry(pages, page) for page in found if str(page) not in named]
     if further:
         contents["subtrees"].append({"caption": "Further", "entries": further})
     return yaml.safe_dump(contents, sort_keys=False)
+
+
+def _entry(pages: Path, page: Path) -> dict[str, str]:
+    path = next(path for path in pages.glob(f"{page}.*") if path.suffix in (".md", ".rst"))
+    heading = re.search(r"^# (.+)$", path.read_text(), re.MULTILINE)
+    before, colon, _ = heading[1].partition(": ") if heading else ("", "", "")
+    return {"file": str(page)} | ({"title": before.replace("`", "")} if colon else {})
 
 
 def build(target: Path) -> int:

@@ -32,11 +32,9 @@ nb_merge_streams = True
 
 # The Python reference, made of docstrings (docs/site/pages.py).
 add_module_names = False
-autodoc_class_signature = "separated"
 autodoc_member_order = "bysource"
 autodoc_typehints = "signature"
 autodoc_typehints_format = "short"
-autodoc_preserve_defaults = True
 default_role = "code"
 napoleon_numpy_docstring = False
 napoleon_use_ivar = True
@@ -69,6 +67,14 @@ def process_docstring(app, what, name, found, options, lines):
     lines[:] = text
 
 
+def rejoin_sentence(app, what, name, found, options, lines):
+    """A property's docstring is a sentence; what stands before its colon is no type."""
+    kinds = [line for line in lines if line.startswith(":type: ")]
+    if what in ("property", "attribute") and kinds:
+        rest = [line for line in lines if line not in kinds]
+        lines[:] = [f"{kinds[0].removeprefix(':type: ')}: {rest[0]}", *rest[1:]]
+
+
 def skip_member(app, what, name, found, skip, options):
     """What a module imports from elsewhere is not its own."""
     module = getattr(found, "__module__", None) or ""
@@ -77,4 +83,5 @@ def skip_member(app, what, name, found, skip, options):
 
 def setup(app):
     app.connect("autodoc-process-docstring", process_docstring)
+    app.connect("autodoc-process-docstring", rejoin_sentence, priority=600)  # after napoleon
     app.connect("autodoc-skip-member", skip_member)

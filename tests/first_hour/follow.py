@@ -40,9 +40,10 @@ LEFT = (
 
 
 def commands(page: Path = PAGE) -> list[str]:
-    """The lines of the page's `sh` blocks, in order; a block must not fold a command."""
+    """The lines of the page's `sh` blocks, in order; one that ends with a backslash goes on."""
     blocks = re.findall(r"^```sh\n(.*?)^```", page.read_text(encoding="utf-8"), re.M | re.S)
-    return [line for block in blocks for line in block.splitlines() if line.strip()]
+    folded = "".join(blocks).replace("\\\n", "")
+    return [" ".join(line.split()) for line in folded.splitlines() if line.strip()]
 
 
 def script(lines: list[str], brief: bool) -> str:
