@@ -7,9 +7,10 @@
 
 namespace plastigran {
 
-// Whether a particle at `centre` meets triangles `a` and `b` as one surface. They share an edge, and
-// the surface turns there by no more than the feature angle, to whichever side; or it bends away
-// from the particle, which then touches the nearer of the two alone. Local numbers of triangles.
+// Whether a particle at `centre` meets triangles `a` and `b` as one surface. They share an edge,
+// and the surface turns there by no more than the feature angle, to whichever side; or it bends
+// away from the particle, which then touches the nearer of the two alone. Local numbers of
+// triangles.
 bool one_surface(LAMMPS_NS::TriMesh& mesh, int a, int b, const double* centre,
                  double feature_cosine);
 

@@ -2,6 +2,7 @@
 #include "liggghts/meshes/mesh_contacts.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "atom.h"
 #include "fix_contact_history_mesh.h"
@@ -79,13 +80,19 @@ void MeshContacts::list_triangles() {
 }
 
 void MeshContacts::find_overlaps(int particle) {
+  const std::size_t first = overlaps_.size();
+  double to_surface[3];
   for (int k = first_near_[particle]; k < first_near_[particle + 1]; ++k) {
-    double to_surface[3];
-    if (distance(particle, near_[k], false, to_surface) > 0) continue;
+    if (beyond_its_plane(particle, near_[k])) continue;
+    const double gap = distance(particle, near_[k], false, to_surface);
+    if (gap > 0) continue;
     const int index = overlaps_.size();
-    overlaps_.push_back({near_[k], -distance(particle, near_[k], true, to_surface),
-                         slot_of(particle, near_[k]) >= 0, index, false, nullptr, -1});
+    overlaps_.push_back(
+        {near_[k], -gap, slot_of(particle, near_[k]) >= 0, index, false, nullptr, -1});
   }
+  if (overlaps_.size() - first == 1) return;
+  for (std::size_t k = first; k < overlaps_.size(); ++k)
+    overlaps_[k].depth = -distance(particle, overlaps_[k].triangle, true, to_surface);
 }
 
 void MeshContacts::join_surfaces(int particle, int first) {
@@ -176,8 +183,17 @@ void MeshContacts::take_over(int particle, Overlap& overlap, double* history) co
   for (int offset : vectors_) turn(before, now, history + offset);
 }
 
-// From the particle's surface to the triangle; `to_surface` is from its centre to the nearest point.
-// The engine gives no contact at edges and corners that it leaves to another triangle.
+// Whether the triangle's whole plane is out of reach: most are, and this is quickly seen.
+bool MeshContacts::beyond_its_plane(int particle, int triangle) const {
+  double node[3], normal[3], to_centre[3];
+  mesh_->node(triangle, 0, node);
+  mesh_->surfaceNorm(triangle, normal);
+  vectorSubtract3D(engine_->atom->x[particle], node, to_centre);
+  return std::abs(vectorDot3D(to_centre, normal)) > engine_->atom->radius[particle];
+}
+
+// From the particle's surface to the triangle; `to_surface` is from its centre to the nearest
+// point. The engine gives no contact at edges and corners that it leaves to another triangle.
 double MeshContacts::distance(int particle, int triangle, bool of_the_engine,
                               double* to_surface) const {
   double weights[3];

@@ -39,7 +39,7 @@ class MeshContacts {
   // An overlap of a particle with a triangle.
   struct Overlap {
     int triangle;    // its local number
-    double depth;    // below 0 where the engine leaves an edge or corner to another triangle
+    double depth;    // below 0: the engine leaves this edge or corner to another triangle
     bool known;      // the engine stores a history for it already
     int surface;     // the first overlap of the same surface
     bool carries;    // the contact of its surface
@@ -55,6 +55,7 @@ class MeshContacts {
   void find_memory(int particle, int first);
   Overlap* heir_of(int particle, int first, int triangle);
   void take_over(int particle, Overlap& overlap, double* history) const;
+  bool beyond_its_plane(int particle, int triangle) const;
   double distance(int particle, int triangle, bool of_the_engine, double* to_surface) const;
   bool remembers(const double* history) const;
   int slot_of(int particle, int triangle) const;

@@ -1,0 +1,283 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""A sphere has one contact with a smooth surface of triangles, which remembers across their edges.
+
+Corners in a mesh file have seven digits: some 1e-8 m here, 1e-4 of an overlap.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pandas as pd
+import pytest
+import stl
+import surfaces
+from attrs import frozen
+
+from plastigran.engine.dumps import read_dump
+from plastigran.engine.log import read_thermo
+from plastigran.engine.process import EngineStopped, run_deck
+
+DECKS = Path(__file__).parent / "decks"
+LINE = "fix wall all wall/gran model ${law} tangential ${tangential} rolling_friction ${rolling} "
+CYLINDER = LINE + "primitive type 2 ycylinder 0.3 0 0 energy_ledger on"
+RADIUS = 0.1
+# A soft sphere thrown along the bottom of a pipe three times as wide: its contact is 2.7 degrees
+# wide, seen from the pipe's axis.
+ROLLING = {"z": 1e-9 - 0.2, "vx": 5, "youngs_modulus": 7e9, "yield_strength": 2e7}
+
+
+@frozen
+class Outcome:
+    """The ledger by output line, and the sphere by frame."""
+
+    ledger: pd.DataFrame
+    sphere: pd.DataFrame
+
+    def drift(self) -> float:
+        """Over the largest kinetic energy."""
+        return self.ledger["drift"].abs().max() / self.ledger["kinetic"].max()
+
+    def forces(self) -> np.ndarray:
+        """On the sphere, by frame [N]."""
+        return self.sphere[["fx", "fy", "fz"]].to_numpy()
+
+
+def mesh(folder: Path, triangles: np.ndarray, options: str = "") -> str:
+    """Lines of a wall of triangles."""
+    stl.write(folder / "surface.stl", triangles)
+    return (
+        f"fix surface all mesh/surface file {folder}/surface.stl type 2\n"
+        f"{LINE} mesh n_meshes 1 meshes surface energy_ledger on {options}"
+    )
+
+
+def let_go(steps: int) -> str:
+    return f"fix integrate all nve/sphere\nrun {steps}"
+
+
+def moved(velocity: tuple[float, float, float], steps: int = 100) -> str:
+    """Lines that move the sphere, whatever pushes it."""
+    return (
+        f"fix motion all move linear {'{:.17g} {:.17g} {:.17g}'.format(*velocity)} units box\n"
+        + (f"run {steps}\nunfix motion\n")
+    )
+
+
+def run(folder: Path, wall: str, motion: str, ranks: int = 1, **variables) -> Outcome:
+    """Run curved.in with these lines for the wall and for the sphere's motion."""
+    (folder / "wall.in").write_text(wall + "\n")
+    (folder / "motion.in").write_text(motion + "\n")
+    files = {name: folder / f"{name}.in" for name in ("wall", "motion")}
+    run_deck(DECKS / "curved.in", {"decks": DECKS, **files, **variables}, folder, ranks=ranks)
+    return Outcome(read_thermo(folder / "log.liggghts"), read_dump(folder / "trajectory.dump"))
+
+
+def rolled(folder: Path, wall: str, steps: int = 5000, timestep: float = 1e-5, **variables):
+    folder.mkdir(exist_ok=True)
+    variables = {**ROLLING, "every": steps // 10, "timestep": timestep, **variables}
+    return run(folder, wall, let_go(steps), **variables)
+
+
+def in_a_pipe(folder: Path, facets: int, options: str = "", **variables) -> Outcome:
+    folder.mkdir(exist_ok=True)
+    pipe = surfaces.pipe(facets, 0.3, 0.6)
+    return rolled(folder, mesh(folder, pipe, options), **variables)
+
+
+@pytest.mark.parametrize("tangential", ["off", "history"])
+def test_a_fine_pipe_is_a_cylinder(tangential, tmp_path):
+    """Facets of half a degree: the sphere has up to five under it at once.
+
+    1e-3 of the energy at the start: the pipe's corners stand 1e-5 of its radius, a thousandth of
+    the overlap's square root, outside the cylinder. Drift: a facet's force turns between two steps.
+    """
+    pipe = in_a_pipe(tmp_path / "pipe", 720, tangential=tangential)
+    cylinder = rolled(tmp_path / "cylinder", CYLINDER, tangential=tangential)
+    start = cylinder.ledger["kinetic"].iloc[0]
+    for entry in ("kinetic", "elastic", "plastic", "friction"):
+        ours, exact = pipe.ledger[entry].iloc[-1], cylinder.ledger[entry].iloc[-1]
+        assert ours == pytest.approx(exact, abs=1e-3 * start), entry
+    places = [outcome.sphere[["x", "z"]].iloc[-1].to_numpy() for outcome in (pipe, cylinder)]
+    assert places[0] == pytest.approx(places[1], abs=1e-3 * RADIUS)
+    assert pipe.drift() < 2e-4
+
+
+@pytest.mark.parametrize("facets", [36, 90, 180, 360])
+def test_no_energy_is_made_in_a_pipe(facets, tmp_path):
+    """What is left comes of the step, in which a force keeps its direction: a quarter of the step
+    leaves half at most. The engine's own contacts make energy at any step, in narrow facets."""
+    coarse = in_a_pipe(tmp_path / "coarse", facets, tangential="off")
+    fine = in_a_pipe(tmp_path / "fine", facets, tangential="off", steps=20000, timestep=2.5e-6)
+    assert coarse.drift() < 1e-4
+    assert fine.drift() < 0.5 * coarse.drift()
+    if facets == 360:
+        engines = in_a_pipe(tmp_path / "engines", facets, "feature_angle 0", tangential="off")
+        assert engines.drift() > 5e-4
+
+
+TIMESTEP = 1e-5
+PRESSED, HELD = 2e-4, 1.9e-4  # overlaps [m]
+
+
+def pressed_and_held() -> list[str]:
+    """Pressed down from first touch until it has yielded, and let go a little."""
+    return [
+        moved((0, 0, -PRESSED / (100 * TIMESTEP))),
+        moved((0, 0, (PRESSED - HELD) / (100 * TIMESTEP))),
+    ]
+
+
+def over_a_fold(angle: float) -> tuple[float, str]:
+    """A dented sphere goes over a folded plate at one overlap with the nearer side.
+
+    Returns:
+        Where it starts along x [m], and the lines of its motion: 100 steps each of pressing,
+        letting go, going to the fold, turning about it if it bends away, and going on.
+    """
+    turn, pace = np.radians(angle), 0.02 / (100 * TIMESTEP)
+    at_fold = -(RADIUS - HELD) * np.tan(max(0, turn) / 2)
+    motions = [*pressed_and_held(), moved((pace, 0, 0))]
+    if angle < 0:
+        period = 100 * TIMESTEP * 360 / -angle
+        motions += [
+            f"fix motion all move rotate 0 0 0 0 1 0 {period!r} units box\nrun 100\nunfix motion\n"
+        ]
+    motions += [moved((pace * np.cos(turn), 0, pace * np.sin(turn)))]
+    return at_fold - 0.02, "".join(motions)
+
+
+def folded(folder: Path, angle: float, options: str = "", **variables) -> np.ndarray:
+    """Forces by step of the sphere that goes over a fold [N]."""
+    x, motion = over_a_fold(angle)
+    wall = mesh(folder, surfaces.folded_plate(angle, 0.3, pieces=3), options)
+    place = {"x": x, "z": RADIUS, "every": 1}
+    return run(folder, wall, motion, **{"tangential": "off", **place, **variables}).forces()
+
+
+@pytest.mark.parametrize("angle", [0.2, 10, 25, -0.2, -10, -60, -120])
+def test_a_dent_is_remembered_over_a_fold(angle, tmp_path):
+    """Toward the sphere up to the feature angle of 30 degrees, away from it at any angle.
+
+    The engine's own contacts make it 3.3 times the force on the fold and 2.3 times behind it, and
+    nothing over an edge that bends away by 0.2 degrees.
+    """
+    size = np.linalg.norm(folded(tmp_path, angle), axis=1)
+    assert size[100] > 2 * size[200] > 0
+    assert size[201:] == pytest.approx(size[200], rel=2e-3)
+
+
+def test_a_spring_turns_with_the_surface(tmp_path):
+    """A spring that never slips is stretched along the fold and across it, and behind the fold by
+    as much again across. 2e-3: the overlap's rounding is that much of the stiffness."""
+    angle, x = 20, over_a_fold(20)[0]
+    turn, pace = np.radians(angle), 0.02 / (100 * TIMESTEP)
+    motions = [*pressed_and_held(), moved((pace, pace, 0), 90), moved((pace, 0, 0), 10)]
+    motions += [moved((pace * np.cos(turn), 0, pace * np.sin(turn)), 80)]
+    wall = mesh(tmp_path, surfaces.folded_plate(angle, 0.3))
+    start = {"x": x, "z": RADIUS, "every": 10, "coefficient_of_friction": 1e6}
+    forces = run(tmp_path, wall, "".join(motions), **start).forces()
+    before, after = forces[29], forces[38]
+    assert before[0] == pytest.approx(before[1], rel=1e-6)
+    assert -before[0] > 100 * before[2] > 0
+    assert after[1] == pytest.approx(before[1], rel=2e-3)
+    assert after @ [np.cos(turn), 0, np.sin(turn)] == pytest.approx(2 * before[0], rel=2e-3)
+    assert 0 < after @ [-np.sin(turn), 0, np.cos(turn)] < -0.01 * before[0]
+
+
+def pressed_on(folder: Path, triangles: np.ndarray, place: tuple, options: str = "") -> np.ndarray:
+    """The force on a sphere that is moved to a place from a millimetre above, once there [N]."""
+    motion = moved((0, 0, -1e-3 / (100 * TIMESTEP)))
+    x, y, z = place
+    start = {"x": x, "y": y, "z": z + 1e-3, "every": 100, "tangential": "off"}
+    folder.mkdir(exist_ok=True)
+    return run(folder, mesh(folder, triangles, options), motion, **start).forces()[-1]
+
+
+def test_true_edges_keep_their_contacts(tmp_path):
+    """In a corner one with each side; in a groove one with each side, or a single one with the
+    nearer where the feature angle is above the fold's. Over an edge that bends away, one."""
+    depth = RADIUS - 1e-4
+    plate = surfaces.folded_plate(0, 0.3)
+    alone = pressed_on(tmp_path / "plate", plate, (-0.05, 0.03, depth))
+    assert alone[:2] == pytest.approx(0, abs=1e-9 * alone[2])
+    corner = pressed_on(tmp_path / "corner", surfaces.corner(0.3), (depth, depth, depth))
+    assert corner == pytest.approx(np.full(3, alone[2]), rel=1e-9)
+
+    groove, turn = surfaces.folded_plate(60, 0.3), np.radians(60)
+    centre = (-depth * np.tan(turn / 2), 0.03, depth)
+    both = pressed_on(tmp_path / "groove", groove, centre)
+    expected = alone[2] * np.array([-np.sin(turn), 0, 1 + np.cos(turn)])
+    assert both == pytest.approx(expected, rel=1e-3, abs=1e-9 * alone[2])
+    single = pressed_on(tmp_path / "smooth", groove, centre, "feature_angle 90")
+    assert np.linalg.norm(single) == pytest.approx(alone[2], rel=1e-3)
+
+    edge = surfaces.folded_plate(-90, 0.3)
+    beside = pressed_on(tmp_path / "beside", edge, (-0.001, 0.03, depth))
+    assert beside == pytest.approx(alone, rel=1e-9)
+
+
+# Thrown along the bottom of a bowl, a little aslant.
+THROWN = {"x": -0.03, "z": -0.1974, "vx": 4, "vy": 0.5, "g": 9.81, "timestep": 2e-5}
+SOFT = {"youngs_modulus": 7e8, "yield_strength": 1e7}
+
+
+def in_a_bowl(folder: Path, motion: str, ranks: int = 1, **variables) -> Outcome:
+    folder.mkdir(exist_ok=True)
+    wall = mesh(folder, surfaces.bowl(24, 80, 0.3))
+    return run(folder, wall, motion, ranks, **{**THROWN, **SOFT, "every": 100, **variables})
+
+
+@pytest.mark.parametrize(("ranks", "grid", "rolling"), [(2, "2 1 1", "off"), (4, "2 2 1", "epsd2")])
+def test_a_bowl_is_the_same_on_all_ranks_and_after_a_restart(ranks, grid, rolling, tmp_path):
+    """Borders between ranks run through the bottom of the bowl, where the sphere yields and rolls;
+    the restart file is of a moment in contact. 1e-9: sums of forces in another order."""
+    motion = let_go(400) + f"\nwrite_restart {tmp_path}/middle.restart\nrun 400"
+    alone = in_a_bowl(tmp_path / "alone", motion, rolling=rolling)
+    assert alone.ledger["elastic"].iloc[4] > 0, "no contact at the restart"
+    assert alone.ledger["plastic"].iloc[-1] > alone.ledger["plastic"].iloc[4] > 0
+    assert alone.drift() < 1e-4
+    shared = in_a_bowl(tmp_path / "shared", motion, ranks, grid=grid, rolling=rolling)
+    going_on = {"begin": "restarted", "restart": tmp_path / "middle.restart"}
+    half = in_a_bowl(tmp_path / "half", let_go(400), rolling=rolling, **going_on)
+    columns = ["x", "y", "z", "omegax", "omegay", "omegaz"]
+    last = alone.sphere[columns].iloc[-1].to_numpy()
+    for other in (shared, half):
+        there = other.sphere[columns].iloc[-1].to_numpy()
+        assert there == pytest.approx(last, abs=1e-9 * np.abs(last).max())
+
+
+def test_over_a_round_edge_no_energy_is_made(tmp_path):
+    """A sphere rolls off a table and down its side; a quarter of the step leaves a quarter."""
+    edge = surfaces.folded_plate(-90, 0.3)
+    start = {"x": -0.05, "z": RADIUS, "vx": 0.5, "g": 9.81, "youngs_modulus": 7e8}
+    drifts = []
+    for refine in (1, 4):
+        folder = tmp_path / str(refine)
+        folder.mkdir()
+        steps = {"timestep": 1e-5 / refine, "every": 2000 * refine}
+        off = run(folder, mesh(folder, edge), let_go(40000 * refine), **start, **steps)
+        assert off.sphere["z"].iloc[-1] < 0 < off.sphere["x"].iloc[-1]
+        drifts.append(off.drift())
+    assert drifts[0] < 1e-4
+    assert drifts[1] < 0.3 * drifts[0]
+
+
+@pytest.mark.parametrize(
+    ("options", "complaint"),
+    [
+        ("feature_angle 91", "feature_angle is 91; it must be from 0 to 90 degrees"),
+        ("feature_angle steep", "Expected floating point parameter"),
+        ("feature_angle", "feature_angle"),
+    ],
+)
+def test_an_impossible_feature_angle_is_refused(options, complaint, tmp_path):
+    wall = mesh(tmp_path, surfaces.folded_plate(0, 0.3), options)
+    with pytest.raises(EngineStopped, match=complaint):
+        run(tmp_path, wall, let_go(1), z=0.2)
+
+
+def test_a_feature_angle_of_a_primitive_wall_is_refused(tmp_path):
+    with pytest.raises(EngineStopped, match="feature_angle is for walls of meshes"):
+        run(tmp_path, CYLINDER + " feature_angle 30", let_go(1))
