@@ -27,7 +27,7 @@ files=$(cd "$models" && find plastigran liggghts/model liggghts/models liggghts/
   \( -name '*.h' -o -name '*.cpp' \))
 target_of() {
   case $1 in
-    *.cpp | */normal_model_*.h) echo "$tree/src/${1##*/}" ;;
+    *.cpp | liggghts/models/*.h) echo "$tree/src/${1##*/}" ;;
     *) echo "$tree/src/$1" ;;
   esac
 }
@@ -53,7 +53,8 @@ for file in $files; do
 done
 
 # The engine compiles combinations of low model ids by itself and runs the others through its slow
-# generic class, unless they are listed. These are the ones the plugin has too (plugin/CMakeLists.txt).
+# generic class, unless they are listed. These are the usual ones; with other cohesion, rolling or
+# surface models the generic class is as good.
 whitelist=$tree/src/style_contact_model_user.whitelist
 touch -a "$whitelist"
 [ -z "$(tail -c 1 "$whitelist")" ] || echo >>"$whitelist"  # its last line may be unfinished

@@ -9,6 +9,7 @@ from pathlib import Path
 import pytest
 
 from plastigran import laws
+from plastigran.engine.dumps import read_dump
 from plastigran.engine.process import command, inputs_folder
 from plastigran.experiments.collide import IMPACTS
 from plastigran.experiments.collision import measure
@@ -52,6 +53,33 @@ def test_restitution_is_the_plugins(in_tree, law, deck, tmp_path):
     assert "not located in any whitelist" not in log  # compiled in, not the generic class
 
 
+def slide(program, folder: Path, **variables: str):
+    """The conformance suite's oblique impact of a spinning sphere; its end, or what was said."""
+    folder.mkdir()
+    deck = PROJECT / "tests/conformance/decks/slide.in"
+    words = command(deck, {"law": "thornton", "spin": -50.0, **variables}, folder)
+    words[0] = program
+    run = subprocess.run(words, cwd=folder, capture_output=True, text=True, errors="replace")
+    if run.returncode:
+        return run.stdout + run.stderr
+    return read_dump(folder / "trajectory.dump").iloc[-1]
+
+
+def test_a_combination_of_the_generic_class_is_the_plugins(in_tree, tmp_path):
+    """The engine's slow class takes the combinations that are not in the whitelist."""
+    ours, plugin = (
+        slide(program, tmp_path / name, rolling="epsd")
+        for program, name in ((in_tree, "in_tree"), (PLUGIN, "plugin"))
+    )
+    assert ours.to_numpy() == pytest.approx(plugin.to_numpy(), rel=TOLERANCE)
+    assert ours["omegaz"] != slide(PLUGIN, tmp_path / "plain")["omegaz"]
+
+
+def test_friction_that_asks_for_adhesion_is_refused(in_tree, tmp_path):
+    said = slide(in_tree, tmp_path / "in_tree", tangential="tan_luding")
+    assert "tangential tan_luding asks the normal model for an adhesion" in said
+
+
 @pytest.fixture
 def bare_tree(tmp_path):
     """A folder that looks like LIGGGHTS' sources to install.sh."""
@@ -85,7 +113,7 @@ def test_every_model_is_installed(bare_tree):
         assert {f"plastigran/laws/{law}.h", f"normal_model_{law}.h"} <= set(files)
         assert whitelist.count(f"GRAN_MODEL({identifier}, ") == 9
     names = {Path(name).name for name in files}
-    assert not {"any_law.h", "registration.cpp", "plugin.cpp", "energy_ledger.h"} & names
+    assert not {"any_model.h", "registration.cpp", "plugin.cpp", "energy_ledger.h"} & names
 
 
 def test_every_include_of_ours_is_installed(bare_tree):
