@@ -8,27 +8,14 @@ from pathlib import Path
 import pandas as pd
 import pytest
 from attrs import evolve, frozen
+from soft_grains import NO_YIELD, PROPERTIES, STRENGTH, assert_alike, execute, fresh, motion
 
-from plastigran.engine.dumps import read_dump
 from plastigran.engine.log import read_thermo
-from plastigran.engine.process import EngineError, run_deck
+from plastigran.engine.process import EngineError
 
-SETTINGS = """
-variable inputs index inputs
-variable output index .
-"""
-#: Soft grains of 10 mm, each in a contact that lasts some 300 steps: two meet obliquely and
-#: spinning on the border between ranks, one hits the floor, one the plate, one lies on another.
-FRESH = """
-processors      {grid} 1
-units           si
-atom_style      granular
-atom_modify     map array
-boundary        f f f
-newton          off
-communicate     single vel yes
-region          box block -0.08 0.08 -0.04 0.04 -0.02 0.08 units box
-create_box      2 box
+#: Each contact lasts some 300 steps: two grains meet obliquely and spinning on the border between
+#: ranks, one hits the floor, one the plate, one lies on another.
+GRAINS = """
 create_atoms    1 single -0.0102 0.001 0.03
 create_atoms    1 single 0.0102 -0.001 0.03
 create_atoms    1 single 0.045 0.0 0.0102
@@ -43,13 +30,6 @@ set atom 3 vx 0.1 vz -0.3 omegay 30.0 omegaz 10.0
 set atom 4 vx -0.3 vz 0.1 omegay 20.0
 """
 MODELS = """
-neighbor        0.001 bin
-neigh_modify    delay 0
-fix youngs   all property/global youngsModulus peratomtype 1e7 2e7
-fix poisson  all property/global poissonsRatio peratomtype 0.3 0.25
-fix strength all property/global yieldStrength peratomtype {strength} {strength}
-fix bounce   all property/global coefficientRestitution peratomtypepair 2 {restitution}
-fix friction all property/global coefficientFriction peratomtypepair 2 0.3 0.4 0.4 0.5
 fix rolling  all property/global coefficientRollingFriction peratomtypepair 2 0.1 0.2 0.2 0.1
 fix damping  all property/global coefficientRollingViscousDamping peratomtypepair 2 {damping}
 fix epsd3    all property/global rollingStiffness scalar 3.0
@@ -70,13 +50,8 @@ fix floor  all wall/gran model {law} {at_walls} primitive type 2 zplane 0.0 {opt
 fix plate  all mesh/surface file ${{inputs}}/meshes/plate.stl type 2 scale 0.01 move -0.07 0 0.03
 fix side   all wall/gran model {law} {at_walls} mesh n_meshes 1 meshes plate {options}
 {more}
-fix gravity all gravity 9.81 vector 0 0 -1
 fix integrate all nve/sphere
-timestep        1e-5
 {thermo}
-thermo          20
-dump grains all custom 20 grains.dump id x y z vx vy vz omegax omegay omegaz fx fy fz
-dump_modify grains sort id format "%d{formats}"
 """
 DISC = """
 units           si
@@ -143,49 +118,34 @@ LUDING = {
     "rolling": Contact("tangential history rolling_friction luding"),
 }
 every_contact = pytest.mark.parametrize("contact", CONTACTS.values(), ids=CONTACTS)
-STEPS = 1000
+STEPS = 800
 
 
-def deck(contact: Contact, law: str = "thornton", *, ledger: bool = False, **changes: str) -> str:
-    """The models and walls, and what integrates."""
+def deck(
+    contact: Contact,
+    law: str = "thornton",
+    *,
+    strength: str = STRENGTH,
+    ledger: bool = False,
+    **changes: str,
+) -> str:
+    """All but the grains and the runs."""
     if ledger:
         contact = evolve(contact, options=f"{contact.options} energy_ledger on")
     models, options, more = contact.models, contact.options, contact.more
     values = {
         "pair": f"pair_style gran model {law} {models} {options}",
-        "strength": "1e5",
         "damping": "0.3 0.2 0.2 0.3",
-        "restitution": "1 1 1 1",
         "thermo": LEDGER if ledger else "",
-        "formats": " %.17g" * 12,
     }
     at_walls = contact.at_walls or models
     values |= {"law": law, "at_walls": at_walls, "options": options, "more": more, **changes}
-    return MODELS.format(**values)
+    return PROPERTIES.format(strength=strength) + MODELS.format(**values) + motion()
 
 
 def start(commands: str, folder: Path, ranks: int = 1, after: str = f"run {STEPS}") -> pd.DataFrame:
-    """Run the fresh grains under these commands: their motion, by step and id."""
-    text = FRESH.format(grid="2 1" if ranks == 2 else "1 1") + commands + after
-    return execute(text, folder, ranks)
-
-
-def execute(text: str, folder: Path, ranks: int = 1) -> pd.DataFrame:
-    folder.mkdir(exist_ok=True)
-    (folder / "deck.in").write_text(
-        "variable inputs index inputs\nvariable output index .\n" + text
-    )
-    run_deck(folder / "deck.in", {}, folder, ranks=ranks)
-    table = read_dump(folder / "grains.dump").drop_duplicates(["step", "id"], keep="last")
-    return table.set_index(["step", "id"])
-
-
-def assert_alike(one: pd.DataFrame, other: pd.DataFrame, rel: float) -> None:
-    """Each column within a share of its largest magnitude."""
-    assert (one.index == other.index).all()
-    scale = one.abs().max()
-    assert (scale[["vx", "vz", "fx", "fz"]] > 0).all(), "nothing moves"
-    assert ((one - other).abs().max() <= rel * scale).all(), (one - other).abs().max() / scale
+    """Run the grains under these commands: their motion, by step and id."""
+    return fresh(GRAINS + commands + after, folder, ranks)
 
 
 @every_contact
@@ -195,10 +155,10 @@ def test_an_unyielding_law_is_the_engines_hertz(contact, tmp_path):
     1e-9: the laws agree to rounding, 1e-16 of a position and 1e-13 of an overlap, which a few
     impacts multiply.
     """
-    ours = start(deck(contact, strength="1e30"), tmp_path / "ours")
+    ours = start(deck(contact, strength=NO_YIELD), tmp_path / "ours")
     stock = start(deck(contact, "hertz"), tmp_path / "stock")
     assert_alike(ours, stock, 1e-9)
-    plain = start(deck(Contact(), strength="1e30"), tmp_path / "plain")
+    plain = start(deck(Contact(), strength=NO_YIELD), tmp_path / "plain")
     assert ((plain - ours).abs().max() > 1e-4 * plain.abs().max()).any(), "it has no effect"
 
 
