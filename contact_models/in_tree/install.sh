@@ -2,9 +2,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 #
 # Adds every model, and the energy ledger, to a LIGGGHTS source tree: the plugin's own files but for
-# its launcher and its look at the engine. The engine's builds compile every .cpp flat in src/, and its
-# list of models reads normal_model_*.h there; other headers keep their folders. Running it again brings
-# all up to date and leaves alone what already is.
+# its launcher and its look at the engine. The engine's builds compile every .cpp flat in src/; headers
+# keep their folders. Running it again brings all up to date and leaves alone what already is.
 #
 #   install.sh DIR      DIR is the tree's top folder, the one that holds src/
 set -eu
@@ -29,16 +28,13 @@ trap 'rm -rf "$new"' EXIT
 # The files as they are to lie below src/. The engine's builds do not look for headers in src/ itself:
 # from a folder, two levels below it, every file is included by its way from there.
 cd "$models"
-for file in $(find plastigran liggghts -name '*.h' ! -path '*/plugin/*') liggghts/plugin/registered.h; do
+for file in $(find plastigran liggghts -name '*.h' ! -path '*/plugin/*') \
+  liggghts/plugin/any_model.h liggghts/plugin/engine_styles.h liggghts/plugin/registered.h; do
   mkdir -p "$new/${file%/*}"
   sed 's|^#include "|&../../|' "$file" >"$new/$file"
 done
-mkdir -p "$new/liggghts/plugin"
-sed 's|^#include "|&../../|' "$plugin/any_law.h" >"$new/liggghts/plugin/any_law.h"
-echo '#include "liggghts/plugin/any_law.h"  // plastigran: one model of the engine for all laws
-// NORMAL_MODEL(ANY_LAW, any_law, 63)' >"$new/normal_model_any_law.h"
 for file in $(find liggghts -name '*.cpp' ! -path '*/plugin/*') in_tree/require_version.cpp \
-  liggghts/plugin/registration.cpp; do
+  liggghts/plugin/any_model.cpp liggghts/plugin/registration.cpp; do
   cp "$file" "$new"
 done
 
@@ -52,14 +48,11 @@ for header in liggghts/models/normal_model_*.h; do
   echo "LAW($law)" >>"$new/registered.inc"
 done
 number=0
-for tangential in OFF NO_HISTORY HISTORY; do
-  for rolling in OFF CDT EPSD2; do
-    number=$((number + 1))
-    sed "s|@tangential@|TANGENTIAL_$tangential|g; s|@cohesion@|COHESION_OFF|g
-      s|@rolling@|ROLLING_$rolling|g; s|@surface@|SURFACE_DEFAULT|g; s|@number@|$number|g" \
-      "$plugin/combination.cpp.in" >"$new/combination_$number.cpp"
-    echo "COMBINATION($number)" >>"$new/registered.inc"
-  done
+grep '^[A-Z]' "$plugin/combinations.txt" | while read -r tangential cohesion rolling surface; do
+  number=$((number + 1))
+  sed "s|@tangential@|$tangential|g; s|@cohesion@|$cohesion|g; s|@rolling@|$rolling|g
+    s|@surface@|$surface|g; s|@number@|$number|g" "$plugin/combination.cpp.in" >"$new/combination_$number.cpp"
+  echo "COMBINATION($number)" >>"$new/registered.inc"
 done
 
 # A fork may have a file of the same name. All of ours name our namespace.

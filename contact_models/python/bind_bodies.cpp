@@ -42,8 +42,8 @@ constexpr std::array<Field<MaterialPair>, 9> pair_fields{{
      "Rate of strain at which the weaker body's yield strength holds [1/s]."},
 }};
 
-constexpr Allowed ratio_of_a_body{[](double value) { return value > -1 && value < 0.5; },
-                                  "between -1 and 0.5, both excluded"};
+constexpr Allowed ratio_of_a_body{[](double value) { return value > -1 && value <= 0.5; },
+                                  "above -1 and at most 0.5"};
 
 }  // namespace
 
@@ -70,7 +70,7 @@ void bind_bodies(nb::module_& module) {
 
 Args:
     youngs_modulus: E [Pa], positive.
-    poissons_ratio: nu [-], between -1 and 0.5.
+    poissons_ratio: nu [-], above -1 and at most 0.5.
     yield_strength: Uniaxial sigma_Y [Pa], positive; inf: it never yields.
     yield_pressure_factor: Contact yield pressure over yield strength [-], 0.5 to 10; 0 stands for
         the Hertz-von Mises value (`hertz_yield_pressure_factor`).
@@ -108,7 +108,8 @@ Source: effective moduli of Hertz 1881 and Mindlin 1949.)");
       R"(Peak Hertz pressure over yield strength [-] at which a contact first yields (von Mises).
 
 Args:
-    poissons_ratio: nu [-], a number or an array of any shape, between -1 and 0.5.
+    poissons_ratio: nu [-], a number or an array of any shape, above -1 and at most
+        0.5.
 
 Returns:
     A number, or an array of that shape.

@@ -98,8 +98,8 @@ def test_tangent_modulus_of_a_law_that_hardens_is_told(tmp_path):
         ({"youngs_modulus": "0"}, "youngsModulus is 0; it must be positive and finite"),
         ({"youngs_modulus": "-7e10"}, r"youngsModulus is -7e\+10; it must be positive"),
         ({"youngs_modulus": "nan"}, "Expected floating point parameter"),
-        ({"poissons_ratio": "0.5"}, "poissonsRatio is 0.5; it must be between -1 and 0.5"),
-        ({"poissons_ratio": "-1.2"}, "poissonsRatio is -1.2; it must be between -1 and 0.5"),
+        ({"poissons_ratio": "0.51"}, "poissonsRatio is 0.51; it must be above -1 and at most 0.5"),
+        ({"poissons_ratio": "-1.2"}, "poissonsRatio is -1.2; it must be above -1 and at most 0.5"),
         (
             {"more": constant("yieldPressureFactor", "100", "peratomtype")},
             "yieldPressureFactor is 100; it must be between 0.5 and 10",

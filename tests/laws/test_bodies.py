@@ -43,7 +43,7 @@ def test_yield_pressure_factor(poissons_ratio, factor):
         ({"yield_strength": 0}, r"yield_strength is 0; it must be positive and finite \[Pa\]"),
         ({"yield_strength": float("nan")}, r"yield_strength is nan"),
         ({"youngs_modulus": -1}, r"youngs_modulus is -1"),
-        ({"poissons_ratio": 0.5}, r"poissons_ratio is 0.5; it must be between -1 and 0.5"),
+        ({"poissons_ratio": 0.51}, r"poissons_ratio is 0.51; it must be above -1 and at most 0.5"),
         ({"poissons_ratio": -1}, r"poissons_ratio is -1"),
         ({"yield_pressure_factor": -2}, r"yield_pressure_factor is -2; it must be between 0.5 and"),
         ({"tangent_modulus": 7e10}, r"tangent_modulus is 7e\+10; it must be 0 or more and less"),

@@ -8,6 +8,7 @@
 #include "error.h"
 #include "liggghts/fixes/history_keeper.h"
 #include "liggghts/fixes/own_fix.h"
+#include "liggghts/ledger/cohesive_energy.h"
 #include "liggghts/ledger/energy_ledger.h"
 #include "liggghts/model/accounted_load.h"
 #include "liggghts/model/contact_owner.h"
@@ -33,15 +34,14 @@ class AccountedContact : private ContactSetup,
         Base(engine, static_cast<ContactSetup*>(this), is_wall, hash),
         engine_(engine),
         owner_(owner),
-        spring_offset_(offset_of("shearx")) {
+        spring_offset_(has_model("tangential", "history") ? offset_of("shearx") : -1) {
     ContactObserver::offer(engine);
   }
 
-  // The engine asks which models these are. The normal model is the one of the setup's hash.
+  // The engine asks which models these are: those of the setup's hash.
   int64_t hashcode() { return hash(); }
   bool contact_match(const std::string& kind, const std::string& name) {
-    if (kind != "normal") return Base::contact_match(kind, name);
-    return LIGGGHTS::ContactModels::Factory::instance().getNormalModelId(name) == (hash() & 63);
+    return has_model(kind, name);
   }
 
   // Where a value stands in a contact's history, -1 when no model has it.
@@ -69,6 +69,7 @@ class AccountedContact : private ContactSetup,
     const char* const complaint = EnergyLedger::complaint(ledger_, asked_, this->is_wall());
     if (complaint) engine_->error->all(FLERR, complaint);
     if (!asked_) ledger_ = nullptr;
+    if (ledger_) refuse_what_is_not_counted();
     if (ledger_) ledger_->attach(owner_);
     observers_ = ContactObserver::attach(engine_, owner_);
     takes_accounts = ledger_ || !observers_.empty();
@@ -89,6 +90,18 @@ class AccountedContact : private ContactSetup,
     const std::string name = ContactOwner(owner, this->is_wall()).name();
     restore_settings(engine_, *this, own_fix<HistoryKeeper>(engine_)->restarted_settings(name),
                      [&] { postSettings(owner); });
+  }
+
+  void refuse_what_is_not_counted() {
+    const char* const reason =
+        !CohesiveEnergy::is_known(model(2))
+            ? "energy_ledger on: it does not count what liquid between particles stores and "
+              "dissipates; leave it off, or use cohesion sjkr, sjkr2 or off"
+        : !has_model("surface", "default")
+            ? "energy_ledger on: it does not count what contacts of a particle store by pressing "
+              "on each other; leave it off, or use surface default"
+            : nullptr;
+    if (reason) engine_->error->all(FLERR, reason);
   }
 
   [[gnu::noinline]] void account(Contact& contact, Load& on_i, Load& on_j) {

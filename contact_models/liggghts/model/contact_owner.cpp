@@ -2,10 +2,11 @@
 #include "liggghts/model/contact_owner.h"
 
 #include <numeric>
-#include <utility>
 
+#include "contact_models.h"
 #include "fix_mesh_surface.h"
 #include "fix_wall_gran.h"
+#include "liggghts/model/companions.h"
 #include "modify.h"
 #include "pair_gran.h"
 
@@ -13,6 +14,7 @@ namespace plastigran {
 
 using LAMMPS_NS::FixWallGran;
 using LAMMPS_NS::PairGran;
+using LIGGGHTS::ContactModels::ContactModelBase;
 
 bool ContactOwner::has_model(const std::string& kind, const std::string& name) const {
   return is_wall_ ? static_cast<FixWallGran*>(owner_)->contact_match(kind, name)
@@ -28,15 +30,31 @@ std::string ContactOwner::name() const {
 }
 
 std::string ContactOwner::other_models() const {
-  const std::pair<const char*, std::vector<const char*>> known[] = {
-      {"tangential", {"no_history", "history"}},
-      {"rolling_friction", {"cdt", "epsd", "epsd2", "epsd3", "luding"}},
-      {"cohesion", {"sjkr", "sjkr2"}},
-  };
   std::string text;
-  for (const auto& [kind, names] : known)
-    for (const char* name : names)
-      if (has_model(kind, name)) text += std::string(" ") + kind + ' ' + name;
+  for (const CompanionKind& kind : companion_kinds())
+    for (const Companion& companion : kind.models)
+      if (companion.id != 0 && has_model(kind.keyword, companion.name))
+        text += std::string(" ") + kind.keyword + ' ' + companion.name;
+  return text;
+}
+
+std::string ContactOwner::unsuitable_model(ContactModelBase& contact_model,
+                                           bool is_cylinder) const {
+  const bool adhesion = contact_model.get_history_offset("kc_offset") >= 0;
+  std::string text;
+  for (const CompanionKind& kind : companion_kinds())
+    for (const Companion& companion : kind.models) {
+      if (companion.id == 0 || !has_model(kind.keyword, companion.name)) continue;
+      const std::string name = std::string(kind.keyword) + ' ' + companion.name;
+      if (!adhesion && name.find("luding") != std::string::npos)
+        text = name + " asks the normal model for an adhesion that this one does not have";
+      if (is_wall_ && name.find("easo") != std::string::npos)
+        text = name + " on a wall takes the wall's velocity from some particle; leave it off here";
+      const bool is_friction =
+          name.rfind("tangential", 0) == 0 || name.rfind("rolling_friction", 0) == 0;
+      if (is_cylinder && !is_friction)
+        text = name + " is for spheres; this model is for cylinders, the discs of a 2D deck";
+    }
   return text;
 }
 

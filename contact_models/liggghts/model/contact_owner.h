@@ -12,6 +12,9 @@
 namespace LAMMPS_NS {
 class Modify;
 }
+namespace LIGGGHTS::ContactModels {
+class ContactModelBase;
+}
 
 namespace plastigran {
 
@@ -27,6 +30,10 @@ class ContactOwner {
 
   // The models beside the normal one, as that line has them (" KIND NAME ..."), without those off.
   std::string other_models() const;
+
+  // What is wrong with one of them beside ours, empty when nothing is.
+  std::string unsuitable_model(LIGGGHTS::ContactModels::ContactModelBase& contact_model,
+                               bool is_cylinder) const;
 
   // IDs of the engine's fixes that store what these contacts remember; none when they do not.
   std::vector<std::string> histories() const;

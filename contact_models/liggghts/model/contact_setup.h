@@ -5,6 +5,7 @@
 // where each value stands in a contact's history.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <string>
@@ -24,8 +25,15 @@ class ContactSetup : public LIGGGHTS::IContactHistorySetup {
     return offset;
   }
 
-  // The engine's hash of the combination of models.
+  // The engine's hash of the combination of models: six bits for each of its places.
   int64_t hash() const { return hash_; }
+  static int model_of(int64_t hash, std::size_t place) { return hash >> 6 * place & 63; }
+
+  // ID of the model in a place: 0 normal, 1 tangential, 2 cohesion, 3 rolling, 4 surface.
+  int model(std::size_t place) const { return model_of(hash_, place); }
+
+  // Whether the model of that kind, "normal", "tangential", ..., has that name in a deck.
+  bool has_model(const std::string& kind, const std::string& name) const;
 
   // The place of the value of that name, -1 when no model has registered one.
   int offset_of(const std::string& name) const {

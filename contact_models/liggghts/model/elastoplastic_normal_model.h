@@ -81,6 +81,8 @@ class ElastoplasticNormalModel : public NormalModelBase {
 #endif
     if (is_cylinder && domain->dimension != 2)
       fail("it is for cylinders, the discs of a 2D deck (dimension 2); this deck is 3D");
+    const std::string unsuitable = owner_.unsuitable_model(*contact_model_, is_cylinder);
+    if (!unsuitable.empty()) fail(unsuitable);
     const auto keeper = plastigran::own_fix<plastigran::HistoryKeeper>(lmp);
     const std::string owner = owner_.name();
     if (settings_.text().empty())

@@ -21,7 +21,8 @@ struct RegisteredLaw {
                 LIGGGHTS::ContactModels::ContactModelBase*);
 };
 
-// The other models of a contact, and how the engine makes the pair style or wall that has them.
+// The other models of a contact, ANY for any of their kind, and how the engine makes the pair style
+// or wall that has them.
 struct RegisteredCombination {
   int tangential, cohesion, rolling, surface;
   LIGGGHTS::PairStyles::IGranularPairStyle* (*pair)(LAMMPS_NS::LAMMPS*, LAMMPS_NS::PairGran*,

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
 // Puts every law into the engine's factories when the program is loaded: its name, each combination
-// with other models that is compiled in, and for every other combination a creator that says so.
+// with other models that can be had, and for every other combination a creator that says so.
 // (An unregistered combination would reach the engine's generic class, which knows nothing of
 // models that came with a plugin.)
 #include <algorithm>
-#include <array>
+#include <iterator>
 #include <string>
-#include <vector>
 
+#include "liggghts/model/companions.h"
 #include "liggghts/model/contact_setup.h"
-#include "liggghts/plugin/any_law.h"
+#include "liggghts/plugin/any_model.h"
 #include "liggghts/plugin/registered.h"
 
 namespace plastigran {
@@ -42,85 +42,52 @@ const RegisteredCombination* const combinations[] = {
 #undef LAW
 #undef COMBINATION
 
-// A model to combine with, as a deck names it.
-struct Companion {
-  int id;
-  const char* name;
-};
-
-// The four places of a combination beside the normal model, in the order of the engine's hash: what
-// a deck calls it, and the models of the engine's headers.
-struct Place {
-  const char* keyword;
-  int RegisteredCombination::*id;
-  std::vector<Companion> models;
-};
-
-const std::array<Place, 4> places{{
-    {"tangential",
-     &RegisteredCombination::tangential,
-     {
-         {TANGENTIAL_OFF, "off"},
-#define TANGENTIAL_MODEL(identifier, name, id) {identifier, #name},
-#include "style_tangential_model.h"
-#undef TANGENTIAL_MODEL
-     }},
-    {"cohesion",
-     &RegisteredCombination::cohesion,
-     {
-         {COHESION_OFF, "off"},
-#define COHESION_MODEL(identifier, name, id) {identifier, #name},
-#include "style_cohesion_model.h"
-#undef COHESION_MODEL
-     }},
-    {"rolling_friction",
-     &RegisteredCombination::rolling,
-     {
-         {ROLLING_OFF, "off"},
-#define ROLLING_MODEL(identifier, name, id) {identifier, #name},
-#include "style_rolling_model.h"
-#undef ROLLING_MODEL
-     }},
-    {"surface",
-     &RegisteredCombination::surface,
-     {
-#define SURFACE_MODEL(identifier, name, id) {identifier, #name},
-#include "style_surface_model.h"
-#undef SURFACE_MODEL
-     }},
-}};
-
-// What a deck asks of a place by the engine's hash; place 0 is the normal model.
-int asked(int64_t hash, std::size_t place) { return hash >> 6 * place & 63; }
+// The places of a combination beside the normal model, in the order of companion_kinds().
+int RegisteredCombination::*const places[] = {
+    &RegisteredCombination::tangential, &RegisteredCombination::cohesion,
+    &RegisteredCombination::rolling, &RegisteredCombination::surface};
 
 const RegisteredLaw& law_of(int64_t hash) {
-  return **std::find_if(std::begin(laws), std::end(laws),
-                        [hash](const RegisteredLaw* law) { return law->id == asked(hash, 0); });
+  return **std::find_if(std::begin(laws), std::end(laws), [hash](const RegisteredLaw* law) {
+    return law->id == ContactSetup::model_of(hash, 0);
+  });
 }
 
-// Whether any combination has that model in that place.
-bool possible(const Place& place, int id) {
-  return std::any_of(std::begin(combinations), std::end(combinations),
-                     [&](const RegisteredCombination* each) { return each->*place.id == id; });
-}
-
-// The words of a combination that no other has in their place, with those that are possible.
-std::string describe_refusal(int64_t hash) {
-  std::string text;
-  for (std::size_t k = 0; k < places.size(); ++k) {
-    const Place& place = places[k];
-    if (possible(place, asked(hash, k + 1))) continue;
-    std::string refused, others;
-    for (const Companion& companion : place.models) {
-      if (companion.id == asked(hash, k + 1)) refused = companion.name;
-      if (possible(place, companion.id)) others += std::string(" ") + companion.name;
-    }
-    text += (text.empty() ? std::string("model ") + law_of(hash).name + ": " : "; ") +
-            place.keyword + ' ' + refused + " is not available with this model; possible:" + others;
+// The combination compiled for these models: the one that has most of them by name.
+const RegisteredCombination* find(const RegisteredCombination& asked) {
+  const RegisteredCombination* found = nullptr;
+  int most = -1;
+  for (const RegisteredCombination* each : combinations) {
+    int named = 0;
+    const bool fits = std::all_of(std::begin(places), std::end(places), [&](auto place) {
+      named += each->*place == asked.*place;
+      return each->*place == asked.*place || each->*place == ANY;
+    });
+    if (fits && named > most) found = each, most = named;
   }
-  if (text.empty())
-    text = std::string("model ") + law_of(hash).name +
-           ": these tangential, cohesion, rolling and surface models are not available together";
+  return found;
+}
+
+// The words of a combination that none has in their place, with those that are possible.
+std::string describe_refusal(int64_t hash) {
+  std::string text = std::string("model ") + law_of(hash).name + ':';
+  for (std::size_t k = 0; k < std::size(places); ++k) {
+    const CompanionKind& kind = companion_kinds()[k];
+    std::string refused, others;
+    for (const Companion& companion : kind.models) {
+      const bool possible = std::any_of(
+          std::begin(combinations), std::end(combinations), [&](const RegisteredCombination* each) {
+            return each->*places[k] == companion.id || each->*places[k] == ANY;
+          });
+      if (possible)
+        others += std::string(" ") + companion.name;
+      else if (companion.id == ContactSetup::model_of(hash, k + 1))
+        refused = companion.name;
+    }
+    if (!refused.empty())
+      text += std::string(" ") + kind.keyword + ' ' + refused +
+              " is not available with this model; possible:" + others;
+  }
   return text;
 }
 
@@ -130,32 +97,24 @@ Interface* refuse(LAMMPS_NS::LAMMPS* engine, Parent*, int64_t hash) {
   return nullptr;
 }
 
-void add(const RegisteredLaw& law, const RegisteredCombination& combination) {
-  const int64_t hash =
-      Utils::generate_gran_hashcode(law.id, combination.tangential, combination.cohesion,
-                                    combination.rolling, combination.surface);
-  PairStyles::Factory::instance().addStyle("gran", hash, combination.pair);
-  Walls::Factory::instance().addStyle("gran", hash, combination.wall);
+void add(const RegisteredLaw& law, const RegisteredCombination& asked) {
+  const int64_t hash = Utils::generate_gran_hashcode(law.id, asked.tangential, asked.cohesion,
+                                                     asked.rolling, asked.surface);
+  const RegisteredCombination* const found = find(asked);
+  PairStyles::Factory::instance().addStyle(
+      "gran", hash, found ? found->pair : refuse<PairStyles::IGranularPairStyle, PairGran>);
+  Walls::Factory::instance().addStyle(
+      "gran", hash, found ? found->wall : refuse<Walls::IGranularWall, FixWallGran>);
 }
 
 void add_all(const RegisteredLaw& law) {
   ContactModels::Factory::instance().addNormalModel(law.name, law.id);
-  for (const Companion& tangential : places[0].models)
-    for (const Companion& cohesion : places[1].models)
-      for (const Companion& rolling : places[2].models)
-        for (const Companion& surface : places[3].models) {
-          RegisteredCombination asked{tangential.id,
-                                      cohesion.id,
-                                      rolling.id,
-                                      surface.id,
-                                      refuse<PairStyles::IGranularPairStyle, PairGran>,
-                                      refuse<Walls::IGranularWall, FixWallGran>};
-          for (const RegisteredCombination* each : combinations)
-            if (std::all_of(places.begin(), places.end(),
-                            [&](const Place& place) { return asked.*place.id == each->*place.id; }))
-              asked = *each;
-          add(law, asked);
-        }
+  const auto& kinds = companion_kinds();
+  for (const Companion& tangential : kinds[0].models)
+    for (const Companion& cohesion : kinds[1].models)
+      for (const Companion& rolling : kinds[2].models)
+        for (const Companion& surface : kinds[3].models)
+          add(law, {tangential.id, cohesion.id, rolling.id, surface.id, nullptr, nullptr});
 }
 
 const bool registered = [] {
@@ -165,11 +124,11 @@ const bool registered = [] {
 
 }  // namespace
 
-RegisteredLaw::Model make_normal_model(LAMMPS_NS::LAMMPS* engine, IContactHistorySetup* setup,
-                                       ContactModelBase* contact_model) {
-  const auto ours = dynamic_cast<ContactSetup*>(setup);
-  if (!ours) engine->error->all(FLERR, "model any_law stands for all laws; name one of them");
-  return law_of(ours->hash()).make(engine, setup, contact_model);
+template <>
+RegisteredLaw::Model make_model(LAMMPS_NS::LAMMPS* engine, IContactHistorySetup* setup,
+                                ContactModelBase* contact_model) {
+  const int64_t hash = static_cast<ContactSetup*>(setup)->hash();
+  return law_of(hash).make(engine, setup, contact_model);
 }
 
 }  // namespace plastigran

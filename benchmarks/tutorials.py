@@ -1,0 +1,147 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Run LIGGGHTS' own tutorials, shortened, with a law in place of their normal model; print a table.
+
+    .venv/bin/python benchmarks/tutorials.py [TREE] [--law universal] [--rounds 3]
+
+TREE is LIGGGHTS' source tree, which tests/in_tree/build_upstream.sh fetches. To each deck a yield
+strength is added, nothing else.
+"""
+
+from __future__ import annotations
+
+import argparse
+import re
+import shutil
+from pathlib import Path
+from resource import RUSAGE_CHILDREN, getrusage
+from statistics import median
+from tempfile import TemporaryDirectory
+
+from attrs import frozen
+
+from plastigran.engine.process import PROJECT, EngineError, run_deck
+
+#: Yield strength over Young's modulus: grains so soft yield in most of their contacts.
+STRENGTH = 0.01
+
+
+@frozen
+class Tutorial:
+    """A tutorial and how it is made short.
+
+    Attributes:
+        folder: Below examples/LIGGGHTS/Tutorials_public, with the name of its deck after `in.`.
+        share: Of the steps of each of its runs.
+        steps: A variable whose steps are many, and the steps to give it.
+    """
+
+    folder: str
+    share: float = 0.1
+    steps: tuple[str, int] | None = None
+
+    @property
+    def deck(self) -> str:
+        folder, name = self.folder.split("/")
+        return f"{folder}/in.{name}"
+
+
+TUTORIALS = (
+    Tutorial("chute_wear/chute_wear", 0.1),
+    Tutorial("cohesion/cohesion", 0.15),
+    Tutorial("contactModels/newModels", 0.1),
+    Tutorial("conveyor/conveyor", 0.1),
+    Tutorial("heatTransfer_1/heatGran", 0.1),
+    Tutorial("heatTransfer_2/heatGran", 0.1),
+    Tutorial("hydrogel_multicontact/hydrogel_default", steps=("ts_move", 600)),
+    Tutorial("hydrogel_multicontact/hydrogel_multicontact", steps=("ts_move", 60)),
+    Tutorial("hysteresis/hysteresis", 0.15),
+    Tutorial("insert_stream/insert_stream", 0.1),
+    Tutorial("meshGran/meshGran", 0.1),
+    Tutorial("mesh_tet/mesh_tet", 1.0),
+    Tutorial("movingMeshGran/movingMeshGran", 0.05),
+    Tutorial("multisphere_stone_restitution/multisphere", 0.1),
+    Tutorial("packing/packing", 1.0, steps=("growts", 5000)),
+)
+
+
+def shortened(text: str, tutorial: Tutorial) -> str:
+    """The deck with fewer steps, no dumps and no say in the number of ranks."""
+    text = re.sub(r"&\s*\n", " ", text.replace("\r", ""))
+    text = re.sub(r"(?m)^\s*(dump|processors).*\n", "", text)
+    if tutorial.steps:
+        name, steps = tutorial.steps
+        # As many as are run; what moves in them goes as fast as before.
+        text = re.sub(rf"(?m)^(\s*run\s+)\${{{name}}}", rf"\g<1>{steps}", text)
+    return re.sub(
+        r"(?m)^(\s*run\s+)(\d+)",
+        lambda run: f"{run[1]}{max(1, round(int(run[2]) * tutorial.share))}",
+        text,
+    )
+
+
+def ported(text: str, law: str) -> str:
+    """The deck with the law in place of its normal models, and a yield strength."""
+    moduli = re.search(r"property/global youngsModulus peratomtype([^#\n]+)", text)[1].split()
+    strengths = " ".join(f"{STRENGTH * float(modulus):g}" for modulus in moduli)
+    line = f"fix yield_strength all property/global yieldStrength peratomtype {strengths}\n"
+    text = re.sub(r"(?m)^(.*youngsModulus.*\n)", rf"\1{line}", text)
+    return re.sub(r"\bmodel (hertz|hooke/hysteresis|hooke)\b", f"model {law}", text)
+
+
+def run(text: str, source: Path, folder: Path, ranks: int = 1) -> tuple[float, str]:
+    """Processor time of a deck [s] and its log; `source` holds what it reads."""
+    shutil.rmtree(folder, ignore_errors=True)
+    shutil.copytree(source, folder)
+    (folder / "post").mkdir(exist_ok=True)
+    (folder / "deck.in").write_text(text)
+    before = getrusage(RUSAGE_CHILDREN).ru_utime
+    # A tutorial has no variable of ours.
+    none = {"inputs": None, "output": None}
+    log = run_deck(folder / "deck.in", none, folder, ranks=ranks, working_folder=folder)
+    return getrusage(RUSAGE_CHILDREN).ru_utime - before, log
+
+
+def said(text: str, source: Path, folder: Path, ranks: int) -> str:
+    """`runs`, or what the engine says of why not."""
+    try:
+        run(text, source, folder, ranks)
+    except EngineError as error:
+        return str(error).splitlines()[-1]
+    return "runs"
+
+
+def row(tutorial: Tutorial, tree: Path, law: str, rounds: int, folder: Path) -> str:
+    deck = tree / "examples/LIGGGHTS/Tutorials_public" / tutorial.deck
+    stock = shortened(deck.read_text(), tutorial)
+    ours = ported(stock, law)
+    outcomes = [said(ours, deck.parent, folder, ranks) for ranks in (1, 2)]
+    if outcomes[0] != "runs" or not rounds:
+        return f"| {tutorial.folder} | {' | '.join(outcomes)} | | |"
+    again, cost = [], []
+    for _ in range(rounds):
+        times = [run(text, deck.parent, folder)[0] for text in (stock, ours, stock)]
+        again.append(times[2] / times[0])
+        cost.append(2 * times[1] / (times[0] + times[2]))
+    spread = f"{min(again):.2f}-{max(again):.2f}"
+    return f"| {tutorial.folder} | {' | '.join(outcomes)} | {median(cost):.2f} | {spread} |"
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("tree", nargs="?", type=Path, default=PROJECT / "build/in-tree/liggghts")
+    parser.add_argument("--law", default="universal")
+    parser.add_argument("--rounds", type=int, default=3)
+    parser.add_argument("--only", default="", help="tutorials whose name has this")
+    given = parser.parse_args()
+    print("| tutorial | 1 rank | 2 ranks | time over its own model's | that again |")
+    print("|---|---|---|---|---|")
+    with TemporaryDirectory() as folder:
+        for tutorial in TUTORIALS:
+            if given.only in tutorial.folder:
+                work = Path(folder) / "run"
+                print(row(tutorial, given.tree, given.law, given.rounds, work), flush=True)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+//
+// The energy of the engine's cohesion models whose pull is a function of the overlap alone: it is
+// proportional to an area that grows from zero at first touch, so what approach gains separation
+// takes back.
+#pragma once
+
+#include "contact_interface.h"
+#include "contact_model_constants.h"
+
+namespace plastigran {
+
+class CohesiveEnergy {
+  typedef LIGGGHTS::ContactModels::SurfacesIntersectData Contact;
+
+ public:
+  // Of the cohesion model with that ID.
+  explicit CohesiveEnergy(int model) : model_(model) {}
+
+  // Whether the model is one of them.
+  static bool is_known(int model) {
+    using namespace LIGGGHTS::ContactModels;
+    return model == COHESION_OFF || model == COHESION_SJKR || model == COHESION_SJKR2;
+  }
+
+  // Of a contact whose model pulls with the force `pull` [N], negative like that force [J].
+  double of(const Contact& contact, double pull) const {
+    using namespace LIGGGHTS::ContactModels;
+    if (pull == 0) return 0;
+    // sjkr2's area grows in proportion to the overlap.
+    if (model_ == COHESION_SJKR2) return 0.5 * pull * contact.deltan;
+    return pull * integral(contact) / area(contact);
+  }
+
+ private:
+  // sjkr's area over pi: of the circle in which the spheres, or sphere and plane, intersect.
+  static double area(const Contact& contact) {
+    const double overlap = contact.deltan, r = contact.r;
+    if (contact.is_wall) return overlap * (contact.radi + r);
+    const double sum = contact.radi + contact.radj, difference = contact.radi - contact.radj;
+    return overlap * (sum + r) * (r * r - difference * difference) / (4 * r * r);
+  }
+
+  // Its integral over the overlap, from first touch on. For two spheres the antiderivative over the
+  // distance is (r^3/3 - (s^2 + d^2) r - s^2 d^2 / r) / 4, s and d the radii's sum and difference;
+  // its difference from r = s, without the digits that cancel.
+  static double integral(const Contact& contact) {
+    const double overlap = contact.deltan, r = contact.r;
+    if (contact.is_wall) return overlap * overlap * (contact.radi - overlap / 3);
+    const double sum = contact.radi + contact.radj, difference = contact.radi - contact.radj;
+    return overlap * overlap * ((sum - overlap / 3) - difference * difference / r) / 4;
+  }
+
+  int model_;
+};
+
+}  // namespace plastigran

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "liggghts/model/companions.h"
+
+#include "contact_model_constants.h"
+
+namespace plastigran {
+
+const std::array<CompanionKind, 4>& companion_kinds() {
+  using namespace LIGGGHTS::ContactModels;
+  static const std::array<CompanionKind, 4> kinds{{
+      {"tangential",
+       {
+           {"off", TANGENTIAL_OFF},
+#define TANGENTIAL_MODEL(identifier, name, id) {#name, id},
+#include "style_tangential_model.h"
+#undef TANGENTIAL_MODEL
+       }},
+      {"cohesion",
+       {
+           {"off", COHESION_OFF},
+#define COHESION_MODEL(identifier, name, id) {#name, id},
+#include "style_cohesion_model.h"
+#undef COHESION_MODEL
+       }},
+      {"rolling_friction",
+       {
+           {"off", ROLLING_OFF},
+#define ROLLING_MODEL(identifier, name, id) {#name, id},
+#include "style_rolling_model.h"
+#undef ROLLING_MODEL
+       }},
+      {"surface",
+       {
+#define SURFACE_MODEL(identifier, name, id) {#name, id},
+#include "style_surface_model.h"
+#undef SURFACE_MODEL
+       }},
+  }};
+  return kinds;
+}
+
+}  // namespace plastigran

@@ -1,0 +1,75 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Decks of a few soft grains of some 10 mm, run as text."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pandas as pd
+
+from plastigran.engine.dumps import read_dump
+from plastigran.engine.process import run_deck
+
+SETTINGS = """
+variable inputs index inputs
+variable output index .
+"""
+#: The box of the fresh grains, in which ranks may share along x.
+BOX = """
+processors      {grid} 1
+units           si
+atom_style      granular
+atom_modify     map array
+boundary        f f f
+newton          off
+communicate     single vel yes
+region          box block -0.08 0.08 -0.04 0.04 -0.02 0.08 units box
+create_box      2 box
+"""
+PROPERTIES = """
+neighbor        0.001 bin
+neigh_modify    delay 0
+fix youngs   all property/global youngsModulus peratomtype 1e7 2e7
+fix poisson  all property/global poissonsRatio peratomtype 0.3 0.25
+fix strength all property/global yieldStrength peratomtype {strength} {strength}
+fix bounce   all property/global coefficientRestitution peratomtypepair 2 1 1 1 1
+fix friction all property/global coefficientFriction peratomtypepair 2 0.3 0.4 0.4 0.5
+"""
+#: An impact takes some 300 of these steps.
+MOTION = """
+fix gravity all gravity 9.81 vector 0 0 -1
+timestep        1e-5
+thermo          20
+dump grains all custom 20 grains.dump id x y z vx vy vz omegax omegay omegaz fx fy fz {more}
+dump_modify grains sort id format "%d{formats}"
+"""
+#: Pa; the laws agree with the engine's hertz without yield.
+STRENGTH, NO_YIELD = "1e5", "1e30"
+
+
+def motion(more: str = "") -> str:
+    """Gravity, the time step and what is written: per grain, and `more` values of it."""
+    return MOTION.format(more=more, formats=" %.17g" * (12 + len(more.split())))
+
+
+def execute(text: str, folder: Path, ranks: int = 1) -> pd.DataFrame:
+    """Run a deck: what its grains did, by step and id."""
+    folder.mkdir(exist_ok=True)
+    (folder / "deck.in").write_text(SETTINGS + text)
+    run_deck(folder / "deck.in", {}, folder, ranks=ranks)
+    table = read_dump(folder / "grains.dump").drop_duplicates(["step", "id"], keep="last")
+    return table.set_index(["step", "id"])
+
+
+def fresh(text: str, folder: Path, ranks: int = 1) -> pd.DataFrame:
+    """The same for commands in the fresh box."""
+    return execute(BOX.format(grid="2 1" if ranks == 2 else "1 1") + text, folder, ranks)
+
+
+def assert_alike(one: pd.DataFrame, other: pd.DataFrame, rel: float) -> None:
+    """Each column within a share of its largest magnitude."""
+    assert (one.index == other.index).all()
+    assert one.notna().all(axis=None)
+    scale = one.abs().max()
+    assert (scale[["fx", "fz"]] > 0).all(), "nothing touches"
+    assert ((one - other).abs().max() <= rel * scale).all(), (one - other).abs().max() / scale

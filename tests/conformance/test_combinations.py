@@ -1,0 +1,242 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""The engine's other models beside a law: cohesion, rolling and tangential friction, surfaces."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pandas as pd
+import pytest
+from attrs import evolve, frozen
+from soft_grains import NO_YIELD, PROPERTIES, STRENGTH, assert_alike, execute, fresh, motion
+
+from plastigran.engine.log import read_thermo
+from plastigran.engine.process import EngineError
+
+#: Each contact lasts some 300 steps: two grains meet obliquely and spinning on the border between
+#: ranks, one hits the floor, one the plate, one lies on another.
+GRAINS = """
+create_atoms    1 single -0.0102 0.001 0.03
+create_atoms    1 single 0.0102 -0.001 0.03
+create_atoms    1 single 0.045 0.0 0.0102
+create_atoms    1 single -0.0597 0.0 0.03
+create_atoms    2 single -0.03 0.02 0.00999
+create_atoms    1 single -0.03 0.0201 0.02798
+set group all diameter 0.02 density 2500
+set atom 6 diameter 0.016
+set atom 1 vx 0.3 vy 0.05 omegaz 20.0 omegax 5.0
+set atom 2 vx -0.3 omegay -15.0
+set atom 3 vx 0.1 vz -0.3 omegay 30.0 omegaz 10.0
+set atom 4 vx -0.3 vz 0.1 omegay 20.0
+"""
+MODELS = """
+fix rolling  all property/global coefficientRollingFriction peratomtypepair 2 0.1 0.2 0.2 0.1
+fix damping  all property/global coefficientRollingViscousDamping peratomtypepair 2 {damping}
+fix epsd3    all property/global rollingStiffness scalar 3.0
+fix cohesion all property/global cohesionEnergyDensity peratomtypepair 2 2e4 4e4 4e4 2e4
+fix content  all property/global surfaceLiquidContentInitial scalar 0.01
+fix tension  all property/global surfaceTension scalar 0.5
+fix fluid    all property/global fluidViscosity scalar 0.01
+fix wetting  all property/global contactAngle peratomtype 30 40
+fix nearest  all property/global minSeparationDistanceRatio scalar 0.01
+fix farthest all property/global maxSeparationDistanceRatio scalar 1.1
+fix dynamic  all property/global FluidViscosity peratomtypepair 2 1 1 1 1
+fix viscous  all property/global FrictionViscosity peratomtypepair 2 1 1 1 1
+fix sliding  all property/global coeffFrictionStiffness peratomtypepair 2 1 1 1 1
+fix turning  all property/global coeffRollingStiffness peratomtypepair 2 1 1 1 1
+{pair}
+pair_coeff      * *
+fix floor  all wall/gran model {law} {at_walls} primitive type 2 zplane 0.0 {options}
+fix plate  all mesh/surface file ${{inputs}}/meshes/plate.stl type 2 scale 0.01 move -0.07 0 0.03
+fix side   all wall/gran model {law} {at_walls} mesh n_meshes 1 meshes plate {options}
+{more}
+fix integrate all nve/sphere
+{thermo}
+"""
+DISC = """
+units           si
+atom_style      granular
+dimension       2
+boundary        f f p
+newton          off
+communicate     single vel yes
+region          box block -1 1 -1 1 -0.1 0.1 units box
+create_box      1 box
+create_atoms    1 single 0 0 0
+neighbor        0.01 bin
+set group all diameter 0.02 density 2500
+fix youngs   all property/global youngsModulus peratomtype 1e7
+fix poisson  all property/global poissonsRatio peratomtype 0.3
+fix strength all property/global yieldStrength peratomtype 1e5
+fix length   all property/global cylinderLength peratomtype 1
+pair_style gran model lim_stronge tangential off cohesion sjkr
+pair_coeff      * *
+fix integrate all nve/sphere
+run             0
+"""
+LEDGER = """
+include ${inputs}/energy_ledger.in
+"""
+
+
+@frozen
+class Contact:
+    """What stands beside the normal model in a contact.
+
+    Attributes:
+        models: Words after it.
+        at_walls: The same on walls, if other.
+        options: Words at the end of the line.
+        more: Commands after the walls.
+    """
+
+    models: str = "tangential history"
+    at_walls: str = ""
+    options: str = ""
+    more: str = ""
+
+
+LIQUID = "tangential history cohesion {}/capillary/viscous"
+PRESSING = "fix pressing all multicontact/halfspace geometric_prefactor 1.125"
+CONTACTS = {
+    "sjkr": Contact("tangential history cohesion sjkr"),
+    "sjkr2": Contact("tangential history cohesion sjkr2", options="tangential_reduce on"),
+    "sjkr alone": Contact("tangential off cohesion sjkr"),
+    "easo": Contact(LIQUID.format("easo"), at_walls="tangential history"),
+    "washino": Contact(LIQUID.format("washino")),
+    "epsd": Contact("tangential history rolling_friction epsd"),
+    "epsd3": Contact("tangential off rolling_friction epsd3", options="torsionTorque on"),
+    "sjkr and epsd": Contact("tangential history cohesion sjkr rolling_friction epsd"),
+    "multicontact": Contact("tangential history surface multicontact", more=PRESSING),
+    "multicontact, sjkr2 and epsd3": Contact(
+        "tangential history cohesion sjkr2 rolling_friction epsd3 surface multicontact",
+        more=PRESSING,
+    ),
+}
+LUDING = {
+    "tangential": Contact("tangential tan_luding"),
+    "rolling": Contact("tangential history rolling_friction luding"),
+}
+every_contact = pytest.mark.parametrize("contact", CONTACTS.values(), ids=CONTACTS)
+STEPS = 800
+
+
+def deck(
+    contact: Contact,
+    law: str = "thornton",
+    *,
+    strength: str = STRENGTH,
+    ledger: bool = False,
+    **changes: str,
+) -> str:
+    """All but the grains and the runs."""
+    if ledger:
+        contact = evolve(contact, options=f"{contact.options} energy_ledger on")
+    models, options, more = contact.models, contact.options, contact.more
+    values = {
+        "pair": f"pair_style gran model {law} {models} {options}",
+        "damping": "0.3 0.2 0.2 0.3",
+        "thermo": LEDGER if ledger else "",
+    }
+    at_walls = contact.at_walls or models
+    values |= {"law": law, "at_walls": at_walls, "options": options, "more": more, **changes}
+    return PROPERTIES.format(strength=strength) + MODELS.format(**values) + motion()
+
+
+def start(commands: str, folder: Path, ranks: int = 1, after: str = f"run {STEPS}") -> pd.DataFrame:
+    """Run the grains under these commands: their motion, by step and id."""
+    return fresh(GRAINS + commands + after, folder, ranks)
+
+
+@every_contact
+def test_an_unyielding_law_is_the_engines_hertz(contact, tmp_path):
+    """The same companions beside the engine's own normal model give the same motion.
+
+    1e-9: the laws agree to rounding, 1e-16 of a position and 1e-13 of an overlap, which a few
+    impacts multiply.
+    """
+    ours = start(deck(contact, strength=NO_YIELD), tmp_path / "ours")
+    stock = start(deck(contact, "hertz"), tmp_path / "stock")
+    assert_alike(ours, stock, 1e-9)
+    plain = start(deck(Contact(), strength=NO_YIELD), tmp_path / "plain")
+    assert ((plain - ours).abs().max() > 1e-4 * plain.abs().max()).any(), "it has no effect"
+
+
+@every_contact
+def test_two_ranks_are_one(contact, tmp_path):
+    """With a law that yields, the contact of grains 1 and 2 on the border. 1e-9 as above."""
+    one, two = (start(deck(contact), tmp_path / str(ranks), ranks) for ranks in (1, 2))
+    assert_alike(one, two, 1e-9)
+
+
+@every_contact
+def test_a_restart_goes_on(contact, tmp_path):
+    """From the file, whose settings come with it, as without a pause: to every digit but those of
+    forces at the pause, which a run begins anew."""
+    pause = f"run {STEPS // 2}\nwrite_restart middle.restart\nrun {STEPS // 2}"
+    whole = start(deck(contact), tmp_path / "whole", after=pause)
+    head = """
+atom_style      granular
+atom_modify     map array
+newton          off
+communicate     single vel yes
+"""
+    read = f"read_restart {tmp_path}/whole/middle.restart"
+    rest = execute(
+        f"{head}{read}{deck(contact, pair='')}run {STEPS // 2}",
+        tmp_path / "rest",
+    )
+    whole = whole.loc[STEPS // 2 + 1 :]
+    rest = rest.loc[STEPS // 2 + 1 :]
+    assert len(whole) == 6 * STEPS // 2 // 20
+    assert (whole == rest).all(axis=None)
+
+
+@pytest.mark.parametrize("name", ["sjkr", "sjkr2", "sjkr alone", "sjkr and epsd"])
+def test_the_ledger_closes(name, tmp_path):
+    """What cohesion gives on approach it takes back: a part of the elastic energy, below zero where
+    it is all there is. 3e-4 of the kinetic energy: the time step's error."""
+    start(deck(CONTACTS[name], ledger=True), tmp_path)
+    table = read_thermo(tmp_path / "log.liggghts")
+    assert table["drift"].abs().max() < 3e-4 * table["kinetic"].max()
+    assert table["plastic"].iloc[-1] > 0.01 * table["kinetic"].max()
+
+
+@pytest.mark.parametrize(
+    ("name", "said"),
+    [
+        ("easo", "it does not count what liquid"),
+        ("washino", "it does not count what liquid"),
+        ("multicontact", "it does not count what contacts of a particle store"),
+    ],
+)
+def test_the_ledger_refuses_what_it_does_not_count(name, said, tmp_path):
+    with pytest.raises(EngineError, match=f"energy_ledger on: {said}"):
+        start(deck(CONTACTS[name], ledger=True), tmp_path)
+
+
+@pytest.mark.parametrize(
+    ("luding", "same"),
+    [
+        ("tangential", Contact("tangential history")),
+        ("rolling", Contact("tangential history rolling_friction epsd2")),
+    ],
+)
+def test_ludings_friction_is_that_of_no_adhesion(luding, same, tmp_path):
+    """With ratios of one and without adhesion it is the engine's other model, to every digit.
+
+    1e-12: stiffness is multiplied by one in another order.
+    """
+    theirs = start(deck(LUDING[luding], damping="0 0 0 0"), tmp_path / "luding")
+    other = start(deck(same), tmp_path / "same")
+    assert_alike(theirs, other, 1e-12)
+
+
+def test_a_liquid_that_takes_walls_for_particles_is_refused(tmp_path):
+    with pytest.raises(EngineError, match="easo/capillary/viscous on a wall takes the wall's vel"):
+        start(deck(Contact(LIQUID.format("easo"))), tmp_path)
+
+
+def test_cohesion_beside_a_cylinder_is_refused(tmp_path):
+    with pytest.raises(EngineError, match="cohesion sjkr is for spheres; this model is for cyl"):
+        execute(DISC, tmp_path)
