@@ -61,7 +61,7 @@ unpack() {
   # The one VTK writer that is compiled even when VTK is absent.
   rm -f dump_mesh_vtk.cpp dump_mesh_vtk.h
   # The combinations LIGGGHTS picks for itself; an empty list keeps its own models to the generic
-  # class and saves half a minute at each build. Ours are in the user's list.
+  # class and saves half a minute at each build.
   : >style_contact_model.whitelist
   # The file that all combinations are compiled in: to optimise it takes longer than all it is for.
   sed -i '1i #pragma GCC optimize("O0")' lammps.cpp
@@ -71,7 +71,7 @@ unpack() {
 # Brings our files in the tree up to date; one that left the project leaves the tree too.
 install_models() {
   for file in $(cd "$tree/src" && grep -rl --include='*.h' --include='*.cpp' plastigran .); do
-    case ${file##*/} in law_* | combination_* | normal_model_any_law.h) continue ;; esac
+    case ${file##*/} in law_* | combination_*) continue ;; esac
     [ -n "$(find "$models" -name "${file##*/}")" ] || rm "$tree/src/$file"
   done
   "$models/in_tree/install.sh" "$tree"
@@ -106,7 +106,7 @@ build() {
 
 # The stamp is as old as the start of the build it tells of: an edit during a build is not lost.
 if [ ! -e "$work/built" ] ||
-  [ -n "$(find "$models" "$here" \( -name '*.h' -o -name '*.cpp' -o -name '*.sh' \) -newer "$work/built")" ]; then
+  [ -n "$(find "$models" "$here" \( -name '*.h' -o -name '*.cpp' -o -name '*.in' -o -name '*.txt' -o -name '*.sh' \) -newer "$work/built")" ]; then
   touch "$work/begun"
   [ "$tree/unpacked" -nt "$here/build_upstream.sh" ] || unpack
   install_models

@@ -23,9 +23,12 @@ MODELS = {
     for header in sorted((PROJECT / "contact_models/liggghts/models").glob("*.h"))
     for match in re.finditer(r"^NORMAL_MODEL\((\w+), *(\w+),", header.read_text(), re.MULTILINE)
 }
-COMBINATIONS = sum(
-    line[:1].isupper()
-    for line in (PROJECT / "contact_models/liggghts/plugin/combinations.txt").read_text().splitlines()
+COMBINATIONS = len(
+    re.findall(
+        "^[A-Z]",
+        (PROJECT / "contact_models/liggghts/plugin/combinations.txt").read_text(),
+        re.MULTILINE,
+    )
 )
 # Both programs compile the same files, with other optimisation and another layout of the
 # engine's data. Rounding may differ, and some 1e4 steps may add it up to 1e-12; a property, a
