@@ -95,7 +95,7 @@ def _progress(folder: Path, log: str) -> str:
     return (
         f"The run has not finished: {LOG} ends at step {at.step} of {at.last}, {share:.0%} of the "
         f"deck's run number {at.run}. Figures and checks are made at its end; "
-        f"`plastigran bulk --restart` goes on from its newest checkpoint."
+        "plastigran bulk with --restart goes on from its newest checkpoint."
     )
 
 
