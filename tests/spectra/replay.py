@@ -62,8 +62,8 @@ def impacts(motion: Motion, timestep: float) -> pd.DataFrame:
     """All impacts that begin and end, in the order they are found.
 
     Returns:
-        Rows with `end` (first step without contact), `with`, `type`, `other_type`,
-        `normal_speed` [m/s], `dissipated_energy` [J] and `largest_force` [N].
+        Rows with `begin` (first step of contact), `end` (first step without), `with`, `type`,
+        `other_type`, `normal_speed` [m/s], `dissipated_energy` [J] and `largest_force` [N].
     """
     rows = []
     count = len(motion.radii)
@@ -79,7 +79,8 @@ def impacts(motion: Motion, timestep: float) -> pd.DataFrame:
             radius, types = motion.radii[i], [motion.types[i], type_]
             rows += _between(apart, radius, radius, types, name)
     table = pd.DataFrame(rows)
-    table["end"] = motion.steps[table["end"]]
+    for edge in ("begin", "end"):
+        table[edge] = motion.steps[table[edge]]
     table["normal_speed"] /= timestep
     return table
 
@@ -102,6 +103,7 @@ def _between(apart: np.ndarray, reach: float, radius_eff: float, types: list, na
         path = law.follow(radius_eff, reach - distance[begin:end])
         rows.append(
             {
+                "begin": begin,
                 "end": end,
                 "with": name,
                 "type": types[0],
@@ -116,7 +118,9 @@ def _between(apart: np.ndarray, reach: float, radius_eff: float, types: list, na
 
 def spectra(found: pd.DataFrame, every: int, per_decade: int) -> pd.DataFrame:
     """Counts and sums by table, what met, quantity and class."""
-    long = found.melt(["end", "with", "type", "other_type"], var_name="quantity")
+    long = found.drop(columns="begin").melt(
+        ["end", "with", "type", "other_type"], var_name="quantity"
+    )
     long["step"] = -(-long["end"] // every) * every
     positive = long["value"].where(long["value"] > 0)
     long["bin"] = np.floor(per_decade * np.log10(positive)).fillna(-np.inf)

@@ -5,7 +5,6 @@
 #pragma once
 
 #include <array>
-#include <utility>
 
 #include "liggghts/model/accounted_load.h"
 
@@ -35,9 +34,12 @@ struct LossyLoad {
   }
 
   // As seen from the other body.
-  void turn() {
-    std::swap(torque_i, torque_j);
-    for (double& component : force) component = -component;
+  LossyLoad turned() const {
+    LossyLoad other;
+    other.force = {-force[0], -force[1], -force[2]};
+    other.torque_i = torque_j;
+    other.torque_j = torque_i;
+    return other;
   }
 
   void operator+=(const LossyLoad& other) {

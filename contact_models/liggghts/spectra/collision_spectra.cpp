@@ -15,9 +15,10 @@ CollisionSpectra::CollisionSpectra(LAMMPS_NS::LAMMPS* engine, int count, char** 
     : ContactObserver(engine, count, words), file_(nullptr, std::fclose) {
   read_words(count, words);
   nevery = 1;
-  scalar_flag = 1;
+  scalar_flag = vector_flag = 1;
+  size_vector = ENTRIES;
   global_freq = 1;
-  extscalar = 1;
+  extscalar = extvector = 1;
   restart_global = restart_peratom = 1;
   create_attribute = 1;
   grow_arrays(atom->nmax);
@@ -59,22 +60,26 @@ void CollisionSpectra::add(const Contact& contact, const AccountedLoad& on_i, co
   if (holder >= atom->nlocal) return;  // reported from the other side as well
   const double partner = contact.is_wall ? Impact::wall_partner(wall_of(owner))
                                          : atom->tag[turned ? contact.i : contact.j];
+  const LossyLoad load(contact, on_i, on_j);
   Impact* impact = records_.find(holder, partner);
   if (!impact) {
     impact = &records_.begin(holder, partner);
     impact->type = turned ? contact.jtype : contact.itype;
     impact->other_type = turned ? contact.itype : contact.jtype;
-    if (contact.shearupdate) impact->speed = -contact.vn;
+    if (contact.shearupdate)
+      impact->speed = -contact.vn;
+    else
+      impact->load = turned ? load.turned() : load;
   }
   if (!contact.shearupdate) return;
-  if (impact->counts()) go_on(*impact, contact, on_i, LossyLoad(contact, on_i, on_j), turned);
+  go_on(*impact, contact, on_i, load, turned);
   impact->touched = 1;
 }
 
 // A step of an impact. Power is that of the forces at velocities of mid-step; the forces of the
 // step before belong to the holder, the new ones to particle i.
 void CollisionSpectra::go_on(Impact& impact, const Contact& contact, const AccountedLoad& on_i,
-                             const LossyLoad& load, bool turned) const {
+                             const LossyLoad& load, bool turned) {
   const Vector between{contact.v_i[0] - contact.v_j[0], contact.v_i[1] - contact.v_j[1],
                        contact.v_i[2] - contact.v_j[2]};
   const auto lost = [&](const LossyLoad& each) {
@@ -82,17 +87,15 @@ void CollisionSpectra::go_on(Impact& impact, const Contact& contact, const Accou
     if (!contact.is_wall) power -= dot(each.torque_j, contact.omega_j);
     return 0.5 * update->dt * power;
   };
+  double energy = lost(load) + on_i.plastic_work;
   if (!impact.touched) {  // else another triangle of the wall was first in this step
-    LossyLoad before = impact.load;
-    if (turned) before.turn();
-    impact.energy += lost(before);
+    energy += lost(turned ? impact.load.turned() : impact.load);
     impact.load = LossyLoad();
     impact.force = 0;
   }
-  impact.energy += lost(load) + on_i.plastic_work;
-  LossyLoad now = load;
-  if (turned) now.turn();
-  impact.load += now;
+  impact.energy += energy;
+  energy_ += energy;
+  impact.load += turned ? load.turned() : load;
   impact.force += dot(on_i.delta_F, contact.en);
   impact.largest_force = std::max(impact.largest_force, impact.force);
 }
@@ -107,7 +110,8 @@ void CollisionSpectra::count(const Impact& impact) {
     const double value = values[quantity];
     tally_.add({quantity, wall, type, other_type, Tally::bin_of(value, per_decade_)}, {1, value});
   }
-  ++counted_;
+  ++impacts_;
+  impact_energy_ += impact.energy;
 }
 
 void CollisionSpectra::setup_pre_exchange() {
@@ -133,10 +137,12 @@ void CollisionSpectra::post_run() {
   MPI_Allreduce(MPI_IN_PLACE, &total_, 1, MPI_LONG, MPI_SUM, world);
 }
 
-double CollisionSpectra::compute_scalar() {
-  double all;
-  MPI_Allreduce(&counted_, &all, 1, MPI_DOUBLE, MPI_SUM, world);
-  return all;
+double CollisionSpectra::compute_vector(int entry) {
+  const double contacts = records_.count(atom->nlocal);
+  const double local[ENTRIES] = {impacts_, contacts, impact_energy_, energy_ - impact_energy_};
+  double sum;
+  MPI_Allreduce(&local[entry], &sum, 1, MPI_DOUBLE, MPI_SUM, world);
+  return sum;
 }
 
 }  // namespace plastigran

@@ -25,6 +25,15 @@ class CollisionSpectra : public ContactObserver {
  public:
   enum Quantity { NORMAL_SPEED, DISSIPATED_ENERGY, LARGEST_FORCE };
 
+  // Elements of the fix's vector, in the order users see, from 1 on, since the fix was made.
+  enum Entry {
+    IMPACTS,         // counted
+    UNDER_WAY,       // contacts at present
+    IMPACT_ENERGY,   // dissipated in the impacts counted [J]
+    CONTACT_ENERGY,  // dissipated in other contacts: under way, or there before counting began [J]
+    ENTRIES
+  };
+
   CollisionSpectra(LAMMPS_NS::LAMMPS* engine, int count, char** words);
   ~CollisionSpectra();
   static const char* style() { return "collision_spectra"; }
@@ -39,7 +48,8 @@ class CollisionSpectra : public ContactObserver {
   void post_run() override;
 
   // Impacts counted since the fix was made.
-  double compute_scalar() override;
+  double compute_scalar() override { return compute_vector(IMPACTS); }
+  double compute_vector(int entry) override;
 
   void grow_arrays(int size) override { records_.resize(size); }
   void copy_arrays(int from, int to, int) override { records_.copy(from, to); }
@@ -58,7 +68,7 @@ class CollisionSpectra : public ContactObserver {
   void open(const std::string& path);
   int wall_of(const void* owner) const;
   void go_on(Impact& impact, const Contact& contact, const AccountedLoad& on_i,
-             const LossyLoad& load, bool turned) const;
+             const LossyLoad& load, bool turned);
   void count(const Impact& impact);
   void write_table();
 
@@ -66,8 +76,8 @@ class CollisionSpectra : public ContactObserver {
   int per_decade_ = 10;
   std::unique_ptr<FILE, int (*)(FILE*)> file_;  // on the first rank
   ImpactRecords records_;
-  Tally tally_;                        // of this rank since the last table
-  double counted_ = 0;                 // impacts, on this rank
+  Tally tally_;                                          // of this rank since the last table
+  double impacts_ = 0, impact_energy_ = 0, energy_ = 0;  // the last of all contacts; on this rank
   long total_ = 0;                     // particles as the last run ended, 0 before the first
   std::vector<std::string> wall_ids_;  // by number; a wall keeps its number
   std::vector<const void*> walls_;     // the same, null when there is none of that ID now

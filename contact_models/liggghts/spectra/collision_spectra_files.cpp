@@ -101,15 +101,16 @@ int CollisionSpectra::maxsize_restart() {
   return largest;
 }
 
-// Text: the particles, the impacts counted, the walls' IDs after their number, the counts of the
-// table under way.
+// Text: the particles, the impacts, their energy and that of other contacts, the classes, the
+// walls' IDs after their number, the counts of the table under way.
 void CollisionSpectra::write_restart(FILE* file) {
-  const double counted = compute_scalar();
+  const double impacts = compute_vector(IMPACTS), impact_energy = compute_vector(IMPACT_ENERGY);
+  const double contact_energy = compute_vector(CONTACT_ENERGY);
   const Tally all = tally_.of_all(world);
   if (comm->me != 0) return;
   std::ostringstream text;
-  text << std::setprecision(17) << atom->natoms << ' ' << counted << ' ' << per_decade_ << ' '
-       << wall_ids_.size();
+  text << std::setprecision(17) << atom->natoms << ' ' << impacts << ' ' << impact_energy << ' '
+       << contact_energy << ' ' << per_decade_ << ' ' << wall_ids_.size();
   for (const std::string& wall : wall_ids_) text << ' ' << wall;
   for (const double value : all.packed()) text << ' ' << value;
   const int size = text.str().size() + 1;
@@ -119,17 +120,18 @@ void CollisionSpectra::write_restart(FILE* file) {
 
 void CollisionSpectra::restart(char* data) {
   std::istringstream text(data);
-  double counted;
+  double impacts, impact_energy, contact_energy;
   int per_decade;
   std::size_t wall_count;
-  text >> total_ >> counted >> per_decade >> wall_count;
+  text >> total_ >> impacts >> impact_energy >> contact_energy >> per_decade >> wall_count;
   wall_ids_.resize(wall_count);
   for (std::string& wall : wall_ids_) text >> wall;
   if (per_decade != per_decade_)
     fail("the restart file has per_decade " + std::to_string(per_decade) + ", the line has " +
          std::to_string(per_decade_) + ". Give the line as it was, or the fix another ID");
   if (comm->me != 0) return;  // a sum over ranks: the first one has it all
-  counted_ = counted;
+  impacts_ = impacts, impact_energy_ = impact_energy;
+  energy_ = impact_energy + contact_energy;
   std::vector<double> packed;
   for (double value; text >> value;) packed.push_back(value);
   tally_.merge(packed);

@@ -4,7 +4,9 @@
 #pragma once
 
 #include <cmath>
+#include <cstddef>
 #include <limits>
+#include <utility>
 
 #include "liggghts/observers/lossy_load.h"
 
@@ -35,7 +37,7 @@ struct Impact {
   void turn(int holder) {
     partner = holder;
     std::swap(type, other_type);
-    load.turn();
+    load = load.turned();
   }
 };
 

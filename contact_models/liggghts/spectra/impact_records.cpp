@@ -23,6 +23,12 @@ Impact& ImpactRecords::begin(int i, double partner) {
   return held_[i].impacts.back();
 }
 
+std::size_t ImpactRecords::count(int count) const {
+  std::size_t sum = 0;
+  for (int i = 0; i < count; ++i) sum += held_[i].impacts.size();
+  return sum;
+}
+
 void ImpactRecords::remember(const int* numbers, int count) {
   for (int i = 0; i < count; ++i) held_[i].number = numbers[i];
 }

@@ -23,6 +23,9 @@ class ImpactRecords {
   Impact* find(int i, double partner);
   Impact& begin(int i, double partner);
 
+  // Of the first `count` particles.
+  std::size_t count(int count) const;
+
   // The impacts of a particle that was not touched in this step are over and taken out; the others
   // wait for the next step.
   template <class Count>
