@@ -53,7 +53,7 @@ for file in $files; do
 done
 
 # The engine compiles combinations of low model ids by itself and runs the others through its slow
-# generic class, unless they are listed. These are the ones the plugin has too (register_model.h).
+# generic class, unless they are listed. These are the ones the plugin has too (plugin/CMakeLists.txt).
 whitelist=$tree/src/style_contact_model_user.whitelist
 touch -a "$whitelist"
 [ -z "$(tail -c 1 "$whitelist")" ] || echo >>"$whitelist"  # its last line may be unfinished

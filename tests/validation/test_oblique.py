@@ -27,9 +27,10 @@ def test_the_page_shows_what_theory_has(computed, page_table):
 
 @pytest.mark.engine
 def test_how_near_partial_slip_comes_to_the_measurements(computed):
-    """The bounds were set after the result was seen, and hold it: 0.02 and 10 rad/s were asked for.
-    Two readings of the measurements differ by 0.005 and 6 rad/s; at 39 degrees, where friction alone
-    sets the spin, the measured one lies 44 rad/s above what it allows."""
+    """The bounds were set after the result was seen, and hold it; asked were 0.02 and 10 rad/s.
+
+    Two readings of the measurements differ by 0.005 and 6 rad/s; at 39 degrees, where friction
+    alone sets the spin, the measured one lies 44 rad/s above what it allows."""
     off = {
         name: (part[PARTIAL_SLIP] - part["value"]).abs()
         for name, part in computed.groupby("quantity")

@@ -11,14 +11,14 @@
 #include "liggghts/ledger/energy_ledger.h"
 #include "liggghts/model/accounted_load.h"
 #include "liggghts/model/contact_owner.h"
-#include "liggghts/model/history_names.h"
+#include "liggghts/model/contact_setup.h"
 #include "liggghts/model/line_settings.h"
 
 namespace plastigran {
 
-// The names come first: models register their history values as the contact model is made.
+// The setup comes first: models ask it, and register their history values, as they are made.
 template <class Style>
-class AccountedContact : private HistoryNames,
+class AccountedContact : private ContactSetup,
                          public LIGGGHTS::ContactModels::ContactModel<Style>,
                          public AccountTaker {
   typedef LIGGGHTS::ContactModels::ContactModel<Style> Base;
@@ -28,11 +28,18 @@ class AccountedContact : private HistoryNames,
  public:
   template <class Owner>
   AccountedContact(LAMMPS_NS::LAMMPS* engine, Owner* owner, bool is_wall, int64_t hash)
-      : HistoryNames(owner),
-        Base(engine, static_cast<HistoryNames*>(this), is_wall, hash),
+      : ContactSetup(owner, hash),
+        Base(engine, static_cast<ContactSetup*>(this), is_wall, hash),
         engine_(engine),
         owner_(owner),
         spring_offset_(offset_of("shearx")) {}
+
+  // The engine asks which models these are. The normal model is the one of the setup's hash.
+  int64_t hashcode() { return hash(); }
+  bool contact_match(const std::string& kind, const std::string& name) {
+    if (kind != "normal") return Base::contact_match(kind, name);
+    return LIGGGHTS::ContactModels::Factory::instance().getNormalModelId(name) == (hash() & 63);
+  }
 
   void registerSettings(Settings& settings) {
     line_read_ = true;

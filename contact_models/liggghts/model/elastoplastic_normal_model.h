@@ -22,21 +22,20 @@
 #include "domain.h"
 #include "error.h"
 #include "global_properties.h"
-#include "liggghts/fixes/engine_access.h"
 #include "liggghts/fixes/history_keeper.h"
 #include "liggghts/fixes/motion_watch.h"
 #include "liggghts/fixes/own_fix.h"
 #include "liggghts/model/accounted_load.h"
 #include "liggghts/model/contact_owner.h"
+#include "liggghts/model/contact_setup.h"
 #include "liggghts/model/contact_watch.h"
-#include "liggghts/model/history_names.h"
 #include "liggghts/model/impact_forecast.h"
 #include "liggghts/model/line_settings.h"
-#include "liggghts/model/rate_history.h"
+#include "liggghts/model/normal_model_settings.h"
+#include "liggghts/model/rate_memory.h"
 #include "liggghts/model/type_pair.h"
 #include "neighbor.h"
 #include "plastigran/shared/contact.h"
-#include "settings.h"
 
 namespace LIGGGHTS {
 namespace ContactModels {
@@ -55,46 +54,24 @@ class ElastoplasticNormalModel : public NormalModelBase {
                            ContactModelBase* contact_model)
       : NormalModelBase(lmp, setup, contact_model),
         contact_model_(contact_model),
-        owner_(plastigran::HistoryNames::owner_of(setup), contact_model->is_wall()),
+        owner_(plastigran::ContactSetup::owner_of(setup), contact_model->is_wall()),
+        rates_(lmp, contact_model->is_wall()),
         watch_(lmp) {
     plastigran::refuse_replacement(lmp);
     for (std::size_t k = 0; k < Law::state_names.size(); ++k) {
       const int offset = setup->add_history_value(Law::state_names[k], "0");
       if (k == 0) history_offset_ = offset;
     }
-    if (!plastigran::yields<Law>) return;
-    if (!owner_.is_wall() && domain->box_exist)
-      plastigran::own_fix<plastigran::RateHistory>(lmp)->begin();
-    else if (owner_.is_wall() &&
-             plastigran::DeckProperties(lmp, caller(), atom->ntypes).positive("rate_coefficient"))
-      rate_offset_ = setup->add_history_value("rate_factor", "0");
+    if (plastigran::yields<Law>)
+      rates_.begin(setup, plastigran::DeckProperties(lmp, caller(), atom->ntypes),
+                   domain->box_exist);
   }
 
-  ~ElastoplasticNormalModel() {
-    const auto rates = plastigran::find_own_fix<plastigran::RateHistory>(lmp);
-    if (rates && !owner_.is_wall()) rates->end();
-  }
-
-  void registerSettings(Settings& settings) override {
-    settings_ = &settings;
-    settings.registerOnOff("viscous_damping", viscous_damping_, false);
-    settings.registerOnOff("tangential_damping", tangential_damping_, true);
-    settings.registerDoubleSetting("overlap_limit", overlap_limit_, 1.0);
-    for (const auto& option : plastigran::options_of<Law>)
-      plastigran::add_choice(settings, option.name, option.choices.data(), option.choices.size(),
-                             choices_.*option.value);
-    settings.registerOnOff("computeElasticPotential", engine_elastic_potential_, false);
-    settings.registerOnOff("computeDissipatedEnergy", engine_dissipated_energy_, false);
-  }
+  void registerSettings(Settings& settings) override { settings_.declare(settings); }
 
   void postSettings(IContactHistorySetup*, ContactModelBase*) override {
-    line_settings_ = plastigran::settings_text(*settings_);
-    settings_ = nullptr;
-    if (engine_elastic_potential_) refuse("computeElasticPotential");
-    if (engine_dissipated_energy_) refuse("computeDissipatedEnergy");
-    if (!(overlap_limit_ > 0 && overlap_limit_ <= 2))
-      fail("overlap_limit is " + std::to_string(overlap_limit_) +
-           "; it must be above 0 and at most 2, of the smaller radius");
+    const std::string complaint = settings_.read();
+    if (!complaint.empty()) fail(complaint);
   }
 
   // Called by the engine before every run, on all ranks together.
@@ -106,25 +83,20 @@ class ElastoplasticNormalModel : public NormalModelBase {
       fail("it is for cylinders, the discs of a 2D deck (dimension 2); this deck is 3D");
     const auto keeper = plastigran::own_fix<plastigran::HistoryKeeper>(lmp);
     const std::string owner = owner_.name();
-    if (line_settings_.empty())
+    if (settings_.text().empty())
       plastigran::restore_settings(lmp, *this, keeper->restarted_settings(owner),
                                    [this] { postSettings(nullptr, nullptr); });
-    keeper->connect(
-        owner, {caller() + owner_.other_models() + plastigran::options_text<Law>(choices_, " "),
-                line_settings_, owner_.histories(), !reported_});
+    const std::string options = plastigran::options_text<Law>(settings_.choices, " ");
+    keeper->connect(owner, {caller() + owner_.other_models() + options, settings_.text(),
+                            owner_.histories(), !reported_});
     const plastigran::DeckProperties deck(lmp, caller(), registry.max_type());
-    pairs_.build(deck, registry.max_type(), choices_);
-    if (plastigran::yields<Law> && !owner_.is_wall())
-      rate_offset_ = plastigran::own_fix<plastigran::RateHistory>(lmp)->offset();
-    if (rate_offset_ < 0 && pairs_.rate_matters())
-      fail(plastigran::property_name("rate_coefficient") + " must be given before " +
-           (owner_.is_wall() ? "the wall" : "the first run") +
-           ", when it is decided what contacts remember");
-    watch_.begin(caller(), overlap_limit_);
+    pairs_.build(deck, registry.max_type(), settings_.choices);
+    if (plastigran::yields<Law>) rates_.connect(deck, pairs_.rate_matters());
+    watch_.begin(caller(), settings_.overlap_limit);
     plastigran::own_fix<plastigran::MotionWatch>(lmp);
     const auto taker = dynamic_cast<plastigran::AccountTaker*>(contact_model_);
     accounts_ = taker && taker->takes_accounts;
-    if (viscous_damping_) {
+    if (settings_.viscous_damping) {
       registry.registerProperty("betaeff", &MODEL_PARAMS::createBetaEff);
       registry.connect("betaeff", damping_, caller().c_str());
     }
@@ -152,11 +124,11 @@ class ElastoplasticNormalModel : public NormalModelBase {
     TypePair& at_rest = pairs_(contact.itype, contact.jtype);
     // Particles of these types may have been inserted since the check before the run.
     if (!at_rest.refusal.empty()) watch_.stop(at_rest.refusal);
-    TypePair& pair = rate_offset_ < 0 ? at_rest : at_rate(contact, at_rest, radius_eff);
+    TypePair& pair = rates_.kept() ? rates_.strengthened(contact, at_rest, radius_eff) : at_rest;
 
     double* const history = contact.contact_history + history_offset_;
     State state;
-    std::memcpy(&state, history, state_size);
+    std::memcpy(static_cast<void*>(&state), history, state_size);
     const plastigran::Response response =
         plastigran::respond(pair.law, radius_eff, contact.deltan, state, -contact.vn);
     if (contact.computeflag) {
@@ -178,12 +150,12 @@ class ElastoplasticNormalModel : public NormalModelBase {
     // stands for makes the cut the rule and creep the exception.
     contact.gammat = smooth_friction_ ? 2 * std::sqrt(contact.kt * contact.meff) : 0;
     double force = response.force;
-    if (viscous_damping_) {
+    if (settings_.viscous_damping) {
       // Tsuji, Tanaka & Ishida 1992 (Powder Technol. 71:239) with the law's own contact radius.
       const double beta =
           -1.8257418583505538 * damping_[contact.itype][contact.jtype];  // 2 sqrt(5/6)
       contact.gamman = beta * std::sqrt(elastic.normal * contact.meff);
-      if (tangential_damping_ && !smooth_friction_)
+      if (settings_.tangential_damping && !smooth_friction_)
         contact.gammat = beta * std::sqrt(contact.kt * contact.meff);
       force = std::max(0.0, force - contact.gamman * contact.vn);
     }
@@ -200,9 +172,9 @@ class ElastoplasticNormalModel : public NormalModelBase {
 
   void surfacesClose(SurfacesCloseData& contact, ForceData&, ForceData&) override {
     if (contact.contact_flags) *contact.contact_flags &= ~CONTACT_NORMAL_MODEL;
-    if (contact.contact_history)
-      std::memset(contact.contact_history + history_offset_, 0, state_size);
-    if (contact.contact_history && rate_offset_ >= 0) contact.contact_history[rate_offset_] = 0;
+    if (!contact.contact_history) return;
+    std::memset(contact.contact_history + history_offset_, 0, state_size);
+    rates_.forget(contact.contact_history);
   }
 
   void beginPass(SurfacesIntersectData&, ForceData&, ForceData&) override {}
@@ -211,27 +183,11 @@ class ElastoplasticNormalModel : public NormalModelBase {
  private:
   static std::string caller() { return std::string("model ") + Law::name; }
   void fail(const std::string& reason) { error->all(FLERR, (caller() + ": " + reason).c_str()); }
-  void refuse(const char* setting) {
-    fail(std::string(setting) + " is not available with this model; leave it off");
-  }
-
-  // The two bodies with their strength at the rate of the contact's first touch, whose factor it
-  // remembers; 0 is none yet.
-  [[gnu::noinline]] TypePair& at_rate(const SurfacesIntersectData& contact, TypePair& pair,
-                                      double radius_eff) const {
-    double factor = contact.contact_history[rate_offset_];
-    if (factor == 0) {
-      factor = plastigran::rate_factor(pair.bodies, radius_eff, -contact.vn);
-      if (contact.computeflag && contact.shearupdate)
-        contact.contact_history[rate_offset_] = factor;
-    }
-    return pair.strengthened(factor);
-  }
 
   // The state before this step: the history is written at the end of it.
   State state_before(const SurfacesIntersectData& contact) const {
     State before;
-    std::memcpy(&before, contact.contact_history + history_offset_, state_size);
+    std::memcpy(static_cast<void*>(&before), contact.contact_history + history_offset_, state_size);
     return before;
   }
 
@@ -258,14 +214,8 @@ class ElastoplasticNormalModel : public NormalModelBase {
 
   // What the model was given and what it assumed: a misspelt optional property shows here.
   void report_constants(const plastigran::DeckProperties& deck) {
-    std::string text =
-        pairs_.describe(caller() + (owner_.is_wall() ? ", wall" : ""), deck, choices_);
-    if (!viscous_damping_ && !owner_.is_wall() && deck.given("coefficient_restitution"))
-      text += caller() +
-              ": coefficientRestitution is not used, restitution follows from the law; "
-              "it is the dashpot's, viscous_damping on\n";
-    if (!plastigran::hardens<Law> && !owner_.is_wall() && deck.given("tangent_modulus"))
-      text += caller() + ": tangentModulus is not used, this law does not harden\n";
+    const std::string text = pairs_.describe(caller(), deck, settings_.choices, owner_.is_wall()) +
+                             settings_.describe_unused(caller(), deck, owner_.is_wall());
     if (screen) fputs(text.c_str(), screen);
     if (logfile) fputs(text.c_str(), logfile);
     for (const std::string& doubt : deck.doubts(pairs_.bodies())) watch_.warn_once(doubt);
@@ -280,22 +230,15 @@ class ElastoplasticNormalModel : public NormalModelBase {
 
   ContactModelBase* contact_model_;
   plastigran::ContactOwner owner_;
+  plastigran::RateMemory rates_;
+  plastigran::NormalModelSettings<Law> settings_;
   plastigran::TypePairs<Law> pairs_;
   plastigran::ContactWatch<Law> watch_;
   int history_offset_ = 0;
-  int rate_offset_ = -1;              // of the rate factor, which is there if any pair has one
-  typename Law::Parameters choices_;  // the law's options as set; its constants at their defaults
-  bool viscous_damping_ = false;
-  bool tangential_damping_ = true;  // the dashpot beside the tangential spring too
-  double overlap_limit_ = 1.0;      // of the smaller radius; beyond it the run is stopped
-  bool engine_elastic_potential_ = false;
-  bool engine_dissipated_energy_ = false;
   bool smooth_friction_ = false;
   bool accounts_ = false;       // the loads on particle i are AccountedLoads
   double** damping_ = nullptr;  // the engine's beta(coefficientRestitution) of each type pair
   bool reported_ = false;
-  Settings* settings_ = nullptr;  // while the line is read
-  std::string line_settings_;     // empty as long as no line was read
 };
 
 }  // namespace ContactModels

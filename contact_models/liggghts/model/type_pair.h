@@ -99,15 +99,15 @@ class TypePairs {
   // A line for each two types that may meet: their effective constants, the law's own and its
   // options. `caller` begins each line.
   std::string describe(const std::string& caller, const DeckProperties& deck,
-                       const Constants& options) {
+                       const Constants& options, bool is_wall) {
     std::ostringstream text;
     for (int i = 1; i <= type_count_; ++i)
       for (int j = i; j <= type_count_; ++j) {
         const TypePair<Law>& pair = (*this)(i, j);
         if (!pair.refusal.empty()) continue;
         const std::string pascal = ' ' + deck.unit("Pa");
-        text << caller << ", atom types " << i << " and " << j << ": effective modulus "
-             << pair.bodies.youngs_modulus_eff << pascal;
+        text << caller << (is_wall ? ", wall" : "") << ", atom types " << i << " and " << j
+             << ": effective modulus " << pair.bodies.youngs_modulus_eff << pascal;
         if (yields<Law>)
           text << ", yield strength " << pair.bodies.yield_strength << pascal << ", yield pressure "
                << pair.bodies.yield_pressure << pascal;
