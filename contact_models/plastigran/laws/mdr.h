@@ -29,6 +29,7 @@
 #include "plastigran/shared/contact.h"
 #include "plastigran/shared/fitted_sphere.h"
 #include "plastigran/shared/numerics.h"
+#include "plastigran/shared/tabulated.h"
 
 namespace plastigran {
 
@@ -37,11 +38,9 @@ class Mdr {
   static constexpr const char* name = "mdr";
   static constexpr const char* source = "Zunker & Kamrin 2024, J. Mech. Phys. Solids 183:105492";
   static constexpr const char* range = "overlap <= 0.1 R, contacts apart from each other";
-  static constexpr std::array<const char*, 3> state_names{"overlap_max", "force_max", "recovery"};
+  static constexpr std::array<const char*, 1> state_names{"overlap_max"};
   struct State {
     double overlap_max = 0;  // largest overlap beyond yield [m]; 0 while elastic
-    double force_max = 0;    // force there [N]
-    double recovery = 0;     // overlap_max - overlap_res [m]
   };
   struct Parameters {
     int energy_guard = 1;
@@ -64,33 +63,43 @@ class Mdr {
       (yielded(middle) ? high : low) = middle;
     }
     yield_ = high;
+    work_ = Tabulated<1>(yield_, [this](double depth) {
+              return std::array{force(depth)};
+            }).integral(2 * stored(0.5 * yield_));
     if (constants.energy_guard == 1) find_guarded();
+    loaded_ = Tabulated<3>(yield_, [this](double depth) { return compute(depth); });
   }
 
   Response respond(double radius_eff, double overlap, State& state) const {
     const double radius = radius_eff * sphere_.radius_ratio;
     const double per_overlap = 1 / (radius * sphere_.radius_ratio);  // depth over overlap
     const double force_unit = pi * sphere_.modulus * radius * radius;
-    if (state.overlap_max == 0 && overlap * per_overlap <= yield_) {
-      if (!(overlap > 0)) return {};
-      const double y = 0.5 * overlap * per_overlap;
-      return {force_unit * share(y), radius * chord(y), force_unit / per_overlap * 2 * stored(y), 0,
-              0};
-    }
-    if (overlap > state.overlap_max) {
-      const double depth = overlap * per_overlap;
-      state = {overlap, force_unit * force(depth), guarded_recovery(depth) / per_overlap};
-    }
-    const double y = 1 - (state.overlap_max - overlap) / state.recovery;
-    const double depth_max = state.overlap_max * per_overlap;
     Response response;
-    if (y > 0 && overlap > 0) {
-      response.force = state.force_max * share(y);
-      response.contact_radius = radius * std::sqrt(area(depth_max)) * chord(y);
-      response.elastic_energy = state.force_max * state.recovery * stored(y);
+    if (state.overlap_max == 0 && overlap * per_overlap <= yield_) {
+      if (!(overlap > 0)) return response;
+      const double y = 0.5 * overlap * per_overlap, root = std::sqrt(y);
+      const Shares shares = tabulated_shares(y);
+      response.force = force_unit * y * root * shares[0];
+      response.contact_radius = radius * chord(y);
+      response.elastic_energy = force_unit / per_overlap * 2 * y * y * root * shares[1];
+      return response;
     }
-    response.plastic_work = force_unit / per_overlap * virgin_work(depth_max) -
-                            state.force_max * state.recovery * stored(1);
+    if (overlap > state.overlap_max) state.overlap_max = overlap;
+    if (!(state.overlap_max > 0)) return response;  // the overlap is no number
+    const double depth_max = state.overlap_max * per_overlap;
+    const Values at = loaded_.covers(depth_max) ? loaded_(depth_max) : computed(depth_max);
+    const double force_max = force_unit * at[FORCE];
+    const double y = 1 - (state.overlap_max - overlap) * per_overlap / at[RECOVERY];
+    if (y > 0 && overlap > 0) {
+      const double root = std::sqrt(y);
+      const Shares shares = tabulated_shares(y);
+      response.force = force_max * y * root * shares[0];
+      response.contact_radius = radius * at[RADIUS] * chord(y);
+      response.elastic_energy = force_max * at[RECOVERY] / per_overlap * y * y * root * shares[1];
+    }
+    response.plastic_work =
+        force_unit / per_overlap *
+        (virgin_work(depth_max) - at[FORCE] * at[RECOVERY] * tabulated_shares(1)[1]);
     return response;
   }
 
@@ -98,6 +107,29 @@ class Mdr {
 
  private:
   static constexpr double largest = 0.7;  // overlap over R up to which the contact grows
+
+  // What loading beyond yield to an overlap over R leaves: F/(pi E' R^2), (overlap_max -
+  // overlap_res)/R and a_max/R.
+  enum Quantity { FORCE, RECOVERY, RADIUS };
+  typedef std::array<double, 3> Values;
+
+  Values compute(double depth) const {
+    return {force(depth), guarded_recovery(depth), std::sqrt(area(depth))};
+  }
+  // Apart, where no table reaches.
+  [[gnu::noinline, gnu::cold]] Values computed(double depth) const { return compute(depth); }
+
+  // Share of the force over y^(3/2), and its integral over y^(5/2); at 1 + y, for y goes to 0.
+  typedef std::array<double, 2> Shares;
+  static Shares shares(double y) {
+    if (y < series_end) return {series(y, 0), series(y, 1)};
+    const double root = std::sqrt(y);
+    return {share(y) / (y * root), stored(y) / (y * y * root)};
+  }
+  inline static const Tabulated<2> shares_table_{1, [](double z) { return shares(z - 1); }};
+  static Shares tabulated_shares(double y) {
+    return shares_table_.covers(1 + y) ? shares_table_(1 + y) : shares(y);
+  }
 
   // Share h(y) of the force at half the height. Where the closed form cancels, the series of the
   // integral of 4/pi sqrt(2y) sqrt(1 - y/2); beyond y = 1 a flat punch.
@@ -158,9 +190,13 @@ class Mdr {
     return half_height * (1 - radius / slant * (1 - correction_ * z / (slant + z)));
   }
 
-  // Work of the virgin curve over pi E' R^3. Beyond yield the integrand is a polynomial times an
-  // exponential, which one panel takes to rounding.
+  // Work of the virgin curve over pi E' R^3.
   double virgin_work(double depth) const {
+    return work_.covers(depth) ? work_(depth)[0] : summed_work(depth);
+  }
+  // The same where no table reaches. Beyond yield the integrand is a polynomial times an
+  // exponential, which one panel takes to rounding.
+  [[gnu::noinline, gnu::cold, gnu::pure]] double summed_work(double depth) const {
     if (depth <= yield_) return 2 * stored(0.5 * depth);
     const double grown = std::min(depth, largest);
     return 2 * stored(0.5 * yield_) +
@@ -200,6 +236,8 @@ class Mdr {
   double yield_ = unlimited;  // overlap over R at yield
   double guarded_work_ = 0;   // plastic work below guarded_end_, over pi E' R^3
   double guarded_end_ = 0;    // overlap over R up to which the energy guard acts
+  Tabulated<3> loaded_;
+  Tabulated<1, 9> work_;  // of the virgin curve, over pi E' R^3
 };
 
 }  // namespace plastigran

@@ -50,14 +50,13 @@ class Thornton : public NoConstants {
     if (overlap > state.overlap_max) state.overlap_max = overlap;
     const double radius_max = std::sqrt(radius_eff * state.overlap_max);
     const double force_max = slope_ * radius_eff * (state.overlap_max - overlap_y / 3);
-    const double recovery = force_max / (modulus_ * radius_max);  // overlap_max - overlap_res
-    const double x = 1 - (state.overlap_max - overlap) / recovery;
+    const double x = 1 - (state.overlap_max - overlap) * (modulus_ * radius_max / force_max);
     Response response;
     if (x > 0) {
       const double root = std::sqrt(x);
       response.contact_radius = radius_max * root;
       response.force = force_max * x * root;
-      response.elastic_energy = 0.4 * response.force * x * recovery;
+      response.elastic_energy = 0.4 * response.force * x * force_max / (modulus_ * radius_max);
     }
     response.plastic_work = plastic_work(radius_eff, state.overlap_max);
     return response;

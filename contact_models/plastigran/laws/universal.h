@@ -35,6 +35,7 @@
 #include "plastigran/shared/contact.h"
 #include "plastigran/shared/fitted_sphere.h"
 #include "plastigran/shared/hertz_contact.h"
+#include "plastigran/shared/tabulated.h"
 
 namespace plastigran {
 
@@ -55,13 +56,9 @@ class Universal {
        "what flattens or is dented; a flat's wide contact is as a narrow one"},
   }};
   struct State {
-    double overlap_max = 0;         // largest overlap beyond yield [m]; 0 while elastic
-    double force_max = 0;           // force there [N]
-    double contact_radius_max = 0;  // contact radius there [m]
-    double recovery = 0;            // overlap_max - overlap_res [m]
+    double overlap_max = 0;  // largest overlap beyond yield [m]; 0 while elastic
   };
-  static constexpr std::array<const char*, 4> state_names{"overlap_max", "force_max",
-                                                          "contact_radius_max", "recovery"};
+  static constexpr std::array<const char*, 1> state_names{"overlap_max"};
 
   Universal(const MaterialPair& pair, const Parameters& constants)
       : fitted_(pair, of_yielding_body),
@@ -74,6 +71,11 @@ class Universal {
     const double plastic_modulus =
         pair.tangent_modulus * pair.youngs_modulus / (pair.youngs_modulus - pair.tangent_modulus);
     hardening_ = pressure_factor * plastic_modulus / fitted_.modulus;
+    loaded_ = Tabulated<4>(1, [this](double x) { return compute(x); });
+    work_ = Tabulated<1>(1, [this](double x) {
+              const double t = std::sqrt(x);
+              return std::array{force(t, depth(t))};
+            }).integral(0.4);
   }
 
   Response respond(double radius_eff, double overlap, State& state) const {
@@ -82,28 +84,23 @@ class Universal {
       if (!(overlap > 0)) return {};
       return hertz_response(modulus_, radius_eff, overlap);
     }
+    if (overlap > state.overlap_max) state.overlap_max = overlap;
+    Response response;
+    if (!(state.overlap_max > 0)) return response;  // the overlap is no number
+    const double x_max = state.overlap_max / overlap_y;
+    const Values at = loaded_.covers(x_max) ? loaded_(x_max) : computed(x_max);
     const double radius_y = radius_eff * yield_radius_ratio_;
     const double force_y = modulus_ * radius_y * overlap_y;
-    if (overlap > state.overlap_max) {
-      const double t = std::sqrt(overlap / overlap_y), S = depth(t);
-      const double f = force(t, S), a = contact_radius(t, S);
-      state = {overlap, force_y * f, radius_y * a, overlap_y * (1 - lacking(S)) * f / a};
+    const double recovery = overlap_y * at[RECOVERY], g = at[DEPARTURE];
+    const double y = 1 - (state.overlap_max - overlap) / recovery;
+    if (y > 0 && overlap > 0) {
+      const double root = std::sqrt(y), fall = 1 / (1 + g * root);
+      response.force = force_y * at[FORCE] * y * root * fall;
+      response.contact_radius = radius_y * at[RADIUS] * root * fall * fall * (3 + 2 * g * root);
+      response.elastic_energy = force_y * at[FORCE] * recovery * work(g, root);
     }
-    const double g = departure(state);
-    double root = 1;  // y^(1/2)
-    if (overlap < state.overlap_max) {
-      const double y = 1 - (state.overlap_max - overlap) / state.recovery;
-      root = y > 0 && overlap > 0 ? std::sqrt(y) : 0;
-    }
-    const double fall = (1 + g) / (1 + g * root);
-    Response response;
-    response.force = state.force_max * root * root * root * fall;
-    response.contact_radius =
-        state.contact_radius_max * root * fall * fall * ((3 + 2 * g * root) / (3 + 2 * g));
-    response.elastic_energy = state.force_max * state.recovery * work(g, root);
     response.plastic_work =
-        force_y * overlap_y * virgin_work(std::sqrt(state.overlap_max / overlap_y)) -
-        state.force_max * state.recovery * work(g, 1);
+        force_y * (overlap_y * virgin_work(x_max) - at[FORCE] * recovery * work(g, 1));
     return response;
   }
 
@@ -139,6 +136,19 @@ class Universal {
   static constexpr double d_3 = 0.359;
   static constexpr double g_1 = 3.642;
 
+  // What loading to x = overlap/overlap_Y leaves: F (1 + g)/F_Y, a (1 + g)^2/((3 + 2 g) a_Y), the
+  // recovery over overlap_Y, and g.
+  enum Quantity { FORCE, RADIUS, RECOVERY, DEPARTURE };
+  typedef std::array<double, 4> Values;
+
+  Values compute(double x) const {
+    const double t = std::sqrt(x), S = depth(t), f = force(t, S), a = contact_radius(t, S);
+    const double g = g_1 * lacking(S), peak = 1 + g;
+    return {f * peak, a * peak * peak / (3 + 2 * g), (1 - lacking(S)) * f / a, g};
+  }
+  // Apart, where no table reaches.
+  [[gnu::noinline, gnu::cold]] Values computed(double x) const { return compute(x); }
+
   // S at t >= 1.
   double depth(double t) const {
     const double s = t - 1;
@@ -163,24 +173,18 @@ class Universal {
   // D.
   static double lacking(double S) { return d_1 * S * S / (S * S + d_2 * S + d_3); }
 
-  // g, how far unloading departs from Hertz' curve: 1 - D is the recovery that a contact keeps,
-  // over that of Hertz' contact of its force and radius.
-  double departure(const State& state) const {
-    return g_1 * (1 - modulus_ * state.contact_radius_max * state.recovery / state.force_max);
-  }
-
-  // Work of the unloading from y = 0, over F_max (overlap_max - overlap_res).
+  // Work of the unloading from y = 0, over F_max (1 + g) (overlap_max - overlap_res).
   static double work(double g, double root) {
-    return gauss_legendre([g](double z) { return 2 * z * z * z * z * (1 + g) / (1 + g * z); }, 0,
-                          root);
+    return gauss_legendre([g](double z) { return 2 * z * z * z * z / (1 + g * z); }, 0, root);
   }
 
-  // Work of the virgin curve up to t, over F_Y overlap_Y: on panels that double in length, for the
-  // integrand's poles are some panel lengths away. The compiler eliminates it where the
-  // work is not used, for no root in it may set errno.
-  double virgin_work(double t) const {
+  // Work of the virgin curve up to x, over F_Y overlap_Y.
+  double virgin_work(double x) const { return work_.covers(x) ? work_(x)[0] : summed_work(x); }
+  // The same where no table reaches, on panels that double in length, for the integrand's poles are
+  // some panel lengths away.
+  [[gnu::noinline, gnu::cold, gnu::pure]] double summed_work(double x) const {
     double sum = 0.4;
-    for (double left = 1; left < t; left *= 2)
+    for (double left = 1, t = std::sqrt(x); left < t; left *= 2)
       sum += gauss_legendre([this](double at) { return 2 * at * force(at, depth(at)); }, left,
                             std::min(2 * left, t));
     return sum;
@@ -193,6 +197,8 @@ class Universal {
   double widening_radius_;     // r
   double onset_;               // w
   double hardening_;           // h
+  Tabulated<4> loaded_;
+  Tabulated<1, 9> work_;  // of the virgin curve, over F_Y overlap_Y
 };
 
 }  // namespace plastigran

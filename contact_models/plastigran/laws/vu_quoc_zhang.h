@@ -22,6 +22,7 @@
 #include <algorithm>
 
 #include "plastigran/shared/contact.h"
+#include "plastigran/shared/tabulated.h"
 
 namespace plastigran {
 
@@ -50,7 +51,11 @@ class VuQuocZhang {
         kc_(constants.curvature_coefficient),
         yield_radius_ratio_(plastigran::yield_radius_ratio(pair)),
         yield_force_ratio_(4.0 / 3.0 * pair.youngs_modulus_eff * yield_radius_ratio_ *
-                           yield_radius_ratio_ * yield_radius_ratio_) {}
+                           yield_radius_ratio_ * yield_radius_ratio_) {
+    root_ = Tabulated<1>(1, [this](double x) { return std::array{elastic_radius(x, 1)}; });
+    complementary_ =
+        Tabulated<1>(1, [this](double s) { return std::array{complement(s)}; }).integral(0);
+  }
 
   // Sufficient, and at most a quarter stricter in c_a than necessary, for the virgin curve to rise
   // and for every increment of plastic work to be positive: c_a^(3/2) (2 - k_c) >= 2/5 sqrt(1/5)
@@ -73,13 +78,11 @@ class VuQuocZhang {
     // find itself beyond the first.
     const double reached = max.radius * max.radius;
     const double ahead = max.curvature * x - reached;
-    if (ahead > 1e-14 * reached) {  // on the virgin curve, beyond yield
-      int iterations;
-      s = state.elastic_radius_max = elastic_radius(x, max.s, iterations);
+    if (ahead > rounding * reached) {  // on the virgin curve, beyond yield
+      s = state.elastic_radius_max = elastic_radius(x, root_.covers(x) ? root_(x)[0] : max.s);
       max = shape(s);
-    } else if (!(ahead >=
-                 -1e-14 *
-                     reached)) {  // elastic, or unloading: a_e^2 = C R* (overlap - overlap_res)
+    } else if (!(ahead >= -rounding * reached)) {
+      // elastic, or unloading: a_e^2 = C R* (overlap - overlap_res)
       const double plastic = ca_ * max.u * (2 * max.s + ca_ * max.u);
       const double s_squared = max.curvature * x - plastic;
       s = s_squared > 0 && overlap > 0 ? std::sqrt(s_squared) : 0;
@@ -121,7 +124,7 @@ class VuQuocZhang {
   // passed the root, Newton descends on it monotonically, and before it no step shorter than
   // doubling is refused, so the iteration always arrives. About four iterations for the overlap
   // steps of a simulation, the last one to see that it has; more only for the first steps of a
-  // violent impact.
+  // violent impact. From the table's root it is one.
   double elastic_radius(double x, double start, int& iterations) const {
     double s = start;
     for (iterations = 1; iterations <= 200; ++iterations) {
@@ -133,6 +136,10 @@ class VuQuocZhang {
       if (std::abs(step) <= 1e-8 * s) break;  // quadratic: the next step would be below rounding
     }
     return s;
+  }
+  double elastic_radius(double x, double start) const {
+    int iterations;
+    return elastic_radius(x, start, iterations);
   }
 
  private:
@@ -147,28 +154,42 @@ class VuQuocZhang {
     return {s, u, s + ca_ * u, 1 + kc_ * u};
   }
 
+  // Of A^2/C.
+  static constexpr double rounding = 1e-14;
+
+  // overlap/overlap_Y d(F/P_Y)/ds
+  double complement(double s) const {
+    const Shape at = shape(s);
+    return 3 * s * s * at.radius * at.radius / at.curvature;
+  }
+
   // Plastic work over P_Y overlap_Y at s: virgin work 2/5 + integral of s^3 d(overlap), less the
-  // recoverable 2/5 s^5/C. The integral is taken by parts, F overlap - integral of overlap dF, and
-  // by Gauss-Legendre on s-panels that double in length: the integrand's poles are complex and lie
-  // a fixed number of panel lengths away, so 12 points per panel leave less than 1e-12.
+  // recoverable 2/5 s^5/C. The integral is taken by parts, F overlap - integral of overlap dF.
   double plastic_work(const Shape& max) const {
     if (!(max.u > 0)) return 0;
-    const auto integrand = [this](double s) {  // overlap/overlap_Y d(F/P_Y)/ds
-      const Shape at = shape(s);
-      return 3 * s * s * at.radius * at.radius / at.curvature;
-    };
-    double complementary = 0;
-    for (double left = 1; left < max.s; left *= 2)
-      complementary += gauss_legendre(integrand, left, std::min(2 * left, max.s));
+    const double complementary =
+        complementary_.covers(max.s) ? complementary_(max.s)[0] : summed_complement(max.s);
     const double force = max.u + 1;
     const double virgin_work =
         0.4 + force * max.radius * max.radius / max.curvature - 1 - complementary;
     return virgin_work - 0.4 * force * max.s * max.s / max.curvature;
   }
+  // That integral where no table reaches, by Gauss-Legendre on s-panels that double in length: the
+  // integrand's poles are complex and lie a fixed number of panel lengths away, so 12 points per
+  // panel leave less than 1e-12.
+  [[gnu::noinline, gnu::cold, gnu::pure]] double summed_complement(double s) const {
+    double sum = 0;
+    for (double left = 1; left < s; left *= 2)
+      sum +=
+          gauss_legendre([this](double at) { return complement(at); }, left, std::min(2 * left, s));
+    return sum;
+  }
 
   double ca_, kc_;
-  double yield_radius_ratio_;  // a_Y / R*
-  double yield_force_ratio_;   // P_Y / R*^2
+  double yield_radius_ratio_;      // a_Y / R*
+  double yield_force_ratio_;       // P_Y / R*^2
+  Tabulated<1> root_;              // s of the virgin curve at overlap/overlap_Y
+  Tabulated<1, 9> complementary_;  // integral of overlap dF up to s
 };
 
 }  // namespace plastigran

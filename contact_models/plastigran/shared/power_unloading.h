@@ -31,6 +31,8 @@
 
 #include "plastigran/shared/contact.h"
 #include "plastigran/shared/hertz_contact.h"
+#include "plastigran/shared/power.h"
+#include "plastigran/shared/tabulated.h"
 
 namespace plastigran {
 
@@ -61,17 +63,20 @@ class PowerUnloading : public Curve {
   }();
   struct State {
     double overlap_max = 0;  // largest overlap beyond yield [m]; 0 while elastic
-    double force_max = 0;    // force there [N]
-    double recovery = 0;     // overlap_max - overlap_res [m]
   };
-  static constexpr std::array<const char*, 3> state_names{"overlap_max", "force_max", "recovery"};
+  static constexpr std::array<const char*, 1> state_names{"overlap_max"};
 
   PowerUnloading(const MaterialPair& pair, const Parameters& constants)
       : Curve(pair, constants),
         modulus_(4.0 / 3.0 * pair.youngs_modulus_eff),
         overlap_ratio_(Curve::yield_radius_ratio * Curve::yield_radius_ratio) {
-    sum_panels();
+    const double yield = Curve::breaks[0];
+    work_ = Tabulated<1>(
+                yield, [this](double x) { return std::array{Curve::force(x)}; }, Curve::breaks)
+                .integral(0.4 * yield * yield * std::sqrt(yield));
     if (constants.energy_guard == 1) find_guarded();
+    loaded_ = Tabulated<quantities>(
+        yield, [this](double x) { return compute(x); }, Curve::breaks);
   }
 
   // Overlaps over R* where the formula changes: the virgin force may jump there.
@@ -87,28 +92,49 @@ class PowerUnloading : public Curve {
       if (!(overlap > 0)) return {};
       return hertz_response(modulus_, radius_eff, overlap);
     }
-    const double radius_y = radius_eff * Curve::yield_radius_ratio;
-    const double force_y = modulus_ * radius_y * overlap_y;
-    if (overlap > state.overlap_max) {
-      const double x = overlap / overlap_y;
-      state = {overlap, force_y * Curve::force(x), overlap_y * guarded_recovery(x)};
-    }
-    const double x_max = state.overlap_max / overlap_y;
-    const double exponent = exponent_after(x_max);
-    const double y = 1 - (state.overlap_max - overlap) / state.recovery;
+    if (overlap > state.overlap_max) state.overlap_max = overlap;
     Response response;
+    if (!(state.overlap_max > 0)) return response;  // the overlap is no number
+    const double x_max = state.overlap_max / overlap_y;
+    const Values at = loaded_.covers(x_max) ? loaded_(x_max) : computed(x_max);
+    const double radius_y = radius_eff * Curve::yield_radius_ratio;
+    const double force_max = modulus_ * radius_y * overlap_y * at[FORCE];
+    const double recovery = overlap_y * at[RECOVERY];
+    const double y = 1 - (state.overlap_max - overlap) / recovery;
     if (y > 0 && overlap > 0) {
       const double root = std::sqrt(y);
-      response.force = state.force_max * (exponent == 1.5 ? y * root : std::pow(y, exponent));
-      response.contact_radius = radius_y * Curve::contact_radius(x_max) * root;
-      response.elastic_energy = response.force * y * state.recovery / (exponent + 1);
+      response.force = force_max * y * root;
+      if constexpr (says_exponent<Curve>)
+        if (y < 1) response.force *= power(y, at[EXPONENT] - 1.5);
+      response.contact_radius = radius_y * at[RADIUS] * root;
+      response.elastic_energy = response.force * y * recovery / (exponent_in(at) + 1);
     }
-    response.plastic_work = force_y * overlap_y * virgin_work(x_max) -
-                            state.force_max * state.recovery / (exponent + 1);
+    response.plastic_work = modulus_ * radius_y * overlap_y * overlap_y * virgin_work(x_max) -
+                            force_max * recovery / (exponent_in(at) + 1);
     return response;
   }
 
  private:
+  // What loading to x leaves, each over its value at yield.
+  enum Quantity { FORCE, RECOVERY, RADIUS, EXPONENT };
+  static constexpr std::size_t quantities = says_exponent<Curve> ? 4 : 3;
+  typedef std::array<double, quantities> Values;
+
+  Values compute(double x) const {
+    Values at{Curve::force(x), guarded_recovery(x), Curve::contact_radius(x)};
+    if constexpr (says_exponent<Curve>) at[EXPONENT] = Curve::exponent(x);
+    return at;
+  }
+  // Apart, where no table reaches.
+  [[gnu::noinline, gnu::cold]] Values computed(double x) const { return compute(x); }
+
+  static double exponent_in([[maybe_unused]] const Values& at) {
+    if constexpr (says_exponent<Curve>)
+      return at[EXPONENT];
+    else
+      return 1.5;
+  }
+
   // A stretch of x on which the work lost stays what it was at its begin.
   struct Guarded {
     double begin, end, plastic_work;
@@ -123,35 +149,21 @@ class PowerUnloading : public Curve {
   }
 
   // The virgin curve's work up to x, over F_y overlap_y.
-  struct Work {
-    double x, work;
-  };
+  double virgin_work(double x) const { return work_.covers(x) ? work_(x)[0] : summed_work(x); }
 
-  // Beyond the first break the work is summed by Gauss-Legendre on panels that double in length and
-  // end at breaks.
-  Work panel_after(const Work& begin, double end) const {
-    double right = std::min(2 * begin.x, end);
-    for (double edge : Curve::breaks)
-      if (edge > begin.x) right = std::min(right, edge);
-    return {right, begin.work + gauss_legendre([this](double at) { return Curve::force(at); },
-                                               begin.x, right)};
-  }
-
-  // The whole panels, once per pair of materials.
-  void sum_panels() {
-    const double yield = Curve::breaks[0];
-    panels_[0] = {yield, 0.4 * yield * yield * std::sqrt(yield)};
-    for (std::size_t k = 1; k < panels_.size(); ++k)
-      panels_[k] = panel_after(panels_[k - 1], std::numeric_limits<double>::infinity());
-  }
-
-  double virgin_work(double x) const {
-    if (x <= panels_[0].x) return 0.4 * x * x * std::sqrt(x);
-    const auto above = std::upper_bound(panels_.begin(), panels_.end(), x,
-                                        [](double at, const Work& edge) { return at < edge.x; });
-    Work reached = *(above - 1);
-    while (reached.x < x) reached = panel_after(reached, x);
-    return reached.work;
+  // The same where no table reaches: Hertz's below the first break, and beyond the table's end
+  // summed on panels that double in length.
+  [[gnu::noinline, gnu::cold, gnu::pure]] double summed_work(double x) const {
+    if (!(x > Curve::breaks[0])) return 0.4 * x * x * std::sqrt(x);
+    double left = work_.end(), sum = work_(left * (1 - 1e-15))[0];
+    while (left < x) {
+      double right = std::min(2 * left, x);
+      for (double edge : Curve::breaks)
+        if (edge > left) right = std::min(right, edge);
+      sum += gauss_legendre([this](double at) { return Curve::force(at); }, left, right);
+      left = right;
+    }
+    return sum;
   }
 
   double published_plastic_work(double x) const {
@@ -214,7 +226,8 @@ class PowerUnloading : public Curve {
   double modulus_;        // 4/3 E*
   double overlap_ratio_;  // overlap_y / R*
   std::array<Guarded, std::tuple_size_v<decltype(Curve::breaks)> + 2> guarded_{};
-  std::array<Work, 48> panels_;  // their ends, from yield to above 1e12 times its overlap
+  Tabulated<1, 9> work_;  // of the virgin curve, over F_y overlap_y
+  Tabulated<quantities> loaded_;
 };
 
 }  // namespace plastigran
