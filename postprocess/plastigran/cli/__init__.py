@@ -16,18 +16,20 @@ from plastigran.engine.process import EngineError
 from plastigran.experiments import find_experiments
 
 
-def parser() -> argparse.ArgumentParser:
+def parser(wanted: str = "") -> argparse.ArgumentParser:
     """A subcommand for each experiment, made from what it says of itself, and for each module of
-    `commands`, which brings HELP, add_arguments and run."""
+    `commands`, which brings HELP, add_arguments and run; `wanted` alone where that is one of them,
+    for many are slow to load."""
     top = argparse.ArgumentParser(
         prog="plastigran", description="Elasto-plastic contact laws for LIGGGHTS: runs and checks."
     )
     subcommands = top.add_subparsers(dest="command", required=True, metavar="COMMAND")
-    experiments = find_experiments()
     modules = {
         found.name.replace("_", "-"): found.name for found in iter_modules(commands.__path__)
     }
-    for name in sorted([*experiments, *modules]):
+    experiments = {} if wanted in modules else find_experiments()
+    names = {*modules, *experiments}
+    for name in {wanted} & names or sorted(names):
         if name in experiments:
             add_command(subcommands, experiments[name])
             continue
@@ -40,7 +42,8 @@ def parser() -> argparse.ArgumentParser:
 
 def main(argv: list[str] | None = None) -> int:
     """Entry point; 0 when all went well, 1 after an error, whose one line goes to stderr."""
-    arguments = parser().parse_args(argv)
+    words = sys.argv[1:] if argv is None else argv
+    arguments = parser(*words[:1]).parse_args(words)
     try:
         with warnings.catch_warnings():
             warnings.showwarning = lambda said, *_, **__: print(
