@@ -37,12 +37,15 @@ def test_impact_writes_table_and_figures(tmp_path, capsys):
         assert "<svg" in (folder / f"{name}.svg").read_text()[:1000]
     assert "vu_quoc_zhang" in capsys.readouterr().out
 
+    line = ["impact", "--law", "thornton", "--speed", "0.1", "--output", str(folder)]
     assert main(line) == 1
     assert (
         "holds results; choose another folder, or overwrite them by force"
         in capsys.readouterr().err
     )
+    assert len(pd.read_csv(folder / "impacts.csv")) == len(table)
     assert main([*line, "--force"]) == 0
+    assert pd.read_csv(folder / "impacts.csv")["law"].tolist() == ["thornton"]
 
 
 def test_materials_and_geometries(tmp_path, capsys):

@@ -28,9 +28,10 @@ EXIT_CODES = {
 }
 
 
-def parser() -> argparse.ArgumentParser:
+def parser(wanted: str = "") -> argparse.ArgumentParser:
     """A subcommand for each experiment, made from what it says of itself, and for each module of
-    `commands`, which brings HELP, EXAMPLE, add_arguments and run."""
+    `commands`, which brings HELP, EXAMPLE, add_arguments and run; `wanted` alone where that is one
+    of them, for many are slow to load."""
     listed = "\n".join(f"  {code:<4d}{meaning}" for code, meaning in EXIT_CODES.items())
     top = argparse.ArgumentParser(
         prog="plastigran",
@@ -43,11 +44,12 @@ def parser() -> argparse.ArgumentParser:
     subcommands = Subparsers(
         top.add_subparsers(dest="command", required=True, metavar="COMMAND", title="commands")
     )
-    experiments = find_experiments()
     modules = {
         found.name.replace("_", "-"): found.name for found in iter_modules(commands.__path__)
     }
-    for name in sorted([*experiments, *modules]):
+    experiments = {} if wanted in modules else find_experiments()
+    names = {*modules, *experiments}
+    for name in {wanted} & names or sorted(names):
         if name in experiments:
             add_command(subcommands, experiments[name])
             continue
@@ -60,7 +62,8 @@ def parser() -> argparse.ArgumentParser:
 
 def main(argv: list[str] | None = None) -> int:
     """Entry point; returns one of `EXIT_CODES`. An error is one line on stderr."""
-    arguments = parser().parse_args(argv)
+    words = sys.argv[1:] if argv is None else argv
+    arguments = parser(*words[:1]).parse_args(words)
     try:
         with warnings.catch_warnings():
             warnings.showwarning = lambda said, *_, **__: print(
