@@ -8,6 +8,7 @@ warning of it is an error.
 
 from __future__ import annotations
 
+import fnmatch
 import os
 import re
 import sys
@@ -61,8 +62,11 @@ def navigation(pages: Path) -> str:
     def fill(node: dict) -> None:
         entries = []
         for entry in node.get("entries", []):
-            matches = [page for page in found if page.match(entry.get("glob", ""))]
-            entries += [_entry(pages, page) for page in matches] if "glob" in entry else [entry]
+            if "glob" in entry:
+                matches = fnmatch.filter(map(str, found), entry["glob"])
+                entries += [_entry(pages, Path(page)) for page in matches]
+            else:
+                entries.append(entry)
         for entry in entries:
             named.add(entry["file"])
             fill(entry)
