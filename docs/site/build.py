@@ -8,15 +8,20 @@ warning of it is an error.
 
 from __future__ import annotations
 
+import fnmatch
 import os
 import re
 import sys
+from hashlib import sha256
 from pathlib import Path
 from shutil import copy2, ignore_patterns
 
 import yaml
 from pages import write_pages
 from sphinx.cmd.build import main as sphinx
+
+import plastigran
+from plastigran import laws
 
 PROJECT = Path(__file__).parents[2]
 #: Pages of the top folder that the site has among the others.
@@ -61,8 +66,11 @@ def navigation(pages: Path) -> str:
     def fill(node: dict) -> None:
         entries = []
         for entry in node.get("entries", []):
-            matches = [page for page in found if page.match(entry.get("glob", ""))]
-            entries += [_entry(pages, page) for page in matches] if "glob" in entry else [entry]
+            if "glob" in entry:
+                matches = fnmatch.filter(map(str, found), entry["glob"])
+                entries += [_entry(pages, Path(page)) for page in matches]
+            else:
+                entries.append(entry)
         for entry in entries:
             named.add(entry["file"])
             fill(entry)
@@ -89,16 +97,25 @@ def build(target: Path) -> int:
     pages = stage(target.parent / f"{target.name}_pages")
     _write(pages / "toc.yml", navigation(pages))
     doctrees = target.parent / f"{target.name}_doctrees"
-    there = "\n".join(sorted(str(path.relative_to(pages)) for path in pages.rglob("*.*")))
-    last = doctrees / "pages.txt"
-    if not last.exists() or last.read_text() != there:  # links to pages are settled when read
-        (doctrees / "environment.pickle").unlink(missing_ok=True)
+    state, last = _state(pages), doctrees / "state.txt"
+    if not last.exists() or last.read_text() != state:
+        (doctrees / "environment.pickle").unlink(missing_ok=True)  # all is read again
     words = ["-W", "--keep-going", "-q", "-d", str(doctrees)]
     status = sphinx([*words, "-c", str(PROJECT / "docs" / "site"), str(pages), str(target)])
     if status:  # what is not read again is not warned of again
         (doctrees / "environment.pickle").unlink(missing_ok=True)
-    _write(last, there)
+    _write(last, state)
     return status
+
+
+def _state(pages: Path) -> str:
+    """What every page may depend on: which pages there are, for links to them are settled when a
+    page is read, and the package, which notebooks and references run."""
+    names = sorted(str(path.relative_to(pages)) for path in pages.rglob("*.*"))
+    digest = sha256()
+    for path in [*sorted(Path(plastigran.__file__).parent.rglob("*.py")), Path(laws.__file__)]:
+        digest.update(path.read_bytes())
+    return "\n".join([digest.hexdigest(), *names])
 
 
 def _copy(path: Path, to: Path) -> None:

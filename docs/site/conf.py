@@ -24,7 +24,7 @@ myst_enable_extensions = ["smartquotes"]
 suppress_warnings = ["ref.python"]  # a name in an annotation that several classes have
 
 # Notebooks: Markdown that runs while the site is built; what fails stops the build.
-nb_execution_mode = "cache"
+nb_execution_mode = "force"
 nb_execution_raise_on_error = True
 nb_execution_timeout = 120
 nb_execution_show_tb = True

@@ -13,6 +13,7 @@ for --chroot; the clean system fetches Debian's packages and Python's as the pag
 from __future__ import annotations
 
 import argparse
+import os
 import re
 import shutil
 import subprocess
@@ -28,6 +29,8 @@ BRIEF = {
     r"--ranks 2": "--ranks 1",
     r"layers=10 frames=8": "layers=5 frames=2 orifice=8 duration=0.2 rows=50 filling=0.1",
 }
+#: How this machine reaches the network, which the new system needs too.
+NETWORK = ("etc/resolv.conf", "etc/hosts", "etc/pip.conf", "etc/ssl/certs/ca-certificates.crt")
 #: What the page promises, as files left behind.
 LEFT = (
     "results/impact/impacts.csv",
@@ -88,7 +91,7 @@ def follow_in_chroot(folder: Path) -> int:
         ["git", "-C", PROJECT, "archive", "HEAD"], check=True, capture_output=True
     ).stdout
     subprocess.run(["tar", "-x", "-C", home], input=files, check=True)
-    for name in ("etc/resolv.conf", "etc/hosts", "etc/pip.conf", "etc/apt/apt.conf.d/90proxy"):
+    for name in NETWORK:
         if (Path("/") / name).exists():
             (root / name).unlink(missing_ok=True)
             shutil.copy(Path("/") / name, root / name)
@@ -99,13 +102,9 @@ def follow_in_chroot(folder: Path) -> int:
 
 def clean_environment() -> dict[str, str]:
     """What a fresh login has, and how to reach the network where that is said by variables."""
-    import os
-
-    passed = {name: value for name, value in os.environ.items() if "proxy" in name.lower()}
-    passed |= {
-        name: value for name, value in os.environ.items() if name.startswith(("PIP_", "SSL_"))
-    }
     path = "/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin"
+    names = ("http_proxy", "https_proxy", "no_proxy", "PIP_CERT", "PIP_INDEX_URL", "SSL_CERT_FILE")
+    passed = {name: os.environ[name] for name in names if name in os.environ}
     return {"PATH": path, "HOME": "/root", "LANG": "C.UTF-8", **passed}
 
 
