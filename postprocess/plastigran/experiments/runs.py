@@ -149,6 +149,18 @@ def case_folders(cases: Iterable[Experiment], folder: Path) -> list[Path]:
     return [folder / "runs" / f"{number:04d}_{case.label}" for number, case in enumerate(cases)]
 
 
+def _add_row(path: Path, row: Mapping[str, object]) -> None:
+    """Append a row to a table; an interrupt leaves none in part. The first one begins the file."""
+    line = pd.DataFrame([row])
+    if path.exists():
+        with open(path, "a", newline="") as file:
+            file.write(line.to_csv(header=False, index=False))
+        return
+    draft = path.with_suffix(".new")
+    line.to_csv(draft, index=False)
+    draft.replace(path)
+
+
 @contextmanager
 def _claimed(folder: Path) -> Iterator[None]:
     """A folder that no other sweep writes to."""
@@ -193,8 +205,7 @@ def _sweep(
                 failure = failure or error
                 continue
             rows[case] = case.row(measured[case])
-            line = pd.DataFrame([rows[case]])
-            line.to_csv(path, mode="a", header=not path.exists(), index=False)
+            _add_row(path, rows[case])
     finally:  # an interrupt starts no further engine
         pool.shutdown(wait=True, cancel_futures=True)
         bar.close()

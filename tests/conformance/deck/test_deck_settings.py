@@ -81,7 +81,12 @@ def test_frames_may_change_when_a_run_goes_on(case):
     """And nothing of the grains or the time step may, in any deck."""
     allowed = case.kind.continuable_settings()
     shared = {field.name for field in attrs.fields(BulkDeck)}
-    assert "frames" in allowed and allowed & shared <= {"frames", "rows", "checkpoints"}
+    assert "frames" in allowed and allowed & shared <= {
+        "frames",
+        "contact_history",
+        "rows",
+        "checkpoints",
+    }
 
 
 def test_ranks_below_one_are_refused(tmp_path):
