@@ -21,6 +21,9 @@ namespace {
 // triangles in one plane, the engine may compute the one whose contact it knows, and it alone.
 const double same_depth = 1e-11;
 
+// Of a cosine: corners in mesh files have some seven digits.
+const double rounded = 1e-6;
+
 }  // namespace
 
 MeshContacts::MeshContacts(LAMMPS_NS::LAMMPS* engine, LAMMPS_NS::FixMeshSurface* mesh,
@@ -28,7 +31,7 @@ MeshContacts::MeshContacts(LAMMPS_NS::LAMMPS* engine, LAMMPS_NS::FixMeshSurface*
     : engine_(engine),
       fix_(mesh),
       mesh_(mesh->triMesh()),
-      feature_cosine_(feature_cosine),
+      feature_cosine_(feature_cosine - rounded),
       vectors_(std::move(vectors)) {}
 
 bool MeshContacts::computes(int particle, int triangle, bool overlaps, double* history) {
@@ -45,11 +48,12 @@ bool MeshContacts::computes(int particle, int triangle, bool overlaps, double* h
 }
 
 std::pair<int, int> MeshContacts::overlaps_of(int particle) {
-  const LAMMPS_NS::bigint step = engine_->update->ntimestep;
-  if (step != contact_step_) {
-    if (engine_->neighbor->lastcall != list_step_) list_triangles();
-    list_step_ = engine_->neighbor->lastcall;
-    found_.assign(engine_->atom->nlocal, {-1, -1});
+  const LAMMPS_NS::bigint step = engine_->update->ntimestep, listed = engine_->neighbor->lastcall;
+  const std::size_t count = engine_->atom->nlocal;
+  if (step != contact_step_ || found_.size() != count) {
+    if (listed != list_step_ || found_.size() != count) list_triangles();
+    list_step_ = listed;
+    found_.assign(count, {-1, -1});
     overlaps_.clear();
     contact_step_ = step;
   }
@@ -59,6 +63,7 @@ std::pair<int, int> MeshContacts::overlaps_of(int particle) {
     join_surfaces(particle, first);
     choose_carriers(particle, first);
     find_memory(particle, first);
+    if (!seams_->found()) look_for_seam(particle, first);
     found_[particle] = {first, static_cast<int>(overlaps_.size())};
   }
   return found_[particle];
@@ -125,6 +130,26 @@ void MeshContacts::choose_carriers(int particle, int first) {
     }
     if (deepest) deepest->carries = true;
   }
+}
+
+// Contacts with two surfaces whose directions differ by less than the feature angle.
+void MeshContacts::look_for_seam(int particle, int first) const {
+  const int last = overlaps_.size();
+  for (int a = first; a < last; ++a)
+    for (int b = a + 1; b < last; ++b) {
+      if (!overlaps_[a].carries || !overlaps_[b].carries) continue;
+      double to_a[3], to_b[3];
+      distance(particle, overlaps_[a].triangle, false, to_a);
+      distance(particle, overlaps_[b].triangle, false, to_b);
+      const double cosine = vectorDot3D(to_a, to_b) / (vectorMag3D(to_a) * vectorMag3D(to_b));
+      if (!(cosine >= feature_cosine_)) continue;
+      const double* const x = engine_->atom->x[particle];
+      seams_->note({engine_->atom->tag[particle],
+                    {mesh_->id(overlaps_[a].triangle), mesh_->id(overlaps_[b].triangle)},
+                    {x[0], x[1], x[2]},
+                    std::acos(std::min(1.0, cosine)) * 180 / M_PI});
+      return;
+    }
 }
 
 // What the particle's contacts remember goes to the ones that carry now. Where two surfaces have

@@ -17,6 +17,7 @@
 
 #include "fix_mesh_surface.h"
 #include "lammps.h"
+#include "liggghts/meshes/seam_watch.h"
 
 namespace plastigran {
 
@@ -28,7 +29,10 @@ class MeshContacts {
                std::vector<int> vectors);
 
   // Before a run.
-  void begin_run() { list_step_ = contact_step_ = -1; }
+  void begin_run(SeamWatch* seams) {
+    seams_ = seams;
+    list_step_ = contact_step_ = -1;
+  }
 
   // Whether the engine has to compute what it asks for: the contact of a local particle with a
   // triangle, if it overlaps it, or else its end. A contact that carries a surface's has taken over
@@ -53,6 +57,7 @@ class MeshContacts {
   void join_surfaces(int particle, int first);
   void choose_carriers(int particle, int first);
   void find_memory(int particle, int first);
+  void look_for_seam(int particle, int first) const;
   Overlap* heir_of(int particle, int first, int triangle);
   void take_over(int particle, Overlap& overlap, double* history) const;
   bool beyond_its_plane(int particle, int triangle) const;
@@ -65,6 +70,7 @@ class MeshContacts {
   LAMMPS_NS::TriMesh* mesh_;
   double feature_cosine_;
   std::vector<int> vectors_;
+  SeamWatch* seams_ = nullptr;
 
   // The triangles near each local particle, in the engine's order: those of particle i stand from
   // first_near_[i] to first_near_[i + 1]. From the neighbour lists of that step.

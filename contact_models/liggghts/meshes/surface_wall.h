@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "fix_wall_gran_base.h"
+#include "liggghts/fixes/own_fix.h"
 #include "liggghts/meshes/mesh_contacts.h"
 
 namespace plastigran {
@@ -35,18 +36,19 @@ class SurfaceWall : public LIGGGHTS::Walls::Granular<Contact> {
     Base::settings(others.size(), others.data(), owner);
   }
 
-  // Before a run. Meshes are not taken apart yet when it is the first: where the surface bends by
-  // less than the engine's `curvature`, the engine would leave edges out, and a particle over one
-  // that bends away would have no contact for as long as it takes to pass it.
+  // Before a run. In the first, the engine sets up the meshes after this. Where a surface bends by
+  // less than a mesh's `curvature` it would leave edges out, and a particle would have no contact
+  // for as long as it takes to pass one that bends away from it.
   void init_granular() override {
     Base::init_granular();
-    if (feature_angle_ == 0) return;
+    if (feature_angle_ == 0 || !wall_->is_mesh_wall()) return;
     for (int k = meshes_.size(); k < wall_->n_meshes(); ++k) {
       LAMMPS_NS::FixMeshSurface* const mesh = wall_->mesh_list()[k];
       if (!std::strstr(mesh->style, "planar")) mesh->triMesh()->setCurvature(1 - 1e-12);
       meshes_.emplace_back(engine_, mesh, std::cos(feature_angle_ * M_PI / 180), vectors());
     }
-    for (MeshContacts& mesh : meshes_) mesh.begin_run();
+    SeamWatch* const seams = own_fix<SeamWatch>(engine_);
+    for (MeshContacts& mesh : meshes_) mesh.begin_run(seams);
   }
 
   void compute_force(LAMMPS_NS::FixWallGran* wall,
