@@ -49,7 +49,7 @@ void CollisionSpectra::init() {
   }
 }
 
-int CollisionSpectra::wall_of(const void* owner) const {
+std::size_t CollisionSpectra::number_of(const void* owner) const {
   return std::find(walls_.begin(), walls_.end(), owner) - walls_.begin();
 }
 
@@ -58,28 +58,29 @@ void CollisionSpectra::add(const Contact& contact, const AccountedLoad& on_i, co
   const bool turned = !contact.is_wall && atom->tag[contact.j] < atom->tag[contact.i];
   const int holder = turned ? contact.j : contact.i;
   if (holder >= atom->nlocal) return;  // reported from the other side as well
-  const double partner = contact.is_wall ? Impact::wall_partner(wall_of(owner))
-                                         : atom->tag[turned ? contact.i : contact.j];
+  const Partner partner =
+      contact.is_wall ? wall_partner(number_of(owner)) : atom->tag[turned ? contact.i : contact.j];
   const LossyLoad load(contact, on_i, on_j);
-  Impact* impact = records_.find(holder, partner);
-  if (!impact) {
-    impact = &records_.begin(holder, partner);
-    impact->type = turned ? contact.jtype : contact.itype;
-    impact->other_type = turned ? contact.itype : contact.jtype;
+  int place = records_.find(holder, partner);
+  if (place < 0) {
+    Impact begun;
+    begun.type = turned ? contact.jtype : contact.itype;
+    begun.other_type = turned ? contact.itype : contact.jtype;
     if (contact.shearupdate)
-      impact->speed = -contact.vn;
+      begun.speed = -contact.vn;
     else
-      impact->load = turned ? load.turned() : load;
+      begun.load = turned ? load.turned() : load;
+    place = records_.begin(holder, partner, begun);
   }
   if (!contact.shearupdate) return;
-  go_on(*impact, contact, on_i, load, turned);
-  impact->touched = 1;
+  const bool first = !records_.touch(holder, place);  // else of several triangles of the wall
+  go_on(records_.at(holder, place), contact, on_i, load, turned, first);
 }
 
 // A step of an impact. Power is that of the forces at velocities of mid-step; the forces of the
 // step before belong to the holder, the new ones to particle i.
 void CollisionSpectra::go_on(Impact& impact, const Contact& contact, const AccountedLoad& on_i,
-                             const LossyLoad& load, bool turned) {
+                             const LossyLoad& load, bool turned, bool first) {
   const Vector between{contact.v_i[0] - contact.v_j[0], contact.v_i[1] - contact.v_j[1],
                        contact.v_i[2] - contact.v_j[2]};
   const auto lost = [&](const LossyLoad& each) {
@@ -88,7 +89,7 @@ void CollisionSpectra::go_on(Impact& impact, const Contact& contact, const Accou
     return 0.5 * update->dt * power;
   };
   double energy = lost(load) + on_i.plastic_work;
-  if (!impact.touched) {  // else another triangle of the wall was first in this step
+  if (first) {
     energy += lost(turned ? impact.load.turned() : impact.load);
     impact.load = LossyLoad();
     impact.force = 0;
@@ -100,11 +101,11 @@ void CollisionSpectra::go_on(Impact& impact, const Contact& contact, const Accou
   impact.largest_force = std::max(impact.largest_force, impact.force);
 }
 
-void CollisionSpectra::count(const Impact& impact) {
+void CollisionSpectra::count(Partner partner, const Impact& impact) {
   if (!impact.counts()) return;
   int type = static_cast<int>(impact.type), other_type = static_cast<int>(impact.other_type);
-  if (!impact.is_with_wall() && type > other_type) std::swap(type, other_type);
-  const int wall = impact.is_with_wall() ? static_cast<int>(impact.wall()) : -1;
+  if (!is_wall(partner) && type > other_type) std::swap(type, other_type);
+  const int wall = is_wall(partner) ? wall_of(partner) : -1;
   const double values[] = {impact.speed, impact.energy, impact.largest_force};
   for (const int quantity : {NORMAL_SPEED, DISSIPATED_ENERGY, LARGEST_FORCE}) {
     const double value = values[quantity];
@@ -127,7 +128,7 @@ void CollisionSpectra::pre_exchange() {
 
 void CollisionSpectra::end_of_step() {
   for (int i = 0; i < atom->nlocal; ++i)
-    records_.advance(i, [this](const Impact& impact) { count(impact); });
+    records_.advance(i, [this](Partner partner, const Impact& impact) { count(partner, impact); });
   if (update->ntimestep % every_ == 0) write_table();
 }
 

@@ -66,10 +66,10 @@ class CollisionSpectra : public ContactObserver {
  private:
   void read_words(int count, char** words);
   void open(const std::string& path);
-  int wall_of(const void* owner) const;
+  std::size_t number_of(const void* owner) const;
   void go_on(Impact& impact, const Contact& contact, const AccountedLoad& on_i,
-             const LossyLoad& load, bool turned);
-  void count(const Impact& impact);
+             const LossyLoad& load, bool turned, bool first);
+  void count(Partner partner, const Impact& impact);
   void write_table();
 
   LAMMPS_NS::bigint every_ = 0;  // steps

@@ -15,29 +15,31 @@ namespace plastigran {
 // Of an impact whose first touch was not seen.
 constexpr double unknown_speed = std::numeric_limits<double>::quiet_NaN();
 
+// The other body of an impact: a particle's number, or below 0 a wall's.
+typedef int Partner;
+inline Partner wall_partner(std::size_t wall) { return -1 - static_cast<int>(wall); }
+inline bool is_wall(Partner partner) { return partner < 0; }
+inline int wall_of(Partner partner) { return -1 - partner; }
+
 // A particle holds it: of two particles the one with the lower number. All doubles: they travel
 // with the particle.
 struct Impact {
-  double partner = 0;            // the other particle's number, or wall_partner()
   double type = 0;               // atom types at first touch: of the holder
   double other_type = 0;         // of its partner
   double speed = unknown_speed;  // of approach along the normal at first touch [m/s]
   double energy = 0;             // dissipated so far [J]
   double largest_force = 0;      // along the normal so far [N]
   double force = 0;              // along the normal in this step, of all triangles of a wall [N]
-  double touched = 0;            // in this step
   LossyLoad load;                // of the last step, i being the holder
 
   bool counts() const { return !std::isnan(speed); }
-  bool is_with_wall() const { return partner < 0; }
-  std::size_t wall() const { return -1 - partner; }
-  static double wall_partner(std::size_t wall) { return -1 - static_cast<double>(wall); }
 
   // As the other particle holds it.
-  void turn(int holder) {
-    partner = holder;
-    std::swap(type, other_type);
-    load = load.turned();
+  Impact turned() const {
+    Impact other = *this;
+    std::swap(other.type, other.other_type);
+    other.load = load.turned();
+    return other;
   }
 };
 

@@ -11,21 +11,32 @@ namespace plastigran {
 static_assert(std::is_trivially_copyable_v<Impact> && sizeof(Impact) % sizeof(double) == 0,
               "an impact is its doubles and nothing else");
 
-Impact* ImpactRecords::find(int i, double partner) {
-  for (Impact& impact : held_[i].impacts)
-    if (impact.partner == partner) return &impact;
-  return nullptr;
+namespace {
+
+void append(std::vector<double>& values, Partner partner, const Impact& impact) {
+  values.push_back(partner);
+  values.resize(values.size() + sizeof impact / sizeof(double));
+  std::memcpy(values.data() + values.size() - sizeof impact / sizeof(double), &impact,
+              sizeof impact);
 }
 
-Impact& ImpactRecords::begin(int i, double partner) {
-  held_[i].impacts.emplace_back();
-  held_[i].impacts.back().partner = partner;
-  return held_[i].impacts.back();
+Impact impact_at(const double* values) {
+  Impact impact;
+  std::memcpy(static_cast<void*>(&impact), values, sizeof impact);
+  return impact;
+}
+
+}  // namespace
+
+int ImpactRecords::begin(int i, Partner partner, const Impact& impact) {
+  held_[i].keys.push_back({partner, false});
+  held_[i].impacts.push_back(impact);
+  return held_[i].keys.size() - 1;
 }
 
 std::size_t ImpactRecords::count(int count) const {
   std::size_t sum = 0;
-  for (int i = 0; i < count; ++i) sum += held_[i].impacts.size();
+  for (int i = 0; i < count; ++i) sum += held_[i].keys.size();
   return sum;
 }
 
@@ -37,23 +48,22 @@ void ImpactRecords::follow(const int* numbers, int count, long total_before, MPI
   std::vector<int> before(count);
   for (int i = 0; i < count; ++i) before[i] = held_[i].number;
   const NewNumbers now(before.data(), numbers, count, total_before, ranks);
-  std::vector<double> sent;  // to the new holders: each one's number, and the impact
+  std::vector<double> sent;  // to the new holders: each one's number, the new partner, the impact
   for (int i = 0; i < count; ++i) {
-    std::vector<Impact> kept;
-    for (Impact impact : held_[i].impacts) {
-      if (!impact.is_with_wall()) impact.partner = now.of(static_cast<int>(impact.partner));
-      if (impact.partner == 0) continue;
-      if (impact.is_with_wall() || impact.partner > numbers[i]) {
-        kept.push_back(impact);
-        continue;
+    const Held old = held_[i];
+    held_[i].keys.clear();
+    held_[i].impacts.clear();
+    for (std::size_t k = 0; k < old.keys.size(); ++k) {
+      Partner partner = old.keys[k].partner;
+      if (!is_wall(partner)) partner = now.of(partner);
+      if (partner == 0) continue;
+      if (is_wall(partner) || partner > numbers[i]) {
+        begin(i, partner, old.impacts[k]);
+      } else {
+        sent.push_back(partner);
+        append(sent, numbers[i], old.impacts[k].turned());
       }
-      const double holder = impact.partner;
-      impact.turn(numbers[i]);
-      sent.push_back(holder);
-      sent.resize(sent.size() + values_each);
-      std::memcpy(&sent[sent.size() - values_each], &impact, sizeof impact);
     }
-    held_[i].impacts = kept;
   }
   sent = gather_all(sent, ranks);
   if (sent.empty()) return;
@@ -61,10 +71,8 @@ void ImpactRecords::follow(const int* numbers, int count, long total_before, MPI
   for (int i = 0; i < count; ++i) places[numbers[i]] = i;
   for (std::size_t k = 0; k < sent.size(); k += 1 + values_each) {
     const auto holder = places.find(static_cast<int>(sent[k]));
-    if (holder == places.end()) continue;
-    held_[holder->second].impacts.emplace_back();
-    std::memcpy(static_cast<void*>(&held_[holder->second].impacts.back()), &sent[k + 1],
-                sizeof(Impact));
+    if (holder != places.end())
+      begin(holder->second, static_cast<Partner>(sent[k + 1]), impact_at(&sent[k + 2]));
   }
 }
 
@@ -76,20 +84,20 @@ int ImpactRecords::largest_size(int count) const {
 
 int ImpactRecords::write(int i, double* buffer) const {
   const Held& held = held_[i];
-  buffer[0] = held.number;
-  buffer[1] = held.impacts.size();
-  if (!held.impacts.empty())
-    std::memcpy(buffer + 2, held.impacts.data(), held.impacts.size() * sizeof(Impact));
-  return size(i);
+  std::vector<double> values{static_cast<double>(held.number),
+                             static_cast<double>(held.keys.size())};
+  for (std::size_t k = 0; k < held.keys.size(); ++k)
+    append(values, held.keys[k].partner, held.impacts[k]);
+  std::copy(values.begin(), values.end(), buffer);
+  return values.size();
 }
 
 int ImpactRecords::read(int i, const double* buffer) {
-  Held& held = held_[i];
-  held.number = static_cast<int>(buffer[0]);
-  held.impacts.resize(static_cast<std::size_t>(buffer[1]));
-  if (!held.impacts.empty())
-    std::memcpy(static_cast<void*>(held.impacts.data()), buffer + 2,
-                held.impacts.size() * sizeof(Impact));
+  held_[i] = Held();
+  held_[i].number = static_cast<int>(buffer[0]);
+  const double* values = buffer + 2;
+  for (int left = static_cast<int>(buffer[1]); left > 0; --left, values += values_each)
+    begin(i, static_cast<Partner>(values[0]), impact_at(values + 1));
   return size(i);
 }
 
