@@ -22,9 +22,6 @@ from attrs import frozen
 
 from plastigran.engine.process import PROJECT, EngineError, run_deck
 
-#: Yield strength over Young's modulus: grains so soft yield in most of their contacts.
-STRENGTH = 0.01
-
 
 @frozen
 class Tutorial:
@@ -34,11 +31,13 @@ class Tutorial:
         folder: Below examples/LIGGGHTS/Tutorials_public, with the name of its deck after `in.`.
         share: Of the steps of each of its runs.
         steps: A variable whose steps are many, and the steps to give it.
+        strength: Yield strength over Young's modulus: grains this soft yield in most contacts.
     """
 
     folder: str
     share: float = 0.1
     steps: tuple[str, int] | None = None
+    strength: float = 0.01
 
     @property
     def deck(self) -> str:
@@ -48,7 +47,7 @@ class Tutorial:
 
 TUTORIALS = (
     Tutorial("chute_wear/chute_wear", 0.1),
-    Tutorial("cohesion/cohesion", 1.0),
+    Tutorial("cohesion/cohesion", 0.4, strength=0.1),  # its cohesion would draw others together
     Tutorial("contactModels/newModels", 0.2),
     Tutorial("conveyor/conveyor", 0.4),
     Tutorial("heatTransfer_1/heatGran", 0.1),
@@ -80,10 +79,10 @@ def shortened(text: str, tutorial: Tutorial) -> str:
     )
 
 
-def ported(text: str, law: str) -> str:
+def ported(text: str, law: str, strength: float) -> str:
     """The deck with the law in place of its normal models, and a yield strength."""
     moduli = re.search(r"property/global youngsModulus peratomtype([^#\n]+)", text)[1].split()
-    strengths = " ".join(f"{STRENGTH * float(modulus):g}" for modulus in moduli)
+    strengths = " ".join(f"{strength * float(modulus):g}" for modulus in moduli)
     line = f"fix yield_strength all property/global yieldStrength peratomtype {strengths}\n"
     text = re.sub(r"(?m)^(.*youngsModulus.*\n)", rf"\1{line}", text)
     return re.sub(r"\bmodel (hertz|hooke/hysteresis|hooke)\b", f"model {law}", text)
@@ -115,7 +114,7 @@ def row(tutorial: Tutorial, tree: Path, laws: list[str], rounds: int, folder: Pa
     """Of the table: outcomes on one and two ranks with the first law, and what each law costs."""
     deck = tree / "examples/LIGGGHTS/Tutorials_public" / tutorial.deck
     own = shortened(deck.read_text(), tutorial)
-    texts = [own, *(ported(own, law) for law in laws), own]
+    texts = [own, *(ported(own, law, tutorial.strength) for law in laws), own]
     cells = [outcome(texts[1], deck.parent, folder, ranks) for ranks in (1, 2)]
     costs: list[list[float]] = [[] for _ in texts[1:]]
     for _ in range(rounds if cells[0] == "runs" else 0):

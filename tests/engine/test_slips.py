@@ -98,6 +98,10 @@ def test_a_good_deck_is_told_nothing(tmp_path):
             {"more": matrix("indentatonPressure", "1e9"), "model": "brake_2012 tangential off"},
             "nothing asks for the property indentatonPressure; is it indentationPressure?",
         ),
+        (
+            {"more": property_global("cohesionEnergyDensity", "2 1e9 0 0 0", "peratomtypepair")},
+            "cohesionEnergyDensity is 1e+09 [Pa], above the yield pressure 1.6",
+        ),
     ],
 )
 def test_what_looks_like_a_slip_is_said_once(changes, said, tmp_path):

@@ -149,6 +149,17 @@ std::vector<std::string> DeckProperties::doubts(const std::vector<Body>& bodies)
     const Complaint complaint = implausible(bodies[type - 1], pascal);
     if (!complaint.empty()) sentences.push_back(about_types(worded(complaint), type, 0));
   }
+  for (int type = 1; given("cohesion_energy_density") && type <= type_count_; ++type)
+    for (int other = type; other <= type_count_; ++other) {
+      const double pull = per_pair("cohesion_energy_density", type, other, 0);
+      const double push = combine(bodies[type - 1], bodies[other - 1]).yield_pressure;
+      if (!(pull > push)) continue;
+      std::ostringstream text;
+      text << "cohesionEnergyDensity is " << pull << " [" << unit("Pa")
+           << "], above the yield pressure " << push
+           << ": cohesion sjkr or sjkr2 draws these bodies into one another";
+      sentences.push_back(about_types(text.str(), type, other));
+    }
   for (const std::string& name : asked_)
     for (const std::string& other : misspelt(name))
       sentences.push_back("nothing asks for the property " + other + "; is it " + name + '?');

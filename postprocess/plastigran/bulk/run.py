@@ -108,5 +108,3 @@ def write_results(run: BulkRun) -> None:
         run.checks.to_csv(run.folder / CHECKS, index=False)
     for name, figure in run.figures.items():
         style.save(figure, run.folder / "figures" / name)
-
-
