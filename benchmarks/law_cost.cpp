@@ -4,7 +4,7 @@
 // time of each phase is printed as CSV. Under callgrind the counts of each phase go to a dump of
 // their own, named law/phase/answer; law_cost.py puts both together.
 //
-//   law_cost [--steps N] [LAW ...]
+//   law_cost [--repeats N] [LAW ...]
 //
 // Contacts are pressed to between 1.5 and 100 overlaps at yield. A phase is
 //
@@ -118,7 +118,8 @@ void walk(const Law& law, const Bed& bed, const Path& path, int repeats) {
     best = std::min(best, seconds() - before);
   }
   const std::string answer = energies ? "energies" : "force";
-  CALLGRIND_DUMP_STATS_AT((std::string(Law::name) + '/' + path.name + '/' + answer).c_str());
+  const std::string dump = std::string(Law::name) + '/' + path.name + '/' + answer;
+  CALLGRIND_DUMP_STATS_AT(dump.c_str());
   std::printf("%s,%s,%s,%.3f,%.17g\n", Law::name, path.name.c_str(), answer.c_str(),
               1e9 * best / static_cast<double>(contact_count * path_length), sum / repeats);
   std::fflush(stdout);

@@ -2,17 +2,20 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """What a law costs: time of the pair forces over that of LIGGGHTS' own `hertz`.
 
-One bed of 20 000 spheres is made once (bed.in, kept in build/bench) and compressed and half
-released along given paths (pair_time.in), so that every law sees the same contacts at every step.
-It is done with a yield strength at which nearly all contacts are plastic and with one at which none
-is. All laws run once per round, in an order that turns from round to round; a law's ratio is taken
-within each round, so that slow changes of the machine's speed cancel. `hertz` runs twice per round:
-the ratio of the two is the noise.
+One bed of spheres, 20 000 unless told, is made once (bed.in, kept in build/bench) and compressed
+and half released along given paths (pair_time.in), so that every law sees the same contacts at
+every step. It is done with a yield strength at which nearly all contacts are plastic and with one
+at which none is. All laws run once per round, in an order that turns from round to round; a law's
+ratio is taken within each round, so that slow changes of the machine's speed cancel. `hertz` runs
+twice per round: the ratio of the two is the noise.
 
 The reference is stock `hertz` with restitution 0.6, with `tangential history` as everywhere here;
 it computes a viscous damping that the laws do not have.
 
     .venv/bin/python benchmarks/pair_time.py --repeats 5 --law thornton
+    .venv/bin/python benchmarks/pair_time.py --grains 500000 --law universal
+
+Cylinders have no place in this bed; law_cost.py counts what their laws cost alone.
 
 Times depend on the machine, ratios far less; only ratios are reported.
 """
@@ -26,6 +29,7 @@ from pathlib import Path
 import pandas as pd
 from tqdm import tqdm
 
+from plastigran import laws
 from plastigran.engine.contacts import read_contacts
 from plastigran.engine.process import PROJECT, EngineError, engine_path, run_deck
 
@@ -39,17 +43,20 @@ PHASES = ("compression", "release")
 
 
 def known_laws() -> list[str]:
-    """Names of the laws in the engine: one per normal_model_<law>.h."""
+    """Names of the laws for spheres in the engine: one per normal_model_<law>.h."""
     headers = (PROJECT / "contact_models" / "liggghts" / "models").glob("normal_model_*.h")
-    return sorted(header.stem.removeprefix("normal_model_") for header in headers)
+    names = sorted(header.stem.removeprefix("normal_model_") for header in headers)
+    return [name for name in names if laws.LAWS[name].shape == "sphere"]
 
 
-def make_bed() -> Path:
-    """The bed's data file, made when missing or older than its deck."""
-    deck, bed = HERE / "bed.in", WORK / "bed.data"
+def make_bed(grains: int) -> Path:
+    """The bed's data file, made when missing or older than its deck, of about so many spheres."""
+    folder = WORK / str(grains)
+    deck, bed = HERE / "bed.in", folder / "bed.data"
     if not bed.exists() or bed.stat().st_mtime < deck.stat().st_mtime:
-        print("making the bed (half a minute, once) ...", flush=True)
-        run_deck(deck, {}, WORK)
+        print("making the bed (half a minute for 20 000 spheres, once) ...", flush=True)
+        across = max(4, round((grains / 1.28) ** (1 / 3)))
+        run_deck(deck, {"across": across, "high": max(4, round(grains / across**2))}, folder)
     return bed
 
 
@@ -84,11 +91,11 @@ def count_contacts(law: str, state: str, bed: Path, steps: int) -> dict[str, obj
     return {"state": state, "law": law, "contacts": len(contacts), "plastic_share": share}
 
 
-def measure(laws: list[str], bed: Path, steps: int, repeats: int) -> pd.DataFrame:
-    """Pair times of all laws in all rounds.
+def measure(names: list[str], bed: Path, steps: int, repeats: int) -> pd.DataFrame:
+    """Pair times of laws in all rounds.
 
     Args:
-        laws: Their names.
+        names: Of the laws.
         bed: Data file of the spheres.
         steps: Time steps of each phase.
         repeats: Rounds; a round is one run of every law and two of the reference, in both states.
@@ -96,7 +103,7 @@ def measure(laws: list[str], bed: Path, steps: int, repeats: int) -> pd.DataFram
     Returns:
         One row per run and phase: round, state, law, phase, time [s].
     """
-    contenders = [REFERENCE, *laws, CONTROL]
+    contenders = [REFERENCE, *names, CONTROL]
     rows = []
     runs = tqdm(total=repeats * len(YIELD_STRENGTH) * len(contenders), unit="run")
     for round_ in range(repeats):
@@ -141,8 +148,9 @@ def report(table: pd.DataFrame) -> str:
 
 def main() -> None:
     parser = argparse.ArgumentParser(description=(__doc__ or "").splitlines()[0])
-    laws = known_laws()
-    parser.add_argument("--law", nargs="+", choices=laws, default=laws, help="default: all")
+    names = known_laws()
+    parser.add_argument("--law", nargs="+", choices=names, default=names, help="default: all")
+    parser.add_argument("--grains", type=int, default=20_000, help="default: %(default)s")
     parser.add_argument("--repeats", type=int, default=10, help="rounds (default: %(default)s)")
     parser.add_argument(
         "--steps", type=int, default=200, help="time steps of each phase (default: %(default)s)"
@@ -150,9 +158,11 @@ def main() -> None:
     options = parser.parse_args()
     if options.repeats < 1 or options.steps < 1:
         parser.error("--repeats and --steps must be at least 1")
+    if options.grains < 1000:
+        parser.error(f"--grains is {options.grains}; it must be at least 1000")
     engine_path()  # says what to do when there is none
 
-    bed = make_bed()
+    bed = make_bed(options.grains)
     counts = pd.DataFrame(
         count_contacts(law, state, bed, options.steps)
         for state in YIELD_STRENGTH
@@ -162,6 +172,7 @@ def main() -> None:
     table = summarize(measure(options.law, bed, options.steps, options.repeats))
     table = table.merge(pd.concat([counts, again]), on=["state", "law"])
     table["repeats"], table["steps"] = options.repeats, options.steps
+    table["grains"] = options.grains
 
     RESULTS.parent.mkdir(parents=True, exist_ok=True)
     table.to_csv(RESULTS, index=False, float_format="%.4f")

@@ -10,6 +10,8 @@
 #include "all_laws.h"
 #include "plastigran/impact/central_impact.h"
 #include "plastigran/impact/validate.h"
+#include "plastigran/shared/power.h"
+#include "plastigran/shared/tabulated.h"
 
 using namespace plastigran;
 
@@ -187,5 +189,41 @@ TEST_CASE_TEMPLATE("a cylinder law's work lost grows at any thickness", Law, Lim
               work - 1e-15 * (response.elastic_energy + response.plastic_work));
       work = response.plastic_work, force = response.force;
     }
+  }
+}
+
+TEST_CASE("a table is its functions, with their kinks and jumps, named or not") {
+  // A power, a function with a kink that nobody names, and one that jumps at 6.
+  const auto functions = [](double x) {
+    return std::array{std::pow(x, 1.425), std::min(std::sqrt(x), 1.7), x <= 6 ? std::log(x) : 2.0};
+  };
+  const Tabulated<3> table(1, functions, std::array{6.0});
+  REQUIRE(table.covers(1));
+  REQUIRE(table.covers(1e4));
+  for (const double x : {0.999, -1.0, 0.0, 1e300, unlimited, required})
+    CHECK_FALSE(table.covers(x));
+  std::mt19937 random(4);
+  std::uniform_real_distribution<double> decade(0, 4);
+  for (int k = 0; k < 200000; ++k) {
+    const double x = std::pow(10, decade(random));
+    const auto found = table(x), expected = functions(x);
+    // The polynomials are accepted to 3e-14 of the largest value on their panel.
+    for (std::size_t i = 0; i < 3; ++i)
+      REQUIRE(std::abs(found[i] - expected[i]) <= 1e-13 * std::max(expected[i], 0.05));
+  }
+}
+
+TEST_CASE("a table's integral is its function's") {
+  const auto table = Tabulated<1>(2, [](double x) { return std::array{1 / x}; }).integral(3);
+  for (double x = 2; x < 1e4; x *= 1.01)
+    REQUIRE(table(x)[0] == doctest::Approx(3 + std::log(x / 2)).epsilon(1e-14));
+}
+
+TEST_CASE("powers for the force loop are the library's") {
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> unit(0, 1);
+  for (int k = 0; k < 200000; ++k) {
+    const double base = std::pow(10, -16 * unit(random)), exponent = unit(random) - 0.5;
+    REQUIRE(power(base, exponent) == doctest::Approx(std::pow(base, exponent)).epsilon(1e-14));
   }
 }

@@ -20,23 +20,31 @@
 #include <cstdint>
 #include <cstring>
 #include <limits>
+#include <type_traits>
 
 namespace plastigran {
 
+// Two numbers that are computed with at once.
+typedef double Two __attribute__((vector_size(2 * sizeof(double))));
+
 // Polynomials of `count` functions up to an x.
 template <std::size_t count, std::size_t terms>
-struct alignas(16) Panel {
+struct Panel {
   typedef std::array<double, count> Values;
+  // The functions two by two, one alone by itself.
+  typedef std::conditional_t<count == 1, double, Two> Pack;
+  static constexpr std::size_t packs = (count + 1) / 2;
+  typedef std::array<Pack, packs> Row;
 
   double end = 0;
   double centre = 0;
-  double coefficient[terms][count] = {};  // of powers of x - centre
+  std::array<Row, terms> coefficient{};  // of powers of x - centre
 
   Values at(double x) const {
     double power[levels];  // x - centre to the powers 1, 2, 4, 8
     power[0] = x - centre;
     for (std::size_t k = 1; k < levels; ++k) power[k] = power[k - 1] * power[k - 1];
-    return sum<0, terms>(power);
+    return unpacked(sum<0, terms>(power));
   }
 
   // The polynomials through the functions' values at the Chebyshev points from `begin` to `right`.
@@ -54,18 +62,18 @@ struct alignas(16) Panel {
         largest[i] = std::max(largest[i], std::abs(value[j][i]));
     }
     double scale = 1;
-    for (auto& row : coefficient) {
-      const auto& weights = through.weight[&row - coefficient];
+    // Off the value near the middle, so that the weights' rounding does not count.
+    const Values middle = value[terms / 2];
+    for (std::size_t k = 0; k < terms; ++k) {
+      Values sums{};
       for (std::size_t i = 0; i < count; ++i) {
-        double sum = 0;
-        // Off the value near the middle, so that the weights' rounding does not count.
         for (std::size_t j = 0; j < terms; ++j)
-          sum += weights[j] * (value[j][i] - value[terms / 2][i]);
-        row[i] = sum * scale;
+          sums[i] += through.weight[k][j] * (value[j][i] - middle[i]);
+        sums[i] = sums[i] * scale + (k == 0 ? middle[i] : 0);
       }
+      coefficient[k] = packed(sums);
       scale /= half;
     }
-    for (std::size_t i = 0; i < count; ++i) coefficient[0][i] += value[terms / 2][i];
     double off = 0;
     for (double x : {right * (1 - ulp), begin * (1 + ulp), centre, centre + 0.6 * half}) {
       const Values found = at(x), expected = functions(x);
@@ -83,7 +91,7 @@ struct alignas(16) Panel {
     *this = {};
     centre = begin;
     end = right;
-    std::copy(value.begin(), value.end(), coefficient[0]);
+    coefficient[0] = packed(value);
   }
 
   static constexpr double infinite = std::numeric_limits<double>::infinity();
@@ -96,20 +104,34 @@ struct alignas(16) Panel {
 
   // Of `length` terms, by halves (Estrin): a short chain of operations.
   template <std::size_t first, std::size_t length, std::size_t level = levels - 1>
-  Values sum(const double (&power)[levels]) const {
+  Row sum(const double (&power)[levels]) const {
     constexpr std::size_t half = std::size_t{1} << level, below = level ? level - 1 : 0;
     if constexpr (length > half) {
-      Values low = sum<first, half, below>(power);
-      const Values high = sum<first + half, length - half, below>(power);
-      for (std::size_t i = 0; i < count; ++i) low[i] += power[level] * high[i];
+      Row low = sum<first, half, below>(power);
+      const Row high = sum<first + half, length - half, below>(power);
+      for (std::size_t i = 0; i < packs; ++i) low[i] += power[level] * high[i];
       return low;
     } else if constexpr (level > 0) {
       return sum<first, length, below>(power);
     } else {
-      Values row;
-      std::copy_n(coefficient[first], count, row.begin());
-      return row;
+      return coefficient[first];
     }
+  }
+
+  static Row packed(const Values& values) {
+    Row row{};
+    if constexpr (count == 1)
+      row[0] = values[0];
+    else
+      for (std::size_t i = 0; i < count; ++i) row[i / 2][i % 2] = values[i];
+    return row;
+  }
+  static Values unpacked(const Row& row) {
+    if constexpr (count == 1) return {row[0]};
+    Values values;
+    if constexpr (count > 1)
+      for (std::size_t i = 0; i < count; ++i) values[i] = row[i / 2][i % 2];
+    return values;
   }
 
   // Chebyshev points on (-1, 1), and the weights of the values there in each power's coefficient.
@@ -175,8 +197,9 @@ class Tabulated {
     return panel->at(x);
   }
 
-  // The integral of the first function, `constant` at the begin.
+  // The integral of one function, `constant` at the begin.
   Tabulated<1, terms + 1> integral(double constant) const {
+    static_assert(count == 1);
     Tabulated<1, terms + 1> sum;
     sum.begin_ = begin_, sum.end_ = end_, sum.panel_of_ = panel_of_;
     double left = begin_;
@@ -231,7 +254,7 @@ class Tabulated {
       panel.end = end_;
     else
       panel.hold(begin, end_, functions(begin));
-    return panel.coefficient[0][0] - panel.coefficient[0][0] == 0;  // 0 where there is no number
+    return std::isfinite(panel.at(begin)[0]);  // 0 where there is no number
   }
 
   double begin_ = 0, end_ = 0;

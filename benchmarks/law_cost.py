@@ -1,0 +1,86 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""What every law alone costs per contact and step: nanoseconds, instructions, cache misses.
+
+law_cost.cpp says what is measured. Instructions and misses are counted by callgrind (Debian's
+valgrind) and are the same at every run of one binary; times are the shortest of many walks and
+depend on the machine and on who else uses it.
+
+    .venv/bin/python benchmarks/law_cost.py --law stronge universal
+"""
+
+from __future__ import annotations
+
+import argparse
+import io
+import re
+import shutil
+import subprocess
+from pathlib import Path
+from tempfile import TemporaryDirectory
+
+import pandas as pd
+
+from plastigran.engine.process import PROJECT
+
+PROGRAM = PROJECT / "build" / "benchmarks" / "law_cost"
+RESULTS = PROJECT / "results" / "bench" / "law_cost.csv"
+CONTACT_STEPS = 4096 * 8  # of a walk: contacts times steps, as in law_cost.cpp
+KEYS = ["law", "phase", "answer"]
+
+
+def build() -> None:
+    """Compile the program when it is older than what it is made of."""
+    subprocess.run(["cmake", "--build", "--preset", "release", "--target", "law_cost"], check=True)
+
+
+def times(laws: list[str], repeats: int) -> pd.DataFrame:
+    """Time of each law, phase and answer, column `ns`; the row of phase `setup` has the time of
+    making the law and, as `sum`, its size in bytes."""
+    line = [str(PROGRAM), "--repeats", str(repeats), *laws]
+    done = subprocess.run(line, check=True, capture_output=True, text=True)
+    return pd.read_csv(io.StringIO(done.stdout))
+
+
+def counts(laws: list[str]) -> pd.DataFrame:
+    """Instructions and misses of the first level's data cache per contact and step."""
+    rows = []
+    with TemporaryDirectory() as folder:
+        out = Path(folder) / "callgrind"
+        line = ["valgrind", "--tool=callgrind", "--cache-sim=yes", f"--callgrind-out-file={out}"]
+        subprocess.run(
+            [*line, str(PROGRAM), "--repeats", "1", *laws], check=True, capture_output=True
+        )
+        for dump in Path(folder).glob("callgrind.*"):
+            text = dump.read_text(errors="replace")
+            name = re.search(r"^desc: Trigger: Client Request: (\w+)/(\w+)/(\w+)$", text, re.M)
+            events = re.search(r"^events: (.+)$", text, re.M)
+            total = re.search(r"^(?:summary|totals): (.+)$", text, re.M)
+            if not (name and events and total):
+                continue
+            count = dict(zip(events[1].split(), map(int, total[1].split()), strict=False))
+            misses = count.get("D1mr", 0) + count.get("D1mw", 0)
+            per_contact = (count["Ir"] / CONTACT_STEPS, misses / CONTACT_STEPS)
+            rows.append((*name.groups(), *per_contact))
+    return pd.DataFrame(rows, columns=[*KEYS, "instructions", "cache_misses"])
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=(__doc__ or "").partition("\n")[0])
+    parser.add_argument("--law", nargs="*", default=[], help="default: all")
+    parser.add_argument("--repeats", type=int, default=100, help="walks (default: %(default)s)")
+    options = parser.parse_args()
+    build()
+    table = times(options.law, options.repeats)
+    if shutil.which("valgrind"):
+        table = table.merge(counts(options.law), on=KEYS, how="left")
+    else:
+        print("instructions are not counted: there is no valgrind")
+    RESULTS.parent.mkdir(parents=True, exist_ok=True)
+    table.drop(columns="sum").to_csv(RESULTS, index=False, float_format="%.4g")
+    print(table.drop(columns="sum").to_string(index=False, float_format="%.1f"))
+    print(f"wrote {RESULTS}")
+
+
+if __name__ == "__main__":
+    main()
