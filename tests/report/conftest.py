@@ -17,6 +17,8 @@ from plastigran.report.page import write_report
 
 #: A loaded machine draws slowly [ms].
 PATIENCE = 60_000
+#: Sides of the window [px].
+DESK = {"width": 1000, "height": 700}
 LAWS = ("kogut_etsion", "thornton", "universal")
 SPEEDS = (0.001, 0.01, 0.1)
 
@@ -104,7 +106,7 @@ class Visit:
 @pytest.fixture(scope="session")
 def visit(browser, page_file) -> Iterator[Visit]:
     """The page, opened once; tests leave its switches as they find them."""
-    with browser.new_context(viewport={"width": 1200, "height": 900}) as context:
+    with browser.new_context(viewport=DESK) as context:
         context.set_default_timeout(PATIENCE)
         visited = Visit(context.new_page())
         visited.open(page_file)

@@ -207,11 +207,14 @@ def test_the_page_is_dark_and_light(page):
 
 
 def test_a_phone_shows_it_without_moving_sideways(page):
+    desk = page.viewport_size
     page.set_viewport_size({"width": 390, "height": 844})
-    settle(page)
+    chart = page.locator("#run-0-measured .main-svg[width^='3']").first  # 300 to 399 wide
+    expect(chart).to_be_attached()
     assert page.evaluate("document.documentElement.scrollWidth") <= 390
     assert page.locator("[data-movie] canvas").bounding_box()["width"] > 300
-    page.set_viewport_size({"width": 1200, "height": 900})
+    page.set_viewport_size(desk)
+    expect(chart).not_to_be_attached()
 
 
 @pytest.mark.parametrize("mode", ["light", "dark"])
