@@ -79,6 +79,13 @@ def test_laws_lists_every_law_with_its_constants(capsys):
             assert property_name(constant["name"]) in said
 
 
+def test_a_command_waits_for_its_own_module_alone():
+    """Others load finite elements, optimisers and figures."""
+    code = "import sys; from plastigran.cli import main; main(['laws']); print(*sys.modules)"
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert not {"matplotlib", "scipy.optimize", "skfem"} & set(done.stdout.split())
+
+
 def test_modes(capsys):
     """The gravest modes of the sphere of docs/elastic_sphere.md."""
     assert main(["modes", "--material", "ice", "--radius", "0.01", "--degree", "2"]) == 0
