@@ -10,7 +10,7 @@ import bulk_figures
 import make_figures
 import pytest
 
-from plastigran.bulk.run import BulkRun
+from plastigran.bulk.outcome import BulkRun
 from plastigran.engine.process import PROJECT
 from plastigran.experiments import find_experiments
 from plastigran.papers import find_paper, paper_names

@@ -16,7 +16,7 @@ from plastigran import laws
 from plastigran.bulk.contact_works import plastic_works
 from plastigran.bulk.deck import Analysis
 from plastigran.bulk.grains import Grains
-from plastigran.bulk.run import BulkRun
+from plastigran.bulk.outcome import BulkRun
 from plastigran.bulk.vtk import write_vtk
 from plastigran.cli import main
 from plastigran.materials import read_material

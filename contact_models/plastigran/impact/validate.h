@@ -17,8 +17,7 @@ inline Complaint validate(const Body& body) {
   if (!positive(body.youngs_modulus))
     return Complaint::about("youngs_modulus", body.youngs_modulus, "positive and finite [Pa]");
   if (!(body.poissons_ratio > -1 && body.poissons_ratio <= 0.5))
-    return Complaint::about("poissons_ratio", body.poissons_ratio,
-                            "above -1 and at most 0.5");
+    return Complaint::about("poissons_ratio", body.poissons_ratio, "above -1 and at most 0.5");
   if (!positive(body.yield_strength) && body.yield_strength != unlimited)
     return Complaint::about("yield_strength", body.yield_strength, "positive and finite [Pa]");
   if (!(body.yield_pressure_factor == 0 ||

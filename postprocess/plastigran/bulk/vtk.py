@@ -10,7 +10,7 @@ import numpy as np
 import pandas as pd
 
 from plastigran.bulk.contact_works import plastic_works, read_memories
-from plastigran.bulk.run import BulkRun
+from plastigran.bulk.outcome import BulkRun
 from plastigran.plot.snapshot import Frame, find_frames
 from plastigran.plot.vtk_series import (
     contact_table,

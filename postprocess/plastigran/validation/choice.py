@@ -97,7 +97,8 @@ def _sizes(part: pd.DataFrame) -> pd.DataFrame:
             "max": groups.abs().groupby("law").max(),
         }
     )
-    return found.sort_values("rms")
+    # Laws that differ by rounding stand in the order of their names.
+    return found.sort_values("rms", key=lambda sizes: sizes.round(6), kind="stable")
 
 
 def _cell(row: pd.Series) -> str:

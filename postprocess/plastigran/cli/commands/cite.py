@@ -8,6 +8,7 @@ import argparse
 from plastigran.citation import cite, subjects
 
 HELP = "BibTeX of the software and of the sources of the laws used"
+EXAMPLE = "plastigran cite kogut_etsion thornton >laws.bib"
 
 
 def add_arguments(command: argparse.ArgumentParser) -> None:

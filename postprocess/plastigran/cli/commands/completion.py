@@ -16,7 +16,7 @@ plastigran completion zsh >~/.zfunc/_plastigran
 
 
 def add_arguments(command: argparse.ArgumentParser) -> None:
-    command.add_argument("shell", choices=shtab.SUPPORTED_SHELLS)
+    command.add_argument("shell", choices=shtab.SUPPORTED_SHELLS, help="the shell it is for")
 
 
 def run(arguments: argparse.Namespace) -> None:

@@ -7,6 +7,7 @@ import argparse
 from pathlib import Path
 
 HELP = "one page of HTML for results: charts, checks, grains in 3D; opens without network"
+EXAMPLE = "plastigran report results/demo --title 'Steel shot'"
 
 
 def add_arguments(command: argparse.ArgumentParser) -> None:

@@ -10,7 +10,8 @@ import pandas as pd
 
 from plastigran.bulk.deck import BulkDeck
 from plastigran.bulk.folder import read_record
-from plastigran.bulk.run import PLACES, BulkRun, open_run
+from plastigran.bulk.outcome import BulkRun, open_run
+from plastigran.bulk.plan import PLACES
 from plastigran.declared import Declaration, declaration
 from plastigran.engine.dumps import DumpError
 from plastigran.engine.log import LOG, LogFollower, find_error, find_warnings
