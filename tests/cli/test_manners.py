@@ -171,6 +171,7 @@ def test_doctor_says_what_lacks(tmp_path, monkeypatch, capsys):
     assert "engine: not as it should be; laws, timestep" in said.err
 
 
+@pytest.mark.engine
 def test_doctor_finds_a_plugin_that_is_another(monkeypatch):
     monkeypatch.setattr(doctor, "TOLERANCE", 1e-9)  # as if its laws were others
     found = {finding.name: finding for finding in doctor.examine()}
