@@ -27,7 +27,7 @@ PAGE = PROJECT / "docs" / "first_hour.md"
 BRIEF = {
     r"^\./run setup$": "true",
     r"--ranks 2": "--ranks 1",
-    r"layers=10 frames=8": "layers=5 frames=2 orifice=8 duration=0.2 rows=50 filling=0.1",
+    r"layers=10 frames=8": "layers=5 frames=2 orifice=8 duration=0.2 rows=48 filling=0.1",
 }
 #: How this machine reaches the network, which the new system needs too.
 NETWORK = ("etc/resolv.conf", "etc/hosts", "etc/pip.conf", "etc/ssl/certs/ca-certificates.crt")

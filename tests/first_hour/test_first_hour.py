@@ -20,7 +20,7 @@ FOLLOW = PROJECT / "tests" / "first_hour" / "follow.py"
 def test_the_first_hour_briefly():
     """Everything but the installation, with a small hopper; what it promises is there."""
     done = subprocess.run(
-        [sys.executable, FOLLOW, "--brief"], capture_output=True, text=True, timeout=500
+        [sys.executable, FOLLOW, "--brief"], capture_output=True, text=True, timeout=900
     )
     assert done.returncode == 0, done.stdout[-3000:] + done.stderr[-3000:]
     page = (PROJECT / "docs" / "first_hour.md").read_text()
