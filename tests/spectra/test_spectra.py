@@ -10,7 +10,7 @@ import pandas as pd
 import pytest
 from replay import Motion, impacts, spectra
 
-from plastigran.engine.dumps import DumpError
+from plastigran.engine.dumps import DumpError, read_dump
 from plastigran.engine.log import read_thermo
 from plastigran.engine.process import EngineError, run_deck
 from plastigran.engine.spectra import QUANTITIES, read_spectra, spectrum
@@ -111,6 +111,19 @@ def test_the_energies_are_the_ledgers(tmp_path):
     table = spectrum(read_spectra(tmp_path / "spectra.csv"), "dissipated_energy")
     assert table["sum"].sum() == pytest.approx(end["enimpact"], rel=1e-12)
     assert end["enother"] > 0 and end["underway"] > 0
+
+
+def test_a_mesh_is_one_wall(tmp_path):
+    """A sphere bounces, and then slides from triangle to triangle in one contact."""
+    run_deck(DECKS / "slide.in", {}, tmp_path)
+    log = read_thermo(tmp_path / "log.liggghts")
+    motion = read_dump(tmp_path / "motion.dump")
+    touching = (motion["z"] < 0.005).to_numpy().astype(int)
+    begins, ends = (np.flatnonzero(np.diff(touching) == sign) for sign in (1, -1))
+    assert len(begins) == len(ends) + 1 and motion["x"].iloc[begins[-1]] < -0.01
+    assert motion["x"].iloc[-1] > 0.02  # behind the edge, which leaves through x = y
+    assert log["impacts"].iloc[-1] == len(ends) >= 2
+    assert log["underway"].iloc[-1] == 1
 
 
 def test_counting_changes_no_motion(tmp_path):
