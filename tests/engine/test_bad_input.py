@@ -119,8 +119,8 @@ def test_tangent_modulus_of_a_law_that_hardens_is_told(tmp_path):
         ({"settings": "viscous_damping on"}, "coefficientRestitution"),
         ({"settings": "computeDissipatedEnergy on"}, "computeDissipatedEnergy is not available"),
         (
-            {"settings": "cohesion sjkr"},
-            "cohesion sjkr is not available with this model; possible: off",
+            {"settings": "surface superquadric"},
+            "surface superquadric is not available with this model; possible: default multicontact",
         ),
         ({"settings": "dampnig on"}, "Unknown argument or wrong keyword order: 'dampnig'"),
     ],

@@ -60,6 +60,15 @@ class Universal {
   };
   static constexpr std::array<const char*, 1> state_names{"overlap_max"};
 
+  // Beyond, strong hardening would make a yielding contact elastic again.
+  static bool admissible(const MaterialPair& pair, const Parameters&) {
+    return pair.yield_pressure <= 3 * pair.yield_strength;
+  }
+  static constexpr const char* admissibility =
+      "{yield_pressure_factor} of the weaker body must be at most 3: the finite elements have 1.5 "
+      "to "
+      "2.1";
+
   Universal(const MaterialPair& pair, const Parameters& constants)
       : fitted_(pair, of_yielding_body),
         modulus_(4.0 / 3.0 * pair.youngs_modulus_eff),
