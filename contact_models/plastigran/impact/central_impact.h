@@ -21,6 +21,16 @@ struct ImpactOutcome {
   bool in_range = true;                   // the law is good for that load
 };
 
+// Brings the two ends of a stretch, in the latter of which a condition holds, to within a digit.
+template <class Condition>
+void halve(double& low, double& high, const Condition& holds) {
+  for (int i = 0; i < 100; ++i) {
+    const double middle = 0.5 * (low + high);
+    if (middle == low || middle == high) return;
+    (holds(middle) ? high : low) = middle;
+  }
+}
+
 // Whether a law says where its virgin force may jump: overlap_breaks(), overlaps over R*.
 template <class Law, class = void>
 constexpr bool says_breaks = false;
@@ -126,10 +136,7 @@ Response follow_rebound(const Law& law, double radius_eff, ImpactOutcome& impact
     return law.respond(radius_eff, overlap, unloading).force;
   };
   double low = 0, high = impact.overlap_max;
-  for (int i = 0; i < 100; ++i) {
-    const double middle = 0.5 * (low + high);
-    (force(middle) > 0 ? high : low) = middle;
-  }
+  halve(low, high, [&](double middle) { return force(middle) > 0; });
   impact.overlap_res = high < 1e-9 * impact.overlap_max ? 0 : high;
 
   const double step = 1e-4 * (impact.overlap_max - impact.overlap_res);
@@ -152,10 +159,7 @@ ImpactOutcome central_impact(const Law& law, double radius_eff, double mass_eff,
   };
   double low = 0, high = 1e-6 * radius_eff;
   for (; excess(high) < 0 && high < 1e6 * radius_eff; high *= 2) low = high;
-  for (int i = 0; i < 100; ++i) {
-    const double middle = 0.5 * (low + high);
-    (excess(middle) < 0 ? low : high) = middle;
-  }
+  halve(low, high, [&](double middle) { return !(excess(middle) < 0); });
   impact.overlap_max = 0.5 * (low + high);
   const Response peak = follow_rebound(law, radius_eff, impact);
   impact.coefficient_of_restitution = std::sqrt(peak.elastic_energy / energy);
