@@ -1,0 +1,67 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Numbers of the page: frames as they are packed, cells, axes, colours."""
+
+from __future__ import annotations
+
+import base64
+import gzip
+import json
+
+import numpy as np
+import pytest
+
+from plastigran.plot.frames import read_frame
+from plastigran.plot.snapshot import find_frames
+from plastigran.report.page.colours import LEAST, luminance, on_dark
+from plastigran.report.page.movie import pack_movie
+from plastigran.report.page.names import number, scale
+
+
+def test_frames_are_packed_to_16_bits(hopper):
+    movie = pack_movie("m", hopper, 2e-5)
+    raw = gzip.decompress(base64.b64decode(movie.data))
+    at = raw.index(b"\n") + 1
+    assert at % 2 == 0  # the browser reads 16-bit numbers from there
+    head = json.loads(raw[:at])
+    numbers = np.frombuffer(raw[at:], "<u2") / 65535
+    frames = [read_frame(frame) for frame in find_frames(hopper)]
+    assert [frame["grains"] for frame in head["frames"]] == [len(f.radii) for f in frames]
+    first, count = frames[0], len(frames[0].radii)
+    low = np.concatenate([np.r_[f.positions, f.walls.reshape(-1, 3)] for f in frames]).min(axis=0)
+    places = numbers[: 3 * count].reshape(-1, 3) * head["size"] + low
+    half = 0.51 / 65535  # rounding
+    np.testing.assert_allclose(places, first.positions, atol=half * head["size"])
+    radii = numbers[3 * count : 4 * count] * head["radius"]
+    np.testing.assert_allclose(radii, first.radii, atol=half * head["radius"])
+    assert [colour["name"] for colour in head["colours"]] == ["plastic_work", "force", "speed"]
+    last = frames[-1]
+    at_end = [getattr(last, colour["name"]) for colour in head["colours"]]
+    assert all(values.max() > 0 for values in at_end)
+
+
+def test_the_largest_force_on_a_grain_is_that_of_its_contacts(hopper):
+    frame = read_frame(find_frames(hopper)[-1])
+    carried = frame.force > 0
+    assert 0.3 < carried.mean() < 1  # some fall
+    weight = 1500 * 4 / 3 * np.pi * frame.radii**3 * 9.81
+    assert np.median(frame.force[carried]) > 0.1 * weight[0]
+
+
+@pytest.mark.parametrize(
+    ("value", "said"),
+    [(1234.5, "1234"), (-2e-6, "−2 × 10⁻⁶"), (1e-9, "10⁻⁹"), (float("nan"), ""), (True, "yes")],
+)
+def test_numbers_are_written_as_people_do(value, said):
+    assert number(value) == said
+
+
+def test_axes_have_units_of_a_size_to_read():
+    found = scale("overlap_max", [1e-9, 3e-6])
+    assert (found.axis, found.factor) == ("largest overlap (µm)", pytest.approx(1e6))
+    assert scale("speed", [2e-3]).axis == "impact speed (m/s)"
+    assert scale("unheard_of", [1.0]).axis == "unheard of (as in the log)"
+
+
+@pytest.mark.parametrize("colour", ["#000000", "#332288", "#661100", "#0072B2"])
+def test_colours_are_seen_on_a_dark_ground(colour):
+    assert luminance(on_dark(colour)) >= LEAST
