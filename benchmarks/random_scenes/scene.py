@@ -1,0 +1,217 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""A random scene: bodies, materials, walls, ranks, and what is done to them between runs."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+from itertools import product
+from math import pi
+
+import numpy as np
+from plastigran.laws import Body
+
+from plastigran import laws
+
+AXES = "xyz"
+#: What may be done between two runs; `displace` moves all together and so needs no walls.
+EVENTS = (
+    "go on",
+    "delete",
+    "create",
+    "delete and create",
+    "displace",
+    "steps anew",
+    "pair_style again",
+    "restart",
+    "restart with its line",
+)
+
+
+@dataclass(frozen=True)
+class Event:
+    """What is done before a run.
+
+    Attributes:
+        kind: One of EVENTS.
+        where: Centres of particles that are created, and places near which one is deleted [m].
+        compress: The word of delete_atoms.
+        shift: Of all particles [m].
+        steps: Time steps of the run after it.
+        grid: Ranks along x, y and z; it changes at restarts alone.
+    """
+
+    kind: str
+    where: np.ndarray
+    compress: str
+    shift: np.ndarray
+    steps: int
+    grid: tuple[int, int, int]
+
+
+@dataclass(frozen=True)
+class Scene:
+    """Everything a deck and its replay need; made from a seed alone.
+
+    Attributes:
+        seed: It makes the scene.
+        law_name: The contact law.
+        options: The law's options and constants.
+        bodies: Of each atom type.
+        densities: Of each atom type [kg/m3].
+        radius, types, positions, velocities: Of each particle [m, -, m, m/s].
+        low, high: Corners of the box [m].
+        walled: Axes with walls at both ends; the others are periodic.
+        wall_type: Atom type of the walls.
+        meshed: The lower z wall is a plane of triangles, between other walls.
+        timestep: [s].
+        sort: Steps between sorts of particles in memory, 0 for never.
+        events: The first has no effect but its run.
+    """
+
+    seed: int
+    law_name: str
+    options: dict[str, object]
+    bodies: list[Body]
+    densities: np.ndarray
+    radius: np.ndarray
+    types: np.ndarray
+    positions: np.ndarray
+    velocities: np.ndarray
+    low: np.ndarray
+    high: np.ndarray
+    walled: str
+    wall_type: int
+    meshed: bool
+    timestep: float
+    sort: int
+    events: list[Event] = field(repr=False)
+
+    def law(self, one: int, other: int) -> laws.Law:
+        """The law between two atom types."""
+        pair = laws.combine(self.bodies[one - 1], self.bodies[other - 1])
+        return laws.LAWS[self.law_name](pair, **self.options)
+
+
+def random_scene(seed: int) -> Scene:
+    """The scene of a seed: particles that close in on each other."""
+    random = np.random.default_rng(seed)
+    law_name = str(random.choice([n for n, law in laws.LAWS.items() if _in_engine(law)]))
+    law = laws.LAWS[law_name]
+    options = {o["name"]: str(random.choice(o["choices"])) for o in law.options()}
+    if law.rate_dependent:
+        options["dissipative_constant"] = float(10 ** random.uniform(-7, -5))
+    bodies = [_body(random, law.yields) for _ in range(random.integers(1, 4))]
+    densities = 10 ** random.uniform(2.7, 4, len(bodies))
+    count = random.integers(2, 15)
+    radius = random.uniform(0.04, 0.09, count)
+    types = random.integers(1, len(bodies) + 1, count)
+    speed = 10 ** random.uniform(-1, 1.3)
+    timestep = _timestep(law_name, options, bodies, densities, radius.min(), 2 * speed)
+    gap = 30 * speed * timestep  # closed within some 30 steps
+    positions = _cluster(random, radius, gap)
+    inward = positions.mean(axis=0) - positions
+    inward /= np.linalg.norm(inward, axis=1, keepdims=True)
+    walled = "".join(axis for axis in AXES if random.random() < 0.6)
+    low, high = _box(random, positions, radius, walled, gap)
+    return Scene(
+        seed=seed,
+        law_name=law_name,
+        options=options,
+        bodies=bodies,
+        densities=densities,
+        radius=radius,
+        types=types,
+        positions=positions,
+        velocities=speed * (inward + 0.7 * random.standard_normal((count, 3))),
+        low=low,
+        high=high,
+        walled=walled,
+        wall_type=int(random.integers(1, len(bodies) + 1)),
+        meshed=bool(random.random() < 0.5) and walled == AXES,
+        timestep=timestep,
+        sort=int(random.choice([0, 1, 1000])),
+        events=list(_events(random, low, high, walled)),
+    )
+
+
+def _in_engine(law: type[laws.Law]) -> bool:
+    return law.shape == "sphere" and law.name != "hertz"  # that name is the engine's own
+
+
+def _body(random: np.random.Generator, yields: bool) -> Body:
+    modulus = 10 ** random.uniform(7, 11.5)
+    strength = modulus * 10 ** random.uniform(-3.5, -2) if yields else float("inf")
+    return Body(
+        modulus,
+        random.uniform(0, 0.45),
+        strength,
+        yield_pressure_factor=float(random.choice([0, 1.3, 1.61])),
+        tangent_modulus=modulus * float(random.choice([0, 0.01, 0.05])),
+        rate_coefficient=float(random.choice([0, 0, 0.014, 0.05])) if yields else 0.0,
+    )
+
+
+def _timestep(
+    law_name: str,
+    options: dict[str, object],
+    bodies: list[Body],
+    densities: np.ndarray,
+    smallest: float,
+    speed: float,
+) -> float:
+    """A third of what the stiffest possible impact needs [s]."""
+    least = np.inf
+    for one, other in product(range(len(bodies)), repeat=2):
+        mass = 4 / 3 * pi * smallest**3 * min(densities[one], densities[other]) / 2
+        law = laws.LAWS[law_name](laws.combine(bodies[one], bodies[other]), **options)
+        least = min(least, float(law.recommended_timestep(smallest / 2, mass, speed)))
+    return least / 3
+
+
+def _cluster(random: np.random.Generator, radius: np.ndarray, gap: float) -> np.ndarray:
+    """Centres [m]: each particle lies within `gap` of an earlier one and touches none."""
+    places = [np.zeros(3)]
+    while len(places) < len(radius):
+        k, near = len(places), random.integers(len(places))
+        away = random.standard_normal(3)
+        away *= (radius[k] + radius[near] + gap * random.random()) / np.linalg.norm(away)
+        apart = np.linalg.norm(np.array(places) - places[near] - away, axis=1)
+        if (apart > radius[:k] + radius[k]).all():
+            places.append(places[near] + away)
+    return np.array(places)
+
+
+def _box(
+    random: np.random.Generator, positions: np.ndarray, radius: np.ndarray, walled: str, gap: float
+) -> tuple[np.ndarray, np.ndarray]:
+    """Corners [m]. Walls are near; a periodic side is longer than twice what neighbours need."""
+    low = (positions - radius[:, None]).min(axis=0) - gap * random.random(3)
+    high = (positions + radius[:, None]).max(axis=0) + gap * random.random(3)
+    periodic = np.array([axis not in walled for axis in AXES])
+    return low, np.where(periodic, np.maximum(high, low + 0.5), high)
+
+
+def _events(
+    random: np.random.Generator, low: np.ndarray, high: np.ndarray, walled: str
+) -> Iterator[Event]:
+    grid = _grid(random)
+    for k in range(random.integers(1, 5)):
+        kind = str(random.choice(EVENTS)) if k else "go on"
+        if kind == "displace" and walled:
+            kind = "go on"
+        if kind.startswith("restart"):
+            grid = _grid(random)
+        yield Event(
+            kind,
+            where=random.uniform(low, high, (2, 3)),
+            compress=str(random.choice(["yes", "no"])),
+            shift=random.uniform(-0.1, 0.1, 3),
+            steps=int(random.integers(20, 150)),
+            grid=grid,
+        )
+
+
+def _grid(random: np.random.Generator) -> tuple[int, int, int]:
+    grids = [(1, 1, 1), (1, 1, 1), (2, 1, 1), (1, 2, 1), (1, 1, 2), (2, 2, 1), (2, 1, 2)]
+    return grids[random.integers(len(grids))]
