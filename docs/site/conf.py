@@ -33,6 +33,7 @@ nb_merge_streams = True
 # The Python reference, made of docstrings (docs/site/pages.py).
 add_module_names = False
 autodoc_member_order = "bysource"
+autodoc_type_aliases = {"ArrayLike": "ArrayLike"}
 autodoc_typehints = "signature"
 autodoc_typehints_format = "short"
 default_role = "code"

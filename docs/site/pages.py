@@ -66,7 +66,7 @@ def room_page(room: str) -> str:
     for found in [name, *sorted(part.name for part in inside)]:
         if found != name:
             lines += [found, "-" * len(found), ""]
-        lines += [f".. automodule:: {found}", "   :members:", "   :show-inheritance:", ""]
+        lines += [f".. automodule:: {found}", "   :members:", ""]
     return "\n".join(lines)
 
 
