@@ -27,7 +27,7 @@ files=$(cd "$models" && find plastigran liggghts/model liggghts/models liggghts/
   \( -name '*.h' -o -name '*.cpp' \))
 target_of() {
   case $1 in
-    *.cpp | */normal_model_*.h) echo "$tree/src/${1##*/}" ;;
+    *.cpp | liggghts/models/*) echo "$tree/src/${1##*/}" ;;
     *) echo "$tree/src/$1" ;;
   esac
 }
