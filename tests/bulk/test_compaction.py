@@ -113,9 +113,9 @@ def test_punch_is_where_it_was_after_a_restart(pressed, tmp_path):
 def test_ranks(pressed, press):
     """One bed on 1 and 2 ranks, to its rearrangements.
 
-    3 %: grains that slide do so a little earlier or later once rounding has grown. A die 1e-14 wider
-    changes the elastic energy of the poured bed by 0.14 %, two ranks by 1.3 %; the bound was set
-    after these were seen. Of the bed's height, 1e-3.
+    3 %: grains that slide do so a little earlier or later once rounding has grown. A die 1e-14
+    wider changes the elastic energy of the poured bed by 0.14 %, two ranks by 1.3 %; the bound was
+    set after these were seen. Of the bed's height, 1e-3.
     """
     other, table = press(ranks=2), pressed.series
     assert other.series["elastic"].iloc[0] == pytest.approx(table["elastic"].iloc[0], rel=0.03)
