@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// The engine's contact models and what makes pair styles and walls of them, without the compiler's
-// warnings about them.
+// The engine's contact models and what makes pair styles and walls of them, for the registration of
+// plastigran's laws, without the compiler's warnings about them.
 #pragma once
 
 #pragma GCC diagnostic push
