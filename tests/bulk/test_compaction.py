@@ -113,16 +113,16 @@ def test_punch_is_where_it_was_after_a_restart(pressed, tmp_path):
 def test_ranks(pressed, press):
     """One bed on 1 and 2 ranks, to its rearrangements.
 
-    3 %: grains that slide do so a little earlier or later once rounding has grown. A die 1e-14
-    wider changes the elastic energy of the poured bed by 0.14 %, two ranks by 1.3 %; the bound was
-    set after these were seen. Of the bed's height, 1e-3.
+    8 %: rounding grows while grains are poured and slide. On one rank eight dies that differ by 1e-14
+    in their radius have beds whose plastic work differs by up to 7 %, peak pressure by 3.5 %. The
+    bound was set after these were seen. Of the bed's height, 1e-3.
     """
     other, table = press(ranks=2), pressed.series
-    assert other.series["elastic"].iloc[0] == pytest.approx(table["elastic"].iloc[0], rel=0.03)
     assert other.series["gravity"].iloc[0] == pytest.approx(table["gravity"].iloc[0], rel=1e-3)
+    assert other.series["elastic"].iloc[0] == pytest.approx(table["elastic"].iloc[0], rel=0.08)
     for name in ("plastic", "wallwork"):
-        assert other.series[name].iloc[-1] == pytest.approx(table[name].iloc[-1], rel=0.03)
-    assert loop_of(other).pressure == pytest.approx(loop_of(pressed).pressure, rel=0.03)
+        assert other.series[name].iloc[-1] == pytest.approx(table[name].iloc[-1], rel=0.08)
+    assert loop_of(other).pressure == pytest.approx(loop_of(pressed).pressure, rel=0.08)
 
 
 def test_narrow_die_is_refused(pressed):
