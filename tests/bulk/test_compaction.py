@@ -113,9 +113,9 @@ def test_punch_is_where_it_was_after_a_restart(pressed, tmp_path):
 def test_ranks(pressed, press):
     """One bed on 1 and 2 ranks, to its rearrangements.
 
-    8 %: rounding grows while grains are poured and slide. On one rank eight dies that differ by 1e-14
-    in their radius have beds whose plastic work differs by up to 7 %, peak pressure by 3.5 %. The
-    bound was set after these were seen. Of the bed's height, 1e-3.
+    8 %: rounding grows while grains are poured and slide. On one rank eight dies that differ by
+    1e-14 in their radius have beds whose plastic work differs by up to 7 %, peak pressure by 3.5 %.
+    The bound was set after these were seen. Of the bed's height, 1e-3.
     """
     other, table = press(ranks=2), pressed.series
     assert other.series["gravity"].iloc[0] == pytest.approx(table["gravity"].iloc[0], rel=1e-3)
