@@ -23,7 +23,7 @@ from sphinx.cmd.build import main as sphinx
 import plastigran
 from plastigran import laws
 
-PROJECT = Path(__file__).parents[2]
+PROJECT = Path(__file__).resolve().parents[2]
 #: Pages of the top folder that the site has among the others.
 TOP = ("CONTRIBUTING.md", "CHANGELOG.md")
 

@@ -32,6 +32,7 @@ nb_merge_streams = True
 
 # The Python reference, made of docstrings (docs/site/pages.py).
 add_module_names = False
+toc_object_entries = False  # two thousand entries that each page would carry
 autodoc_member_order = "bysource"
 autodoc_type_aliases = {"ArrayLike": "ArrayLike"}
 autodoc_typehints = "signature"

@@ -16,7 +16,7 @@ from plastigran import laws
 from plastigran.cli import parser
 from plastigran.engine.deck import property_name
 
-PROJECT = Path(__file__).parents[2]
+PROJECT = Path(__file__).resolve().parents[2]
 HEADERS = PROJECT / "contact_models" / "plastigran"
 
 

@@ -97,4 +97,5 @@ def test_the_notebooks_ran(pages):
     assert len(notebooks) >= 5
     for notebook in notebooks:
         text = (SITE / "notebooks" / notebook.with_suffix(".html").name).read_text()
+        assert "&lt;Figure size" not in text, "a figure that was not drawn"
         assert "cell_output" in text and re.search(r"_images/[\w.]+\.(svg|png)", text), notebook
