@@ -28,20 +28,17 @@
 
 #include "plastigran/shared/contact.h"
 #include "plastigran/shared/fitted_sphere.h"
+#include "plastigran/shared/largest_overlap.h"
 #include "plastigran/shared/numerics.h"
 #include "plastigran/shared/tabulated.h"
 
 namespace plastigran {
 
-class Mdr {
+class Mdr : public LargestOverlap {
  public:
   static constexpr const char* name = "mdr";
   static constexpr const char* source = "Zunker & Kamrin 2024, J. Mech. Phys. Solids 183:105492";
   static constexpr const char* range = "overlap <= 0.1 R, contacts apart from each other";
-  static constexpr std::array<const char*, 1> state_names{"overlap_max"};
-  struct State {
-    double overlap_max = 0;  // largest overlap beyond yield [m]; 0 while elastic
-  };
   struct Parameters {
     int energy_guard = 1;
   };

@@ -23,19 +23,16 @@
 
 #include "plastigran/shared/contact.h"
 #include "plastigran/shared/hertz_contact.h"
+#include "plastigran/shared/largest_overlap.h"
 
 namespace plastigran {
 
-class Thornton : public NoConstants {
+class Thornton : public NoConstants, public LargestOverlap {
  public:
   static constexpr const char* name = "thornton";
   static constexpr const char* source = "Thornton 1997, J. Appl. Mech. 64:383";
   static constexpr const char* range =
       "a << R*; force too low well beyond yield (-43 % at 120 v_Y)";
-  struct State {
-    double overlap_max = 0;  // largest overlap beyond yield [m]; 0 while elastic
-  };
-  static constexpr std::array<const char*, 1> state_names{"overlap_max"};
 
   explicit Thornton(const MaterialPair& pair, const Parameters&)
       : modulus_(4.0 / 3.0 * pair.youngs_modulus_eff),

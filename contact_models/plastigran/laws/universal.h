@@ -35,11 +35,12 @@
 #include "plastigran/shared/contact.h"
 #include "plastigran/shared/fitted_sphere.h"
 #include "plastigran/shared/hertz_contact.h"
+#include "plastigran/shared/largest_overlap.h"
 #include "plastigran/shared/tabulated.h"
 
 namespace plastigran {
 
-class Universal {
+class Universal : public LargestOverlap {
  public:
   static constexpr const char* name = "universal";
   static constexpr const char* source = "finite elements of Plastigran, docs/laws/universal.md";
@@ -55,10 +56,6 @@ class Universal {
        {"sphere", "flat", nullptr},
        "what flattens or is dented; a flat's wide contact is as a narrow one"},
   }};
-  struct State {
-    double overlap_max = 0;  // largest overlap beyond yield [m]; 0 while elastic
-  };
-  static constexpr std::array<const char*, 1> state_names{"overlap_max"};
 
   // Beyond, strong hardening would make a yielding contact elastic again.
   static bool admissible(const MaterialPair& pair, const Parameters&) {

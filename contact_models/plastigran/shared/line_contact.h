@@ -28,6 +28,7 @@
 #include <algorithm>
 
 #include "plastigran/shared/contact.h"
+#include "plastigran/shared/largest_overlap.h"
 
 namespace plastigran {
 
@@ -72,7 +73,7 @@ class LineCompliance {
 // `straight`, whether it is a straight line (else the elastic curve of a cylinder of radius R_e,
 // stretched to that length). flattening = R/R_e.
 template <class Rebound>
-class LineContact : public Rebound {
+class LineContact : public Rebound, public LargestOverlap {
  public:
   static constexpr const char* shape = "cylinder";
   static constexpr const char* range = "cylinder 10 radii long or more, contact narrower than body";
@@ -90,10 +91,6 @@ class LineContact : public Rebound {
   static constexpr std::array<Option<Parameters>, 1> options{{
       energy_guard_option(&Parameters::energy_guard),
   }};
-  struct State {
-    double overlap_max = 0;  // largest overlap beyond yield [m]; 0 while elastic
-  };
-  static constexpr std::array<const char*, 1> state_names{"overlap_max"};
 
   LineContact(const MaterialPair& pair, const Parameters& given)
       : stiffness_(pi * pair.youngs_modulus_eff * given.cylinder_length),

@@ -31,6 +31,7 @@
 
 #include "plastigran/shared/contact.h"
 #include "plastigran/shared/hertz_contact.h"
+#include "plastigran/shared/largest_overlap.h"
 #include "plastigran/shared/power.h"
 #include "plastigran/shared/tabulated.h"
 
@@ -42,7 +43,7 @@ template <class Curve>
 constexpr bool says_exponent<Curve, std::void_t<decltype(&Curve::exponent)>> = true;
 
 template <class Curve>
-class PowerUnloading : public Curve {
+class PowerUnloading : public Curve, public LargestOverlap {
  public:
   struct Parameters : Curve::Parameters {
     int energy_guard = 1;
@@ -61,10 +62,6 @@ class PowerUnloading : public Curve {
     all[k] = energy_guard_option<Parameters>(&Parameters::energy_guard);
     return all;
   }();
-  struct State {
-    double overlap_max = 0;  // largest overlap beyond yield [m]; 0 while elastic
-  };
-  static constexpr std::array<const char*, 1> state_names{"overlap_max"};
 
   PowerUnloading(const MaterialPair& pair, const Parameters& constants)
       : Curve(pair, constants),
@@ -105,7 +102,7 @@ class PowerUnloading : public Curve {
       const double root = std::sqrt(y);
       response.force = force_max * y * root;
       if constexpr (says_exponent<Curve>)
-        if (y < 1) response.force *= power(y, at[EXPONENT] - 1.5);
+        if (y < 1 && at[EXPONENT] != 1.5) response.force *= power(y, at[EXPONENT] - 1.5);
       response.contact_radius = radius_y * at[RADIUS] * root;
       response.elastic_energy = response.force * y * recovery / (exponent_in(at) + 1);
     }

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+//
+// The history of laws whose contacts keep their largest overlap and nothing else.
+#pragma once
+
+#include <array>
+
+namespace plastigran {
+
+struct LargestOverlap {
+  struct State {
+    double overlap_max = 0;  // largest overlap beyond yield [m]; 0 while elastic
+  };
+  static constexpr std::array<const char*, 1> state_names{"overlap_max"};
+};
+
+}  // namespace plastigran
