@@ -125,7 +125,7 @@ def test_finite_strain_of_a_cylinder_needs_no_warning(capsys, coarse):
     line = ["fem", "cylinder", *GLASS, "--yield", "2.41e9", *CYLINDER, "--json"]
     assert main([*line, "--speed", "1", "--finite-strain"]) == 0
     printed = capsys.readouterr()
-    assert "plastigran:" not in printed.err  # progress may be there
+    assert [line for line in printed.err.splitlines() if " so far" not in line] == []  # progress
     # 0.100 um with the default settings; these elements are a third of the contact wide.
     assert json.loads(printed.out)["residual_depth"] == pytest.approx(0.1e-6, rel=0.1)
 
