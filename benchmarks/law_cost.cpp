@@ -10,10 +10,12 @@
 //
 //   elastic    up to half the overlap at yield
 //   loading    every step is deeper than the one before
-//   unloading  from the largest overlap, over a tenth of the way back
-//   mixed      a random walk about the largest overlap: half of the contacts load
+//   unloading  from the largest overlap down to nine tenths of it
+//   mixed      up and down at random below the largest overlap and beyond: two thirds of the steps
+//              load
 //
 // and the answer is the force and contact radius (`force`), or the energies too (`energies`).
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
@@ -30,7 +32,6 @@
 #else
 #define CALLGRIND_ZERO_STATS
 #define CALLGRIND_DUMP_STATS_AT(name)
-#define RUNNING_ON_VALGRIND 0
 #endif
 
 namespace plastigran {
@@ -127,9 +128,7 @@ void walk(const Law& law, const Bed& bed, const Path& path, int repeats) {
 
 template <class Law>
 void measure(const std::vector<std::string>& chosen, int repeats) {
-  bool asked = chosen.empty();
-  for (const std::string& name : chosen) asked = asked || name == Law::name;
-  if (!asked) return;
+  if (!chosen.empty() && std::find(chosen.begin(), chosen.end(), Law::name) == chosen.end()) return;
   typename Law::Parameters constants;
   for (const auto& parameter : parameters_of<Law>)
     if (parameter.per_body)
@@ -150,9 +149,17 @@ void measure(const std::vector<std::string>& chosen, int repeats) {
   }
 }
 
+// 0 unless a word is no law's name.
 template <class... Laws>
-void measure_all(const std::vector<std::string>& chosen, int repeats) {
+int measure_all(const std::vector<std::string>& chosen, int repeats) {
+  for (const std::string& name : chosen)
+    if (!((name == Laws::name) || ...)) {
+      std::fprintf(stderr, "ERROR: %s is no law\n", name.c_str());
+      return 2;
+    }
+  std::printf("law,phase,answer,ns,sum\n");
   (measure<Laws>(chosen, repeats), ...);
+  return 0;
 }
 
 }  // namespace
@@ -163,8 +170,11 @@ int main(int count, char** words) {
   int repeats = 100;
   if (chosen.size() > 1 && chosen[0] == "--repeats") {
     repeats = std::atoi(chosen[1].c_str());
+    if (repeats < 1) {
+      std::fprintf(stderr, "ERROR: --repeats is %s; it must be at least 1\n", chosen[1].c_str());
+      return 2;
+    }
     chosen.erase(chosen.begin(), chosen.begin() + 2);
   }
-  std::printf("law,phase,answer,ns,sum\n");
-  plastigran::measure_all<ALL_LAWS>(chosen, repeats);
+  return plastigran::measure_all<ALL_LAWS>(chosen, repeats);
 }

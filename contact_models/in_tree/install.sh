@@ -1,9 +1,10 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-2.0-or-later
 #
-# Adds every model, and the energy ledger, to a LIGGGHTS source tree: the plugin's own files but for
-# its launcher and its look at the engine. The engine's builds compile every .cpp flat in src/; headers
-# keep their folders. Running it again brings all up to date and leaves alone what already is.
+# Adds all models, with energy ledger, heat, spectra and meshes, to a LIGGGHTS source tree: the plugin's
+# own files but for its launcher and its look at the engine. The engine's builds compile every .cpp flat
+# in src/; headers keep their folders. Running it again brings all up to date, takes away what left the
+# project and leaves alone what already is.
 #
 #   install.sh DIR      DIR is the tree's top folder, the one that holds src/
 set -eu
@@ -55,23 +56,28 @@ grep '^[A-Z]' "$plugin/combinations.txt" | while read -r tangential cohesion rol
   echo "COMBINATION($number)" >>"$new/registered.inc"
 done
 
-# A fork may have a file of the same name. All of ours name our namespace.
 cd "$new"
+find . -type f ! -name plastigran_files.txt | sort >plastigran_files.txt
+
+# A fork may have a file of the same name. All of ours name our namespace.
 find . -type f | while read -r file; do
   if [ -e "$tree/src/$file" ] && ! grep -q 'plastigran' "$tree/src/$file"; then
     fail "$tree/src/${file#./} is not ours and would be overwritten; nothing was changed"
   fi
 done
 
-# Earlier versions had a list for the engine to compile, and every law as a model in it.
-for header in "$models"/liggghts/models/normal_model_*.h; do
-  rm -f "$tree/src/${header##*/}"
-done
+# What an earlier version wrote and this one does not: by the list it left, or before there were lists
+# every law as a model in a list for the engine to compile.
 whitelist=$tree/src/style_contact_model_user.whitelist
-identifiers=$(sed -n 's/^NORMAL_MODEL(\([A-Z0-9_]*\),.*/\1/p' "$models"/liggghts/models/*.h | paste -s -d '|')
-if grep -q -E "^GRAN_MODEL\(($identifiers)," "$whitelist" 2>/dev/null; then
-  sed -i -E "/^GRAN_MODEL\\(($identifiers),/d" "$whitelist"
-fi
+{
+  cat "$tree/src/plastigran_files.txt" 2>/dev/null || true
+  (cd "$models/liggghts/models" && ls normal_model_*.h)
+} | while read -r file; do
+  if [ -e "$file" ] || ! grep -q 'plastigran' "$tree/src/$file" 2>/dev/null; then continue; fi
+  identifier=$(sed -n 's/^NORMAL_MODEL(\([A-Z0-9_]*\),.*/\1/p' "$tree/src/$file")
+  [ -z "$identifier" ] || [ ! -e "$whitelist" ] || sed -i "/^GRAN_MODEL($identifier,/d" "$whitelist"
+  rm "$tree/src/$file"
+done
 
 # Only what differs is written, so that a build after this compiles no more than it must.
 find . -type f | while read -r file; do

@@ -228,9 +228,13 @@ def test_the_ledger_closes(name, tmp_path):
         ("multicontact", "it does not count what contacts of a particle store"),
     ],
 )
-def test_the_ledger_refuses_what_it_does_not_count(name, said, tmp_path):
+def test_what_is_not_counted_is_refused(name, said, tmp_path):
+    """By the ledger and by the fixes that are told of contacts."""
     with pytest.raises(EngineError, match=f"energy_ledger on: {said}"):
-        start(deck(CONTACTS[name], ledger=True), tmp_path)
+        start(deck(CONTACTS[name], ledger=True), tmp_path / "ledger")
+    counting = "fix counting all collision_spectra 10 file spectra.csv\n"
+    with pytest.raises(EngineError, match=f"fix counting collision_spectra: {said}"):
+        start(deck(CONTACTS[name]) + counting, tmp_path / "spectra")
 
 
 @pytest.mark.parametrize(

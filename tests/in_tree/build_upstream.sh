@@ -68,15 +68,6 @@ unpack() {
   touch "$tree/unpacked"
 }
 
-# Brings our files in the tree up to date; one that left the project leaves the tree too.
-install_models() {
-  for file in $(cd "$tree/src" && grep -rl --include='*.h' --include='*.cpp' plastigran .); do
-    case ${file##*/} in law_* | combination_*) continue ;; esac
-    [ -n "$(find "$models" -name "${file##*/}")" ] || rm "$tree/src/$file"
-  done
-  "$models/in_tree/install.sh" "$tree"
-}
-
 # What nearly every source of the engine includes is compiled once, and without MPI's C++ classes,
 # which nothing uses: a third of the time.
 flags="-O1 -std=c++17 -w -DOMPI_SKIP_MPICXX -DSUPERQUADRIC_ACTIVE_FLAG -DNONSPHERICAL_ACTIVE_FLAG"
@@ -109,7 +100,7 @@ if [ ! -e "$work/built" ] ||
   [ -n "$(find "$models" "$here" \( -name '*.h' -o -name '*.cpp' -o -name '*.in' -o -name '*.txt' -o -name '*.sh' \) -newer "$work/built")" ]; then
   touch "$work/begun"
   [ "$tree/unpacked" -nt "$here/build_upstream.sh" ] || unpack
-  install_models
+  "$models/in_tree/install.sh" "$tree"
   build
   mv "$work/begun" "$work/built"
 fi

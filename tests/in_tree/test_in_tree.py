@@ -84,6 +84,36 @@ def test_the_ledger_is_the_plugins(in_tree, tmp_path):
         )
 
 
+def test_heat_and_spectra_are_the_plugins(in_tree, tmp_path):
+    """Of an oblique impact on a mesh, and of a gas."""
+    heat, ledger, spectra = (
+        PROJECT / "tests" / room / "decks" for room in ("heat", "ledger", "spectra")
+    )
+    decks = {
+        heat / "impact.in": {"decks": ledger, "heat_decks": heat, "geometry": "mesh"},
+        spectra / "gas.in": {"decks": spectra},
+    }
+    for deck, variables in decks.items():
+        tables = []
+        for program in (in_tree, str(PLUGIN)):
+            folder = tmp_path / deck.stem / Path(program).name
+            folder.mkdir(parents=True)
+            words = command(deck, variables, folder)
+            words[0] = program
+            run = subprocess.run(
+                words, cwd=folder, capture_output=True, text=True, errors="replace"
+            )
+            assert run.returncode == 0, run.stdout[-3000:] + run.stderr[-3000:]
+            tables.append(read_thermo(folder / "log.liggghts"))
+        ours, plugins = tables
+        assert list(ours) == list(plugins)
+        for entry in plugins:  # sums over some hundred steps
+            scale = plugins[entry].abs().max()
+            assert ours[entry].to_numpy() == pytest.approx(
+                plugins[entry].to_numpy(), rel=1e-9, abs=1e-9 * scale
+            ), entry
+
+
 def slide(program, folder: Path, **variables: str):
     """The conformance suite's oblique impact of a spinning sphere; its end, or what was said."""
     folder.mkdir()
@@ -171,10 +201,30 @@ def test_what_an_earlier_version_left_is_cleared(bare_tree):
     whitelist = bare_tree / "src/style_contact_model_user.whitelist"
     theirs = "GRAN_MODEL(HERTZ, TANGENTIAL_OFF, COHESION_OFF, ROLLING_OFF, SURFACE_DEFAULT)\n"
     whitelist.write_text(theirs + theirs.replace("HERTZ", "THORNTON"))
-    (bare_tree / "src/normal_model_thornton.h").write_text("// of plastigran\n")
+    model = bare_tree / "src/normal_model_thornton.h"
+    model.write_text("// of plastigran\nNORMAL_MODEL(THORNTON,thornton,1017)\n")
     assert install(bare_tree).returncode == 0
     assert whitelist.read_text() == theirs
-    assert not (bare_tree / "src/normal_model_thornton.h").exists()
+    assert not model.exists()
+
+    law = bare_tree / "src/law_one_of_before.cpp"
+    law.write_text("// of plastigran\n")
+    with open(bare_tree / "src/plastigran_files.txt", "a") as files:
+        files.write(f"./{law.name}\n")
+    assert install(bare_tree).returncode == 0
+    assert not law.exists()
+
+
+def test_a_model_of_a_fork_with_the_name_of_ours_stays(bare_tree):
+    """Also in the list for the engine to compile."""
+    model = bare_tree / "src/normal_model_stronge.h"
+    model.write_text("// a fork's own\nNORMAL_MODEL(STRONGE,stronge,77)\n")
+    whitelist = bare_tree / "src/style_contact_model_user.whitelist"
+    whitelist.write_text("GRAN_MODEL(STRONGE, TANGENTIAL_OFF)\n")
+    before = contents(bare_tree)
+    assert install(bare_tree).returncode == 0
+    after = contents(bare_tree)
+    assert {name: after[name] for name in before} == before
 
 
 def test_another_folder_is_refused_by_name(tmp_path):

@@ -152,6 +152,30 @@ def test_another_file_is_named(tmp_path):
         read_spectra(path)
 
 
+def begin_counting(folder: Path) -> str:
+    """The file that counting begins with what stands in it."""
+    deck = folder / "begin.in"
+    gas = (DECKS / "gas.in").read_text().split("include         ${decks}/counting")[0]
+    deck.write_text(f"{gas}\nfix s all collision_spectra 10 file spectra.csv\n")
+    run_deck(deck, {"decks": DECKS}, folder)
+    return (folder / "spectra.csv").read_text()
+
+
+def test_the_last_line_of_a_killed_run_is_dropped_when_it_is_cut(tmp_path):
+    """`12` may be the begin of 120000: a step after the present one."""
+    heading = "step,quantity,with,type,other_type,lower,upper,count,sum\n"
+    row = "0,normal_speed,particle,1,1,0.1,0.2,3,0.5\n"
+    (tmp_path / "spectra.csv").write_text(heading + row + row.rstrip())
+    assert begin_counting(tmp_path) == heading + row
+
+
+def test_another_file_is_not_overwritten(tmp_path):
+    (tmp_path / "spectra.csv").write_text("my own notes\n")
+    with pytest.raises(EngineError, match=r"spectra\.csv is no table of collision spectra"):
+        begin_counting(tmp_path)
+    assert (tmp_path / "spectra.csv").read_text() == "my own notes\n"
+
+
 @pytest.mark.parametrize(
     ("words", "complaint"),
     [

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// The engine's contact model with one setting more, `energy_ledger on|off`: the place where the
-// forces of all models of a contact are known together. The normal model tells its own part.
+// The engine's contact model, which tells the energy ledger and the observers what all models of a
+// contact did together; the normal model tells its own part. It has one setting more,
+// `energy_ledger on|off`, knows which models its setup asks for, and takes a line's settings from
+// restart files.
 #pragma once
 
 #include "contact_models.h"
@@ -34,9 +36,7 @@ class AccountedContact : private ContactSetup,
         Base(engine, static_cast<ContactSetup*>(this), is_wall, hash),
         engine_(engine),
         owner_(owner),
-        spring_offset_(has_model("tangential", "history") ? offset_of("shearx") : -1) {
-    ContactObserver::offer(engine);
-  }
+        spring_offset_(has_model("tangential", "history") ? offset_of("shearx") : -1) {}
 
   // The engine asks which models these are: those of the setup's hash.
   int64_t hashcode() { return hash(); }
@@ -69,9 +69,11 @@ class AccountedContact : private ContactSetup,
     const char* const complaint = EnergyLedger::complaint(ledger_, asked_, this->is_wall());
     if (complaint) engine_->error->all(FLERR, complaint);
     if (!asked_) ledger_ = nullptr;
-    if (ledger_) refuse_what_is_not_counted();
+    if (ledger_) refuse_what_is_not_counted("energy_ledger on");
     if (ledger_) ledger_->attach(owner_);
     observers_ = ContactObserver::attach(engine_, owner_);
+    for (const ContactObserver* const observer : observers_)
+      refuse_what_is_not_counted(std::string("fix ") + observer->id + ' ' + observer->style);
     takes_accounts = ledger_ || !observers_.empty();
     Base::connectToProperties(registry);
   }
@@ -92,16 +94,16 @@ class AccountedContact : private ContactSetup,
                      [&] { postSettings(owner); });
   }
 
-  void refuse_what_is_not_counted() {
+  void refuse_what_is_not_counted(const std::string& counter) {
     const char* const reason =
         !CohesiveEnergy::is_known(model(2))
-            ? "energy_ledger on: it does not count what liquid between particles stores and "
-              "dissipates; leave it off, or use cohesion sjkr, sjkr2 or off"
+            ? ": it does not count what liquid between particles stores and dissipates; leave it "
+              "off, or use cohesion sjkr, sjkr2 or off"
         : !has_model("surface", "default")
-            ? "energy_ledger on: it does not count what contacts of a particle store by pressing "
-              "on each other; leave it off, or use surface default"
+            ? ": it does not count what contacts of a particle store by pressing on each other; "
+              "leave it off, or use surface default"
             : nullptr;
-    if (reason) engine_->error->all(FLERR, reason);
+    if (reason) engine_->error->all(FLERR, (counter + reason).c_str());
   }
 
   [[gnu::noinline]] void account(Contact& contact, Load& on_i, Load& on_j) {

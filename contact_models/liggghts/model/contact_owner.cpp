@@ -14,7 +14,6 @@ namespace plastigran {
 
 using LAMMPS_NS::FixWallGran;
 using LAMMPS_NS::PairGran;
-using LIGGGHTS::ContactModels::ContactModelBase;
 
 bool ContactOwner::has_model(const std::string& kind, const std::string& name) const {
   return is_wall_ ? static_cast<FixWallGran*>(owner_)->contact_match(kind, name)
@@ -38,16 +37,12 @@ std::string ContactOwner::other_models() const {
   return text;
 }
 
-std::string ContactOwner::unsuitable_model(ContactModelBase& contact_model,
-                                           bool is_cylinder) const {
-  const bool adhesion = contact_model.get_history_offset("kc_offset") >= 0;
+std::string ContactOwner::unsuitable_model(bool is_cylinder) const {
   std::string text;
   for (const CompanionKind& kind : companion_kinds())
     for (const Companion& companion : kind.models) {
       if (companion.id == 0 || !has_model(kind.keyword, companion.name)) continue;
       const std::string name = std::string(kind.keyword) + ' ' + companion.name;
-      if (!adhesion && name.find("luding") != std::string::npos)
-        text = name + " asks the normal model for an adhesion that this one does not have";
       if (is_wall_ && name.find("easo") != std::string::npos)
         text = name + " on a wall takes the wall's velocity from some particle; leave it off here";
       const bool is_friction =

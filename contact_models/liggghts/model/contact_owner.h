@@ -32,8 +32,7 @@ class ContactOwner {
   std::string other_models() const;
 
   // What is wrong with one of them beside ours, empty when nothing is.
-  std::string unsuitable_model(LIGGGHTS::ContactModels::ContactModelBase& contact_model,
-                               bool is_cylinder) const;
+  std::string unsuitable_model(bool is_cylinder) const;
 
   // IDs of the engine's fixes that store what these contacts remember; none when they do not.
   std::vector<std::string> histories() const;

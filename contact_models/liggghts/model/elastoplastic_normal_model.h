@@ -81,7 +81,7 @@ class ElastoplasticNormalModel : public NormalModelBase {
 #endif
     if (is_cylinder && domain->dimension != 2)
       fail("it is for cylinders, the discs of a 2D deck (dimension 2); this deck is 3D");
-    const std::string unsuitable = owner_.unsuitable_model(*contact_model_, is_cylinder);
+    const std::string unsuitable = owner_.unsuitable_model(is_cylinder);
     if (!unsuitable.empty()) fail(unsuitable);
     const auto keeper = plastigran::own_fix<plastigran::HistoryKeeper>(lmp);
     const std::string owner = owner_.name();
@@ -114,11 +114,33 @@ class ElastoplasticNormalModel : public NormalModelBase {
   // Force as a power of overlap while elastic: Hertz, or the nearly straight line contact.
   double stressStrainExponent() override { return is_cylinder ? 1 : 1.5; }
 
-  // The attribute `flatten` inlines the law, and the compiler then drops the energies, which nobody
-  // reads here. Without it Vu-Quoc-Zhang's law costs half as much again: its plastic work is a
-  // quadrature.
-  [[gnu::flatten]] void surfacesIntersect(SurfacesIntersectData& contact, ForceData& i_forces,
-                                          ForceData& j_forces) override {
+  void surfacesIntersect(SurfacesIntersectData& contact, ForceData& i_forces,
+                         ForceData& j_forces) override {
+    if (accounts_ && contact.computeflag)
+      press<true>(contact, i_forces, j_forces);
+    else
+      press<false>(contact, i_forces, j_forces);
+  }
+
+  void surfacesClose(SurfacesCloseData& contact, ForceData&, ForceData&) override {
+    if (contact.contact_flags) *contact.contact_flags &= ~CONTACT_NORMAL_MODEL;
+    if (!contact.contact_history) return;
+    std::memset(contact.contact_history + history_offset_, 0, state_size);
+    rates_.forget(contact.contact_history);
+  }
+
+  void beginPass(SurfacesIntersectData&, ForceData&, ForceData&) override {}
+  void endPass(SurfacesIntersectData&, ForceData&, ForceData&) override {}
+
+ private:
+  static std::string caller() { return std::string("model ") + Law::name; }
+  void fail(const std::string& reason) { error->all(FLERR, (caller() + ": " + reason).c_str()); }
+
+  // The attribute `flatten` inlines the law. The compiler then drops its energies where no account
+  // is kept.
+  template <bool accounts>
+  [[gnu::flatten]] void press(SurfacesIntersectData& contact, ForceData& i_forces,
+                              ForceData& j_forces) {
     if (contact.contact_flags) *contact.contact_flags |= CONTACT_NORMAL_MODEL;
     const double radius_eff = contact.is_wall
                                   ? contact.radi
@@ -135,7 +157,8 @@ class ElastoplasticNormalModel : public NormalModelBase {
         plastigran::respond(pair.law, radius_eff, contact.deltan, state, -contact.vn);
     if (contact.computeflag) {
       if (contact.deltan > pair.watched * radius_eff) note(contact, pair, radius_eff, state);
-      if (accounts_) account(contact, pair, radius_eff, i_forces);
+      if (accounts)
+        accounted(i_forces).take(pair.law, radius_eff, response, state_before(contact), state);
       if (contact.shearupdate) std::memcpy(history, &state, state_size);
     }
 
@@ -162,7 +185,7 @@ class ElastoplasticNormalModel : public NormalModelBase {
       force = std::max(0.0, force - contact.gamman * contact.vn);
     }
     contact.Fn = force;
-    if (accounts_ && contact.computeflag)
+    if (accounts)
       accounted(i_forces).dashpot_force = force - response.force + response.viscous_force;
 
     const double applied = contact.is_wall ? force * contact.area_ratio : force;
@@ -171,20 +194,6 @@ class ElastoplasticNormalModel : public NormalModelBase {
       if (!contact.is_wall) j_forces.delta_F[axis] -= applied * contact.en[axis];
     }
   }
-
-  void surfacesClose(SurfacesCloseData& contact, ForceData&, ForceData&) override {
-    if (contact.contact_flags) *contact.contact_flags &= ~CONTACT_NORMAL_MODEL;
-    if (!contact.contact_history) return;
-    std::memset(contact.contact_history + history_offset_, 0, state_size);
-    rates_.forget(contact.contact_history);
-  }
-
-  void beginPass(SurfacesIntersectData&, ForceData&, ForceData&) override {}
-  void endPass(SurfacesIntersectData&, ForceData&, ForceData&) override {}
-
- private:
-  static std::string caller() { return std::string("model ") + Law::name; }
-  void fail(const std::string& reason) { error->all(FLERR, (caller() + ": " + reason).c_str()); }
 
   // The state before this step: the history is written at the end of it.
   State state_before(const SurfacesIntersectData& contact) const {
@@ -200,18 +209,6 @@ class ElastoplasticNormalModel : public NormalModelBase {
 
   static plastigran::AccountedLoad& accounted(ForceData& load) {
     return static_cast<plastigran::AccountedLoad&>(load);
-  }
-
-  // The law's energies, from the state before this step; apart, so that the force is computed
-  // without them. At no overlap a law answers with the plastic work of the state alone.
-  [[gnu::noinline]] void account(const SurfacesIntersectData& contact, const TypePair& pair,
-                                 double radius_eff, ForceData& load) const {
-    State before = state_before(contact), reached = before;
-    const plastigran::Response now = pair.law.respond(radius_eff, contact.deltan, reached);
-    accounted(load).elastic_energy = now.elastic_energy;
-    if (std::memcmp(&before, &reached, state_size) != 0)
-      accounted(load).plastic_work =
-          now.plastic_work - pair.law.respond(radius_eff, 0, before).plastic_work;
   }
 
   // What the model was given and what it assumed: a misspelt optional property shows here.

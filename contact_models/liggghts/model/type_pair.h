@@ -86,15 +86,15 @@ class TypePairs {
     type_count_ = type_count;
     bodies_ = deck.bodies(yields<Law>);
     pairs_.clear();
+    of_types_.assign(type_count * type_count, nullptr);
     for (int i = 1; i <= type_count; ++i)
-      for (int j = 1; j <= type_count; ++j)
-        pairs_.push_back(j < i ? TypePair<Law>((*this)(j, i))  // the engine takes symmetric values
-                               : between(deck, i, j, defaults));
+      for (int j = i; j <= type_count; ++j) {  // the engine takes symmetric values
+        pairs_.push_back(std::make_unique<TypePair<Law>>(between(deck, i, j, defaults)));
+        at(i, j) = at(j, i) = pairs_.back().get();
+      }
   }
 
-  TypePair<Law>& operator()(int type, int other_type) {
-    return pairs_[(type - 1) * type_count_ + other_type - 1];
-  }
+  TypePair<Law>& operator()(int type, int other_type) { return *at(type, other_type); }
 
   // A line for each two types that may meet: their effective constants, the law's own and its
   // options. `caller` begins each line.
@@ -127,8 +127,8 @@ class TypePairs {
 
   // Whether the strength of any two depends on the rate of their impact.
   bool rate_matters() const {
-    return std::any_of(pairs_.begin(), pairs_.end(), [](const TypePair<Law>& pair) {
-      return yields<Law> && pair.bodies.rate_coefficient > 0;
+    return std::any_of(pairs_.begin(), pairs_.end(), [](const auto& pair) {
+      return yields<Law> && pair->bodies.rate_coefficient > 0;
     });
   }
 
@@ -136,6 +136,10 @@ class TypePairs {
   const std::vector<Body>& bodies() const { return bodies_; }  // by type - 1
 
  private:
+  TypePair<Law>*& at(int type, int other_type) {
+    return of_types_[(type - 1) * type_count_ + other_type - 1];
+  }
+
   TypePair<Law> between(const DeckProperties& deck, int i, int j, Constants constants) const {
     Complaint lacking;
     for (const auto& parameter : parameters_of<Law>) {
@@ -170,7 +174,8 @@ class TypePairs {
 
   int type_count_ = 0;
   std::vector<Body> bodies_;
-  std::vector<TypePair<Law>> pairs_;
+  std::vector<std::unique_ptr<TypePair<Law>>> pairs_;
+  std::vector<TypePair<Law>*> of_types_;  // in either order
 };
 
 }  // namespace plastigran

@@ -5,8 +5,6 @@
 
 #include "comm.h"
 #include "force.h"
-#include "liggghts/heat/dissipation_heat.h"
-#include "liggghts/spectra/collision_spectra.h"
 #include "pair.h"
 
 namespace plastigran {
@@ -14,11 +12,6 @@ namespace plastigran {
 ContactObserver::ContactObserver(LAMMPS_NS::LAMMPS* engine, int count, char** words)
     : OwnFix(engine, count, words) {
   if (igroup != 0) fail(std::string("its group is ") + words[1] + "; it must be all");
-}
-
-void ContactObserver::offer(LAMMPS_NS::LAMMPS* engine) {
-  add_style<DissipationHeat>(engine->modify);
-  add_style<CollisionSpectra>(engine->modify);
 }
 
 std::vector<ContactObserver*> ContactObserver::attach(LAMMPS_NS::LAMMPS* engine,

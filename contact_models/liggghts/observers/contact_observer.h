@@ -22,9 +22,6 @@ class ContactObserver : public OwnFix {
   // Stops unless the group is `all`.
   ContactObserver(LAMMPS_NS::LAMMPS* engine, int count, char** words);
 
-  // Makes the engine know the styles of all observers.
-  static void offer(LAMMPS_NS::LAMMPS* engine);
-
   // The observers there are; the pair style or wall `owner` will report to them. Before each run.
   static std::vector<ContactObserver*> attach(LAMMPS_NS::LAMMPS* engine, const void* owner);
 

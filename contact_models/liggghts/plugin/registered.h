@@ -6,8 +6,7 @@
 
 #include <memory>
 
-#include "fix_insert_stream.h"  // granular_styles.h uses it without including it
-#include "granular_styles.h"
+#include "liggghts/plugin/engine_styles.h"
 
 namespace plastigran {
 

@@ -3,15 +3,17 @@
 // Puts every law into the engine's factories when the program is loaded: its name, each combination
 // with other models that can be had, and for every other combination a creator that says so.
 // (An unregistered combination would reach the engine's generic class, which knows nothing of
-// models that came with a plugin.)
+// models that came with a plugin.) A deck's first line of a law makes the observers' styles known.
 #include <algorithm>
 #include <iterator>
 #include <string>
 
+#include "liggghts/heat/dissipation_heat.h"
 #include "liggghts/model/companions.h"
 #include "liggghts/model/contact_setup.h"
 #include "liggghts/plugin/any_model.h"
 #include "liggghts/plugin/registered.h"
+#include "liggghts/spectra/collision_spectra.h"
 
 namespace plastigran {
 
@@ -127,6 +129,8 @@ const bool registered = [] {
 template <>
 RegisteredLaw::Model make_model(LAMMPS_NS::LAMMPS* engine, IContactHistorySetup* setup,
                                 ContactModelBase* contact_model) {
+  add_style<DissipationHeat>(engine->modify);
+  add_style<CollisionSpectra>(engine->modify);
   const int64_t hash = static_cast<ContactSetup*>(setup)->hash();
   return law_of(hash).make(engine, setup, contact_model);
 }

@@ -8,6 +8,8 @@
 #include "atom.h"
 #include "comm.h"
 #include "fix_wall_gran.h"
+#include "force.h"
+#include "pair_gran.h"
 
 namespace plastigran {
 
@@ -55,6 +57,9 @@ std::size_t CollisionSpectra::number_of(const void* owner) const {
 
 void CollisionSpectra::add(const Contact& contact, const AccountedLoad& on_i, const Load& on_j,
                            const void* owner) {
+  most_contacts_ = std::max(most_contacts_, ++contacts_[contact.i]);
+  if (!contact.is_wall && contact.j < atom->nlocal)
+    most_contacts_ = std::max(most_contacts_, ++contacts_[contact.j]);
   const bool turned = !contact.is_wall && atom->tag[contact.j] < atom->tag[contact.i];
   const int holder = turned ? contact.j : contact.i;
   if (holder >= atom->nlocal) return;  // reported from the other side as well
@@ -121,12 +126,17 @@ void CollisionSpectra::setup_pre_exchange() {
   pre_exchange();
 }
 
-// A particle takes its impacts along.
+// A particle takes its impacts along. The engine's fixes reserve room for the one that needs most,
+// and one particle may need it for all of them: its contact history comes on top.
 void CollisionSpectra::pre_exchange() {
-  comm->maxexchange_fix = std::max(comm->maxexchange_fix, records_.largest_size(atom->nlocal));
+  const auto pair = static_cast<LAMMPS_NS::PairGran*>(force->pair_match("gran", 1));
+  const int history = (pair->dnum() + 1) * most_contacts_ + 1;
+  comm->maxexchange_fix =
+      std::max(comm->maxexchange_fix, records_.largest_size(atom->nlocal) + history);
 }
 
 void CollisionSpectra::end_of_step() {
+  std::fill(contacts_.begin(), contacts_.end(), 0);
   for (int i = 0; i < atom->nlocal; ++i)
     records_.advance(i, [this](Partner partner, const Impact& impact) { count(partner, impact); });
   if (update->ntimestep % every_ == 0) write_table();

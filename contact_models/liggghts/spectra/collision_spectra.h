@@ -51,7 +51,7 @@ class CollisionSpectra : public ContactObserver {
   double compute_scalar() override { return compute_vector(IMPACTS); }
   double compute_vector(int entry) override;
 
-  void grow_arrays(int size) override { records_.resize(size); }
+  void grow_arrays(int size) override { records_.resize(size), contacts_.resize(size); }
   void copy_arrays(int from, int to, int) override { records_.copy(from, to); }
   void set_arrays(int i) override { records_.clear(i); }
   int pack_exchange(int i, double* buffer) override { return records_.write(i, buffer); }
@@ -76,6 +76,8 @@ class CollisionSpectra : public ContactObserver {
   int per_decade_ = 10;
   std::unique_ptr<FILE, int (*)(FILE*)> file_;  // on the first rank
   ImpactRecords records_;
+  std::vector<int> contacts_;                            // of each particle in this step
+  int most_contacts_ = 0;                                // that one had
   Tally tally_;                                          // of this rank since the last table
   double impacts_ = 0, impact_energy_ = 0, energy_ = 0;  // the last of all contacts; on this rank
   long total_ = 0;                     // particles as the last run ended, 0 before the first

@@ -53,8 +53,11 @@ void CollisionSpectra::open(const std::string& path) {
   std::ifstream before(path);
   std::string line;
   std::getline(before, line);
-  const bool ours = line + '\n' == heading;
-  while (ours && std::getline(before, line))
+  if (!line.empty() && line + '\n' != heading)
+    error->one(FLERR, (std::string("fix ") + id + ' ' + style() + ": the file " + path +
+                       " is no table of collision spectra; it would be overwritten")
+                          .c_str());
+  while (std::getline(before, line) && !before.eof())  // the last line of a killed run may be cut
     if (std::atoll(line.c_str()) <= update->ntimestep) kept += line + '\n';
   before.close();
   file_.reset(std::fopen(path.c_str(), "w"));

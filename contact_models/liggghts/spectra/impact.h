@@ -8,7 +8,7 @@
 #include <limits>
 #include <utility>
 
-#include "liggghts/observers/lossy_load.h"
+#include "liggghts/model/lossy_load.h"
 
 namespace plastigran {
 

@@ -21,16 +21,6 @@ struct ImpactOutcome {
   bool in_range = true;                   // the law is good for that load
 };
 
-// Brings the two ends of a stretch, in the latter of which a condition holds, to within a digit.
-template <class Condition>
-void halve(double& low, double& high, const Condition& holds) {
-  for (int i = 0; i < 100; ++i) {
-    const double middle = 0.5 * (low + high);
-    if (middle == low || middle == high) return;
-    (holds(middle) ? high : low) = middle;
-  }
-}
-
 // Whether a law says where its virgin force may jump: overlap_breaks(), overlaps over R*.
 template <class Law, class = void>
 constexpr bool says_breaks = false;
@@ -76,10 +66,7 @@ ImpactOutcome rate_dependent_impact(const Law& law, double radius_eff, double ma
   // Where in a step a condition turns true.
   const auto turn = [&](Point p, double h, auto condition) {
     double before = 0, after = h;
-    for (int i = 0; i < 60; ++i) {
-      const double middle = 0.5 * (before + after);
-      (condition(step(p, middle)) ? after : before) = middle;
-    }
+    halve(before, after, [&](double part) { return condition(step(p, part)); });
     return step(p, after);
   };
 

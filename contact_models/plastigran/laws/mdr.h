@@ -55,10 +55,7 @@ class Mdr : public LargestOverlap {
     };
     if (!yielded(largest)) return;
     double low = 0, high = largest;
-    for (int i = 0; i < 100; ++i) {
-      const double middle = 0.5 * (low + high);
-      (yielded(middle) ? high : low) = middle;
-    }
+    halve(low, high, yielded);
     yield_ = high;
     work_ = Tabulated<1>(yield_, [this](double depth) {
               return std::array{force(depth)};
@@ -220,10 +217,7 @@ class Mdr : public LargestOverlap {
     double low = yield_, high = 1.01 * yield_;
     if (made_good(high)) return;
     while (!made_good(high) && high < largest) low = high, high *= 1.01;
-    for (int i = 0; i < 60; ++i) {
-      const double middle = 0.5 * (low + high);
-      (made_good(middle) ? high : low) = middle;
-    }
+    halve(low, high, made_good);
     guarded_end_ = high;
   }
 

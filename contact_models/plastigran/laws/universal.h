@@ -63,8 +63,7 @@ class Universal : public LargestOverlap {
   }
   static constexpr const char* admissibility =
       "{yield_pressure_factor} of the weaker body must be at most 3: the finite elements have 1.5 "
-      "to "
-      "2.1";
+      "to 2.1";
 
   Universal(const MaterialPair& pair, const Parameters& constants)
       : fitted_(pair, of_yielding_body),
@@ -90,35 +89,34 @@ class Universal : public LargestOverlap {
       if (!(overlap > 0)) return {};
       return hertz_response(modulus_, radius_eff, overlap);
     }
-    if (overlap > state.overlap_max) state.overlap_max = overlap;
-    Response response;
-    if (!(state.overlap_max > 0)) return response;  // the overlap is no number
-    const double x_max = state.overlap_max / overlap_y;
-    const Values at = loaded_.covers(x_max) ? loaded_(x_max) : computed(x_max);
-    const double radius_y = radius_eff * yield_radius_ratio_;
-    const double force_y = modulus_ * radius_y * overlap_y;
-    const double recovery = overlap_y * at[RECOVERY], g = at[DEPARTURE];
-    const double y = 1 - (state.overlap_max - overlap) / recovery;
-    if (y > 0 && overlap > 0) {
-      const double root = std::sqrt(y), fall = 1 / (1 + g * root);
-      response.force = force_y * at[FORCE] * y * root * fall;
-      response.contact_radius = radius_y * at[RADIUS] * root * fall * fall * (3 + 2 * g * root);
-      response.elastic_energy = force_y * at[FORCE] * recovery * work(g, root);
+    // Loading and unloading go two ways, as in power_unloading.h.
+    if (overlap > state.overlap_max) {
+      state.overlap_max = overlap;
+      const Peak reached = peak(radius_eff, overlap_y, overlap);
+      Response response = energies(reached, 1);
+      response.force = reached.force;
+      response.contact_radius = reached.contact_radius;
+      return response;
     }
-    response.plastic_work =
-        force_y * (overlap_y * virgin_work(x_max) - at[FORCE] * recovery * work(g, 1));
+    if (!(state.overlap_max > 0)) return {};  // the overlap is no number
+    const Peak reached = peak(radius_eff, overlap_y, state.overlap_max);
+    const double y = 1 - (state.overlap_max - overlap) * reached.inverse_recovery;
+    if (!(y > 0 && overlap > 0)) return energies(reached, 0);
+    const double root = std::sqrt(y), g = 1 / reached.fall - 1;
+    const double share = root / (reached.fall * (1 + g * root));
+    Response response = energies(reached, root);
+    response.force = reached.force * y * share;
+    response.contact_radius =
+        reached.contact_radius / root * share * share * (3 + 2 * g * root) / (3 + 2 * g);
     return response;
   }
 
   // Where a/R is 0.1, to which the finite elements go, over R*.
   double overlap_range() const {
     double left = 0, right = 0.1 / yield_radius_;  // of t; a is Hertz' or wider
-    for (int i = 0; i < 60; ++i) {
-      const double middle = 0.5 * (left + right);
-      const double radius =
-          yield_radius_ * (middle > 1 ? contact_radius(middle, depth(middle)) : middle);
-      (radius < 0.1 ? left : right) = middle;
-    }
+    halve(left, right, [this](double t) {
+      return yield_radius_ * (t > 1 ? contact_radius(t, depth(t)) : t) >= 0.1;
+    });
     return fitted_.overlap_range(left * left * yield_radius_ * yield_radius_);
   }
 
@@ -142,18 +140,41 @@ class Universal : public LargestOverlap {
   static constexpr double d_3 = 0.359;
   static constexpr double g_1 = 3.642;
 
-  // What loading to x = overlap/overlap_Y leaves: F (1 + g)/F_Y, a (1 + g)^2/((3 + 2 g) a_Y), the
-  // recovery over overlap_Y, and g.
-  enum Quantity { FORCE, RADIUS, RECOVERY, DEPARTURE };
+  // What loading to x = overlap/overlap_Y leaves: F/F_Y, a/a_Y, overlap_Y over the recovery, and
+  // 1/(1 + g). Who loads on asks for the first two.
+  enum Quantity { FORCE, RADIUS, INVERSE_RECOVERY, FALL };
   typedef std::array<double, 4> Values;
 
   Values compute(double x) const {
     const double t = std::sqrt(x), S = depth(t), f = force(t, S), a = contact_radius(t, S);
-    const double g = g_1 * lacking(S), peak = 1 + g;
-    return {f * peak, a * peak * peak / (3 + 2 * g), (1 - lacking(S)) * f / a, g};
+    return {f, a, a / ((1 - lacking(S)) * f), 1 / (1 + g_1 * lacking(S))};
   }
   // Apart, where no table reaches.
   [[gnu::noinline, gnu::cold]] Values computed(double x) const { return compute(x); }
+
+  // The same with sizes and moduli, and what the energies need.
+  struct Peak {
+    double force, contact_radius, inverse_recovery, fall, virgin_work;
+  };
+  Peak peak(double radius_eff, double overlap_y, double overlap_max) const {
+    const double per_overlap_y = 1 / overlap_y, x = overlap_max * per_overlap_y;
+    const Values at = loaded_.covers(x) ? loaded_(x) : computed(x);
+    const double radius_y = radius_eff * yield_radius_ratio_;
+    const double force_y = modulus_ * radius_y * overlap_y;
+    return {force_y * at[FORCE], radius_y * at[RADIUS], at[INVERSE_RECOVERY] * per_overlap_y,
+            at[FALL], force_y * overlap_y * virgin_work(x)};
+  }
+
+  // At y = root^2 of the way from the residual to the largest overlap: the energies alone.
+  static Response energies(const Peak& peak, double root) {
+    const double g = 1 / peak.fall - 1;
+    const double scale = peak.force / (peak.fall * peak.inverse_recovery);
+    const double given_back = scale * work(g, 1);
+    Response response;
+    response.elastic_energy = root == 1 ? given_back : scale * work(g, root);
+    response.plastic_work = peak.virgin_work - given_back;
+    return response;
+  }
 
   // S at t >= 1.
   double depth(double t) const {

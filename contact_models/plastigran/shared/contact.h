@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
 // The vocabulary every contact law shares: what two bodies bring to a contact, and what a law
-// answers. Nothing here or in a law allocates, throws, reads a global or knows a host program.
+// answers. Nothing here or in a law allocates, throws, reads a global that changes or knows a host
+// program.
 //
 // A law is a class over a MaterialPair. It answers one question: two bodies overlap by this much
 // and have this history; what force, what energy? It provides
@@ -25,7 +26,6 @@
 //   yields = false          no yield: the yield strength is not asked for
 //   hardens = true          the tangent modulus matters
 //   overlap_range()         the largest overlap over R* it is good for
-//   overlap_breaks()        overlaps over R* at which the virgin force may jump
 //   overlap_breaks()        overlaps over R* at which the virgin force may jump
 //   elastic_stiffness(contact_radius)      of the elastic contact
 //

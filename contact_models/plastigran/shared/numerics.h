@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// Integrals and maxima that several laws need.
+// Integrals, maxima and roots that several laws need.
 #pragma once
 
 namespace plastigran {
@@ -32,6 +32,16 @@ double golden_section(const Function& f, double left, double right, int steps) {
       left = right - width;
   }
   return 0.5 * (left + right);
+}
+
+// Brings the two ends of a stretch, in the latter of which a condition holds, to within a digit.
+template <class Condition>
+void halve(double& low, double& high, const Condition& holds) {
+  for (int i = 0; i < 100; ++i) {
+    const double middle = 0.5 * (low + high);
+    if (middle == low || middle == high) return;
+    (holds(middle) ? high : low) = middle;
+  }
 }
 
 }  // namespace plastigran

@@ -89,36 +89,57 @@ class PowerUnloading : public Curve, public LargestOverlap {
       if (!(overlap > 0)) return {};
       return hertz_response(modulus_, radius_eff, overlap);
     }
-    if (overlap > state.overlap_max) state.overlap_max = overlap;
-    Response response;
-    if (!(state.overlap_max > 0)) return response;  // the overlap is no number
-    const double x_max = state.overlap_max / overlap_y;
-    const Values at = loaded_.covers(x_max) ? loaded_(x_max) : computed(x_max);
-    const double radius_y = radius_eff * Curve::yield_radius_ratio;
-    const double force_max = modulus_ * radius_y * overlap_y * at[FORCE];
-    const double recovery = overlap_y * at[RECOVERY];
-    const double y = 1 - (state.overlap_max - overlap) / recovery;
-    if (y > 0 && overlap > 0) {
-      const double root = std::sqrt(y);
-      response.force = force_max * y * root;
-      if constexpr (says_exponent<Curve>)
-        if (y < 1 && at[EXPONENT] != 1.5) response.force *= power(y, at[EXPONENT] - 1.5);
-      response.contact_radius = radius_y * at[RADIUS] * root;
-      response.elastic_energy = response.force * y * recovery / (exponent_in(at) + 1);
+    // Loading and unloading go two ways: the processor begins on the largest overlap of a contact
+    // that unloads before it has the present one.
+    if (overlap > state.overlap_max) {
+      state.overlap_max = overlap;
+      return answer(peak(radius_eff, overlap_y, overlap), 1);
     }
-    response.plastic_work = modulus_ * radius_y * overlap_y * overlap_y * virgin_work(x_max) -
-                            force_max * recovery / (exponent_in(at) + 1);
-    return response;
+    if (!(state.overlap_max > 0)) return {};  // the overlap is no number
+    const Peak reached = peak(radius_eff, overlap_y, state.overlap_max);
+    const double y = 1 - (state.overlap_max - overlap) * reached.inverse_recovery;
+    return answer(reached, overlap > 0 ? y : 0);
   }
 
  private:
-  // What loading to x leaves, each over its value at yield.
-  enum Quantity { FORCE, RECOVERY, RADIUS, EXPONENT };
+  // What loading to x leaves, each over its value at yield. Who loads on asks for the first two.
+  enum Quantity { FORCE, RADIUS, INVERSE_RECOVERY, EXPONENT };
   static constexpr std::size_t quantities = says_exponent<Curve> ? 4 : 3;
   typedef std::array<double, quantities> Values;
 
+  // A contact at its largest overlap, and 1/(overlap_max - overlap_res).
+  struct Peak {
+    double force, inverse_recovery, contact_radius, exponent, virgin_work;
+  };
+
+  Peak peak(double radius_eff, double overlap_y, double overlap_max) const {
+    const double per_overlap_y = 1 / overlap_y, x = overlap_max * per_overlap_y;
+    const Values at = loaded_.covers(x) ? loaded_(x) : computed(x);
+    const double radius_y = radius_eff * Curve::yield_radius_ratio;
+    const double force_y = modulus_ * radius_y * overlap_y;
+    return {force_y * at[FORCE], at[INVERSE_RECOVERY] * per_overlap_y, radius_y * at[RADIUS],
+            exponent_in(at), force_y * overlap_y * virgin_work(x)};
+  }
+
+  // At y of the way from the residual to the largest overlap.
+  Response answer(const Peak& peak, double y) const {
+    const double peak_energy = peak.force / (peak.inverse_recovery * (peak.exponent + 1));
+    Response response;
+    if (y > 0) {
+      const double root = std::sqrt(y);
+      double share = y * root;  // of the largest force
+      if constexpr (says_exponent<Curve>)
+        if (y < 1 && peak.exponent != 1.5) share *= power(y, peak.exponent - 1.5);
+      response.force = peak.force * share;
+      response.contact_radius = peak.contact_radius * root;
+      response.elastic_energy = peak_energy * share * y;
+    }
+    response.plastic_work = peak.virgin_work - peak_energy;
+    return response;
+  }
+
   Values compute(double x) const {
-    Values at{Curve::force(x), guarded_recovery(x), Curve::contact_radius(x)};
+    Values at{Curve::force(x), Curve::contact_radius(x), 1 / guarded_recovery(x)};
     if constexpr (says_exponent<Curve>) at[EXPONENT] = Curve::exponent(x);
     return at;
   }
@@ -195,10 +216,7 @@ class PowerUnloading : public Curve, public LargestOverlap {
           previous = x;
           x = next(x);
         } while (x < reach && published_plastic_work(x) < lost);
-        for (int i = 0; i < 50; ++i) {
-          const double middle = 0.5 * (previous + x);
-          (published_plastic_work(middle) < lost ? previous : x) = middle;
-        }
+        halve(previous, x, [&](double middle) { return !(loss_at(middle) < lost); });
         guarded_[found++] = {begin, x, lost};
         earlier = previous = x;
       } else {
