@@ -14,6 +14,9 @@ it computes a viscous damping that the laws do not have.
 
     .venv/bin/python benchmarks/pair_time.py --repeats 5 --law thornton
     .venv/bin/python benchmarks/pair_time.py --grains 500000 --law universal
+    .venv/bin/python benchmarks/pair_time.py --law thornton --ledger
+
+With `--ledger` every law runs with the energy ledger, too.
 
 Cylinders have no place in this bed; law_cost.py counts what their laws cost alone.
 
@@ -38,6 +41,7 @@ WORK = PROJECT / "build" / "bench"
 RESULTS = PROJECT / "results" / "bench" / "pair_time.csv"
 
 REFERENCE, CONTROL = "hertz", "hertz again"
+WITH_LEDGER = ", ledger"  # after the name of a law
 YIELD_STRENGTH = {"plastic": 3.0e8, "elastic": 1.0e13}  # Pa
 PHASES = ("compression", "release")
 
@@ -60,10 +64,12 @@ def make_bed(grains: int) -> Path:
     return bed
 
 
-def run_bed(law: str, state: str, bed: Path, steps: int, count: bool = False) -> str:
-    """Take a law through the bed's path; returns the log."""
+def run_bed(contender: str, state: str, bed: Path, steps: int, count: bool = False) -> str:
+    """Take a law, or a law with the ledger, through the bed's path; returns the log."""
+    law = REFERENCE if contender == CONTROL else contender.removesuffix(WITH_LEDGER)
     variables = {
         "law": law,
+        "options": "energy_ledger on" if contender.endswith(WITH_LEDGER) else "",
         "yield_strength": YIELD_STRENGTH[state],
         "steps": steps,
         "count": int(count),
@@ -110,7 +116,7 @@ def measure(names: list[str], bed: Path, steps: int, repeats: int) -> pd.DataFra
         for state in YIELD_STRENGTH:
             turn = round_ % len(contenders)
             for law in contenders[turn:] + contenders[:turn]:
-                log = run_bed(REFERENCE if law == CONTROL else law, state, bed, steps)
+                log = run_bed(law, state, bed, steps)
                 for phase, time in zip(PHASES, pair_times(log), strict=True):
                     rows.append((round_, state, law, phase, time))
                 runs.update()
@@ -150,6 +156,7 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=(__doc__ or "").splitlines()[0])
     names = known_laws()
     parser.add_argument("--law", nargs="+", choices=names, default=names, help="default: all")
+    parser.add_argument("--ledger", action="store_true", help="laws with the energy ledger, too")
     parser.add_argument("--grains", type=int, default=20_000, help="default: %(default)s")
     parser.add_argument("--repeats", type=int, default=10, help="rounds (default: %(default)s)")
     parser.add_argument(
@@ -163,13 +170,14 @@ def main() -> None:
     engine_path()  # says what to do when there is none
 
     bed = make_bed(options.grains)
+    names = options.law + [law + WITH_LEDGER for law in options.law if options.ledger]
     counts = pd.DataFrame(
         count_contacts(law, state, bed, options.steps)
         for state in YIELD_STRENGTH
-        for law in [REFERENCE, *options.law]
+        for law in [REFERENCE, *names]
     )
     again = counts[counts["law"] == REFERENCE].assign(law=CONTROL)
-    table = summarize(measure(options.law, bed, options.steps, options.repeats))
+    table = summarize(measure(names, bed, options.steps, options.repeats))
     table = table.merge(pd.concat([counts, again]), on=["state", "law"])
     table["repeats"], table["steps"] = options.repeats, options.steps
     table["grains"] = options.grains

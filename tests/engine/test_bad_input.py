@@ -239,13 +239,28 @@ def test_viscous_damping_is_the_classic_dashpot(hertzian_law, tmp_path):
     assert found[0] == pytest.approx(found[1], rel=1e-9)  # sums in another order
 
 
-@pytest.mark.parametrize("deck", ["sphere_wall", "sphere_mesh", "two_spheres", "cylinder_wall"])
+@pytest.mark.parametrize(
+    "deck", ["sphere_wall", "sphere_mesh", "two_spheres", "cylinder_wall", "rod"]
+)
 def test_an_impact_out_of_range_is_named(deck, tmp_path):
     for name, value, allowed in (
-        ("radius", -1, r"positive \[m\]"),
+        ("tip_radius" if deck == "rod" else "radius", -1, r"positive \[m\]"),
         ("speed", 0, r"positive \[m/s\]"),
         ("timestep", 0, r"positive \[s\]"),
         ("gap", -1, r"0 or more \[m\]"),
     ):
         with pytest.raises(EngineError, match=f"{name} is {value}; it must be {allowed}"):
             run_deck(f"collision/{deck}.in", {name: value}, tmp_path)
+
+
+@pytest.mark.parametrize(
+    ("name", "value", "allowed"),
+    [
+        ("angle", 91, r"lie from 0 to 90 \[degrees\]"),
+        ("length", 0, r"be positive \[m\]"),
+        ("mass", -1, r"be positive \[kg\]"),
+    ],
+)
+def test_a_rod_that_is_none_is_named(name, value, allowed, tmp_path):
+    with pytest.raises(EngineError, match=f"{name} is {value}; it must {allowed}"):
+        run_deck("collision/rod.in", {name: value}, tmp_path)

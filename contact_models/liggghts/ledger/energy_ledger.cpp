@@ -78,6 +78,7 @@ double EnergyLedger::share_of(const Contact& contact) const {
 void EnergyLedger::add_law(const Contact& contact, const AccountedLoad& on_i) {
   const double share = share_of(contact);
   elastic_ += share * on_i.elastic_energy;
+  if (on_i.plastic_work == 0) return;
   if (!contact.shearupdate) {
     unwritten_plastic_work_ += share * on_i.plastic_work;
     return;
@@ -97,13 +98,16 @@ void EnergyLedger::add(const Contact& contact, const AccountedLoad& on_i, const 
     friction[axis] = on_i.delta_F[axis] - along * contact.en[axis];
     dashpot[axis] = on_i.dashpot_force * contact.en[axis];
   }
-  add_to(friction_force_[contact.i], friction, 1);
-  add_to(friction_torque_[contact.i], on_i.delta_torque, 1);
-  add_to(damping_force_[contact.i], dashpot, 1);
+  const bool damped = on_i.dashpot_force != 0;
+  Losses& of_i = losses_[contact.i];
+  add_to(of_i.friction, friction, 1);
+  add_to(of_i.torque, on_i.delta_torque, 1);
+  if (damped) add_to(of_i.dashpot, dashpot, 1);
   if (has_local_partner(contact)) {
-    add_to(friction_force_[contact.j], friction, -1);
-    add_to(friction_torque_[contact.j], on_j.delta_torque, 1);
-    add_to(damping_force_[contact.j], dashpot, -1);
+    Losses& of_j = losses_[contact.j];
+    add_to(of_j.friction, friction, -1);
+    add_to(of_j.torque, on_j.delta_torque, 1);
+    if (damped) add_to(of_j.dashpot, dashpot, -1);
   }
   if (contact.is_wall) {
     const Vector force{on_i.delta_F[0], on_i.delta_F[1], on_i.delta_F[2]};
@@ -116,8 +120,7 @@ void EnergyLedger::begin_pass() {
   elastic_ = unwritten_plastic_work_ = tangential_springs_ = 0;
   summed_ = false;
   walls_.clear();
-  for (std::vector<Vector>* sum : {&friction_force_, &friction_torque_, &damping_force_})
-    sum->assign(atom->nlocal, Vector{0, 0, 0});
+  losses_.assign(atom->nlocal, Losses());
 }
 
 // Half a step's work of the forces at hand.
@@ -129,9 +132,9 @@ void EnergyLedger::add_work() {
     friction += dot(contact.friction, velocity);
     viscous += dot(contact.dashpot, velocity);
   }
-  for (std::size_t i = 0; i < friction_force_.size(); ++i) {
-    friction -= dot(friction_force_[i], atom->v[i]) + dot(friction_torque_[i], atom->omega[i]);
-    viscous -= dot(damping_force_[i], atom->v[i]);
+  for (std::size_t i = 0; i < losses_.size(); ++i) {
+    friction -= dot(losses_[i].friction, atom->v[i]) + dot(losses_[i].torque, atom->omega[i]);
+    viscous -= dot(losses_[i].dashpot, atom->v[i]);
   }
   summed_ = false;
   const double half_step = 0.5 * update->dt;

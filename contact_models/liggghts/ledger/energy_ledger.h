@@ -136,7 +136,11 @@ class EnergyLedger : public OwnFix {
   double elastic_ = 0, tangential_springs_ = 0;
   double unwritten_plastic_work_ = 0;  // set-up computes forces, and writes no history
   std::vector<WallContact> walls_;
-  std::vector<Vector> friction_force_, friction_torque_, damping_force_;  // by local particle
+  // What takes energy from a particle's motion: forces of friction and dashpots, and all torques.
+  struct Losses {
+    Vector friction{}, torque{}, dashpot{};
+  };
+  std::vector<Losses> losses_;  // by local particle
 
   // Since the ledger was opened, on this rank.
   double plastic_work_ = 0, friction_ = 0, viscous_ = 0, wall_work_ = 0, inserted_ = 0;
