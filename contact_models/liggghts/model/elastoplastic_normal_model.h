@@ -139,8 +139,8 @@ class ElastoplasticNormalModel : public NormalModelBase {
   // The attribute `flatten` inlines the law. The compiler then drops its energies where no account
   // is kept.
   template <bool accounts>
-  [[gnu::flatten]] void press(SurfacesIntersectData& contact, ForceData& i_forces,
-                              ForceData& j_forces) {
+  [[gnu::flatten, gnu::noinline]] void press(SurfacesIntersectData& contact, ForceData& i_forces,
+                                             ForceData& j_forces) {
     if (contact.contact_flags) *contact.contact_flags |= CONTACT_NORMAL_MODEL;
     const double radius_eff = contact.is_wall
                                   ? contact.radi
