@@ -9,11 +9,17 @@ import shlex
 import subprocess
 import sys
 
+import numpy as np
+import pandas as pd
 import pytest
 
 from plastigran import laws
+from plastigran.bulk.deck import Analysis
+from plastigran.bulk.outcome import BulkRun
 from plastigran.cli import EXIT_CODES, main, parser
+from plastigran.cli.arguments import print_json
 from plastigran.cli.commands import doctor
+from plastigran.cli.commands.bulk import warnings_of
 from plastigran.progress import ProgressBar
 
 STEEL = ["--young", "2.1e11", "--poisson", "0.3", "--density", "7850"]
@@ -61,6 +67,27 @@ def test_tables_as_json(capsys):
     assert {"kind", "degree", "frequency"} <= json.loads(capsys.readouterr().out)[0].keys()
 
 
+def test_json_has_null_where_a_number_is_none(capsys):
+    print_json({"known": [1.5, np.float64(2)], "not": (np.nan, np.inf, -np.inf)})
+    assert json.loads(capsys.readouterr().out) == {"known": [1.5, 2.0], "not": [None] * 3}
+
+
+def test_every_warning_is_told_once_at_its_worst(tmp_path):
+    """Those that are alike but for their numbers are one; a fix's are among them."""
+    said = [
+        "model thornton: an overlap of 1.5e-6 m, step 10 (../pair.cpp:12)",
+        "energy_ledger: an atom was lost (../fix.cpp:1)",
+        "model thornton: an overlap of 2e-05 m, step 300 (../pair.cpp:12)",
+        "Less insertions than requested (../insert.cpp:3)",
+    ]
+    (tmp_path / "log.liggghts").write_text("".join(f"WARNING: {line}\n" for line in said))
+    run = BulkRun("hopper", tmp_path, None, Analysis(pd.DataFrame()))
+    assert warnings_of(run) == [
+        "model thornton: an overlap of 2e-05 m, step 300",
+        "energy_ledger: an atom was lost",
+    ]
+
+
 def test_impact_by_theory_needs_no_engine(tmp_path, monkeypatch, capsys):
     monkeypatch.setenv("PLASTIGRAN_ENGINE", str(tmp_path / "none"))
     line = ["impact", "--law", "thornton", "universal", "--speed", "0.02", "0.2", "--theory"]
@@ -76,8 +103,9 @@ def test_impact_by_theory_needs_no_engine(tmp_path, monkeypatch, capsys):
     assert all(0 < row["coefficient_of_restitution"] < 1 for row in table)
     for name in ("restitution", "loops"):
         assert (tmp_path / "out" / f"{name}.png").read_bytes().startswith(b"\x89PNG")
-    assert main(line) == 1  # it would overwrite them
-    assert "--force" in capsys.readouterr().err
+    assert main(line) == 1
+    assert "overwrite them by force" in capsys.readouterr().err
+    assert main([*line, "--force"]) == 0
 
 
 def test_dry_runs_print_what_would_run_and_leave_nothing(tmp_path, capsys):

@@ -7,6 +7,7 @@ import pandas as pd
 import pytest
 
 import plastigran as pg
+from plastigran.engine.process import EngineError
 from plastigran.experiments.central import CentralImpact
 from plastigran.experiments.runs import TABLE, sweep
 from plastigran.experiments.tables import format_table
@@ -38,7 +39,9 @@ def test_a_folder_of_results_is_refused_unless_forced(tmp_path):
             pg.collide("stronge", 0.1, "steel", radius=0.1, folder=tmp_path)
         assert (tmp_path / left).exists() == (left == TABLE)
         (tmp_path / TABLE).unlink(missing_ok=True)
+    (tmp_path / "runs" / "0001_of_another_sweep").mkdir()
     again = sweep(impacts(speed=0.1), tmp_path, progress=False, force=True)
+    assert [run.name[:5] for run in (tmp_path / "runs").iterdir()] == ["0000_"]
     pd.testing.assert_frame_equal(again.table, runs.table)
 
 
@@ -49,6 +52,14 @@ def test_a_folder_takes_one_sweep_at_a_time(tmp_path):
 
     with pytest.raises(ValueError, match=f"{tmp_path}: another sweep runs here"):
         sweep([Another("thornton", 0.2, "aluminium_zv02", 0.1)], tmp_path, progress=False)
+
+
+def test_without_an_engine_results_stay(tmp_path, monkeypatch):
+    (tmp_path / TABLE).write_text("of an earlier sweep")
+    monkeypatch.setenv("PLASTIGRAN_ENGINE", str(tmp_path / "none"))
+    with pytest.raises(EngineError, match="no engine"):
+        sweep(impacts(), tmp_path, progress=False, force=True)
+    assert (tmp_path / TABLE).read_text() == "of an earlier sweep"
 
 
 @pytest.mark.parametrize("jobs", [0, -1, 1.5, "two"])

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import argparse
 import json
-from math import inf, isnan
+from math import inf, isfinite
 from pathlib import Path
 from shlex import join, quote
 from typing import Any
@@ -69,14 +69,14 @@ def print_command(folder: Path, working_folder: Path, line: list[str]) -> None:
 
 
 def print_json(numbers: Any) -> None:
-    """Print numbers, with null where one is not known."""
+    """Print numbers, with null where one is not known or not finite."""
 
     def known(value: object) -> object:
         if isinstance(value, dict):
             return {name: known(entry) for name, entry in value.items()}
         if isinstance(value, list | tuple):
             return [known(entry) for entry in value]
-        return None if isinstance(value, float) and isnan(value) else value
+        return None if isinstance(value, float) and not isfinite(value) else value
 
     print(json.dumps(known(numbers), allow_nan=False, default=lambda value: value.item()))
 

@@ -28,7 +28,7 @@ from plastigran.declared import Declaration, declaration
 from plastigran.engine.process import EngineError, engine_path
 from plastigran.experiments.base import Experiment
 from plastigran.experiments.fields import Flag
-from plastigran.experiments.runs import TABLE, Runs, case_folders
+from plastigran.experiments.runs import Runs, case_folders, claim
 
 
 def add_command(subcommands: Subparsers, experiment: type[Experiment]) -> None:
@@ -122,11 +122,12 @@ def run(experiment: type[Experiment], arguments: argparse.Namespace) -> None:
         return
     if getattr(arguments, "theory", False):
         runs = experiment.theory(**given)
-        claim_results(arguments.output, arguments.force)
+        with claim(arguments.output, arguments.force):
+            show_study(runs, arguments.output, arguments.json)
     else:
         _need_engine(experiment)
         runs = experiment.study(arguments.output, arguments.jobs, force=arguments.force, **given)
-    show_study(runs, arguments.output, arguments.json)
+        show_study(runs, arguments.output, arguments.json)
 
 
 def _need_engine(experiment: type[Experiment]) -> None:
@@ -150,17 +151,6 @@ def _spanned(
         return given
     low, high, count = flag.span
     return np.geomspace(*(ends or (low, high)), points or count)
-
-
-def claim_results(folder: Path, force: bool) -> None:
-    """A folder for a table that no engine makes.
-
-    Raises:
-        ValueError: It holds one, and may not be overwritten.
-    """
-    if (folder / TABLE).exists() and not force:
-        raise ValueError(f"{folder} holds results; choose another --output, or add --force")
-    folder.mkdir(parents=True, exist_ok=True)
 
 
 def plan_study(experiment: type[Experiment], folder: Path, **settings: Any) -> None:

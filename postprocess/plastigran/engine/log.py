@@ -33,6 +33,7 @@ _WARNING = re.compile(
     r"(?: \(\S+:\d+\))?$",
     re.M,
 )
+_NUMBER = re.compile(r"\d[\d.e+-]*")
 
 
 def find_error(text: str) -> str | None:
@@ -43,6 +44,11 @@ def find_error(text: str) -> str | None:
 def find_warnings(text: str) -> list[str]:
     """What contact models and launcher warned of in a log or screen, each once, in order."""
     return list(dict.fromkeys(_WARNING.findall(text)))
+
+
+def worst(found: list[str]) -> list[str]:
+    """Of warnings that differ in their numbers alone, the last: it is the worst."""
+    return list({_NUMBER.sub("", warning): warning for warning in found}.values())
 
 
 @dataclass

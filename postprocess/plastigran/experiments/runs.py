@@ -5,11 +5,13 @@ from __future__ import annotations
 
 import json
 import os
+import shutil
 from collections.abc import Iterable, Iterator, Mapping
 from concurrent.futures import ThreadPoolExecutor, as_completed
 from contextlib import contextmanager
 from fcntl import LOCK_EX, LOCK_NB, flock
 from functools import cached_property
+from importlib.metadata import version
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -77,6 +79,8 @@ class Runs:
     def write(self, folder: str | Path) -> list[Path]:
         """Write every table, as CSV, and figure, as PNG and SVG, into a folder.
 
+        Of theory's outcomes `study.json`, too: a sweep has written its own before it began.
+
         Returns:
             The files, the results table first.
         """
@@ -86,6 +90,9 @@ class Runs:
         folder.mkdir(parents=True, exist_ok=True)
         written = [folder / TABLE]
         self.table.to_csv(written[0], index=False)
+        if self.by_theory:
+            made_with = {"plastigran": version("plastigran")}
+            _write_study(folder, self.cases, self.settings, made_with, by_theory=True)
         for name, table in self.tables.items():
             written.append(folder / f"{name}.csv")
             table.to_csv(written[-1], index=table.index.name is not None)
@@ -128,6 +135,7 @@ def sweep(
     Raises:
         ValueError: There is no case, `jobs` is out of range, or `folder` holds results or is
             that of a sweep that runs.
+        EngineError: There is no engine.
         EngineError, ValueError: From the first case that failed; the others' rows are written
             before it is raised.
     """
@@ -136,11 +144,9 @@ def sweep(
         raise ValueError("there is no case to run")
     if jobs is not None and not (isinstance(jobs, int) and jobs >= 1):
         raise ValueError(f"jobs is {jobs!r}; it must be 1 or more")
-    with _claimed(folder):
-        if not force and any([*folder.glob(TABLE), *folder.glob("runs/*/*")]):
-            raise ValueError(
-                f"{folder} holds results; choose another folder, or overwrite them by force"
-            )
+    made_with = versions()  # raises where there is no engine, before anything is removed
+    with claim(folder, force):
+        _write_study(folder, cases, settings or {}, made_with)
         return _sweep(cases, folder, jobs, progress, settings)
 
 
@@ -162,8 +168,12 @@ def _add_row(path: Path, row: Mapping[str, object]) -> None:
 
 
 @contextmanager
-def _claimed(folder: Path) -> Iterator[None]:
-    """A folder that no other sweep writes to."""
+def claim(folder: Path, force: bool) -> Iterator[None]:
+    """A folder that no other sweep writes to, without an earlier one's table, record and runs.
+
+    Raises:
+        ValueError: It holds results and `force` is not given, or is that of a sweep that runs.
+    """
     folder.mkdir(parents=True, exist_ok=True)
     claim = os.open(folder, os.O_RDONLY)
     try:
@@ -171,6 +181,14 @@ def _claimed(folder: Path) -> Iterator[None]:
             flock(claim, LOCK_EX | LOCK_NB)
         except BlockingIOError:
             raise ValueError(f"{folder}: another sweep runs here; choose another") from None
+        if not force and any([*folder.glob(TABLE), *folder.glob("runs/*/*")]):
+            raise ValueError(
+                f"{folder} holds results; choose another folder, or overwrite them by force"
+            )
+        for name in (TABLE, STUDY):
+            (folder / name).unlink(missing_ok=True)
+        for run in folder.glob("runs/[0-9]*_*"):  # as of `case_folders`
+            shutil.rmtree(run)
         yield
     finally:
         os.close(claim)
@@ -184,9 +202,6 @@ def _sweep(
     settings: Mapping[str, Any] | None,
 ) -> Runs:
     path = folder / TABLE
-    path.unlink(missing_ok=True)
-    _write_study(folder / STUDY, type(cases[0]), len(cases), settings or {})
-
     measured: dict[Experiment, Any] = {}
     rows: dict[Experiment, dict[str, object]] = {}
     failure: Exception | None = None
@@ -218,16 +233,21 @@ def _sweep(
 
 
 def _write_study(
-    file: Path, experiment: type[Experiment], count: int, settings: Mapping[str, Any]
+    folder: Path,
+    cases: list[Experiment],
+    settings: Mapping[str, Any],
+    made_with: Mapping[str, str],
+    by_theory: bool = False,
 ) -> None:
-    """Record what is to be run, before it is."""
+    """Record what is to be run, before it is, or what theory has answered."""
     said = {
-        "command": experiment.command,
-        "cases": count,
+        "command": cases[0].command,
+        "cases": len(cases),
+        "by_theory": by_theory,
         "settings": {name: _plain(value) for name, value in settings.items()},
-        "versions": versions(),
+        "versions": made_with,
     }
-    file.write_text(json.dumps(said, indent=2) + "\n")
+    (folder / STUDY).write_text(json.dumps(said, indent=2) + "\n")
 
 
 def _plain(value: Any) -> Any:

@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 import argparse
-import re
 import signal
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -18,7 +17,7 @@ from plastigran.cli.arguments import (
 )
 from plastigran.engine.checkpoints import newest_checkpoint
 from plastigran.engine.deck import deck_names
-from plastigran.engine.log import LOG
+from plastigran.engine.log import LOG, find_warnings, worst
 from plastigran.engine.process import EngineError, EngineStopped
 
 if TYPE_CHECKING:
@@ -29,10 +28,6 @@ EXAMPLE = """
 plastigran bulk hopper --ranks 2 -v law=kogut_etsion frames=10 --output results/hopper
 plastigran bulk hopper --restart results/hopper
 """
-
-#: What our models warn of, without the place in the source.
-_WARNING = re.compile(r"^WARNING: ((?:model|the time step) .*?)(?: \(\S+:\d+\))?$", re.MULTILINE)
-_NUMBER = re.compile(r"\d[\d.e+-]*")
 
 
 def setting(text: str) -> tuple[str, str]:
@@ -134,7 +129,5 @@ def report(run: BulkRun) -> None:
 
 
 def warnings_of(run: BulkRun) -> list[str]:
-    """What the models warned of; of warnings that differ in their numbers alone the last one: it is
-    the worst."""
-    warned = _WARNING.findall((run.folder / LOG).read_text(errors="replace"))
-    return list({_NUMBER.sub("", warning): warning for warning in warned}.values())
+    """What contact models and launcher warned of, the worst of those alike."""
+    return worst(find_warnings((run.folder / LOG).read_text(errors="replace")))
