@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import json
 import re
 import shutil
 from pathlib import Path
@@ -11,11 +12,17 @@ import numpy as np
 import pandas as pd
 import pytest
 
+from plastigran.calibration.expected_errors import errors_table, expected_error
 from plastigran.cli import main
+from plastigran.experiments.central import CentralImpact
+from plastigran.experiments.runs import claim
 from plastigran.materials import read_material, write_material
+from plastigran.report.page.bulk_charts import series_chart
 from plastigran.report.page.collect import collect
+from plastigran.report.page.names import QUANTITIES
 from plastigran.report.page.render import make_section, write_report
 from plastigran.report.page.sections import Section
+from plastigran.report.page.trust import Trust, trust
 
 
 def section(folder: Path) -> Section:
@@ -163,11 +170,97 @@ def test_a_sweep_cut_short_says_what_is_missing(copied_sweep):
     made = section(copied_sweep)
     assert (made.state, made.verdict) == ("unfinished", "4 of 9 impacts")
     assert "4 of 9 impacts have a line" in made.missing[0]
+    assert sum(len(view.data) for view in made.charts[1].views.values()) == 4
     assert "runs/0007" in made.missing[1] and "Could not find fix" in made.missing[1]
     (copied_sweep / "impacts.csv").unlink()
     (copied_sweep / "study.json").write_text("{")
     said = " ".join(section(copied_sweep).missing)
     assert "impacts.csv is missing" in said and "study.json is damaged" in said
+
+
+def test_a_damaged_trajectory_is_told(copied_sweep):
+    """No frames, or not all of them."""
+    next(copied_sweep.glob("runs/0003*/trajectory.dump")).write_text("nonsense\n")
+    cut = next(copied_sweep.glob("runs/0004*/trajectory.dump"))
+    cut.write_text(cut.read_text()[:-200])
+    made = section(copied_sweep)
+    assert sum(len(view.data) for view in made.charts[1].views.values()) == 7
+    assert any("Loops of 2 impacts" in said and "runs/0003" in said for said in made.missing)
+
+
+def test_loops_are_those_of_their_radius(copied_sweep):
+    """Of three radii at one speed; only the middle one's bodies ran."""
+    table = pd.read_csv(copied_sweep / "impacts.csv")
+    others = [table.assign(radius=table["radius"] * factor) for factor in (0.5, 2)]
+    pd.concat([others[0], table, others[1]]).to_csv(copied_sweep / "impacts.csv", index=False)
+    loops = section(copied_sweep).charts[1]
+    assert [name.partition(", ")[2] for name in loops.views] == 3 * ["radius 100 mm"]
+
+
+def test_theory_alone_keeps_its_figures_and_is_named(tmp_path):
+    with claim(tmp_path, force=False):
+        CentralImpact.theory(law=["thornton"], speed=[0.01, 0.1]).write(tmp_path)
+    made = section(tmp_path)
+    assert (made.state, made.verdict) == ("done", "2 impacts by theory")
+    assert made.facts["command"] == "plastigran impact"
+    assert "without the engine" in made.facts["made by"]
+    assert [picture.name for picture in made.pictures] == ["loops", "restitution"]
+    assert [chart.name for chart in made.charts] == ["run-0-validation"]
+
+
+def test_theory_over_a_sweep_leaves_nothing_of_it(copied_sweep):
+    with pytest.raises(ValueError, match="holds results"), claim(copied_sweep, force=False):
+        pass
+    (copied_sweep / "runs" / "mine").mkdir()
+    with claim(copied_sweep, force=True):
+        CentralImpact.theory(law=["thornton"], speed=[0.1]).write(copied_sweep)
+    assert [path.name for path in (copied_sweep / "runs").iterdir()] == ["mine"]
+    study = json.loads((copied_sweep / "study.json").read_text())
+    assert study["by_theory"] and study["settings"]["law"] == ["thornton"]
+
+
+def test_errors_of_a_law_are_those_of_what_was_swept():
+    """None beyond the finite elements, of what does not yield, of an unknown material; of a soft
+    metal those of wide contacts, too."""
+
+    def theory(**settings) -> Trust:
+        (found,) = trust(CentralImpact.theory(law=["thornton"], **settings).table)
+        return found
+
+    yields = CentralImpact("thornton", 0.1, "aluminium_zv02", 0.1).yield_speed()
+    within = theory(speed=[2 * yields, 200 * yields])
+    expected = expected_error("thornton", (2, 200), False, 0.01)
+    errors = expected.restitution, expected.restitution_largest
+    assert within.validated["coefficient_of_restitution"] == errors
+    assert within.validated["force_max"] == (expected.force, expected.force_largest)
+    unknown = {"coefficient_of_restitution": None, "force_max": None}
+    assert theory(speed=[2 * yields, 2000 * yields]).validated == unknown
+    assert theory(speed=[0.5 * yields]).validated == unknown
+    table = CentralImpact.theory(law=["thornton"], speed=[2 * yields]).table
+    for wrong in ({"material": "mine"}, {"material": "steel"}):
+        (found,) = trust(table.assign(**wrong))
+        assert (found.validated, found.unread) == (unknown, [wrong["material"]])
+
+
+def test_an_unknown_material_is_told(copied_sweep):
+    table = pd.read_csv(copied_sweep / "impacts.csv").assign(material="mine")
+    table.to_csv(copied_sweep / "impacts.csv", index=False)
+    made = section(copied_sweep)
+    assert any("constants of mine are not at hand" in said for said in made.missing)
+
+
+def test_the_chart_of_errors_is_of_the_table_beside_it(tmp_path):
+    table = errors_table().assign(rms=1.5)
+    table.to_csv(tmp_path / "errors.csv", index=False)
+    (chart,) = section(tmp_path).charts
+    assert all((trace.y == 150).all() for view in chart.views.values() for trace in view.data)
+
+
+def test_columns_read_alike_have_views_of_their_own():
+    series = pd.DataFrame({"time": [0, 1], "Temp": [1, 2], "temp": [3, 5], "kinetic": [1, 2]})
+    views = series_chart("run-0", series.assign(kinetic_energy=[5, 6])).views
+    assert {*views} == {"Temp", "Temp (temp)", "Kinetic energy", "Kinetic energy of translation"}
+    assert len(QUANTITIES) == len({name for name, _ in QUANTITIES.values()})
 
 
 def test_tables_and_materials_are_shown(tmp_path):

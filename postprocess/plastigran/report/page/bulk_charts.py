@@ -8,13 +8,12 @@ from plotly.subplots import make_subplots
 
 from plastigran.bulk.checks import LEDGER, TAKEN, energy_input
 from plastigran.report.page.charts import INK, Chart, chart_name, figure, line
-from plastigran.report.page.names import scale, words
+from plastigran.report.page.names import PREDICTED, scale, words
 
 #: Rows of a log that a chart shows at most.
 ROWS = 400
 #: Shares of the energy below which an entry of the ledger is not drawn.
 SMALL = 2e-3
-_PREDICTED = "_predicted"
 
 
 def ledger_chart(name: str, series: pd.DataFrame) -> Chart | None:
@@ -80,7 +79,7 @@ def series_chart(name: str, series: pd.DataFrame) -> Chart | None:
     views = {}
     for column in series:
         values = pd.to_numeric(series[column], errors="coerce")
-        if column in ("step", "time", "run") or column.endswith(_PREDICTED):
+        if column in ("step", "time", "run") or column.endswith(PREDICTED):
             continue
         if values.isna().all() or values.nunique() < 2:
             continue
@@ -89,12 +88,13 @@ def series_chart(name: str, series: pd.DataFrame) -> Chart | None:
         said = f"%{{y:.5g}} {y.unit}".strip()
         at = series["time"] * time.factor
         made.add_trace(line(at, values * y.factor, "LIGGGHTS", {"colour": 0}, said))
-        if (predicted := f"{column}{_PREDICTED}") in series:
+        if (predicted := f"{column}{PREDICTED}") in series:
             expected = series[predicted] * y.factor
             made.add_trace(
                 line(at, expected, "theory", {"colour": INK}, said, line={"dash": "dash"})
             )
-        views[y.title.capitalize()] = made
+        title = y.title.capitalize()  # of a user's columns, two may be read alike
+        views[f"{title} ({column})" if title in views else title] = made
     if not views:
         return None
     return Chart(

@@ -14,7 +14,7 @@ from plastigran.bulk.outcome import BulkRun, open_run
 from plastigran.bulk.plan import PLACES
 from plastigran.declared import Declaration, declaration
 from plastigran.engine.dumps import DumpError
-from plastigran.engine.log import LOG, LogFollower, find_error, find_warnings
+from plastigran.engine.log import LOG, LogFollower, find_error, find_warnings, worst
 from plastigran.engine.process import EngineError
 from plastigran.plot.snapshot import SnapshotError
 from plastigran.plot.style import title
@@ -24,7 +24,7 @@ from plastigran.report.page.collect import Results
 from plastigran.report.page.movie import Movie, pack_movie
 from plastigran.report.page.names import number
 from plastigran.report.page.pictures import read_pictures
-from plastigran.report.page.sections import Section
+from plastigran.report.page.sections import Section, version_facts
 
 #: Settings that stand in the section's head.
 _HEAD = ("law", "material", "radius", "timestep")
@@ -70,7 +70,7 @@ def make(results: Results, name: str) -> Section:
         state=state,
         verdict=verdict,
         missing=missing + said + left,
-        warnings=_worst(find_warnings(log)),
+        warnings=worst(find_warnings(log)),
         facts=_facts(record, run),
         settings=_settings(settings, run.deck if run else None, record["values"]),
         checks=run.checks.to_dict("records") if run else [],
@@ -120,11 +120,6 @@ def _movie(folder: Path, name: str, record: dict) -> tuple[Movie | None, list[st
         return None, [f"The frames cannot be shown: {error}."]
 
 
-def _worst(warnings: list[str]) -> list[str]:
-    """Of warnings that differ in their numbers alone, the last: it is the worst."""
-    return list({"".join(c for c in w if not c.isdigit()): w for w in warnings}.values())
-
-
 def _facts(record: dict[str, Any], run: BulkRun | None) -> dict[str, str]:
     settings, versions = record["settings"], record.get("versions", {})
     units = _declared(run.deck if run else None)
@@ -138,18 +133,6 @@ def _facts(record: dict[str, Any], run: BulkRun | None) -> dict[str, str]:
     if record.get("restart"):
         facts["goes on from"] = Path(record["restart"]).name
     return facts | version_facts(versions)
-
-
-def version_facts(versions: dict[str, str]) -> dict[str, str]:
-    """Versions as facts: short, as far as the reader needs them to tell two runs apart."""
-    shown = {}
-    for name, said in versions.items():
-        if name == "plugin" and " sha256 " in said:
-            said = said.partition(" sha256 ")[2][:12]
-        if name == "engine" and "(Version " in said:
-            said = said.partition("(Version ")[2].partition(",")[0]
-        shown[{"plugin": "plugin, sha256"}.get(name, name)] = said
-    return shown
 
 
 def _declared(deck: BulkDeck | None) -> dict[str, Declaration]:

@@ -3,12 +3,14 @@
 
 from __future__ import annotations
 
+import warnings
 from pathlib import Path
 
+import numpy as np
 import pandas as pd
 import plotly.graph_objects as go
 
-from plastigran.engine.dumps import DumpError, read_dump
+from plastigran.engine.dumps import DumpError, TruncatedFileWarning, read_dump
 from plastigran.experiments.central import GEOMETRIES
 from plastigran.experiments.collision import CollisionError, force_overlap_loop
 from plastigran.plot.style import title
@@ -16,24 +18,33 @@ from plastigran.report.page.charts import Chart, chart_name, figure, line, of_la
 from plastigran.report.page.names import scale
 from plastigran.report.page.sweep_charts import said_of
 
+#: Share by which radii and speeds are told apart; trajectories have 17 digits.
+DIGITS = 1e-9
 #: Points a loop is drawn with at most.
 LOOP_POINTS = 80
 
 
-def loops_chart(name: str, folder: Path, table: pd.DataFrame) -> Chart | None:
+def loops_chart(name: str, folder: Path, table: pd.DataFrame) -> tuple[Chart | None, list[str]]:
     """Force over overlap of central impacts, a loop each, one speed at a time; None where the
-    trajectories are not there."""
+    trajectories are not there. And a sentence where some cannot be read."""
     loops: dict[tuple, list] = {}
+    damaged: list[Exception] = []
     if not {"geometry", "law", "speed", "material", "radius"} <= set(table):
-        return None
+        return None, []
     apart = [name for name in ("geometry", "material", "radius") if table[name].nunique() > 1]
     for run in sorted(folder.glob("runs/*/trajectory.dump")):
-        if found := _loop(run, table):
+        try:
+            found = _loop(run, table)
+        except (CollisionError, DumpError, TruncatedFileWarning) as error:
+            damaged.append(error)
+            continue
+        if found:
             row, loop = found
             key = row["speed"], *(row[name] for name in apart)
             loops.setdefault(key, []).append((row, loop))
+    missing = [f"Loops of {len(damaged)} impacts cannot be read: {damaged[0]}."] if damaged else []
     if not loops:
-        return None
+        return None, missing
     views = {
         ", ".join(
             said_of(name, value) for name, value in zip(("speed", *apart), key, strict=True)
@@ -41,7 +52,7 @@ def loops_chart(name: str, folder: Path, table: pd.DataFrame) -> Chart | None:
         for key in sorted(loops)
     }
     names = list(views)
-    return Chart(
+    chart = Chart(
         chart_name(name, "loops"),
         views,
         "normal force over overlap during an impact, a loop for each law",
@@ -51,23 +62,29 @@ def loops_chart(name: str, folder: Path, table: pd.DataFrame) -> Chart | None:
         names[len(names) // 2],
         height=440,
     )
+    return chart, missing
 
 
 def _loop(trajectory: Path, table: pd.DataFrame) -> tuple[pd.Series, pd.DataFrame] | None:
-    """The loop in a run's folder, and the row of the table that is its; None where it has none."""
+    """The loop in a run's folder, and the row of the table that is its; None where it has none.
+
+    Raises:
+        CollisionError, DumpError, TruncatedFileWarning: The trajectory is damaged.
+    """
     label = trajectory.parent.name
     rows = table[[label.endswith(f"{r.geometry}_{r.material}_{r.law}") for r in table.itertuples()]]
-    try:
-        loop = force_overlap_loop(read_dump(trajectory))
-    except (CollisionError, DumpError):
+    with warnings.catch_warnings():
+        warnings.simplefilter("error", TruncatedFileWarning)
+        motion = read_dump(trajectory)
+    loop = force_overlap_loop(motion)
+    speed = loop["speed"].iloc[0] / rows["geometry"].map(GEOMETRIES).astype(float)
+    same = np.isclose(rows["speed"], speed, rtol=DIGITS, atol=0)
+    same &= np.isclose(rows["radius"], motion["radius"].iloc[0], rtol=DIGITS, atol=0)
+    if not same.any():
         return None
-    if rows.empty:
-        return None
-    closing = loop["speed"].iloc[0] / rows["geometry"].map(GEOMETRIES).iloc[0]
-    row = rows.loc[(rows["speed"] / closing - 1).abs().idxmin()]
     touching = loop[loop["overlap"] >= 0]
     every = max(1, -(-len(touching) // LOOP_POINTS))
-    return row, touching.iloc[::every]
+    return rows[same].iloc[0], touching.iloc[::every]
 
 
 def _loops(loops: list[tuple[pd.Series, pd.DataFrame]]) -> go.Figure:

@@ -66,7 +66,8 @@ def pack_movie(name: str, folder: Path, timestep: float | None) -> Movie | None:
     except SnapshotError:
         return None
     kept, thin = _fitting(found)
-    frames = [_thinned(read_frame(frame), thin) for frame in kept]
+    whole = [read_frame(frame) for frame in kept]
+    frames = [_thinned(frame, thin) for frame in whole]
     left = []
     if len(kept) < len(found):
         left.append(f"{len(kept)} of {len(found)} frames")
@@ -80,7 +81,7 @@ def pack_movie(name: str, folder: Path, timestep: float | None) -> Movie | None:
         len(frames),
         colours,
         any(len(frame.walls) for frame in frames),
-        f"{len(frames[-1].radii) * thin} grains in the last frame, to scale. Drag to turn, pinch "
+        f"{len(whole[-1].radii)} grains in the last frame, to scale. Drag to turn, pinch "
         f"or scroll with Ctrl to come nearer, point at a grain for its values.{said}",
     )
 

@@ -6,6 +6,8 @@ from __future__ import annotations
 import attrs
 import numpy as np
 
+#: What the name of a column ends in that holds theory's value of another.
+PREDICTED = "_predicted"
 #: Column of a table: its name in words and its unit; "" where it has none.
 QUANTITIES = {
     "coefficient_of_restitution": ("coefficient of restitution", ""),
@@ -27,7 +29,7 @@ QUANTITIES = {
     "material": ("material", ""),
     "time": ("time", "s"),
     "atoms": ("grains", ""),
-    "kinetic_energy": ("kinetic energy", "J"),
+    "kinetic_energy": ("kinetic energy of translation", "J"),
     "kinetic": ("kinetic energy", "J"),
     "gravity": ("energy of gravity", "J"),
     "elastic": ("stored in contacts", "J"),

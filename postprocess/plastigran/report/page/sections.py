@@ -107,3 +107,15 @@ def cells(table: pd.DataFrame, title: str, heads: dict[str, str] | None = None) 
     laws = [str(law) for law in table["law"]] if "law" in table else None
     head = [(heads or {}).get(str(name), str(name)) for name in table]
     return Table(title=title, head=head, rows=rows, laws=laws)
+
+
+def version_facts(versions: dict[str, str]) -> dict[str, str]:
+    """Versions as facts: short, as far as the reader needs them to tell two runs apart."""
+    shown = {}
+    for name, said in versions.items():
+        if name == "plugin" and " sha256 " in said:
+            said = said.partition(" sha256 ")[2][:12]
+        if name == "engine" and "(Version " in said:
+            said = said.partition("(Version ")[2].partition(",")[0]
+        shown[{"plugin": "plugin, sha256"}.get(name, name)] = said
+    return shown

@@ -14,11 +14,10 @@ from plastigran.experiments.central import GEOMETRIES, CentralImpact
 from plastigran.materials import read_material
 from plastigran.plot.style import title
 from plastigran.report.page.charts import Chart, chart_name, decades, figure, line, of_law, points
-from plastigran.report.page.names import scale, words
+from plastigran.report.page.names import PREDICTED, scale, words
 
 #: Speeds of a line of theory.
 FINE = 60
-_PREDICTED = "_predicted"
 
 
 def measured_chart(name: str, table: pd.DataFrame) -> Chart | None:
@@ -28,7 +27,7 @@ def measured_chart(name: str, table: pd.DataFrame) -> Chart | None:
     quantities = [
         column
         for column in table
-        if f"{column}{_PREDICTED}" in table and table[column].notna().any()
+        if f"{column}{PREDICTED}" in table and table[column].notna().any()
     ]
     if not quantities or abscissa is None:
         return None
@@ -119,7 +118,7 @@ def _measured(groups: dict, theory: dict, quantity: str, abscissa: str) -> go.Fi
         at = f"{x.title} %{{x:.4g}} {x.unit}" if numbers else "%{x}"
         said = f"<b>{name}</b><br>{at}<br>{y.title} %{{y:.5g}} {y.unit}"
         fine = theory[law, others]
-        column = f"{quantity}{_PREDICTED}"
+        column = f"{quantity}{PREDICTED}"
         made.add_trace(
             line(
                 _along(fine[abscissa], x.factor),
@@ -149,31 +148,37 @@ def _along(values: pd.Series, factor: float) -> pd.Series:
 
 def _theory(rows: pd.DataFrame, abscissa: str) -> pd.DataFrame:
     """Theory at many speeds, or where it cannot be had again, what the table has of it."""
-    first = rows.iloc[0]
-    if abscissa != "speed" or len(rows) < 2 or first.get("geometry") not in GEOMETRIES:
+    if abscissa != "speed" or len(rows) < 2:
         return rows
-    try:
-        case = CentralImpact(
-            law=first["law"],
-            speed=rows["speed"].max(),
-            material=read_material(first["material"]),
-            radius=first["radius"],
-            geometry=first["geometry"],
-        )
-        law = case.contact_law()
-    except ValueError:  # a material of the user's own, say
+    case = central_case(rows.iloc[-1])
+    if case is None:
         return rows
     speeds = np.unique(
         np.r_[rows["speed"], np.geomspace(rows["speed"].min(), rows["speed"].max(), FINE)]
     )
-    found = law.central_impact(case.radius_eff, case.mass_eff, speeds * case.bodies)
+    found = case.contact_law().central_impact(case.radius_eff, case.mass_eff, speeds * case.bodies)
     names = ("coefficient_of_restitution", "force_max", "overlap_max", "overlap_res")
-    fine = {f"{name}{_PREDICTED}": getattr(found, name) for name in names}
-    # The same law with another material of that name would be another theory.
-    again = np.interp(rows["speed"], speeds, fine[f"force_max{_PREDICTED}"])
-    if not np.allclose(again, rows[f"force_max{_PREDICTED}"], rtol=1e-6):
-        return rows
+    fine = {f"{name}{PREDICTED}": getattr(found, name) for name in names}
     return pd.DataFrame({"speed": speeds, **fine})
+
+
+def central_case(row: pd.Series) -> CentralImpact | None:
+    """The impact of a row of a table; None where it is another experiment's, or its material is not
+    at hand: it is a user's own, say, or another one of that name."""
+    if row.get("geometry") not in GEOMETRIES:
+        return None
+    try:
+        case = CentralImpact(
+            law=row["law"],
+            speed=row["speed"],
+            material=read_material(row["material"]),
+            radius=row["radius"],
+            geometry=row["geometry"],
+        )
+    except ValueError:
+        return None
+    force = row["force_max" + PREDICTED if "force_max" + PREDICTED in row else "force_max"]
+    return case if np.isclose(case.predict().force_max, force, rtol=1e-6) else None
 
 
 def leaves_range(table: pd.DataFrame) -> dict[str, float]:

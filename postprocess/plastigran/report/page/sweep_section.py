@@ -8,24 +8,24 @@ from pathlib import Path
 
 import pandas as pd
 
+from plastigran.calibration.expected_errors import errors_table
 from plastigran.engine.log import LOG, find_error
 from plastigran.experiments.runs import STUDY, TABLE
 from plastigran.experiments.tables import HEADS
-from plastigran.materials import read_material
 from plastigran.plot.style import title
-from plastigran.report.page.bulk_section import version_facts
+from plastigran.report.page.charts import chart_name
 from plastigran.report.page.collect import Results
 from plastigran.report.page.loop_chart import loops_chart
 from plastigran.report.page.names import number, words
 from plastigran.report.page.pictures import read_pictures
-from plastigran.report.page.sections import Section, cells
+from plastigran.report.page.sections import Section, cells, version_facts
 from plastigran.report.page.sweep_charts import measured_chart
-from plastigran.report.page.trust import trust, validation_chart, verification_chart
+from plastigran.report.page.trust import Trust, trust, validation_chart, verification_chart
 
 #: Laws of a sweep that its head names, at most.
 MOST_NAMED = 3
-#: Figures of central impacts, which charts replace.
-_CHARTED = {"restitution", "loops"}
+#: Figures of central impacts, each with the chart that replaces it.
+_CHARTED = {"restitution": "measured", "loops": "loops"}
 
 
 def make(results: Results, name: str) -> Section:
@@ -50,26 +50,33 @@ def make(results: Results, name: str) -> Section:
         )
     missing += _errors(runs)
     laws = sorted(table["law"].unique()) if "law" in table else []
+    trusted = trust(table)
     charts = []
     if len(table):
-        hardening = _hardens(table)
-        charts = [measured_chart(name, table), loops_chart(name, folder, table)]
+        loops, damaged = loops_chart(name, folder, table)
+        missing += damaged
+        charts = [measured_chart(name, table), loops]
         if "speed_ratio" in table and table["speed_ratio"].nunique() > 1:
-            charts += [verification_chart(name, table), validation_chart(name, laws)]
-    pictures, left = read_pictures(folder, _CHARTED if "geometry" in table else ())
+            errors = errors_table()
+            errors = errors[errors["law"].isin(laws)]
+            charts += [verification_chart(name, table), validation_chart(name, errors)]
+    drawn = {chart.name for chart in charts if chart}
+    replaced = {figure for figure, kind in _CHARTED.items() if chart_name(name, kind) in drawn}
+    pictures, left = read_pictures(folder, replaced if "geometry" in table else ())
+    by = " by theory" if study.get("by_theory") else ""
     return Section(
         kind="sweep",
         name=name,
         title=results.name,
         folder=folder,
         state="unfinished" if missing else "done",
-        verdict=f"{len(table)} of {len(runs)} impacts" if missing else f"{len(table)} impacts",
-        missing=missing + left,
+        verdict=f"{len(table)} of {len(runs)} impacts" if missing else f"{len(table)} impacts{by}",
+        missing=missing + _unread(trusted) + left,
         facts=_facts(study, table, runs),
         charts=[chart for chart in charts if chart],
         pictures=pictures,
         tables=[cells(table, f"All {len(table)} impacts", _heads(table))] if len(table) else [],
-        trust=trust(table, hardening) if len(table) else [],
+        trust=trusted,
         laws=laws,
     )
 
@@ -95,16 +102,19 @@ def _errors(runs: list[Path]) -> list[str]:
     return [f"The engine stopped in runs/{run}: {error}" for error, run in said.items()]
 
 
-def _hardens(table: pd.DataFrame) -> bool:
-    try:
-        materials = [read_material(name) for name in table.get("material", pd.Series()).unique()]
-    except ValueError:
-        return False
-    return any(material.tangent_modulus > 0 for material in materials)
+def _unread(trusted: list[Trust]) -> list[str]:
+    names = sorted({name for each in trusted for name in each.unread})
+    return [
+        f"The constants of {name} are not at hand: errors against finite elements, which depend on "
+        "its hardening, are not known."
+        for name in names
+    ]
 
 
 def _facts(study: dict, table: pd.DataFrame, runs: list[Path]) -> dict[str, str]:
     facts = {"command": f"plastigran {study['command']}"} if study.get("command") else {}
+    if study.get("by_theory"):
+        facts["made by"] = "theory alone, without the engine"
     if "law" in table:
         names = [title(str(law)) for law in sorted(table["law"].unique())]
         facts["law"] = ", ".join(names) if len(names) <= MOST_NAMED else f"{len(names)} laws"

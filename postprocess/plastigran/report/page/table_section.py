@@ -7,6 +7,7 @@ from pathlib import Path
 
 import pandas as pd
 
+from plastigran.calibration.expected_errors import errors_table
 from plastigran.declared import declaration
 from plastigran.materials import Material, read_material
 from plastigran.report.page.collect import Results
@@ -36,9 +37,9 @@ def make(results: Results, name: str) -> Section:
         except (OSError, ValueError) as error:
             missing.append(f"{file.name} cannot be read: {error}.")
             continue
-        if file.stem == ERRORS and {"law", "kind", "rms", "quantity"} <= set(table):
+        if file.stem == ERRORS and set(errors_table()) <= set(table):
             laws = sorted(table["law"].unique())
-            charts = [validation_chart(name, laws)]
+            charts = [validation_chart(name, table)]
         if len(table) > LONGEST:
             missing.append(f"{file.name} has {len(table)} rows; it is in {folder}.")
             continue

@@ -7,17 +7,16 @@ against finite elements of spheres, by what `plastigran validate` found.
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-
 import attrs
 import numpy as np
 import pandas as pd
 
-from plastigran.calibration.expected_errors import errors_table
+from plastigran.calibration.expected_errors import ExpectedError, expected_error
+from plastigran.experiments.central import CentralImpact
 from plastigran.plot.style import title
 from plastigran.report.page.charts import Chart, chart_name, decades, figure, of_law, points
-from plastigran.report.page.names import words
-from plastigran.report.page.sweep_charts import law_range, leaves_range
+from plastigran.report.page.names import PREDICTED, words
+from plastigran.report.page.sweep_charts import central_case, law_range, leaves_range
 
 QUANTITIES = ("coefficient_of_restitution", "force_max")
 #: Limits of the charts' axes of errors, powers of ten of a per cent.
@@ -34,6 +33,7 @@ class Trust:
         law: Its name.
         verified: By quantity, the largest difference of the runs from the law's theory.
         validated: By quantity, rms and largest error against finite elements at like speeds.
+        unread: Materials in the way of that: their constants are not at hand.
         until: Speed from which on the law was beyond its range [m/s].
         range: Its range in words.
     """
@@ -41,60 +41,69 @@ class Trust:
     law: str
     verified: dict[str, float | None]
     validated: dict[str, tuple[float, float] | None]
+    unread: list[str]
     until: float | None
     range: str
 
 
-def trust(table: pd.DataFrame, hardening: bool = False) -> list[Trust]:
-    """What is known of each law of a table of impacts.
-
-    Args:
-        table: Of a sweep.
-        hardening: Whether the metal hardens: other finite elements are held against it.
-    """
+def trust(table: pd.DataFrame) -> list[Trust]:
+    """What is known of each law of a table of impacts, a sweep's."""
     if "law" not in table:
         return []
     left = leaves_range(table)
-    found = []
-    for law, rows in table.groupby("law"):
-        ratios = rows["speed_ratio"].dropna() if "speed_ratio" in rows else pd.Series(dtype=float)
-        found.append(
-            Trust(
-                str(law),
-                {name: _verified(rows, name) for name in QUANTITIES},
-                {name: _validated(str(law), name, ratios, hardening) for name in QUANTITIES},
-                left.get(law),
-                law_range(str(law)),
-            )
+    return [
+        Trust(
+            str(law),
+            {name: _verified(rows, name) for name in QUANTITIES},
+            *_validated(rows),
+            left.get(law),
+            law_range(str(law)),
         )
-    return found
+        for law, rows in table.groupby("law")
+    ]
 
 
 def _verified(rows: pd.DataFrame, name: str) -> float | None:
-    if f"{name}_predicted" not in rows:
+    if f"{name}{PREDICTED}" not in rows:
         return None
-    off = (rows[name] / rows[f"{name}_predicted"] - 1).abs().max()
+    off = (rows[name] / rows[f"{name}{PREDICTED}"] - 1).abs().max()
     return None if np.isnan(off) else float(off)
 
 
-def _kinds(hardening: bool) -> str:
-    return "hardening" if hardening else "perfectly plastic"
-
-
 def _validated(
-    law: str, name: str, ratios: pd.Series, hardening: bool
-) -> tuple[float, float] | None:
-    table = errors_table()
-    if ratios.empty or ratios.max() < 1:
-        return None
-    rows = table[
-        (table["law"] == law)
-        & (table["quantity"] == name)
-        & (table["kind"] == _kinds(hardening))
-        & (table["speed_ratio_from"] <= ratios.max())
-        & (table["speed_ratio_to"] > max(ratios.min(), 1))
-    ]
-    return None if rows.empty else (float(rows["rms"].max()), float(rows["max"].max()))
+    rows: pd.DataFrame,
+) -> tuple[dict[str, tuple[float, float] | None], list[str]]:
+    """Rms and largest error of a law by quantity, the largest of the bodies that yield, and the
+    materials that are not at hand."""
+    unknown = dict.fromkeys(QUANTITIES)
+    if not {"speed_ratio", "material", "geometry", "radius"} <= set(rows):
+        return unknown, []
+    found, unread = [], []
+    for (material, *_), body in rows.groupby(["material", "geometry", "radius"]):
+        if not body["speed_ratio"].max() >= 1:
+            continue
+        if case := central_case(body.loc[body["speed"].idxmax()]):
+            found.append(_expected(case, body["speed_ratio"]))
+        else:
+            unread.append(str(material))
+    if unread or not found or any(error.restitution is None for error in found):
+        return unknown, unread
+    errors = {
+        "coefficient_of_restitution": [(e.restitution, e.restitution_largest) for e in found],
+        "force_max": [(e.force, e.force_largest) for e in found],
+    }
+    return {name: tuple(map(max, zip(*each, strict=True))) for name, each in errors.items()}, []
+
+
+def _expected(fastest: CentralImpact, ratios: pd.Series) -> ExpectedError:
+    overlap = fastest.predict().overlap_max
+    widest = fastest.contact_law().follow(fastest.radius_eff, [overlap])["contact_radius"][0]
+    return expected_error(
+        fastest.law,
+        (ratios.min(), ratios.max()),
+        fastest.material.tangent_modulus > 0,
+        widest / fastest.radius_eff,
+    )
 
 
 def verification_chart(name: str, table: pd.DataFrame) -> Chart | None:
@@ -103,12 +112,12 @@ def verification_chart(name: str, table: pd.DataFrame) -> Chart | None:
         return None
     views = {}
     for quantity in QUANTITIES:
-        if f"{quantity}_predicted" not in table:
+        if f"{quantity}{PREDICTED}" not in table:
             continue
         made = _empty()
         for law, rows in table.dropna(subset=["speed_ratio"]).groupby("law"):
             rows = rows.sort_values("speed_ratio")
-            off = 100 * (rows[quantity] / rows[f"{quantity}_predicted"] - 1).abs()
+            off = 100 * (rows[quantity] / rows[f"{quantity}{PREDICTED}"] - 1).abs()
             made.add_trace(
                 points(
                     rows["speed_ratio"],
@@ -136,10 +145,13 @@ def verification_chart(name: str, table: pd.DataFrame) -> Chart | None:
     )
 
 
-def validation_chart(name: str, laws: Iterable[str]) -> Chart | None:
-    """Errors of laws against finite elements over speed; None where none is known."""
-    table = errors_table()
-    table = table[table["law"].isin(set(laws))]
+def validation_chart(name: str, table: pd.DataFrame) -> Chart | None:
+    """Errors of laws against finite elements over speed; None where none is known.
+
+    Args:
+        name: Of the section.
+        table: Of the laws, with the columns of `plastigran.calibration.expected_errors`.
+    """
     views = {}
     for quantity in QUANTITIES:
         for kind, rows in table[table["quantity"] == quantity].groupby("kind", sort=False):
