@@ -72,9 +72,10 @@ def number(
     return _field(said, _to_float, default)
 
 
-def whole(meaning: str, lower: int = 0, default: Any = attrs.NOTHING) -> Any:
-    """A field for a number that counts, `lower` or more."""
-    return _field(Declaration(meaning, lower=lower, closed=True, kind=int), _to_int, default)
+def whole(meaning: str, lower: int = 0, default: Any = attrs.NOTHING, upper: float = inf) -> Any:
+    """A field for a number that counts, from `lower` to `upper`."""
+    said = Declaration(meaning, lower=lower, upper=upper, closed=True, kind=int)
+    return _field(said, _to_int, default)
 
 
 def word(meaning: str, choices: Sequence[str], default: Any = attrs.NOTHING) -> Any:

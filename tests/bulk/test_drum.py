@@ -4,11 +4,15 @@
 from __future__ import annotations
 
 import attrs
+import numpy as np
+import pandas as pd
 import pytest
 
-from plastigran.bulk.decks.drum import LEVER_ARM
+from plastigran.bulk.decks.drum import LEVER_ARM, Drum
 from plastigran.bulk.folder import read_series
+from plastigran.bulk.outcome import BulkRun
 from plastigran.bulk.run import run_bulk
+from plastigran.engine.spectra import QUANTITIES, read_spectra
 
 #: A drum ten grains wide with some hundred of them, turning fast: so it flows evenly.
 SMALL = {"drum_radius": 0.05, "length": 0.03, "froude": 0.05, "duration": 0.9, "settling": 0.3}
@@ -64,10 +68,36 @@ def test_angle_rises_with_friction(turned, tmp_path):
     assert mean_angle(smooth) < mean_angle(turned) - 5
 
 
-def test_shell_turns_on_after_a_restart(brief_run, tmp_path):
+@pytest.fixture(scope="module")
+def begun(bulk_run) -> BulkRun:
+    """The brief run, with spectra."""
+    return bulk_run("drum", {**Drum.briefs[""].settings, "frames": 2, "spectra": "on"})
+
+
+@pytest.fixture(scope="module")
+def rest(begun, tmp_path_factory) -> BulkRun:
+    """The end of it once more, from its last checkpoint but one."""
+    folder = tmp_path_factory.mktemp("drum") / "rest"
+    return run_bulk("drum", {}, folder, restart=begun.folder, show=False)
+
+
+def test_impacts_before_a_checkpoint_are_counted_after_it(begun, rest):
+    """All tables are there again; the figure has every impact of a positive value."""
+    spectra = [read_spectra(run.folder / "collision_spectra.csv") for run in (begun, rest)]
+    assert spectra[0]["step"].nunique() > 1
+    pd.testing.assert_frame_equal(*spectra)
+    positive = spectra[1][spectra[1]["lower"] > 0]
+    for axes, quantity in zip(rest.figures["collision_spectra"].axes, QUANTITIES, strict=True):
+        for line in axes.lines:
+            with_it = positive["with"] == line.get_label()
+            counts = positive[with_it & (positive["quantity"] == quantity)]["count"]
+            drawn = np.nan_to_num(line.get_ydata())
+            assert drawn.sum() == 2 * counts.sum()  # two ends of a step
+        assert {line.get_label() for line in axes.lines} == {*spectra[1]["with"]} >= {"particle"}
+
+
+def test_shell_turns_on_after_a_restart(begun, rest):
     """Its last frame is the same to every byte, and not the first."""
-    begun = brief_run("drum")
-    rest = run_bulk("drum", {}, tmp_path / "rest", restart=begun.folder, show=False)
     last = begun.series["step"].iloc[-1]
     frames = [
         (folder / "frames" / f"mesh_{step}.vtk").read_bytes()

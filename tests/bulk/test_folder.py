@@ -11,7 +11,7 @@ import pytest
 
 import plastigran as pg
 from plastigran.bulk.decks import deck_class
-from plastigran.bulk.folder import carry_dump
+from plastigran.bulk.folder import carry_files
 from plastigran.bulk.run import run_bulk
 from plastigran.engine.deck import read_deck
 from plastigran.engine.dumps import DumpError
@@ -55,11 +55,11 @@ def test_frames_up_to_the_checkpoint_are_carried_along(tmp_path):
         (tmp_path / name).mkdir()
     earlier, rest = (tmp_path / name / "grains.dump" for name in ("earlier", "rest"))
     earlier.write_text("".join(frames) + "ITEM: TIME")
-    carry_dump(earlier.parent, rest.parent, last=100)
+    carry_files(earlier.parent, rest.parent, last=100)
     assert rest.read_text() == "".join(frames[:2])
     for length in range(1, len(frames[1])):  # a kill may cut the second frame anywhere
         earlier.write_text(frames[0] + frames[1][:-length])
-        carry_dump(earlier.parent, rest.parent, last=100)
+        carry_files(earlier.parent, rest.parent, last=100)
         assert rest.read_text() == frames[0]
 
 
@@ -73,6 +73,7 @@ def test_results_are_not_overwritten_unless_forced(whole, tmp_path, monkeypatch)
     shutil.copytree(whole, folder)
     (folder / "notes.txt").write_text("mine")
     (folder / "checkpoint.999999999.restart").write_bytes(b"of a longer run")
+    (folder / "collision_spectra.csv").write_text("step\n")
     with pytest.raises(ValueError, match="holds results; choose another folder"):
         run_bulk("cooling_gas", SHORT, folder)
     assert (folder / "series.csv").read_bytes() == (whole / "series.csv").read_bytes()

@@ -13,13 +13,15 @@ variable inputs index inputs
 variable output index .
 variable frames index 2
 variable frame_every index 50
+variable side index f
+variable top index 0.02
 units           si
 atom_style      granular
 atom_modify     map array
-boundary        f f f
+boundary        f f ${side}
 newton          off
 communicate     single vel yes
-region          box block -0.02 0.02 -0.02 0.02 -0.02 0.02 units box
+region          box block -0.02 0.02 -0.02 0.02 -0.002 ${top} units box
 create_box      1 box
 neighbor        0.001 bin
 neigh_modify    delay 0
@@ -28,8 +30,8 @@ variable options index ""
 include         ${inputs}/materials/soft_granules.in
 include         ${inputs}/bulk/parts/friction.in
 include         ${inputs}/bulk/parts/contact.in
-create_atoms 1 single -0.008 0 0
 create_atoms 1 single -0.008 0 0.0039
+create_atoms 1 single -0.008 0 0
 create_atoms 1 single 0.008 0 0
 create_atoms 1 single 0.008 0 0.0019
 set group all diameter 0.002 density 1500

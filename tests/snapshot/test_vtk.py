@@ -15,11 +15,16 @@ from pressed_pairs import press_pairs
 from plastigran import laws
 from plastigran.bulk.contact_works import plastic_works
 from plastigran.bulk.deck import Analysis
+from plastigran.bulk.decks import deck_class
 from plastigran.bulk.grains import Grains
 from plastigran.bulk.outcome import BulkRun
+from plastigran.bulk.plan import plan_bulk
 from plastigran.bulk.vtk import write_vtk
 from plastigran.cli import main
+from plastigran.engine.dumps import DumpError
 from plastigran.materials import read_material
+from plastigran.plot.grain_movie import save_grain_movie
+from plastigran.plot.snapshot import find_frames, grain_values
 
 #: Laws whose memory begins with the largest overlap, and the one whose memory is another.
 LAWS = ("thornton", "universal", "vu_quoc_zhang")
@@ -80,6 +85,49 @@ def test_without_history_there_is_no_plastic_work(tmp_path):
     assert "overlap" in contacts.cell_data
 
 
+@pytest.mark.parametrize("damage", ["a row", "another contact"])
+def test_a_memory_that_is_missing_is_said(damage, tmp_path):
+    folder = press_pairs(tmp_path, contact_history=1)
+    file = folder / "frames" / "memories_100.dump"
+    text = file.read_text()
+    head, last = text.rstrip("\n").rsplit("\n", 1)
+    if damage == "a row":
+        file.write_text(head.replace("ENTRIES\n2", "ENTRIES\n1") + "\n")
+    else:
+        file.write_text(f"{head}\n9{last}\n")
+    with pytest.raises(DumpError, match=r"memories_100.dump: its contacts are not those of"):
+        write_vtk(read_run(folder, "vu_quoc_zhang"), folder / "vtk")
+
+
+def test_a_pair_that_touches_twice_has_two_memories(tmp_path):
+    """Directly, and less deep through a periodic side, with the same grain named first."""
+    folder = press_pairs(tmp_path, contact_history=1, side="p", top=0.00582)
+    write_vtk(read_run(folder, "thornton"), folder / "vtk")
+    contacts = pyvista.read(folder / "vtk" / "contacts_100.vtp")
+    order = np.argsort(contacts["overlap"])
+    assert contacts["overlap"][order] == pytest.approx([8e-5, 1e-4, 1e-4], rel=0.01)
+    shallow, *deep = contacts["plastic_work"][order]
+    assert 0 < shallow < 0.7 * max(deep)
+    # Grains have half of each of their contacts' work.
+    taken = pyvista.read(folder / "vtk" / "grains_100.vtp")["plastic_work"].sum()
+    assert contacts["plastic_work"].sum() == pytest.approx(taken, rel=1e-6)
+
+
+def test_the_command_writes_a_decks_contacts(bulk_run, tmp_path, capsys):
+    """Of a run with walls, and frames of which some have no contacts."""
+    settings = {**deck_class("hopper").briefs[""].settings, "frames": 2, "contact_history": 1}
+    run = bulk_run("hopper", settings)
+    assert main(["vtk", str(run.folder), "--output", str(tmp_path)]) == 0
+    assert f"{tmp_path / 'contacts.pvd'}" in capsys.readouterr().out
+    largest = max(tmp_path.glob("contacts_*.vtp"), key=lambda path: path.stat().st_size)
+    contacts = pyvista.read(largest)
+    overlapping = contacts["overlap"] > 0
+    assert overlapping.sum() > 50
+    assert (contacts["plastic_work"][overlapping] >= 0).all() and contacts["plastic_work"].max() > 0
+    with pytest.raises(ValueError, match="contact_history is 2; it must lie between 0 and 1"):
+        plan_bulk("hopper", settings | {"contact_history": 2}, tmp_path / "run")
+
+
 def test_a_memory_stands_for_the_path(yielding_law):
     """Plastic work from memory and overlap is that of the whole path, unloading included."""
     grains = Grains(yielding_law, {}, read_material("aluminium_zv02"), 0.1)
@@ -101,6 +149,24 @@ def test_movie(name, tmp_path, capsys):
     assert pictures.shape[:3] == (len(STEPS), 720, 960)
     shown = (pictures[..., :3] < 200).any(axis=-1)
     assert all(0.005 < picture.mean() < 0.5 for picture in shown)
+
+
+@pytest.mark.parametrize(("colour", "low"), [("height", 0.0), ("radius", None)])
+def test_a_movie_has_one_scale(colour, low, tmp_path, monkeypatch, capsys):
+    """Heights from the lowest of all frames; nothing is printed where none is asked to."""
+    folder, spans = press_pairs(tmp_path), []
+
+    def draw(*arguments):
+        spans.append(arguments[6])
+        return np.zeros((4, 4, 3), np.uint8)
+
+    monkeypatch.setattr("plastigran.plot.grain_movie.render", draw)
+    frames = find_frames(folder)
+    save_grain_movie(frames, tmp_path / "x.gif", colour, progress=False)
+    values = np.concatenate([grain_values(frame, colour) for frame in frames])
+    assert spans == [(0.0 if low is None else values.min(), values.max())] * len(STEPS)
+    assert spans[0][0] <= 0 < spans[0][1]
+    assert capsys.readouterr().err == ""
 
 
 def test_another_kind_of_movie_is_refused(tmp_path, capsys):

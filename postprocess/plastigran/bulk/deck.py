@@ -91,7 +91,9 @@ class BulkDeck:
     timestep: float = number("of the engine", "s", 0)
     seed: float = number("another gives other grains")
     frames: int = continuable(whole("VTK files on the way"))
-    contact_history: int = continuable(whole("1: frames tell what contacts remember, 0: not"))
+    contact_history: int = continuable(
+        whole("1: frames tell what contacts remember, 0: not", upper=1)
+    )
     rows: int = whole("lines of the log", 1)
     checkpoints: int = whole("restart files on the way, a divisor of rows", 1)
     ledger: str = word("the energy ledger", ("on", "off"))

@@ -29,6 +29,8 @@ SERIES = "series.csv"
 CHECKS = "checks.csv"
 #: Frames of the grains, which decks append to.
 DUMP = "grains.dump"
+#: Collision spectra, whose tables the engine adds; it takes those after a checkpoint away itself.
+SPECTRA = "collision_spectra.csv"
 #: Files of a run, which are removed before another overwrites it.
 OWN_FILES = (
     RECORD,
@@ -39,6 +41,7 @@ OWN_FILES = (
     PATTERN,
     "restart_forced_*",
     DUMP,
+    SPECTRA,
     SERIES,
     CHECKS,
 )
@@ -177,8 +180,11 @@ def read_derived(folder: str | Path, name: str) -> float:
         raise ValueError(f"{folder}: its log says no `derived {name} = `") from None
 
 
-def carry_dump(earlier: Path, folder: Path, last: int) -> None:
-    """Copy the whole frames of an earlier run before a step, for the engine to append to."""
+def carry_files(earlier: Path, folder: Path, last: int) -> None:
+    """Copy what the engine adds to: collision spectra of an earlier run, and its whole frames
+    before a step."""
+    if (earlier / SPECTRA).exists():
+        shutil.copy(earlier / SPECTRA, folder)
     if not (earlier / DUMP).exists():
         return
     with open(earlier / DUMP) as dump, open(folder / DUMP, "w") as kept:

@@ -11,7 +11,7 @@ from plastigran.bulk.folder import (
     CHECKS,
     SERIES,
     all_derived,
-    carry_dump,
+    carry_files,
     prepare_folder,
     read_series,
     write_record,
@@ -79,7 +79,7 @@ def run_bulk(
         step = step_of(plan.checkpoint)
         before = read_series(restart)
         before[before["step"] <= step].to_csv(folder / BEFORE, index=False)
-        carry_dump(restart, folder, step)
+        carry_files(restart, folder, step)
     write_record(folder, record)  # last: a folder with a record can be gone on from
     try:
         run_deck(

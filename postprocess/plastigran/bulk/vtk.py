@@ -7,10 +7,10 @@ from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
-import pandas as pd
 
 from plastigran.bulk.contact_works import plastic_works, read_memories
 from plastigran.bulk.outcome import BulkRun
+from plastigran.engine.dumps import DumpError
 from plastigran.plot.snapshot import Frame, find_frames
 from plastigran.plot.vtk_series import (
     contact_table,
@@ -59,20 +59,24 @@ def write_vtk(run: BulkRun, folder: str | Path) -> list[Path]:
 
 
 def contact_columns(run: BulkRun, frame: Frame) -> dict[str, np.ndarray]:
-    """What a run tells of a frame's contacts beside the frame itself: `plastic_work` [J], (N,)."""
+    """What a run tells of a frame's contacts beside the frame itself: `plastic_work` [J], (N,).
+
+    Raises:
+        DumpError: The file of their memories is damaged.
+    """
     memories = frame.contacts.with_name(f"memories_{frame.step}.dump")
     if run.deck is None or not memories.exists():
         return {}
-    contacts = contact_table(frame)
-    pairs = pd.DataFrame({name: contacts[name].astype(int) for name in ("id1", "id2")})
-    remembered = read_memories(memories).drop_duplicates(["id1", "id2"])
-    memory = pairs.merge(remembered, how="left", on=["id1", "id2"])["memory"]
+    contacts, remembered = contact_table(frame), read_memories(memories)
+    # Both files have the engine's contacts in its order: a pair may touch through a side, too.
+    if not all(np.array_equal(contacts[name], remembered[name]) for name in ("id1", "id2")):
+        raise DumpError(f"{memories}: its contacts are not those of {frame.contacts}")
     near = contacts["overlap"] <= 0  # listed, but apart
     works = plastic_works(
         run.deck.grains,
         contacts["radius_eff"],
         np.where(near, 0.0, contacts["overlap"]),
-        np.where(near, 0.0, memory),
+        np.where(near, 0.0, remembered["memory"]),
     )
     return {"plastic_work": works}
 

@@ -9,8 +9,12 @@ import pandas as pd
 
 from plastigran.engine.dumps import DumpError
 
-#: What is counted, with its unit in an SI deck.
-QUANTITIES = {"normal_speed": "m/s", "dissipated_energy": "J", "largest_force": "N"}
+#: What is counted: its column's entry, and words with its unit in an SI deck.
+QUANTITIES = {
+    "normal_speed": "normal speed of approach (m/s)",
+    "dissipated_energy": "energy dissipated (J)",
+    "largest_force": "largest force (N)",
+}
 #: What an impact is with: another particle, or else the ID of a wall.
 PARTICLE = "particle"
 _COLUMNS = ["step", "quantity", "with", "type", "other_type", "lower", "upper", "count", "sum"]
@@ -62,3 +66,9 @@ def spectrum(table: pd.DataFrame, quantity: str) -> pd.DataFrame:
         raise ValueError(f"quantity is {quantity!r}; it must be one of {', '.join(QUANTITIES)}")
     chosen = table[table["quantity"] == quantity]
     return chosen.groupby(["lower", "upper"], as_index=False)[["count", "sum"]].sum()
+
+
+def partner_spectra(table: pd.DataFrame, quantity: str) -> dict[str, pd.DataFrame]:
+    """`spectrum` of the impacts with particles, and with each wall, by what they are with."""
+    partners = sorted(table["with"].unique(), key=lambda name: (name != PARTICLE, name))
+    return {name: spectrum(table[table["with"] == name], quantity) for name in partners}

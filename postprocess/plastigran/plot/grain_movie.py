@@ -33,6 +33,7 @@ def save_grain_movie(
     view: str = "corner",
     size: tuple[int, int] = (960, 720),
     rate: float = 10.0,
+    progress: bool = True,
 ) -> None:
     """Draw frames one after the other, all from one place and with one scale of colours.
 
@@ -42,6 +43,7 @@ def save_grain_movie(
         colour, contacts, view: As for `plastigran.plot.snapshot.draw`.
         size: Pixels along x and y, even numbers.
         rate: Frames a second.
+        progress: Show a progress bar.
 
     Raises:
         SnapshotError: As for `draw`, another kind of file, nothing touches in any frame, or a
@@ -51,14 +53,16 @@ def save_grain_movie(
     if path.suffix not in WRITERS:
         raise SnapshotError(f"{path} is no movie; its name must end in {' or '.join(WRITERS)}")
     values = [contact_forces(f) if contacts else grain_values(f, colour) for f in frames]
-    largest = max((found.max(initial=0.0) for found in values), default=0.0)
-    if contacts and largest == 0:
+    every = np.concatenate([np.zeros(0), *values])
+    # Heights are from the lowest; what else there is begins at nothing.
+    low = every.min(initial=np.inf) if colour == "height" and not contacts else 0.0
+    span = low, every.max(initial=low)
+    if contacts and span == (0, 0):
         raise SnapshotError("nothing touches in any frame")
     iio = _load(path.suffix)
     bounds, pictures = _bounds(frames), []
-    for frame in ProgressBar(frames, desc="movie", unit="frames"):
-        scale = largest if contacts or colour != "height" else None
-        pictures.append(render(frame, None, colour, contacts, view, size, scale, bounds))
+    for frame in ProgressBar(frames, desc="movie", unit="frames", shown=progress):
+        pictures.append(render(frame, None, colour, contacts, view, size, span, bounds))
     path.parent.mkdir(parents=True, exist_ok=True)
     how = dict(WRITERS[path.suffix])
     pace = {"fps": rate} if path.suffix == ".mp4" else {"duration": 1000 / rate}

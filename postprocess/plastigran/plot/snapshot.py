@@ -31,6 +31,8 @@ VIEWS = {
     "top": ((0, 0, 1), (0, 1, 0)),
     "corner": ((0.5, -1, 0.45), (0, 0, 1)),
 }
+#: Values at the ends of a scale of colours.
+Span = tuple[float, float] | None
 
 
 class SnapshotError(ValueError):
@@ -110,14 +112,14 @@ def render(
     contacts: bool,
     view: str,
     size: tuple[int, int],
-    largest: float | None = None,
+    span: Span = None,
     bounds: Sequence[float] | None = None,
 ) -> np.ndarray:
     """A picture of a frame; arguments and errors as for `draw`, and those that pictures share.
 
     Args:
         path: Of the file; None for none.
-        largest: Value at the top of the scale, which then begins at 0; the frame's own by default.
+        span: Values at the ends of the scale, of forces from 0; the frame's own by default.
         bounds: What to look at, two ends along x, y and z [m]; the frame's own by default.
 
     Returns:
@@ -139,9 +141,9 @@ def render(
         "label_font_size": 20,
     }
     if contacts:
-        _add_contacts(plotter, frame, bar, largest)
+        _add_contacts(plotter, frame, bar, span)
     else:
-        _add_grains(plotter, frame, colour, bar, largest)
+        _add_grains(plotter, frame, colour, bar, span)
     if frame.mesh:
         plotter.add_mesh(
             load_pyvista().read(frame.mesh), color="grey", opacity=0.25, show_edges=False
@@ -199,9 +201,7 @@ def contact_forces(frame: Frame) -> np.ndarray:
     return np.linalg.norm(lines["force"], axis=1) if lines.n_cells else np.zeros(0)
 
 
-def _add_grains(
-    plotter: pyvista.Plotter, frame: Frame, colour: str, bar: dict, largest: float | None
-) -> None:
+def _add_grains(plotter: pyvista.Plotter, frame: Frame, colour: str, bar: dict, span: Span) -> None:
     pyvista = load_pyvista()
     grains = pyvista.read(frame.grains)
     grains[COLOURS[colour]] = grain_values(frame, colour)
@@ -211,14 +211,14 @@ def _add_grains(
     plotter.add_mesh(
         balls,
         scalars=COLOURS[colour],
-        clim=None if largest is None else (0, largest),
+        clim=span,
         cmap="viridis",
         smooth_shading=True,
         scalar_bar_args=bar | {"title": f"{COLOURS[colour]}\n"},
     )
 
 
-def _add_contacts(plotter: pyvista.Plotter, frame: Frame, bar: dict, largest: float | None) -> None:
+def _add_contacts(plotter: pyvista.Plotter, frame: Frame, bar: dict, span: Span) -> None:
     pyvista, force = load_pyvista(), contact_forces(frame)
     lines = pyvista.read(frame.contacts)
     # A contact through a periodic side would cross the whole box.
@@ -227,10 +227,10 @@ def _add_contacts(plotter: pyvista.Plotter, frame: Frame, bar: dict, largest: fl
     radius = float(pyvista.read(frame.grains)["radius"].max())
     shown = np.flatnonzero((force > 0) & (lengths < 2 * radius))
     if not len(shown):
-        if largest is not None:  # a movie may begin before anything touches
+        if span:  # a movie may begin before anything touches
             return
         raise SnapshotError(f"nothing touches in {frame.contacts}")
-    largest = force.max() if largest is None else largest
+    largest = span[1] if span else force.max()
     name = "contact force (N)"
     chains = pyvista.PolyData(
         ends[shown].reshape(-1, 3), lines=np.insert(np.arange(2 * len(shown)), slice(0, None, 2), 2)

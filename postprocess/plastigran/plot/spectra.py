@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 import numpy as np
 import pandas as pd
 from matplotlib.axes import Axes
@@ -10,41 +12,31 @@ from matplotlib.figure import Figure
 
 from plastigran.plot.style import COLOURS, styled, subplots
 
-LABELS = {
-    "normal_speed": "normal speed of approach (m/s)",
-    "dissipated_energy": "energy dissipated (J)",
-    "largest_force": "largest force (N)",
-}
 
-
-def spectra_figure(table: pd.DataFrame) -> Figure:
-    """Impacts by class, a curve for particles and for each wall, a panel for each quantity.
+def spectra_figure(spectra: Mapping[str, Mapping[str, pd.DataFrame]]) -> Figure:
+    """Impacts by class, a panel for each quantity, in it a curve for particles and for each wall.
 
     Impacts whose value is not positive have no place on the logarithmic axes.
 
     Args:
-        table: Columns quantity, with, lower, upper and count, several rows of a class together;
-            in SI units.
+        spectra: By the axis' title, then by what the impacts are with: columns lower, upper and
+            count, from the lowest class up.
     """
-    positive = table[table["lower"] > 0]
-    partners = sorted(table["with"].unique(), key=lambda name: (name != "particle", name))
     with styled():
-        figure, panels = subplots(1, len(LABELS), figsize=(10.5, 3.4), sharey=True)
-        for axes, (quantity, label) in zip(panels, LABELS.items(), strict=True):
-            chosen = positive[positive["quantity"] == quantity]
-            for k, partner in enumerate(partners):
-                _draw(axes, chosen[chosen["with"] == partner], partner, COLOURS[k % len(COLOURS)])
+        figure, panels = subplots(1, len(spectra), figsize=(10.5, 3.4), sharey=True)
+        for axes, (title, partners) in zip(panels, spectra.items(), strict=True):
+            for k, (partner, classes) in enumerate(partners.items()):
+                _draw(axes, classes[classes["lower"] > 0], partner, COLOURS[k % len(COLOURS)])
             axes.set_xscale("log")
             axes.set_yscale("log")
-            axes.set_xlabel(label)
+            axes.set_xlabel(title)
         panels[0].set_ylabel("impacts in a class")
         panels[0].legend(loc="upper left", fontsize="small")
     return figure
 
 
-def _draw(axes: Axes, rows: pd.DataFrame, label: str, colour: str) -> None:
+def _draw(axes: Axes, classes: pd.DataFrame, label: str, colour: str) -> None:
     """A step for each class; classes without impacts are a gap."""
-    classes = rows.groupby(["lower", "upper"], as_index=False)["count"].sum()
     if classes.empty:
         axes.plot([], [], color=colour, label=label)
         return

@@ -29,7 +29,7 @@ def contact_table(frame: Frame) -> dict[str, np.ndarray]:
     contacts, grains = _read(frame.contacts, frame), _read(frame.grains, frame)
     found = {CONTACTS.get(name, name): np.asarray(contacts[name]) for name in contacts.cell_data}
     if not contacts.n_cells:
-        return {name: np.zeros(0) for name in (*CONTACTS.values(), "radius_eff")}
+        return {name: np.zeros(0) for name in ("id1", "id2", *CONTACTS.values(), "radius_eff")}
     order = np.argsort(grains["id"])
     radius = np.asarray(grains["radius"], dtype=float)[order]
     pairs = np.stack([found["id1"], found["id2"]]).astype(int)

@@ -22,6 +22,6 @@ def run(arguments: argparse.Namespace) -> None:
     made = run_report(REPORT, REPORT.title, arguments)
     if arguments.docs:  # the package's own copy goes with its pages
         made.tables["errors"].to_csv(ERRORS, index=False)
+        pages = write_summaries(arguments.docs / "laws", made.tables["errors"])
         if not arguments.json:
-            print(f"written: {ERRORS}")
-        write_summaries(arguments.docs / "laws", made.tables["errors"])
+            print(f"written: {'  '.join(map(str, [ERRORS, *pages]))}")

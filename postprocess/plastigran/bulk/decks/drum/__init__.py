@@ -14,9 +14,10 @@ from plastigran.bulk.checks import Check, count_check, dissipated, trapezia_fact
 from plastigran.bulk.deck import Analysis, Brief, FlowDeck
 from plastigran.bulk.decks.drum.figure import drum_figure
 from plastigran.bulk.decks.drum.measurement import add_mechanics
+from plastigran.bulk.folder import SPECTRA
 from plastigran.declared import number, require, word
 from plastigran.engine.dumps import read_dump
-from plastigran.engine.spectra import read_spectra
+from plastigran.engine.spectra import QUANTITIES, partner_spectra, read_spectra
 from plastigran.plot.spectra import spectra_figure
 
 #: Angle at which a sphere without friction slides out of the hollow between three others [degrees].
@@ -77,8 +78,10 @@ class Drum(FlowDeck):
             checks += [*self.ledger_checks(series), *self.power_checks(series, steady)]
         figures = {"drum": drum_figure(series, last, self.drum_radius, self.settled)}
         if self.spectra == "on":
-            table = read_spectra(self.output / "collision_spectra.csv")
-            figures["collision_spectra"] = spectra_figure(table)
+            table = read_spectra(self.output / SPECTRA)
+            figures["collision_spectra"] = spectra_figure(
+                {said: partner_spectra(table, name) for name, said in QUANTITIES.items()}
+            )
         return Analysis(series, checks, {**figures, **self.ledger_figure(series)})
 
     def angle_checks(self, steady: pd.DataFrame) -> list[Check]:
