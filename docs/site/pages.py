@@ -5,8 +5,8 @@ from __future__ import annotations
 
 import os
 import re
-from argparse import _SubParsersAction
-from collections.abc import Callable
+from argparse import ArgumentParser, _SubParsersAction
+from collections.abc import Callable, Iterator
 from importlib import import_module
 from pathlib import Path
 from pkgutil import iter_modules, walk_packages
@@ -42,13 +42,19 @@ def commands() -> str:
     """What `plastigran COMMAND --help` says, of every command."""
     os.environ["COLUMNS"] = "92"  # argparse folds its lines there
     lines = ["# Commands", "", "What `plastigran COMMAND --help` says.", ""]
-    for action in parser()._actions:
+    return "\n".join([*lines, *_subcommands(parser(), "##")])
+
+
+def _subcommands(above: ArgumentParser, mark: str) -> Iterator[str]:
+    """Lines on the commands of a command, and on theirs; `mark` is that of a headline."""
+    for action in above._actions:
         if isinstance(action, _SubParsersAction):
             helps = {choice.dest: choice.help for choice in action._choices_actions}
             for name, command in sorted(action.choices.items()):
-                lines += [f"## {name}", "", f"{_sentence(helps.get(name) or name)}", ""]
-                lines += ["```text", command.format_help().rstrip(), "```", ""]
-    return "\n".join(lines)
+                title = command.prog.partition(" ")[2]
+                yield from (f"{mark} {title}", "", _sentence(helps.get(name) or name), "")
+                yield from ("```text", command.format_help().rstrip(), "```", "")
+                yield from _subcommands(command, f"{mark}#")
 
 
 def rooms() -> list[str]:

@@ -124,6 +124,7 @@ def test_ranks(pressed, tmp_path):
         later.unlink()
     other = run_bulk("compaction", {}, tmp_path / "rest", 2, restart=poured, show=False)
     table = pressed.series
+    assert other.series["step"].tolist() == table["step"].tolist()
     assert table["plastic"].iloc[-1] > 3 * table["plastic"].iloc[0]
     for name in ("elastic", "plastic", "friction", "wallwork", "pressure", "relative_density"):
         difference = other.series[name] - table[name]

@@ -3,15 +3,19 @@
 
 from __future__ import annotations
 
-import argparse
 import json
+import os
+import pty
 import shlex
 import subprocess
 import sys
+import termios
+from contextlib import suppress
 
 import numpy as np
 import pandas as pd
 import pytest
+from commands import all_commands
 
 from plastigran import laws
 from plastigran.bulk.deck import Analysis
@@ -23,14 +27,6 @@ from plastigran.cli.commands.bulk import warnings_of
 from plastigran.progress import ProgressBar
 
 STEEL = ["--young", "2.1e11", "--poisson", "0.3", "--density", "7850"]
-
-
-def all_commands(command: argparse.ArgumentParser) -> list[argparse.ArgumentParser]:
-    """Every command that is run, of subcommands their own."""
-    for action in command._actions:
-        if isinstance(action, argparse._SubParsersAction):
-            return [found for below in action.choices.values() for found in all_commands(below)]
-    return [command]
 
 
 def test_every_command_has_an_example_that_is_understood():
@@ -199,6 +195,18 @@ def test_doctor_says_what_lacks(tmp_path, monkeypatch, capsys):
     assert "engine: not as it should be; laws, timestep" in said.err
 
 
+def test_doctor_names_a_library_that_is_missing(monkeypatch):
+    asked = ["numpy>=2", "no-such-library>=1", 'also-missing>=3; extra == "test"']
+    monkeypatch.setattr(doctor, "requires", lambda name: asked)
+    found = doctor.libraries()
+    assert (found.state, found.said) == ("lacks", "no-such-library is not installed")
+    assert found.remedy == "pip install no-such-library"
+    monkeypatch.undo()
+    found = doctor.libraries()
+    assert found.state == "ok"
+    assert {"plotly", "jinja2", "pillow"} <= {said.split()[0] for said in found.said.split(", ")}
+
+
 @pytest.mark.engine
 def test_doctor_finds_a_plugin_that_is_another(monkeypatch):
     monkeypatch.setattr(doctor, "TOLERANCE", 1e-9)  # as if its laws were others
@@ -222,12 +230,23 @@ def test_progress_is_lines_in_a_pipe_and_nothing_for_brief_work(monkeypatch, cap
     assert not any("\r" in line or "\x1b" in line for line in lines)
 
 
-def test_no_output_has_colours(monkeypatch):
-    """NO_COLOR or not: text is plain, on a terminal too."""
-    done = subprocess.run(
-        [sys.executable, "-m", "plastigran.cli", "laws", "thornton"],
-        capture_output=True,
-        env={"PATH": "/usr/bin", "FORCE_COLOR": "1"},
-        check=True,
-    )
-    assert b"\x1b" not in done.stdout + done.stderr
+BAR = "from plastigran.progress import ProgressBar as Bar; [*Bar('abc', desc='here')]"
+
+
+@pytest.mark.parametrize("line", [["-m", "plastigran.cli", "impact", "--help"], ["-c", BAR]])
+def test_no_output_has_colours(line):
+    """On a terminal, where colours are wanted: texts and bars."""
+    ours, theirs = pty.openpty()
+    termios.tcsetwinsize(theirs, (24, 80))
+    run = [sys.executable, *line]
+    wanted = {"PATH": os.environ["PATH"], "TERM": "xterm-256color", "FORCE_COLOR": "1"}
+    with os.fdopen(ours, "rb", buffering=0) as terminal:
+        started = subprocess.Popen(run, stdin=theirs, stdout=theirs, stderr=theirs, env=wanted)
+        os.close(theirs)
+        said = b""
+        with suppress(OSError):  # so a terminal ends
+            while more := terminal.read(65536):
+                said += more
+        assert started.wait() == 0
+    assert b"default 0.1" in said or b"here: 100%" in said
+    assert b"\x1b" not in said

@@ -69,7 +69,7 @@ def fresh(text: str, folder: Path, ranks: int = 1) -> pd.DataFrame:
 def assert_alike(one: pd.DataFrame, other: pd.DataFrame, rel: float) -> None:
     """Each column within a share of its largest magnitude."""
     assert (one.index == other.index).all()
-    assert one.notna().all(axis=None)
+    assert one.notna().all(axis=None) and other.notna().all(axis=None)
     scale = one.abs().max()
     assert (scale[["fx", "fz"]] > 0).all(), "nothing touches"
     assert ((one - other).abs().max() <= rel * scale).all(), (one - other).abs().max() / scale

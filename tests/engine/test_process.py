@@ -11,7 +11,9 @@ from pathlib import Path
 
 import pytest
 
+from plastigran.cli import main
 from plastigran.engine.process import EngineStopped, engines, inputs_folder, run_deck
+from plastigran.experiments.collision import measure
 
 SHORT = """
 # An ERROR in a comment is none in the run.
@@ -85,7 +87,8 @@ def test_engines_end_with_whoever_started_them(deck, ranks, sent, tmp_path):
         words, preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_IGN)
     )
     try:
-        wait_until(lambda: at_work(tmp_path) or python.poll() is not None)
+        # Python alone takes a minute to start on a busy machine.
+        wait_until(lambda: at_work(tmp_path) or python.poll() is not None, seconds=300)
         assert len(engines(tmp_path)) == (1 if ranks == 1 else 3)
     finally:
         python.send_signal(sent)
@@ -98,8 +101,8 @@ def at_work(folder: Path) -> bool:
     return log.exists() and "Step" in log.read_text(errors="replace")
 
 
-def wait_until(true) -> None:
-    deadline = time.monotonic() + 300  # Python alone takes a minute to start on a busy machine
+def wait_until(true, seconds: float = 60) -> None:
+    deadline = time.monotonic() + seconds
     while not true():
         assert time.monotonic() < deadline
         time.sleep(0.02)
@@ -114,3 +117,20 @@ def test_paths_may_hold_spaces(ranks, tmp_path, monkeypatch):
     folder = tmp_path / "my results"
     run_deck("collision/two_spheres.in", {}, folder, ranks)
     assert (folder / "trajectory.dump").stat().st_size > 1000
+    beside = tmp_path / "results"  # the engine runs elsewhere, as for a user's own deck
+    run_deck("collision/two_spheres.in", {}, beside, ranks, working_folder=tmp_path)
+    assert (beside / "trajectory.dump").stat().st_size > 1000
+
+
+def test_what_a_dry_run_prints_can_be_typed(tmp_path, monkeypatch, capsys):
+    inputs, folder = tmp_path / "my inputs", tmp_path / "my results"
+    inputs.symlink_to(inputs_folder())
+    monkeypatch.setenv("PLASTIGRAN_INPUTS", str(inputs))
+    line = ["impact", "--law", "thornton", "--speed", "0.1", "--output", str(folder), "--dry-run"]
+    assert main(line) == 0
+    *typed, last = capsys.readouterr().out.splitlines(keepends=True)
+    assert last == "1 runs; nothing was started\n" and not folder.exists()
+    done = subprocess.run(["sh", "-ec", "".join(typed)], capture_output=True, text=True)
+    assert done.returncode == 0, done.stdout[-2000:] + done.stderr
+    (trajectory,) = folder.glob("runs/0000_*/trajectory.dump")
+    assert measure(trajectory).coefficient_of_restitution < 1

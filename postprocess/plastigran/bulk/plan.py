@@ -13,7 +13,7 @@ from plastigran.bulk.decks import deck_class
 from plastigran.bulk.folder import read_record, restart_point
 from plastigran.bulk.own import check_goes_on, own_places
 from plastigran.engine.deck import DeckSource, find_deck, read_deck
-from plastigran.engine.process import command
+from plastigran.engine.process import typed_command
 
 #: Settings that name files and places; they differ between runs and are not compared.
 PLACES = frozenset({"start", "checkpoint", "inputs", "output", "materials"})
@@ -48,10 +48,10 @@ class Plan:
         """Where the engine runs, which relative paths of the deck are from."""
         return self.folder if self.kind else self.source.path.parent
 
-    def command_line(self) -> list[str]:
-        """The words of the command that runs the deck itself; a run takes a copy of it."""
+    def command_line(self) -> str:
+        """What could be typed to run the deck itself; a run takes a copy of it."""
         given = self.values | ({} if self.kind else self.places)
-        return command(self.source.path, given, self.folder, self.ranks)
+        return typed_command(self.source.path, given, self.folder, self.working_folder, self.ranks)
 
 
 def plan_bulk(

@@ -7,7 +7,6 @@ import argparse
 import json
 from math import inf, isfinite
 from pathlib import Path
-from shlex import join, quote
 from typing import Any
 
 from plastigran import materials
@@ -61,11 +60,6 @@ def add_dry_run(command: argparse.ArgumentParser) -> None:
     command.add_argument(
         "--dry-run", action="store_true", help="print command lines and folders, start nothing"
     )
-
-
-def print_command(folder: Path, working_folder: Path, line: list[str]) -> None:
-    """Print what could be typed instead of a run."""
-    print(f"mkdir -p {quote(str(folder))} && cd {quote(str(working_folder))}\n{join(line)}")
 
 
 def print_json(numbers: Any) -> None:

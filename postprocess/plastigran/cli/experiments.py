@@ -21,7 +21,6 @@ from plastigran.cli.arguments import (
     known_materials,
     positive,
     positive_integer,
-    print_command,
     print_json,
 )
 from plastigran.declared import Declaration, declaration
@@ -157,7 +156,7 @@ def plan_study(experiment: type[Experiment], folder: Path, **settings: Any) -> N
     """Print the command line of every case and its folder, and start nothing."""
     cases = experiment.cases(**experiment.study_settings(**settings))
     for case, place in zip(cases, case_folders(cases, folder.resolve()), strict=True):
-        print_command(place, place, case.command_line(place))
+        print(case.command_line(place))
     print(f"{len(cases)} runs; nothing was started")
 
 

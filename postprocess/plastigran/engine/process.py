@@ -11,6 +11,7 @@ import subprocess
 from collections.abc import Mapping
 from contextlib import closing, suppress
 from pathlib import Path
+from shlex import join
 from time import monotonic
 
 from plastigran.engine.log import LOG, find_error, find_warnings
@@ -73,33 +74,57 @@ def command(
     """Command line that runs a deck with its results in `folder`, from where it is to be run.
 
     The engine splits a line of a deck at white space, in paths too: a file or folder whose path has
-    some is reached through a link in `folder`. A variable whose value is None is not given.
+    some is reached through a link in `folder`, made here. A variable whose value is None is not
+    given.
 
     Never add `-screen none`: the engine's mesh reader then writes to a null file and crashes.
     """
+    line, links = _command(deck, variables, folder, ranks)
+    for link, target in links.items():
+        link.unlink(missing_ok=True)
+        link.symlink_to(target)
+    return line
+
+
+def typed_command(
+    deck: str | Path,
+    variables: Mapping[str, object],
+    folder: Path,
+    working_folder: Path,
+    ranks: int = 1,
+) -> str:
+    """What could be typed in place of `command`, folders and links included; nothing is made."""
+    line, links = _command(deck, variables, folder, ranks)
+    steps = [["mkdir", "-p", folder]]
+    steps += [["ln", "-sfn", target, link] for link, target in links.items()]
+    steps += [["cd", working_folder]]
+    return f"{' && '.join(join(map(str, step)) for step in steps)}\n{join(line)}"
+
+
+def _command(
+    deck: str | Path, variables: Mapping[str, object], folder: Path, ranks: int
+) -> tuple[list[str], dict[Path, Path]]:
+    """The words of a command line, and the links that it needs with what they lead to."""
     line = [str(engine_path()), "-in", str(deck), "-log", str(folder / LOG)]
     settings = {"inputs": inputs_folder(), "output": folder, **variables}
+    links = {}
     for name, value in settings.items():
         if value is None:
             continue
         text = repr(float(value)) if isinstance(value, float) else str(value)
-        if any(map(str.isspace, text)) and Path(text).is_absolute() and Path(text).exists():
-            text = _link(name, Path(text), folder)
+        if _has_space(text) and Path(text) == folder:
+            text = "."
+        elif _has_space(text) and Path(text).is_absolute() and Path(text).exists():
+            links[folder / f".{name}"] = Path(text)
+            text = f".{name}" if _has_space(str(folder)) else str(folder / f".{name}")
         line += ["-var", name, text]
     if ranks > 1:
         line = ["mpirun", "--oversubscribe", "-np", str(ranks), *line]
-    return line
+    return line, links
 
 
-def _link(name: str, target: Path, folder: Path) -> str:
-    """A name without white space for a file or folder, as seen from `folder`."""
-    if target == folder:
-        return "."
-    link = folder / f".{name}"
-    if folder.is_dir():  # else the line is only looked at
-        link.unlink(missing_ok=True)
-        link.symlink_to(target)
-    return link.name
+def _has_space(text: str) -> bool:
+    return any(map(str.isspace, text))
 
 
 def environment() -> dict[str, str]:

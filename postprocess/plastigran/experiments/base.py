@@ -16,8 +16,7 @@ import numpy as np
 import pandas as pd
 
 from plastigran.declared import declaration
-from plastigran.engine.process import command as engine_command
-from plastigran.engine.process import inputs_folder, run_deck
+from plastigran.engine.process import inputs_folder, run_deck, typed_command
 from plastigran.experiments.fields import Flag
 from plastigran.experiments.runs import Runs, sweep
 from plastigran.experiments.tables import format_range, format_table
@@ -125,9 +124,10 @@ class Experiment:
         """Run the deck in the engine; arguments and errors as for `run`."""
         run_deck(self.deck, self._settings(timestep, gap), folder, ranks=ranks)
 
-    def command_line(self, folder: Path) -> list[str]:
-        """The words of the command that runs the deck, from that folder."""
-        return engine_command(inputs_folder() / self.deck, self._settings(None, 0.0), folder)
+    def command_line(self, folder: Path) -> str:
+        """What could be typed to run the deck, with results in that folder."""
+        deck, settings = inputs_folder() / self.deck, self._settings(None, 0.0)
+        return typed_command(deck, settings, folder, folder)
 
     def _settings(self, timestep: float | None, gap: float) -> dict[str, object]:
         """Of the deck, the time step and the gap among them."""

@@ -12,7 +12,6 @@ from plastigran.cli.arguments import (
     add_dry_run,
     add_json,
     positive_integer,
-    print_command,
     print_json,
 )
 from plastigran.engine.checkpoints import newest_checkpoint
@@ -81,7 +80,7 @@ def run(arguments: argparse.Namespace) -> None:
     what = (arguments.deck, dict(arguments.settings), arguments.output, arguments.ranks, earlier)
     if arguments.dry_run:
         plan = plan_bulk(*what)
-        print_command(plan.folder, plan.working_folder, plan.command_line())
+        print(plan.command_line())
         print(f"results would be in {plan.folder}; nothing was started")
         return
     try:

@@ -6,10 +6,11 @@ from __future__ import annotations
 import argparse
 import os
 import platform
+import re
 import shutil
 import subprocess
 from collections.abc import Iterator
-from importlib.metadata import PackageNotFoundError, version
+from importlib.metadata import PackageNotFoundError, requires, version
 from pathlib import Path
 from tempfile import TemporaryDirectory
 from time import monotonic
@@ -26,7 +27,6 @@ EXAMPLE = "plastigran doctor"
 
 #: Restitution of the engine over theory's is this near 1: what the recommended time step is for.
 TOLERANCE = 1e-3
-LIBRARIES = ("numpy", "scipy", "pandas", "matplotlib", "scikit-fem")
 #: Packages that some commands need, and which.
 OPTIONAL = {"pyvista": "snapshot", "imageio": "snapshot --movie", "av": "snapshot --movie FILE.mp4"}
 
@@ -79,12 +79,9 @@ def run(arguments: argparse.Namespace) -> None:
 
 def examine() -> Iterator[Finding]:
     """Look at one thing after the other; of the engine no further than it is sound."""
-    yield Finding(
-        "plastigran",
-        "ok",
-        f"{version('plastigran')}, Python {platform.python_version()}, {os.cpu_count()} cores; "
-        + ", ".join(f"{name} {version(name)}" for name in LIBRARIES),
-    )
+    said = f"{version('plastigran')}, Python {platform.python_version()}, {os.cpu_count()} cores"
+    yield Finding("plastigran", "ok", said)
+    yield libraries()
     for name, look in (
         ("inputs", _inputs),
         ("engine", _engine),
@@ -103,6 +100,23 @@ def examine() -> Iterator[Finding]:
         except PackageNotFoundError:
             remedy = f"plastigran {command} needs it: pip install {name}"
             yield Finding(name, "without", "is not installed", remedy)
+
+
+def libraries() -> Finding:
+    """The Python packages that ours asks for, but for those of an extra."""
+    found, missing = [], []
+    for line in requires("plastigran") or ():
+        name = re.split(r"[^\w.-]", line)[0]
+        if "extra ==" in line:
+            continue
+        try:
+            found.append(f"{name} {version(name)}")
+        except PackageNotFoundError:
+            missing.append(name)
+    if missing:
+        said = f"{', '.join(missing)} {'are' if missing[1:] else 'is'} not installed"
+        return Finding("libraries", "lacks", said, f"pip install {' '.join(missing)}")
+    return Finding("libraries", "ok", ", ".join(found))
 
 
 def _inputs() -> str:
