@@ -9,6 +9,7 @@ from importlib.resources import files
 
 ENTRY = re.compile(r"^@(?!comment)(\w+)\{(\w+),\n(.*?)^\}\n", re.MULTILINE | re.DOTALL)
 FIELD = re.compile(r"^  (\w+) = \{(.*)\},$", re.MULTILINE)
+KEYWORDS = re.compile(r"^  keywords = .*\n", re.MULTILINE)
 SOFTWARE = "plastigran"
 
 
@@ -49,4 +50,4 @@ def cite(names: Iterable[str] | str = ()) -> str:
     if unknown := [name for name in names if name not in known]:
         raise ValueError(f"nothing to cite for {unknown[0]!r}; there are {', '.join(known)}")
     keys = dict.fromkeys([SOFTWARE, *(key for name in names for key in known[name])])
-    return "\n".join(found[key] for key in keys)
+    return "\n".join(KEYWORDS.sub("", found[key]) for key in keys)

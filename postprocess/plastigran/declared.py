@@ -46,8 +46,10 @@ class Declaration:
         if self.upper == inf:
             least = {True: f"{self.lower:g} or more", False: f"above {self.lower:g}"}[self.closed]
             return f"must be {'positive' if least == 'above 0' else least} and finite [{self.unit}]"
-        ends = ", or be one of them" if self.closed else ""
-        return f"must lie between {self.lower:g} and {self.upper:g}{ends} [{self.unit}]"
+        ends = ("from {:g} to {:g}" if self.closed else "between {:g} and {:g}").format(
+            self.lower, self.upper
+        )
+        return f"must lie {ends} [{self.unit}]"
 
     def allows(self, value: float) -> bool:
         """Whether a value is finite and within the bounds."""

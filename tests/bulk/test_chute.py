@@ -98,7 +98,7 @@ def test_profile_is_told_from_others(power, fits):
 @pytest.mark.parametrize(
     ("change", "said"),
     [
-        ({"settling": 3}, r"settling is 3; it must lie between 0 and 0.9, or be one of them \[s\]"),
+        ({"settling": 3}, r"settling is 3; it must lie from 0 to 0.9 \[s\]"),
         ({"settling": 0.86}, r"settling is 0.86; it must be 0.85 \[s\] or less"),
         ({"rows": 9, "checkpoints": 1}, "rows is 9; it must be 10 or more"),
     ],

@@ -92,7 +92,8 @@ def test_a_plain_deck_cannot_go_on(plain, tmp_path):
 
 
 def test_an_unknown_setting_is_refused(plain, tmp_path):
-    with pytest.raises(ValueError, match=r"plain\.in has no setting 'radius'"):
+    said = r"plain\.in has no setting 'radius'; it has none: a setting is a line `variable"
+    with pytest.raises(ValueError, match=said):
         run_bulk(plain, {"radius": 1}, tmp_path / "run", show=False)
 
 

@@ -20,6 +20,7 @@ from plastigran.cli import main
 from plastigran.engine.checkpoints import PATTERN, newest_checkpoint, step_of
 from plastigran.engine.log import LogFollower
 from plastigran.engine.process import EngineError, engines
+from plastigran.materials import read_material, write_material
 
 #: Short enough for a test to wait for its end, and with many checkpoints.
 SHORT = {"side": 5, "duration": 24, "rows": 24, "checkpoints": 12, "mixing": 1}
@@ -147,6 +148,12 @@ def test_killed_python_takes_the_engine_along(start, tmp_path):
         time.sleep(0.05)
 
 
+def test_going_on_at_the_end_is_said(whole, tmp_path, capsys):
+    line = ["bulk", "cooling_gas", "--restart", str(whole), "--output", str(tmp_path / "rest")]
+    assert main(line) == 0
+    assert f"{whole} was already at its last step" in capsys.readouterr().out
+
+
 def test_killed_before_its_first_checkpoint_goes_on_from_where_it_began(whole, tmp_path):
     """A run stopped twice, the second time at once: nothing of the first is lost."""
     first = cut(whole, tmp_path / "first", lines=8)
@@ -171,6 +178,17 @@ def test_killed_before_its_first_checkpoint_goes_on_from_where_it_began(whole, t
 def test_wrong_words_are_named(line, said, tmp_path, capsys):
     assert main(["bulk", *line, "--output", str(tmp_path / "run")]) == 1
     assert said in capsys.readouterr().err
+
+
+def test_materials_are_looked_for_from_the_present_folder(tmp_path, monkeypatch):
+    """The engine runs elsewhere and is told the whole path; a link where that has white space."""
+    folder = tmp_path / "my metals"
+    folder.mkdir()
+    write_material(read_material("soft_granules"), folder / "mine.in", "As soft as they are.")
+    monkeypatch.chdir(folder)
+    settings = SHORT | {"materials": ".", "material": "mine", "duration": 2, "checkpoints": 1}
+    run = run_bulk("cooling_gas", settings, tmp_path / "run", show=False)
+    assert run.finished and run.deck.material == "mine"
 
 
 def test_a_setting_without_a_value_is_named(capsys):

@@ -120,4 +120,4 @@ def test_command_writes_a_material(tmp_path, capsys):
     assert main([*call, "--factor", "0.1", "--output", str(file)]) == 1  # it is there
     assert "soft.in exists" in capsys.readouterr().err
     assert main([*call, "--factor", "2"]) == 1
-    assert "factor is 2; it must lie between" in capsys.readouterr().err
+    assert "factor is 2; it must lie from" in capsys.readouterr().err

@@ -100,14 +100,14 @@ def test_finite_elements_fit_the_constants_and_have_a_figure(capsys, tmp_path, c
 @pytest.mark.parametrize(
     ("given", "said"),
     [
-        (["--hardness", "9000"], "hardness is 9000; it must lie between 5 and 2000"),
-        (["--hardness", "72HRC"], "hardness is 72; it must lie between 20 and 68"),
+        (["--hardness", "9000"], "hardness is 9000; it must lie from 5 to 2000"),
+        (["--hardness", "72HRC"], "hardness is 72; it must lie from 20 to 68"),
         (["--yield", "250"], "yield_strength is 250 Pa; with youngs_modulus 2.06e+11 Pa it must"),
         (["--leeb", "1000"], "only a lower bound"),
         (["--hardness", "200", "--figure", "x.png"], "--figure is x.png; it needs --drop or --fem"),
         (["--hardness", "200", "--ball", "steel"], "--ball is steel; it needs --drop"),
         (["--hardness", "200", "--output", "metal.txt"], "must end in .in"),
-        (["--drop", "nowhere.csv"], "No such file"),
+        (["--drop", "nowhere.csv"], "plastigran: no file nowhere.csv"),
         (["--hardness", "200", "--law", "hertz"], "law is 'hertz'"),
     ],
 )

@@ -54,7 +54,7 @@ def test_the_version_is_the_package_s():
     assert software["version"] == CFF["version"] == project["version"]
     assert software["title"] == CFF["title"]
     page = (PROJECT / "docs" / "citing.md").read_text()
-    assert f"version = {{{software['version']}}}" in page
+    assert cite() in page
 
 
 @pytest.mark.parametrize("law", sorted(set(laws.LAWS) - {"universal"}))

@@ -39,10 +39,7 @@ def test_impact_writes_table_and_figures(tmp_path, capsys):
 
     line = ["impact", "--law", "thornton", "--speed", "0.1", "--output", str(folder)]
     assert main(line) == 1
-    assert (
-        "holds results; choose another folder, or overwrite them by force"
-        in capsys.readouterr().err
-    )
+    assert "another folder (--output), or overwrite them (--force)" in capsys.readouterr().err
     assert len(pd.read_csv(folder / "impacts.csv")) == len(table)
     assert main([*line, "--force"]) == 0
     assert pd.read_csv(folder / "impacts.csv")["law"].tolist() == ["thornton"]
@@ -67,7 +64,7 @@ def test_chung_ooi_writes_a_table_and_a_figure_each(tmp_path, capsys):
         assert (tmp_path / f"benchmark_{number}.png").read_bytes().startswith(b"\x89PNG")
     assert "Largest deviations from theory" in capsys.readouterr().out
     assert main(line) == 1
-    assert "overwrite them by force" in capsys.readouterr().err
+    assert "overwrite them (--force)" in capsys.readouterr().err
 
 
 def test_laws_lists_every_law_with_its_constants(capsys):

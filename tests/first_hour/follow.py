@@ -39,6 +39,7 @@ LEFT = (
     "results/spring/impacts.csv",
     "results/hopper/checks.csv",
     "results/hopper/figures/ledger.png",
+    "results/report.html",
 )
 
 

@@ -32,7 +32,7 @@ def test_the_page_installs_first_and_shows_every_kind_of_run():
     lines = follow.commands()
     assert lines[:2] == ["./run setup", ". .venv/bin/activate"]
     commands = {words[1] for words in map(str.split, lines) if words[0] == "plastigran"}
-    assert {"impact", "calibrate", "bulk", "snapshot"} <= commands
+    assert {"impact", "calibrate", "bulk", "snapshot", "report"} <= commands
 
 
 def test_brief_changes_something_of_the_page():

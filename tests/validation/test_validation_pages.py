@@ -32,12 +32,13 @@ def test_results_are_not_overwritten(tmp_path, capsys):
 
 @pytest.mark.parametrize("law", sorted(laws.LAWS))
 def test_the_first_screen_of_a_law_says_what_it_is_good_for(law):
-    """What to take it for, what not, and how far off it is, as the table of errors has it."""
+    """What to take it for, what not, how far off it is, by the table of errors, and its cost."""
     page = (PROJECT / "docs" / "laws" / f"{law}.md").read_text()
     rows = re.findall(
         r"^\| \*\*(.+?)\*\* \| (.+) \|$", "\n".join(page.splitlines()[:12]), re.MULTILINE
     )
-    assert [name for name, said in rows if said][:3] == ["Take it for", "Not for", "How far off"]
+    names = ["Take it for", "Not for", "How far off", "Cost"]
+    assert [name for name, said in rows if said][:4] == names
     if law in set(errors_table()["law"]):
         assert summarised(page, law, errors_table()) == page
 

@@ -86,7 +86,8 @@ def prepare_folder(folder: Path, force: bool) -> None:
     if folder.exists() and any(folder.iterdir()):
         if not force:
             raise ValueError(
-                f"{folder} holds results; choose another folder, or overwrite them by force"
+                f"{folder} holds results; choose another folder (--output), or overwrite "
+                "them (--force)"
             )
         if not (folder / RECORD).is_file():
             raise ValueError(

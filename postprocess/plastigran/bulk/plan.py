@@ -73,6 +73,8 @@ def plan_bulk(
         checkpoint = restart_point(restart, earlier)
         values = earlier["values"] | values | {"start": "checkpoint", "checkpoint": str(checkpoint)}
     kind = deck_class(script.stem)
+    if kind and "materials" in values:  # a path as typed here; the engine runs elsewhere
+        values["materials"] = str(Path(values["materials"]).resolve())
     if earlier and not kind:
         check_goes_on(read_deck(script, {}, folder))
     source = read_deck(script, values, folder)

@@ -87,7 +87,7 @@ def _report(error: Exception, verbose: bool) -> int:
     if verbose:
         traceback.print_exception(error)
     if isinstance(error, EngineError | DumpError | ValueError | OSError):
-        print(f"plastigran: {error}", file=sys.stderr)
+        print(f"plastigran: {_said(error)}", file=sys.stderr)
         return 1
     hint = "please report it" if verbose else "add -v (--verbose) for where, and please report it"
     print(
@@ -95,3 +95,12 @@ def _report(error: Exception, verbose: bool) -> int:
         file=sys.stderr,
     )
     return 70
+
+
+def _said(error: Exception) -> str:
+    """An error's message; of a file that the system refuses, its name and why."""
+    if isinstance(error, FileNotFoundError) and error.filename:
+        return f"no file {error.filename}"
+    if isinstance(error, OSError) and error.filename:
+        return f"{error.filename}: {error.strerror}"
+    return str(error)

@@ -162,7 +162,7 @@ def read_deck(deck: str | Path, values: Mapping[str, object], folder: Path) -> D
     take_in(path, "")
     references -= defined
     if unknown := sorted(set(given) - set(settings) - references - {"inputs", "output"}):
-        raise ValueError(
-            f"{path.name} has no setting {unknown[0]!r}; it takes {' '.join(settings)}"
-        )
+        none = "has none: a setting is a line `variable NAME index VALUE`"
+        known = f"takes {' '.join(settings)}" if settings else none
+        raise ValueError(f"{path.name} has no setting {unknown[0]!r}; it {known}")
     return DeckSource(path, files, settings, frozenset(references))

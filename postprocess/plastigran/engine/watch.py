@@ -30,7 +30,10 @@ class RunBar:
         now = self._follower.read()
         if not now.run:
             return
-        self._bar.set_postfix_str(f"t = {now.step * now.timestep:.3g} s", refresh=False)
+        said = [f"run {now.run}"] if now.run > 1 else []
+        if now.timestep:
+            said.append(f"t = {now.step * now.timestep:.3g} s")
+        self._bar.set_postfix_str(", ".join(said), refresh=False)
         if now.run != before:
             self._bar.reset(now.last - now.first)
         self._bar.update(now.step - now.first - self._bar.n)

@@ -183,7 +183,8 @@ def claim(folder: Path, force: bool) -> Iterator[None]:
             raise ValueError(f"{folder}: another sweep runs here; choose another") from None
         if not force and any([*folder.glob(TABLE), *folder.glob("runs/*/*")]):
             raise ValueError(
-                f"{folder} holds results; choose another folder, or overwrite them by force"
+                f"{folder} holds results; choose another folder (--output), or overwrite "
+                "them (--force)"
             )
         for name in (TABLE, STUDY):
             (folder / name).unlink(missing_ok=True)

@@ -81,7 +81,10 @@ def run(arguments: argparse.Namespace) -> None:
     if arguments.dry_run:
         plan = plan_bulk(*what)
         print(plan.command_line())
-        print(f"results would be in {plan.folder}; nothing was started")
+        print(
+            f"results would be in {plan.folder}, with the copy of the script, deck/"
+            f"{plan.source.path.name}, that a run takes; nothing was started"
+        )
         return
     try:
         bulk_run = run_bulk(*what, arguments.force)
@@ -95,6 +98,8 @@ def run(arguments: argparse.Namespace) -> None:
         print_json(said | {"written": str(arguments.output)})
         bulk_run.raise_if_failed()
         return
+    if earlier and at_its_end(bulk_run):
+        print(f"{earlier} was already at its last step: nothing was computed")
     if bulk_run.deck is None and not bulk_run.checks.size:
         print(f"{name} keeps no energy ledger: nothing was checked")
     report(bulk_run)
@@ -107,6 +112,14 @@ def how_to_go_on(folder: Path) -> str:
     except EngineError:
         return "it has left no checkpoint to go on from"
     return f"go on from its newest checkpoint with --restart {folder}"
+
+
+def at_its_end(run: BulkRun) -> bool:
+    """Whether a run that went on from another had no step to go."""
+    from plastigran.bulk.folder import BEFORE
+
+    last = (run.folder / BEFORE).read_text().splitlines()[-1].partition(",")[0]
+    return float(last) == run.series["step"].iloc[-1]
 
 
 def report(run: BulkRun) -> None:
