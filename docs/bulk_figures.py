@@ -77,6 +77,12 @@ def draw_drum(folder: Path) -> None:
     save(bulk("drum").figures["drum"], folder / "drum", (".png",))
 
 
+def draw_collision_spectra(folder: Path) -> None:
+    """Impacts in the drum at its defaults."""
+    figure = bulk("drum", spectra="on").figures["collision_spectra"]
+    save(figure, folder / "collision_spectra", (".png",))
+
+
 def draw_chute(folder: Path) -> None:
     """The chute at its defaults."""
     save(bulk("chute").figures["chute"], folder / "chute", (".png",))
@@ -109,6 +115,7 @@ def draw_hopper_grains(folder: Path) -> None:
 BULK = {
     "cooling_gas": draw_cooling_gas,
     "drum": draw_drum,
+    "collision_spectra": draw_collision_spectra,
     "chute": draw_chute,
     "compaction": draw_compaction,
     "bed_impact": draw_bed_impact,

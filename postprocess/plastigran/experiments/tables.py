@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from math import isnan
 
 import pandas as pd
 
@@ -43,10 +44,7 @@ def format_table(table: pd.DataFrame, shown: Sequence[str] = ()) -> str:
     if shown:
         columns = [name for name in columns if name not in VARIED or table[name].nunique() > 1]
     heads = [(HEADS.get(name, name) + "\n").split("\n")[:2] for name in columns]
-    cells = [
-        [f"{value:.5g}" if isinstance(value, float) else str(value) for value in line]
-        for line in table[columns].itertuples(index=False)
-    ]
+    cells = [[_cell(value) for value in line] for line in table[columns].itertuples(index=False)]
     lines = [[head[k] for head in heads] for k in (0, 1)] + cells
     widths = [max(len(line[k]) for line in lines) for k in range(len(columns))]
     text = [
@@ -54,6 +52,12 @@ def format_table(table: pd.DataFrame, shown: Sequence[str] = ()) -> str:
         for line in lines
     ]
     return "\n".join([*text[:2], "-" * len(text[0]), *text[2:]])
+
+
+def _cell(value: object) -> str:
+    if not isinstance(value, float):
+        return str(value)
+    return "-" if isnan(value) else f"{value:.5g}"
 
 
 def format_range(table: pd.DataFrame) -> str:

@@ -170,13 +170,18 @@ def loops_figure(collisions: Collisions) -> Figure:
                     label=f"{impact.speed:.3g} m/s",
                 )
             axes.set_title(name, fontsize=10)
-            axes.legend(loc="upper left", fontsize=8)
-            axes.set_xlabel("overlap (µm)")
         for axes in panels[:, 0]:
             axes.set_ylabel("normal force (kN)")
         lowest = panels.flat[max(len(curves) - columns, 0) : len(curves)]  # of each column
-        for axes in lowest:
+        for axes in lowest if like else panels.flat[: len(curves)]:
             axes.tick_params(labelbottom=True)
+            axes.set_xlabel("overlap (µm)")
+        said = None
+        for axes in panels.flat[: len(curves)]:
+            handles, labels = axes.get_legend_handles_labels()
+            if labels != said:  # else it has the speeds of the panel before
+                axes.legend(handles, labels, loc="upper left", fontsize=8)
+            said = labels
         if (speeds := max(map(len, curves.values()))) > LOOPS:
             figure.suptitle(f"the {LOOPS} fastest of {speeds} speeds", fontsize=10)
     return figure
