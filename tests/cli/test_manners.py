@@ -100,7 +100,7 @@ def test_impact_by_theory_needs_no_engine(tmp_path, monkeypatch, capsys):
     for name in ("restitution", "loops"):
         assert (tmp_path / "out" / f"{name}.png").read_bytes().startswith(b"\x89PNG")
     assert main(line) == 1
-    assert "overwrite them by force" in capsys.readouterr().err
+    assert "or overwrite them (--force)" in capsys.readouterr().err
     assert main([*line, "--force"]) == 0
 
 

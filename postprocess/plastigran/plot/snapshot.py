@@ -205,7 +205,7 @@ def _add_grains(plotter: pyvista.Plotter, frame: Frame, colour: str, bar: dict, 
     pyvista = load_pyvista()
     grains = pyvista.read(frame.grains)
     grains[COLOURS[colour]] = values = grain_values(frame, colour)
-    if largest == 0 or (largest is None and np.ptp(values) == 0):
+    if np.ptp(span or values) == 0:  # one colour
         bar = bar | {"n_labels": 1}
     facets = 24 if grains.n_points < 10_000 else 10
     sphere = pyvista.Sphere(radius=1, theta_resolution=facets, phi_resolution=facets)
