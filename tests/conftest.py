@@ -154,13 +154,19 @@ def declared_jumps() -> dict[str, list[tuple[float, float]]]:
 
 
 @pytest.fixture(scope="session")
-def bulk_run(tmp_path_factory):
+def workers_folder(tmp_path_factory) -> Path:
+    """A folder that pytest's workers share."""
+    base = tmp_path_factory.getbasetemp()
+    return base.parent if "PYTEST_XDIST_WORKER" in os.environ else base
+
+
+@pytest.fixture(scope="session")
+def bulk_run(workers_folder):
     """Runs a bulk deck, `bulk_run(deck, settings)`, once for all tests and pytest's workers.
 
     Tests leave its folder and what it hands over as they are.
     """
-    base = tmp_path_factory.getbasetemp()
-    shared = (base.parent if "PYTEST_XDIST_WORKER" in os.environ else base) / "bulk_runs"
+    shared = workers_folder / "bulk_runs"
     shared.mkdir(exist_ok=True)
 
     @cache

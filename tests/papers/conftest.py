@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Callable
 from fcntl import LOCK_EX, flock
 from pathlib import Path
@@ -15,17 +14,15 @@ from plastigran.cli import main
 
 
 @pytest.fixture(scope="session")
-def coarse(tmp_path_factory) -> Callable[[str], Path]:
+def coarse(workers_folder) -> Callable[[str], Path]:
     """The folder that `plastigran reproduce NAME --coarse` writes, `coarse(name)`."""
-    base = tmp_path_factory.getbasetemp()
-    shared = base.parent if "PYTEST_XDIST_WORKER" in os.environ else base
 
     def run(name: str) -> Path:
-        folder = shared / f"paper_{name}"
+        folder = workers_folder / f"paper_{name}"
         with open(folder.with_suffix(".lock"), "w") as lock, pytest.MonkeyPatch.context() as patch:
             flock(lock, LOCK_EX)
             if not folder.exists():
-                patch.setenv("PLASTIGRAN_CACHE", str(shared / "papers_cache"))
+                patch.setenv("PLASTIGRAN_CACHE", str(workers_folder / "papers_cache"))
                 assert main(["reproduce", name, "--coarse", "--output", str(folder)]) == 0
         return folder
 

@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-import os
 import shutil
 from collections.abc import Iterator
 from fcntl import LOCK_EX, flock
@@ -30,10 +29,9 @@ def hopper(brief_run) -> Path:
 
 
 @pytest.fixture(scope="session")
-def shared(tmp_path_factory) -> Path:
-    """A folder that pytest's workers share."""
-    base = tmp_path_factory.getbasetemp()
-    folder = (base.parent if "PYTEST_XDIST_WORKER" in os.environ else base) / "report"
+def shared(workers_folder) -> Path:
+    """A folder for these tests that pytest's workers share."""
+    folder = workers_folder / "report"
     folder.mkdir(exist_ok=True)
     return folder
 
