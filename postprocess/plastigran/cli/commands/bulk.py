@@ -81,10 +81,7 @@ def run(arguments: argparse.Namespace) -> None:
     if arguments.dry_run:
         plan = plan_bulk(*what)
         print(plan.command_line())
-        print(
-            f"results would be in {plan.folder}, with the copy of the script, deck/"
-            f"{plan.source.path.name}, that a run takes; nothing was started"
-        )
+        print(f"results would be in {plan.folder}; nothing was started")
         return
     try:
         bulk_run = run_bulk(*what, arguments.force)
