@@ -15,19 +15,24 @@ work of the ledger. A scene is made from its seed: `--seed 17 --scenes 1 --keep`
 from __future__ import annotations
 
 import argparse
+import csv
+import os
 import tempfile
-from concurrent.futures import ThreadPoolExecutor
-from dataclasses import dataclass
+from concurrent.futures import ProcessPoolExecutor
+from dataclasses import dataclass, fields
+from itertools import repeat
 from pathlib import Path
+from shutil import rmtree
 
 import numpy as np
 import pandas as pd
 from deck import write_decks
-from replay import FORCE, PLACE, Replay
-from scene import AXES, Event, Scene, random_scene
+from events import AXES, Event
+from frames import Frame, read
+from replay import Replay
+from scene import Scene, random_scene
 from tqdm import tqdm
 
-from plastigran.engine.dumps import read_frames
 from plastigran.engine.log import LOG, read_thermo
 from plastigran.engine.process import PROJECT, EngineError, run_deck
 
@@ -79,49 +84,38 @@ def compare(scene: Scene, folder: Path, logs: list[Path]) -> tuple[int, int, flo
     told = pd.concat(ledger, ignore_index=True)[ledger[0].columns].dropna()  # the run 0 has others
     told = told.set_axis(["run", "step", "kinetic", "elastic", "plastic", "drift"], axis=1)
     replay, last = Replay(scene), None
-    scale_force, worst_force, frames = 0.0, 0.0, 0
-    elastic, plastic, energy = [], [], 0.0
+    scale, worst, energy, frames = 0.0, 0.0, 0.0, 0
+    energies = []  # elastic and plastic, at begin and end of each run
     for number, event in enumerate(scene.events):
-        for frame in read_frames(folder / f"run_{number}.dump"):
-            first = last is None or frame["step"].iloc[0] != last[2] + 1
+        run = list(read(folder / f"run_{number}.dump"))
+        for frame in run:
             names = match(scene, event, frame, last)
-            force, stored = replay.forces(names, frame, first)
-            off = np.abs(force - frame[FORCE].to_numpy()).max()
-            scale_force = max(scale_force, np.abs(force).max())
-            worst_force = max(worst_force, off)
-            energy = max(
-                energy, 0.5 * (frame["mass"] * (frame[["vx", "vy", "vz"]] ** 2).sum(axis=1)).sum()
-            )
-            last = (names, frame[PLACE].to_numpy(), frame["step"].iloc[0])
-            frames += 1
-            if first:
-                elastic.append(stored), plastic.append(replay.plastic_work)
-        elastic.append(stored), plastic.append(replay.plastic_work)
-    assert len(told) == len(elastic), (
-        f"{len(told)} lines of the ledger, {len(elastic)} ends of runs"
-    )
-    grown = np.diff(plastic)[::2] - np.diff(told["plastic"])[::2]  # within runs
-    return (
-        replay.touched,
-        frames,
-        worst_force / (scale_force or 1),
-        np.abs(told["elastic"] - elastic).max() / energy,
-        np.abs(grown).max() / energy,
-    )
+            force, *stored = replay.forces(names, frame, begins=frame is run[0])
+            scale = max(scale, np.abs(force).max())
+            worst = max(worst, np.abs(force - frame.force).max())
+            energy = max(energy, frame.kinetic_energy)
+            last = (names, frame.place, frame.step)
+            if frame is run[0] or frame is run[-1]:
+                energies.append(stored)
+        frames += len(run)
+    assert len(told) == len(energies), f"{len(told)} lines of the ledger, {len(energies)} due"
+    off = np.abs(told[["elastic", "plastic"]].to_numpy() - energies).max(axis=0) / energy
+    return (replay.touched, frames, worst / (scale or 1), *map(float, off))
 
 
-def match(scene: Scene, event: Event, frame: pd.DataFrame, last) -> np.ndarray:
+def match(
+    scene: Scene, event: Event, frame: Frame, last: tuple[np.ndarray, np.ndarray, int] | None
+) -> np.ndarray:
     """Names of a frame's particles: those of the nearest ones before, moved by the event."""
-    places = frame[PLACE].to_numpy()
     if last is None:
-        return frame["id"].to_numpy()
+        return frame.ids
     names, before, step = last
-    if frame["step"].iloc[0] == step + 1:
+    if frame.step == step + 1:
         return names
     if event.kind == "displace":
         before = before + event.shift
     periodic = np.array([axis not in scene.walled for axis in AXES])
-    apart = places[:, None] - before[None]
+    apart = frame.place[:, None] - before[None]
     side = scene.high - scene.low
     apart -= np.where(periodic, side * np.round(apart / side), 0)
     distance = np.sqrt((apart**2).sum(axis=-1))
@@ -133,9 +127,18 @@ def match(scene: Scene, event: Event, frame: pd.DataFrame, last) -> np.ndarray:
     )
     found[fresh] = 1 + names.max() + step  # a name that nobody had
     gone = np.setdiff1d(names, found)
-    if "delete" not in event.kind:
-        assert not len(gone), f"{len(gone)} particles went at {event.kind}"
+    assert "delete" in event.kind or not len(gone), f"{len(gone)} particles went at {event.kind}"
     return found
+
+
+def judge_in(root: Path, seed: int) -> Verdict:
+    """`judge` in a folder of its own, which is kept when the scene differs."""
+    folder = root / str(seed)
+    folder.mkdir(parents=True, exist_ok=True)
+    verdict = judge(seed, folder)
+    if verdict.passed:
+        rmtree(folder)
+    return verdict
 
 
 def main() -> None:
@@ -144,39 +147,40 @@ def main() -> None:
     parser.add_argument("--seed", type=int, default=1, help="of the first (default: %(default)s)")
     parser.add_argument("--workers", type=int, default=2, help="at a time (default: %(default)s)")
     parser.add_argument("--keep", type=Path, help="folder for the runs of scenes that differ")
+    parser.add_argument("--output", type=Path, default=RESULTS, help="table (default: %(default)s)")
     options = parser.parse_args()
-    with tempfile.TemporaryDirectory() as scratch, ThreadPoolExecutor(options.workers) as pool:
-        root = options.keep or Path(scratch)
+    os.environ.setdefault("OMPI_MCA_mpi_yield_when_idle", "1")  # other scenes want the cores
+    seeds = range(options.seed, options.seed + options.scenes)
+    options.output.parent.mkdir(parents=True, exist_ok=True)
+    with (
+        tempfile.TemporaryDirectory() as scratch,
+        ProcessPoolExecutor(options.workers) as pool,
+        open(options.output, "w", newline="") as file,
+    ):
+        rows = csv.DictWriter(
+            file, [*(f.name for f in fields(Verdict)), "passed"], lineterminator="\n"
+        )
+        rows.writeheader()
+        verdicts = pool.map(judge_in, repeat(options.keep or Path(scratch)), seeds)
+        for verdict in tqdm(verdicts, total=len(seeds), unit="scene"):
+            rows.writerow({**vars(verdict), "passed": verdict.passed})
+            file.flush()
+    if report(pd.read_csv(options.output)):
+        raise SystemExit(1)
 
-        def one(seed: int) -> Verdict:
-            folder = root / str(seed)
-            folder.mkdir(parents=True, exist_ok=True)
-            verdict = judge(seed, folder)
-            if verdict.passed:
-                for path in sorted(folder.iterdir()):
-                    path.unlink()
-                folder.rmdir()
-            return verdict
 
-        seeds = range(options.seed, options.seed + options.scenes)
-        verdicts = list(tqdm(pool.map(one, seeds), total=len(seeds), unit="scene"))
-    table = pd.DataFrame([{**vars(v), "passed": v.passed} for v in verdicts])
-    RESULTS.parent.mkdir(parents=True, exist_ok=True)
-    table.to_csv(RESULTS, index=False)
-    differ = table[~table["passed"]]
-    if len(differ):
-        print(differ.to_string(index=False, max_colwidth=60))
+def report(table: pd.DataFrame) -> int:
+    """Print what came of all scenes; returns how many differ."""
+    passed = table["passed"]
+    if not passed.all():
+        print(table[~passed].to_string(index=False, max_colwidth=60))
+    largest = table.loc[passed, ["force", "elastic", "plastic"]].max()
     print(
         f"{len(table)} scenes, {table['contacts'].sum()} contacts, {table['frames'].sum()} frames: "
-        f"{len(differ)} differ by more than {TOLERANCE:g}; largest differences of the others: "
-        + ", ".join(
-            f"{n} {table.loc[table['passed'], n].max():.1e}"
-            for n in ("force", "elastic", "plastic")
-        )
+        f"{(~passed).sum()} differ by more than {TOLERANCE:g}; largest differences of the others: "
+        + ", ".join(f"{name} {value:.1e}" for name, value in largest.items())
     )
-    print(f"wrote {RESULTS}")
-    if len(differ):
-        raise SystemExit(1)
+    return int((~passed).sum())
 
 
 if __name__ == "__main__":

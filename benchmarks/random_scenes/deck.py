@@ -8,12 +8,13 @@ from itertools import pairwise
 from pathlib import Path
 
 import numpy as np
+from events import AXES, CREATED_RADIUS, Event
+from frames import COLUMNS
 from plastigran.laws import hertz_yield_pressure_factor
-from scene import AXES, Event, Scene
+from scene import Scene
 
-COLUMNS = "id type radius mass x y z vx vy vz fx fy fz"
-#: Radius of particles that are created between runs, and how far from a place one is deleted [m].
-CREATED_RADIUS, NEAR = 0.05, 0.13
+#: How far from a place particles are deleted [m].
+NEAR = 0.13
 _VARIABLES = ("variable inputs index inputs", "variable output index .")  # given to every deck
 MESH_CELLS = 3  # of the meshed wall along a side
 
@@ -104,6 +105,12 @@ def _again(scene: Scene, event: Event) -> Iterator[str]:
 
 
 def _properties(scene: Scene) -> Iterator[str]:
+    # The engine asks that something has type 1, whatever is deleted.
+    yield (
+        "fix first all particletemplate/sphere 15485863 atom_type 1 density constant 1000 "
+        "radius constant 0.05"
+    )
+    yield "fix kinds all particledistribution/discrete 49979687 1 first 1"
     fields = {
         "youngsModulus": "youngs_modulus",
         "poissonsRatio": "poissons_ratio",

@@ -12,11 +12,11 @@ from copy import copy
 from dataclasses import dataclass, field
 
 import numpy as np
-from scene import AXES, Scene
+from events import AXES
+from frames import Frame
+from scene import Scene
 
 from plastigran import laws
-
-PLACE, SPEED, FORCE = ["x", "y", "z"], ["vx", "vy", "vz"], ["fx", "fy", "fz"]
 
 
 @dataclass
@@ -45,24 +45,27 @@ class Replay:
     touched: int = 0
     _laws: dict[tuple[int, int], laws.Law] = field(default_factory=dict)
 
-    def forces(self, names: np.ndarray, frame, begins: bool) -> tuple[np.ndarray, float]:
-        """Forces (particle, axis) [N] and elastic energy [J] of a frame; moves histories on.
+    def forces(
+        self, names: np.ndarray, frame: Frame, begins: bool
+    ) -> tuple[np.ndarray, float, float]:
+        """Forces (particle, axis) [N], elastic energy and plastic work [J] of a frame; moves
+        histories on.
 
         The engine asks for forces in the middle of a step, when velocities are half a step old. At
-        the begin of a run it asks with those of the frame, and histories stay as they are.
+        the begin of a run it asks with those of the frame, and histories stay as they are: what
+        plastic work a new overlap would do is told and not kept.
 
         Args:
             names: Of each particle, the same in all runs.
-            frame: A frame of the dump, a row for each particle.
+            frame: A row for each particle.
             begins: Whether a run begins with it.
         """
-        radius, mass = frame["radius"].to_numpy(), frame["mass"].to_numpy()
-        place, kinds = frame[PLACE].to_numpy(), frame["type"].to_numpy()
-        velocity = frame[SPEED].to_numpy()
+        radius, kinds = frame.radius, frame.types
+        velocity = frame.velocity
         if not begins:
-            velocity -= 0.5 * self.scene.timestep * frame[FORCE].to_numpy() / mass[:, None]
-        force, elastic, seen = np.zeros_like(place), 0.0, set()
-        for i, j, normal, overlap in self._meetings(place, radius):
+            velocity = velocity - 0.5 * self.scene.timestep * frame.force / frame.mass[:, None]
+        force, elastic, passing, seen = np.zeros_like(frame.place), 0.0, 0.0, set()
+        for i, j, normal, overlap in self._meetings(frame.place, radius):
             if isinstance(j, str):
                 name, other = (names[i], j), self.scene.wall_type
                 radius_eff, closing = radius[i], -velocity[i] @ normal
@@ -71,14 +74,17 @@ class Replay:
                 radius_eff = radius[i] * radius[j] / (radius[i] + radius[j])
                 closing = -(velocity[i] - velocity[j]) @ normal
             seen.add(name)
-            answer = self._ask(name, (kinds[i], other), radius_eff, overlap, closing, not begins)
+            answer, kept = self._ask(
+                name, (kinds[i], other), radius_eff, overlap, closing, not begins
+            )
             force[i] += answer.force * normal
             if not isinstance(j, str):
                 force[j] -= answer.force * normal
             elastic += answer.elastic_energy
+            passing += answer.plastic_work - kept if begins else 0
         for name in self.contacts.keys() - seen:
             del self.contacts[name]
-        return force, elastic
+        return force, elastic, self.plastic_work + passing
 
     def _ask(self, name, kinds, radius_eff, overlap, closing, remember):
         contact = self.contacts.get(name)
@@ -96,7 +102,7 @@ class Replay:
             work = contact.law.respond(radius_eff, 0.0, state).plastic_work
             self.plastic_work += work - contact.plastic_work
             contact.plastic_work = work
-        return answer
+        return answer, contact.plastic_work
 
     def _law(self, one: int, other: int) -> laws.Law:
         if (one, other) not in self._laws:

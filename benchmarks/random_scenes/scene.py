@@ -3,50 +3,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from dataclasses import dataclass, field
 from itertools import product
 from math import pi
 
 import numpy as np
+from events import AXES, CREATED_RADIUS, Event, random_events
 from plastigran.laws import Body
 
 from plastigran import laws
-
-AXES = "xyz"
-#: What may be done between two runs; `displace` moves all together and so needs no walls.
-EVENTS = (
-    "go on",
-    "delete",
-    "create",
-    "delete and create",
-    "displace",
-    "steps anew",
-    "pair_style again",
-    "restart",
-    "restart with its line",
-)
-
-
-@dataclass(frozen=True)
-class Event:
-    """What is done before a run.
-
-    Attributes:
-        kind: One of EVENTS.
-        where: Centres of particles that are created, and places near which one is deleted [m].
-        compress: The word of delete_atoms.
-        shift: Of all particles [m].
-        steps: Time steps of the run after it.
-        grid: Ranks along x, y and z; it changes at restarts alone.
-    """
-
-    kind: str
-    where: np.ndarray
-    compress: str
-    shift: np.ndarray
-    steps: int
-    grid: tuple[int, int, int]
 
 
 @dataclass(frozen=True)
@@ -104,7 +69,7 @@ def random_scene(seed: int) -> Scene:
     bodies = [_body(random, law.yields) for _ in range(random.integers(1, 4))]
     densities = 10 ** random.uniform(2.7, 4, len(bodies))
     count = random.integers(2, 15)
-    radius = random.uniform(0.04, 0.09, count)
+    radius = random.uniform(CREATED_RADIUS, 0.09, count)
     types = random.integers(1, len(bodies) + 1, count)
     speed = 10 ** random.uniform(-1, 1.3)
     timestep = _timestep(law_name, options, bodies, densities, radius.min(), 2 * speed)
@@ -131,7 +96,7 @@ def random_scene(seed: int) -> Scene:
         meshed=bool(random.random() < 0.5) and walled == AXES,
         timestep=timestep,
         sort=int(random.choice([0, 1, 1000])),
-        events=list(_events(random, low, high, walled)),
+        events=list(random_events(random, positions, radius, low, high, walled, gap)),
     )
 
 
@@ -190,28 +155,3 @@ def _box(
     high = (positions + radius[:, None]).max(axis=0) + gap * random.random(3)
     periodic = np.array([axis not in walled for axis in AXES])
     return low, np.where(periodic, np.maximum(high, low + 0.5), high)
-
-
-def _events(
-    random: np.random.Generator, low: np.ndarray, high: np.ndarray, walled: str
-) -> Iterator[Event]:
-    grid = _grid(random)
-    for k in range(random.integers(1, 5)):
-        kind = str(random.choice(EVENTS)) if k else "go on"
-        if kind == "displace" and walled:
-            kind = "go on"
-        if kind.startswith("restart"):
-            grid = _grid(random)
-        yield Event(
-            kind,
-            where=random.uniform(low, high, (2, 3)),
-            compress=str(random.choice(["yes", "no"])),
-            shift=random.uniform(-0.1, 0.1, 3),
-            steps=int(random.integers(20, 150)),
-            grid=grid,
-        )
-
-
-def _grid(random: np.random.Generator) -> tuple[int, int, int]:
-    grids = [(1, 1, 1), (1, 1, 1), (2, 1, 1), (1, 2, 1), (1, 1, 2), (2, 2, 1), (2, 1, 2)]
-    return grids[random.integers(len(grids))]
