@@ -34,7 +34,7 @@ from scene import Scene, random_scene
 from tqdm import tqdm
 
 from plastigran.engine.log import LOG, read_thermo
-from plastigran.engine.process import PROJECT, EngineError, run_deck
+from plastigran.engine.process import PROJECT, run_deck
 
 #: Of the largest force or energy of a scene. An overlap of 1e-5 of the box is rounded to 1e-11 of
 #: itself, and steep branches make of it ten times as much.
@@ -74,8 +74,8 @@ def judge(seed: int, folder: Path) -> Verdict:
             logs.append(folder / f"log_{number}")
             (folder / LOG).rename(logs[-1])
         return Verdict(*head, *compare(scene, folder, logs))
-    except (EngineError, AssertionError) as error:
-        return Verdict(*head, error=str(error))
+    except Exception as error:  # the others go on; a fault of the replay shows as one
+        return Verdict(*head, error=f"{type(error).__name__}: {error}")
 
 
 def compare(scene: Scene, folder: Path, logs: list[Path]) -> tuple[int, int, float, float, float]:
@@ -91,8 +91,8 @@ def compare(scene: Scene, folder: Path, logs: list[Path]) -> tuple[int, int, flo
         for frame in run:
             names = match(scene, event, frame, last)
             force, *stored = replay.forces(names, frame, begins=frame is run[0])
-            scale = max(scale, np.abs(force).max())
-            worst = max(worst, np.abs(force - frame.force).max())
+            scale = max(scale, np.abs(force).max(initial=0))
+            worst = max(worst, np.abs(force - frame.force).max(initial=0))
             energy = max(energy, frame.kinetic_energy)
             last = (names, frame.place, frame.step)
             if frame is run[0] or frame is run[-1]:
@@ -100,7 +100,7 @@ def compare(scene: Scene, folder: Path, logs: list[Path]) -> tuple[int, int, flo
         frames += len(run)
     assert len(told) == len(energies), f"{len(told)} lines of the ledger, {len(energies)} due"
     off = np.abs(told[["elastic", "plastic"]].to_numpy() - energies).max(axis=0) / energy
-    return (replay.touched, frames, worst / (scale or 1), *map(float, off))
+    return (replay.touched, frames, float(worst / (scale or 1)), *map(float, off))
 
 
 def match(
@@ -119,13 +119,15 @@ def match(
     side = scene.high - scene.low
     apart -= np.where(periodic, side * np.round(apart / side), 0)
     distance = np.sqrt((apart**2).sum(axis=-1))
-    nearest = distance.argmin(axis=1)
-    found = np.where(distance.min(axis=1) < 1e-9, names[nearest], 0)
+    found = np.zeros(len(distance), int)
+    for k, row in enumerate(distance):
+        if row.min(initial=1) < 1e-9:
+            found[k] = names[row.argmin()]
     fresh = np.flatnonzero(found == 0)
     assert len(fresh) == ("create" in event.kind), (
         f"{len(fresh)} particles appeared at {event.kind}"
     )
-    found[fresh] = 1 + names.max() + step  # a name that nobody had
+    found[fresh] = 1 + names.max(initial=0) + step  # a name that nobody had
     gone = np.setdiff1d(names, found)
     assert "delete" in event.kind or not len(gone), f"{len(gone)} particles went at {event.kind}"
     return found

@@ -5,12 +5,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
-from itertools import pairwise
 from pathlib import Path
 
 import numpy as np
-
-from plastigran.engine.dumps import read_dump
 
 #: What a scene's dumps hold.
 COLUMNS = "id type radius mass x y z vx vy vz fx fy fz"
@@ -43,21 +40,15 @@ class Frame:
 
 
 def read(path: Path) -> Iterator[Frame]:
-    """The frames of a dump of COLUMNS.
-
-    Raises:
-        plastigran.engine.dumps.DumpError: It is not a whole dump.
-    """
-    table = read_dump(path)
-    steps, values = table["step"].to_numpy(), table[COLUMNS.split()].to_numpy(float)
-    borders = [0, *(np.flatnonzero(np.diff(steps)) + 1), len(steps)]
-    for first, end in pairwise(borders):
-        rows = values[first:end]
+    """The frames of a whole dump of COLUMNS; one may be without particles."""
+    for text in path.read_text().split("ITEM: TIMESTEP\n")[1:]:
+        head, rows = text.split(f"ITEM: ATOMS {COLUMNS}")
+        values = np.array(rows.split(), float).reshape(-1, len(COLUMNS.split()))
         yield Frame(
-            int(steps[first]),
-            rows[:, 0].astype(int),
-            rows[:, 1].astype(int),
-            rows[:, 2],
-            rows[:, 3],
-            *(rows[:, k : k + 3] for k in (4, 7, 10)),
+            int(head.split(maxsplit=1)[0]),
+            values[:, 0].astype(int),
+            values[:, 1].astype(int),
+            values[:, 2],
+            values[:, 3],
+            *(values[:, k : k + 3] for k in (4, 7, 10)),
         )
