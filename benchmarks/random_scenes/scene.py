@@ -13,6 +13,10 @@ from plastigran.laws import Body
 
 from plastigran import laws
 
+#: Overlap of the heaviest particles, over the smallest radius, beyond which all begin slower. Where
+#: several press on one it is more, and at 1 the plugin stops the run.
+DEEPEST = 0.6
+
 
 @dataclass(frozen=True)
 class Scene:
@@ -72,7 +76,13 @@ def random_scene(seed: int) -> Scene:
     radius = random.uniform(CREATED_RADIUS, 0.09, count)
     types = random.integers(1, len(bodies) + 1, count)
     speed = 10 ** random.uniform(-1, 1.3)
-    timestep = _timestep(law_name, options, bodies, densities, radius.min(), 2 * speed)
+    between = [
+        (law(laws.combine(bodies[i], bodies[j]), **options), min(densities[i], densities[j]))
+        for i, j in product(range(len(bodies)), repeat=2)
+    ]
+    while _deepest(between, densities.max(), radius, 2 * speed) > DEEPEST * radius.min():
+        speed /= 2
+    timestep = _timestep(between, radius.min(), 2 * speed)
     gap = 30 * speed * timestep  # closed within some 30 steps
     positions = _cluster(random, radius, gap)
     inward = positions.mean(axis=0) - positions
@@ -117,21 +127,23 @@ def _body(random: np.random.Generator, yields: bool) -> Body:
     )
 
 
-def _timestep(
-    law_name: str,
-    options: dict[str, object],
-    bodies: list[Body],
-    densities: np.ndarray,
-    smallest: float,
-    speed: float,
+def _deepest(
+    between: list[tuple[laws.Law, float]], density: float, radius: np.ndarray, speed: float
 ) -> float:
-    """A third of what the stiffest possible impact needs [s]."""
-    least = np.inf
-    for one, other in product(range(len(bodies)), repeat=2):
-        mass = 4 / 3 * pi * smallest**3 * min(densities[one], densities[other]) / 2
-        law = laws.LAWS[law_name](laws.combine(bodies[one], bodies[other]), **options)
-        least = min(least, float(law.recommended_timestep(smallest / 2, mass, speed)))
-    return least / 3
+    """Largest overlap of two of the heaviest particles, as curved as the smallest [m]."""
+    mass = 4 / 3 * pi * radius.max() ** 3 * density / 2
+    impacts = (law.central_impact(radius.min() / 2, mass, speed) for law, _ in between)
+    return max(float(impact.overlap_max) for impact in impacts)
+
+
+def _timestep(between: list[tuple[laws.Law, float]], smallest: float, speed: float) -> float:
+    """A third of what the stiffest possible impact needs [s]; of laws and least densities."""
+    volume = 4 / 3 * pi * smallest**3
+    steps = (
+        law.recommended_timestep(smallest / 2, volume * density / 2, speed)
+        for law, density in between
+    )
+    return float(min(steps)) / 3
 
 
 def _cluster(random: np.random.Generator, radius: np.ndarray, gap: float) -> np.ndarray:
