@@ -56,6 +56,46 @@ def test_pair_time(tmp_path, monkeypatch, capsys):
     assert "median (quartiles) of 1 rounds" in capsys.readouterr().out
 
 
+@pytest.mark.engine
+def test_peers(tmp_path, monkeypatch, capsys):
+    """Two steps of a bed of 72 spheres, once, by LIGGGHTS' own laws; LAMMPS is not in the tests."""
+    monkeypatch.syspath_prepend(PROJECT / "benchmarks")
+    script = load("benchmarks/peers.py")
+    monkeypatch.setattr(script, "WORK", tmp_path)
+    monkeypatch.setattr(script, "RESULTS", tmp_path)
+    run_deck(script.HERE / "bed.in", {"across": 6, "high": 6, "steps": 200}, tmp_path)
+    monkeypatch.setattr(script, "make_bed", lambda _: tmp_path / "bed.data")
+    laws = ["thornton", "hooke/hysteresis", "thornton_ning"]
+    words = ["peers.py", "--part", "cost", "--law", *laws, "--repeats", "1", "--steps", "2"]
+    monkeypatch.setattr(sys, "argv", words)
+    script.main()
+    rounds = pd.read_csv(tmp_path / "peers.csv")
+    assert set(rounds["law"]) == {"hertz", "hertz again", *laws}
+    assert (rounds[["loop", "pair", "clock"]] > 0).all(axis=None)
+    assert "| `hooke/hysteresis` |" in capsys.readouterr().out
+
+
+@pytest.mark.engine
+def test_restitution_of_peers(tmp_path, monkeypatch):
+    """hooke/hysteresis meets the finite elements where it was made to, by its own equations:
+    1 % is for the interpolation between computed speeds. A law of ours is the Python's, to the
+    error of a time step of 1/4000 of an impact."""
+    monkeypatch.syspath_prepend(PROJECT / "benchmarks")
+    script = load("benchmarks/peers_restitution.py")
+    found = script.restitution(tmp_path, ["hooke/hysteresis", "thornton"])
+    curve = {law: rows["restitution"].to_numpy() for law, rows in found.groupby("law")}
+    elements = found[found["law"] == "finite elements"]
+    at = np.interp(script.AGREES, elements["speed_ratio"], elements["restitution"])
+    reached = np.interp(script.AGREES, script.SPEED_RATIOS, curve["hooke/hysteresis"])
+    assert_allclose(reached, at, rtol=0.01)
+    spheres = script.Spheres()
+    law = script.laws.LAWS["thornton"](spheres.pair)
+    impact = law.central_impact(spheres.radius / 2, spheres.mass / 2, 2 * spheres.speeds)
+    assert_allclose(curve["thornton"], impact.coefficient_of_restitution, rtol=1e-3)
+    script.draw(found, tmp_path / "peers.svg")
+    assert (tmp_path / "peers.svg").exists()
+
+
 @pytest.mark.parametrize("part", ["kills", "restarts"])
 def test_reliability(part, tmp_path, monkeypatch):
     """Two kills or restarts; the page's table is written again and nothing else of the page."""
