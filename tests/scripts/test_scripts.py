@@ -7,7 +7,7 @@ import re
 import sys
 from importlib.util import module_from_spec, spec_from_file_location
 from pathlib import Path
-from types import ModuleType
+from types import ModuleType, SimpleNamespace
 
 import attrs
 import numpy as np
@@ -94,6 +94,54 @@ def test_restitution_of_peers(tmp_path, monkeypatch):
     assert_allclose(curve["thornton"], impact.coefficient_of_restitution, rtol=1e-3)
     script.draw(found, tmp_path / "peers.svg")
     assert (tmp_path / "peers.svg").exists()
+
+
+@pytest.mark.engine
+def test_size(tmp_path, monkeypatch, capsys):
+    """A bed of 100 grains, hardly settled: copies side by side feel the same forces but for
+    rounding, a restart ends as the run does, and four ranks end as one but for rounding."""
+    monkeypatch.syspath_prepend(PROJECT / "benchmarks")
+    script = load("benchmarks/size.py")
+    monkeypatch.setattr("size_beds.WORK", tmp_path)
+    monkeypatch.setattr(script, "WORK", tmp_path)
+    monkeypatch.setattr(script, "RESULTS", tmp_path)
+    settled = script.base(across=5, high=4, steps=200)
+    monkeypatch.setattr(script, "base", lambda: settled)
+    forces = []
+    for along in ((1, 1), (2, 3)):
+        case = {"steps": 2, "warm": 2, "rest": 2}
+        script.run(script.widen(settled, *along), case, tmp_path / "run")
+        end = script.read_dump(tmp_path / "run" / "end.dump").query("step == 6").sort_values("id")
+        forces.append(end[["fx", "fy", "fz"]].to_numpy().reshape(-1, 100, 3))
+    assert (len(forces[0]), len(forces[1])) == (1, 6)
+    assert_allclose(forces[1], forces[0].repeat(6, axis=0), atol=1e-9 * np.abs(forces[0]).max())
+    script.print_restart(script.widen(settled, 1, 1), steps=20)
+    assert "the same in every digit" in capsys.readouterr().out
+    words = ["size.py", "--part", "cost", "calls", "--grains", "12500", "--repeats", "1"]
+    monkeypatch.setattr(sys, "argv", [*words, "--steps", "5"])
+    script.main()
+    costs = load("benchmarks/size_model.py").fit(pd.read_csv(tmp_path / "size_cost_12500.csv"))
+    assert costs.grain > 0 and costs.copy > 0 and costs.bytes > 0
+    said = capsys.readouterr().out
+    assert "thornton, ledger 1" in said and "allreduce: 1 a step" in said
+    script.many(SimpleNamespace(steps=5), count=4)
+    apart = re.findall(r"at most (\S+) apart", capsys.readouterr().out)
+    assert len(apart) == 3 and max(map(float, apart)) < 1e-9  # rounding grows for ten steps
+
+
+def test_the_model_of_clusters():
+    """Copies as counted on four ranks of 3125 grains, 20 deep, to 10 %, which is what the mean
+    distance of grains is worth; more ranks are less efficient; one rank takes its grains' time."""
+    model = load("benchmarks/size_model.py")
+    reach = 2 * model.REACH
+    assert_allclose((12.5 + reach) ** 2 * 20 - 3125, 1295, rtol=0.1)
+    assert model.contacts_factor(1e9) < model.contacts_factor(1e3)
+    costs = model.Costs(grain=5e-7, copy=5e-8, bytes=1500)
+    alone = model.Cluster(crowding=1, imbalance=1)
+    parts = model.step_time(1e6, 1, costs, alone)
+    assert sum(parts.values()) == pytest.approx(0.5 * model.contacts_factor(1e6))
+    efficiency = model.predict(costs, alone)["efficiency"].str.rstrip("%").astype(int)
+    assert (efficiency.groupby(np.arange(12) // 3).diff().dropna() < 0).all()
 
 
 @pytest.mark.parametrize("part", ["kills", "restarts"])
