@@ -15,6 +15,7 @@ import pandas as pd
 import pytest
 from numpy.testing import assert_allclose
 
+from plastigran import laws
 from plastigran.engine.process import PROJECT, run_deck
 from plastigran.fem.material.elastic_plastic import State
 from plastigran.fem.material.kinematics import FiniteStrain
@@ -142,6 +143,20 @@ def test_the_model_of_clusters():
     assert sum(parts.values()) == pytest.approx(0.5 * model.contacts_factor(1e6))
     efficiency = model.predict(costs, alone)["efficiency"].str.rstrip("%").astype(int)
     assert (efficiency.groupby(np.arange(12) // 3).diff().dropna() < 0).all()
+
+
+def test_random_calls(monkeypatch, capsys):
+    """Of one random pair: those of a law that was not called at all are no success."""
+    script = load("benchmarks/random_calls.py")
+    monkeypatch.setattr(sys, "argv", ["random_calls.py", "--calls", "20000"])
+    with pytest.raises(SystemExit) as stop:
+        script.main()
+    said = capsys.readouterr().out
+    counts = {name: int(count) for name, count in re.findall(r"^(\w+): (\d+) calls", said, re.M)}
+    assert counts.keys() == laws.LAWS.keys()
+    assert sorted(counts.values())[:-1] == [0] * (len(counts) - 1)
+    assert f"{sum(counts.values())} calls of {len(counts)} laws: 0 sentences broken" in said
+    assert stop.value.code == 1
 
 
 @pytest.mark.parametrize("part", ["kills", "restarts"])
