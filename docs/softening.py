@@ -32,7 +32,7 @@ SOFTEST = 1e-4
 HOPPER = {"orifice": 8, "layers": 3, "timestep": 1.5e-5, "duration": 0.6, "rows": 150}
 HOPPER |= {"filling": 0.1, "checkpoints": 1}
 DRUM = {"drum_radius": 0.05, "length": 0.03, "froude": 0.2, "duration": 0.9, "settling": 0.3}
-DRUM |= {"timestep": 2e-5, "checkpoints": 2}
+DRUM |= {"timestep": 1.5e-5, "checkpoints": 2}
 DECKS = {"drum": DRUM, "hopper": HOPPER}
 SHARES = ("plastic", "friction", "viscous")
 
