@@ -9,14 +9,37 @@ from dataclasses import asdict, dataclass
 from pathlib import Path
 
 import numpy as np
+import pandas as pd
+from tqdm import tqdm
 
 from plastigran.engine.process import PROJECT, EngineError, run_deck
 
 HERE = Path(__file__).resolve().parent
 DECKS = HERE / "size"
 WORK = PROJECT / "build" / "bench" / "size"
+RESULTS = PROJECT / "results" / "bench"
+#: Copies of the base along x and y, by grains.
+WIDTHS = {12_500: (1, 1), 25_000: (2, 1), 50_000: (2, 2), 200_000: (4, 4), 1_000_000: (8, 10)}
 #: Rows of the engine's table of times.
 SECTIONS = ("Pair", "Neigh", "Comm", "Outpt", "Other")
+
+
+def turns(names: list[str], repeats: int, bar: str) -> list[tuple[int, str]]:
+    """Rounds in which every name has its turn, beginning with another each time."""
+    order = [
+        (round_, name)
+        for round_ in range(repeats)
+        for name in names[round_ % len(names) :] + names[: round_ % len(names)]
+    ]
+    return tqdm(order, desc=bar, unit="run")
+
+
+def write(rows: list[dict], name: str) -> pd.DataFrame:
+    """Keep all rounds as results/bench/size_<name>.csv."""
+    table = pd.DataFrame(rows)
+    RESULTS.mkdir(parents=True, exist_ok=True)
+    table.to_csv(RESULTS / f"size_{name}.csv", index=False, float_format="%.6g")
+    return table
 
 
 @dataclass(frozen=True)

@@ -29,6 +29,9 @@ RESULTS = PROJECT / "results" / "bench"
 REACH = 1.29
 #: Position, velocity and spin of a copy, eight bytes each number.
 COPY_BYTES = 72
+#: From memory, a grain and step, of a bed that no cache holds: cachegrind's misses of a last level
+#: of 1 MiB, in lines of 64 bytes; `hertz`, `thornton` and `universal` alike within 1 %.
+TRAFFIC_BYTES = 970
 #: Of `atom_modify map array`, for each grain of the whole bed on every rank; of a checkpoint.
 MAP_BYTES, CHECKPOINT_BYTES = 4, 415
 
@@ -57,7 +60,7 @@ class Cluster:
         message: Latency of a message [s].
         hop: Of a reduction, for each doubling of the ranks [s].
         network: Of a node [bytes/s].
-        crowding: Time of a rank when all cores of its node compute, over that alone.
+        memory: Of a node [bytes/s].
         imbalance: Grains of the fullest rank over the mean.
         disk: Of a checkpoint through one rank [bytes/s].
     """
@@ -66,7 +69,7 @@ class Cluster:
     message: float = 2e-6
     hop: float = 2e-6
     network: float = 12.5e9
-    crowding: float = 1.5
+    memory: float = 200e9
     imbalance: float = 1.1
     disk: float = 1e9
 
@@ -86,11 +89,13 @@ def step_time(grains: float, ranks: int, costs: Costs, cluster: Cluster) -> dict
     """Parts of a step's time [s]: contacts, copies, network, reduction."""
     each = cluster.imbalance * grains / ranks
     sent = copies(each) if ranks > 1 else 0.0
+    on_node = min(ranks, cluster.ranks)
+    grain = max(costs.grain, TRAFFIC_BYTES * on_node / cluster.memory)
     return {
-        "contacts": cluster.crowding * costs.grain * each * contacts_factor(each),
-        "copies": cluster.crowding * costs.copy * sent,
+        "contacts": grain * each * contacts_factor(each),
+        "copies": costs.copy * sent,
         "network": (6 * cluster.message if ranks > 1 else 0)
-        + COPY_BYTES * sent * min(ranks, cluster.ranks) / cluster.network,
+        + COPY_BYTES * sent * on_node / cluster.network,
         "reduction": cluster.hop * log2(ranks),
     }
 
@@ -116,7 +121,7 @@ def predict(costs: Costs, cluster: Cluster) -> pd.DataFrame:
             ranks = round(grains / each)
             parts = step_time(grains, ranks, costs, cluster)
             total = sum(parts.values())
-            ideal = cluster.crowding * costs.grain * grains / ranks
+            ideal = costs.grain * grains / ranks
             rows.append(
                 {
                     "grains": grains,

@@ -3,7 +3,9 @@
 
 from __future__ import annotations
 
+import os
 import re
+import subprocess
 import sys
 from importlib.util import module_from_spec, spec_from_file_location
 from pathlib import Path
@@ -16,6 +18,7 @@ import pytest
 from numpy.testing import assert_allclose
 
 from plastigran import laws
+from plastigran.engine.dumps import read_dump
 from plastigran.engine.process import PROJECT, run_deck
 from plastigran.fem.material.elastic_plastic import State
 from plastigran.fem.material.kinematics import FiniteStrain
@@ -103,16 +106,17 @@ def test_size(tmp_path, monkeypatch, capsys):
     rounding, a restart ends as the run does, and four ranks end as one but for rounding."""
     monkeypatch.syspath_prepend(PROJECT / "benchmarks")
     script = load("benchmarks/size.py")
-    monkeypatch.setattr("size_beds.WORK", tmp_path)
+    for place in ("size_beds.WORK", "size_beds.RESULTS", "size_parallel.WORK"):
+        monkeypatch.setattr(place, tmp_path)
     monkeypatch.setattr(script, "WORK", tmp_path)
-    monkeypatch.setattr(script, "RESULTS", tmp_path)
     settled = script.base(across=5, high=4, steps=200)
-    monkeypatch.setattr(script, "base", lambda: settled)
+    for place in (script, sys.modules["size_parallel"]):
+        monkeypatch.setattr(place, "base", lambda: settled)
     forces = []
     for along in ((1, 1), (2, 3)):
         case = {"steps": 2, "warm": 2, "rest": 2}
         script.run(script.widen(settled, *along), case, tmp_path / "run")
-        end = script.read_dump(tmp_path / "run" / "end.dump").query("step == 6").sort_values("id")
+        end = read_dump(tmp_path / "run" / "end.dump").query("step == 6").sort_values("id")
         forces.append(end[["fx", "fy", "fz"]].to_numpy().reshape(-1, 100, 3))
     assert (len(forces[0]), len(forces[1])) == (1, 6)
     assert_allclose(forces[1], forces[0].repeat(6, axis=0), atol=1e-9 * np.abs(forces[0]).max())
@@ -138,7 +142,7 @@ def test_the_model_of_clusters():
     assert_allclose((12.5 + reach) ** 2 * 20 - 3125, 1295, rtol=0.1)
     assert model.contacts_factor(1e9) < model.contacts_factor(1e3)
     costs = model.Costs(grain=5e-7, copy=5e-8, bytes=1500)
-    alone = model.Cluster(crowding=1, imbalance=1)
+    alone = model.Cluster(imbalance=1)
     parts = model.step_time(1e6, 1, costs, alone)
     assert sum(parts.values()) == pytest.approx(0.5 * model.contacts_factor(1e6))
     efficiency = model.predict(costs, alone)["efficiency"].str.rstrip("%").astype(int)
@@ -157,6 +161,29 @@ def test_random_calls(monkeypatch, capsys):
     assert sorted(counts.values())[:-1] == [0] * (len(counts) - 1)
     assert f"{sum(counts.values())} calls of {len(counts)} laws: 0 sentences broken" in said
     assert stop.value.code == 1
+
+
+def test_the_slurm_script_goes_on_from_the_older_checkpoint(tmp_path):
+    """With `srun` an echo: from the start without checkpoints or with one, which may be cut short,
+    else from the older of two."""
+    script = PROJECT / "examples" / "slurm" / "large_bed.sh"
+    srun = tmp_path / "srun"
+    srun.write_text('#!/bin/sh\necho "$@"\n')
+    srun.chmod(0o755)
+    slurm = {"SLURM_JOB_ID": "7", "SLURM_NNODES": "1", "SLURM_NTASKS": "2"}
+    environment = os.environ | slurm | {"PATH": f"{tmp_path}:{os.environ['PATH']}"}
+    subprocess.run(["bash", "-n", script], check=True)
+    started = []
+    for file, age in (("", 0), ("bed.0.restart", 100), ("bed.1.restart", 50)):
+        if file:
+            (tmp_path / file).touch()
+            os.utime(tmp_path / file, (1e9 - age, 1e9 - age))
+        done = subprocess.run(
+            ["bash", script, "bed.in"],
+            cwd=tmp_path, env=environment, check=True, capture_output=True, text=True,
+        )  # fmt: skip
+        started.append(done.stdout.split()[-1])
+    assert started == ["none", "none", "bed.0.restart"]
 
 
 @pytest.mark.parametrize("part", ["kills", "restarts"])

@@ -1,0 +1,111 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Settled beds on several ranks: the parts of size.py that need more than one."""
+
+from __future__ import annotations
+
+import argparse
+import os
+import subprocess
+from collections.abc import Callable
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+from time import monotonic
+from unittest.mock import patch
+
+import numpy as np
+from size_beds import DECKS, WIDTHS, WORK, base, run, turns, widen, write
+
+from plastigran.engine.dumps import read_dump
+from plastigran.engine.process import EngineError
+
+LAW = {"law": "thornton"}
+
+
+def ranks(options: argparse.Namespace) -> None:
+    """Strong and weak scaling, by the clock. Two beds of half the size on a rank each, at the same
+    time, cost what the machine takes from two ranks that have nothing to say to each other."""
+    grains = options.grains[0]
+    along = WIDTHS[grains]
+    whole, half = (widen(base(), *copies) for copies in (along, (along[0] // 2, along[1])))
+    settings = LAW | {"steps": options.steps}
+    ways: dict[str, Callable[[], float]] = {
+        "whole, 1 rank": lambda: run(whole, settings, WORK / "run").clock,
+        "whole, 2 ranks": lambda: run(whole, settings, WORK / "run", ranks=2).clock,
+        "half, 1 rank": lambda: run(half, settings, WORK / "run").clock,
+        "two halves side by side": lambda: side_by_side(half, settings),
+        "whole, 1 rank again": lambda: run(whole, settings, WORK / "run").clock,
+    }
+    rows = [
+        {"round": round_, "way": way, "clock": ways[way]()}
+        for round_, way in turns(list(ways), options.repeats, "ranks")
+    ]
+    wide = write(rows, "ranks").pivot(index="round", columns="way", values="clock")
+    one, two = wide["whole, 1 rank"], wide["whole, 2 ranks"]
+    for name, ratio in {
+        "strong: 1 rank over 2": one / two,
+        "what two beds side by side allow": one / wide["two halves side by side"],
+        "2 ranks over two beds side by side": two / wide["two halves side by side"],
+        "weak: half on 1 rank over whole on 2": wide["half, 1 rank"] / two,
+        "noise: 1 rank again over 1 rank": wide["whole, 1 rank again"] / one,
+    }.items():
+        print(f"{name}: {ratio.median():.2f} ({ratio.min():.2f} to {ratio.max():.2f})")
+
+
+def side_by_side(bed: Path, settings: dict[str, object]) -> float:
+    """Mean time by the clock of a bed of which two run at once [s]."""
+    with ThreadPoolExecutor() as pool:
+        runs = pool.map(lambda name: run(bed, settings, WORK / name), ("left", "right"))
+        return float(np.mean([done.clock for done in runs]))
+
+
+def many(options: argparse.Namespace, count: int = 64) -> None:
+    """The base on 1 and on many ranks, and the largest differences of any grain."""
+    ends = {}
+    for number in (1, count):
+        began = monotonic()
+        case = LAW | {"steps": options.steps, "rest": options.steps}
+        run(widen(base(), 1, 1), case, WORK / f"ranks_{number}", number)
+        dump = read_dump(WORK / f"ranks_{number}" / "end.dump")
+        ends[number] = dump[dump["step"] == dump["step"].max()].sort_values("id", ignore_index=True)
+        print(f"{number} ranks: {monotonic() - began:.0f} s")
+    one, other = ends[1], ends[count]
+    if list(one["id"]) != list(other["id"]):
+        raise EngineError(f"{len(one)} grains on one rank, {len(other)} on {count}")
+    for words, columns, scale in (
+        ("positions, over the smallest radius", ["xu", "yu", "zu"], 2e-3),
+        ("velocities, over the largest", ["vx", "vy", "vz"], None),
+        ("forces, over the largest", ["fx", "fy", "fz"], None),
+    ):
+        scale = scale or one[columns].abs().max(axis=None)
+        difference = (one[columns] - other[columns]).abs().max(axis=None)
+        print(f"{words}: at most {difference / scale:.1e} apart")
+
+
+def calls(options: argparse.Namespace) -> None:
+    """What the base's first of four ranks hands to MPI, a step."""
+    program = WORK / "mpi_calls.so"
+    source = DECKS / "mpi_calls.c"
+    subprocess.run(["mpicc", "-O2", "-shared", "-fPIC", "-o", program, source], check=True)
+    bed, counts = widen(base(), 1, 1), []
+    for law, ledger in (("hertz", 0), ("thornton", 1)):
+        for steps in (options.steps, 11 * options.steps):
+            case = {"law": law, "ledger": ledger, "steps": steps}
+            with patch.dict(os.environ, {"LD_PRELOAD": str(program)}):
+                done = run(bed, case, WORK / "calls", ranks=4)
+            lines = (WORK / "calls" / "mpi_calls.0").read_text().splitlines()
+            counts.append(np.array([line.split()[1:] for line in lines], float))
+        a_step = (counts[-1] - counts[-2]) / (10 * options.steps)
+        print(f"{law}, ledger {ledger}, {done.ghosts:.0f} copies a rank:")
+        for line, (number, size) in zip(lines, a_step, strict=True):
+            if number:
+                print(f"  {line.split()[0]}: {number:.4g} a step, {size:.4g} bytes")
+
+
+def maps(options: argparse.Namespace) -> None:
+    """Memory of the base when its grains have the numbers they would have in a huge bed."""
+    for first in (1, 250_000_000):
+        for way in ("array", "hash"):
+            bed = widen(base(), 1, 1, first)
+            done = run(bed, LAW | {"steps": options.steps, "map": way}, WORK / "maps")
+            words = f"numbers up to {first + done.grains - 1}, map {way}"
+            print(f"{words}: {done.peak / 1e6:.0f} MB, {done.processor:.2f} s of the processor")
