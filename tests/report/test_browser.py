@@ -206,13 +206,23 @@ def test_the_page_is_dark_and_light(page):
     page.wait_for_selector("#run-0-measured[data-drawn=light]")
 
 
+#: Adds so many switches of laws, or takes them away.
+MORE_LAWS = """number => {
+  const row = document.querySelector(".chips");
+  for (let k = 0; k < number; k++) row.append(row.lastElementChild.cloneNode(true));
+  for (let k = 0; k < -number; k++) row.lastElementChild.remove();
+}"""
+
+
 def test_a_phone_shows_it_without_moving_sideways(page):
     desk = page.viewport_size
+    page.evaluate(MORE_LAWS, 17)
     page.set_viewport_size({"width": 390, "height": 844})
     chart = page.locator("#run-0-measured .main-svg[width^='3']").first  # 300 to 399 wide
     expect(chart).to_be_attached()
     assert page.evaluate("document.documentElement.scrollWidth") <= 390
     assert page.locator("[data-movie] canvas").bounding_box()["width"] > 300
+    page.evaluate(MORE_LAWS, -17)
     page.set_viewport_size(desk)
     expect(chart).not_to_be_attached()
 
