@@ -16,7 +16,8 @@ from plastigran.plot.style import COLOURS, styled, subplots
 def spectra_figure(spectra: Mapping[str, Mapping[str, pd.DataFrame]]) -> Figure:
     """Impacts by class, a panel for each quantity, in it a curve for particles and for each wall.
 
-    Impacts whose value is not positive have no place on the logarithmic axes.
+    Impacts whose value is not positive have no place on the logarithmic axes, and those below
+    rounding of the largest, which lost nothing, are left out.
 
     Args:
         spectra: By the axis' title, then by what the impacts are with: columns lower, upper and
@@ -25,8 +26,10 @@ def spectra_figure(spectra: Mapping[str, Mapping[str, pd.DataFrame]]) -> Figure:
     with styled():
         figure, panels = subplots(1, len(spectra), figsize=(10.5, 3.4), sharey=True)
         for axes, (title, partners) in zip(panels, spectra.items(), strict=True):
+            largest = np.nanmax([0.0, *(classes["upper"].max() for classes in partners.values())])
+            least = np.finfo(float).eps * largest
             for k, (partner, classes) in enumerate(partners.items()):
-                _draw(axes, classes[classes["lower"] > 0], partner, COLOURS[k % len(COLOURS)])
+                _draw(axes, classes[classes["lower"] > least], partner, COLOURS[k % len(COLOURS)])
             axes.set_xscale("log")
             axes.set_yscale("log")
             axes.set_xlabel(title)
@@ -46,5 +49,5 @@ def _draw(axes: Axes, classes: pd.DataFrame, label: str, colour: str) -> None:
     y = np.stack([count, count, gap], axis=1).ravel()
     # No gap between classes that touch.
     keep = np.ones(len(x), dtype=bool)
-    keep[2::3][:-1] = ~np.isclose(upper[:-1], lower[1:], rtol=1e-6)
+    keep[2::3][:-1] = ~np.isclose(upper[:-1], lower[1:], rtol=1e-6, atol=0)
     axes.plot(x[keep], y[keep], color=colour, label=label)

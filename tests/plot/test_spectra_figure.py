@@ -1,0 +1,21 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Collision spectra: a gap where there is no impact, whatever the scale, and no rounding."""
+
+from __future__ import annotations
+
+import numpy as np
+import pandas as pd
+
+from plastigran.plot.spectra import spectra_figure
+
+
+def test_classes_without_impacts_are_a_gap():
+    """Energies far below what is small to numpy by default; the class of 1e-24 is rounding."""
+    lower = np.array([1e-24, 1e-15, 2e-15, 8e-15, 1e-3])
+    classes = pd.DataFrame({"lower": lower, "upper": 2 * lower, "count": [7, 1, 2, 3, 4]})
+    none = classes[:0]
+    partners = {"particle": classes, "wall": none}
+    figure = spectra_figure({"energy (J)": partners, "again (J)": partners})
+    x, y = figure.axes[0].lines[0].get_data()
+    np.testing.assert_allclose(y[:-1], [1, 1, 2, 2, np.nan, 3, 3, np.nan, 4, 4])
+    assert np.nanmin(x) == 1e-15
