@@ -29,11 +29,11 @@ def ranks(options: argparse.Namespace) -> None:
     whole, half = (widen(base(), *copies) for copies in (along, (along[0] // 2, along[1])))
     settings = LAW | {"steps": options.steps}
     ways: dict[str, Callable[[], float]] = {
-        "whole, 1 rank": lambda: run(whole, settings, WORK / "run").clock,
-        "whole, 2 ranks": lambda: run(whole, settings, WORK / "run", ranks=2).clock,
-        "half, 1 rank": lambda: run(half, settings, WORK / "run").clock,
+        "whole, 1 rank": lambda: run(whole, settings, WORK / "ranks").clock,
+        "whole, 2 ranks": lambda: run(whole, settings, WORK / "ranks", ranks=2).clock,
+        "half, 1 rank": lambda: run(half, settings, WORK / "ranks").clock,
         "two halves side by side": lambda: side_by_side(half, settings),
-        "whole, 1 rank again": lambda: run(whole, settings, WORK / "run").clock,
+        "whole, 1 rank again": lambda: run(whole, settings, WORK / "ranks").clock,
     }
     rows = [
         {"round": round_, "way": way, "clock": ways[way]()}

@@ -32,7 +32,7 @@ def stage(source: Path) -> Path:
     """Lay out what Sphinx reads; files that did not change keep their time. Returns the pages."""
     pages = source / "docs"
     pages.mkdir(parents=True, exist_ok=True)
-    for folder in ("inputs", "contact_models", "tests", "postprocess", "benchmarks"):
+    for folder in ("inputs", "contact_models", "tests", "postprocess", "benchmarks", "examples"):
         link = source / folder
         if not link.is_symlink():
             link.symlink_to(PROJECT / folder, target_is_directory=True)
