@@ -105,7 +105,9 @@ def settings(options: argparse.Namespace) -> None:
     bed, rows = widen(base(), *WIDTHS[options.grains[0]]), []
     for round_, name in turns(list(SETTINGS), options.repeats, "settings"):
         changed = LAWS["thornton"] | {"steps": options.steps} | SETTINGS[name]
-        rows.append({"round": round_, "setting": name, **run(bed, changed, WORK / "settings").row()})
+        rows.append(
+            {"round": round_, "setting": name, **run(bed, changed, WORK / "settings").row()}
+        )
     table = write(rows, "settings")
     for section in SECTIONS:
         table[section] = table[section] / table["clock"]
