@@ -88,6 +88,10 @@ void HistoryKeeper::post_run() {
       stored.back().update();
       kept_.push_back({owner, line.models, id, stored.back().width(), mesh_position(lmp, fix)});
     }
+  std::size_t values = 0;
+  for (int i = 0; i < atom->nlocal; ++i)
+    for (const StoredHistories& histories : stored) values += 1 + histories.size_of(i);
+  records_.reserve(atom->nlocal, values);
   for (int i = 0; i < atom->nlocal; ++i) {
     numbers_[i] = atom->tag[i];
     records_.begin(atom->tag[i]);

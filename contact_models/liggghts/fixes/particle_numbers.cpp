@@ -50,6 +50,11 @@ NewNumbers::NewNumbers(const int* before, const int* now, int count, long total_
   for (std::size_t k = 0; k < pairs.size(); k += 2) numbers_[pairs[k]] = pairs[k + 1];
 }
 
+void ParticleRecords::reserve(std::size_t particles, std::size_t values) {
+  places_.reserve(particles);
+  values_.reserve(2 * particles + values);
+}
+
 void ParticleRecords::begin(int number) {
   places_[number] = last_ = values_.size();
   values_.insert(values_.end(), {static_cast<double>(number), 0});

@@ -38,6 +38,9 @@ class NewNumbers {
 // What is known of particles, by their numbers, as spans of one list of values.
 class ParticleRecords {
  public:
+  // Room for the records of so many particles, and so many values of all together.
+  void reserve(std::size_t particles, std::size_t values);
+
   // Begins the record of a particle; values are then appended to it.
   void begin(int number);
   void append(const double* values, int count);

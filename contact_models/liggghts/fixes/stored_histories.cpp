@@ -43,6 +43,11 @@ int StoredHistories::width() const {
                  : static_cast<FixPropertyAtom*>(fix_)->get_nvalues();
 }
 
+int StoredHistories::size_of(int i) const {
+  if (!listed_) return width();
+  return 1 + static_cast<FixContactHistory*>(fix_)->n_partner(i) * (1 + width());
+}
+
 std::vector<double> StoredHistories::of(int i) const {
   std::vector<double> values;
   if (!listed_) {

@@ -26,6 +26,9 @@ class StoredHistories {
 
   int width() const;  // values of a contact
 
+  // How many values of() has.
+  int size_of(int i) const;
+
   // The values of a particle, with the number of its contacts first, if any.
   std::vector<double> of(int i) const;
 

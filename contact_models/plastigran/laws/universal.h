@@ -102,12 +102,13 @@ class Universal : public LargestOverlap {
     const Peak reached = peak(radius_eff, overlap_y, state.overlap_max);
     const double y = 1 - (state.overlap_max - overlap) * reached.inverse_recovery;
     if (!(y > 0 && overlap > 0)) return energies(reached, 0);
-    const double root = std::sqrt(y), g = 1 / reached.fall - 1;
-    const double share = root / (reached.fall * (1 + g * root));
+    // `steeper` and `wider` are exactly 1 at the largest overlap, where loading goes on.
+    const double root = std::sqrt(y), peak = 1 / reached.fall, g = peak - 1;
+    const double steeper = peak / (1 + g * root);
+    const double wider = steeper * steeper * ((3 + 2 * g * root) / (3 + 2 * g));
     Response response = energies(reached, root);
-    response.force = reached.force * y * share;
-    response.contact_radius =
-        reached.contact_radius / root * share * share * (3 + 2 * g * root) / (3 + 2 * g);
+    response.force = reached.force * y * root * steeper;
+    response.contact_radius = reached.contact_radius * root * wider;
     return response;
   }
 
