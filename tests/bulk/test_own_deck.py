@@ -122,6 +122,9 @@ def test_the_template_runs_keeps_its_ledger_and_goes_on(tmp_path, capsys):
     assert rest.series["step"].tolist() == whole.series["step"].tolist()
     for column in ("time", "kinetic", "plastic"):
         assert_allclose(rest.series[column], whole.series[column], rtol=1e-9, atol=1e-15)
+    line = ["bulk", str(deck), "--restart", str(whole.folder), "--output", str(tmp_path / "more")]
+    assert main(line) == 0
+    assert "whole was already at its last step" in capsys.readouterr().out
 
 
 def test_the_template_refuses(tmp_path, capsys):

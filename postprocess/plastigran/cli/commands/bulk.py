@@ -113,10 +113,11 @@ def how_to_go_on(folder: Path) -> str:
 
 def at_its_end(run: BulkRun) -> bool:
     """Whether a run that went on from another had no step to go."""
+    import pandas as pd  # slow to load
+
     from plastigran.bulk.folder import BEFORE
 
-    last = (run.folder / BEFORE).read_text().splitlines()[-1].partition(",")[0]
-    return float(last) == run.series["step"].iloc[-1]
+    return pd.read_csv(run.folder / BEFORE)["step"].iloc[-1] == run.series["step"].iloc[-1]
 
 
 def report(run: BulkRun) -> None:
