@@ -124,7 +124,7 @@ def test_the_command_writes_a_decks_contacts(bulk_run, tmp_path, capsys):
     overlapping = contacts["overlap"] > 0
     assert overlapping.sum() > 50
     assert (contacts["plastic_work"][overlapping] >= 0).all() and contacts["plastic_work"].max() > 0
-    with pytest.raises(ValueError, match="contact_history is 2; it must lie between 0 and 1"):
+    with pytest.raises(ValueError, match="contact_history is 2; it must lie from 0 to 1"):
         plan_bulk("hopper", settings | {"contact_history": 2}, tmp_path / "run")
 
 
