@@ -33,6 +33,7 @@ import pandas as pd
 from tqdm import tqdm
 
 from plastigran import laws
+from plastigran.cli.arguments import positive_integer
 from plastigran.engine.contacts import read_contacts
 from plastigran.engine.process import PROJECT, EngineError, engine_path, run_deck
 
@@ -158,13 +159,16 @@ def main() -> None:
     parser.add_argument("--law", nargs="+", choices=names, default=names, help="default: all")
     parser.add_argument("--ledger", action="store_true", help="laws with the energy ledger, too")
     parser.add_argument("--grains", type=int, default=20_000, help="default: %(default)s")
-    parser.add_argument("--repeats", type=int, default=10, help="rounds (default: %(default)s)")
     parser.add_argument(
-        "--steps", type=int, default=200, help="time steps of each phase (default: %(default)s)"
+        "--repeats", type=positive_integer, default=10, help="rounds (default: %(default)s)"
+    )
+    parser.add_argument(
+        "--steps",
+        type=positive_integer,
+        default=200,
+        help="time steps of each phase (default: %(default)s)",
     )
     options = parser.parse_args()
-    if options.repeats < 1 or options.steps < 1:
-        parser.error("--repeats and --steps must be at least 1")
     if options.grains < 1000:
         parser.error(f"--grains is {options.grains}; it must be at least 1000")
     engine_path()  # says what to do when there is none

@@ -31,6 +31,7 @@ from pair_time import HERE, YIELD_STRENGTH, make_bed
 from peers_restitution import draw, restitution
 from tqdm import tqdm
 
+from plastigran.cli.arguments import positive_integer
 from plastigran.engine.dumps import read_dump
 from plastigran.engine.process import PROJECT, EngineError, engine_path, run_deck
 
@@ -184,11 +185,13 @@ def main() -> None:
     parser.add_argument("--part", choices=["cost", "restitution"], help="default: both")
     parser.add_argument("--law", nargs="+", choices=laws, default=laws, help="default: all")
     parser.add_argument("--grains", type=int, default=20_000, help="default: %(default)s")
-    parser.add_argument("--repeats", type=int, default=5, help="rounds (default: %(default)s)")
-    parser.add_argument("--steps", type=int, default=200, help="of a phase (default: %(default)s)")
+    parser.add_argument(
+        "--repeats", type=positive_integer, default=5, help="rounds (default: %(default)s)"
+    )
+    parser.add_argument(
+        "--steps", type=positive_integer, default=200, help="of a phase (default: %(default)s)"
+    )
     options = parser.parse_args()
-    if options.repeats < 1 or options.steps < 1:
-        parser.error("--repeats and --steps must be at least 1")
     options.law = [REFERENCE, *(law for law in options.law if law != REFERENCE)]
     engine_path()  # says what to do when there is none
     if options.part != "restitution":

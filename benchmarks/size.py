@@ -26,6 +26,7 @@ import pandas as pd
 from size_beds import DECKS, SECTIONS, WIDTHS, WORK, base, run, turns, widen, write
 from size_parallel import calls, many, maps, ranks
 
+from plastigran.cli.arguments import positive_integer
 from plastigran.engine.process import EngineError, run_deck
 
 REFERENCE = "hertz"
@@ -131,11 +132,13 @@ def main() -> None:
         help=f"of {', '.join(map(str, WIDTHS))}; ranks and settings take the first",
     )  # fmt: skip
     parser.add_argument("--law", nargs="+", choices=LAWS, default=list(LAWS), help="default: all")
-    parser.add_argument("--repeats", type=int, default=3, help="rounds (default: %(default)s)")
-    parser.add_argument("--steps", type=int, default=100, help="timed (default: %(default)s)")
+    parser.add_argument(
+        "--repeats", type=positive_integer, default=3, help="rounds (default: %(default)s)"
+    )
+    parser.add_argument(
+        "--steps", type=positive_integer, default=100, help="timed (default: %(default)s)"
+    )
     options = parser.parse_args()
-    if options.repeats < 1 or options.steps < 1:
-        parser.error("--repeats and --steps must be at least 1")
     options.law = [REFERENCE, *(law for law in options.law if law != REFERENCE)]
     for part in options.part:
         PARTS[part](options)

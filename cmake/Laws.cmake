@@ -13,17 +13,23 @@ function(law_class law result)
   set(${result} ${class} PARENT_SCOPE)
 endfunction()
 
+# The names of all laws, those of their headers.
+function(find_laws result)
+  set(laws_dir ${PROJECT_SOURCE_DIR}/contact_models/plastigran/laws)
+  file(GLOB headers CONFIGURE_DEPENDS RELATIVE ${laws_dir} ${laws_dir}/*.h)
+  list(TRANSFORM headers REPLACE "\\.h$" "")
+  set(${result} ${headers} PARENT_SCOPE)
+endfunction()
+
 # Writes all_laws.h into the present binary folder: it includes every law and has their classes,
 # separated by commas, as ALL_LAWS.
 function(write_all_laws)
-  set(include_dir ${PROJECT_SOURCE_DIR}/contact_models)
-  file(GLOB headers CONFIGURE_DEPENDS RELATIVE ${include_dir} ${include_dir}/plastigran/laws/*.h)
   set(includes "")
   set(classes "")
-  foreach(header ${headers})
-    cmake_path(GET header STEM law)
+  find_laws(laws)
+  foreach(law ${laws})
     law_class(${law} class)
-    string(APPEND includes "#include \"${header}\"\n")
+    string(APPEND includes "#include \"plastigran/laws/${law}.h\"\n")
     list(APPEND classes plastigran::${class})
   endforeach()
   list(JOIN classes ", " classes)

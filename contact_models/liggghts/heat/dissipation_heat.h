@@ -16,9 +16,9 @@
 
 #include "fix_property_atom.h"
 #include "liggghts/heat/body_shares.h"
+#include "liggghts/model/lossy_load.h"
 #include "liggghts/model/wall_point.h"
 #include "liggghts/observers/contact_observer.h"
-#include "liggghts/model/lossy_load.h"
 
 namespace plastigran {
 

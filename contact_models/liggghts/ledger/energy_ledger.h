@@ -21,9 +21,9 @@
 #include "contact_interface.h"
 #include "liggghts/fixes/own_fix.h"
 #include "liggghts/ledger/particle_plastic_work.h"
-#include "liggghts/model/wall_point.h"
 #include "liggghts/model/accounted_load.h"
 #include "liggghts/model/lossy_load.h"
+#include "liggghts/model/wall_point.h"
 
 namespace plastigran {
 
