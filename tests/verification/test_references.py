@@ -8,7 +8,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from references import make_cases
-from references.contact import MATERIALS, work
+from references.contact import MATERIALS, Contact, work
 from test_cases import CASES, OUTCOMES, impact
 
 from plastigran import laws
@@ -21,6 +21,9 @@ PEAKS = (0.5, 0.9, 1.001, 1.05, 1.5, 3, 6.03, 20, 60, 139.3, 1500)
 TOLERANCE = dict.fromkeys(make_cases.LAWS, 1e-9) | {"vu_quoc_zhang": 3e-6}
 #: The energy guard looks at a jump of the force from 1e-9 of the overlap to its sides.
 GUARDED = {name: max(tolerance, 2e-8) for name, tolerance in TOLERANCE.items()}
+#: Laws whose contact radius other tests hold: of Hertz, of Vu-Quoc & Zhang, of cylinders.
+RADIUS_ELSEWHERE = {"hertz", "viscoelastic_hertz", "vu_quoc_zhang", "katta_polycarpou"}
+RADIUS_ELSEWHERE |= {"lim_stronge"}
 
 
 def test_every_case_file_has_a_reference():
@@ -106,6 +109,25 @@ def test_force_on_a_path(twins):
     assert (expected > 0).sum() > 60
     off = np.abs(found - expected)
     assert (off <= GUARDED[name] * scale).all()
+
+
+def test_contact_radius(twins):
+    """On the virgin curve, and where 0.6 of the rebound is left: 1e-6, for the reference's slopes
+    are differences."""
+    name, law, reference = twins
+    if type(reference).contact_radius is Contact.contact_radius:
+        assert name in RADIUS_ELSEWHERE
+        return
+    for peak in peaks(reference):
+        if peak <= reference.pieces[0][0]:
+            continue
+        state = law.State()
+        largest = law.respond(RADIUS, peak, state).contact_radius
+        assert largest == pytest.approx(reference.contact_radius(peak), rel=TOLERANCE[name])
+        recovery, shape = reference.rebound(peak)
+        found = law.respond(RADIUS, peak - 0.4 * recovery, state).contact_radius
+        expected = reference.released_radius(0.6, shape) * largest
+        assert found == pytest.approx(expected, rel=1e-6)
 
 
 def test_energies(twins):

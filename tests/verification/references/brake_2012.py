@@ -40,10 +40,12 @@ class Reference(CentralImpact):
             (inf, lambda d: pi * hardness * (2 * radius * d - radius_p**2)),
         ]
 
+    def contact_radius(self, overlap):
+        if overlap <= self.overlap_p:
+            return self.cubic_radius(overlap)
+        return sqrt(self.radius * (2 * overlap - self.overlap_p))
+
     def published_rebound(self, overlap_max):
-        if overlap_max <= self.overlap_p:
-            contact_radius = self.cubic_radius(overlap_max)
-        else:
-            contact_radius = sqrt(self.radius * (2 * overlap_max - self.overlap_p))
-        recovery = 3 * self.virgin_force(overlap_max) / (4 * self.material.modulus * contact_radius)
+        stiffness = 4 * self.material.modulus * self.contact_radius(overlap_max)
+        recovery = 3 * self.virgin_force(overlap_max) / stiffness
         return min(recovery, overlap_max), lambda y: y**1.5

@@ -7,6 +7,7 @@ s = (d - d_y)/(d_p - d_y),
 
     F = sech((n - 1) s) F_H + (1 - sech((3 - n) s)) pi P0 (2 R* d)^(n/2)/a_p^(n - 2)
     d_r = d_m (1 - F_m/F_H(d_m)), not below 0,  F = F_m y^1.5
+    a^2 = R* d (2 - sech((n - 1) s)): the package's, for the source has none
 
 P0 = 2.8 Y; Meyer's index n = 2, or another one.
 """
@@ -30,15 +31,24 @@ class Reference(CentralImpact):
         overlap_y = self.overlap_at(pressure)
         overlap_p = radius * (1.5 * pi * hardness / material.modulus) ** 2
 
-        def beyond(overlap):
+        def shares(overlap):
+            """Meyer's index n, and s."""
             index = 2.4 if self.reading == "meyer_index 2.4" else 2
-            s = (overlap - overlap_y) / (overlap_p - overlap_y)
+            return index, (overlap - overlap_y) / (overlap_p - overlap_y)
+
+        def beyond(overlap):
+            index, s = shares(overlap)
             meyer = pi * hardness * (2 * radius * overlap) ** (index / 2)
             meyer /= (2 * radius * overlap_p) ** (index / 2 - 1)
             plastic = 1 - 1 / np.cosh((3 - index) * s)
             return self.hertz(overlap) / np.cosh((index - 1) * s) + plastic * meyer
 
         self.pieces = [(overlap_y, self.hertz), (inf, beyond)]
+        self.shares = shares
+
+    def contact_radius(self, overlap):
+        index, s = self.shares(overlap)
+        return np.sqrt(self.radius * overlap * (2 - 1 / np.cosh((index - 1) * s)))
 
     def published_rebound(self, overlap_max):
         share = self.virgin_force(overlap_max) / self.hertz(overlap_max)

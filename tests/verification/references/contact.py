@@ -91,6 +91,20 @@ class Contact:
         """
         raise NotImplementedError
 
+    def contact_radius(self, overlap: float) -> float:
+        """Contact radius [m] on the virgin curve beyond yield."""
+        raise NotImplementedError
+
+    def released_radius(self, left: float, shape: Callable) -> float:
+        """Contact radius over the largest where a share of the way of `shape`, the rebound's, is
+        left: as Hertz's it is the slope of the force. To 1e-8, by differences."""
+        step = 1e-4
+
+        def slope(share: float) -> float:
+            return (shape(share * (1 + step)) - shape(share * (1 - step))) / share
+
+        return slope(left) / slope(1.0)
+
     def virgin_force(self, overlap: float) -> float:
         return next(float(force(overlap)) for end, force in self.pieces if overlap <= end)
 

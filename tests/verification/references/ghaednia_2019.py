@@ -31,8 +31,7 @@ steel_s355,0.01,2.0
 
     def contact_radius(self, overlap):
         strength, modulus = self.material.yield_strength, self.material.youngs_modulus
-        growth = 0.14 * np.exp(23 * strength / self.material.modulus)
-        plastic = np.sqrt(self.radius * overlap * (overlap / (1.9 * self.overlap_c)) ** growth)
+        plastic = super().contact_radius(overlap)
         share = self.material.tangent_modulus / modulus
         if share == 0:
             return plastic
@@ -41,6 +40,9 @@ steel_s355,0.01,2.0
         power /= (4 - 3 * np.exp(-2 * root * share)) * (1 - share)
         elastic = np.sqrt(self.radius * overlap)
         return elastic + (plastic - elastic) * np.exp(power)
+
+    def released_radius(self, left, shape):
+        return np.sqrt(left)  # of both readings, as in kogut_etsion
 
     def hardness_ratio(self, x):
         """4 H/(C Y)."""

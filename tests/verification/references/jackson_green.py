@@ -32,10 +32,13 @@ class Reference(CentralImpact):
         self.overlap_c = self.overlap_at(self.yield_factor * material.yield_strength)
         self.pieces = [(1.9 * self.overlap_c, self.hertz), (inf, self.beyond)]
 
+    def contact_radius(self, overlap):
+        growth = 0.14 * exp(23 * self.material.yield_strength / self.material.modulus)
+        return np.sqrt(self.radius * overlap * (overlap / (1.9 * self.overlap_c)) ** growth)
+
     def hardness_ratio(self, x):
         """4 H/(C Y)."""
-        growth = 0.14 * exp(23 * self.material.yield_strength / self.material.modulus)
-        ratio = np.sqrt(x * self.overlap_c / self.radius * (x / 1.9) ** growth)  # a/R*
+        ratio = self.contact_radius(x * self.overlap_c) / self.radius
         if self.reading == "hardness exponential":
             hardness = 2.84 * (1 - np.exp(-0.82 * ratio**-0.7))
         else:

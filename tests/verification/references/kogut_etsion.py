@@ -12,7 +12,7 @@ Beyond x = 110 the last power law goes on, or the contact is fully plastic: F = 
 
 from __future__ import annotations
 
-from math import inf, pi
+from math import inf, pi, sqrt
 
 from references.central_impact import CentralImpact
 
@@ -41,6 +41,16 @@ class Reference(CentralImpact):
             (110 * self.overlap_c, developed),
             (inf, beyond),
         ]
+
+    def contact_radius(self, overlap):
+        x = overlap / self.overlap_c
+        if self.reading == "fully_plastic on" and x > 110:
+            return sqrt(2 * self.radius * overlap)
+        area = 0.93 * x**1.136 if x <= 6 else 0.94 * x**1.146  # over pi R* d_c
+        return sqrt(self.radius * self.overlap_c * area)
+
+    def released_radius(self, left, shape):
+        return sqrt(left)  # no source has it: as Hertz's, whatever the power of the force
 
     def published_rebound(self, overlap_max):
         x = overlap_max / self.overlap_c

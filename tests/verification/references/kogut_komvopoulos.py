@@ -26,18 +26,27 @@ class Reference(CentralImpact):
         super().__init__(material, radius, speed)
         self.ratio = ratio = material.modulus / material.yield_strength
 
-        def beyond(overlap):
-            area = overlap * (2 * radius - overlap)
-            slope = overlap / np.sqrt(area)
-            pressure = 0.839 + np.log(ratio**0.656 * slope**0.651)
+        def area(overlap):
+            """pi r'^2 over the denominator, Ye & Komvopoulos's area."""
+            truncated = overlap * (2 * radius - overlap)
+            slope = overlap / np.sqrt(truncated)
             share = np.maximum(0.71, 2.192 - np.log(ratio**0.394 * slope**0.419))
-            return pi * area * material.yield_strength * pressure / share
+            return pi * truncated / share
+
+        def beyond(overlap):
+            slope = np.sqrt(overlap / (2 * radius - overlap))
+            pressure = 0.839 + np.log(ratio**0.656 * slope**0.651)
+            return area(overlap) * material.yield_strength * pressure
 
         def end(slope):
             return 2 * radius * slope**2 / (1 + slope**2)
 
+        self.area = area
         held = (exp(2.192 - 0.71) / ratio**0.394) ** (1 / 0.419)
         self.pieces = [(end(1.78 / ratio), self.hertz), (end(held), beyond), (inf, beyond)]
+
+    def contact_radius(self, overlap):
+        return np.sqrt(self.area(overlap) / pi)
 
     def published_rebound(self, overlap_max):
         return 0.591 * self.ratio**-0.156 * overlap_max, lambda y: y**1.5

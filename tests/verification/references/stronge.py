@@ -37,6 +37,9 @@ class Reference(CentralImpact):
         full = (exp(3 * (2.8 - 1.1)) + 1) / 2 * self.overlap_y
         self.pieces = [(self.overlap_y, self.hertz), (full, expanding), (inf, fully_plastic)]
 
+    def contact_radius(self, overlap):
+        return self.radius_y * np.sqrt(2 * overlap / self.overlap_y - 1)
+
     def published_rebound(self, overlap_max):
         q_max = 2 * overlap_max / self.overlap_y - 1
         load = 0.75 * self.virgin_force(overlap_max) / self.material.modulus

@@ -32,7 +32,9 @@ aluminium_zv02,0.1,0.20
 
         self.pieces = [(overlap_y, self.hertz), (inf, beyond)]
 
+    def contact_radius(self, overlap):
+        return sqrt(self.radius * overlap)
+
     def published_rebound(self, overlap_max):
-        contact_radius = sqrt(self.radius * overlap_max)
-        force_max = self.virgin_force(overlap_max)
+        force_max, contact_radius = self.virgin_force(overlap_max), self.contact_radius(overlap_max)
         return 3 * force_max / (4 * self.material.modulus * contact_radius), lambda y: y**1.5

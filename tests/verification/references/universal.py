@@ -52,10 +52,13 @@ class Reference(CentralImpact):
         softening = 0.1253 * s**2 * (s + 11.91) / ((s + 8.355) * (s + 1.114))
         return self.hertz(overlap) / (1 + softening * (1 + 3.802 * self.wide(s)))
 
-    def published_rebound(self, overlap_max):
-        s = self.depth(overlap_max)
+    def contact_radius(self, overlap):
+        s = self.depth(overlap)
         spread = 1 + 1.248 * s**2 / (s**2 + 5.11 * s + 4.411)
-        contact_radius = sqrt(self.radius * overlap_max * spread) * (1 + 7.842 * self.wide(s))
+        return sqrt(self.radius * overlap * spread) * (1 + 7.842 * self.wide(s))
+
+    def published_rebound(self, overlap_max):
+        s, contact_radius = self.depth(overlap_max), self.contact_radius(overlap_max)
         lacking = 0.1902 * s**2 / (s**2 + 0.6156 * s + 0.359)
         g = 3.642 * lacking
         hertzian = 3 * self.force_beyond(overlap_max) / (4 * self.material.modulus * contact_radius)

@@ -35,6 +35,9 @@ class Reference(CentralImpact):
             q = log_q(overlap)
             return pi * overlap * (2 * radius - overlap) / (0.05 * q**2 - 0.57 * q + 2.41)
 
+        def widest(overlap):
+            return pi * overlap * (2 * radius - overlap) / 0.71
+
         def end(q):
             squared = (q / ratio) ** 2
             return 2 * radius * squared / (1 + squared)
@@ -43,8 +46,13 @@ class Reference(CentralImpact):
             (end(1.78), self.hertz),
             (end(21), lambda d: strength * (0.70 * log_q(d) + 0.66) * area(d)),
             (end(400), lambda d: 2.9 * strength * area(d)),
-            (inf, lambda d: 2.9 * strength * pi * d * (2 * radius - d) / 0.71),
+            (inf, lambda d: 2.9 * strength * widest(d)),
         ]
+        self.areas = area, widest
+
+    def contact_radius(self, overlap):
+        area, widest = self.areas
+        return np.sqrt((area if overlap <= self.pieces[2][0] else widest)(overlap) / pi)
 
     def published_rebound(self, overlap_max):
         elastic = overlap_max <= self.jackson_green.pieces[0][0]
