@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Print what two bulk decks measure with a stiff material, and with it softened.
 
-    .venv/bin/python docs/softening.py [--decks drum hopper] [--factors 1 0.01 0.0001]
+    .venv/bin/python docs/softening.py [--decks drum hopper] [--factors 1 0.01 0.001 0.0001]
                                        [--seeds 1 2 3] [--output FOLDER]
 
 With the defaults about 25 minutes of one core, most of it in the stiff runs. Runs that have
@@ -29,7 +29,7 @@ LAW = "thornton"
 #: Factor that makes of the stiff material the decks' own granules.
 SOFTEST = 1e-4
 #: Small decks, with the time steps [s] of the softest material: 600 grains and 110.
-HOPPER = {"orifice": 8, "layers": 3, "timestep": 1.5e-5, "duration": 0.6, "rows": 150}
+HOPPER = {"orifice": 8, "layers": 3, "timestep": 1.0e-5, "duration": 0.6, "rows": 150}
 HOPPER |= {"filling": 0.1, "checkpoints": 1}
 DRUM = {"drum_radius": 0.05, "length": 0.03, "froude": 0.2, "duration": 0.9, "settling": 0.3}
 DRUM |= {"timestep": 1.5e-5, "checkpoints": 2}
@@ -91,7 +91,7 @@ def _run(
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--decks", nargs="+", choices=DECKS, default=list(DECKS))
-    parser.add_argument("--factors", type=float, nargs="+", default=[1, 0.01, 0.0001])
+    parser.add_argument("--factors", type=float, nargs="+", default=[1, 0.01, 0.001, 0.0001])
     parser.add_argument("--seeds", type=int, nargs="+", default=[1, 2, 3])
     parser.add_argument("--output", type=Path, default=Path("results/softening"))
     arguments = parser.parse_args()

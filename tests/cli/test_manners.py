@@ -109,7 +109,10 @@ def test_dry_runs_print_what_would_run_and_leave_nothing(tmp_path, capsys):
     line = ["--output", str(folder), "--dry-run"]
     assert main(["bulk", "cooling_gas", "--ranks", "2", "-v", "side=4", *line]) == 0
     place, typed, _ = capsys.readouterr().out.splitlines()
-    assert shlex.split(place) == ["mkdir", "-p", str(folder), "&&", "cd", str(folder)]
+    # Between them, where the inputs' own path has a space, a link to them is made.
+    steps = shlex.split(place)
+    assert steps[:4] == ["mkdir", "-p", str(folder), "&&"]
+    assert steps[-2:] == ["cd", str(folder)]
     words = shlex.split(typed)
     assert words[:4] == ["mpirun", "--oversubscribe", "-np", "2"]
     assert words[-3:] == ["-var", "side", "4"]

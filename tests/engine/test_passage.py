@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 from deck_head import head
 
-from plastigran.engine.process import EngineStopped, inputs_folder, run_deck
+from plastigran.engine.process import EngineStopped, run_deck
 
 #: The README's balls above a floor, with a modulus typed in GPa or a step that is too long.
 DECK = (
@@ -73,8 +73,8 @@ def engine_wall(request):
     """A plane, or the same as a mesh."""
     if request.param == "plane":
         return {}
-    plate = inputs_folder() / "meshes" / "plate.stl"  # 5 by 6 at x = 0
-    mesh = f"fix mesh all mesh/surface file {plate} type 1 scale 0.02"
+    # 5 by 6 at x = 0
+    mesh = "fix mesh all mesh/surface file ${inputs}/meshes/plate.stl type 1 scale 0.02"
     mesh += " rotate axis 0 1 0 angle 90 move 0.025 0.025 0"
     return {"mesh": mesh, "wall": "mesh n_meshes 1 meshes mesh"}
 

@@ -189,11 +189,14 @@ def test_the_slurm_script_goes_on_from_the_older_checkpoint(tmp_path):
 @pytest.mark.parametrize("part", ["kills", "restarts"])
 def test_reliability(part, tmp_path, monkeypatch):
     """Two kills or restarts; the page's table is written again and nothing else of the page."""
+    monkeypatch.syspath_prepend(PROJECT / "benchmarks")
     script = load("benchmarks/reliability.py")
     page = PROJECT / "docs" / "reliability.md"
     monkeypatch.setattr(script, "WORK", tmp_path / "work")
     monkeypatch.setattr(script, "PAGE", tmp_path / "page.md")
-    monkeypatch.setattr(script, "SMALL", script.SMALL | {"duration": "25", "rows": "50"})
+    small = sys.modules["reliability_kills"].SMALL
+    monkeypatch.setitem(small, "duration", "25")
+    monkeypatch.setitem(small, "rows", "50")
     script.PAGE.write_text(page.read_text())
     monkeypatch.setattr(sys, "argv", ["reliability.py", part, "--count", "2"])
     script.main()

@@ -76,6 +76,8 @@ class Universal : public LargestOverlap {
     const double plastic_modulus =
         pair.tangent_modulus * pair.youngs_modulus / (pair.youngs_modulus - pair.tangent_modulus);
     hardening_ = pressure_factor * plastic_modulus / fitted_.modulus;
+    given_back_ =
+        Tabulated<1>(0.5, [](double x) { return std::array{summed_unloading_work(x - 1)}; });
     loaded_ = Tabulated<4>(1, [this](double x) { return compute(x); });
     work_ = Tabulated<1>(1, [this](double x) {
               const double t = std::sqrt(x);
@@ -100,11 +102,11 @@ class Universal : public LargestOverlap {
     }
     if (!(state.overlap_max > 0)) return {};  // the overlap is no number
     const Peak reached = peak(radius_eff, overlap_y, state.overlap_max);
-    const double y = 1 - (state.overlap_max - overlap) * reached.inverse_recovery;
-    if (!(y > 0 && overlap > 0)) return energies(reached, 0);
+    const double left = 1 - (state.overlap_max - overlap) * reached.inverse_recovery;
+    const double y = overlap > 0 && left > 0 ? left : 0;
     // `steeper` and `wider` are exactly 1 at the largest overlap, where loading goes on.
-    const double root = std::sqrt(y), peak = 1 / reached.fall, g = peak - 1;
-    const double steeper = peak / (1 + g * root);
+    const double root = std::sqrt(y), g = reached.steepness - 1;
+    const double steeper = reached.steepness / (1 + g * root);
     const double wider = steeper * steeper * ((3 + 2 * g * root) / (3 + 2 * g));
     Response response = energies(reached, root);
     response.force = reached.force * y * root * steeper;
@@ -142,20 +144,20 @@ class Universal : public LargestOverlap {
   static constexpr double g_1 = 3.642;
 
   // What loading to x = overlap/overlap_Y leaves: F/F_Y, a/a_Y, overlap_Y over the recovery, and
-  // 1/(1 + g). Who loads on asks for the first two.
-  enum Quantity { FORCE, RADIUS, INVERSE_RECOVERY, FALL };
+  // 1 + g. Who loads on asks for the first two.
+  enum Quantity { FORCE, RADIUS, INVERSE_RECOVERY, STEEPNESS };
   typedef std::array<double, 4> Values;
 
   Values compute(double x) const {
     const double t = std::sqrt(x), S = depth(t), f = force(t, S), a = contact_radius(t, S);
-    return {f, a, a / ((1 - lacking(S)) * f), 1 / (1 + g_1 * lacking(S))};
+    return {f, a, a / ((1 - lacking(S)) * f), 1 + g_1 * lacking(S)};
   }
   // Apart, where no table reaches.
   [[gnu::noinline, gnu::cold]] Values computed(double x) const { return compute(x); }
 
   // The same with sizes and moduli, and what the energies need.
   struct Peak {
-    double force, contact_radius, inverse_recovery, fall, virgin_work;
+    double force, contact_radius, inverse_recovery, steepness, virgin_work;
   };
   Peak peak(double radius_eff, double overlap_y, double overlap_max) const {
     const double per_overlap_y = 1 / overlap_y, x = overlap_max * per_overlap_y;
@@ -163,16 +165,18 @@ class Universal : public LargestOverlap {
     const double radius_y = radius_eff * yield_radius_ratio_;
     const double force_y = modulus_ * radius_y * overlap_y;
     return {force_y * at[FORCE], radius_y * at[RADIUS], at[INVERSE_RECOVERY] * per_overlap_y,
-            at[FALL], force_y * overlap_y * virgin_work(x)};
+            at[STEEPNESS], force_y * overlap_y * virgin_work(x)};
   }
 
   // At y = root^2 of the way from the residual to the largest overlap: the energies alone.
-  static Response energies(const Peak& peak, double root) {
-    const double g = 1 / peak.fall - 1;
-    const double scale = peak.force / (peak.fall * peak.inverse_recovery);
-    const double given_back = scale * work(g, 1);
+  Response energies(const Peak& peak, double root) const {
+    const double g = peak.steepness - 1, square = root * root;
+    const double scale = peak.force * peak.steepness / peak.inverse_recovery;
+    const double given_back = scale * unloading_work(g);
     Response response;
-    response.elastic_energy = root == 1 ? given_back : scale * work(g, root);
+    response.elastic_energy = given_back;
+    if (root < 1)
+      response.elastic_energy = scale * (square * square * root * unloading_work(g * root));
     response.plastic_work = peak.virgin_work - given_back;
     return response;
   }
@@ -201,9 +205,13 @@ class Universal : public LargestOverlap {
   // D.
   static double lacking(double S) { return d_1 * S * S / (S * S + d_2 * S + d_3); }
 
-  // Work of the unloading from y = 0, over F_max (1 + g) (overlap_max - overlap_res).
-  static double work(double g, double root) {
-    return gauss_legendre([g](double z) { return 2 * z * z * z * z / (1 + g * z); }, 0, root);
+  // Work from y = 0 to 1, over F_max (1 + g) (overlap_max - overlap_res). That to another y is
+  // y^(5/2) times the same with g y^(1/2) for g.
+  double unloading_work(double g) const {
+    return given_back_.covers(1 + g) ? given_back_(1 + g)[0] : summed_unloading_work(g);
+  }
+  static double summed_unloading_work(double g) {
+    return gauss_legendre([g](double z) { return 2 * z * z * z * z / (1 + g * z); }, 0, 1);
   }
 
   // Work of the virgin curve up to x, over F_Y overlap_Y.
@@ -226,7 +234,8 @@ class Universal : public LargestOverlap {
   double onset_;               // w
   double hardening_;           // h
   Tabulated<4> loaded_;
-  Tabulated<1, 9> work_;  // of the virgin curve, over F_Y overlap_Y
+  Tabulated<1, 9> work_;     // of the virgin curve, over F_Y overlap_Y
+  Tabulated<1> given_back_;  // of 1 + g
 };
 
 }  // namespace plastigran

@@ -1,0 +1,121 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Bulk runs that are killed at random moments and go on from their newest checkpoint."""
+
+from __future__ import annotations
+
+import os
+import random
+import shutil
+import signal
+import time
+from collections.abc import Iterator
+from contextlib import suppress
+from multiprocessing import get_context
+from pathlib import Path
+
+import numpy as np
+from page_rows import Row
+from tqdm import tqdm
+
+from plastigran.bulk.folder import read_record, read_series, restart_point
+from plastigran.bulk.run import run_bulk
+from plastigran.engine.checkpoints import PATTERN, step_of
+from plastigran.engine.log import LogFollower
+from plastigran.engine.process import EngineError, engines
+
+#: A gas that takes some seconds, with a checkpoint every tenth of one.
+SMALL = {"side": "5", "duration": "100", "rows": "200", "checkpoints": "50", "mixing": "1"}
+
+
+class RunLost(RuntimeError):
+    """A run could not go on from its newest checkpoint."""
+
+
+def kills(folder: Path, count: int) -> Iterator[Row]:
+    """SIGKILL to mpirun and every rank at random moments; on from the newest checkpoint."""
+    for ranks in (1, 2):
+        words = f"{ranks} rank{'s' * (ranks > 1)}"
+        whole = folder / f"whole_{ranks}"
+        run_bulk("cooling_gas", SMALL, whole, ranks, show=False).raise_if_failed()
+        killed, lost, losses, ends = 0, 0, [0], []
+        with tqdm(total=count // 2, desc=f"kills, {words}") as bar:
+            while killed < count // 2 and lost < 10:
+                try:
+                    steps, end = kill_until_done(
+                        folder / f"{ranks}_{len(ends) + lost}", ranks, whole
+                    )
+                except RunLost as error:
+                    tqdm.write(str(error))
+                    lost += 1
+                    continue
+                killed += len(steps)
+                losses += steps
+                ends.append(same_end(whole, end))
+                bar.update(len(steps))
+        yield Row(f"{words}: runs lost, of {len(ends) + lost} killed {killed} times", lost, 0)
+        interval = checkpoint_interval(whole)
+        yield Row(f"{words}: most steps lost to a kill; between checkpoints", max(losses), interval)
+        if ranks == 1:
+            other = len(ends) - sum(ends)
+            yield Row(f"{words}: ends that are not, in every digit, that without kills", other, 0)
+
+
+def kill_until_done(work: Path, ranks: int, whole: Path) -> tuple[list[int], Path]:
+    """A run from its start, killed and continued until it ends.
+
+    Args:
+        work: Folder for the parts of the run.
+        ranks: MPI ranks.
+        whole: Folder of the same run without kills.
+
+    Returns:
+        Steps each kill cost, and the folder of the last part.
+
+    Raises:
+        RunLost: A part could not go on from the one before.
+    """
+    last, at, earlier, losses = read_series(whole)["step"].iloc[-1], 0, None, []
+    while True:
+        folder = work / str(len(losses))
+        process = get_context("fork").Process(target=_run_part, args=(folder, ranks, earlier))
+        process.start()
+        log, until = LogFollower(folder / "log.liggghts"), at + random.uniform(0, 0.15) * last
+        # A fresh run counts the steps of its mixing first.
+        while process.is_alive() and (log.read().step < until or log.progress.run < 1 + (at == 0)):
+            time.sleep(0.002)
+        time.sleep(random.uniform(0, 0.02))
+        by_itself = not process.is_alive()
+        for engine in engines(folder):
+            with suppress(ProcessLookupError):  # gone with another
+                os.kill(engine, signal.SIGKILL)
+        process.join(60)
+        if process.exitcode == 0:
+            return losses, folder
+        if by_itself:
+            raise RunLost(f"{folder}: {(folder / 'error.txt').read_text()}")
+        try:
+            at = step_of(restart_point(folder, read_record(folder)))
+        except EngineError:  # killed before it had written anything: it begins again
+            shutil.rmtree(folder)
+            continue
+        losses.append(log.read().step - at)
+        earlier = folder
+
+
+def _run_part(folder: Path, ranks: int, earlier: Path | None) -> None:
+    try:
+        run = run_bulk("cooling_gas", {} if earlier else SMALL, folder, ranks, earlier, show=False)
+        run.raise_if_failed()
+    except Exception as error:  # killed, or lost
+        (folder / "error.txt").write_text(repr(error))
+        os._exit(1)
+
+
+def checkpoint_interval(folder: Path) -> int:
+    steps = sorted(step_of(file) for file in folder.glob(PATTERN))
+    return int(np.diff(steps).max())
+
+
+def same_end(one: Path, other: Path) -> bool:
+    columns = ["step", "kinetic_energy", "plastic"]
+    return bool((read_series(one)[columns].iloc[-1] == read_series(other)[columns].iloc[-1]).all())
