@@ -49,4 +49,4 @@ def test_unyielding_bodies_are_elastic(law_name, law_between):
     overlap = np.geomspace(1e-12, 1e-3, 50)
     expected = elastic(law_name, strong, overlap)
     for name, values in law.follow(RADIUS, overlap, law.State()).items():
-        assert values == pytest.approx(expected[name], rel=1e-14), name
+        assert values == pytest.approx(expected[name], rel=1e-14), f"{name}: no elastic range"

@@ -38,7 +38,7 @@ def test_the_first_screen_of_a_law_says_what_it_is_good_for(law):
         r"^\| \*\*(.+?)\*\* \| (.+) \|$", "\n".join(page.splitlines()[:12]), re.MULTILINE
     )
     names = ["Take it for", "Not for", "How far off", "Cost"]
-    assert [name for name, said in rows if said][:4] == names
+    assert [name for name, said in rows if said][:4] == names, "the first table of its page"
     if law in set(errors_table()["law"]):
         assert summarised(page, law, errors_table()) == page
 

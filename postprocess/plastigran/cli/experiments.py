@@ -32,7 +32,9 @@ from plastigran.experiments.runs import Runs, case_folders, claim
 
 def add_command(subcommands: Subparsers, experiment: type[Experiment]) -> None:
     """Add an experiment's command, with a flag for each setting of its study."""
-    example = experiment.example or f"plastigran {experiment.command}"
+    needed = [_word(name, flag) for name, flag in experiment.all_flags().items() if _needed(flag)]
+    words = [f"plastigran {experiment.command}", *(f"--{word} {word.upper()}" for word in needed)]
+    example = experiment.example or " ".join(words)
     command = subcommands.add(experiment.command, experiment.help, example)
     said = declaration(experiment)
     for name, flag in experiment.all_flags().items():
@@ -48,8 +50,16 @@ def add_command(subcommands: Subparsers, experiment: type[Experiment]) -> None:
     command.set_defaults(run=partial(run, experiment))
 
 
+def _word(name: str, flag: Flag) -> str:
+    return flag.name or name.replace("_", "-")
+
+
+def _needed(flag: Flag) -> bool:
+    return flag.default is attrs.NOTHING and not flag.span
+
+
 def _add_flag(command: argparse.ArgumentParser, name: str, flag: Flag, said: Declaration) -> None:
-    word = flag.name or name.replace("_", "-")
+    word = _word(name, flag)
     unit = f", {said.unit}" if said.unit != "-" else ""
     command.add_argument(
         f"--{word}",
@@ -57,7 +67,7 @@ def _add_flag(command: argparse.ArgumentParser, name: str, flag: Flag, said: Dec
         type=_reader(word, said),
         choices=said.choices or None,
         nargs="+" if flag.many else None,
-        required=flag.default is attrs.NOTHING and not flag.span,
+        required=_needed(flag),
         help=f"{said.meaning}{unit}{_usual(flag)}"
         + (f"; {known_materials()}" if name == "material" else ""),
         **({"metavar": word.upper()} if not said.choices else {}),

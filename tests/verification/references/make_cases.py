@@ -61,10 +61,18 @@ def outcomes(law: str) -> list[Outcome]:
     """Outcome of each row.
 
     Raises:
-        ValueError: The two ways do not agree to 1e-9.
+        ValueError: The two ways do not agree to 1e-9, or the elastic range leaves no rebound to
+            ask for.
     """
     found = []
     for row, impact in impacts(law):
+        end = impact.pieces[0][0]
+        yields = type(impact).published_rebound is not CentralImpact.published_rebound
+        if not end > 0 or (yields and end == float("inf")):
+            raise ValueError(
+                f"{law}: the first of pieces, the elastic one, ends at {end} m; it must end at the "
+                "overlap at yield, beyond which published_rebound is asked"
+            )
         one, other = impact.two_ways()
         if not one.agrees_with(other):
             raise ValueError(f"{law} at {row['speed']} m/s: {one} one way, {other} the other")
