@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
+import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
@@ -86,7 +87,9 @@ def test_a_plain_deck_runs_where_it_lies(plain, tmp_path, monkeypatch, capsys):
 
 def test_a_plain_deck_cannot_go_on(plain, tmp_path):
     run_bulk(plain, {}, tmp_path / "run", show=False)
-    (tmp_path / "run" / "checkpoint.1000.restart").write_bytes(b"")
+    part = np.array([3.0, 0.1, 0.2])  # of one particle
+    file = tmp_path / "run" / "checkpoint.1000.restart"
+    file.write_bytes(np.int32(len(part)).tobytes() + part.tobytes())
     with pytest.raises(ValueError, match=r"plain\.in has no setting 'start' and cannot go on"):
         run_bulk(plain, {}, tmp_path / "rest", restart=tmp_path / "run", show=False)
 
@@ -132,6 +135,8 @@ def test_the_template_refuses(tmp_path, capsys):
     for line, said in (
         ([str(tmp_path / "mine")], "mine is there; choose another name"),
         ([str(tmp_path / "a b")], "'a b' holds white space"),
+        ([str(tmp_path / "a%b")], "'a%b' holds white space, % or *"),
+        ([str(tmp_path / "new"), "--law", "hertz"], "'hertz' is no law for spheres"),
         ([str(tmp_path / "fresh")], "'fresh' is the name of another file"),
         ([str(tmp_path / "steel"), "--material", "steel"], "both called 'steel'"),
         ([str(tmp_path / "new"), "--law", "lim_stronge"], "'lim_stronge' is no law for spheres"),

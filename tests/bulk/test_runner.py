@@ -71,6 +71,24 @@ def test_checkpoint_cut_short_is_not_the_newest(whole, tmp_path):
     assert (stopped / f"checkpoint.{lines[16]}.restart").exists()
 
 
+@pytest.mark.parametrize("ranks", [1, 2])
+def test_checkpoint_on_a_full_disk_is_not_the_newest(whole, ranks, tmp_path):
+    """Cut anywhere, by any number of bytes, though the log goes on: the one before is taken."""
+    folder = tmp_path / "full"
+    if ranks == 1:
+        shutil.copytree(whole, folder)
+    else:
+        short = SHORT | {"duration": 2, "rows": 2, "checkpoints": 2}
+        run_bulk("cooling_gas", short, folder, ranks, show=False)
+    before, last = sorted(folder.glob(PATTERN), key=step_of)[-2:]
+    assert newest_checkpoint(folder) == last
+    content = last.read_bytes()
+    for kept in [0, 3, 500, *range(len(content) // 2, len(content), 97), len(content) - 1]:
+        last.write_bytes(content[:kept])
+        with pytest.warns(UserWarning, match=f"{last.name} is cut short"):
+            assert newest_checkpoint(folder) == before
+
+
 def test_going_on_with_another_timestep_is_refused(whole, tmp_path):
     with pytest.raises(
         ValueError,
@@ -81,8 +99,15 @@ def test_going_on_with_another_timestep_is_refused(whole, tmp_path):
 
 
 def test_no_checkpoint_is_said(tmp_path):
+    """The log has not come to the first; the second is cut."""
     (tmp_path / "checkpoint.100.restart").write_bytes(b"half")
     with pytest.raises(EngineError, match="no whole checkpoint"):
+        newest_checkpoint(tmp_path)
+    (tmp_path / "checkpoint.0.restart").write_bytes(b"half")
+    with (
+        pytest.warns(UserWarning, match="cut short"),
+        pytest.raises(EngineError, match="no whole checkpoint"),
+    ):
         newest_checkpoint(tmp_path)
 
 

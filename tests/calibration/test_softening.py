@@ -119,5 +119,11 @@ def test_command_writes_a_material(tmp_path, capsys):
     )
     assert main([*call, "--factor", "0.1", "--output", str(file)]) == 1  # it is there
     assert "soft.in exists" in capsys.readouterr().err
-    assert main([*call, "--factor", "2"]) == 1
-    assert "factor is 2; it must lie from" in capsys.readouterr().err
+    for words, said in (
+        (["--factor", "2"], "factor is 2; it must lie from"),
+        (["--speedup", "0.5"], "--speedup is 0.5; it must be at least 1"),
+    ):
+        assert main([*call, *words]) == 1
+        assert said in capsys.readouterr().err
+    with pytest.raises(ValueError, match="youngs_modulus is 210; it must lie between 10000 and"):
+        soften(attrs.evolve(STEEL, youngs_modulus=210.0), 0.1)

@@ -158,6 +158,10 @@ def test_a_restart_keeps_the_heat(bed, ranks, tmp_path):
             "fix w heat/dissipation: it takes no words, and has 0.9",
         ),
         ("fix w some heat/dissipation", "its group is some; it must be all"),
+        (
+            "fix w all heat/dissipation\nfix v all heat/dissipation",
+            "fix w heat/dissipation: fix v warms the grains already",
+        ),
         ("fix w all heat/dissipation", "give `fix ID all heat/gran initial_temperature T`"),
         (
             "fix f all property/global taylorQuinneyFactor peratomtype 1.2\n"

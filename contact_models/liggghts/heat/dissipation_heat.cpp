@@ -30,6 +30,9 @@ int DissipationHeat::setmask() {
 
 void DissipationHeat::init() {
   ContactObserver::init();
+  for (int k = 0; k < modify->nfix; ++k)
+    if (modify->fix[k] != this && dynamic_cast<DissipationHeat*>(modify->fix[k]))
+      fail(std::string("fix ") + modify->fix[k]->id + " warms the grains already");
   const std::string caller = std::string("fix ") + id + ' ' + style();
   shares_.read(lmp, caller);
   if (!modify->find_fix_scalar_transport_equation("heattransfer"))

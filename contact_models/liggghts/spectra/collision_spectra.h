@@ -74,6 +74,7 @@ class CollisionSpectra : public ContactObserver {
 
   LAMMPS_NS::bigint every_ = 0;  // steps
   int per_decade_ = 10;
+  std::string path_;
   std::unique_ptr<FILE, int (*)(FILE*)> file_;  // on the first rank
   ImpactRecords records_;
   std::vector<int> contacts_;                            // of each particle in this step

@@ -29,7 +29,6 @@ long positive_number(const char* word) {
 }  // namespace
 
 void CollisionSpectra::read_words(int count, char** words) {
-  std::string path;
   if (count < 4 || !(every_ = positive_number(words[3])))
     fail(std::string("EVERY is ") + (count < 4 ? "missing" : words[3]) +
          "; it must be a positive number of steps, the first word after the style");
@@ -39,12 +38,17 @@ void CollisionSpectra::read_words(int count, char** words) {
       fail("unknown word " + word + "; possible: file, per_decade");
     if (k + 1 == count) fail(word + " lacks its value");
     if (word == "file")
-      path = words[k + 1];
+      path_ = words[k + 1];
     else if (!(per_decade_ = positive_number(words[k + 1])))
       fail(std::string("per_decade is ") + words[k + 1] + "; it must be a positive whole number");
   }
-  if (path.empty()) fail("it needs `file FILE`");
-  if (comm->me == 0) open(path);
+  if (path_.empty()) fail("it needs `file FILE`");
+  for (int k = 0; k < modify->nfix; ++k) {
+    const auto other = dynamic_cast<CollisionSpectra*>(modify->fix[k]);
+    if (other && other->path_ == path_)
+      fail("fix " + std::string(other->id) + " writes the file " + path_ + " already");
+  }
+  if (comm->me == 0) open(path_);
 }
 
 // On the first rank. A run that goes on from a restart file writes the tables after it once more.

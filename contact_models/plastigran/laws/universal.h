@@ -216,11 +216,12 @@ class Universal : public LargestOverlap {
 
   // Work of the virgin curve up to x, over F_Y overlap_Y.
   double virgin_work(double x) const { return work_.covers(x) ? work_(x)[0] : summed_work(x); }
-  // The same where no table reaches, on panels that double in length, for the integrand's poles are
-  // some panel lengths away.
+  // The same where no table reaches, from its end on panels that double in length, for the
+  // integrand's poles are some panel lengths away.
   [[gnu::noinline, gnu::cold, gnu::pure]] double summed_work(double x) const {
-    double sum = 0.4;
-    for (double left = 1, t = std::sqrt(x); left < t; left *= 2)
+    if (!(x > 1)) return 0.4 * x * x * std::sqrt(x);
+    double sum = work_(work_.end() * (1 - 1e-15))[0];
+    for (double left = std::sqrt(work_.end()), t = std::sqrt(x); left < t; left *= 2)
       sum += gauss_legendre([this](double at) { return 2 * at * force(at, depth(at)); }, left,
                             std::min(2 * left, t));
     return sum;

@@ -11,7 +11,7 @@ import pandas as pd
 from plastigran.bulk.checks import LEDGER, TAKEN, energy_input, ledger_checks
 from plastigran.bulk.deck import Analysis
 from plastigran.engine.deck import DeckSource
-from plastigran.engine.process import inputs_folder
+from plastigran.engine.process import inputs_folder, misread
 from plastigran.plot.ledger import ledger_figure
 
 #: Settings by which a deck is told to go on from a restart file.
@@ -23,18 +23,18 @@ def own_places(source: DeckSource, folder: Path) -> dict[str, object]:
     does not read.
 
     Raises:
-        ValueError: The deck reads ${output}, and its value would hold white space.
+        ValueError: The deck reads ${output}, and the engine would misread its value.
     """
     read = source.references | source.settings.keys()
     output: str | None = None
     if "output" in read:
         output = str(folder)
-        if any(map(str.isspace, output)):
+        if misread(output):
             output = os.path.relpath(folder, source.path.parent)
-        if any(map(str.isspace, output)):
+        if misread(output):
             raise ValueError(
-                f"results would go to {output!r}; the engine splits what {source.path.name} reads "
-                "as ${output} at white space: choose another folder"
+                f"results would go to {output!r}; the engine misreads white space, % and * in what "
+                f"{source.path.name} reads as ${{output}}: choose another folder"
             )
     return {"inputs": inputs_folder() if "inputs" in read else None, "output": output}
 

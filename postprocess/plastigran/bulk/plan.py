@@ -64,6 +64,8 @@ def plan_bulk(
     """What `run_bulk` would start; arguments and errors as there."""
     if not (isinstance(ranks, int) and ranks >= 1):
         raise ValueError(f"ranks is {ranks!r}; it must be 1 or more")
+    if "output" in values:
+        raise ValueError(f"output is {values['output']!r}, which is no setting: give --output")
     folder, script = Path(folder).resolve(), find_deck(deck)
     values = {name: str(value) for name, value in values.items()}
     earlier = checkpoint = None

@@ -9,7 +9,7 @@ from pathlib import Path
 
 from plastigran.contact import Contact
 from plastigran.engine.deck import index_variables
-from plastigran.engine.process import inputs_folder
+from plastigran.engine.process import inputs_folder, misread
 from plastigran.materials import Material, laws_for, read_material, write_material
 
 #: Speed of the fastest impact of the template, a fall from its top [m/s], with room to spare.
@@ -37,13 +37,15 @@ def write_deck(folder: Path, law: str, material: Material | str | Path) -> Path:
     """
     material = read_material(material)
     for name in (folder.name, material.name):
-        if any(map(str.isspace, name)):
-            raise ValueError(f"{name!r} holds white space, at which the engine splits names")
+        if misread(name):
+            raise ValueError(f"{name!r} holds white space, % or *, which the engine misreads")
         if name in TAKEN:
             raise ValueError(f"{name!r} is the name of another file of the deck's folder")
     if folder.name == material.name:
         raise ValueError(f"deck and material are both called {folder.name!r}; choose another name")
-    if law not in (fitting := laws_for("sphere", [material])):
+    # The engine's own `hertz` keeps no ledger, which the deck has.
+    fitting = [name for name in laws_for("sphere", [material]) if name != "hertz"]
+    if law not in fitting:
         raise ValueError(
             f"{law!r} is no law for spheres of {material.name}; there are {', '.join(fitting)}"
         )

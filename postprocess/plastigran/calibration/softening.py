@@ -44,6 +44,7 @@ EXACT = 1e-9
 #: Contacts per grain and share of the volume filled, of a random packing.
 COORDINATION, FILLING = 6, 0.6
 
+_MODULUS = Declaration("of what is softened", "Pa", 1e4, 2e12)
 _FACTOR = Declaration("modulus after over before", lower=1e-12, upper=1, closed=True)
 
 
@@ -55,9 +56,10 @@ def soften(material: Material, factor: float) -> Material:
         factor: s, modulus after over before [-], at most 1.
 
     Raises:
-        ValueError: The factor is no number or out of range.
+        ValueError: The factor or the modulus is no number or out of range.
     """
     factor = read_number("factor", factor, _FACTOR)
+    read_number("youngs_modulus", material.youngs_modulus, _MODULUS)
     changed = {
         name: getattr(material, name) * factor**power
         for name, power in POWERS.items()

@@ -73,8 +73,8 @@ def command(
 ) -> list[str]:
     """Command line that runs a deck with its results in `folder`, from where it is to be run.
 
-    The engine splits a line of a deck at white space, in paths too: a file or folder whose path has
-    some is reached through a link in `folder`, made here. A variable whose value is None is not
+    A file or folder whose path the engine would misread is reached through a link in `folder`, made
+    here. A variable whose value is None is not
     given.
 
     Never add `-screen none`: the engine's mesh reader then writes to a null file and crashes.
@@ -112,19 +112,21 @@ def _command(
         if value is None:
             continue
         text = repr(float(value)) if isinstance(value, float) else str(value)
-        if _has_space(text) and Path(text) == folder:
+        if misread(text) and Path(text) == folder:
             text = "."
-        elif _has_space(text) and Path(text).is_absolute() and Path(text).exists():
+        elif misread(text) and Path(text).is_absolute() and Path(text).exists():
             links[folder / f".{name}"] = Path(text)
-            text = f".{name}" if _has_space(str(folder)) else str(folder / f".{name}")
+            text = f".{name}" if misread(str(folder)) else str(folder / f".{name}")
         line += ["-var", name, text]
     if ranks > 1:
         line = ["mpirun", "--oversubscribe", "-np", str(ranks), *line]
     return line, links
 
 
-def _has_space(text: str) -> bool:
-    return any(map(str.isspace, text))
+def misread(path: str) -> bool:
+    """Whether the engine takes a path for more than one: it splits lines at white space, and puts a
+    step or a rank in place of * and %."""
+    return any(letter.isspace() or letter in "*%" for letter in path)
 
 
 def environment() -> dict[str, str]:

@@ -47,6 +47,8 @@ def add_arguments(command: argparse.ArgumentParser) -> None:
 def run(arguments: argparse.Namespace) -> None:
     if arguments.output is None:
         refuse_idle(arguments, "--output", force=False)
+    if arguments.speedup is not None and arguments.speedup < 1:
+        raise ValueError(f"--speedup is {arguments.speedup:g}; it must be at least 1")
     material = materials.read_material(arguments.material)
     factor = arguments.factor or arguments.speedup ** (1 / TIME_POWER)
     softened = soften(material, factor)
