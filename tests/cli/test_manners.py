@@ -88,6 +88,8 @@ def test_impact_by_theory_needs_no_engine(tmp_path, monkeypatch, capsys):
     monkeypatch.setenv("PLASTIGRAN_ENGINE", str(tmp_path / "none"))
     line = ["impact", "--law", "thornton", "universal", "--speed", "0.02", "0.2", "--theory"]
     line += ["--output", str(tmp_path / "out")]
+    assert main([*line, "--jobs", "2"]) == 1
+    assert "--jobs is 2; --theory starts no engine" in capsys.readouterr().err
     assert main([*line, "--json"]) == 0
     table = json.loads(capsys.readouterr().out)["table"]
     assert [(row["law"], row["speed"]) for row in table] == [

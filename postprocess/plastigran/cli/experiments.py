@@ -118,8 +118,12 @@ def run(experiment: type[Experiment], arguments: argparse.Namespace) -> None:
     """Run the study, print its summary, write its tables and figures.
 
     Raises:
-        ValueError: A value out of range, or a range of values beside the values themselves.
+        ValueError: A value out of range, a range of values beside the values themselves, or engines
+            at a time where none is started.
     """
+    theory = getattr(arguments, "theory", False)
+    if theory and arguments.jobs:
+        raise ValueError(f"--jobs is {arguments.jobs}; --theory starts no engine")
     flags = experiment.all_flags()
     given = {name: getattr(arguments, name) for name in flags}
     for name, flag in flags.items():
@@ -129,7 +133,7 @@ def run(experiment: type[Experiment], arguments: argparse.Namespace) -> None:
     if arguments.dry_run:
         plan_study(experiment, arguments.output, **given)
         return
-    if getattr(arguments, "theory", False):
+    if theory:
         runs = experiment.theory(**given)
         with claim(arguments.output, arguments.force):
             show_study(runs, arguments.output, arguments.json)
