@@ -19,6 +19,7 @@ from plastigran.plot.snapshot import find_frames
 
 #: A sphere falls on a plane and a mesh beside the deck; no variable, no dt, long names in the log.
 PLAIN = """
+# Stoß einer Kugel
 units si
 atom_style granular
 boundary f f f
@@ -60,7 +61,7 @@ def plain(tmp_path) -> Path:
     template = write_deck(tmp_path / "template", "thornton", "steel")
     (template.parent / "plate.stl").rename(folder / "meshes" / "plate.stl")
     (folder / "properties.in").write_text(PROPERTIES)
-    (folder / "plain.in").write_text(PLAIN)
+    (folder / "plain.in").write_text(PLAIN, encoding="latin-1")
     return folder / "plain.in"
 
 

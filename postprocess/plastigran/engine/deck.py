@@ -27,8 +27,8 @@ def property_name(field: str) -> str:
 
 
 def commands(script: Path) -> Iterator[str]:
-    """A script's commands, without comments and empty lines."""
-    for line in script.read_text().splitlines():
+    """A script's commands, without empty lines and comments, which may be in any encoding."""
+    for line in script.read_text(encoding="utf-8", errors="replace").splitlines():
         if command := line.split("#")[0].strip():
             yield command
 
