@@ -137,7 +137,7 @@ def test_the_template_refuses(tmp_path, capsys):
         ([str(tmp_path / "mine")], "mine is there; choose another name"),
         ([str(tmp_path / "a b")], "'a b' holds white space"),
         ([str(tmp_path / "a%b")], "'a%b' holds white space, % or *"),
-        ([str(tmp_path / "new"), "--law", "hertz"], "'hertz' is no law for spheres"),
+        ([str(tmp_path / "new"), "--law", "hertz"], "hertz is the engine's own and keeps no"),
         ([str(tmp_path / "fresh")], "'fresh' is the name of another file"),
         ([str(tmp_path / "steel"), "--material", "steel"], "both called 'steel'"),
         ([str(tmp_path / "new"), "--law", "lim_stronge"], "'lim_stronge' is no law for spheres"),

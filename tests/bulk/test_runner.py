@@ -73,7 +73,8 @@ def test_checkpoint_cut_short_is_not_the_newest(whole, tmp_path):
 
 @pytest.mark.parametrize("ranks", [1, 2])
 def test_checkpoint_on_a_full_disk_is_not_the_newest(whole, ranks, tmp_path):
-    """Cut anywhere, by any number of bytes, though the log goes on: the one before is taken."""
+    """Cut anywhere, by any number of bytes, or filled up with zeros, though the log goes on: the
+    one before is taken. Zeros alone after it are ranks without particles."""
     folder = tmp_path / "full"
     if ranks == 1:
         shutil.copytree(whole, folder)
@@ -83,10 +84,15 @@ def test_checkpoint_on_a_full_disk_is_not_the_newest(whole, ranks, tmp_path):
     before, last = sorted(folder.glob(PATTERN), key=step_of)[-2:]
     assert newest_checkpoint(folder) == last
     content = last.read_bytes()
-    for kept in [0, 3, 500, *range(len(content) // 2, len(content), 97), len(content) - 1]:
-        last.write_bytes(content[:kept])
+    half = len(content) // 2
+    cuts = [content[:kept] for kept in (0, 3, 500, *range(half, len(content), 97))]
+    cuts += [content[:-1], content[:half] + bytes(half), content[:half] + bytes(10**6)]
+    for cut_short in cuts:
+        last.write_bytes(cut_short)
         with pytest.warns(UserWarning, match=f"{last.name} is cut short"):
             assert newest_checkpoint(folder) == before
+    last.write_bytes(content + bytes(4 * 3))
+    assert newest_checkpoint(folder) == last
 
 
 def test_going_on_with_another_timestep_is_refused(whole, tmp_path):

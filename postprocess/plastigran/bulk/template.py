@@ -43,8 +43,12 @@ def write_deck(folder: Path, law: str, material: Material | str | Path) -> Path:
             raise ValueError(f"{name!r} is the name of another file of the deck's folder")
     if folder.name == material.name:
         raise ValueError(f"deck and material are both called {folder.name!r}; choose another name")
-    # The engine's own `hertz` keeps no ledger, which the deck has.
     fitting = [name for name in laws_for("sphere", [material]) if name != "hertz"]
+    if law == "hertz":
+        raise ValueError(
+            "hertz is the engine's own and keeps no energy ledger, which the deck has; there are "
+            f"{', '.join(fitting)}"
+        )
     if law not in fitting:
         raise ValueError(
             f"{law!r} is no law for spheres of {material.name}; there are {', '.join(fitting)}"

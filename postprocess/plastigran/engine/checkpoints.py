@@ -13,6 +13,8 @@ from plastigran.engine.process import EngineError
 
 #: What decks give to the engine's `restart` command.
 PATTERN = "checkpoint.*.restart"
+#: Numbers of a file that are looked at together.
+_BLOCK = 1 << 20
 
 
 def step_of(checkpoint: Path) -> int:
@@ -45,22 +47,32 @@ def is_whole(checkpoint: Path) -> bool:
 
     Each rank's part is the number of its values, four bytes, and the values, eight bytes each. They
     are those of one particle after the other, the first of which is how many a particle has. A rank
-    without particles has none.
+    without particles has the number 0 alone. The last part with particles is looked for: a file
+    that ends, to the byte, with the part of an earlier rank passes.
     """
     size = checkpoint.stat().st_size
-    if size == 0:
+    if size < 4:
         return False
     content = np.memmap(checkpoint, np.uint8, "r")
-    for end in range(size, 3, -4):
-        # The last part's number stands a multiple of eight bytes before its end.
-        places = np.arange((end - 4) % 8, end - 3, 8)
-        numbers = content[places[0] : end].view("<i4", np.ndarray)[::2]
-        for place in places[(numbers > 0) & (numbers == (end - 4 - places) // 8)]:
-            if _holds_particles(content[place + 4 : end].view("<f8", np.ndarray)):
+    numbers = content[size % 4 :].view("<i4", np.ndarray)
+    zeros = _zeros_at_the_end(numbers)
+    for first in range(0, len(numbers), _BLOCK):
+        counts = numbers[first : first + _BLOCK].astype(np.int64)
+        begins = size % 4 + 4 * (first + 1 + np.arange(len(counts)))
+        ends = begins + 8 * counts
+        # What follows the last part with particles are zeros.
+        for k in np.flatnonzero((counts > 0) & (ends <= size) & (ends >= size - 4 * zeros)):
+            if _holds_particles(content[begins[k] : ends[k]].view("<f8", np.ndarray)):
                 return True
-        if content[end - 4 : end].any():
-            return False
     return False
+
+
+def _zeros_at_the_end(numbers: np.ndarray) -> int:
+    """How many of the numbers (n,) are 0 after the last that is not."""
+    for end in range(len(numbers), 0, -_BLOCK):
+        if (found := np.flatnonzero(numbers[max(0, end - _BLOCK) : end])).size:
+            return len(numbers) - max(0, end - _BLOCK) - int(found[-1]) - 1
+    return len(numbers)
 
 
 def _holds_particles(values: np.ndarray) -> bool:

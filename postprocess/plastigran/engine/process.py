@@ -74,8 +74,7 @@ def command(
     """Command line that runs a deck with its results in `folder`, from where it is to be run.
 
     A file or folder whose path the engine would misread is reached through a link in `folder`, made
-    here. A variable whose value is None is not
-    given.
+    here. A variable whose value is None is not given.
 
     Never add `-screen none`: the engine's mesh reader then writes to a null file and crashes.
     """
