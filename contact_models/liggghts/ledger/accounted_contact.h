@@ -30,6 +30,10 @@ class AccountedContact : private ContactSetup,
   typedef LIGGGHTS::ContactModels::ForceData Load;
 
  public:
+  // Whether two bodies may act on each other without having touched.
+  static constexpr bool acts_at_a_distance =
+      Style::COHESION != LIGGGHTS::ContactModels::COHESION_OFF;
+
   template <class Owner>
   AccountedContact(LAMMPS_NS::LAMMPS* engine, Owner* owner, bool is_wall, int64_t hash)
       : ContactSetup(owner, hash),
@@ -78,7 +82,18 @@ class AccountedContact : private ContactSetup,
     Base::connectToProperties(registry);
   }
 
+  // As the engine's loops have it: a load without room for an account.
   void surfacesIntersect(Contact& contact, Load& on_i, Load& on_j) {
+    if (takes_accounts && contact.computeflag) {
+      AccountedLoad load(on_i);
+      account(contact, load, on_j);
+      on_i = load;
+    } else {
+      Base::surfacesIntersect(contact, on_i, on_j);
+    }
+  }
+
+  void surfacesIntersect(Contact& contact, AccountedLoad& on_i, Load& on_j) {
     if (takes_accounts && contact.computeflag)
       account(contact, on_i, on_j);
     else
@@ -106,12 +121,10 @@ class AccountedContact : private ContactSetup,
     if (reason) engine_->error->all(FLERR, (counter + reason).c_str());
   }
 
-  [[gnu::noinline]] void account(Contact& contact, Load& on_i, Load& on_j) {
-    AccountedLoad load(on_i);
-    Base::surfacesIntersect(contact, load, on_j);
-    on_i = load;
-    if (ledger_) ledger_->add(contact, load, on_j, spring_energy(contact));
-    for (ContactObserver* const observer : observers_) observer->add(contact, load, on_j, owner_);
+  [[gnu::noinline]] void account(Contact& contact, AccountedLoad& on_i, Load& on_j) {
+    Base::surfacesIntersect(contact, on_i, on_j);
+    if (ledger_) ledger_->add(contact, on_i, on_j, spring_energy(contact));
+    for (ContactObserver* const observer : observers_) observer->add(contact, on_i, on_j, owner_);
   }
 
   double spring_energy(const Contact& contact) const {

@@ -15,15 +15,6 @@
 
 namespace plastigran {
 
-namespace {
-
-template <class Term>
-void add_to(Vector& sum, const Term& term, double sign) {
-  for (int axis = 0; axis < 3; ++axis) sum[axis] += sign * term[axis];
-}
-
-}  // namespace
-
 EnergyLedger::EnergyLedger(LAMMPS_NS::LAMMPS* engine, int count, char** words)
     : OwnFix(engine, count, words) {
   vector_flag = scalar_flag = 1;
@@ -52,6 +43,7 @@ int EnergyLedger::setmask() {
 
 void EnergyLedger::init() {
   refuse_what_is_not_counted();
+  acts_first_ = is_first_before_exchange();
   particle_plastic_work_ = find_own_fix<ParticlePlasticWork>(lmp);
   if (!particle_plastic_work_)
     error->all(
@@ -60,65 +52,48 @@ void EnergyLedger::init() {
         "remove energy_ledger too and give the pair_style and wall lines again without it");
 }
 
+bool EnergyLedger::is_first_before_exchange() const {
+  int k = 0;
+  while (modify->fix[k] != this && !(modify->fmask[k] & LAMMPS_NS::FixConst::PRE_EXCHANGE)) ++k;
+  return modify->fix[k] == this;
+}
+
 void EnergyLedger::setup_pre_exchange() {
   warn_of_strangers();
   if (ran_) inserted_ += mechanical_energy() - before_;
 }
 
-bool EnergyLedger::has_local_partner(const Contact& contact) const {
-  return !contact.is_wall && contact.j < atom->nlocal;
-}
-
-// A contact with a ghost is seen from its other side as well.
-double EnergyLedger::share_of(const Contact& contact) const {
-  return contact.is_wall || has_local_partner(contact) ? 1 : 0.5;
-}
-
-// A contact's law at the present overlap.
-void EnergyLedger::add_law(const Contact& contact, const AccountedLoad& on_i) {
-  const double share = share_of(contact);
-  elastic_ += share * on_i.elastic_energy;
-  if (on_i.plastic_work == 0) return;
+void EnergyLedger::add_plastic_work(const Contact& contact, double work, bool has_local_partner) {
+  const double share = contact.is_wall || has_local_partner ? 1 : 0.5;
   if (!contact.shearupdate) {
-    unwritten_plastic_work_ += share * on_i.plastic_work;
+    unwritten_plastic_work_ += share * work;
     return;
   }
-  plastic_work_ += share * on_i.plastic_work;
+  plastic_work_ += share * work;
   double* const of_particle = particle_plastic_work_->vector_atom;
-  of_particle[contact.i] += contact.is_wall ? on_i.plastic_work : 0.5 * on_i.plastic_work;
-  if (has_local_partner(contact)) of_particle[contact.j] += 0.5 * on_i.plastic_work;
+  of_particle[contact.i] += contact.is_wall ? work : 0.5 * work;
+  if (has_local_partner) of_particle[contact.j] += 0.5 * work;
 }
 
-void EnergyLedger::add(const Contact& contact, const AccountedLoad& on_i, const Load& on_j,
-                       double spring_energy) {
-  add_law(contact, on_i);
-  const double along = dot(on_i.delta_F, contact.en);
-  Vector friction, dashpot;
+void EnergyLedger::add_dashpot(const Contact& contact, double force, bool has_local_partner) {
+  damped_ = true;
   for (int axis = 0; axis < 3; ++axis) {
-    friction[axis] = on_i.delta_F[axis] - along * contact.en[axis];
-    dashpot[axis] = on_i.dashpot_force * contact.en[axis];
+    losses_[contact.i].dashpot[axis] += force * contact.en[axis];
+    if (has_local_partner) losses_[contact.j].dashpot[axis] -= force * contact.en[axis];
   }
-  const bool damped = on_i.dashpot_force != 0;
-  Losses& of_i = losses_[contact.i];
-  add_to(of_i.friction, friction, 1);
-  add_to(of_i.torque, on_i.delta_torque, 1);
-  if (damped) add_to(of_i.dashpot, dashpot, 1);
-  if (has_local_partner(contact)) {
-    Losses& of_j = losses_[contact.j];
-    add_to(of_j.friction, friction, -1);
-    add_to(of_j.torque, on_j.delta_torque, 1);
-    if (damped) add_to(of_j.dashpot, dashpot, -1);
-  }
-  if (contact.is_wall) {
-    const Vector force{on_i.delta_F[0], on_i.delta_F[1], on_i.delta_F[2]};
-    walls_.push_back({WallPoint(contact, atom->x[contact.i]), force, friction, dashpot});
-  }
-  tangential_springs_ += share_of(contact) * spring_energy;
+}
+
+void EnergyLedger::add_wall(const Contact& contact, const AccountedLoad& on_i,
+                            const Vector& friction) {
+  const Vector force{on_i.delta_F[0], on_i.delta_F[1], on_i.delta_F[2]};
+  Vector dashpot;
+  for (int axis = 0; axis < 3; ++axis) dashpot[axis] = on_i.dashpot_force * contact.en[axis];
+  walls_.push_back({WallPoint(contact, atom->x[contact.i]), force, friction, dashpot});
 }
 
 void EnergyLedger::begin_pass() {
   elastic_ = unwritten_plastic_work_ = tangential_springs_ = 0;
-  summed_ = false;
+  summed_ = damped_ = false;
   walls_.clear();
   losses_.assign(atom->nlocal, Losses());
 }
@@ -134,7 +109,7 @@ void EnergyLedger::add_work() {
   }
   for (std::size_t i = 0; i < losses_.size(); ++i) {
     friction -= dot(losses_[i].friction, atom->v[i]) + dot(losses_[i].torque, atom->omega[i]);
-    viscous -= dot(losses_[i].dashpot, atom->v[i]);
+    if (damped_) viscous -= dot(losses_[i].dashpot, atom->v[i]);
   }
   summed_ = false;
   const double half_step = 0.5 * update->dt;

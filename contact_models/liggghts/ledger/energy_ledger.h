@@ -18,6 +18,7 @@
 #include <string>
 #include <vector>
 
+#include "atom.h"
 #include "contact_interface.h"
 #include "liggghts/fixes/own_fix.h"
 #include "liggghts/ledger/particle_plastic_work.h"
@@ -84,7 +85,12 @@ class EnergyLedger : public OwnFix {
   // Positions are new, velocities those at mid-step, forces still the old ones.
   void post_integrate() override {
     add_work();
-    before_ = mechanical_energy();
+    if (!acts_first_) before_ = mechanical_energy();
+  }
+
+  // Before particles are inserted, deleted and handed to other ranks.
+  void pre_exchange() override {
+    if (acts_first_) before_ = mechanical_energy();
   }
 
   void pre_neighbor() override { inserted_ += mechanical_energy() - before_; }
@@ -109,6 +115,11 @@ class EnergyLedger : public OwnFix {
   void restart(char* data) override;
 
  private:
+  // What takes energy from a particle's motion: forces of friction and dashpots, and all torques.
+  struct Losses {
+    Vector friction{}, torque{}, dashpot{};
+  };
+
   // A contact on a wall: its forces on the particle, and where the wall's velocity is found. A mesh
   // moves with the particles, between two force computations: its nodes are asked when needed.
   struct WallContact {
@@ -116,15 +127,16 @@ class EnergyLedger : public OwnFix {
     Vector force, friction, dashpot;
   };
 
-  bool has_local_partner(const Contact& contact) const;
-  double share_of(const Contact& contact) const;
-  void add_law(const Contact& contact, const AccountedLoad& on_i);
+  void add_plastic_work(const Contact& contact, double work, bool has_local_partner);
+  void add_dashpot(const Contact& contact, double force, bool has_local_partner);
+  void add_wall(const Contact& contact, const AccountedLoad& on_i, const Vector& friction);
   void begin_pass();
   void add_work();
   double kinetic_energy() const;
   double gravitational_energy() const;
   double mechanical_energy() const { return kinetic_energy() + gravitational_energy(); }
   void sum();
+  bool is_first_before_exchange() const;
   void refuse_what_is_not_counted();
   void warn_of_strangers();
 
@@ -136,15 +148,13 @@ class EnergyLedger : public OwnFix {
   double elastic_ = 0, tangential_springs_ = 0;
   double unwritten_plastic_work_ = 0;  // set-up computes forces, and writes no history
   std::vector<WallContact> walls_;
-  // What takes energy from a particle's motion: forces of friction and dashpots, and all torques.
-  struct Losses {
-    Vector friction{}, torque{}, dashpot{};
-  };
   std::vector<Losses> losses_;  // by local particle
 
   // Since the ledger was opened, on this rank.
   double plastic_work_ = 0, friction_ = 0, viscous_ = 0, wall_work_ = 0, inserted_ = 0;
-  double before_ = 0;  // kinetic and gravitational energy when the particles were last known
+  double before_ = 0;        // kinetic and gravitational energy when the particles were last known
+  bool acts_first_ = false;  // no fix that acts in pre_exchange() stands before this one
+  bool damped_ = false;      // a dashpot acted in the last force computation
   bool ran_ = false;
 
   double initial_ = 0;  // over all ranks
@@ -152,5 +162,34 @@ class EnergyLedger : public OwnFix {
   double sums_[ENTRIES] = {};
   bool summed_ = false;  // sums_ are those of the present forces and velocities
 };
+
+// For every contact of every step.
+inline void EnergyLedger::add(const Contact& contact, const AccountedLoad& on_i, const Load& on_j,
+                              double spring_energy) {
+  const bool has_local_partner = !contact.is_wall && contact.j < atom->nlocal;
+  // A contact with a ghost is seen from its other side as well.
+  const double share = contact.is_wall || has_local_partner ? 1 : 0.5;
+  elastic_ += share * on_i.elastic_energy;
+  tangential_springs_ += share * spring_energy;
+  const double along = dot(on_i.delta_F, contact.en);
+  Vector friction;
+  for (int axis = 0; axis < 3; ++axis)
+    friction[axis] = on_i.delta_F[axis] - along * contact.en[axis];
+  Losses& of_i = losses_[contact.i];
+  for (int axis = 0; axis < 3; ++axis) {
+    of_i.friction[axis] += friction[axis];
+    of_i.torque[axis] += on_i.delta_torque[axis];
+  }
+  if (has_local_partner) {
+    Losses& of_j = losses_[contact.j];
+    for (int axis = 0; axis < 3; ++axis) {
+      of_j.friction[axis] -= friction[axis];
+      of_j.torque[axis] += on_j.delta_torque[axis];
+    }
+  }
+  if (on_i.plastic_work != 0) add_plastic_work(contact, on_i.plastic_work, has_local_partner);
+  if (on_i.dashpot_force != 0) add_dashpot(contact, on_i.dashpot_force, has_local_partner);
+  if (contact.is_wall) add_wall(contact, on_i, friction);
+}
 
 }  // namespace plastigran

@@ -12,19 +12,22 @@ namespace plastigran {
 
 // The load on particle i of a contact, and the normal model's part of the account.
 struct AccountedLoad : LIGGGHTS::ContactModels::ForceData {
+  AccountedLoad() {}
   explicit AccountedLoad(const ForceData& load) : ForceData(load) {}
 
   double elastic_energy = 0;  // the law's, at the present overlap [J]
   double plastic_work = 0;    // since the history was last written [J]
   double dashpot_force = 0;   // on particle i, along the normal [N]
 
-  // What a law answered in this step, which took its state from `before` to `now`.
+  // What a law answered in this step, which took its state from `before` to `now`. Its plastic work
+  // is asked for where it changes alone: in most contacts it does not.
   template <class Law>
   void take(const Law& law, double radius_eff, const Response& response,
             const typename Law::State& before, const typename Law::State& now) {
     elastic_energy = response.elastic_energy;
     if (std::memcmp(&before, &now, Law::state_names.size() * sizeof(double)) != 0)
-      plastic_work = response.plastic_work - plastic_work_of(law, radius_eff, before);
+      plastic_work =
+          plastic_work_of(law, radius_eff, now) - plastic_work_of(law, radius_eff, before);
   }
 
  private:

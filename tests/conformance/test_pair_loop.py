@@ -1,0 +1,90 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""The plugin's loop over contacts does as the engine's, which runs in each step in which a deck
+asks for stresses: in every digit, for all models beside a law."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pandas as pd
+import pytest
+from soft_grains import PROPERTIES, STRENGTH, fresh, motion
+
+from plastigran.engine.log import read_thermo
+
+#: Grains of two sizes rain on grains that no force moves, and among each other; one of them stops.
+GRAINS = """
+group stones type 2
+group moving type 1
+region low  block -0.02 0.02 -0.02 0.02 0.004 0.012 units box
+region high block -0.025 0.025 -0.02 0.02 0.012 0.04 units box
+fix stone all particletemplate/sphere 15485863 atom_type 2 &
+    density constant 2500 radius constant 0.004
+fix small all particletemplate/sphere 15485867 atom_type 1 &
+    density constant 2500 radius constant 0.003
+fix large all particletemplate/sphere 32452843 atom_type 1 &
+    density constant 2500 radius constant 0.004
+fix stones all particledistribution/discrete 32452867 1 stone 1.0
+fix sizes  all particledistribution/discrete 49979687 2 small 0.5 large 0.5
+fix bed  stones insert/pack seed 67867967 distributiontemplate stones insert_every once &
+    overlapcheck yes vel constant 0 0 0 region low particles_in_region 6 ntry_mc 10000
+fix rain moving insert/pack seed 86028121 distributiontemplate sizes insert_every once &
+    overlapcheck yes vel constant 0.3 0.1 -1 omega constant 0 30 0 &
+    region high particles_in_region 30 ntry_mc 10000
+"""
+MODELS = """
+fix rolling  all property/global coefficientRollingFriction peratomtypepair 2 0.1 0.2 0.2 0.1
+fix cohesion all property/global cohesionEnergyDensity peratomtypepair 2 2e4 4e4 4e4 2e4
+fix content  all property/global surfaceLiquidContentInitial scalar 0.01
+fix tension  all property/global surfaceTension scalar 0.5
+fix fluid    all property/global fluidViscosity scalar 0.01
+fix wetting  all property/global contactAngle peratomtype 30 40
+fix nearest  all property/global minSeparationDistanceRatio scalar 0.01
+fix farthest all property/global maxSeparationDistanceRatio scalar 1.1
+"""
+#: Models, and options at the end of the line.
+COMBINATIONS = (
+    ("tangential history", ""),
+    ("tangential history", "energy_ledger on"),
+    ("tangential no_history", ""),
+    ("tangential off", ""),
+    ("tangential history rolling_friction cdt", ""),
+    ("tangential history cohesion sjkr", "energy_ledger on"),
+    ("tangential history cohesion washino/capillary/viscous", ""),
+    ("tangential history", "viscous_damping on energy_ledger on"),
+)
+ENTRIES = "".join(f"variable e{k} equal f_energy_ledger[{k}]\n" for k in range(1, 11))
+
+
+def follow(
+    models: str, options: str, folder: Path, seen: str, ranks: int
+) -> tuple[pd.DataFrame, pd.DataFrame]:
+    """What the grains did, and the log, with what the deck asks for."""
+    line = f"model universal {models}"
+    text = (
+        GRAINS
+        + PROPERTIES.format(strength=STRENGTH)
+        + MODELS
+        + f"pair_style gran {line} {options}\npair_coeff * *\n"
+        + f"fix floor all wall/gran {line} primitive type 2 zplane 0.0 {options}\n"
+        + "fix integrate moving nve/sphere\nfix hold stones freeze\n"
+        + motion()
+        + "compute stress all stress/atom pair\ncompute sum all reduce sum c_stress[3]\n"
+        + ENTRIES
+        + f"thermo 1\nthermo_style custom step {seen}\nthermo_modify format float %.17g\n"
+        + "run 3000\n"
+    )
+    grains = fresh(text, folder, ranks)
+    return grains, read_thermo(folder / "log.liggghts")
+
+
+@pytest.mark.parametrize(("models", "options"), COMBINATIONS)
+@pytest.mark.parametrize("ranks", [1, 2])
+def test_all_digits_are_the_engines(models, options, ranks, tmp_path):
+    entries = "".join(f"v_e{k} " for k in range(1, 11)) if "energy_ledger" in options else ""
+    ours, log = follow(models, options, tmp_path / "ours", f"ke {entries}", ranks)
+    engines, their_log = follow(models, options, tmp_path / "engines", f"ke {entries} c_sum", ranks)
+    assert len(set(ours.index.get_level_values("id"))) == 36
+    pd.testing.assert_frame_equal(ours, engines, check_exact=True)
+    assert (their_log["sum"] != 0).any()
+    pd.testing.assert_frame_equal(log, their_log[log.columns], check_exact=True)
