@@ -2,7 +2,7 @@
 """Draw the figures of the docs, and the tables that stand beside them on the same pages.
 
     ./run figures --list       the parts
-    ./run figures              all of them: several hours; stopped, it goes on where it was
+    ./run figures              all of them: an hour; stopped, it goes on where it was
     ./run figures NAME ...     these
     ./run figures --again      all of them from the first
 

@@ -55,7 +55,7 @@ class PairLoop : public LIGGGHTS::PairStyles::Granular<Contact> {
            engine_->modify->n_fixes_style("insert/stream/predefined") > 0;
   }
 
-  void compute_pairs(LAMMPS_NS::PairGran* pair) {
+  [[gnu::flatten]] void compute_pairs(LAMMPS_NS::PairGran* pair) {
     const LAMMPS_NS::Atom* const atom = engine_->atom;
     const LAMMPS_NS::NeighList* const list = pair->list;
     const LAMMPS_NS::NeighList* const histories = pair->listgranhistory;  // null: no memory
