@@ -3,6 +3,7 @@
 
 #include <mpi.h>
 
+#include <algorithm>
 #include <sstream>
 
 #include "atom.h"
@@ -102,6 +103,7 @@ void HistoryKeeper::post_run() {
       records_.append(values.data(), values.size());
     }
   }
+  order_ = order_of(atom);
   total_ = atom->nlocal;
   MPI_Allreduce(MPI_IN_PLACE, &total_, 1, MPI_LONG, MPI_SUM, world);
 }
@@ -115,9 +117,16 @@ bool HistoryKeeper::goes_on(const Kept& kept, const Line& line, LAMMPS_NS::Fix* 
 void HistoryKeeper::setup_pre_exchange() {
   lines_.swap(connected_);
   connected_.clear();
-  if (kept_.empty()) return;
-  records_.fetch(numbers_.data(), atom->nlocal, world);
   const Lines lines = all_lines(lines_);
+  const bool as_it_was = is_as_it_was();
+  const auto keeps_its_own = [&](const Kept& kept) {
+    const auto line = lines.find(kept.owner);
+    const LAMMPS_NS::Fix* const fix = modify->find_fix_id(kept.fix.c_str());
+    return line != lines.end() && !line->second.given_anew && fix && !fix->just_created &&
+           (as_it_was || kept.owner != pair_owner);
+  };
+  if (std::all_of(kept_.begin(), kept_.end(), keeps_its_own)) return;
+  records_.fetch(numbers_.data(), atom->nlocal, world);
   std::vector<LAMMPS_NS::Fix*> fixes;  // null: nothing is handed back
   for (std::size_t k = 0; k < kept_.size(); ++k) {
     const Kept& kept = kept_[k];
@@ -138,6 +147,15 @@ void HistoryKeeper::setup_pre_exchange() {
     }
   }
   hand_back(fixes);
+}
+
+// Whether all particles are where they were at the end of the last run, on all ranks: the engine's
+// neighbour lists are then as good as they were.
+bool HistoryKeeper::is_as_it_was() const {
+  int same = order_of(atom) == order_;
+  for (int i = 0; i < atom->nlocal; ++i) same = same && numbers_[i] == atom->tag[i];
+  MPI_Allreduce(MPI_IN_PLACE, &same, 1, MPI_INT, MPI_MIN, world);
+  return same;
 }
 
 // Whether a contact had a memory in one of the histories kept. All ranks together.

@@ -5,14 +5,16 @@
 // Between two runs the engine finds the pairs' histories by places and numbers of particles that
 // commands may have changed since (delete_atoms, create_atoms, displace_atoms, change_box), and
 // forgets those of a pair style or wall whose line is given again. Here they are stored at the end
-// of a run, by particle, and handed back as the next one is set up. They go to the contacts of the
-// same law with the same options; where those are others, the log says that contacts begin anew.
+// of a run, by particle, and handed back as the next one is set up, unless nothing was changed.
+// They go to the contacts of the same law with the same options; where those are others, the log
+// says that contacts begin anew.
 //
 // Restart files: the engine's say which models contacts have, not their settings; this fix adds
 // these. At a step of the `restart` command the engine stores the pairs' histories at the step's
 // beginning, before its forces have advanced them: this fix stores them again at its end.
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <string>
 #include <vector>
@@ -74,6 +76,7 @@ class HistoryKeeper : public OwnFix {
   Lines all_lines(const Lines& ours) const;
   bool goes_on(const Kept& kept, const Line& line, LAMMPS_NS::Fix* fix) const;
   void hand_back(const std::vector<LAMMPS_NS::Fix*>& fixes);
+  bool is_as_it_was() const;
   bool any_remembers(std::size_t which) const;
 
   Lines connected_;           // since the last set-up
@@ -83,6 +86,7 @@ class HistoryKeeper : public OwnFix {
   ParticleRecords records_;   // by the particles' numbers at the end of the run
   std::vector<int> numbers_;  // by local particle: these numbers, 0 for new ones
   long total_ = 0;            // particles at the end of the run
+  std::uint64_t order_ = 0;   // of this rank's particles, then
 };
 
 }  // namespace plastigran

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "liggghts/fixes/particle_numbers.h"
 
+#include <algorithm>
 #include <numeric>
+
+#include "atom.h"
 
 namespace plastigran {
 
@@ -51,46 +54,72 @@ NewNumbers::NewNumbers(const int* before, const int* now, int count, long total_
 }
 
 void ParticleRecords::reserve(std::size_t particles, std::size_t values) {
-  places_.reserve(particles);
+  entries_.reserve(particles);
   values_.reserve(2 * particles + values);
 }
 
 void ParticleRecords::begin(int number) {
-  places_[number] = last_ = values_.size();
+  entries_.push_back({number, values_.size()});
   values_.insert(values_.end(), {static_cast<double>(number), 0});
 }
 
 void ParticleRecords::append(const double* values, int count) {
-  values_[last_ + 1] += count;
+  values_[entries_.back().place + 1] += count;
   values_.insert(values_.end(), values, values + count);
 }
 
+void ParticleRecords::sort() {
+  std::sort(entries_.begin(), entries_.end(),
+            [](const Entry& one, const Entry& other) { return one.number < other.number; });
+}
+
+ParticleRecords::Found ParticleRecords::find(int number) const {
+  const Found found =
+      std::lower_bound(entries_.begin(), entries_.end(), number,
+                       [](const Entry& entry, int sought) { return entry.number < sought; });
+  return found != entries_.end() && found->number == number ? found : entries_.end();
+}
+
 void ParticleRecords::fetch(const int* wanted, int count, MPI_Comm ranks) {
+  sort();
   std::vector<int> missing;
   for (int i = 0; i < count; ++i)
-    if (wanted[i] && !places_.count(wanted[i])) missing.push_back(wanted[i]);
+    if (wanted[i] && find(wanted[i]) == entries_.end()) missing.push_back(wanted[i]);
   if (!on_any_rank(!missing.empty(), ranks)) return;
   std::vector<double> sent;
   for (const int number : gather_all(missing, ranks)) {
-    const auto found = places_.find(number);
-    if (found == places_.end()) continue;
-    const double* const record = &values_[found->second];
+    const Found found = find(number);
+    if (found == entries_.end()) continue;
+    const double* const record = &values_[found->place];
     sent.insert(sent.end(), record, record + 2 + static_cast<std::size_t>(record[1]));
   }
   const std::vector<double> received = gather_all(sent, ranks);
+  std::sort(missing.begin(), missing.end());
   for (std::size_t k = 0; k < received.size(); k += 2 + static_cast<std::size_t>(received[k + 1])) {
     const int number = static_cast<int>(received[k]);
-    if (places_.count(number)) continue;
+    if (!std::binary_search(missing.begin(), missing.end(), number)) continue;
     begin(number);
     append(&received[k + 2], static_cast<int>(received[k + 1]));
   }
+  sort();
 }
 
 const double* ParticleRecords::of(int number, int& count) const {
-  const auto found = places_.find(number);
-  if (found == places_.end()) return nullptr;
-  count = static_cast<int>(values_[found->second + 1]);
-  return &values_[found->second + 2];
+  const Found found = find(number);
+  if (found == entries_.end()) return nullptr;
+  count = static_cast<int>(values_[found->place + 1]);
+  return &values_[found->place + 2];
+}
+
+// The steps of the FNV-1a hash.
+std::uint64_t order_of(const LAMMPS_NS::Atom* atom) {
+  std::uint64_t order = 14695981039346656037u;
+  const auto mix = [&order](int number) {
+    order = (order ^ static_cast<std::uint32_t>(number)) * 1099511628211u;
+  };
+  mix(atom->nlocal);
+  for (int i = 0; i < atom->nlocal + atom->nghost; ++i) mix(atom->tag[i]);
+  return order;
 }
 
 }  // namespace plastigran

@@ -7,8 +7,13 @@
 #include <mpi.h>
 
 #include <cstddef>
+#include <cstdint>
 #include <unordered_map>
 #include <vector>
+
+namespace LAMMPS_NS {
+class Atom;
+}
 
 namespace plastigran {
 
@@ -35,7 +40,8 @@ class NewNumbers {
   std::unordered_map<int, int> numbers_;
 };
 
-// What is known of particles, by their numbers, as spans of one list of values.
+// What is known of particles, by their numbers, as spans of one list of values. First all are
+// begun, then they are fetched, and then asked for.
 class ParticleRecords {
  public:
   // Room for the records of so many particles, and so many values of all together.
@@ -52,9 +58,20 @@ class ParticleRecords {
   const double* of(int number, int& count) const;
 
  private:
-  std::unordered_map<int, std::size_t> places_;  // of records in values_: number, length, values
+  struct Entry {
+    int number;
+    std::size_t place;  // in values_: number, length, values
+  };
+  typedef std::vector<Entry>::const_iterator Found;
+
+  void sort();
+  Found find(int number) const;
+
+  std::vector<Entry> entries_;  // by their numbers once they are fetched
   std::vector<double> values_;
-  std::size_t last_ = 0;  // the place of the record last begun
 };
+
+// A number for which particles are where in this rank's arrays, copies of other ranks' included.
+std::uint64_t order_of(const LAMMPS_NS::Atom* atom);
 
 }  // namespace plastigran
