@@ -16,7 +16,7 @@ import attrs
 
 from plastigran import laws
 from plastigran.declared import Declaration, declaration, number
-from plastigran.engine.deck import index_variables
+from plastigran.engine.deck import index_lines
 from plastigran.engine.process import EngineError, inputs_folder, own_inputs
 
 if TYPE_CHECKING:
@@ -133,8 +133,8 @@ def read_material(name: Material | str | Path) -> Material:
     A material itself is handed back.
 
     Raises:
-        ValueError: No such material, or a constant is missing, unknown, not a number or out of
-            range.
+        ValueError: No such material, or a constant is missing, unknown, given twice, not a number
+            or out of range.
     """
     if isinstance(name, Material):
         return name
@@ -146,9 +146,14 @@ def read_material(name: Material | str | Path) -> Material:
         hint = f"is it {file}? " if file.is_file() else ""
         raise ValueError(f"no material {str(name)!r}; {hint}there are {', '.join(names())}")
     try:
-        values = index_variables(path)
+        lines = index_lines(path)
     except UnicodeDecodeError:
         raise ValueError(f"{path} is not a text file") from None
+    values = dict(lines)
+    if len(values) < len(lines):
+        names_given = [each for each, _ in lines]
+        twice = next(each for each in names_given if names_given.count(each) > 1)
+        raise ValueError(f"{path}: {twice} is given twice")
     constants = attrs.fields(Material)[1:]
     if missing := [at.name for at in constants if at.name not in values and _required(at)]:
         raise ValueError(f"{path}: no value for {', '.join(missing)}")

@@ -169,6 +169,10 @@ def test_without_input_scripts(monkeypatch, tmp_path, capsys):
             ("pressure_factor", "presure_factor"),
             "yield_presure_factor is no constant of a material",
         ),
+        (
+            ("variable density", "variable yield_strength index 1e9\nvariable density"),
+            "yield_strength is given twice",
+        ),
     ],
 )
 def test_material_files_that_cannot_be_are_named(change, said, tmp_path):

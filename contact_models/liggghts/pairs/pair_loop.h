@@ -10,6 +10,7 @@
 #pragma once
 
 #include <cmath>
+#include <cstring>
 #include <vector>
 
 #include "atom.h"
@@ -61,7 +62,8 @@ class PairLoop : public LIGGGHTS::PairStyles::Granular<Contact> {
     const LAMMPS_NS::NeighList* const histories = pair->listgranhistory;  // null: no memory
     const int width = pair->dnum();
     frozen_ = pair->freeze_group_bit();
-    ContactData contact{};
+    ContactData contact;
+    std::memset(static_cast<void*>(&contact), 0, sizeof contact);  // it has no values of its own
     contact.area_ratio = 1;
     contact.computeflag = pair->computeflag();
     contact.shearupdate = pair->shearupdate();
@@ -141,14 +143,13 @@ class PairLoop : public LIGGGHTS::PairStyles::Granular<Contact> {
 
   [[gnu::always_inline]] void touch(ContactData& contact, AccountedLoad& on_i, Load& on_j) {
     const LAMMPS_NS::Atom* const atom = engine_->atom;
-    const int frozen = frozen_;
     contact.r = std::sqrt(contact.rsq);
     contact.rinv = 1 / contact.r;
     for (int axis = 0; axis < 3; ++axis) contact.en[axis] = contact.delta[axis] * contact.rinv;
     contact.mj = atom->rmass[contact.j];
     contact.meff = contact.mi * contact.mj / (contact.mi + contact.mj);
-    if (atom->mask[contact.i] & frozen) contact.meff = contact.mj;
-    if (atom->mask[contact.j] & frozen) contact.meff = contact.mi;
+    if (atom->mask[contact.i] & frozen_) contact.meff = contact.mj;
+    if (atom->mask[contact.j] & frozen_) contact.meff = contact.mi;
     models_.checkSurfaceIntersect(contact);
     models_.surfacesIntersect(contact, on_i, on_j);
     models_.endSurfacesIntersect(contact, nullptr, on_i, on_j);

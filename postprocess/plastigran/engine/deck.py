@@ -48,9 +48,14 @@ def index_variables(deck: str | Path) -> dict[str, str]:
         deck: Path of the input script.
     """
     values: dict[str, str] = {}
-    for name, value in filter(None, map(index_variable, commands(Path(deck)))):
+    for name, value in index_lines(deck):
         values.setdefault(name, value)  # the engine keeps the first too
     return values
+
+
+def index_lines(deck: str | Path) -> list[tuple[str, str]]:
+    """Names and values of a script's own `variable NAME index VALUE` lines, one after the other."""
+    return list(filter(None, map(index_variable, commands(Path(deck)))))
 
 
 @dataclass(frozen=True)
