@@ -12,6 +12,7 @@
 #include "liggghts/fixes/engine_access.h"
 #include "liggghts/fixes/stored_histories.h"
 #include "modify.h"
+#include "neighbor.h"
 #include "output.h"
 #include "pair_gran.h"
 #include "update.h"
@@ -103,7 +104,7 @@ void HistoryKeeper::post_run() {
       records_.append(values.data(), values.size());
     }
   }
-  order_ = order_of(atom);
+  page_ = neighbor->pgsize, largest_ = neighbor->oneatom;
   total_ = atom->nlocal;
   MPI_Allreduce(MPI_IN_PLACE, &total_, 1, MPI_LONG, MPI_SUM, world);
 }
@@ -117,16 +118,9 @@ bool HistoryKeeper::goes_on(const Kept& kept, const Line& line, LAMMPS_NS::Fix* 
 void HistoryKeeper::setup_pre_exchange() {
   lines_.swap(connected_);
   connected_.clear();
-  const Lines lines = all_lines(lines_);
-  const bool as_it_was = is_as_it_was();
-  const auto keeps_its_own = [&](const Kept& kept) {
-    const auto line = lines.find(kept.owner);
-    const LAMMPS_NS::Fix* const fix = modify->find_fix_id(kept.fix.c_str());
-    return line != lines.end() && !line->second.given_anew && fix && !fix->just_created &&
-           (as_it_was || kept.owner != pair_owner);
-  };
-  if (std::all_of(kept_.begin(), kept_.end(), keeps_its_own)) return;
+  if (kept_.empty()) return;
   records_.fetch(numbers_.data(), atom->nlocal, world);
+  const Lines lines = all_lines(lines_);
   std::vector<LAMMPS_NS::Fix*> fixes;  // null: nothing is handed back
   for (std::size_t k = 0; k < kept_.size(); ++k) {
     const Kept& kept = kept_[k];
@@ -136,6 +130,7 @@ void HistoryKeeper::setup_pre_exchange() {
     if (line == lines.end() || !fix) continue;
     // Walls lose theirs with their line alone.
     if (kept.owner != pair_owner && !line->second.given_anew) continue;
+    if (!fix->just_created && is_intact(k, fix)) continue;
     if (goes_on(kept, line->second, fix)) {
       fixes.back() = fix;
       fix->just_created = 0;  // the engine blanks what a new fix has as a run begins
@@ -146,25 +141,40 @@ void HistoryKeeper::setup_pre_exchange() {
                                 .c_str());
     }
   }
-  hand_back(fixes);
+  if (std::any_of(fixes.begin(), fixes.end(), [](const auto* fix) { return fix; }))
+    hand_back(fixes);
 }
 
-// Whether all particles are where they were at the end of the last run, on all ranks: the engine's
-// neighbour lists are then as good as they were.
-bool HistoryKeeper::is_as_it_was() const {
-  int same = order_of(atom) == order_;
-  for (int i = 0; i < atom->nlocal; ++i) same = same && numbers_[i] == atom->tag[i];
-  MPI_Allreduce(MPI_IN_PLACE, &same, 1, MPI_INT, MPI_MIN, world);
-  return same;
+// Whether a fix still has, in the numbers the particles have now, what was kept of it. All ranks
+// together. It is not looked at where the engine has made its pages anew, and thrown away what they
+// held.
+bool HistoryKeeper::is_intact(std::size_t which, LAMMPS_NS::Fix* fix) const {
+  int intact = page_ == neighbor->pgsize && largest_ == neighbor->oneatom;
+  for (int i = 0; intact && i < atom->nlocal; ++i) {
+    const double* const record = record_of(i, which);
+    intact = record && numbers_[i] == atom->tag[i];
+    if (!intact) break;
+    const std::vector<double> held = StoredHistories(fix).of(i);
+    intact = held.size() == *record && std::equal(held.begin(), held.end(), record + 1);
+  }
+  MPI_Allreduce(MPI_IN_PLACE, &intact, 1, MPI_INT, MPI_MIN, world);
+  return intact;
+}
+
+// What was kept of a particle in one of the histories, its length first; null for a new one.
+const double* HistoryKeeper::record_of(int i, std::size_t which) const {
+  int length = 0;
+  const double* values = records_.of(numbers_[i], length);
+  for (std::size_t k = 0; values && k < which; ++k) values += 1 + static_cast<int>(*values);
+  return values;
 }
 
 // Whether a contact had a memory in one of the histories kept. All ranks together.
 bool HistoryKeeper::any_remembers(std::size_t which) const {
-  int remembers = 0, length = 0;
+  int remembers = 0;
   for (int i = 0; i < atom->nlocal; ++i) {
-    const double* values = records_.of(numbers_[i], length);
-    for (std::size_t k = 0; values && k < which; ++k) values += 1 + static_cast<int>(*values);
-    if (values && StoredHistories::remembers(values + 1, static_cast<int>(*values))) remembers = 1;
+    const double* const record = record_of(i, which);
+    if (record && StoredHistories::remembers(record + 1, static_cast<int>(*record))) remembers = 1;
   }
   MPI_Allreduce(MPI_IN_PLACE, &remembers, 1, MPI_INT, MPI_MAX, world);
   return remembers;

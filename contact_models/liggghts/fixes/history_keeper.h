@@ -14,7 +14,6 @@
 // beginning, before its forces have advanced them: this fix stores them again at its end.
 #pragma once
 
-#include <cstdint>
 #include <map>
 #include <string>
 #include <vector>
@@ -76,17 +75,18 @@ class HistoryKeeper : public OwnFix {
   Lines all_lines(const Lines& ours) const;
   bool goes_on(const Kept& kept, const Line& line, LAMMPS_NS::Fix* fix) const;
   void hand_back(const std::vector<LAMMPS_NS::Fix*>& fixes);
-  bool is_as_it_was() const;
+  bool is_intact(std::size_t which, LAMMPS_NS::Fix* fix) const;
   bool any_remembers(std::size_t which) const;
+  const double* record_of(int i, std::size_t which) const;
 
-  Lines connected_;           // since the last set-up
-  Lines lines_;               // of the run under way, or the last one
-  Lines in_file_;             // what a restart file says, until the owner connects
-  std::vector<Kept> kept_;    // what each record has, in this order
-  ParticleRecords records_;   // by the particles' numbers at the end of the run
-  std::vector<int> numbers_;  // by local particle: these numbers, 0 for new ones
-  long total_ = 0;            // particles at the end of the run
-  std::uint64_t order_ = 0;   // of this rank's particles, then
+  Lines connected_;             // since the last set-up
+  Lines lines_;                 // of the run under way, or the last one
+  Lines in_file_;               // what a restart file says, until the owner connects
+  std::vector<Kept> kept_;      // what each record has, in this order
+  ParticleRecords records_;     // by the particles' numbers at the end of the run
+  std::vector<int> numbers_;    // by local particle: these numbers, 0 for new ones
+  long total_ = 0;              // particles at the end of the run
+  int page_ = 0, largest_ = 0;  // the engine's sizes of pages of neighbours, then
 };
 
 }  // namespace plastigran

@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <numeric>
 
-#include "atom.h"
-
 namespace plastigran {
 
 namespace {
@@ -109,17 +107,6 @@ const double* ParticleRecords::of(int number, int& count) const {
   if (found == entries_.end()) return nullptr;
   count = static_cast<int>(values_[found->place + 1]);
   return &values_[found->place + 2];
-}
-
-// The steps of the FNV-1a hash.
-std::uint64_t order_of(const LAMMPS_NS::Atom* atom) {
-  std::uint64_t order = 14695981039346656037u;
-  const auto mix = [&order](int number) {
-    order = (order ^ static_cast<std::uint32_t>(number)) * 1099511628211u;
-  };
-  mix(atom->nlocal);
-  for (int i = 0; i < atom->nlocal + atom->nghost; ++i) mix(atom->tag[i]);
-  return order;
 }
 
 }  // namespace plastigran

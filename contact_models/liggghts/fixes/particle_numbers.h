@@ -7,13 +7,8 @@
 #include <mpi.h>
 
 #include <cstddef>
-#include <cstdint>
 #include <unordered_map>
 #include <vector>
-
-namespace LAMMPS_NS {
-class Atom;
-}
 
 namespace plastigran {
 
@@ -67,11 +62,8 @@ class ParticleRecords {
   void sort();
   Found find(int number) const;
 
-  std::vector<Entry> entries_;  // by their numbers once they are fetched
+  std::vector<Entry> entries_;  // sorted by number from fetch() on
   std::vector<double> values_;
 };
-
-// A number for which particles are where in this rank's arrays, copies of other ranks' included.
-std::uint64_t order_of(const LAMMPS_NS::Atom* atom);
 
 }  // namespace plastigran

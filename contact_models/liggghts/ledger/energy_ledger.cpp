@@ -5,7 +5,6 @@
 
 #include <cstring>
 
-#include "atom.h"
 #include "comm.h"
 #include "domain.h"
 #include "error.h"
@@ -60,11 +59,14 @@ bool EnergyLedger::is_first_before_exchange() const {
 
 void EnergyLedger::setup_pre_exchange() {
   warn_of_strangers();
-  if (ran_) inserted_ += mechanical_energy() - before_;
+  if (!ran_) return;
+  const double now = mechanical_energy();
+  inserted_ += now - before_;
+  before_ = now;  // commands that write files set up, too, and the next run once more
 }
 
 void EnergyLedger::add_plastic_work(const Contact& contact, double work, bool has_local_partner) {
-  const double share = contact.is_wall || has_local_partner ? 1 : 0.5;
+  const double share = share_of(contact, has_local_partner);
   if (!contact.shearupdate) {
     unwritten_plastic_work_ += share * work;
     return;

@@ -127,6 +127,11 @@ class EnergyLedger : public OwnFix {
     Vector force, friction, dashpot;
   };
 
+  // Of a contact's energies. One with a ghost is seen from its other side as well.
+  static double share_of(const Contact& contact, bool has_local_partner) {
+    return contact.is_wall || has_local_partner ? 1 : 0.5;
+  }
+
   void add_plastic_work(const Contact& contact, double work, bool has_local_partner);
   void add_dashpot(const Contact& contact, double force, bool has_local_partner);
   void add_wall(const Contact& contact, const AccountedLoad& on_i, const Vector& friction);
@@ -167,8 +172,7 @@ class EnergyLedger : public OwnFix {
 inline void EnergyLedger::add(const Contact& contact, const AccountedLoad& on_i, const Load& on_j,
                               double spring_energy) {
   const bool has_local_partner = !contact.is_wall && contact.j < atom->nlocal;
-  // A contact with a ghost is seen from its other side as well.
-  const double share = contact.is_wall || has_local_partner ? 1 : 0.5;
+  const double share = share_of(contact, has_local_partner);
   elastic_ += share * on_i.elastic_energy;
   tangential_springs_ += share * spring_energy;
   const double along = dot(on_i.delta_F, contact.en);

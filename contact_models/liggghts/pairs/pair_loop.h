@@ -10,6 +10,8 @@
 #pragma once
 
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <cstring>
 #include <vector>
 
@@ -37,7 +39,7 @@ class PairLoop : public LIGGGHTS::PairStyles::Granular<Contact> {
       : Base(engine, pair, hash), engine_(engine), models_(this->*models) {}
 
   void compute_force(LAMMPS_NS::PairGran* pair, int energies, int virial, int local) override {
-    if (energies || virial || asks_for_more(pair, local)) {
+    if (energies || virial || local || asks_for_more(pair)) {
       Base::compute_force(pair, energies, virial, local);
       return;
     }
@@ -46,13 +48,13 @@ class PairLoop : public LIGGGHTS::PairStyles::Granular<Contact> {
   }
 
  private:
-  // Whether this step needs what only the engine's loop does.
-  bool asks_for_more(LAMMPS_NS::PairGran* pair, int local) const {
+  // Whether this step needs what only the engine's loop does. (Its factor `relax` is 1 in the
+  // public engine.)
+  bool asks_for_more(LAMMPS_NS::PairGran* pair) const {
     const LAMMPS_NS::Atom* const atom = engine_->atom;
-    return (local && pair->cpl()) || pair->storeContactForces() ||
-           pair->storeContactForcesStress() || pair->storeSumDelta() ||
-           pair->store_sum_normal_force() || pair->fr_pair() || !atom->rmass ||
-           !atom->sphere_flag || engine_->force->newton_pair ||
+    return pair->storeContactForces() || pair->storeContactForcesStress() ||
+           pair->storeSumDelta() || pair->store_sum_normal_force() || pair->fr_pair() ||
+           !atom->rmass || !atom->sphere_flag || engine_->force->newton_pair ||
            engine_->modify->n_fixes_style("insert/stream/predefined") > 0;
   }
 
@@ -63,7 +65,7 @@ class PairLoop : public LIGGGHTS::PairStyles::Granular<Contact> {
     const int width = pair->dnum();
     frozen_ = pair->freeze_group_bit();
     ContactData contact;
-    std::memset(static_cast<void*>(&contact), 0, sizeof contact);  // it has no values of its own
+    std::memset(static_cast<void*>(&contact), 0, sizeof contact);  // as the engine's loop begins
     contact.area_ratio = 1;
     contact.computeflag = pair->computeflag();
     contact.shearupdate = pair->shearupdate();
@@ -101,7 +103,8 @@ class PairLoop : public LIGGGHTS::PairStyles::Granular<Contact> {
     double** const x = atom->x;
     const double* const radius = atom->radius;
     const double factor = engine_->neighbor->contactDistanceFactor;
-    const double squares[] = {1, factor * factor};  // a choice without a branch
+    const double squares[] = {1,
+                              factor * factor};  // of touch and of nearness, over the radii's sum
     const double xi = x[i][0], yi = x[i][1], zi = x[i][2], radius_i = radius[i];
     if (picked_.size() < std::size_t(count)) picked_.resize(count);
     int* end = picked_.data();
@@ -109,9 +112,9 @@ class PairLoop : public LIGGGHTS::PairStyles::Granular<Contact> {
       const int j = neighbours[place] & NEIGHMASK;
       const double dx = xi - x[j][0], dy = yi - x[j][1], dz = zi - x[j][2];
       const double sum = radius_i + radius[j];
-      const bool heard = Contact::acts_at_a_distance || (flags && flags[place]);
+      const bool may_remember = Contact::acts_at_a_distance || (flags && flags[place]);
       *end = place;
-      end += dx * dx + dy * dy + dz * dz < squares[heard] * sum * sum;
+      end += dx * dx + dy * dy + dz * dz < squares[may_remember] * sum * sum;
     }
     return end - picked_.data();
   }
@@ -136,7 +139,6 @@ class PairLoop : public LIGGGHTS::PairStyles::Granular<Contact> {
       models_.surfacesClose(contact, on_i, on_j);
       if (!contact.has_force_update) return;
     }
-    if (!contact.computeflag) return;
     add(atom->f[i], atom->torque[i], on_i);
     if (j < atom->nlocal) add(atom->f[j], atom->torque[j], on_j);
   }
@@ -150,7 +152,7 @@ class PairLoop : public LIGGGHTS::PairStyles::Granular<Contact> {
     contact.meff = contact.mi * contact.mj / (contact.mi + contact.mj);
     if (atom->mask[contact.i] & frozen_) contact.meff = contact.mj;
     if (atom->mask[contact.j] & frozen_) contact.meff = contact.mi;
-    models_.checkSurfaceIntersect(contact);
+    models_.checkSurfaceIntersect(contact);  // true of spheres
     models_.surfacesIntersect(contact, on_i, on_j);
     models_.endSurfacesIntersect(contact, nullptr, on_i, on_j);
   }
