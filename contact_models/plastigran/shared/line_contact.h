@@ -29,10 +29,12 @@
 
 #include "plastigran/shared/contact.h"
 #include "plastigran/shared/largest_overlap.h"
+#include "plastigran/shared/power.h"
+#include "plastigran/shared/tabulated.h"
 
 namespace plastigran {
 
-// The root w > 1 of w - ln w = t, for t >= 1.3: -W(-exp(-t)) on the lower branch of Lambert's
+// The root w > 1 of w - ln w = t, for t >= 1.25: -W(-exp(-t)) on the lower branch of Lambert's
 // function. Halley from two terms of its asymptotic series; four steps leave rounding only.
 inline double lambert_root(double t) {
   const double log_t = std::log(t);
@@ -44,23 +46,29 @@ inline double lambert_root(double t) {
   return w;
 }
 
-// The elastic line contact: overlap over load q [m], and back, and the work.
+// The same from a table, which serves all line contacts there are: t is the logarithm of a ratio of
+// lengths, and the table ends at 20 000.
+inline const Tabulated<1> lambert_roots(1.25, [](double t) { return std::array{lambert_root(t)}; });
+
+// The elastic line contact: what a load q [m] does, and which load an overlap asks for.
 class LineCompliance {
  public:
   // reach [m]: overlap = q ln(reach/q)
   explicit LineCompliance(double reach) : reach_(reach), tangent_from_(reach * std::exp(-2.0)) {}
 
-  double overlap(double load) const {
-    return load < tangent_from_ ? load * std::log(reach_ / load) : load + tangent_from_;
+  // At a load: the overlap [m] and the work [m^2] of the load over it.
+  struct Pressed {
+    double overlap, work;
+  };
+  Pressed pressed(double load) const {
+    const double bent = std::min(load, tangent_from_), straight = load - bent;
+    const double log = natural_log(reach_ / bent);
+    return {bent * log + straight,
+            bent * bent * (2 * log - 1) / 4 + straight * (bent + straight / 2)};
   }
   double load(double overlap) const {
-    return overlap < 2 * tangent_from_ ? overlap / lambert_root(std::log(reach_ / overlap))
+    return overlap < 2 * tangent_from_ ? overlap / lambert_roots(natural_log(reach_ / overlap))[0]
                                        : overlap - tangent_from_;
-  }
-  // Work [m^2] of the load over the overlap.
-  double work(double load) const {
-    const double bent = std::min(load, tangent_from_), straight = load - bent;
-    return bent * bent * (2 * std::log(reach_ / bent) - 1) / 4 + straight * (bent + straight / 2);
   }
 
  private:
@@ -102,28 +110,27 @@ class LineContact : public Rebound, public LargestOverlap {
   Response respond(double radius_eff, double overlap, State& state) const {
     const LineCompliance undented(reach_ / radius_eff);
     const double load_y = 0.25 * half_width_ratio_ * half_width_ratio_ * radius_eff;
-    const double overlap_y = undented.overlap(load_y);
+    const auto [overlap_y, work_y] = undented.pressed(load_y);
     Response response;
     if (state.overlap_max == 0 && overlap <= overlap_y) {
       if (!(overlap > overlap_min)) return response;
       const double load = undented.load(overlap);
       response.force = stiffness_ * load;
       response.contact_radius = 2 * std::sqrt(load * radius_eff);
-      response.elastic_energy = stiffness_ * undented.work(load);
+      response.elastic_energy = stiffness_ * undented.pressed(load).work;
       return response;
     }
     if (overlap > state.overlap_max) state.overlap_max = overlap;
 
     // At the largest overlap: loads in q, lengths in a_Y, works over stiffness_.
     const double area = 1 + (state.overlap_max - overlap_y) / (2 * load_y);  // s^2
-    const double s = std::sqrt(area), log_s = 0.5 * std::log(area);
+    const double s = std::sqrt(area), log_s = 0.5 * natural_log(area);
     const double load_max = load_y * s * std::min(1 + hardening * log_s, pressure_cap);
     const double flattening = load_max / (load_y * area);
-    const double work = undented.work(load_y) + 4 * load_y * load_y * plastic_share(s, log_s);
+    const double work = work_y + 4 * load_y * load_y * plastic_share(s, log_s);
     const LineCompliance crater(reach_ / radius_eff * flattening);
-    const double crater_overlap = crater.overlap(load_max);
-    const double fullness =
-        Rebound::straight ? 0.5 : crater.work(load_max) / (load_max * crater_overlap);
+    const auto [crater_overlap, crater_work] = crater.pressed(load_max);
+    const double fullness = Rebound::straight ? 0.5 : crater_work / (load_max * crater_overlap);
     double recovery = Rebound::recovery(load_y, overlap_y, load_max, flattening);
     if (energy_guard_) recovery = std::min(recovery, work / (load_max * fullness));
 
@@ -134,7 +141,7 @@ class LineContact : public Rebound, public LargestOverlap {
       response.contact_radius = 2 * std::sqrt(load * radius_eff / flattening);
       response.elastic_energy =
           stiffness_ * recovery *
-          (Rebound::straight ? 0.5 * load * x : crater.work(load) / crater_overlap);
+          (Rebound::straight ? 0.5 * load * x : crater.pressed(load).work / crater_overlap);
     }
     response.plastic_work = stiffness_ * (work - load_max * recovery * fullness);
     return response;
@@ -156,7 +163,7 @@ class LineContact : public Rebound, public LargestOverlap {
 
   // ln(4 D^2/a^2) - k
   double compliance(double half_width) const {
-    return std::log(4 * reach_ / (half_width * half_width));
+    return natural_log(4 * reach_ / (half_width * half_width));
   }
 
   // Integral of s^2 p/1.5 from yield: the work beyond it over F_Y a_Y^2/R.

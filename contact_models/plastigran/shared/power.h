@@ -12,6 +12,8 @@
 
 namespace plastigran {
 
+constexpr double ln_2 = 0.69314718055994530942;
+
 // 64 stretches of [1, 2) for the logarithm, 32 of [0, 1) for the exponential.
 struct PowerTables {
   std::array<double, 64> inverse, log2;  // of the middle of each
@@ -28,12 +30,10 @@ struct PowerTables {
 };
 inline const PowerTables power_tables;
 
-// base^exponent to 3e-15 of it and 2e-16 |exponent| for base > 0, neither so small or large that
-// the one or the other is not a normal number.
-inline double power(double base, double exponent) {
-  constexpr double ln_2 = 0.69314718055994530942;
+// The logarithm to base 2 of a normal number above 0, to 2e-16 and 2e-16 of it.
+inline double binary_log(double x) {
   std::uint64_t bits;
-  std::memcpy(&bits, &base, sizeof bits);
+  std::memcpy(&bits, &x, sizeof bits);
   const std::size_t stretch = bits >> 46 & 63;
   const double whole = static_cast<double>(static_cast<std::int64_t>(bits >> 52) - 1023);
   bits = (bits & ((std::uint64_t{1} << 52) - 1)) | std::uint64_t{1023} << 52;
@@ -42,9 +42,16 @@ inline double power(double base, double exponent) {
   // log2(1 + r), |r| < 1/128
   const double r = mantissa * power_tables.inverse[stretch] - 1, r_2 = r * r;
   const double series = (1 - 0.5 * r) + r_2 * ((1.0 / 3 - 0.25 * r) + r_2 * (0.2 - 1.0 / 6 * r));
-  const double log2 = whole + (power_tables.log2[stretch] + r * (1 / ln_2) * series);
+  return whole + (power_tables.log2[stretch] + r * (1 / ln_2) * series);
+}
 
-  const double way = exponent * log2;
+// The natural logarithm, as well.
+inline double natural_log(double x) { return ln_2 * binary_log(x); }
+
+// base^exponent to 3e-15 of it and 2e-16 |exponent| for base > 0, neither so small or large that
+// the one or the other is not a normal number.
+inline double power(double base, double exponent) {
+  const double way = exponent * binary_log(base);
   constexpr double round = 6755399441055744.0 / 32;  // 1.5 2^52, over 32: rounds to a 32nd
   const double near = way + round;
   std::int64_t steps;
