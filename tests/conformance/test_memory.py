@@ -27,6 +27,8 @@ STAGES = (
     *["run in pieces"] * 3,
     *["steps counted anew"] * 2,
     "restart file written",
+    *["pages of neighbours anew"] * 2,
+    "nothing deleted",
     "pair_style again",
     "wall again",
     *["inserted"] * 5,

@@ -42,9 +42,14 @@ fix wetting  all property/global contactAngle peratomtype 30 40
 fix nearest  all property/global minSeparationDistanceRatio scalar 0.01
 fix farthest all property/global maxSeparationDistanceRatio scalar 1.1
 """
+RATES = """
+fix rate     all property/global rateCoefficient peratomtype 0.05 0.05
+fix test     all property/global referenceRate peratomtype 1 1
+"""
 #: Models, and options at the end of the line.
 COMBINATIONS = (
     ("tangential history", ""),
+    ("tangential history rolling_friction epsd2", ""),
     ("tangential history", "energy_ledger on"),
     ("tangential no_history", ""),
     ("tangential off", ""),
@@ -57,7 +62,7 @@ ENTRIES = "".join(f"variable e{k} equal f_energy_ledger[{k}]\n" for k in range(1
 
 
 def follow(
-    models: str, options: str, folder: Path, seen: str, ranks: int
+    models: str, options: str, folder: Path, seen: str, ranks: int, more: str = ""
 ) -> tuple[pd.DataFrame, pd.DataFrame]:
     """What the grains did, and the log, with what the deck asks for."""
     line = f"model universal {models}"
@@ -65,6 +70,7 @@ def follow(
         GRAINS
         + PROPERTIES.format(strength=STRENGTH)
         + MODELS
+        + more
         + f"pair_style gran {line} {options}\npair_coeff * *\n"
         + f"fix floor all wall/gran {line} primitive type 2 zplane 0.0 {options}\n"
         + "fix integrate moving nve/sphere\nfix hold stones freeze\n"
@@ -88,3 +94,11 @@ def test_all_digits_are_the_engines(models, options, ranks, tmp_path):
     pd.testing.assert_frame_equal(ours, engines, check_exact=True)
     assert (their_log["sum"] != 0).any()
     pd.testing.assert_frame_equal(log, their_log[log.columns], check_exact=True)
+
+
+def test_all_digits_where_rates_matter(tmp_path):
+    ours, _ = follow("tangential history", "", tmp_path / "ours", "ke", 1, RATES)
+    engines, _ = follow("tangential history", "", tmp_path / "engines", "ke c_sum", 1, RATES)
+    plain, _ = follow("tangential history", "", tmp_path / "plain", "ke", 1)
+    assert not ours.equals(plain)
+    pd.testing.assert_frame_equal(ours, engines, check_exact=True)
