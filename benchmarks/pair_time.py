@@ -18,7 +18,8 @@ it computes a viscous damping that the laws do not have.
 
 With `--ledger` every law runs with the energy ledger, too.
 
-Cylinders have no place in this bed; law_cost.py counts what their laws cost alone.
+Cylinders have a bed of their own, of discs in two dimensions (bed_of_discs.in); `hertz`, which is
+for spheres, is the reference there as well.
 
 Times depend on the machine, ratios far less; only ratios are reported.
 """
@@ -30,6 +31,7 @@ import re
 from pathlib import Path
 
 import pandas as pd
+from attrs import frozen
 from tqdm import tqdm
 
 from plastigran import laws
@@ -47,25 +49,61 @@ YIELD_STRENGTH = {"plastic": 3.0e8, "elastic": 1.0e13}  # Pa
 PHASES = ("compression", "release")
 
 
+@frozen
+class Bed:
+    """Bodies of one shape.
+
+    Attributes:
+        deck: That makes it.
+        dimension: Of it.
+        variables: What pair_time.in has to know of it.
+    """
+
+    deck: Path
+    dimension: int
+    variables: dict[str, object]
+
+    def make(self, grains: int) -> Path:
+        """The data file, made when missing or older than its deck, of about so many bodies."""
+        folder = WORK / (f"{grains}" if self.dimension == 3 else f"{grains}_discs")
+        data = folder / "bed.data"
+        if not data.exists() or data.stat().st_mtime < self.deck.stat().st_mtime:
+            print("making the bed (half a minute for 20 000, once) ...", flush=True)
+            across = max(4, round((grains / 1.28) ** (1 / self.dimension)))
+            high = max(4, round(grains / across ** (self.dimension - 1)))
+            run_deck(self.deck, {"across": across, "high": high}, folder)
+        return data
+
+
+BEDS = {
+    "sphere": Bed(HERE / "bed.in", 3, {}),
+    "cylinder": Bed(
+        HERE / "bed_of_discs.in",
+        2,
+        {
+            "dimension": 2,
+            "axis": "y",
+            "boundary": "p f p",
+            "properties": HERE / "cylinder_properties.in",
+        },
+    ),
+}
+
+
 def known_laws() -> list[str]:
-    """Names of the laws for spheres in the engine: one per normal_model_<law>.h."""
+    """Names of the laws in the engine: one per normal_model_<law>.h."""
     headers = (PROJECT / "contact_models" / "liggghts" / "models").glob("normal_model_*.h")
-    names = sorted(header.stem.removeprefix("normal_model_") for header in headers)
-    return [name for name in names if laws.LAWS[name].shape == "sphere"]
+    return sorted(header.stem.removeprefix("normal_model_") for header in headers)
 
 
 def make_bed(grains: int) -> Path:
-    """The bed's data file, made when missing or older than its deck, of about so many spheres."""
-    folder = WORK / str(grains)
-    deck, bed = HERE / "bed.in", folder / "bed.data"
-    if not bed.exists() or bed.stat().st_mtime < deck.stat().st_mtime:
-        print("making the bed (half a minute for 20 000 spheres, once) ...", flush=True)
-        across = max(4, round((grains / 1.28) ** (1 / 3)))
-        run_deck(deck, {"across": across, "high": max(4, round(grains / across**2))}, folder)
-    return bed
+    """The bed of spheres."""
+    return BEDS["sphere"].make(grains)
 
 
-def run_bed(contender: str, state: str, bed: Path, steps: int, count: bool = False) -> str:
+def run_bed(
+    contender: str, state: str, bed: Path, steps: int, count: bool = False, shape: str = "sphere"
+) -> str:
     """Take a law, or a law with the ledger, through the bed's path; returns the log."""
     law = REFERENCE if contender == CONTROL else contender.removesuffix(WITH_LEDGER)
     variables = {
@@ -75,6 +113,7 @@ def run_bed(contender: str, state: str, bed: Path, steps: int, count: bool = Fal
         "steps": steps,
         "count": int(count),
         "bed": bed,
+        **BEDS[shape].variables,
     }
     return run_deck(HERE / "pair_time.in", variables, WORK / "run")
 
@@ -87,25 +126,30 @@ def pair_times(log: str) -> list[float]:
     return times
 
 
-def count_contacts(law: str, state: str, bed: Path, steps: int) -> dict[str, object]:
+def count_contacts(
+    law: str, state: str, bed: Path, steps: int, shape: str = "sphere"
+) -> dict[str, object]:
     """Contacts carrying force at full compression, and the share of them that has yielded.
 
     A law's state is zero until first yield and comes first in the contact history.
     """
-    run_bed(law, state, bed, steps, count=True)
+    run_bed(law, state, bed, steps, count=True, shape=shape)
     contacts = read_contacts(WORK / "run" / "contacts.dump").query("step == @steps")
     share = 0.0 if law == REFERENCE else (contacts["history_1"] > 0).mean()
     return {"state": state, "law": law, "contacts": len(contacts), "plastic_share": share}
 
 
-def measure(names: list[str], bed: Path, steps: int, repeats: int) -> pd.DataFrame:
+def measure(
+    names: list[str], bed: Path, steps: int, repeats: int, shape: str = "sphere"
+) -> pd.DataFrame:
     """Pair times of laws in all rounds.
 
     Args:
         names: Of the laws.
-        bed: Data file of the spheres.
+        bed: Data file of the bodies.
         steps: Time steps of each phase.
         repeats: Rounds; a round is one run of every law and two of the reference, in both states.
+        shape: Of the bodies.
 
     Returns:
         One row per run and phase: round, state, law, phase, time [s].
@@ -117,12 +161,28 @@ def measure(names: list[str], bed: Path, steps: int, repeats: int) -> pd.DataFra
         for state in YIELD_STRENGTH:
             turn = round_ % len(contenders)
             for law in contenders[turn:] + contenders[:turn]:
-                log = run_bed(law, state, bed, steps)
+                log = run_bed(law, state, bed, steps, shape=shape)
                 for phase, time in zip(PHASES, pair_times(log), strict=True):
                     rows.append((round_, state, law, phase, time))
                 runs.update()
     runs.close()
     return pd.DataFrame(rows, columns=["round", "state", "law", "phase", "time"])
+
+
+def compare(named: list[str], shape: str, bed: Path, options: argparse.Namespace) -> pd.DataFrame:
+    """Pair times of laws for bodies of one shape over the reference's, with what they were of."""
+    names = named + [law + WITH_LEDGER for law in named if options.ledger]
+    counts = pd.DataFrame(
+        count_contacts(law, state, bed, options.steps, shape)
+        for state in YIELD_STRENGTH
+        for law in [REFERENCE, *names]
+    )
+    again = counts[counts["law"] == REFERENCE].assign(law=CONTROL)
+    table = summarize(measure(names, bed, options.steps, options.repeats, shape))
+    table = table.merge(pd.concat([counts, again]), on=["state", "law"])
+    return table.assign(
+        shape=shape, repeats=options.repeats, steps=options.steps, grains=options.grains
+    )
 
 
 def summarize(times: pd.DataFrame) -> pd.DataFrame:
@@ -173,18 +233,12 @@ def main() -> None:
         parser.error(f"--grains is {options.grains}; it must be at least 1000")
     engine_path()  # says what to do when there is none
 
-    bed = make_bed(options.grains)
-    names = options.law + [law + WITH_LEDGER for law in options.law if options.ledger]
-    counts = pd.DataFrame(
-        count_contacts(law, state, bed, options.steps)
-        for state in YIELD_STRENGTH
-        for law in [REFERENCE, *names]
-    )
-    again = counts[counts["law"] == REFERENCE].assign(law=CONTROL)
-    table = summarize(measure(names, bed, options.steps, options.repeats))
-    table = table.merge(pd.concat([counts, again]), on=["state", "law"])
-    table["repeats"], table["steps"] = options.repeats, options.steps
-    table["grains"] = options.grains
+    tables = []
+    for shape, bed in BEDS.items():
+        named = [law for law in options.law if laws.LAWS[law].shape == shape]
+        if named:
+            tables.append(compare(named, shape, bed.make(options.grains), options))
+    table = pd.concat(tables, ignore_index=True)
 
     RESULTS.parent.mkdir(parents=True, exist_ok=True)
     table.to_csv(RESULTS, index=False, float_format="%.4f")
@@ -192,7 +246,8 @@ def main() -> None:
         f"\npair time over that of stock {REFERENCE} (restitution 0.6), tangential history for all"
         f": median (quartiles) of {options.repeats} rounds\n"
     )
-    print(report(table))
+    for shape, part in table.groupby("shape", sort=False):
+        print(f"a bed of {shape}s\n\n{report(part)}\n")
     control = table.loc[table["law"] == CONTROL, ["ratio_q25", "ratio_q75"]]
     noise = (control - 1).abs().max(axis=None)
     print(f"\n'{CONTROL}' over {REFERENCE} should be 1; its quartiles are off by up to {noise:.0%}")
