@@ -32,12 +32,14 @@ from pathlib import Path
 
 import pandas as pd
 from attrs import frozen
+from pair_time_figure import BOTH, cost_figure
 from tqdm import tqdm
 
 from plastigran import laws
 from plastigran.cli.arguments import positive_integer
 from plastigran.engine.contacts import read_contacts
 from plastigran.engine.process import PROJECT, EngineError, engine_path, run_deck
+from plastigran.plot.style import save
 
 HERE = Path(__file__).resolve().parent
 WORK = PROJECT / "build" / "bench"
@@ -188,7 +190,7 @@ def compare(named: list[str], shape: str, bed: Path, options: argparse.Namespace
 def summarize(times: pd.DataFrame) -> pd.DataFrame:
     """Ratio to the reference of the same round: median and quartiles, by state, law and phase."""
     both = times.groupby(["round", "state", "law"], as_index=False)["time"].sum()
-    times = pd.concat([times, both.assign(phase="both")])
+    times = pd.concat([times, both.assign(phase=BOTH)])
     wide = times.pivot(index=["state", "phase", "round"], columns="law", values="time")
     ratio = wide.div(wide[REFERENCE], axis=0).drop(columns=REFERENCE).stack().rename("ratio")
     quartiles = ratio.groupby(["state", "law", "phase"]).quantile([0.25, 0.5, 0.75]).unstack()
@@ -206,7 +208,7 @@ def report(table: pd.DataFrame) -> str:
     )
     wide = text.pivot(
         index=["state", "law", "contacts", "plastic_share"], columns="phase", values="cell"
-    )[["both", *PHASES]].reset_index()
+    )[[BOTH, *PHASES]].reset_index()
     wide["plastic_share"] = wide["plastic_share"].map("{:.1%}".format)
     order = {state: k for k, state in enumerate(YIELD_STRENGTH)}
     wide = wide.sort_values("state", key=lambda column: column.map(order), kind="stable")
@@ -251,7 +253,9 @@ def main() -> None:
     control = table.loc[table["law"] == CONTROL, ["ratio_q25", "ratio_q75"]]
     noise = (control - 1).abs().max(axis=None)
     print(f"\n'{CONTROL}' over {REFERENCE} should be 1; its quartiles are off by up to {noise:.0%}")
-    print(f"wrote {RESULTS}")
+    figure = RESULTS.with_suffix(".svg")
+    save(cost_figure(table, CONTROL), figure.with_suffix(""), (".svg",))
+    print(f"wrote {RESULTS}, {figure}")
 
 
 if __name__ == "__main__":
