@@ -46,17 +46,26 @@ def test_convergence_of_finite_elements():
 
 
 def test_pair_time(tmp_path, monkeypatch, capsys):
-    """Two steps of a bed of 72 spheres, once."""
+    """Two steps of a bed of 216 spheres and of one of 36 discs, once."""
+    monkeypatch.syspath_prepend(PROJECT / "benchmarks")
     script = load("benchmarks/pair_time.py")
     monkeypatch.setattr(script, "WORK", tmp_path)
     monkeypatch.setattr(script, "RESULTS", tmp_path / "pair_time.csv")
-    run_deck(script.HERE / "bed.in", {"across": 6, "high": 6, "steps": 200}, tmp_path)
-    words = ["pair_time.py", "--law", "thornton", "--repeats", "1", "--steps", "2"]
-    monkeypatch.setattr(sys, "argv", words)
+    little = {"across": 6, "high": 6, "steps": 200}
+    for deck, folder in (("bed", "1000"), ("bed_of_discs", "1000_discs")):
+        run_deck(script.HERE / f"{deck}.in", little, tmp_path / folder)
+    words = ["--law", "thornton", "lim_stronge", "--grains", "1000", "--repeats", "1"]
+    monkeypatch.setattr(sys, "argv", ["pair_time.py", *words, "--steps", "2"])
     script.main()
     table = pd.read_csv(tmp_path / "pair_time.csv")
-    assert set(table["law"]) == {"thornton", "hertz again"}
-    assert (table["ratio"] > 0).all()
+    assert set(zip(table["shape"], table["law"], strict=True)) == {
+        ("sphere", "thornton"),
+        ("sphere", "hertz again"),
+        ("cylinder", "lim_stronge"),
+        ("cylinder", "hertz again"),
+    }
+    assert (table["ratio"] > 0).all() and (table["contacts"] > 20).all()
+    assert (tmp_path / "pair_time.svg").stat().st_size > 10_000
     assert "median (quartiles) of 1 rounds" in capsys.readouterr().out
 
 
