@@ -123,6 +123,25 @@ def test_contacts_of_another_line_begin_anew(owner, tmp_path):
     assert np.all(np.abs(after[changed, 1]) < 1e-3 * np.abs(before[changed, 1])), "the springs"
 
 
+def test_a_wall_elsewhere_is_another(tmp_path):
+    """A plane given again under its name, a micrometre off: its contact is virgin, and told of."""
+    line = "unfix wall; fix wall all wall/gran model stronge tangential history primitive type 2 "
+    log = run_with(line + "xplane -0.450001", "stronge", tmp_path)
+    assert "fix wall: contacts of `model stronge tangential history" in log and "elsewhere" in log
+    before, after = held_forces(tmp_path)[[0, -1]]
+    assert abs(after[0, 1]) < 1e-3 * abs(before[0, 1]), "the spring"
+    assert after[1:] == pytest.approx(before[1:], rel=1e-9)
+
+
+def test_memory_that_ends_with_a_line_is_told_of(tmp_path):
+    """The next line's models remember nothing, and the engine has thrown the memory away."""
+    log = run_with(
+        "pair_style gran model hertz tangential off; pair_coeff * *", "stronge", tmp_path
+    )
+    assert "pair_style: contacts of `model stronge tangential history" in log
+    assert log.count("begin anew") == 1
+
+
 def test_contacts_without_memory_begin_anew_in_silence(tmp_path):
     commands = "pair_style gran model thornton tangential off; pair_coeff * *"
     log = run_with(commands, "viscoelastic_hertz", tmp_path, tangential="off")

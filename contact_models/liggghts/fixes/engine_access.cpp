@@ -7,6 +7,7 @@
 #include "fix_property_global.h"
 #include "modify.h"
 #include "output.h"
+#include "primitive_wall.h"
 #include "settings.h"
 #include "thermo.h"
 
@@ -38,6 +39,18 @@ struct VariableName {
   typedef char* LAMMPS_NS::FixPropertyGlobal::*type;
   friend type reach(VariableName);
 };
+struct WallKind {
+  typedef PRIMITIVE_WALL_DEFINITIONS::WallType LAMMPS_NS::PrimitiveWall::*type;
+  friend type reach(WallKind);
+};
+struct WallNumbers {
+  typedef double* LAMMPS_NS::PrimitiveWall::*type;
+  friend type reach(WallNumbers);
+};
+struct WallNumberCount {
+  typedef int LAMMPS_NS::PrimitiveWall::*type;
+  friend type reach(WallNumberCount);
+};
 
 template <class Tag, typename Tag::type Member>
 struct Reach {
@@ -49,6 +62,9 @@ template struct Reach<FixCreators, &LAMMPS_NS::Modify::fix_map>;
 template struct Reach<LostFlag, &LAMMPS_NS::Thermo::lostflag>;
 template struct Reach<NextRestart, &LAMMPS_NS::Output::next_restart>;
 template struct Reach<VariableName, &LAMMPS_NS::FixPropertyGlobal::variablename>;
+template struct Reach<WallKind, &LAMMPS_NS::PrimitiveWall::wType>;
+template struct Reach<WallNumbers, &LAMMPS_NS::PrimitiveWall::param>;
+template struct Reach<WallNumberCount, &LAMMPS_NS::PrimitiveWall::nParam>;
 
 }  // namespace
 
@@ -87,6 +103,13 @@ LAMMPS_NS::bigint next_restart(const LAMMPS_NS::Output* output) {
 
 std::string variable_name(LAMMPS_NS::FixPropertyGlobal* property) {
   return property->*reach(VariableName());
+}
+
+std::vector<double> geometry(const LAMMPS_NS::PrimitiveWall* wall) {
+  const double* const numbers = wall->*reach(WallNumbers());
+  std::vector<double> all{static_cast<double>(wall->*reach(WallKind()))};
+  all.insert(all.end(), numbers, numbers + wall->*reach(WallNumberCount()));
+  return all;
 }
 
 }  // namespace plastigran

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <map>
 #include <string>
+#include <vector>
 
 #include "lmptype.h"
 
@@ -18,6 +19,7 @@ class FixPropertyGlobal;
 class LAMMPS;
 class Modify;
 class Output;
+class PrimitiveWall;
 }  // namespace LAMMPS_NS
 
 namespace plastigran {
@@ -46,5 +48,8 @@ LAMMPS_NS::bigint next_restart(const LAMMPS_NS::Output* output);
 
 // The name by which models ask for a property/global.
 std::string variable_name(LAMMPS_NS::FixPropertyGlobal* property);
+
+// What a primitive wall is and where: its kind's number, and its numbers in the deck.
+std::vector<double> geometry(const LAMMPS_NS::PrimitiveWall* wall);
 
 }  // namespace plastigran

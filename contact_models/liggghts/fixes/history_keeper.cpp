@@ -88,7 +88,7 @@ void HistoryKeeper::post_run() {
       if (!fix) continue;
       stored.emplace_back(fix);
       stored.back().update();
-      kept_.push_back({owner, line.models, id, stored.back().width(), mesh_position(lmp, fix)});
+      kept_.push_back({owner, line.models, id, stored.back().width(), wall_position(lmp, fix)});
     }
   std::size_t values = 0;
   for (int i = 0; i < atom->nlocal; ++i)
@@ -112,7 +112,7 @@ void HistoryKeeper::post_run() {
 // Whether those who have these histories now can go on with them.
 bool HistoryKeeper::goes_on(const Kept& kept, const Line& line, LAMMPS_NS::Fix* fix) const {
   return line.models == kept.models && StoredHistories(fix).width() == kept.width &&
-         mesh_position(lmp, fix) == kept.mesh;
+         wall_position(lmp, fix) == kept.place;
 }
 
 void HistoryKeeper::setup_pre_exchange() {
@@ -127,17 +127,17 @@ void HistoryKeeper::setup_pre_exchange() {
     fixes.push_back(nullptr);
     const auto line = lines.find(kept.owner);
     LAMMPS_NS::Fix* const fix = modify->find_fix_id(kept.fix.c_str());
-    if (line == lines.end() || !fix) continue;
+    if (line == lines.end()) continue;
     // Walls lose theirs with their line alone.
     if (kept.owner != pair_owner && !line->second.given_anew) continue;
-    if (!fix->just_created && is_intact(k, fix)) continue;
-    if (goes_on(kept, line->second, fix)) {
+    if (fix && !fix->just_created && is_intact(k, fix)) continue;
+    if (fix && goes_on(kept, line->second, fix)) {
       fixes.back() = fix;
       fix->just_created = 0;  // the engine blanks what a new fix has as a run begins
     } else if (any_remembers(k) && comm->me == 0) {
       error->warning(FLERR, (kept.owner + ": contacts of `" + kept.models +
                              "` begin anew, they are now of `" + line->second.models + '`' +
-                             (kept.models == line->second.models ? " on another mesh" : ""))
+                             (kept.models == line->second.models ? " elsewhere" : ""))
                                 .c_str());
     }
   }

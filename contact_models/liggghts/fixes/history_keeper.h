@@ -14,6 +14,7 @@
 // beginning, before its forces have advanced them: this fix stores them again at its end.
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <string>
 #include <vector>
@@ -67,8 +68,8 @@ class HistoryKeeper : public OwnFix {
   // A fix with histories when they were stored.
   struct Kept {
     std::string owner, models, fix;
-    int width;           // values of a contact
-    unsigned long mesh;  // of a mesh's histories: where its triangles are
+    int width;            // values of a contact
+    std::uint64_t place;  // of a wall's histories: where it is
   };
 
   void forget() { records_ = ParticleRecords(), kept_.clear(); }

@@ -11,8 +11,11 @@
 #include "fix_contact_history.h"
 #include "fix_mesh_surface.h"
 #include "fix_property_atom.h"
+#include "fix_wall_gran.h"
 #include "lammps.h"
+#include "liggghts/fixes/engine_access.h"
 #include "modify.h"
+#include "primitive_wall.h"
 #include "tri_mesh.h"
 
 namespace plastigran {
@@ -29,7 +32,24 @@ double as_double(std::int64_t number) {
   return same_bits;
 }
 
-const char mesh_histories[] = "tracker_";  // the engine's name of them, before the mesh's
+// The engine's names of them, before that of the mesh or the wall.
+const char mesh_histories[] = "tracker_", primitive_histories[] = "history_";
+
+// The fix whose histories these are; null when that prefix is not theirs.
+LAMMPS_NS::Fix* fix_of(LAMMPS_NS::LAMMPS* engine, const LAMMPS_NS::Fix* histories,
+                       const char* prefix) {
+  const std::size_t length = std::strlen(prefix);
+  if (std::strncmp(histories->id, prefix, length) != 0) return nullptr;
+  return engine->modify->find_fix_id(histories->id + length);
+}
+
+// Takes a number into a sum of bits.
+std::uint64_t mixed(std::uint64_t sum, double number) {
+  std::uint64_t bits;
+  std::memcpy(&bits, &number, sizeof bits);
+  sum = (sum ^ bits) * 1099511628211u;
+  return sum ^ sum >> 32;
+}
 
 }  // namespace
 
@@ -93,29 +113,28 @@ bool StoredHistories::remembers(const double* values, int count) {
   return std::any_of(values, values + count, [](double value) { return value != 0; });
 }
 
-// A sum that does not depend on the order of triangles, which ranks share out.
-unsigned long mesh_position(LAMMPS_NS::LAMMPS* engine, const LAMMPS_NS::Fix* histories) {
-  const std::size_t prefix = sizeof mesh_histories - 1;
-  if (std::strncmp(histories->id, mesh_histories, prefix) != 0) return 0;
-  LAMMPS_NS::Fix* const fix = engine->modify->find_fix_id(histories->id + prefix);
+std::uint64_t wall_position(LAMMPS_NS::LAMMPS* engine, const LAMMPS_NS::Fix* histories) {
+  if (const auto wall =
+          dynamic_cast<LAMMPS_NS::FixWallGran*>(fix_of(engine, histories, primitive_histories))) {
+    std::uint64_t sum = 1;
+    for (const double number : geometry(wall->primitiveWall())) sum = mixed(sum, number);
+    return sum;
+  }
+  const auto fix =
+      dynamic_cast<LAMMPS_NS::FixMeshSurface*>(fix_of(engine, histories, mesh_histories));
   if (!fix) return 0;
-  LAMMPS_NS::TriMesh* const mesh = static_cast<LAMMPS_NS::FixMeshSurface*>(fix)->triMesh();
-  std::uint64_t sum = 0;
+  LAMMPS_NS::TriMesh* const mesh = fix->triMesh();
+  std::uint64_t sum = 0;  // does not depend on the order of triangles, which ranks share out
   const bool shared_out = mesh->isParallel();  // before, each rank has them all
   for (int triangle = 0; triangle < mesh->sizeLocal(); ++triangle) {
     if (!shared_out && engine->comm->me != 0) break;
-    std::uint64_t mixed = mesh->id(triangle) + 1;
+    std::uint64_t of_triangle = mesh->id(triangle) + 1;
     for (int node = 0; node < 3; ++node) {
       double x[3];
       mesh->node(triangle, node, x);
-      for (const double coordinate : x) {
-        std::uint64_t bits;
-        std::memcpy(&bits, &coordinate, sizeof bits);
-        mixed = (mixed ^ bits) * 1099511628211u;  // the step of the FNV-1a hash
-        mixed ^= mixed >> 32;
-      }
+      for (const double coordinate : x) of_triangle = mixed(of_triangle, coordinate);
     }
-    sum += mixed;
+    sum += of_triangle;
   }
   MPI_Allreduce(MPI_IN_PLACE, &sum, 1, MPI_UINT64_T, MPI_SUM, engine->world);
   return sum;

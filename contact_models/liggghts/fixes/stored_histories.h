@@ -4,6 +4,7 @@
 // have a list of partners with values for each, those of primitive walls the values of one contact.
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "fix.h"
@@ -45,7 +46,8 @@ class StoredHistories {
   bool listed_, of_pairs_;
 };
 
-// A number for where the triangles of that mesh are; 0 when the fix is no mesh's. All ranks.
-unsigned long mesh_position(LAMMPS_NS::LAMMPS* engine, const LAMMPS_NS::Fix* histories);
+// A number for where the wall or the triangles of the mesh are whose histories these are; 0 for
+// pairs. All ranks together.
+std::uint64_t wall_position(LAMMPS_NS::LAMMPS* engine, const LAMMPS_NS::Fix* histories);
 
 }  // namespace plastigran
