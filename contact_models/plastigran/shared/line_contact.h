@@ -161,9 +161,10 @@ class LineContact : public Rebound, public LargestOverlap {
   static constexpr double pressure_cap = 1.6;                 // 2.4/1.5
   static constexpr double plastic_from = 4.7533314343482855;  // s there, exp(0.9 sqrt(3))
 
-  // ln(4 D^2/a^2) - k
+  // ln(4 D^2/a^2) - k; without end where the contact has no width yet
   double compliance(double half_width) const {
-    return natural_log(4 * reach_ / (half_width * half_width));
+    const double square = half_width * half_width;
+    return square > 0 ? natural_log(4 * reach_ / square) : unlimited;
   }
 
   // Integral of s^2 p/1.5 from yield: the work beyond it over F_Y a_Y^2/R.
