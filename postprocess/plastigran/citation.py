@@ -40,7 +40,8 @@ def cite(names: Iterable[str] | str = ()) -> str:
         names: Of laws, or `rate_factor`; without any the software alone.
 
     Returns:
-        The entries, the software's first, each once.
+        The entries, the software's first, each once; before them a line, which BibTeX passes over,
+        for each law that is this software's own.
 
     Raises:
         ValueError: A name there is no entry for; the message lists those there are.
@@ -50,4 +51,8 @@ def cite(names: Iterable[str] | str = ()) -> str:
     if unknown := [name for name in names if name not in known]:
         raise ValueError(f"nothing to cite for {unknown[0]!r}; there are {', '.join(known)}")
     keys = dict.fromkeys([SOFTWARE, *(key for name in names for key in known[name])])
-    return "\n".join(KEYWORDS.sub("", found[key]) for key in keys)
+    own = [name for name in names if known[name] == [SOFTWARE]]
+    notes = [
+        f"% {name} is a law of this software: the entry of {SOFTWARE} is its own.\n" for name in own
+    ]
+    return "\n".join([*notes, *(KEYWORDS.sub("", found[key]) for key in keys)])

@@ -146,6 +146,14 @@ def test_leaving_the_range_is_said(tmp_path, capsys):
     assert pd.read_csv(tmp_path / "out" / "impacts.csv")["in_range"].tolist() == [True, False]
 
 
+def test_the_material_that_leaves_the_range_is_named(tmp_path, capsys):
+    line = ["impact", "--law", "universal", "--speed", "2", "--radius", "0.0025"]
+    line += ["--material", "steel_bearing", "steel", "--output", str(tmp_path / "out")]
+    assert main(line) == 0
+    said = [each for each in capsys.readouterr().out.splitlines() if "outside the range" in each]
+    assert len(said) == 1 and said[0].endswith("with steel: 2 m/s and faster")
+
+
 def test_a_material_of_ones_own(tmp_path):
     """A file given by its path reaches the engine: the same figures as theory, not a namesake's."""
     steel = (inputs_folder() / "materials" / "steel.in").read_text()

@@ -61,9 +61,15 @@ def _cell(value: object) -> str:
 
 
 def format_range(table: pd.DataFrame) -> str:
-    """From which speed on a law was used beyond its range, one line a law."""
-    outside = table.loc[~table["in_range"], ["law", "speed"]]
-    return "\n".join(
-        f"outside the range of {law} ({laws.LAWS[law].range}): {speeds.min():g} m/s and faster"
-        for law, speeds in outside.groupby("law")["speed"]
-    )
+    """From which speed on a law was used beyond its range, one line a law, and a material if
+    several were thrown."""
+    several = "material" in table and table["material"].nunique() > 1
+    outside = table.loc[~table["in_range"]]
+    lines = []
+    for (law, *material), rows in outside.groupby(["law", "material"] if several else ["law"]):
+        thrown = f" with {material[0]}" if material else ""
+        lines.append(
+            f"outside the range of {law} ({laws.LAWS[law].range}){thrown}: "
+            f"{rows['speed'].min():g} m/s and faster"
+        )
+    return "\n".join(lines)
