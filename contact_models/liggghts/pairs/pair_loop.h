@@ -2,7 +2,8 @@
 //
 // The engine's pair style with a loop of its own over the contacts, for the steps in which nothing
 // but the forces is asked for; in all others the engine's loop runs. Both hand the same contacts in
-// the same order to the same models and sum in the same order: they agree in every digit.
+// the same order to the same models and sum in the same order: they agree in every digit. (Where a
+// compiler fuses products and sums, two that graze each other may touch a step later.)
 //
 // What makes it faster: the pairs that touch are picked out before, so that the processor need not
 // guess which do; of pairs that are near without touching it hands on those alone that may remember
