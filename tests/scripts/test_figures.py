@@ -47,7 +47,7 @@ def test_figures_of_the_bulk_decks(brief_run, bulk_run, tmp_path, monkeypatch):
 
 def test_every_figure_of_the_docs_has_a_part():
     """Those that laws, experiments, decks and reports name, and no other, but for a screenshot and
-    the benchmark of peers, which draws its own."""
+    those of the benchmarks, which draw their own."""
     drawn = {f"{name}.svg" for name in make_figures.laws.LAWS}
     drawn |= {file for found in find_experiments().values() for file in found.docs_figures.values()}
     drawn |= {f"{name}.png" for name in make_figures.BULK} - {"bed_impact.png"}
@@ -58,6 +58,7 @@ def test_every_figure_of_the_docs_has_a_part():
     there = {path.name for path in figures.iterdir() if path.is_file()} - {
         "report.png",
         "peers.svg",
+        "cost.svg",
     }
     assert there == drawn
     papers = {name: set(find_paper(name).figures) for name in paper_names()}
