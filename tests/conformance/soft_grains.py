@@ -35,6 +35,17 @@ fix strength all property/global yieldStrength peratomtype {strength} {strength}
 fix bounce   all property/global coefficientRestitution peratomtypepair 2 1 1 1 1
 fix friction all property/global coefficientFriction peratomtypepair 2 0.3 0.4 0.4 0.5
 """
+#: What rolling friction and cohesion of the engine read.
+COMPANIONS = """
+fix rolling  all property/global coefficientRollingFriction peratomtypepair 2 0.1 0.2 0.2 0.1
+fix cohesion all property/global cohesionEnergyDensity peratomtypepair 2 2e4 4e4 4e4 2e4
+fix content  all property/global surfaceLiquidContentInitial scalar 0.01
+fix tension  all property/global surfaceTension scalar 0.5
+fix fluid    all property/global fluidViscosity scalar 0.01
+fix wetting  all property/global contactAngle peratomtype 30 40
+fix nearest  all property/global minSeparationDistanceRatio scalar 0.01
+fix farthest all property/global maxSeparationDistanceRatio scalar 1.1
+"""
 #: An impact takes some 300 of these steps.
 MOTION = """
 fix gravity all gravity 9.81 vector 0 0 -1

@@ -8,7 +8,16 @@ from pathlib import Path
 import pandas as pd
 import pytest
 from attrs import evolve, frozen
-from soft_grains import NO_YIELD, PROPERTIES, STRENGTH, assert_alike, execute, fresh, motion
+from soft_grains import (
+    COMPANIONS,
+    NO_YIELD,
+    PROPERTIES,
+    STRENGTH,
+    assert_alike,
+    execute,
+    fresh,
+    motion,
+)
 
 from plastigran.engine.log import read_thermo
 from plastigran.engine.process import EngineError
@@ -29,17 +38,11 @@ set atom 2 vx -0.3 omegay -15.0
 set atom 3 vx 0.1 vz -0.3 omegay 30.0 omegaz 10.0
 set atom 4 vx -0.3 vz 0.1 omegay 20.0
 """
-MODELS = """
-fix rolling  all property/global coefficientRollingFriction peratomtypepair 2 0.1 0.2 0.2 0.1
+MODELS = (
+    COMPANIONS
+    + """
 fix damping  all property/global coefficientRollingViscousDamping peratomtypepair 2 {damping}
 fix epsd3    all property/global rollingStiffness scalar 3.0
-fix cohesion all property/global cohesionEnergyDensity peratomtypepair 2 2e4 4e4 4e4 2e4
-fix content  all property/global surfaceLiquidContentInitial scalar 0.01
-fix tension  all property/global surfaceTension scalar 0.5
-fix fluid    all property/global fluidViscosity scalar 0.01
-fix wetting  all property/global contactAngle peratomtype 30 40
-fix nearest  all property/global minSeparationDistanceRatio scalar 0.01
-fix farthest all property/global maxSeparationDistanceRatio scalar 1.1
 fix dynamic  all property/global FluidViscosity peratomtypepair 2 1 1 1 1
 fix viscous  all property/global FrictionViscosity peratomtypepair 2 1 1 1 1
 fix sliding  all property/global coeffFrictionStiffness peratomtypepair 2 1 1 1 1
@@ -53,6 +56,7 @@ fix side   all wall/gran model {law} {at_walls} mesh n_meshes 1 meshes plate {op
 fix integrate all nve/sphere
 {thermo}
 """
+)
 DISC = """
 units           si
 atom_style      granular

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pandas as pd
 import pytest
-from soft_grains import PROPERTIES, STRENGTH, fresh, motion
+from soft_grains import COMPANIONS, PROPERTIES, STRENGTH, fresh, motion
 
 from plastigran.engine.log import read_thermo
 
@@ -31,16 +31,6 @@ fix bed  stones insert/pack seed 67867967 distributiontemplate stones insert_eve
 fix rain moving insert/pack seed 86028121 distributiontemplate sizes insert_every once &
     overlapcheck yes vel constant 0.3 0.1 -1 omega constant 0 30 0 &
     region high particles_in_region 30 ntry_mc 10000
-"""
-MODELS = """
-fix rolling  all property/global coefficientRollingFriction peratomtypepair 2 0.1 0.2 0.2 0.1
-fix cohesion all property/global cohesionEnergyDensity peratomtypepair 2 2e4 4e4 4e4 2e4
-fix content  all property/global surfaceLiquidContentInitial scalar 0.01
-fix tension  all property/global surfaceTension scalar 0.5
-fix fluid    all property/global fluidViscosity scalar 0.01
-fix wetting  all property/global contactAngle peratomtype 30 40
-fix nearest  all property/global minSeparationDistanceRatio scalar 0.01
-fix farthest all property/global maxSeparationDistanceRatio scalar 1.1
 """
 RATES = """
 fix rate     all property/global rateCoefficient peratomtype 0.05 0.05
@@ -69,7 +59,7 @@ def follow(
     text = (
         GRAINS
         + PROPERTIES.format(strength=STRENGTH)
-        + MODELS
+        + COMPANIONS
         + more
         + f"pair_style gran {line} {options}\npair_coeff * *\n"
         + f"fix floor all wall/gran {line} primitive type 2 zplane 0.0 {options}\n"

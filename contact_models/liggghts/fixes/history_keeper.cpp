@@ -145,9 +145,9 @@ void HistoryKeeper::setup_pre_exchange() {
     hand_back(fixes);
 }
 
-// Whether a fix still has, in the numbers the particles have now, what was kept of it. All ranks
-// together. It is not looked at where the engine has made its pages anew, and thrown away what they
-// held.
+// Whether a fix still has what was kept of it, and no particle has another number. All ranks
+// together. Where the deck has changed the sizes of pages, the engine has freed what the fix points
+// to: that is not looked at.
 bool HistoryKeeper::is_intact(std::size_t which, LAMMPS_NS::Fix* fix) const {
   int intact = page_ == neighbor->pgsize && largest_ == neighbor->oneatom;
   for (int i = 0; intact && i < atom->nlocal; ++i) {

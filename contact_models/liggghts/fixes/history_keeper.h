@@ -5,9 +5,9 @@
 // Between two runs the engine finds the pairs' histories by places and numbers of particles that
 // commands may have changed since (delete_atoms, create_atoms, displace_atoms, change_box), and
 // forgets those of a pair style or wall whose line is given again. Here they are stored at the end
-// of a run, by particle, and handed back as the next one is set up, unless nothing was changed.
-// They go to the contacts of the same law with the same options; where those are others, the log
-// says that contacts begin anew.
+// of a run, by particle, and handed back as the next one is set up, where the engine has not kept
+// the same. They go to the contacts of the same law with the same options; where those are others,
+// the log says that contacts begin anew.
 //
 // Restart files: the engine's say which models contacts have, not their settings; this fix adds
 // these. At a step of the `restart` command the engine stores the pairs' histories at the step's
@@ -87,7 +87,7 @@ class HistoryKeeper : public OwnFix {
   ParticleRecords records_;     // by the particles' numbers at the end of the run
   std::vector<int> numbers_;    // by local particle: these numbers, 0 for new ones
   long total_ = 0;              // particles at the end of the run
-  int page_ = 0, largest_ = 0;  // the engine's sizes of pages of neighbours, then
+  int page_ = 0, largest_ = 0;  // neigh_modify `page` and `one` at the end of the run
 };
 
 }  // namespace plastigran

@@ -104,8 +104,7 @@ class PairLoop : public LIGGGHTS::PairStyles::Granular<Contact> {
     double** const x = atom->x;
     const double* const radius = atom->radius;
     const double factor = engine_->neighbor->contactDistanceFactor;
-    const double squares[] = {1,
-                              factor * factor};  // of touch and of nearness, over the radii's sum
+    const double squares[] = {1, factor * factor};  // of touch, of nearness; over the radii's sum
     const double xi = x[i][0], yi = x[i][1], zi = x[i][2], radius_i = radius[i];
     if (picked_.size() < std::size_t(count)) picked_.resize(count);
     int* end = picked_.data();

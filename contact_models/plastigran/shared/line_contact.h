@@ -47,8 +47,13 @@ inline double lambert_root(double t) {
 }
 
 // The same from a table, which serves all line contacts there are: t is the logarithm of a ratio of
-// lengths, and the table ends at 20 000.
+// lengths, and the table ends at 20 000. A step of Newton's leaves rounding only here, too.
 inline const Tabulated<1> lambert_roots(1.25, [](double t) { return std::array{lambert_root(t)}; });
+
+inline double tabulated_lambert_root(double t) {
+  const double w = lambert_roots(t)[0];
+  return w - (w - natural_log(w) - t) * w / (w - 1);
+}
 
 // The elastic line contact: what a load q [m] does, and which load an overlap asks for.
 class LineCompliance {
@@ -67,8 +72,9 @@ class LineCompliance {
             bent * bent * (2 * log - 1) / 4 + straight * (bent + straight / 2)};
   }
   double load(double overlap) const {
-    return overlap < 2 * tangent_from_ ? overlap / lambert_roots(natural_log(reach_ / overlap))[0]
-                                       : overlap - tangent_from_;
+    return overlap < 2 * tangent_from_
+               ? overlap / tabulated_lambert_root(natural_log(reach_ / overlap))
+               : overlap - tangent_from_;
   }
 
  private:
