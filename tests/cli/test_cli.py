@@ -167,15 +167,17 @@ def test_a_material_of_ones_own(tmp_path):
     )
 
 
-def test_interrupt_stops_and_keeps_what_is_finished(start_plastigran, tmp_path):
-    """Ctrl-C: no further engine is started, finished rows stay, the exit code says so."""
+@pytest.mark.parametrize("sent", [signal.SIGINT, signal.SIGTERM])
+def test_interrupt_stops_and_keeps_what_is_finished(sent, start_plastigran, tmp_path):
+    """Ctrl-C, or a batch system's SIGTERM: no further engine is started, finished rows stay, the
+    exit code says so."""
     line = ["impact", "--law", "thornton", "--points", "300", "--jobs", "1", "--output", tmp_path]
     run = start_plastigran(*line)
     table = tmp_path / "impacts.csv"
     while not table.exists():
         assert run.poll() is None
         time.sleep(0.05)
-    os.killpg(run.pid, signal.SIGINT)
+    os.killpg(run.pid, sent)
     _, said = run.communicate(timeout=30)
     assert run.returncode == 130
     assert "stopped; the runs that finished are in" in said

@@ -4,9 +4,13 @@
 from __future__ import annotations
 
 import argparse
+import signal
 import sys
+import threading
 import traceback
 import warnings
+from collections.abc import Iterator
+from contextlib import contextmanager
 from importlib import import_module
 from importlib.metadata import version
 from pkgutil import iter_modules
@@ -65,7 +69,7 @@ def main(argv: list[str] | None = None) -> int:
     words = sys.argv[1:] if argv is None else argv
     arguments = parser(*words[:1]).parse_args(words)
     try:
-        with warnings.catch_warnings():
+        with _terminate_as_interrupt(), warnings.catch_warnings():
             warnings.showwarning = lambda said, *_, **__: print(
                 f"plastigran: {said}", file=sys.stderr
             )
@@ -80,6 +84,20 @@ def main(argv: list[str] | None = None) -> int:
     except Exception as error:
         return _report(error, arguments.verbose)
     return 0
+
+
+@contextmanager
+def _terminate_as_interrupt() -> Iterator[None]:
+    """A batch system's SIGTERM stops a command as Ctrl-C does; Python takes signals in its main
+    thread alone."""
+    if threading.current_thread() is not threading.main_thread():
+        yield
+        return
+    before = signal.signal(signal.SIGTERM, signal.default_int_handler)
+    try:
+        yield
+    finally:
+        signal.signal(signal.SIGTERM, before)
 
 
 def _report(error: Exception, verbose: bool) -> int:

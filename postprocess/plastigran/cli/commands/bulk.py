@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 import argparse
-import signal
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -70,8 +69,6 @@ def run(arguments: argparse.Namespace) -> None:
     from plastigran.bulk.plan import plan_bulk  # matplotlib is slow to load
     from plastigran.bulk.run import run_bulk
 
-    # A batch system's SIGTERM stops the ranks as Ctrl-C does.
-    signal.signal(signal.SIGTERM, signal.default_int_handler)
     name, earlier = Path(arguments.deck).stem, arguments.restart
     if arguments.output is None:
         arguments.output = (
