@@ -103,20 +103,34 @@ def make_bed(grains: int) -> Path:
     return BEDS["sphere"].make(grains)
 
 
-def run_bed(
-    contender: str, state: str, bed: Path, steps: int, count: bool = False, shape: str = "sphere"
-) -> str:
-    """Take a law, or a law with the ledger, through the bed's path; returns the log."""
+def bed_variables(
+    contender: str, state: str, bed: Path, steps: int, shape: str = "sphere"
+) -> dict[str, object]:
+    """What pair_time.in is told of a law, or of a law with the ledger."""
     law = REFERENCE if contender == CONTROL else contender.removesuffix(WITH_LEDGER)
-    variables = {
+    return {
         "law": law,
         "options": "energy_ledger on" if contender.endswith(WITH_LEDGER) else "",
         "yield_strength": YIELD_STRENGTH[state],
         "steps": steps,
-        "count": int(count),
         "bed": bed,
         **BEDS[shape].variables,
     }
+
+
+def run_bed(
+    contender: str,
+    state: str,
+    bed: Path,
+    steps: int,
+    count_every: int | None = None,
+    shape: str = "sphere",
+) -> str:
+    """Take a law, or a law with the ledger, through the bed's path; returns the log. Leaves the
+    contacts of every so many steps in contacts.dump."""
+    variables = bed_variables(contender, state, bed, steps, shape)
+    if count_every:
+        variables |= {"count": 1, "every": count_every}
     return run_deck(HERE / "pair_time.in", variables, WORK / "run")
 
 
@@ -135,7 +149,7 @@ def count_contacts(
 
     A law's state is zero until first yield and comes first in the contact history.
     """
-    run_bed(law, state, bed, steps, count=True, shape=shape)
+    run_bed(law, state, bed, steps, count_every=steps, shape=shape)
     contacts = read_contacts(WORK / "run" / "contacts.dump").query("step == @steps")
     share = 0.0 if law == REFERENCE else (contacts["history_1"] > 0).mean()
     return {"state": state, "law": law, "contacts": len(contacts), "plastic_share": share}

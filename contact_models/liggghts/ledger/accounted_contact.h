@@ -86,18 +86,36 @@ class AccountedContact : private ContactSetup,
   void surfacesIntersect(Contact& contact, Load& on_i, Load& on_j) {
     if (takes_accounts && contact.computeflag) {
       AccountedLoad load(on_i);
-      account(contact, load, on_j);
+      account_apart(contact, load, on_j);
       on_i = load;
     } else {
-      Base::surfacesIntersect(contact, on_i, on_j);
+      compute(contact, on_i, on_j);
     }
   }
 
-  void surfacesIntersect(Contact& contact, AccountedLoad& on_i, Load& on_j) {
-    if (takes_accounts && contact.computeflag)
-      account(contact, on_i, on_j);
-    else
-      Base::surfacesIntersect(contact, on_i, on_j);
+  // The models alone.
+  void compute(Contact& contact, Load& on_i, Load& on_j) {
+    Base::surfacesIntersect(contact, on_i, on_j);
+  }
+
+  // The models, and what is told of them.
+  void account(Contact& contact, AccountedLoad& on_i, Load& on_j) {
+    compute(contact, on_i, on_j);
+    if (ledger_) ledger_->add(contact, on_i, on_j);
+    for (ContactObserver* const observer : observers_) observer->add(contact, on_i, on_j, owner_);
+  }
+
+  // What is told when only stored energies are asked for. Nothing is written where
+  // contact.shearupdate is 0.
+  void account_stored(Contact& contact, AccountedLoad& on_i, Load& on_j) {
+    compute(contact, on_i, on_j);
+    add_stored(contact, on_i);
+  }
+
+  // The forces at hand are computed, and their loads did not ask for elastic energies: `contacts`
+  // can say what they store.
+  void defer_stored_energies(StoredEnergies& contacts) {
+    if (ledger_) ledger_->defer(contacts);
   }
 
  private:
@@ -121,10 +139,13 @@ class AccountedContact : private ContactSetup,
     if (reason) engine_->error->all(FLERR, (counter + reason).c_str());
   }
 
-  [[gnu::noinline]] void account(Contact& contact, AccountedLoad& on_i, Load& on_j) {
-    Base::surfacesIntersect(contact, on_i, on_j);
-    if (ledger_) ledger_->add(contact, on_i, on_j, spring_energy(contact));
-    for (ContactObserver* const observer : observers_) observer->add(contact, on_i, on_j, owner_);
+  [[gnu::noinline]] void account_apart(Contact& contact, AccountedLoad& on_i, Load& on_j) {
+    account(contact, on_i, on_j);
+    if (ledger_) add_stored(contact, on_i);
+  }
+
+  void add_stored(const Contact& contact, const AccountedLoad& on_i) {
+    ledger_->add_stored(contact, on_i.elastic_energy, spring_energy(contact));
   }
 
   double spring_energy(const Contact& contact) const {

@@ -4,6 +4,7 @@
 #include <mpi.h>
 
 #include <cstring>
+#include <utility>
 
 #include "comm.h"
 #include "domain.h"
@@ -65,6 +66,24 @@ void EnergyLedger::setup_pre_exchange() {
   before_ = now;  // commands that write files set up, too, and the next run once more
 }
 
+void EnergyLedger::add_stored(const Contact& contact, double elastic_energy,
+                              double spring_energy) {
+  const bool has_local_partner = !contact.is_wall && contact.j < atom->nlocal;
+  const double share = share_of(contact, has_local_partner);
+  elastic_ += share * elastic_energy;
+  tangential_springs_ += share * spring_energy;
+}
+
+// On this rank alone.
+void EnergyLedger::count_deferred() {
+  if (!deferred_) return;
+  if (contacts_are_gone_)
+    error->one(FLERR,
+               "energy_ledger: an entry was asked for while particles change ranks, where contacts "
+               "are not known; ask for it when forces are computed, as outputs do");
+  std::exchange(deferred_, nullptr)->count_stored_energies();
+}
+
 void EnergyLedger::add_plastic_work(const Contact& contact, double work, bool has_local_partner) {
   const double share = share_of(contact, has_local_partner);
   if (!contact.shearupdate) {
@@ -95,7 +114,8 @@ void EnergyLedger::add_wall(const Contact& contact, const AccountedLoad& on_i,
 
 void EnergyLedger::begin_pass() {
   elastic_ = unwritten_plastic_work_ = tangential_springs_ = 0;
-  summed_ = damped_ = false;
+  summed_ = damped_ = contacts_are_gone_ = false;
+  deferred_ = nullptr;
   walls_.clear();
   losses_.assign(atom->nlocal, Losses());
 }
@@ -151,6 +171,7 @@ double EnergyLedger::gravitational_energy() const {
 }
 
 void EnergyLedger::sum() {
+  count_deferred();
   const double local[ENTRIES] = {kinetic_energy(),
                                  gravitational_energy(),
                                  elastic_,

@@ -28,6 +28,14 @@
 
 namespace plastigran {
 
+// Contacts that can be asked at any time between two displacements of their particles what they
+// store.
+class StoredEnergies {
+ public:
+  virtual ~StoredEnergies() {}
+  virtual void count_stored_energies() = 0;  // hands each to EnergyLedger::add_stored()
+};
+
 class EnergyLedger : public OwnFix {
   typedef LIGGGHTS::ContactModels::SurfacesIntersectData Contact;
   typedef LIGGGHTS::ContactModels::ForceData Load;
@@ -64,9 +72,14 @@ class EnergyLedger : public OwnFix {
 
   // What all models of a contact did together, and what its normal model says of that. All of the
   // force that is not along the normal, and all torques, are the work of tangential and rolling
-  // models. `spring_energy` is held by the tangential spring [J].
-  void add(const Contact& contact, const AccountedLoad& on_i, const Load& on_j,
-           double spring_energy);
+  // models.
+  void add(const Contact& contact, const AccountedLoad& on_i, const Load& on_j);
+
+  // What a contact stores, and its tangential spring does [J].
+  void add_stored(const Contact& contact, double elastic_energy, double spring_energy);
+
+  // What these contacts store is not added, and will be asked for when an entry is.
+  void defer(StoredEnergies& contacts) { deferred_ = &contacts; }
 
   int setmask() override;
   void init() override;
@@ -91,6 +104,7 @@ class EnergyLedger : public OwnFix {
   // Before particles are inserted, deleted and handed to other ranks.
   void pre_exchange() override {
     if (acts_first_) before_ = mechanical_energy();
+    if (deferred_) contacts_are_gone_ = true;
   }
 
   void pre_neighbor() override { inserted_ += mechanical_energy() - before_; }
@@ -99,6 +113,7 @@ class EnergyLedger : public OwnFix {
   void pre_final_integrate() override { add_work(); }
 
   void post_run() override {
+    count_deferred();
     before_ = mechanical_energy();
     ran_ = true;
   }
@@ -132,6 +147,7 @@ class EnergyLedger : public OwnFix {
     return contact.is_wall || has_local_partner ? 1 : 0.5;
   }
 
+  void count_deferred();
   void add_plastic_work(const Contact& contact, double work, bool has_local_partner);
   void add_dashpot(const Contact& contact, double force, bool has_local_partner);
   void add_wall(const Contact& contact, const AccountedLoad& on_i, const Vector& friction);
@@ -151,7 +167,9 @@ class EnergyLedger : public OwnFix {
 
   // Of the last force computation, on this rank.
   double elastic_ = 0, tangential_springs_ = 0;
-  double unwritten_plastic_work_ = 0;  // set-up computes forces, and writes no history
+  StoredEnergies* deferred_ = nullptr;  // of contacts that are not in these two sums yet
+  bool contacts_are_gone_ = false;      // particles moved on before these were asked for
+  double unwritten_plastic_work_ = 0;   // set-up computes forces, and writes no history
   std::vector<WallContact> walls_;
   std::vector<Losses> losses_;  // by local particle
 
@@ -169,12 +187,9 @@ class EnergyLedger : public OwnFix {
 };
 
 // For every contact of every step.
-inline void EnergyLedger::add(const Contact& contact, const AccountedLoad& on_i, const Load& on_j,
-                              double spring_energy) {
+inline void EnergyLedger::add(const Contact& contact, const AccountedLoad& on_i,
+                              const Load& on_j) {
   const bool has_local_partner = !contact.is_wall && contact.j < atom->nlocal;
-  const double share = share_of(contact, has_local_partner);
-  elastic_ += share * on_i.elastic_energy;
-  tangential_springs_ += share * spring_energy;
   const double along = dot(on_i.delta_F, contact.en);
   Vector friction;
   for (int axis = 0; axis < 3; ++axis)

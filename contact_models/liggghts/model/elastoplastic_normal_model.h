@@ -158,7 +158,8 @@ class ElastoplasticNormalModel : public NormalModelBase {
     if (contact.computeflag) {
       if (contact.deltan > pair.watched * radius_eff) note(contact, pair, radius_eff, state);
       if (accounts)
-        accounted(i_forces).take(pair.law, radius_eff, response, state_before(contact), state);
+        accounted(i_forces).take(pair.law, radius_eff, contact.deltan, state_before(contact),
+                                 state);
       if (contact.shearupdate) std::memcpy(history, &state, state_size);
     }
 

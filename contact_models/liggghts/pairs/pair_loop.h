@@ -14,10 +14,12 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <type_traits>
 #include <vector>
 
 #include "atom.h"
 #include "force.h"
+#include "liggghts/ledger/energy_ledger.h"
 #include "liggghts/model/accounted_load.h"
 #include "liggghts/plugin/engine_styles.h"
 #include "modify.h"
@@ -28,7 +30,7 @@
 namespace plastigran {
 
 template <class Contact>
-class PairLoop : public LIGGGHTS::PairStyles::Granular<Contact> {
+class PairLoop : public LIGGGHTS::PairStyles::Granular<Contact>, private StoredEnergies {
   typedef LIGGGHTS::PairStyles::Granular<Contact> Base;
   typedef LIGGGHTS::ContactModels::SurfacesIntersectData ContactData;
   typedef LIGGGHTS::ContactModels::ForceData Load;
@@ -37,7 +39,7 @@ class PairLoop : public LIGGGHTS::PairStyles::Granular<Contact> {
   // `models`: where the engine's pair style has them.
   PairLoop(LAMMPS_NS::LAMMPS* engine, LAMMPS_NS::PairGran* pair, int64_t hash,
            Contact Base::*models)
-      : Base(engine, pair, hash), engine_(engine), models_(this->*models) {}
+      : Base(engine, pair, hash), engine_(engine), pair_(pair), models_(this->*models) {}
 
   void compute_force(LAMMPS_NS::PairGran* pair, int energies, int virial, int local) override {
     if (energies || virial || local || asks_for_more(pair)) {
@@ -45,10 +47,24 @@ class PairLoop : public LIGGGHTS::PairStyles::Granular<Contact> {
       return;
     }
     pair->evflag = pair->vflag_fdotr = 0;
-    compute_pairs(pair);
+    if (models_.takes_accounts && pair->computeflag()) {
+      account_forces();
+      models_.defer_stored_energies(*this);
+    } else {
+      compute_forces();
+    }
   }
 
  private:
+  enum Pass { FORCES, ACCOUNTED_FORCES, STORED_ENERGIES };
+
+  // The models are inlined where it matters.
+  [[gnu::flatten, gnu::noinline]] void compute_forces() { go_through<FORCES>(); }
+  [[gnu::flatten, gnu::noinline]] void account_forces() { go_through<ACCOUNTED_FORCES>(); }
+
+  // Asks the models once more, as set-up does: they write nothing.
+  void count_stored_energies() override { go_through<STORED_ENERGIES>(); }
+
   // Whether this step needs what only the engine's loop does. (Its factor `relax` is 1 in the
   // public engine.)
   bool asks_for_more(LAMMPS_NS::PairGran* pair) const {
@@ -59,18 +75,19 @@ class PairLoop : public LIGGGHTS::PairStyles::Granular<Contact> {
            engine_->modify->n_fixes_style("insert/stream/predefined") > 0;
   }
 
-  [[gnu::flatten]] void compute_pairs(LAMMPS_NS::PairGran* pair) {
+  template <Pass pass>
+  void go_through() {
     const LAMMPS_NS::Atom* const atom = engine_->atom;
-    const LAMMPS_NS::NeighList* const list = pair->list;
-    const LAMMPS_NS::NeighList* const histories = pair->listgranhistory;  // null: no memory
-    const int width = pair->dnum();
-    frozen_ = pair->freeze_group_bit();
+    const LAMMPS_NS::NeighList* const list = pair_->list;
+    const LAMMPS_NS::NeighList* const histories = pair_->listgranhistory;  // null: no memory
+    const int width = pair_->dnum();
+    frozen_ = pair_->freeze_group_bit();
     ContactData contact;
     std::memset(static_cast<void*>(&contact), 0, sizeof contact);  // as the engine's loop begins
     contact.area_ratio = 1;
-    contact.computeflag = pair->computeflag();
-    contact.shearupdate = pair->shearupdate();
-    AccountedLoad on_i;
+    contact.computeflag = pair_->computeflag();
+    contact.shearupdate = pass == STORED_ENERGIES ? 0 : pair_->shearupdate();
+    std::conditional_t<pass == FORCES, Load, AccountedLoad> on_i;
     Load on_j;
     models_.beginPass(contact, on_i, on_j);
     for (int k = 0; k < list->inum; ++k) {
@@ -91,7 +108,7 @@ class PairLoop : public LIGGGHTS::PairStyles::Granular<Contact> {
         contact.j = neighbours[place] & NEIGHMASK;
         contact.contact_flags = flags ? flags + place : nullptr;
         contact.contact_history = history ? history + width * place : nullptr;
-        compute_pair(contact, on_i, on_j);
+        compute_pair<pass>(contact, on_i, on_j);
       }
     }
     models_.endPass(contact, on_i, on_j);
@@ -119,7 +136,8 @@ class PairLoop : public LIGGGHTS::PairStyles::Granular<Contact> {
     return end - picked_.data();
   }
 
-  [[gnu::always_inline]] void compute_pair(ContactData& contact, AccountedLoad& on_i, Load& on_j) {
+  template <Pass pass, class LoadOnI>
+  [[gnu::always_inline]] void compute_pair(ContactData& contact, LoadOnI& on_i, Load& on_j) {
     const LAMMPS_NS::Atom* const atom = engine_->atom;
     const int i = contact.i, j = contact.j;
     for (int axis = 0; axis < 3; ++axis) contact.delta[axis] = atom->x[i][axis] - atom->x[j][axis];
@@ -130,11 +148,15 @@ class PairLoop : public LIGGGHTS::PairStyles::Granular<Contact> {
     contact.v_j = atom->v[j];
     contact.omega_j = atom->omega[j];
     contact.jtype = atom->type[j];
-    on_i = AccountedLoad();
+    on_i = LoadOnI();
+    on_i.reset();
     on_j.reset();
+    if constexpr (pass != FORCES) on_i.asks_elastic_energy = pass == STORED_ENERGIES;
     if (contact.rsq < contact.radsum * contact.radsum) {
-      touch(contact, on_i, on_j);
+      touch<pass>(contact, on_i, on_j);
+      if (pass == STORED_ENERGIES) return;
     } else {
+      if (pass == STORED_ENERGIES) return;
       contact.has_force_update = false;
       models_.surfacesClose(contact, on_i, on_j);
       if (!contact.has_force_update) return;
@@ -143,7 +165,8 @@ class PairLoop : public LIGGGHTS::PairStyles::Granular<Contact> {
     if (j < atom->nlocal) add(atom->f[j], atom->torque[j], on_j);
   }
 
-  [[gnu::always_inline]] void touch(ContactData& contact, AccountedLoad& on_i, Load& on_j) {
+  template <Pass pass, class LoadOnI>
+  [[gnu::always_inline]] void touch(ContactData& contact, LoadOnI& on_i, Load& on_j) {
     const LAMMPS_NS::Atom* const atom = engine_->atom;
     contact.r = std::sqrt(contact.rsq);
     contact.rinv = 1 / contact.r;
@@ -153,7 +176,9 @@ class PairLoop : public LIGGGHTS::PairStyles::Granular<Contact> {
     if (atom->mask[contact.i] & frozen_) contact.meff = contact.mj;
     if (atom->mask[contact.j] & frozen_) contact.meff = contact.mi;
     models_.checkSurfaceIntersect(contact);  // true of spheres
-    models_.surfacesIntersect(contact, on_i, on_j);
+    if constexpr (pass == FORCES) models_.compute(contact, on_i, on_j);
+    if constexpr (pass == ACCOUNTED_FORCES) models_.account(contact, on_i, on_j);
+    if constexpr (pass == STORED_ENERGIES) models_.account_stored(contact, on_i, on_j);
     models_.endSurfacesIntersect(contact, nullptr, on_i, on_j);
   }
 
@@ -163,6 +188,7 @@ class PairLoop : public LIGGGHTS::PairStyles::Granular<Contact> {
   }
 
   LAMMPS_NS::LAMMPS* engine_;
+  LAMMPS_NS::PairGran* pair_;
   Contact& models_;
   int frozen_ = 0;  // bit of the group that no force moves
   std::vector<int> picked_;

@@ -57,10 +57,14 @@ class Mdr : public LargestOverlap {
     double low = 0, high = largest;
     halve(low, high, yielded);
     yield_ = high;
+    yield_work_ = 2 * stored(0.5 * yield_);
     work_ = Tabulated<1>(yield_, [this](double depth) {
               return std::array{force(depth)};
-            }).integral(2 * stored(0.5 * yield_));
+            }).integral(yield_work_);
     if (constants.energy_guard == 1) find_guarded();
+    plastic_ = Tabulated<1>(yield_, [this](double depth) {
+      return std::array{yield_work_ + computed_plastic_work(depth)};
+    });
     loaded_ = Tabulated<3>(yield_, [this](double depth) { return compute(depth); });
   }
 
@@ -81,19 +85,18 @@ class Mdr : public LargestOverlap {
     if (overlap > state.overlap_max) state.overlap_max = overlap;
     if (!(state.overlap_max > 0)) return response;  // the overlap is no number
     const double depth_max = state.overlap_max * per_overlap;
+    response.plastic_work = force_unit / per_overlap * plastic_work(depth_max);
+    if (!(overlap > 0)) return response;
     const Values at = loaded_.covers(depth_max) ? loaded_(depth_max) : computed(depth_max);
     const double force_max = force_unit * at[FORCE];
     const double y = 1 - (state.overlap_max - overlap) * per_overlap / at[RECOVERY];
-    if (y > 0 && overlap > 0) {
+    if (y > 0) {
       const double root = std::sqrt(y);
       const Shares shares = tabulated_shares(y);
       response.force = force_max * y * root * shares[0];
       response.contact_radius = radius * at[RADIUS] * chord(y);
       response.elastic_energy = force_max * at[RECOVERY] / per_overlap * y * y * root * shares[1];
     }
-    response.plastic_work =
-        force_unit / per_overlap *
-        (virgin_work(depth_max) - at[FORCE] * at[RECOVERY] * tabulated_shares(1)[1]);
     return response;
   }
 
@@ -193,9 +196,17 @@ class Mdr : public LargestOverlap {
   [[gnu::noinline, gnu::cold, gnu::pure]] double summed_work(double depth) const {
     if (depth <= yield_) return 2 * stored(0.5 * depth);
     const double grown = std::min(depth, largest);
-    return 2 * stored(0.5 * yield_) +
+    return yield_work_ +
            gauss_legendre([this](double at) { return force(at); }, yield_, grown) +
            (depth - grown) * force(largest);
+  }
+
+  // What is lost by loading, over pi E' R^3.
+  double plastic_work(double depth) const {
+    return plastic_.covers(depth) ? plastic_(depth)[0] - yield_work_ : computed_plastic_work(depth);
+  }
+  [[gnu::noinline, gnu::cold]] double computed_plastic_work(double depth) const {
+    return virgin_work(depth) - force(depth) * guarded_recovery(depth) * stored(1);
   }
 
   double published_plastic_work(double depth) const {
@@ -225,10 +236,12 @@ class Mdr : public LargestOverlap {
   double strength_;           // sigma_Y/E'
   double correction_;         // (1 - 2 nu)/(2 (1 - nu))
   double yield_ = unlimited;  // overlap over R at yield
+  double yield_work_ = 0;     // work up to it, over pi E' R^3
   double guarded_work_ = 0;   // plastic work below guarded_end_, over pi E' R^3
   double guarded_end_ = 0;    // overlap over R up to which the energy guard acts
   Tabulated<3> loaded_;
   Tabulated<1, 9> work_;  // of the virgin curve, over pi E' R^3
+  Tabulated<1> plastic_;  // yield_work_ and what is lost
 };
 
 }  // namespace plastigran

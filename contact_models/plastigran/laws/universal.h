@@ -82,7 +82,9 @@ class Universal : public LargestOverlap {
     work_ = Tabulated<1>(1, [this](double x) {
               const double t = std::sqrt(x);
               return std::array{force(t, depth(t))};
-            }).integral(0.4);
+            }).integral(yield_work);
+    plastic_ = Tabulated<1>(
+        1, [this](double x) { return std::array{yield_work + computed_plastic_work(x)}; });
   }
 
   Response respond(double radius_eff, double overlap, State& state) const {
@@ -90,6 +92,10 @@ class Universal : public LargestOverlap {
     if (state.overlap_max == 0 && overlap <= overlap_y) {
       if (!(overlap > 0)) return {};
       return hertz_response(modulus_, radius_eff, overlap);
+    }
+    if (!(overlap > 0)) {
+      if (!(state.overlap_max > 0)) return {};  // the overlap is no number
+      return {0, 0, 0, plastic_work(radius_eff, overlap_y, state.overlap_max)};
     }
     // Loading and unloading go two ways, as in power_unloading.h.
     if (overlap > state.overlap_max) {
@@ -100,10 +106,9 @@ class Universal : public LargestOverlap {
       response.contact_radius = reached.contact_radius;
       return response;
     }
-    if (!(state.overlap_max > 0)) return {};  // the overlap is no number
     const Peak reached = peak(radius_eff, overlap_y, state.overlap_max);
     const double left = 1 - (state.overlap_max - overlap) * reached.inverse_recovery;
-    const double y = overlap > 0 && left > 0 ? left : 0;
+    const double y = left > 0 ? left : 0;
     // `steeper` and `wider` are exactly 1 at the largest overlap, where loading goes on.
     const double root = std::sqrt(y), g = reached.steepness - 1;
     const double steeper = reached.steepness / (1 + g * root);
@@ -157,7 +162,7 @@ class Universal : public LargestOverlap {
 
   // The same with sizes and moduli, and what the energies need.
   struct Peak {
-    double force, contact_radius, inverse_recovery, steepness, virgin_work;
+    double force, contact_radius, inverse_recovery, steepness, plastic_work;
   };
   Peak peak(double radius_eff, double overlap_y, double overlap_max) const {
     const double per_overlap_y = 1 / overlap_y, x = overlap_max * per_overlap_y;
@@ -165,19 +170,29 @@ class Universal : public LargestOverlap {
     const double radius_y = radius_eff * yield_radius_ratio_;
     const double force_y = modulus_ * radius_y * overlap_y;
     return {force_y * at[FORCE], radius_y * at[RADIUS], at[INVERSE_RECOVERY] * per_overlap_y,
-            at[STEEPNESS], force_y * overlap_y * virgin_work(x)};
+            at[STEEPNESS], plastic_work(radius_eff, overlap_y, overlap_max)};
+  }
+
+  double plastic_work(double radius_eff, double overlap_y, double overlap_max) const {
+    const double x = overlap_max * (1 / overlap_y);
+    const double over_unit =
+        plastic_.covers(x) ? plastic_(x)[0] - yield_work : computed_plastic_work(x);
+    return modulus_ * radius_eff * yield_radius_ratio_ * overlap_y * overlap_y * over_unit;
+  }
+  // What is lost by loading to x, over F_Y overlap_Y.
+  [[gnu::noinline, gnu::cold]] double computed_plastic_work(double x) const {
+    const Values at = compute(x);
+    return virgin_work(x) -
+           at[FORCE] * at[STEEPNESS] / at[INVERSE_RECOVERY] * unloading_work(at[STEEPNESS] - 1);
   }
 
   // At y = root^2 of the way from the residual to the largest overlap: the energies alone.
   Response energies(const Peak& peak, double root) const {
     const double g = peak.steepness - 1, square = root * root;
     const double scale = peak.force * peak.steepness / peak.inverse_recovery;
-    const double given_back = scale * unloading_work(g);
     Response response;
-    response.elastic_energy = given_back;
-    if (root < 1)
-      response.elastic_energy = scale * (square * square * root * unloading_work(g * root));
-    response.plastic_work = peak.virgin_work - given_back;
+    response.elastic_energy = scale * (square * square * root * unloading_work(g * root));
+    response.plastic_work = peak.plastic_work;
     return response;
   }
 
@@ -219,13 +234,15 @@ class Universal : public LargestOverlap {
   // The same where no table reaches, from its end on panels that double in length, for the
   // integrand's poles are some panel lengths away.
   [[gnu::noinline, gnu::cold, gnu::pure]] double summed_work(double x) const {
-    if (!(x > 1)) return 0.4 * x * x * std::sqrt(x);
+    if (!(x > 1)) return yield_work * x * x * std::sqrt(x);
     double sum = work_(work_.end() * (1 - 1e-15))[0];
     for (double left = std::sqrt(work_.end()), t = std::sqrt(x); left < t; left *= 2)
       sum += gauss_legendre([this](double at) { return 2 * at * force(at, depth(at)); }, left,
                             std::min(2 * left, t));
     return sum;
   }
+
+  static constexpr double yield_work = 0.4;  // over F_Y overlap_Y
 
   FittedSphere fitted_;
   double modulus_;             // 4/3 E*
@@ -236,6 +253,7 @@ class Universal : public LargestOverlap {
   double hardening_;           // h
   Tabulated<4> loaded_;
   Tabulated<1, 9> work_;     // of the virgin curve, over F_Y overlap_Y
+  Tabulated<1> plastic_;     // yield_work and what is lost; so it is to rounding of the larger one
   Tabulated<1> given_back_;  // of 1 + g
 };
 

@@ -53,8 +53,12 @@ class VuQuocZhang {
         yield_force_ratio_(4.0 / 3.0 * pair.youngs_modulus_eff * yield_radius_ratio_ *
                            yield_radius_ratio_ * yield_radius_ratio_) {
     root_ = Tabulated<1>(1, [this](double x) { return std::array{elastic_radius(x, 1)}; });
-    complementary_ =
+    const auto complementary =
         Tabulated<1>(1, [this](double s) { return std::array{complement(s)}; }).integral(0);
+    plastic_ = Tabulated<1>(1, [&](double s) {
+      const double sum = complementary.covers(s) ? complementary(s)[0] : summed_complement(s);
+      return std::array{yield_work + computed_plastic_work(shape(s), sum)};
+    });
   }
 
   // Sufficient, and at most a quarter stricter in c_a than necessary, for the virgin curve to rise
@@ -73,6 +77,7 @@ class VuQuocZhang {
     const double force_y = radius_eff * radius_eff * yield_force_ratio_;
     const double x = overlap / overlap_y;
     Shape max = shape(std::max(state.elastic_radius_max, 1.0));
+    if (!(overlap > 0)) return {0, 0, 0, force_y * overlap_y * plastic_work(max)};
     double s = max.s;
     // As near the maximum as the table's roots are to the root, it is the maximum: the second of
     // two equal calls must not find itself beyond the first.
@@ -85,7 +90,7 @@ class VuQuocZhang {
       // elastic, or unloading: a_e^2 = C R* (overlap - overlap_res)
       const double plastic = ca_ * max.u * (2 * max.s + ca_ * max.u);
       const double s_squared = max.curvature * x - plastic;
-      s = s_squared > 0 && overlap > 0 ? std::sqrt(s_squared) : 0;
+      s = s_squared > 0 ? std::sqrt(s_squared) : 0;
     }
     Response response;
     response.force = force_y * s * s * s;
@@ -168,15 +173,18 @@ class VuQuocZhang {
     return 3 * s * s * at.radius * at.radius / at.curvature;
   }
 
-  // Plastic work over P_Y overlap_Y at s: virgin work 2/5 + integral of s^3 d(overlap), less the
-  // recoverable 2/5 s^5/C. The integral is taken by parts, F overlap - integral of overlap dF.
+  // Plastic work over P_Y overlap_Y.
   double plastic_work(const Shape& max) const {
     if (!(max.u > 0)) return 0;
-    const double complementary =
-        complementary_.covers(max.s) ? complementary_(max.s)[0] : summed_complement(max.s);
+    return plastic_.covers(max.s) ? plastic_(max.s)[0] - yield_work
+                                  : computed_plastic_work(max, summed_complement(max.s));
+  }
+  // Virgin work 2/5 + integral of s^3 d(overlap), less the recoverable 2/5 s^5/C. The integral is
+  // taken by parts, F overlap - integral of overlap dF, which is `complementary`.
+  double computed_plastic_work(const Shape& max, double complementary) const {
     const double force = max.u + 1;
     const double virgin_work =
-        0.4 + force * max.radius * max.radius / max.curvature - 1 - complementary;
+        yield_work + force * max.radius * max.radius / max.curvature - 1 - complementary;
     return virgin_work - 0.4 * force * max.s * max.s / max.curvature;
   }
   // That integral where no table reaches, by Gauss-Legendre on s-panels that double in length: the
@@ -190,11 +198,13 @@ class VuQuocZhang {
     return sum;
   }
 
+  static constexpr double yield_work = 0.4;  // over P_Y overlap_Y
+
   double ca_, kc_;
   double yield_radius_ratio_;      // a_Y / R*
   double yield_force_ratio_;       // P_Y / R*^2
-  Tabulated<1> root_;              // s of the virgin curve at overlap/overlap_Y
-  Tabulated<1, 9> complementary_;  // integral of overlap dF up to s
+  Tabulated<1> root_;     // s of the virgin curve at overlap/overlap_Y
+  Tabulated<1> plastic_;  // yield_work and the plastic work, over P_Y overlap_Y, at s
 };
 
 }  // namespace plastigran

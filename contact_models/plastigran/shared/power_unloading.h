@@ -68,10 +68,14 @@ class PowerUnloading : public Curve, public LargestOverlap {
         modulus_(4.0 / 3.0 * pair.youngs_modulus_eff),
         overlap_ratio_(Curve::yield_radius_ratio * Curve::yield_radius_ratio) {
     const double yield = Curve::breaks[0];
+    yield_work_ = 0.4 * yield * yield * std::sqrt(yield);
     work_ = Tabulated<1>(
                 yield, [this](double x) { return std::array{Curve::force(x)}; }, Curve::breaks)
-                .integral(0.4 * yield * yield * std::sqrt(yield));
+                .integral(yield_work_);
     if (constants.energy_guard == 1) find_guarded();
+    plastic_ = Tabulated<1>(
+        yield, [this](double x) { return std::array{yield_work_ + computed_plastic_work(x)}; },
+        Curve::breaks);
     loaded_ = Tabulated<quantities>(
         yield, [this](double x) { return compute(x); }, Curve::breaks);
   }
@@ -89,16 +93,19 @@ class PowerUnloading : public Curve, public LargestOverlap {
       if (!(overlap > 0)) return {};
       return hertz_response(modulus_, radius_eff, overlap);
     }
+    if (!(overlap > 0)) {
+      if (!(state.overlap_max > 0)) return {};  // the overlap is no number
+      return {0, 0, 0, plastic_work(radius_eff, overlap_y, state.overlap_max)};
+    }
     // Loading and unloading go two ways: the processor begins on the largest overlap of a contact
     // that unloads before it has the present one.
     if (overlap > state.overlap_max) {
       state.overlap_max = overlap;
       return answer(peak(radius_eff, overlap_y, overlap), 1);
     }
-    if (!(state.overlap_max > 0)) return {};  // the overlap is no number
     const Peak reached = peak(radius_eff, overlap_y, state.overlap_max);
     const double y = 1 - (state.overlap_max - overlap) * reached.inverse_recovery;
-    return answer(reached, overlap > 0 ? y : 0);
+    return answer(reached, y);
   }
 
  private:
@@ -109,7 +116,7 @@ class PowerUnloading : public Curve, public LargestOverlap {
 
   // A contact at its largest overlap, and 1/(overlap_max - overlap_res).
   struct Peak {
-    double force, inverse_recovery, contact_radius, exponent, virgin_work;
+    double force, inverse_recovery, contact_radius, exponent, plastic_work;
   };
 
   Peak peak(double radius_eff, double overlap_y, double overlap_max) const {
@@ -118,7 +125,14 @@ class PowerUnloading : public Curve, public LargestOverlap {
     const double radius_y = radius_eff * Curve::yield_radius_ratio;
     const double force_y = modulus_ * radius_y * overlap_y;
     return {force_y * at[FORCE], at[INVERSE_RECOVERY] * per_overlap_y, radius_y * at[RADIUS],
-            exponent_in(at), force_y * overlap_y * virgin_work(x)};
+            exponent_in(at), plastic_work(radius_eff, overlap_y, overlap_max)};
+  }
+
+  double plastic_work(double radius_eff, double overlap_y, double overlap_max) const {
+    const double x = overlap_max * (1 / overlap_y);
+    const double over_unit =
+        plastic_.covers(x) ? plastic_(x)[0] - yield_work_ : computed_plastic_work(x);
+    return modulus_ * radius_eff * Curve::yield_radius_ratio * overlap_y * overlap_y * over_unit;
   }
 
   // At y of the way from the residual to the largest overlap.
@@ -134,7 +148,7 @@ class PowerUnloading : public Curve, public LargestOverlap {
       response.contact_radius = peak.contact_radius * root;
       response.elastic_energy = peak_energy * share * y;
     }
-    response.plastic_work = peak.virgin_work - peak_energy;
+    response.plastic_work = peak.plastic_work;
     return response;
   }
 
@@ -182,6 +196,11 @@ class PowerUnloading : public Curve, public LargestOverlap {
       left = right;
     }
     return sum;
+  }
+
+  // What is lost by loading to x, over F_y overlap_y.
+  [[gnu::noinline, gnu::cold]] double computed_plastic_work(double x) const {
+    return virgin_work(x) - Curve::force(x) * guarded_recovery(x) / (exponent_after(x) + 1);
   }
 
   double published_plastic_work(double x) const {
@@ -240,8 +259,10 @@ class PowerUnloading : public Curve, public LargestOverlap {
 
   double modulus_;        // 4/3 E*
   double overlap_ratio_;  // overlap_y / R*
+  double yield_work_;     // work up to yield, over F_y overlap_y
   std::array<Guarded, std::tuple_size_v<decltype(Curve::breaks)> + 2> guarded_{};
   Tabulated<1, 9> work_;  // of the virgin curve, over F_y overlap_y
+  Tabulated<1> plastic_;  // yield_work_ and what is lost; so it is to rounding of the larger one
   Tabulated<quantities> loaded_;
 };
 

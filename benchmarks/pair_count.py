@@ -1,0 +1,121 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""What a law costs in the engine: instructions of the pair forces per contact and step.
+
+A small bed goes the way of pair_time.in under callgrind (Debian's valgrind), which counts the
+engine's pair forces with whatever belongs to them and, with the energy ledger, the ledger's work
+over particles. Counts are the same at every run of one binary, whoever else uses the machine; what
+memory and wrongly guessed branches cost is not in them.
+
+    .venv/bin/python benchmarks/pair_count.py --law thornton universal
+"""
+
+from __future__ import annotations
+
+import argparse
+import re
+import shutil
+import subprocess
+from pathlib import Path
+
+import pandas as pd
+from pair_time import (
+    BEDS,
+    REFERENCE,
+    WITH_LEDGER,
+    WORK,
+    bed_variables,
+    known_laws,
+    run_bed,
+)
+from tqdm import tqdm
+
+from plastigran import laws
+from plastigran.engine.contacts import read_contacts
+from plastigran.engine.process import PROJECT, EngineError, command, engine_path, environment
+
+HERE = Path(__file__).resolve().parent
+RESULTS = PROJECT / "results" / "bench" / "pair_count.csv"
+GRAINS = 2000
+STEPS = 100  # of each phase
+COUNTED = (
+    "LAMMPS_NS::PairGran::compute(int, int)",
+    "plastigran::EnergyLedger::post_integrate()",
+    "plastigran::EnergyLedger::pre_force(int)",
+    "plastigran::EnergyLedger::pre_final_integrate()",
+)
+
+
+def contact_steps(bed: Path, shape: str) -> int:
+    """Contacts that carry force, summed over the steps; the same for every law."""
+    run_bed(REFERENCE, "plastic", bed, STEPS, count_every=1, shape=shape)
+    contacts = read_contacts(WORK / "run" / "contacts.dump")
+    # The dump has the set-up's contacts as well, as every run computes them.
+    return len(contacts) + len(contacts.query("step == @STEPS"))
+
+
+def instructions(contender: str, bed: Path, shape: str) -> int:
+    """Of the pair forces in all steps.
+
+    Raises:
+        EngineError: The engine stopped, or nothing was counted.
+    """
+    folder = WORK / "count"
+    folder.mkdir(parents=True, exist_ok=True)
+    out = folder / "callgrind.out"
+    variables = bed_variables(contender, "plastic", bed, STEPS, shape)
+    tool = ["valgrind", "--tool=callgrind", "--trace-children=yes"]
+    tool += [f"--callgrind-out-file={out}", *(f"--toggle-collect={name}" for name in COUNTED)]
+    done = subprocess.run(
+        [*tool, *command(HERE / "pair_time.in", variables, folder)],
+        env=environment(),
+        capture_output=True,
+        text=True,
+    )
+    if done.returncode:
+        raise EngineError(f"{contender}: {done.stdout[-300:]} {done.stderr[-300:]}")
+    total = re.search(r"^(?:summary|totals): (\d+)", out.read_text(errors="replace"), re.M)
+    if not total or int(total[1]) == 0:
+        raise EngineError(f"{contender}: callgrind counted nothing")
+    return int(total[1])
+
+
+def count(names: list[str], shape: str) -> pd.DataFrame:
+    """One row per law for bodies of one shape: instructions per contact and step, and ratios."""
+    bed = BEDS[shape].make(GRAINS)
+    steps = contact_steps(bed, shape)
+    reference = instructions(REFERENCE, bed, shape) / steps
+    rows = [(shape, REFERENCE, reference, 1.0, None, None)]
+    for name in tqdm(names, unit="law"):
+        alone = instructions(name, bed, shape) / steps
+        ledger = instructions(name + WITH_LEDGER, bed, shape) / steps
+        rows.append((shape, name, alone, alone / reference, ledger, ledger / alone))
+    columns = ["shape", "law", "pair_forces", "over_hertz", "with_ledger", "over_without"]
+    return pd.DataFrame(rows, columns=columns)
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=(__doc__ or "").partition("\n")[0])
+    names = known_laws()
+    parser.add_argument("--law", nargs="+", choices=names, default=names, help="default: all")
+    options = parser.parse_args()
+    engine_path()  # says what to do when there is none
+    if not shutil.which("valgrind"):
+        raise EngineError("there is no valgrind; install Debian's package of that name")
+    tables = []
+    for shape in BEDS:
+        named = [law for law in options.law if laws.LAWS[law].shape == shape]
+        if named:
+            tables.append(count(named, shape))
+    table = pd.concat(tables, ignore_index=True)
+    RESULTS.parent.mkdir(parents=True, exist_ok=True)
+    table.to_csv(RESULTS, index=False, float_format="%.4g")
+    print(table.to_string(index=False, float_format="%.4g", na_rep=""))
+    print(f"wrote {RESULTS}")
+
+
+if __name__ == "__main__":
+    try:
+        main()
+    except EngineError as error:
+        raise SystemExit(f"ERROR: {error}") from None
