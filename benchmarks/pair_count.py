@@ -37,7 +37,7 @@ from plastigran.engine.process import PROJECT, EngineError, command, engine_path
 HERE = Path(__file__).resolve().parent
 RESULTS = PROJECT / "results" / "bench" / "pair_count.csv"
 GRAINS = 2000
-STEPS = 100  # of each phase
+STEPS = 20  # of each phase
 COUNTED = (
     "LAMMPS_NS::PairGran::compute(int, int)",
     "plastigran::EnergyLedger::post_integrate()",

@@ -171,6 +171,22 @@ def test_ranks_count_the_same(bed, ranks, grid, tmp_path):
     assert np.abs(table[ENTRIES] - whole[ENTRIES]).to_numpy().max() < 1e-9 * scale
 
 
+@pytest.mark.parametrize(("every", "files"), [(500, 1), (7, 0)])
+def test_entries_are_the_same_however_they_are_asked_for(bed, every, files, tmp_path):
+    """After a dump of contacts, which goes through the engine's own loop, and a restart file, and in
+    steps in which lists of neighbours are made: every entry to the digits of the log.
+
+    1e-12 of the energy: a log has 15 digits.
+    """
+    table = ledger("bed", tmp_path, before=10000, after=0, every=every, files=files)
+    whole = bed[1]
+    both = table.merge(whole[whole["run"] == 0], on=["run", "step"], suffixes=("", "_whole"))
+    assert (both["elastic"] > 0).sum() > 2 and len(both) > 2
+    scale = whole[["kinetic", "gravity"]].iloc[0].sum()
+    for entry in ENTRIES:
+        assert np.abs(both[entry] - both[f"{entry}_whole"]).max() < 1e-12 * scale, entry
+
+
 @pytest.mark.parametrize("ranks", [1, 2])
 def test_a_restart_keeps_the_accounts(bed, ranks, tmp_path):
     """The second half from the file has the entries of the whole run.

@@ -85,8 +85,8 @@ class PairLoop : public LIGGGHTS::PairStyles::Granular<Contact>, private StoredE
     ContactData contact;
     std::memset(static_cast<void*>(&contact), 0, sizeof contact);  // as the engine's loop begins
     contact.area_ratio = 1;
-    contact.computeflag = pair_->computeflag();
-    contact.shearupdate = pass == STORED_ENERGIES ? 0 : pair_->shearupdate();
+    contact.computeflag = pass == STORED_ENERGIES || pair_->computeflag();
+    contact.shearupdate = pass != STORED_ENERGIES && pair_->shearupdate();
     std::conditional_t<pass == FORCES, Load, AccountedLoad> on_i;
     Load on_j;
     models_.beginPass(contact, on_i, on_j);
