@@ -37,7 +37,7 @@ from plastigran.engine.process import PROJECT, EngineError, command, engine_path
 HERE = Path(__file__).resolve().parent
 RESULTS = PROJECT / "results" / "bench" / "pair_count.csv"
 GRAINS = 2000
-STEPS = 20  # of each phase
+STEPS = 100  # of each phase
 COUNTED = (
     "LAMMPS_NS::PairGran::compute(int, int)",
     "plastigran::EnergyLedger::post_integrate()",
@@ -68,6 +68,7 @@ def instructions(contender: str, bed: Path, shape: str) -> int:
     tool += [f"--callgrind-out-file={out}", *(f"--toggle-collect={name}" for name in COUNTED)]
     done = subprocess.run(
         [*tool, *command(HERE / "pair_time.in", variables, folder)],
+        cwd=folder,
         env=environment(),
         capture_output=True,
         text=True,

@@ -173,8 +173,8 @@ def test_ranks_count_the_same(bed, ranks, grid, tmp_path):
 
 @pytest.mark.parametrize(("every", "files"), [(500, 1), (7, 0)])
 def test_entries_are_the_same_however_they_are_asked_for(bed, every, files, tmp_path):
-    """After a dump of contacts, which goes through the engine's own loop, and a restart file, and in
-    steps in which lists of neighbours are made: every entry to the digits of the log.
+    """After a dump of contacts, which goes through the engine's own loop, after a restart file, and
+    in steps in which lists of neighbours are made: every entry to the digits of the log.
 
     1e-12 of the energy: a log has 15 digits.
     """

@@ -66,8 +66,7 @@ void EnergyLedger::setup_pre_exchange() {
   before_ = now;  // commands that write files set up, too, and the next run once more
 }
 
-void EnergyLedger::add_stored(const Contact& contact, double elastic_energy,
-                              double spring_energy) {
+void EnergyLedger::add_stored(const Contact& contact, double elastic_energy, double spring_energy) {
   const bool has_local_partner = !contact.is_wall && contact.j < atom->nlocal;
   const double share = share_of(contact, has_local_partner);
   elastic_ += share * elastic_energy;

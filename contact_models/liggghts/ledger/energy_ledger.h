@@ -187,8 +187,7 @@ class EnergyLedger : public OwnFix {
 };
 
 // For every contact of every step.
-inline void EnergyLedger::add(const Contact& contact, const AccountedLoad& on_i,
-                              const Load& on_j) {
+inline void EnergyLedger::add(const Contact& contact, const AccountedLoad& on_i, const Load& on_j) {
   const bool has_local_partner = !contact.is_wall && contact.j < atom->nlocal;
   const double along = dot(on_i.delta_F, contact.en);
   Vector friction;

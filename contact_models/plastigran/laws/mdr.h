@@ -57,14 +57,11 @@ class Mdr : public LargestOverlap {
     double low = 0, high = largest;
     halve(low, high, yielded);
     yield_ = high;
-    yield_work_ = 2 * stored(0.5 * yield_);
     work_ = Tabulated<1>(yield_, [this](double depth) {
               return std::array{force(depth)};
-            }).integral(yield_work_);
+            }).integral(2 * stored(0.5 * yield_));
     if (constants.energy_guard == 1) find_guarded();
-    plastic_ = Tabulated<1>(yield_, [this](double depth) {
-      return std::array{yield_work_ + computed_plastic_work(depth)};
-    });
+    works_ = Tabulated<2>(yield_, [this](double depth) { return computed_works(depth); });
     loaded_ = Tabulated<3>(yield_, [this](double depth) { return compute(depth); });
   }
 
@@ -196,17 +193,19 @@ class Mdr : public LargestOverlap {
   [[gnu::noinline, gnu::cold, gnu::pure]] double summed_work(double depth) const {
     if (depth <= yield_) return 2 * stored(0.5 * depth);
     const double grown = std::min(depth, largest);
-    return yield_work_ +
+    return 2 * stored(0.5 * yield_) +
            gauss_legendre([this](double at) { return force(at); }, yield_, grown) +
            (depth - grown) * force(largest);
   }
 
   // What is lost by loading, over pi E' R^3.
   double plastic_work(double depth) const {
-    return plastic_.covers(depth) ? plastic_(depth)[0] - yield_work_ : computed_plastic_work(depth);
+    const auto [taken, returned] = works_.covers(depth) ? works_(depth) : computed_works(depth);
+    return taken - returned;
   }
-  [[gnu::noinline, gnu::cold]] double computed_plastic_work(double depth) const {
-    return virgin_work(depth) - force(depth) * guarded_recovery(depth) * stored(1);
+  // What loading takes and unloading returns, over pi E' R^3.
+  [[gnu::noinline, gnu::cold]] std::array<double, 2> computed_works(double depth) const {
+    return {virgin_work(depth), force(depth) * guarded_recovery(depth) * stored(1)};
   }
 
   double published_plastic_work(double depth) const {
@@ -236,12 +235,11 @@ class Mdr : public LargestOverlap {
   double strength_;           // sigma_Y/E'
   double correction_;         // (1 - 2 nu)/(2 (1 - nu))
   double yield_ = unlimited;  // overlap over R at yield
-  double yield_work_ = 0;     // work up to it, over pi E' R^3
   double guarded_work_ = 0;   // plastic work below guarded_end_, over pi E' R^3
   double guarded_end_ = 0;    // overlap over R up to which the energy guard acts
   Tabulated<3> loaded_;
   Tabulated<1, 9> work_;  // of the virgin curve, over pi E' R^3
-  Tabulated<1> plastic_;  // yield_work_ and what is lost
+  Tabulated<2> works_;    // it, and what unloading returns
 };
 
 }  // namespace plastigran

@@ -82,9 +82,8 @@ class Universal : public LargestOverlap {
     work_ = Tabulated<1>(1, [this](double x) {
               const double t = std::sqrt(x);
               return std::array{force(t, depth(t))};
-            }).integral(yield_work);
-    plastic_ = Tabulated<1>(
-        1, [this](double x) { return std::array{yield_work + computed_plastic_work(x)}; });
+            }).integral(0.4);
+    works_ = Tabulated<2>(1, [this](double x) { return computed_works(x); });
   }
 
   Response respond(double radius_eff, double overlap, State& state) const {
@@ -175,15 +174,14 @@ class Universal : public LargestOverlap {
 
   double plastic_work(double radius_eff, double overlap_y, double overlap_max) const {
     const double x = overlap_max * (1 / overlap_y);
-    const double over_unit =
-        plastic_.covers(x) ? plastic_(x)[0] - yield_work : computed_plastic_work(x);
-    return modulus_ * radius_eff * yield_radius_ratio_ * overlap_y * overlap_y * over_unit;
+    const auto [taken, returned] = works_.covers(x) ? works_(x) : computed_works(x);
+    return modulus_ * radius_eff * yield_radius_ratio_ * overlap_y * overlap_y * (taken - returned);
   }
-  // What is lost by loading to x, over F_Y overlap_Y.
-  [[gnu::noinline, gnu::cold]] double computed_plastic_work(double x) const {
+  // What loading to x takes and unloading returns, over F_Y overlap_Y.
+  [[gnu::noinline, gnu::cold]] std::array<double, 2> computed_works(double x) const {
     const Values at = compute(x);
-    return virgin_work(x) -
-           at[FORCE] * at[STEEPNESS] / at[INVERSE_RECOVERY] * unloading_work(at[STEEPNESS] - 1);
+    return {virgin_work(x),
+            at[FORCE] * at[STEEPNESS] / at[INVERSE_RECOVERY] * unloading_work(at[STEEPNESS] - 1)};
   }
 
   // At y = root^2 of the way from the residual to the largest overlap: the energies alone.
@@ -234,15 +232,13 @@ class Universal : public LargestOverlap {
   // The same where no table reaches, from its end on panels that double in length, for the
   // integrand's poles are some panel lengths away.
   [[gnu::noinline, gnu::cold, gnu::pure]] double summed_work(double x) const {
-    if (!(x > 1)) return yield_work * x * x * std::sqrt(x);
+    if (!(x > 1)) return 0.4 * x * x * std::sqrt(x);
     double sum = work_(work_.end() * (1 - 1e-15))[0];
     for (double left = std::sqrt(work_.end()), t = std::sqrt(x); left < t; left *= 2)
       sum += gauss_legendre([this](double at) { return 2 * at * force(at, depth(at)); }, left,
                             std::min(2 * left, t));
     return sum;
   }
-
-  static constexpr double yield_work = 0.4;  // over F_Y overlap_Y
 
   FittedSphere fitted_;
   double modulus_;             // 4/3 E*
@@ -253,7 +249,7 @@ class Universal : public LargestOverlap {
   double hardening_;           // h
   Tabulated<4> loaded_;
   Tabulated<1, 9> work_;     // of the virgin curve, over F_Y overlap_Y
-  Tabulated<1> plastic_;     // yield_work and what is lost; so it is to rounding of the larger one
+  Tabulated<2> works_;       // it, and what unloading returns
   Tabulated<1> given_back_;  // of 1 + g
 };
 

@@ -55,9 +55,9 @@ class VuQuocZhang {
     root_ = Tabulated<1>(1, [this](double x) { return std::array{elastic_radius(x, 1)}; });
     const auto complementary =
         Tabulated<1>(1, [this](double s) { return std::array{complement(s)}; }).integral(0);
-    plastic_ = Tabulated<1>(1, [&](double s) {
+    works_ = Tabulated<2>(1, [&](double s) {
       const double sum = complementary.covers(s) ? complementary(s)[0] : summed_complement(s);
-      return std::array{yield_work + computed_plastic_work(shape(s), sum)};
+      return works(shape(s), sum);
     });
   }
 
@@ -176,16 +176,16 @@ class VuQuocZhang {
   // Plastic work over P_Y overlap_Y.
   double plastic_work(const Shape& max) const {
     if (!(max.u > 0)) return 0;
-    return plastic_.covers(max.s) ? plastic_(max.s)[0] - yield_work
-                                  : computed_plastic_work(max, summed_complement(max.s));
+    const auto [taken, returned] =
+        works_.covers(max.s) ? works_(max.s) : works(max, summed_complement(max.s));
+    return taken - returned;
   }
-  // Virgin work 2/5 + integral of s^3 d(overlap), less the recoverable 2/5 s^5/C. The integral is
+  // Virgin work 2/5 + integral of s^3 d(overlap), and the recoverable 2/5 s^5/C. The integral is
   // taken by parts, F overlap - integral of overlap dF, which is `complementary`.
-  double computed_plastic_work(const Shape& max, double complementary) const {
+  std::array<double, 2> works(const Shape& max, double complementary) const {
     const double force = max.u + 1;
-    const double virgin_work =
-        yield_work + force * max.radius * max.radius / max.curvature - 1 - complementary;
-    return virgin_work - 0.4 * force * max.s * max.s / max.curvature;
+    return {0.4 + force * max.radius * max.radius / max.curvature - 1 - complementary,
+            0.4 * force * max.s * max.s / max.curvature};
   }
   // That integral where no table reaches, by Gauss-Legendre on s-panels that double in length: the
   // integrand's poles are complex and lie a fixed number of panel lengths away, so 12 points per
@@ -198,13 +198,11 @@ class VuQuocZhang {
     return sum;
   }
 
-  static constexpr double yield_work = 0.4;  // over P_Y overlap_Y
-
   double ca_, kc_;
-  double yield_radius_ratio_;      // a_Y / R*
-  double yield_force_ratio_;       // P_Y / R*^2
-  Tabulated<1> root_;     // s of the virgin curve at overlap/overlap_Y
-  Tabulated<1> plastic_;  // yield_work and the plastic work, over P_Y overlap_Y, at s
+  double yield_radius_ratio_;  // a_Y / R*
+  double yield_force_ratio_;   // P_Y / R*^2
+  Tabulated<1> root_;          // s of the virgin curve at overlap/overlap_Y
+  Tabulated<2> works_;         // taken and returned after loading to s, over P_Y overlap_Y
 };
 
 }  // namespace plastigran

@@ -68,14 +68,12 @@ class PowerUnloading : public Curve, public LargestOverlap {
         modulus_(4.0 / 3.0 * pair.youngs_modulus_eff),
         overlap_ratio_(Curve::yield_radius_ratio * Curve::yield_radius_ratio) {
     const double yield = Curve::breaks[0];
-    yield_work_ = 0.4 * yield * yield * std::sqrt(yield);
     work_ = Tabulated<1>(
                 yield, [this](double x) { return std::array{Curve::force(x)}; }, Curve::breaks)
-                .integral(yield_work_);
+                .integral(0.4 * yield * yield * std::sqrt(yield));
     if (constants.energy_guard == 1) find_guarded();
-    plastic_ = Tabulated<1>(
-        yield, [this](double x) { return std::array{yield_work_ + computed_plastic_work(x)}; },
-        Curve::breaks);
+    works_ = Tabulated<2>(
+        yield, [this](double x) { return computed_works(x); }, Curve::breaks);
     loaded_ = Tabulated<quantities>(
         yield, [this](double x) { return compute(x); }, Curve::breaks);
   }
@@ -130,9 +128,9 @@ class PowerUnloading : public Curve, public LargestOverlap {
 
   double plastic_work(double radius_eff, double overlap_y, double overlap_max) const {
     const double x = overlap_max * (1 / overlap_y);
-    const double over_unit =
-        plastic_.covers(x) ? plastic_(x)[0] - yield_work_ : computed_plastic_work(x);
-    return modulus_ * radius_eff * Curve::yield_radius_ratio * overlap_y * overlap_y * over_unit;
+    const auto [taken, returned] = works_.covers(x) ? works_(x) : computed_works(x);
+    return modulus_ * radius_eff * Curve::yield_radius_ratio * overlap_y * overlap_y *
+           (taken - returned);
   }
 
   // At y of the way from the residual to the largest overlap.
@@ -198,9 +196,9 @@ class PowerUnloading : public Curve, public LargestOverlap {
     return sum;
   }
 
-  // What is lost by loading to x, over F_y overlap_y.
-  [[gnu::noinline, gnu::cold]] double computed_plastic_work(double x) const {
-    return virgin_work(x) - Curve::force(x) * guarded_recovery(x) / (exponent_after(x) + 1);
+  // What loading to x takes and unloading returns, over F_y overlap_y.
+  [[gnu::noinline, gnu::cold]] std::array<double, 2> computed_works(double x) const {
+    return {virgin_work(x), Curve::force(x) * guarded_recovery(x) / (exponent_after(x) + 1)};
   }
 
   double published_plastic_work(double x) const {
@@ -259,10 +257,9 @@ class PowerUnloading : public Curve, public LargestOverlap {
 
   double modulus_;        // 4/3 E*
   double overlap_ratio_;  // overlap_y / R*
-  double yield_work_;     // work up to yield, over F_y overlap_y
   std::array<Guarded, std::tuple_size_v<decltype(Curve::breaks)> + 2> guarded_{};
   Tabulated<1, 9> work_;  // of the virgin curve, over F_y overlap_y
-  Tabulated<1> plastic_;  // yield_work_ and what is lost; so it is to rounding of the larger one
+  Tabulated<2> works_;    // it, and what unloading returns
   Tabulated<quantities> loaded_;
 };
 
