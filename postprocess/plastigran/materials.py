@@ -26,6 +26,18 @@ if TYPE_CHECKING:
 RIGID = laws.Body(1e30, 0.3, 1e30, 1.61)
 
 
+#: Constants of a body in contact, as `laws.Body` takes them.
+OF_BODY = (
+    "youngs_modulus",
+    "poissons_ratio",
+    "yield_strength",
+    "yield_pressure_factor",
+    "tangent_modulus",
+    "rate_coefficient",
+    "reference_rate",
+)
+
+
 @attrs.frozen
 class Material:
     """Bulk constants of one material.
@@ -60,8 +72,11 @@ class Material:
     def __attrs_post_init__(self) -> None:
         self.body()
 
-    def variables(self) -> dict[str, float]:
-        """The constants as the decks' variables of the same names, those that are given."""
+    def variables(self, suffix: str = "") -> dict[str, float]:
+        """The constants as the decks' variables of the same names, those that are given; with a
+        suffix to the names, those that a body beside the particles needs."""
+        if suffix:
+            return {f"{name}{suffix}": getattr(self, name) for name in OF_BODY}
         return attrs.asdict(self, filter=lambda at, value: at.name != "name" and value is not None)
 
     def missing(self, law: str) -> list[str]:
@@ -86,15 +101,7 @@ class Material:
 
     def body(self) -> laws.Body:
         """The constants as the laws take them."""
-        return laws.Body(
-            self.youngs_modulus,
-            self.poissons_ratio,
-            self.yield_strength,
-            self.yield_pressure_factor,
-            self.tangent_modulus,
-            self.rate_coefficient,
-            self.reference_rate,
-        )
+        return laws.Body(*(getattr(self, name) for name in OF_BODY))
 
 
 def _needed(law: str) -> list[str]:
@@ -205,12 +212,17 @@ def _required(field: attrs.Attribute) -> bool:
     return field.default is attrs.NOTHING
 
 
-def material_field(meaning: str, default: str | attrs.NothingType = attrs.NOTHING):
-    """A field of a case for a material, taken as one, by name or by the path of a file."""
+def material_field(
+    meaning: str, default: str | attrs.NothingType | None = attrs.NOTHING, suffix: str = ""
+):
+    """A field of a case for a material, taken as one, by name or by the path of a file; for None
+    too when that is the default, and then by keyword only. The deck knows its constants by their
+    names with the suffix."""
     return attrs.field(
         default=default,
-        converter=read_material,
-        metadata={"declaration": Declaration(meaning, kind=str)},
+        kw_only=default is None,
+        converter=attrs.converters.optional(read_material) if default is None else read_material,
+        metadata={"declaration": Declaration(meaning, kind=str), "suffix": suffix},
     )
 
 

@@ -67,8 +67,9 @@ class Experiment:
         """The case as the deck's variables: its fields, a material's constants by their names."""
         found: dict[str, object] = {}
         for name in declaration(type(self)):
-            value = getattr(self, name)
-            found |= value.variables() if isinstance(value, Material) else {name: value}
+            value, said = getattr(self, name), attrs.fields_dict(type(self))[name].metadata
+            material = isinstance(value, Material)
+            found |= value.variables(said["suffix"]) if material else {name: value}
         return found
 
     @property

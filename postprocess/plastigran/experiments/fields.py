@@ -55,6 +55,38 @@ def law_field(default: Any = attrs.NOTHING) -> Any:
     return attrs.field(default=default, validator=check, metadata={"declaration": said})
 
 
+def options_field() -> Any:
+    """A field of a case for options of its law, which `law_options` reads."""
+    said = Declaration(
+        "options of the law, as 'yielding flat'; `plastigran laws LAW` has them", kind=str
+    )
+    return attrs.field(default=None, kw_only=True, metadata={"declaration": said})
+
+
+def law_options(law: str, text: str | None) -> dict[str, str]:
+    """The options of a law by name.
+
+    Args:
+        law: Its name.
+        text: Names and choices in turn, as in decks; None for none.
+
+    Raises:
+        ValueError: The law has no such option, or not that choice of it.
+    """
+    words = (text or "").split()
+    if len(words) % 2:
+        raise ValueError(f"options is {text!r}; it must be names and choices in turn")
+    chosen = dict(zip(words[::2], words[1::2], strict=True))
+    choices = {option["name"]: option["choices"] for option in laws.LAWS[law].options()}
+    for name, choice in chosen.items():
+        if name not in choices:
+            has = f"it has {', '.join(choices)}" if choices else "it has none"
+            raise ValueError(f"{law} has no option {name!r}; {has}")
+        if choice not in choices[name]:
+            raise ValueError(f"{name} is {choice}; it must be {', '.join(choices[name])}")
+    return chosen
+
+
 def check_overlap(case: Any, overlap: float, radius: float, limit: float, radii: str) -> None:
     """Refuse a case whose bodies would overlap too far for any law.
 

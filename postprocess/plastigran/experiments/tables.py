@@ -11,11 +11,12 @@ import pandas as pd
 from plastigran import laws
 
 #: Columns that are left out where they hold one value only.
-VARIED = ("geometry", "radius")
+VARIED = ("geometry", "radius", "wall")
 #: Names and units of columns, as heads of two lines.
 HEADS = {
     "material": "material",
     "law": "law",
+    "wall": "wall",
     "geometry": "geometry",
     "radius": "radius\nm",
     "angle": "angle\ndeg",

@@ -16,7 +16,14 @@ from plastigran import laws
 from plastigran.declared import number, word
 from plastigran.experiments.base import Experiment
 from plastigran.experiments.collision import CollisionOutcome, measure
-from plastigran.experiments.fields import SPHERE_OVERLAP, Flag, check_overlap, law_field
+from plastigran.experiments.fields import (
+    SPHERE_OVERLAP,
+    Flag,
+    check_overlap,
+    law_field,
+    law_options,
+    options_field,
+)
 from plastigran.experiments.runs import Runs
 from plastigran.experiments.tables import HEADS
 from plastigran.materials import RIGID, Material, material_field
@@ -45,12 +52,16 @@ class CentralImpact(Experiment):
     material: Material = material_field("of the spheres")
     radius: float = number("radius of the spheres", "m", 0)
     geometry: str = word("deck", tuple(GEOMETRIES), default="sphere_wall")
+    wall: Material | None = material_field("of the plane, rigid by default", None, "_other")
+    options: str | None = options_field()
 
     command = "impact"
     help = "run collisions in the engine, table and figures"
     example = (
         "plastigran impact --law universal thornton --material steel --radius 0.005\n"
-        "plastigran impact --law all --theory"
+        "plastigran impact --law all --theory\n"
+        "plastigran impact --law universal --options 'yielding flat' --material zirconia "
+        "--wall steel"
     )
     has_theory = True
     geometries: ClassVar = GEOMETRIES
@@ -61,6 +72,8 @@ class CentralImpact(Experiment):
         "speed": Flag(span=(0.001, 0.2, 9)),
         "radius": Flag(0.1),
         "geometry": Flag("sphere_wall"),
+        "wall": Flag(),
+        "options": Flag(many=False),
     }
     quantities = (
         "coefficient_of_restitution",
@@ -75,6 +88,8 @@ class CentralImpact(Experiment):
     docs_figures: ClassVar = {"restitution": "restitution.png"}
 
     def __attrs_post_init__(self) -> None:
+        if self.wall is not None and self.bodies == 2:
+            raise ValueError(f"wall is {self.wall.name}; {self.geometry} has none")
         check_overlap(
             self,
             self.predict().overlap_max,
@@ -92,7 +107,8 @@ class CentralImpact(Experiment):
     def pair(self) -> laws.MaterialPair:
         """What the two bodies bring to the contact."""
         body = self.material.body()
-        return laws.combine(body, body if self.bodies == 2 else RIGID)
+        wall = self.wall.body() if self.wall is not None else RIGID
+        return laws.combine(body, body if self.bodies == 2 else wall)
 
     @property
     def radius_eff(self) -> float:
@@ -109,9 +125,11 @@ class CentralImpact(Experiment):
         """Of the two bodies [m/s]."""
         return self.speed * self.bodies
 
-    def contact_law(self, **options: str):
-        """The law between the two bodies; `options` are its own."""
-        return self.material.law(self.law, self.pair, **options)
+    def contact_law(self, **others: float | str):
+        """The law between the two bodies, with its options; `others` are further constants of its
+        own, or other options."""
+        chosen = law_options(self.law, self.options) | others
+        return self.material.law(self.law, self.pair, **chosen)
 
     @property
     def deck(self) -> str:
@@ -164,7 +182,8 @@ class CentralImpact(Experiment):
 
     def facts(self) -> dict[str, object]:
         said = super().facts()
-        named = ("geometry", "material", "law", "radius", "speed")
+        named = ["geometry", "material", "law", "radius", "speed"]
+        named += [name for name in ("wall", "options") if said[name] is not None]
         ratio = self.speed / self.yield_speed() if laws.LAWS[self.law].yields else nan
         return {name: said[name] for name in named} | {"speed_ratio": ratio}
 

@@ -62,7 +62,7 @@ def restitution_figure(collisions: Collisions, by_theory: bool = False) -> Figur
                 ms=6,
                 label=name,
             )
-        if all(i.material.name == "aluminium_zv02" and i.radius == 0.1 for i in collisions):
+        if all(_is_of_paper(impact) for impact in collisions):
             paper = finite_elements().dropna()
             axes.plot(
                 paper["speed"],
@@ -85,8 +85,13 @@ def restitution_figure(collisions: Collisions, by_theory: bool = False) -> Figur
     return figure
 
 
-def _bodies(impact: CentralImpact) -> tuple[Material, float, str]:
-    return impact.material, impact.radius, impact.geometry
+def _is_of_paper(impact: CentralImpact) -> bool:
+    given = impact.material.name, impact.radius, impact.wall, impact.options
+    return given == ("aluminium_zv02", 0.1, None, None)
+
+
+def _bodies(impact: CentralImpact) -> tuple[Material, float, str, Material | None]:
+    return impact.material, impact.radius, impact.geometry, impact.wall
 
 
 def _curves(
@@ -94,7 +99,7 @@ def _curves(
 ) -> dict[tuple[str, tuple, str], list[tuple[CentralImpact, CollisionOutcome]]]:
     """Impacts of one law and pair of bodies, by speed; their name says what sets them apart."""
     bodies = zip(*map(_bodies, collisions), strict=True)
-    materials, radii, geometries = map(set, bodies)
+    materials, radii, geometries, walls = map(set, bodies)
     found: dict = {}
     for impact, collision in sorted(collisions.items(), key=lambda run: (run[0].law, run[0].speed)):
         name = [title(impact.law)]
@@ -104,6 +109,8 @@ def _curves(
             name.append(f"{impact.radius:g} m")
         if len(geometries) > 1:
             name.append(impact.geometry.replace("_", " "))
+        if len(walls) > 1:
+            name.append(f"on {title(impact.wall.name) if impact.wall else 'rigid'}")
         key = (impact.law, _bodies(impact), ", ".join(name))
         found.setdefault(key, []).append((impact, collision))
     return found

@@ -63,6 +63,8 @@ class CylinderImpact(CentralImpact):
     }
 
     def __attrs_post_init__(self) -> None:
+        if self.wall is not None:
+            raise ValueError(f"wall is {self.wall.name}; that of a cylinder is rigid")
         self.yield_speed()  # raises for a body too thin
         super().__attrs_post_init__()
 
@@ -75,9 +77,9 @@ class CylinderImpact(CentralImpact):
         """Length of the cylinder [m]."""
         return self.length_ratio * self.radius
 
-    def contact_law(self, **options: str):
+    def contact_law(self, **others: float | str):
         return super().contact_law(
-            cylinder_length=self.cylinder_length, body_thickness=self.body_thickness, **options
+            cylinder_length=self.cylinder_length, body_thickness=self.body_thickness, **others
         )
 
     def variables(self) -> dict[str, object]:

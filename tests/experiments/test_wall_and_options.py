@@ -1,0 +1,73 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Impacts on a wall of a metal of its own, and by laws with options: the engine has what the law
+alone has, and what cannot be is refused."""
+
+from __future__ import annotations
+
+import pytest
+
+from plastigran import laws
+from plastigran.experiments.central import CentralImpact
+from plastigran.experiments.cylinder import CylinderImpact
+from plastigran.materials import read_material
+
+
+@pytest.mark.parametrize("geometry", ["sphere_wall", "sphere_mesh"])
+@pytest.mark.parametrize(
+    ("ball", "wall"),
+    [("zirconia", "steel"), ("copper", "steel_bearing"), ("glass", "pmma")],
+    ids=["wall yields", "ball yields", "soft wall"],
+)
+def test_the_engine_has_the_wall_of_theory(geometry, ball, wall, tmp_path):
+    """2e-3 of what comes and goes: twice what the recommended time step promises of restitution."""
+    case = CentralImpact("universal", 0.5, ball, 0.005, geometry, wall=wall)
+    found, expected = case.run(tmp_path), case.predict()
+    for name in ("coefficient_of_restitution", "force_max", "overlap_max"):
+        assert getattr(found, name) == pytest.approx(getattr(expected, name), rel=2e-3)
+    rigid = CentralImpact("universal", 0.5, ball, 0.005, geometry)
+    assert expected.force_max < rigid.predict().force_max
+
+
+def test_a_wall_of_the_balls_metal_has_half_its_modulus():
+    """1/E* = 2 (1 - nu^2)/E, and the yield speed of Hertz' contact goes with E*^-2."""
+    steel = read_material("steel")
+    alike = CentralImpact("thornton", 1.0, steel, 0.01, wall=steel)
+    rigid = CentralImpact("thornton", 1.0, steel, 0.01)
+    ratio = rigid.pair.youngs_modulus_eff / alike.pair.youngs_modulus_eff
+    assert ratio == pytest.approx(2, rel=1e-12)
+    assert alike.yield_speed() == pytest.approx(ratio**2 * rigid.yield_speed(), rel=1e-12)
+
+
+def test_an_option_reaches_law_and_engine(tmp_path):
+    """Held against the law made by hand; 2e-3 as above."""
+    case = CentralImpact("universal", 2.0, "steel", 0.005, options="yielding flat")
+    law = laws.LAWS["universal"](case.pair, yielding="flat")
+    by_hand = law.central_impact(case.radius_eff, case.mass_eff, case.closing_speed)
+    expected = by_hand.coefficient_of_restitution
+    assert case.predict().coefficient_of_restitution == expected
+    plain = CentralImpact("universal", 2.0, "steel", 0.005).predict().coefficient_of_restitution
+    assert abs(expected - plain) > 5e-3 * plain, "the option must matter here"
+    found = case.run(tmp_path)
+    assert found.coefficient_of_restitution == pytest.approx(expected, rel=2e-3)
+
+
+@pytest.mark.parametrize(
+    ("changes", "complaint"),
+    [
+        ({"options": "yielding"}, "options is 'yielding'; it must be names and choices in turn"),
+        ({"options": "yielding soft"}, "yielding is soft; it must be sphere, flat"),
+        ({"options": "unloading area"}, "universal has no option 'unloading'; it has yielding"),
+        ({"law": "hertz", "options": "yielding flat"}, "hertz has no option 'yielding'; it has no"),
+        ({"geometry": "two_spheres", "wall": "steel"}, "wall is steel; two_spheres has none"),
+        ({"wall": "cheese"}, "no material 'cheese'"),
+    ],
+)
+def test_what_cannot_be_is_refused(changes, complaint):
+    given = {"law": "universal", "speed": 0.5, "material": "steel", "radius": 0.005}
+    with pytest.raises(ValueError, match=complaint):
+        CentralImpact(**given | changes)
+
+
+def test_a_cylinder_has_a_rigid_wall():
+    with pytest.raises(ValueError, match="wall is steel; that of a cylinder is rigid"):
+        CylinderImpact("lim_stronge", 1.0, "glass_kp10", 1e-5, wall="steel")
