@@ -21,10 +21,11 @@ STYLE = {
     "legend.frameon": False,
     "svg.hashsalt": "plastigran",
 }
-# Colours apart for colour-blind eyes (Okabe & Ito, then Tol's muted), one a law, by alphabet.
+# Colours apart for colour-blind eyes (Okabe & Ito, then Tol's muted); `law_number` has a law's.
 COLOURS = ["#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#000000", "#7F7F7F"]
 COLOURS += ["#882255", "#999933", "#332288", "#44AA99", "#661100", "#AA4499"]
-MARKERS = "osD^vPX<>dph*8"
+COLOURS += ["#117733"]
+MARKERS = "osD^vPX<>dph*8H"
 
 
 def title(name: str) -> str:
@@ -37,6 +38,17 @@ def title(name: str) -> str:
     }
     words = "–".join(word.capitalize() for word in name.split("_"))
     return names.get(name, words.replace("–20", " 20"))
+
+
+def law_number(law: str) -> int:
+    """The place of a law's colour and marker in `COLOURS` and `MARKERS`: in every figure the same.
+    One that this package does not have is grey."""
+    from plastigran import laws  # compiled: figures without laws do not wait for it
+
+    if law not in laws.LAWS:
+        return COLOURS.index("#7F7F7F")
+    alike = sorted(name for name, each in laws.LAWS.items() if each.shape == laws.LAWS[law].shape)
+    return alike.index(law) % len(COLOURS)
 
 
 def styled(changes: Mapping[str, object] | None = None) -> AbstractContextManager[None]:

@@ -111,6 +111,15 @@ class CentralImpact(Experiment):
         return laws.combine(body, body if self.bodies == 2 else wall)
 
     @property
+    def wall_yields(self) -> bool:
+        """Whether the wall is dented before the sphere flattens."""
+        if self.wall is None:
+            return False
+        return laws.combine(self.wall.body(), RIGID).yield_pressure < (
+            laws.combine(self.material.body(), RIGID).yield_pressure
+        )
+
+    @property
     def radius_eff(self) -> float:
         """R* [m]."""
         return self.radius / self.bodies

@@ -18,7 +18,7 @@ from plastigran.experiments.central import CentralImpact
 from plastigran.experiments.collision import CollisionOutcome
 from plastigran.materials import Material
 from plastigran.physics import central
-from plastigran.plot.style import COLOURS, MARKERS, styled, subplots, title
+from plastigran.plot.style import COLOURS, MARKERS, law_number, styled, subplots, title
 
 Collisions = Mapping[CentralImpact, CollisionOutcome]
 
@@ -41,27 +41,21 @@ def restitution_figure(collisions: Collisions, by_theory: bool = False) -> Figur
     their sphere.
     """
     with styled():
-        law_names = sorted({impact.law for impact in collisions})
         curves = _curves(collisions)
         crowded = len(curves) > 6
         figure, axes = subplots(figsize=(8.6 if crowded else 6.4, 4.6))
         bodies = list(dict.fromkeys(_bodies(impact) for impact in collisions))
         for (law, body, name), runs in curves.items():
-            shade, style = law_names.index(law), bodies.index(body)
-            colour, marker = COLOURS[shade % len(COLOURS)], MARKERS[shade % len(MARKERS)]
+            shade, style = law_number(law), bodies.index(body)
+            colour, marker = COLOURS[shade], MARKERS[shade]
             speeds = [impact.speed for impact, _ in runs]
             line = np.geomspace(speeds[0] / 1.3, speeds[-1] * 1.3, 200)
             dashes = ["-", "--", ":", "-."][style % 4]
-            axes.plot(line, _theory(runs[0][0], line), dashes, color=colour, lw=1.3)
-            axes.plot(
-                speeds,
-                [collision.coefficient_of_restitution for _, collision in runs],
-                marker,
-                color=colour,
-                mfc=colour if style else "white",
-                ms=6,
-                label=name,
-            )
+            look = {"color": colour, "mfc": colour if style else "white", "ms": 6, "lw": 1.3}
+            axes.plot(line, _theory(runs[0][0], line), dashes, **look)
+            found = [collision.coefficient_of_restitution for _, collision in runs]
+            axes.plot(speeds, found, ls="", marker=marker, **look)
+            axes.plot([], [], ls=dashes, marker=marker, label=name, **look)
         if all(_is_of_paper(impact) for impact in collisions):
             paper = finite_elements().dropna()
             axes.plot(
@@ -76,12 +70,9 @@ def restitution_figure(collisions: Collisions, by_theory: bool = False) -> Figur
         _speed_axes(axes, list(collisions))
         axes.set_ylabel("coefficient of restitution")
         axes.set_ylim(0, 1.05)
-        if not by_theory:
-            axes.plot([], [], color="0.4", lw=1.3, label="theory")
-        place = (
-            {"loc": "center left", "bbox_to_anchor": (1, 0.5)} if crowded else {"loc": "lower left"}
-        )
-        axes.legend(title=None if by_theory else "points: LIGGGHTS", fontsize="small", **place)
+        place = {"loc": "center left", "bbox_to_anchor": (1, 0.5)} if crowded else {"loc": "best"}
+        said = None if by_theory else "points: LIGGGHTS, lines: theory"
+        axes.legend(title=said, fontsize="small", title_fontsize="small", **place)
     return figure
 
 

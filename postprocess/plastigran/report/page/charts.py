@@ -4,13 +4,11 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Mapping
 from typing import Any
 
 import attrs
 import plotly.graph_objects as go
-
-from plastigran.plot.style import COLOURS
 
 #: Traces of no law that a page leaves in the colour of its text.
 INK = -1
@@ -51,11 +49,6 @@ class Chart:
 def chart_name(*parts: object) -> str:
     """An element's name made of words."""
     return re.sub(r"[^a-z0-9]+", "-", "-".join(map(str, parts)).lower()).strip("-")
-
-
-def law_colours(laws: Iterable[str]) -> dict[str, int]:
-    """Numbers of `COLOURS` for some laws: each its own, as far as there are so many."""
-    return {law: k % len(COLOURS) for k, law in enumerate(sorted(set(laws)))}
 
 
 def of_law(law: str) -> dict[str, Any]:

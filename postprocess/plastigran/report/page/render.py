@@ -18,10 +18,9 @@ from jinja2 import Environment, PackageLoader, StrictUndefined
 from markupsafe import Markup
 from plotly.utils import PlotlyJSONEncoder
 
-from plastigran.plot.style import COLOURS
+from plastigran.plot.style import COLOURS, law_number
 from plastigran.plot.style import title as law_title
 from plastigran.report.page import bulk_section, sweep_section, table_section
-from plastigran.report.page.charts import law_colours
 from plastigran.report.page.collect import Results, collect
 from plastigran.report.page.colours import on_dark
 from plastigran.report.page.names import number, words
@@ -91,7 +90,7 @@ def render(sections: list[Section], title: str) -> str:
         title: Headline.
     """
     charts = {chart.name: chart.to_json() for section in sections for chart in section.charts}
-    shades = law_colours(law for section in sections for law in section.laws)
+    shades = {law: law_number(law) for section in sections for law in section.laws}
     switched = sorted({law for s in sections if s.kind != "bulk" for law in s.laws})
     colours = {"light": COLOURS, "dark": [on_dark(colour) for colour in COLOURS]}
     numbers = {"charts": charts, "colours": colours, "laws": shades}

@@ -18,6 +18,8 @@ from plastigran.report.page.names import PREDICTED, scale, words
 
 #: Speeds of a line of theory.
 FINE = 60
+#: Of theory where there is no line.
+DASH = {"symbol": "line-ew", "size": 22}
 
 
 def measured_chart(name: str, table: pd.DataFrame) -> Chart | None:
@@ -54,7 +56,7 @@ def measured_chart(name: str, table: pd.DataFrame) -> Chart | None:
 def _abscissa(table: pd.DataFrame) -> str | None:
     """The case's number that varies most; where none does, the word."""
     numbers = [name for name in ("speed", "angle", "incident_angle", "radius") if name in table]
-    words = [name for name in ("geometry", "material") if name in table]
+    words = [name for name in ("geometry", "material", "wall") if name in table]
     varied = [name for name in numbers + words if table[name].nunique() > 1]
     most = max(
         (name for name in varied if name in numbers), key=lambda n: table[n].nunique(), default=None
@@ -66,7 +68,7 @@ def _groups(table: pd.DataFrame, abscissa: str) -> dict[tuple[str, str], pd.Data
     """Rows of a curve, by law and by what else sets the curve apart."""
     apart = [
         name
-        for name in ("material", "geometry", "radius", "angle", "coefficient_of_friction")
+        for name in ("material", "wall", "geometry", "radius", "angle", "coefficient_of_friction")
         if name in table and name != abscissa and table[name].nunique() > 1
     ]
     law = table["law"] if "law" in table else pd.Series("", table.index)
@@ -93,7 +95,8 @@ def _dashes_said(groups: dict) -> str:
 def said_of(name: str, value: object) -> str:
     """A value of a case in words, with its unit."""
     if isinstance(value, str):
-        return title(value) if name == "material" else value.replace("_", " ")
+        shown = title(value) if name in ("material", "wall") else value.replace("_", " ")
+        return f"on {shown}" if name == "wall" else shown
     found = scale(name, [value])
     space = "" if found.unit == "°" else " "
     shown = f"{value * found.factor:.3g}{space}{found.unit}".strip()
@@ -119,14 +122,17 @@ def _measured(groups: dict, theory: dict, quantity: str, abscissa: str) -> go.Fi
         said = f"<b>{name}</b><br>{at}<br>{y.title} %{{y:.5g}} {y.unit}"
         fine = theory[law, others]
         column = f"{quantity}{PREDICTED}"
+        dashed = {"line": {"dash": dashes[others]}}
+        # Between words there is nothing: a dash at each.
+        draw, look = (line, dashed) if numbers else (points, {"marker": DASH})
         made.add_trace(
-            line(
+            draw(
                 _along(fine[abscissa], x.factor),
                 fine[column if column in fine else quantity] * y.factor,
                 name,
                 of_law(law),
                 said + "<extra>theory</extra>",
-                line={"dash": dashes[others]},
+                **look,
             )
         )
         made.add_trace(
@@ -174,6 +180,7 @@ def central_case(row: pd.Series) -> CentralImpact | None:
             material=read_material(row["material"]),
             radius=row["radius"],
             geometry=row["geometry"],
+            **{name: row[name] for name in ("wall", "options") if isinstance(row.get(name), str)},
         )
     except ValueError:
         return None

@@ -34,6 +34,7 @@ class Trust:
         verified: By quantity, the largest difference of the runs from the law's theory.
         validated: By quantity, rms and largest error against finite elements at like speeds.
         unread: Materials in the way of that: their constants are not at hand.
+        beyond: Materials of which nothing is known, at speeds the finite elements do not reach.
         until: Speed from which on the law was beyond its range [m/s].
         range: Its range in words.
     """
@@ -42,6 +43,7 @@ class Trust:
     verified: dict[str, float | None]
     validated: dict[str, tuple[float, float] | None]
     unread: list[str]
+    beyond: list[str]
     until: float | None
     range: str
 
@@ -72,30 +74,40 @@ def _verified(rows: pd.DataFrame, name: str) -> float | None:
 
 def _validated(
     rows: pd.DataFrame,
-) -> tuple[dict[str, tuple[float, float] | None], list[str]]:
-    """Rms and largest error of a law by quantity, the largest of the bodies that yield, and the
-    materials that are not at hand."""
+) -> tuple[dict[str, tuple[float, float] | None], list[str], list[str]]:
+    """Rms and largest error of a law by quantity, the largest of the bodies that yield; materials
+    that are not at hand, and those that nothing is known of."""
     unknown = dict.fromkeys(QUANTITIES)
     if not {"speed_ratio", "material", "geometry", "radius"} <= set(rows):
-        return unknown, []
-    found, unread = [], []
-    for (material, *_), body in rows.groupby(["material", "geometry", "radius"]):
+        return unknown, [], []
+    found, unread, beyond = [], [], []
+    bodies = [name for name in ("material", "geometry", "radius", "wall") if name in rows]
+    for (material, *_), body in rows.groupby(bodies, dropna=False):
         if not body["speed_ratio"].max() >= 1:
             continue
-        if case := central_case(body.loc[body["speed"].idxmax()]):
-            found.append(_expected(case, body["speed_ratio"]))
-        else:
+        case = central_case(body.loc[body["speed"].idxmax()])
+        error = case and _expected(case, body["speed_ratio"])
+        if error is None:
             unread.append(str(material))
-    if unread or not found or any(error.restitution is None for error in found):
-        return unknown, unread
+        elif error.restitution is None:
+            beyond.append(str(material))
+        else:
+            found.append(error)
+    if unread or not found:
+        return unknown, unread, beyond
     errors = {
         "coefficient_of_restitution": [(e.restitution, e.restitution_largest) for e in found],
         "force_max": [(e.force, e.force_largest) for e in found],
     }
-    return {name: tuple(map(max, zip(*each, strict=True))) for name, each in errors.items()}, []
+    largest = {name: tuple(map(max, zip(*each, strict=True))) for name, each in errors.items()}
+    return largest, [], beyond
 
 
 def _expected(fastest: CentralImpact, ratios: pd.Series) -> ExpectedError:
+    """Nothing is known of laws with options, nor of walls that are dented: the finite elements are
+    of spheres that flatten, and of the laws as they are by default."""
+    if fastest.options or fastest.wall_yields:
+        return ExpectedError("", (ratios.min(), ratios.max()))
     overlap = fastest.predict().overlap_max
     widest = fastest.contact_law().follow(fastest.radius_eff, [overlap])["contact_radius"][0]
     return expected_error(
