@@ -131,6 +131,13 @@ def test_the_template_runs_keeps_its_ledger_and_goes_on(tmp_path, capsys):
     assert "whole was already at its last step" in capsys.readouterr().out
 
 
+def test_a_run_without_contacts_says_so(tmp_path):
+    """Its ledger closes on nothing; the grains of the template fall 60 mm first."""
+    deck = write_deck(tmp_path / "falling", "thornton", "steel")
+    run = run_bulk(deck, {"duration": 0.002}, tmp_path / "run", show=False)
+    assert any("did grains meet?" in note for note in run.notes)
+
+
 def test_the_template_refuses(tmp_path, capsys):
     (tmp_path / "mine").mkdir()
     for line, said in (

@@ -69,8 +69,9 @@ void EnergyLedger::setup_pre_exchange() {
 void EnergyLedger::add_stored(const Contact& contact, double elastic_energy, double spring_energy) {
   const bool has_local_partner = !contact.is_wall && contact.j < atom->nlocal;
   const double share = share_of(contact, has_local_partner);
-  elastic_ += share * elastic_energy;
-  tangential_springs_ += share * spring_energy;
+  Stored& stored = contact.is_wall ? by_walls_ : by_pairs_;
+  stored.elastic += share * elastic_energy;
+  stored.springs += share * spring_energy;
 }
 
 // On this rank alone.
@@ -112,7 +113,8 @@ void EnergyLedger::add_wall(const Contact& contact, const AccountedLoad& on_i,
 }
 
 void EnergyLedger::begin_pass() {
-  elastic_ = unwritten_plastic_work_ = tangential_springs_ = 0;
+  by_pairs_ = by_walls_ = Stored();
+  unwritten_plastic_work_ = 0;
   summed_ = damped_ = contacts_are_gone_ = false;
   deferred_ = nullptr;
   walls_.clear();
@@ -173,14 +175,14 @@ void EnergyLedger::sum() {
   count_deferred();
   const double local[ENTRIES] = {kinetic_energy(),
                                  gravitational_energy(),
-                                 elastic_,
+                                 by_pairs_.elastic + by_walls_.elastic,
                                  plastic_work_ + unwritten_plastic_work_,
                                  friction_,
                                  viscous_,
                                  wall_work_,
                                  inserted_,
                                  0,
-                                 tangential_springs_};
+                                 by_pairs_.springs + by_walls_.springs};
   MPI_Allreduce(local, sums_, ENTRIES, MPI_DOUBLE, MPI_SUM, world);
   double total = -sums_[WALL_WORK] - sums_[INSERTED];
   for (int entry = KINETIC; entry < WALL_WORK; ++entry) total += sums_[entry];

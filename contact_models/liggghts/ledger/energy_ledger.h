@@ -142,6 +142,11 @@ class EnergyLedger : public OwnFix {
     Vector force, friction, dashpot;
   };
 
+  // What laws and tangential springs store.
+  struct Stored {
+    double elastic = 0, springs = 0;
+  };
+
   // Of a contact's energies. One with a ghost is seen from its other side as well.
   static double share_of(const Contact& contact, bool has_local_partner) {
     return contact.is_wall || has_local_partner ? 1 : 0.5;
@@ -166,8 +171,8 @@ class EnergyLedger : public OwnFix {
   std::string strangers_;
 
   // Of the last force computation, on this rank.
-  double elastic_ = 0, tangential_springs_ = 0;
-  StoredEnergies* deferred_ = nullptr;  // of contacts that are not in these two sums yet
+  Stored by_pairs_, by_walls_;          // apart: sums do not depend on which is asked first
+  StoredEnergies* deferred_ = nullptr;  // of contacts that are not in these sums yet
   bool contacts_are_gone_ = false;      // particles moved on before these were asked for
   double unwritten_plastic_work_ = 0;   // set-up computes forces, and writes no history
   std::vector<WallContact> walls_;

@@ -25,7 +25,7 @@ struct AccountedLoad : LIGGGHTS::ContactModels::ForceData {
   template <class Law>
   void take(const Law& law, double radius_eff, double overlap, const typename Law::State& before,
             const typename Law::State& now) {
-    if (asks_elastic_energy) elastic_energy = elastic_energy_of(law, radius_eff, overlap, before);
+    if (asks_elastic_energy) elastic_energy = elastic_energy_of(law, radius_eff, overlap, now);
     if (std::memcmp(&before, &now, Law::state_names.size() * sizeof(double)) != 0)
       plastic_work = plastic_work_between(law, radius_eff, before, now);
   }

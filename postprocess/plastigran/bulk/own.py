@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pandas as pd
 
-from plastigran.bulk.checks import LEDGER, TAKEN, energy_input, ledger_checks
+from plastigran.bulk.checks import DISSIPATED, LEDGER, TAKEN, energy_input, ledger_checks
 from plastigran.bulk.deck import Analysis
 from plastigran.engine.deck import DeckSource
 from plastigran.engine.process import inputs_folder, misread
@@ -56,4 +56,7 @@ def analyse_own(series: pd.DataFrame) -> Analysis:
     if not came_in > 0:
         return Analysis(series, notes=["the ledger was not checked: no energy came in"])
     figure = ledger_figure(series, TAKEN, came_in, LEDGER)
-    return Analysis(series, ledger_checks(series), {"ledger": figure})
+    notes = []
+    if not series[["elastic", *DISSIPATED]].any(axis=None):
+        notes = ["no line of the log has energy in contacts, or taken by them: did grains meet?"]
+    return Analysis(series, ledger_checks(series), {"ledger": figure}, notes=notes)
