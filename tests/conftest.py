@@ -82,7 +82,7 @@ def start_plastigran():
     started = []
 
     def start(*words: object) -> subprocess.Popen:
-        line = ["setpriv", "--pdeathsig", "KILL", sys.executable, "-m", "plastigran.cli"]
+        line = ["setpriv", "--pdeathsig", "KILL", sys.executable, "-m", "plastigran"]
         started.append(
             subprocess.Popen(
                 [*line, *map(str, words)],

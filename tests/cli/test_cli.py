@@ -14,6 +14,7 @@ import pandas as pd
 import pytest
 
 from plastigran import laws
+from plastigran.__main__ import start
 from plastigran.cli import main
 from plastigran.engine.deck import property_name
 from plastigran.engine.process import inputs_folder
@@ -165,6 +166,15 @@ def test_a_material_of_ones_own(tmp_path):
     assert row["coefficient_of_restitution"] == pytest.approx(
         row["coefficient_of_restitution_predicted"], rel=1e-3
     )
+
+
+def test_a_stop_while_the_command_loads_is_no_fault(monkeypatch, capsys):
+    def stopped() -> int:
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr("plastigran.cli.main", stopped)
+    assert start() == 130
+    assert capsys.readouterr().err == "plastigran: stopped\n"
 
 
 @pytest.mark.parametrize("sent", [signal.SIGINT, signal.SIGTERM])

@@ -238,7 +238,7 @@ def test_progress_is_lines_in_a_pipe_and_nothing_for_brief_work(monkeypatch, cap
 BAR = "from plastigran.progress import ProgressBar as Bar; [*Bar('abc', desc='here')]"
 
 
-@pytest.mark.parametrize("line", [["-m", "plastigran.cli", "impact", "--help"], ["-c", BAR]])
+@pytest.mark.parametrize("line", [["-m", "plastigran", "impact", "--help"], ["-c", BAR]])
 def test_no_output_has_colours(line):
     """On a terminal, where colours are wanted: texts and bars."""
     ours, theirs = pty.openpty()

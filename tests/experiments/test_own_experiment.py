@@ -22,7 +22,7 @@ def test_one_file_is_an_experiment(tmp_path):
     """Hertz to 2e-3: second order in a time step of 1/200 of the contact."""
     line = ["touch", "--speed", "0.05", "0.2", "--output", str(tmp_path)]
     done = subprocess.run(
-        [sys.executable, "-m", "plastigran.cli", *line],
+        [sys.executable, "-m", "plastigran", *line],
         env={**os.environ, "PLASTIGRAN_EXPERIMENTS": str(OWN)},
         capture_output=True,
         text=True,

@@ -76,5 +76,6 @@ def test_what_is_swept_is_shown(tmp_path):
     assert "radius" in head and "geometry" not in head
     one = runs.table[runs.table["radius"] == 0.1]
     assert "radius" not in format_table(one, list(one))
-    labels = [text.get_text() for text in runs.figure("restitution").axes[0].legend_.texts]
-    assert labels == ["Thornton, 0.05 m", "Thornton, 0.1 m", "theory"]
+    legend = runs.figure("restitution").axes[0].legend_
+    assert [text.get_text() for text in legend.texts] == ["Thornton, 0.05 m", "Thornton, 0.1 m"]
+    assert legend.get_title().get_text() == "points: LIGGGHTS, lines: theory"
