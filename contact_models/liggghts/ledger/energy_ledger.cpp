@@ -97,10 +97,10 @@ void EnergyLedger::add_plastic_work(const Contact& contact, double work, bool ha
 }
 
 void EnergyLedger::add_dashpot(const Contact& contact, double force, bool has_local_partner) {
-  damped_ = true;
+  if (dashpots_.empty()) dashpots_.assign(atom->nlocal, Vector());
   for (int axis = 0; axis < 3; ++axis) {
-    losses_[contact.i].dashpot[axis] += force * contact.en[axis];
-    if (has_local_partner) losses_[contact.j].dashpot[axis] -= force * contact.en[axis];
+    dashpots_[contact.i][axis] += force * contact.en[axis];
+    if (has_local_partner) dashpots_[contact.j][axis] -= force * contact.en[axis];
   }
 }
 
@@ -115,10 +115,11 @@ void EnergyLedger::add_wall(const Contact& contact, const AccountedLoad& on_i,
 void EnergyLedger::begin_pass() {
   by_pairs_ = by_walls_ = Stored();
   unwritten_plastic_work_ = 0;
-  summed_ = damped_ = contacts_are_gone_ = false;
+  summed_ = contacts_are_gone_ = false;
   deferred_ = nullptr;
   walls_.clear();
   losses_.assign(atom->nlocal, Losses());
+  dashpots_.clear();
 }
 
 // Half a step's work of the forces at hand.
@@ -130,10 +131,9 @@ void EnergyLedger::add_work() {
     friction += dot(contact.friction, velocity);
     viscous += dot(contact.dashpot, velocity);
   }
-  for (std::size_t i = 0; i < losses_.size(); ++i) {
+  for (std::size_t i = 0; i < losses_.size(); ++i)
     friction -= dot(losses_[i].friction, atom->v[i]) + dot(losses_[i].torque, atom->omega[i]);
-    if (damped_) viscous -= dot(losses_[i].dashpot, atom->v[i]);
-  }
+  for (std::size_t i = 0; i < dashpots_.size(); ++i) viscous -= dot(dashpots_[i], atom->v[i]);
   summed_ = false;
   const double half_step = 0.5 * update->dt;
   friction_ += half_step * friction;

@@ -130,9 +130,9 @@ class EnergyLedger : public OwnFix {
   void restart(char* data) override;
 
  private:
-  // What takes energy from a particle's motion: forces of friction and dashpots, and all torques.
+  // What takes energy from a particle's motion beside dashpots: forces of friction, and all torques.
   struct Losses {
-    Vector friction{}, torque{}, dashpot{};
+    Vector friction{}, torque{};
   };
 
   // A contact on a wall: its forces on the particle, and where the wall's velocity is found. A mesh
@@ -176,13 +176,13 @@ class EnergyLedger : public OwnFix {
   bool contacts_are_gone_ = false;      // particles moved on before these were asked for
   double unwritten_plastic_work_ = 0;   // set-up computes forces, and writes no history
   std::vector<WallContact> walls_;
-  std::vector<Losses> losses_;  // by local particle
+  std::vector<Losses> losses_;    // by local particle
+  std::vector<Vector> dashpots_;  // forces, by local particle; of no length where none acted
 
   // Since the ledger was opened, on this rank.
   double plastic_work_ = 0, friction_ = 0, viscous_ = 0, wall_work_ = 0, inserted_ = 0;
   double before_ = 0;        // kinetic and gravitational energy when the particles were last known
   bool acts_first_ = false;  // no fix that acts in pre_exchange() stands before this one
-  bool damped_ = false;      // a dashpot acted in the last force computation
   bool ran_ = false;
 
   double initial_ = 0;  // over all ranks
