@@ -130,7 +130,8 @@ class EnergyLedger : public OwnFix {
   void restart(char* data) override;
 
  private:
-  // What takes energy from a particle's motion beside dashpots: forces of friction, and all torques.
+  // What takes energy from a particle's motion beside dashpots: forces of friction, and all
+  // torques.
   struct Losses {
     Vector friction{}, torque{};
   };
