@@ -7,7 +7,8 @@
 //
 // What makes it faster: the pairs that touch are picked out before, so that the processor need not
 // guess which do; of pairs that are near without touching it hands on those alone that may remember
-// a contact; what an account of energies needs is in the load, and not copied.
+// a contact; what an account of energies needs is in the load, and not copied. What the contacts
+// store is counted in a pass of its own, where the ledger is asked for it.
 #pragma once
 
 #include <cmath>
@@ -149,7 +150,6 @@ class PairLoop : public LIGGGHTS::PairStyles::Granular<Contact>, private StoredE
     contact.omega_j = atom->omega[j];
     contact.jtype = atom->type[j];
     on_i = LoadOnI();
-    on_i.reset();
     on_j.reset();
     if constexpr (pass != FORCES) on_i.asks_elastic_energy = pass == STORED_ENERGIES;
     if (contact.rsq < contact.radsum * contact.radsum) {
