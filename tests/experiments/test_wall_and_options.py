@@ -68,6 +68,18 @@ def test_what_cannot_be_is_refused(changes, complaint):
         CentralImpact(**given | changes)
 
 
+@pytest.mark.parametrize(
+    ("wall", "options", "said"),
+    [("steel", None, 1), ("steel", "yielding flat", 0), (None, None, 0)],
+)
+def test_a_dented_wall_is_said(wall, options, said):
+    """`universal` is of spheres that flatten, unless it is told."""
+    runs = CentralImpact.theory(
+        law="universal", material="zirconia", speed=1.0, radius=0.005, wall=wall, options=options
+    )
+    assert str(runs).count("steel is dented by what hits it: --options 'yielding flat'") == said
+
+
 def test_a_cylinder_has_a_rigid_wall():
     with pytest.raises(ValueError, match="wall is steel; that of a cylinder is rigid"):
         CylinderImpact("lim_stronge", 1.0, "glass_kp10", 1e-5, wall="steel")

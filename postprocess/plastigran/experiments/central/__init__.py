@@ -202,6 +202,16 @@ class CentralImpact(Experiment):
         return {"in_range": predicted.in_range, "timestep": step, "steps": steps}
 
     @classmethod
+    def summary(cls, runs: Runs) -> str:
+        dented = dict.fromkeys(
+            case.wall.name
+            for case in runs.outcomes
+            if case.wall_yields and case.law == "universal" and not case.options
+        )
+        hint = f"{', '.join(dented)} is dented by what hits it: --options 'yielding flat' says so"
+        return super().summary(runs) + (f"\n{hint}" if dented else "")
+
+    @classmethod
     def figures(cls, runs: Runs) -> dict[str, Callable[[], Figure]]:
         from plastigran.experiments.central import figures  # matplotlib is slow to load
 

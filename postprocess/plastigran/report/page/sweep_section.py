@@ -118,7 +118,7 @@ def _facts(study: dict, table: pd.DataFrame, runs: list[Path]) -> dict[str, str]
     if "law" in table:
         names = [title(str(law)) for law in sorted(table["law"].unique())]
         facts["law"] = ", ".join(names) if len(names) <= MOST_NAMED else f"{len(names)} laws"
-    for name in ("geometry", "material", "radius", "angle", "speed"):
+    for name in ("geometry", "material", "wall", "options", "radius", "angle", "speed"):
         if name not in table or table[name].isna().all():
             continue
         values = table[name].unique()
@@ -127,7 +127,7 @@ def _facts(study: dict, table: pd.DataFrame, runs: list[Path]) -> dict[str, str]
             ends = [number(float(value)) for value in (values.min(), values.max())]
             facts[words(name)] = " to ".join(dict.fromkeys(ends)) + unit
         else:
-            shown = map(title, values) if name == "material" else values
+            shown = map(title, values) if name in ("material", "wall") else values
             facts[words(name)] = ", ".join(str(value).replace("_", " ") for value in shown)
     versions = dict(study.get("versions", {}))
     logs = [run / LOG for run in runs if (run / LOG).is_file()]
