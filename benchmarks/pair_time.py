@@ -13,10 +13,11 @@ The reference is stock `hertz` with restitution 0.6, with `tangential history` a
 it computes a viscous damping that the laws do not have.
 
     .venv/bin/python benchmarks/pair_time.py --repeats 5 --law thornton
-    .venv/bin/python benchmarks/pair_time.py --grains 500000 --law universal
+    .venv/bin/python benchmarks/pair_time.py --copies 3 --law universal
     .venv/bin/python benchmarks/pair_time.py --law thornton --ledger
 
-With `--ledger` every law runs with the energy ledger, too.
+With `--ledger` every law runs with the energy ledger, too. With `--copies 3` the bed is 3 by 3 by 3
+of them, 540 000 spheres.
 
 Cylinders have a bed of their own, of discs in two dimensions (bed_of_discs.in); `hertz`, which is
 for spheres, is the reference there as well.
@@ -33,6 +34,7 @@ from pathlib import Path
 import pandas as pd
 from attrs import frozen
 from pair_time_figure import BOTH, cost_figure
+from size_beds import widen
 from tqdm import tqdm
 
 from plastigran import laws
@@ -196,9 +198,8 @@ def compare(named: list[str], shape: str, bed: Path, options: argparse.Namespace
     again = counts[counts["law"] == REFERENCE].assign(law=CONTROL)
     table = summarize(measure(names, bed, options.steps, options.repeats, shape))
     table = table.merge(pd.concat([counts, again]), on=["state", "law"])
-    return table.assign(
-        shape=shape, repeats=options.repeats, steps=options.steps, grains=options.grains
-    )
+    grains = options.grains * options.copies**3
+    return table.assign(shape=shape, repeats=options.repeats, steps=options.steps, grains=grains)
 
 
 def summarize(times: pd.DataFrame) -> pd.DataFrame:
@@ -236,6 +237,9 @@ def main() -> None:
     parser.add_argument("--ledger", action="store_true", help="laws with the energy ledger, too")
     parser.add_argument("--grains", type=int, default=20_000, help="default: %(default)s")
     parser.add_argument(
+        "--copies", type=positive_integer, default=1, help="of the bed along each side, of spheres"
+    )
+    parser.add_argument(
         "--repeats", type=positive_integer, default=10, help="rounds (default: %(default)s)"
     )
     parser.add_argument(
@@ -247,13 +251,20 @@ def main() -> None:
     options = parser.parse_args()
     if options.grains < 1000:
         parser.error(f"--grains is {options.grains}; it must be at least 1000")
+    flat = [law for law in options.law if laws.LAWS[law].shape == "cylinder"]
+    if options.copies > 1 and flat:
+        parser.error(f"--copies is {options.copies}; name laws for spheres, and not {flat[0]}")
     engine_path()  # says what to do when there is none
 
     tables = []
     for shape, bed in BEDS.items():
         named = [law for law in options.law if laws.LAWS[law].shape == shape]
-        if named:
-            tables.append(compare(named, shape, bed.make(options.grains), options))
+        if not named:
+            continue
+        made = bed.make(options.grains)
+        if options.copies > 1:
+            made = widen(made, options.copies, options.copies, along_z=options.copies)
+        tables.append(compare(named, shape, made, options))
     table = pd.concat(tables, ignore_index=True)
 
     RESULTS.parent.mkdir(parents=True, exist_ok=True)

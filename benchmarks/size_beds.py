@@ -97,20 +97,22 @@ def base(across: int = 25, high: int = 20, steps: int = 8000) -> Path:
     return settled
 
 
-def widen(settled: Path, along_x: int, along_y: int, first: int = 1) -> Path:
-    """A bed of copies of a settled one side by side, made when it is missing.
+def widen(settled: Path, along_x: int, along_y: int, first: int = 1, along_z: int = 1) -> Path:
+    """A bed of copies of another side by side, made when it is missing or older than that.
 
     Args:
-        settled: As of `base`.
+        settled: Its data file, of `base` say; periodic in the directions in which it is copied.
         along_x: Copies.
         along_y: Copies.
         first: Number of the first grain.
+        along_z: Copies.
 
     Returns:
         Its data file. Grains are at rest, contacts without a past.
     """
-    file = settled.parent / f"{along_x}_{along_y}_{first}.data"
-    if file.exists():
+    sides = (along_x, along_y, along_z)
+    file = settled.parent / f"{'_'.join(map(str, sides))}_{first}.data"
+    if file.exists() and file.stat().st_mtime >= settled.stat().st_mtime:
         return file
     text = settled.read_text()
     bounds = re.findall(r"^(\S+) (\S+) [xyz]lo [xyz]hi$", text, re.MULTILINE)
@@ -118,11 +120,11 @@ def widen(settled: Path, along_x: int, along_y: int, first: int = 1) -> Path:
     rows = text.partition("Atoms\n\n")[2].partition("\n\n")[0].splitlines()
     one = np.array([row.split()[:7] for row in rows], float)  # number type diameter density x y z
     one[:, 0] = np.argsort(np.argsort(one[:, 0])) + first
-    copies = np.array([(i, j, 0) for i in range(along_x) for j in range(along_y)])
+    copies = np.array(list(np.ndindex(sides)))
     all_of_them = np.tile(one, (len(copies), 1))
     all_of_them[:, 0] += np.repeat(np.arange(len(copies)) * len(one), len(one))
     all_of_them[:, 4:] += np.repeat(copies * (high - low), len(one), axis=0)
-    top = low + (high - low) * (along_x, along_y, 1)
+    top = low + (high - low) * sides
     with open(file, "w") as out:
         out.write(f"a bed of {len(copies)} copies\n\n{len(all_of_them)} atoms\n2 atom types\n\n")
         for axis, a, b in zip("xyz", low, top, strict=True):
