@@ -77,7 +77,8 @@ def test_a_dented_wall_is_said(wall, options, said):
     runs = CentralImpact.theory(
         law="universal", material="zirconia", speed=1.0, radius=0.005, wall=wall, options=options
     )
-    assert str(runs).count("steel is dented by what hits it: --options 'yielding flat'") == said
+    assert str(runs).count("zirconia on steel: the wall is dented") == said
+    assert f"spheres of radius 0.005 m, on {wall or 'a rigid wall'}" in str(runs)
 
 
 def test_a_cylinder_has_a_rigid_wall():

@@ -95,7 +95,7 @@ def run(arguments: argparse.Namespace) -> None:
     if earlier and at_its_end(bulk_run):
         print(f"{earlier} was already at its last step: nothing was computed")
     if bulk_run.deck is None and not bulk_run.checks.size:
-        print(f"{name} keeps no energy ledger: nothing was checked")
+        print(f"{name} keeps no energy ledger, or its log has no entries: nothing was checked")
     report(bulk_run)
     print(f"written: {arguments.output}")
 

@@ -204,12 +204,18 @@ class CentralImpact(Experiment):
     @classmethod
     def summary(cls, runs: Runs) -> str:
         dented = dict.fromkeys(
-            case.wall.name
+            f"{case.material.name} on {case.wall.name}"
             for case in runs.outcomes
             if case.wall_yields and case.law == "universal" and not case.options
         )
-        hint = f"{', '.join(dented)} is dented by what hits it: --options 'yielding flat' says so"
-        return super().summary(runs) + (f"\n{hint}" if dented else "")
+        said = [super().summary(runs), *_arrangement(runs)]
+        if dented:
+            said.append(
+                f"{', '.join(dented)}: the wall is dented, the ball does not flatten. Run "
+                "universal by itself with --options 'yielding flat', and give the wall its "
+                "rate_coefficient (docs/rate_factor.md)"
+            )
+        return "\n".join(said)
 
     @classmethod
     def figures(cls, runs: Runs) -> dict[str, Callable[[], Figure]]:
@@ -219,3 +225,13 @@ class CentralImpact(Experiment):
             "restitution": lambda: figures.restitution_figure(runs.outcomes, runs.by_theory),
             "loops": lambda: figures.loops_figure(runs.outcomes),
         }
+
+
+def _arrangement(runs: Runs) -> list[str]:
+    """What spheres hit what, where it is the same for all: the table has what varies."""
+    radii = {case.radius for case in runs.outcomes}
+    walls = {case.wall.name if case.wall else "a rigid wall" for case in runs.outcomes}
+    if len(radii) > 1 or len(walls) > 1:
+        return []
+    on = f", on {walls.pop()}" if all(case.bodies == 1 for case in runs.outcomes) else ""
+    return [f"spheres of radius {radii.pop():g} m{on}"]

@@ -59,7 +59,11 @@ def make(results: Results, name: str) -> Section:
         if "speed_ratio" in table and table["speed_ratio"].nunique() > 1:
             errors = errors_table()
             errors = errors[errors["law"].isin(laws)]
-            charts += [verification_chart(name, table), validation_chart(name, errors)]
+            charts.append(verification_chart(name, table))
+            if not {"wall", "options"} & set(table) or any(
+                any(t.validated.values()) for t in trusted
+            ):
+                charts.append(validation_chart(name, errors))
     drawn = {chart.name for chart in charts if chart}
     replaced = {figure for figure, kind in _CHARTED.items() if chart_name(name, kind) in drawn}
     pictures, left = read_pictures(folder, replaced if "geometry" in table else ())

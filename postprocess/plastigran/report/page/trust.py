@@ -82,13 +82,14 @@ def _validated(
         return unknown, [], []
     found, unread, beyond = [], [], []
     bodies = [name for name in ("material", "geometry", "radius", "wall") if name in rows]
-    for (material, *_), body in rows.groupby(bodies, dropna=False):
+    for (material, *others), body in rows.groupby(bodies, dropna=False):
         if not body["speed_ratio"].max() >= 1:
             continue
         case = central_case(body.loc[body["speed"].idxmax()])
         error = case and _expected(case, body["speed_ratio"])
         if error is None:
-            unread.append(str(material))
+            wall = [name for name in others[2:] if isinstance(name, str)]
+            unread.append(" or ".join([str(material), *wall]))
         elif error.restitution is None:
             beyond.append(str(material))
         else:
