@@ -105,8 +105,7 @@ class AccountedContact : private ContactSetup,
     for (ContactObserver* const observer : observers_) observer->add(contact, on_i, on_j, owner_);
   }
 
-  // What is told when only stored energies are asked for. Nothing is written where
-  // contact.shearupdate is 0.
+  // What is told when only stored energies are asked for. Some models write what they find.
   void account_stored(Contact& contact, AccountedLoad& on_i, Load& on_j) {
     compute(contact, on_i, on_j);
     add_stored(contact, on_i);

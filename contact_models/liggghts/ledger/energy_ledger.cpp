@@ -77,10 +77,10 @@ void EnergyLedger::add_stored(const Contact& contact, double elastic_energy, dou
 // On this rank alone.
 void EnergyLedger::count_deferred() {
   if (!deferred_) return;
-  if (contacts_are_gone_)
+  if (contacts_moved_)
     error->one(FLERR,
-               "energy_ledger: an entry was asked for while particles change ranks, where contacts "
-               "are not known; ask for it when forces are computed, as outputs do");
+               "energy_ledger: an entry was asked for between displacement and forces, where what "
+               "contacts store is not known; ask for it when forces are computed, as outputs do");
   std::exchange(deferred_, nullptr)->count_stored_energies();
 }
 
@@ -115,7 +115,7 @@ void EnergyLedger::add_wall(const Contact& contact, const AccountedLoad& on_i,
 void EnergyLedger::begin_pass() {
   by_pairs_ = by_walls_ = Stored();
   unwritten_plastic_work_ = 0;
-  summed_ = contacts_are_gone_ = false;
+  summed_ = contacts_moved_ = false;
   deferred_ = nullptr;
   walls_.clear();
   losses_.assign(atom->nlocal, Losses());

@@ -93,6 +93,7 @@ class EnergyLedger : public OwnFix {
   // The sum at the start is taken when all forces of the first set-up are there, walls' too.
   void pre_initial_integrate() override {
     if (!started_) sum();
+    if (deferred_) contacts_moved_ = true;
   }
 
   // Positions are new, velocities those at mid-step, forces still the old ones.
@@ -104,7 +105,6 @@ class EnergyLedger : public OwnFix {
   // Before particles are inserted, deleted and handed to other ranks.
   void pre_exchange() override {
     if (acts_first_) before_ = mechanical_energy();
-    if (deferred_) contacts_are_gone_ = true;
   }
 
   void pre_neighbor() override { inserted_ += mechanical_energy() - before_; }
@@ -174,7 +174,7 @@ class EnergyLedger : public OwnFix {
   // Of the last force computation, on this rank.
   Stored by_pairs_, by_walls_;          // apart: sums do not depend on which is asked first
   StoredEnergies* deferred_ = nullptr;  // of contacts that are not in these sums yet
-  bool contacts_are_gone_ = false;      // particles moved on before these were asked for
+  bool contacts_moved_ = false;         // before these were asked for
   double unwritten_plastic_work_ = 0;   // set-up computes forces, and writes no history
   std::vector<WallContact> walls_;
   std::vector<Losses> losses_;    // by local particle

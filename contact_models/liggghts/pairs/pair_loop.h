@@ -63,7 +63,7 @@ class PairLoop : public LIGGGHTS::PairStyles::Granular<Contact>, private StoredE
   [[gnu::flatten, gnu::noinline]] void compute_forces() { go_through<FORCES>(); }
   [[gnu::flatten, gnu::noinline]] void account_forces() { go_through<ACCOUNTED_FORCES>(); }
 
-  // Asks the models once more, as set-up does: they write nothing.
+  // Asks the models once more, as set-up does.
   void count_stored_energies() override { go_through<STORED_ENERGIES>(); }
 
   // Whether this step needs what only the engine's loop does. (Its factor `relax` is 1 in the
@@ -109,10 +109,23 @@ class PairLoop : public LIGGGHTS::PairStyles::Granular<Contact>, private StoredE
         contact.j = neighbours[place] & NEIGHMASK;
         contact.contact_flags = flags ? flags + place : nullptr;
         contact.contact_history = history ? history + width * place : nullptr;
+        if (pass == STORED_ENERGIES) keep_from_writing(contact, width);
         compute_pair<pass>(contact, on_i, on_j);
       }
     }
     models_.endPass(contact, on_i, on_j);
+  }
+
+  // Some models of the engine write whenever they are asked: into a copy, then.
+  void keep_from_writing(ContactData& contact, int width) {
+    if (contact.contact_history) {
+      copied_history_.assign(contact.contact_history, contact.contact_history + width);
+      contact.contact_history = copied_history_.data();
+    }
+    if (contact.contact_flags) {
+      copied_flags_ = *contact.contact_flags;
+      contact.contact_flags = &copied_flags_;
+    }
   }
 
   // The places in a particle's list of the pairs that touch, and of those near that the models
@@ -192,6 +205,8 @@ class PairLoop : public LIGGGHTS::PairStyles::Granular<Contact>, private StoredE
   Contact& models_;
   int frozen_ = 0;  // bit of the group that no force moves
   std::vector<int> picked_;
+  std::vector<double> copied_history_;
+  int copied_flags_ = 0;
 };
 
 }  // namespace plastigran
