@@ -36,6 +36,11 @@ RATES = """
 fix rate     all property/global rateCoefficient peratomtype 0.05 0.05
 fix test     all property/global referenceRate peratomtype 1 1
 """
+#: What Luding's rolling friction asks for.
+ROLLING = """
+fix viscous all property/global coefficientRollingViscousDamping peratomtypepair 2 0.1 0.1 0.1 0.1
+fix stiff   all property/global coeffRollingStiffness peratomtypepair 2 0.2 0.2 0.2 0.2
+"""
 #: Models, and options at the end of the line.
 COMBINATIONS = (
     ("tangential history", ""),
@@ -52,7 +57,7 @@ ENTRIES = "".join(f"variable e{k} equal f_energy_ledger[{k}]\n" for k in range(1
 
 
 def follow(
-    models: str, options: str, folder: Path, seen: str, ranks: int, more: str = ""
+    models: str, options: str, folder: Path, seen: str, ranks: int, more: str = "", every: int = 1
 ) -> tuple[pd.DataFrame, pd.DataFrame]:
     """What the grains did, and the log, with what the deck asks for."""
     line = f"model universal {models}"
@@ -67,7 +72,7 @@ def follow(
         + motion()
         + "compute stress all stress/atom pair\ncompute sum all reduce sum c_stress[3]\n"
         + ENTRIES
-        + f"thermo 1\nthermo_style custom step {seen}\nthermo_modify format float %.17g\n"
+        + f"thermo {every}\nthermo_style custom step {seen}\nthermo_modify format float %.17g\n"
         + "run 3000\n"
     )
     grains = fresh(text, folder, ranks)
@@ -92,3 +97,12 @@ def test_all_digits_where_rates_matter(tmp_path):
     plain, _ = follow("tangential history", "", tmp_path / "plain", "ke", 1)
     assert not ours.equals(plain)
     pd.testing.assert_frame_equal(ours, engines, check_exact=True)
+
+
+@pytest.mark.parametrize("models", ["rolling_friction luding", "rolling_friction epsd2"])
+def test_asking_for_energies_moves_nothing(models, tmp_path):
+    """Luding's rolling friction writes its memory whenever it is asked."""
+    line = f"tangential history {models}", "energy_ledger on"
+    often, _ = follow(*line, tmp_path / "often", "v_e3", 1, ROLLING)
+    seldom, _ = follow(*line, tmp_path / "seldom", "v_e3", 1, ROLLING, every=3000)
+    pd.testing.assert_frame_equal(often, seldom, check_exact=True)
