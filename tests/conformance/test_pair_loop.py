@@ -36,8 +36,11 @@ RATES = """
 fix rate     all property/global rateCoefficient peratomtype 0.05 0.05
 fix test     all property/global referenceRate peratomtype 1 1
 """
-#: What Luding's rolling friction asks for.
-ROLLING = """
+#: What Luding's models ask for.
+LUDING = """
+fix dynamic all property/global FluidViscosity peratomtypepair 2 1 1 1 1
+fix creep   all property/global FrictionViscosity peratomtypepair 2 1 1 1 1
+fix sliding all property/global coeffFrictionStiffness peratomtypepair 2 1 1 1 1
 fix viscous all property/global coefficientRollingViscousDamping peratomtypepair 2 0.1 0.1 0.1 0.1
 fix stiff   all property/global coeffRollingStiffness peratomtypepair 2 0.2 0.2 0.2 0.2
 """
@@ -99,10 +102,17 @@ def test_all_digits_where_rates_matter(tmp_path):
     pd.testing.assert_frame_equal(ours, engines, check_exact=True)
 
 
-@pytest.mark.parametrize("models", ["rolling_friction luding", "rolling_friction epsd2"])
+@pytest.mark.parametrize(
+    "models",
+    [
+        "tangential history rolling_friction luding",
+        "tangential history rolling_friction epsd2",
+        "tangential tan_luding",
+    ],
+)
 def test_asking_for_energies_moves_nothing(models, tmp_path):
-    """Luding's rolling friction writes its memory whenever it is asked."""
-    line = f"tangential history {models}", "energy_ledger on"
-    often, _ = follow(*line, tmp_path / "often", "v_e3", 1, ROLLING)
-    seldom, _ = follow(*line, tmp_path / "seldom", "v_e3", 1, ROLLING, every=3000)
+    """Luding's models write their memory whenever they are asked."""
+    line = models, "energy_ledger on"
+    often, _ = follow(*line, tmp_path / "often", "v_e3", 1, LUDING)
+    seldom, _ = follow(*line, tmp_path / "seldom", "v_e3", 1, LUDING, every=3000)
     pd.testing.assert_frame_equal(often, seldom, check_exact=True)

@@ -87,6 +87,20 @@ TEST_CASE_TEMPLATE("asking twice changes nothing, bit for bit", Law, ALL_LAWS) {
   }
 }
 
+// The engine's account of plastic work asks a law for it at no overlap.
+TEST_CASE_TEMPLATE("plastic work is the state's, at any overlap", Law, ALL_LAWS) {
+  const Law law(aluminium, defaults<Law>());
+  std::mt19937 random(2);
+  std::uniform_real_distribution<double> exponent(-9, -3), share(0, 1);
+  for (int path = 0; path < 2000; ++path) {
+    typename Law::State state;
+    const double overlap_max = std::pow(10, exponent(random));
+    const double plastic_work = law.respond(0.1, overlap_max, state).plastic_work;
+    CHECK(law.respond(0.1, share(random) * overlap_max, state).plastic_work == plastic_work);
+    CHECK(law.respond(0.1, 0, state).plastic_work == plastic_work);
+  }
+}
+
 TEST_CASE_TEMPLATE("defaults are admissible", Law, ALL_LAWS) {
   CHECK(validate<Law>(aluminium, defaults<Law>()).empty());
 }

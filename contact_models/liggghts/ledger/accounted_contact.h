@@ -82,31 +82,29 @@ class AccountedContact : private ContactSetup,
     Base::connectToProperties(registry);
   }
 
-  // As the engine's loops have it: a load without room for an account.
+  // As the engine's loops call it: with a load that has no room for an account.
   void surfacesIntersect(Contact& contact, Load& on_i, Load& on_j) {
     if (takes_accounts && contact.computeflag) {
-      AccountedLoad load(on_i);
-      account_apart(contact, load, on_j);
-      on_i = load;
+      on_i = accounted(contact, on_i, on_j);
     } else {
       compute(contact, on_i, on_j);
     }
   }
 
-  // The models alone.
+  // The models' forces alone.
   void compute(Contact& contact, Load& on_i, Load& on_j) {
     Base::surfacesIntersect(contact, on_i, on_j);
   }
 
-  // The models, and what is told of them.
+  // The forces, told to the ledger and the observers.
   void account(Contact& contact, AccountedLoad& on_i, Load& on_j) {
     compute(contact, on_i, on_j);
     if (ledger_) ledger_->add(contact, on_i, on_j);
     for (ContactObserver* const observer : observers_) observer->add(contact, on_i, on_j, owner_);
   }
 
-  // What is told when only stored energies are asked for. Some models write what they find.
-  void account_stored(Contact& contact, AccountedLoad& on_i, Load& on_j) {
+  // What the contact stores, told to the ledger. Some models write to its history meanwhile.
+  void count_stored(Contact& contact, AccountedLoad& on_i, Load& on_j) {
     compute(contact, on_i, on_j);
     add_stored(contact, on_i);
   }
@@ -138,9 +136,13 @@ class AccountedContact : private ContactSetup,
     if (reason) engine_->error->all(FLERR, (counter + reason).c_str());
   }
 
-  [[gnu::noinline]] void account_apart(Contact& contact, AccountedLoad& on_i, Load& on_j) {
+  // All at once: the forces, and what the contact stores.
+  [[gnu::noinline]] AccountedLoad accounted(Contact& contact, const Load& before, Load& on_j) {
+    AccountedLoad on_i(before);
+    on_i.asks_elastic_energy = ledger_ != nullptr;
     account(contact, on_i, on_j);
     if (ledger_) add_stored(contact, on_i);
+    return on_i;
   }
 
   void add_stored(const Contact& contact, const AccountedLoad& on_i) {

@@ -24,17 +24,10 @@
 #include "liggghts/ledger/particle_plastic_work.h"
 #include "liggghts/model/accounted_load.h"
 #include "liggghts/model/lossy_load.h"
+#include "liggghts/model/stored_energies.h"
 #include "liggghts/model/wall_point.h"
 
 namespace plastigran {
-
-// Contacts that can be asked at any time between two displacements of their particles what they
-// store.
-class StoredEnergies {
- public:
-  virtual ~StoredEnergies() {}
-  virtual void count_stored_energies() = 0;  // hands each to EnergyLedger::add_stored()
-};
 
 class EnergyLedger : public OwnFix {
   typedef LIGGGHTS::ContactModels::SurfacesIntersectData Contact;

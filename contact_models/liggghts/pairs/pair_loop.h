@@ -20,8 +20,8 @@
 
 #include "atom.h"
 #include "force.h"
-#include "liggghts/ledger/energy_ledger.h"
 #include "liggghts/model/accounted_load.h"
+#include "liggghts/model/stored_energies.h"
 #include "liggghts/plugin/engine_styles.h"
 #include "modify.h"
 #include "neigh_list.h"
@@ -73,7 +73,9 @@ class PairLoop : public LIGGGHTS::PairStyles::Granular<Contact>, private StoredE
     return pair->storeContactForces() || pair->storeContactForcesStress() ||
            pair->storeSumDelta() || pair->store_sum_normal_force() || pair->fr_pair() ||
            !atom->rmass || !atom->sphere_flag || engine_->force->newton_pair ||
-           engine_->modify->n_fixes_style("insert/stream/predefined") > 0;
+           engine_->modify->n_fixes_style("insert/stream/predefined") > 0 ||
+           // It displaces particles before the output: what contacts store cannot wait for it.
+           (models_.takes_accounts && engine_->modify->n_fixes_style("deform") > 0);
   }
 
   template <Pass pass>
@@ -191,7 +193,7 @@ class PairLoop : public LIGGGHTS::PairStyles::Granular<Contact>, private StoredE
     models_.checkSurfaceIntersect(contact);  // true of spheres
     if constexpr (pass == FORCES) models_.compute(contact, on_i, on_j);
     if constexpr (pass == ACCOUNTED_FORCES) models_.account(contact, on_i, on_j);
-    if constexpr (pass == STORED_ENERGIES) models_.account_stored(contact, on_i, on_j);
+    if constexpr (pass == STORED_ENERGIES) models_.count_stored(contact, on_i, on_j);
     models_.endSurfacesIntersect(contact, nullptr, on_i, on_j);
   }
 

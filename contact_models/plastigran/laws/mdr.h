@@ -57,9 +57,9 @@ class Mdr : public LargestOverlap {
     double low = 0, high = largest;
     halve(low, high, yielded);
     yield_ = high;
-    work_ = Tabulated<1>(yield_, [this](double depth) {
-              return std::array{force(depth)};
-            }).integral(2 * stored(0.5 * yield_));
+    virgin_work_ = Tabulated<1>(yield_, [this](double depth) {
+                     return std::array{force(depth)};
+                   }).integral(2 * stored(0.5 * yield_));
     if (constants.energy_guard == 1) find_guarded();
     works_ = Tabulated<2>(yield_, [this](double depth) { return computed_works(depth); });
     loaded_ = Tabulated<3>(yield_, [this](double depth) { return compute(depth); });
@@ -80,7 +80,7 @@ class Mdr : public LargestOverlap {
       return response;
     }
     if (overlap > state.overlap_max) state.overlap_max = overlap;
-    if (!(state.overlap_max > 0)) return response;  // the overlap is no number
+    if (!(state.overlap_max > 0)) return response;  // an overlap that is no number
     const double depth_max = state.overlap_max * per_overlap;
     response.plastic_work = force_unit / per_overlap * plastic_work(depth_max);
     if (!(overlap > 0)) return response;
@@ -186,7 +186,7 @@ class Mdr : public LargestOverlap {
 
   // Work of the virgin curve over pi E' R^3.
   double virgin_work(double depth) const {
-    return work_.covers(depth) ? work_(depth)[0] : summed_work(depth);
+    return virgin_work_.covers(depth) ? virgin_work_(depth)[0] : summed_work(depth);
   }
   // The same where no table reaches. Beyond yield the integrand is a polynomial times an
   // exponential, which one panel takes to rounding.
@@ -238,8 +238,8 @@ class Mdr : public LargestOverlap {
   double guarded_work_ = 0;   // plastic work below guarded_end_, over pi E' R^3
   double guarded_end_ = 0;    // overlap over R up to which the energy guard acts
   Tabulated<3> loaded_;
-  Tabulated<1, 9> work_;  // of the virgin curve, over pi E' R^3
-  Tabulated<2> works_;    // it, and what unloading returns
+  Tabulated<1, 9> virgin_work_;  // of the virgin curve, over pi E' R^3
+  Tabulated<2> works_;           // it, and what unloading returns
 };
 
 }  // namespace plastigran

@@ -79,10 +79,10 @@ class Universal : public LargestOverlap {
     given_back_ =
         Tabulated<1>(0.5, [](double x) { return std::array{summed_unloading_work(x - 1)}; });
     loaded_ = Tabulated<4>(1, [this](double x) { return compute(x); });
-    work_ = Tabulated<1>(1, [this](double x) {
-              const double t = std::sqrt(x);
-              return std::array{force(t, depth(t))};
-            }).integral(0.4);
+    virgin_work_ = Tabulated<1>(1, [this](double x) {
+                     const double t = std::sqrt(x);
+                     return std::array{force(t, depth(t))};
+                   }).integral(0.4);
     works_ = Tabulated<2>(1, [this](double x) { return computed_works(x); });
   }
 
@@ -93,7 +93,7 @@ class Universal : public LargestOverlap {
       return hertz_response(modulus_, radius_eff, overlap);
     }
     if (!(overlap > 0)) {
-      if (!(state.overlap_max > 0)) return {};  // the overlap is no number
+      if (!(state.overlap_max > 0)) return {};  // an overlap that is no number
       return {0, 0, 0, plastic_work(radius_eff, overlap_y, state.overlap_max)};
     }
     // Loading and unloading go two ways, as in power_unloading.h.
@@ -228,13 +228,15 @@ class Universal : public LargestOverlap {
   }
 
   // Work of the virgin curve up to x, over F_Y overlap_Y.
-  double virgin_work(double x) const { return work_.covers(x) ? work_(x)[0] : summed_work(x); }
+  double virgin_work(double x) const {
+    return virgin_work_.covers(x) ? virgin_work_(x)[0] : summed_work(x);
+  }
   // The same where no table reaches, from its end on panels that double in length, for the
   // integrand's poles are some panel lengths away.
   [[gnu::noinline, gnu::cold, gnu::pure]] double summed_work(double x) const {
     if (!(x > 1)) return 0.4 * x * x * std::sqrt(x);
-    double sum = work_(work_.end() * (1 - 1e-15))[0];
-    for (double left = std::sqrt(work_.end()), t = std::sqrt(x); left < t; left *= 2)
+    double sum = virgin_work_(virgin_work_.end() * (1 - 1e-15))[0];
+    for (double left = std::sqrt(virgin_work_.end()), t = std::sqrt(x); left < t; left *= 2)
       sum += gauss_legendre([this](double at) { return 2 * at * force(at, depth(at)); }, left,
                             std::min(2 * left, t));
     return sum;
@@ -248,9 +250,9 @@ class Universal : public LargestOverlap {
   double onset_;               // w
   double hardening_;           // h
   Tabulated<4> loaded_;
-  Tabulated<1, 9> work_;     // of the virgin curve, over F_Y overlap_Y
-  Tabulated<2> works_;       // it, and what unloading returns
-  Tabulated<1> given_back_;  // of 1 + g
+  Tabulated<1, 9> virgin_work_;  // of the virgin curve, over F_Y overlap_Y
+  Tabulated<2> works_;           // it, and what unloading returns
+  Tabulated<1> given_back_;      // of 1 + g
 };
 
 }  // namespace plastigran

@@ -68,9 +68,10 @@ class PowerUnloading : public Curve, public LargestOverlap {
         modulus_(4.0 / 3.0 * pair.youngs_modulus_eff),
         overlap_ratio_(Curve::yield_radius_ratio * Curve::yield_radius_ratio) {
     const double yield = Curve::breaks[0];
-    work_ = Tabulated<1>(
-                yield, [this](double x) { return std::array{Curve::force(x)}; }, Curve::breaks)
-                .integral(0.4 * yield * yield * std::sqrt(yield));
+    virgin_work_ =
+        Tabulated<1>(
+            yield, [this](double x) { return std::array{Curve::force(x)}; }, Curve::breaks)
+            .integral(0.4 * yield * yield * std::sqrt(yield));
     if (constants.energy_guard == 1) find_guarded();
     works_ = Tabulated<2>(
         yield, [this](double x) { return computed_works(x); }, Curve::breaks);
@@ -92,7 +93,7 @@ class PowerUnloading : public Curve, public LargestOverlap {
       return hertz_response(modulus_, radius_eff, overlap);
     }
     if (!(overlap > 0)) {
-      if (!(state.overlap_max > 0)) return {};  // the overlap is no number
+      if (!(state.overlap_max > 0)) return {};  // an overlap that is no number
       return {0, 0, 0, plastic_work(radius_eff, overlap_y, state.overlap_max)};
     }
     // Loading and unloading go two ways: the processor begins on the largest overlap of a contact
@@ -179,13 +180,15 @@ class PowerUnloading : public Curve, public LargestOverlap {
   }
 
   // The virgin curve's work up to x, over F_y overlap_y.
-  double virgin_work(double x) const { return work_.covers(x) ? work_(x)[0] : summed_work(x); }
+  double virgin_work(double x) const {
+    return virgin_work_.covers(x) ? virgin_work_(x)[0] : summed_work(x);
+  }
 
   // The same where no table reaches: Hertz's below the first break, and beyond the table's end
   // summed on panels that double in length.
   [[gnu::noinline, gnu::cold, gnu::pure]] double summed_work(double x) const {
     if (!(x > Curve::breaks[0])) return 0.4 * x * x * std::sqrt(x);
-    double left = work_.end(), sum = work_(left * (1 - 1e-15))[0];
+    double left = virgin_work_.end(), sum = virgin_work_(left * (1 - 1e-15))[0];
     while (left < x) {
       double right = std::min(2 * left, x);
       for (double edge : Curve::breaks)
@@ -258,8 +261,8 @@ class PowerUnloading : public Curve, public LargestOverlap {
   double modulus_;        // 4/3 E*
   double overlap_ratio_;  // overlap_y / R*
   std::array<Guarded, std::tuple_size_v<decltype(Curve::breaks)> + 2> guarded_{};
-  Tabulated<1, 9> work_;  // of the virgin curve, over F_y overlap_y
-  Tabulated<2> works_;    // it, and what unloading returns
+  Tabulated<1, 9> virgin_work_;  // of the virgin curve, over F_y overlap_y
+  Tabulated<2> works_;           // it, and what unloading returns
   Tabulated<quantities> loaded_;
 };
 
