@@ -224,7 +224,7 @@ def test_errors_of_a_law_are_those_of_what_was_swept():
     metal those of wide contacts, too."""
 
     def theory(**settings) -> Trust:
-        (found,) = trust(CentralImpact.theory(law=["thornton"], **settings).table)
+        (found,) = trust(CentralImpact.theory(law=["thornton"], **settings).table, {})
         return found
 
     yields = CentralImpact("thornton", 0.1, "aluminium_zv02", 0.1).yield_speed()
@@ -238,7 +238,7 @@ def test_errors_of_a_law_are_those_of_what_was_swept():
     assert theory(speed=[0.5 * yields]).validated == unknown
     table = CentralImpact.theory(law=["thornton"], speed=[2 * yields]).table
     for wrong in ({"material": "mine"}, {"material": "steel"}):
-        (found,) = trust(table.assign(**wrong))
+        (found,) = trust(table.assign(**wrong), {})
         assert (found.validated, found.unread) == (unknown, [wrong["material"]])
 
 

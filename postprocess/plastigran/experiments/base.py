@@ -117,6 +117,11 @@ class Experiment:
         found = {name: getattr(predicted, name, None) for name in (*self.quantities, "in_range")}
         return self.facts() | {name: value for name, value in found.items() if value is not None}
 
+    def materials(self) -> dict[str, Material]:
+        """The materials of its bodies, by name."""
+        values = (getattr(self, name) for name in declaration(type(self)))
+        return {value.name: value for value in values if isinstance(value, Material)}
+
     # Running one.
 
     def execute(

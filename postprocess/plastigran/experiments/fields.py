@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from typing import Any
 
 import attrs
@@ -85,6 +86,24 @@ def law_options(law: str, text: str | None) -> dict[str, str]:
         if choice not in choices[name]:
             raise ValueError(f"{name} is {choice}; it must be {', '.join(choices[name])}")
     return chosen
+
+
+def having_options(names: Iterable[str], text: str | None) -> list[str]:
+    """Those of some laws that have each option of a text, and so take it.
+
+    Args:
+        names: Of the laws.
+        text: As for `law_options`.
+
+    Raises:
+        ValueError: No law has them, or one that has an option not that choice of it.
+    """
+    named = [names] if isinstance(names, str) else list(names)
+    asked = set((text or "").split()[::2])
+    having = [name for name in named if asked <= {o["name"] for o in laws.LAWS[name].options()}]
+    for name in having or named:
+        law_options(name, text)
+    return having
 
 
 def check_overlap(case: Any, overlap: float, radius: float, limit: float, radii: str) -> None:

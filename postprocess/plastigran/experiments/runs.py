@@ -25,6 +25,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
     from plastigran.experiments.base import Experiment
+    from plastigran.materials import Material
 
 #: The results table in a sweep's folder.
 TABLE = "impacts.csv"
@@ -133,8 +134,8 @@ def sweep(
         force: Overwrite the results of an earlier sweep in `folder`.
 
     Raises:
-        ValueError: There is no case, `jobs` is out of range, or `folder` holds results or is
-            that of a sweep that runs.
+        ValueError: There is no case, `jobs` is out of range, two materials have one name, or
+            `folder` holds results or is that of a sweep that runs.
         EngineError: There is no engine.
         EngineError, ValueError: From the first case that failed; the others' rows are written
             before it is raised.
@@ -144,6 +145,7 @@ def sweep(
         raise ValueError("there is no case to run")
     if jobs is not None and not (isinstance(jobs, int) and jobs >= 1):
         raise ValueError(f"jobs is {jobs!r}; it must be 1 or more")
+    _materials(cases)
     made_with = versions()  # raises where there is no engine, before anything is removed
     with claim(folder, force):
         _write_study(folder, cases, settings or {}, made_with)
@@ -246,9 +248,26 @@ def _write_study(
         "cases": len(cases),
         "by_theory": by_theory,
         "settings": {name: _plain(value) for name, value in settings.items()},
+        "materials": {name: each.variables() for name, each in _materials(cases).items()},
         "versions": made_with,
     }
     (folder / STUDY).write_text(json.dumps(said, indent=2) + "\n")
+
+
+def _materials(cases: Iterable[Experiment]) -> dict[str, Material]:
+    """Of all bodies, by name.
+
+    Raises:
+        ValueError: Two differ that have one name, by which tables know them.
+    """
+    found: dict[str, Material] = {}
+    for case in cases:
+        for name, material in case.materials().items():
+            if found.setdefault(name, material) != material:
+                raise ValueError(
+                    f"two materials are named {name}; give their files different names"
+                )
+    return found
 
 
 def _plain(value: Any) -> Any:

@@ -11,12 +11,13 @@ import pandas as pd
 from plastigran import laws
 
 #: Columns that are left out where they hold one value only.
-VARIED = ("geometry", "radius", "wall")
+VARIED = ("geometry", "radius", "wall", "options")
 #: Names and units of columns, as heads of two lines.
 HEADS = {
     "material": "material",
     "law": "law",
     "wall": "wall",
+    "options": "options",
     "geometry": "geometry",
     "radius": "radius\nm",
     "angle": "angle\ndeg",

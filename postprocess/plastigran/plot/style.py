@@ -21,11 +21,12 @@ STYLE = {
     "legend.frameon": False,
     "svg.hashsalt": "plastigran",
 }
-# Colours apart for colour-blind eyes (Okabe & Ito, then Tol's muted); `law_number` has a law's.
-COLOURS = ["#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#000000", "#7F7F7F"]
+# Colours apart for colour-blind eyes (Okabe & Ito, then Tol's muted), one for each law of a shape,
+# and grey; `law_number` has a law's.
+COLOURS = ["#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#000000", "#DC267F"]
 COLOURS += ["#882255", "#999933", "#332288", "#44AA99", "#661100", "#AA4499"]
-COLOURS += ["#117733"]
-MARKERS = "osD^vPX<>dph*8H"
+COLOURS += ["#117733", "#7F7F7F"]
+MARKERS = "osD^vPX<>dph*8H."
 
 
 def title(name: str) -> str:
@@ -41,14 +42,20 @@ def title(name: str) -> str:
 
 
 def law_number(law: str) -> int:
-    """The place of a law's colour and marker in `COLOURS` and `MARKERS`: in every figure the same.
-    One that this package does not have is grey."""
+    """The place of a law's colour and marker in `COLOURS` and `MARKERS`: in every figure the same,
+    apart from those of other laws for its shape of bodies. One that this package does not have is
+    grey."""
     from plastigran import laws  # compiled: figures without laws do not wait for it
 
     if law not in laws.LAWS:
-        return COLOURS.index("#7F7F7F")
+        return len(COLOURS) - 1
     alike = sorted(name for name, each in laws.LAWS.items() if each.shape == laws.LAWS[law].shape)
-    return alike.index(law) % len(COLOURS)
+    return alike.index(law)
+
+
+def law_colour(law: str) -> str:
+    """A law's colour; see `law_number`."""
+    return COLOURS[law_number(law)]
 
 
 def styled(changes: Mapping[str, object] | None = None) -> AbstractContextManager[None]:

@@ -11,7 +11,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from plastigran.calibration.expected_errors import KINDS
-from plastigran.plot.style import COLOURS, MARKERS, law_number, styled, subplots, title
+from plastigran.plot.style import COLOURS, MARKERS, law_colour, styled, subplots, title
 from plastigran.validation import oblique
 
 COLUMNS = 5  # of panels
@@ -57,7 +57,7 @@ def rebound_figure(rebounds: pd.DataFrame) -> Figure:
     with styled():
         figure, (left, right) = subplots(1, 2, figsize=(10.4, 4.6))
         for k, (name, part) in enumerate(rebounds.groupby("law")):
-            line = {"color": COLOURS[law_number(name)], "ls": "-" if k < 7 else "--", "lw": 1.2}
+            line = {"color": law_colour(name), "ls": "-" if k < 7 else "--", "lw": 1.2}
             left.plot(part["HV"], part["restitution"], **line)
             right.plot(part["HV"], 100 * part["error"], label=title(name), **line)
         table = part.assign(measured=part["HLD"] / 1000)

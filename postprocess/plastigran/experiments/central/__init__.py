@@ -1,16 +1,17 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Central impacts of spheres: on a rigid plane, on a mesh, and of two equal ones."""
+"""Central impacts of spheres: on a plane, on a mesh, and of two equal ones."""
 
 from __future__ import annotations
 
 from collections.abc import Callable
 from math import nan, pi
 from pathlib import Path
-from typing import TYPE_CHECKING, ClassVar
+from typing import TYPE_CHECKING, Any, ClassVar
 
 import attrs
 import numpy as np
 import pandas as pd
+from attrs import evolve
 
 from plastigran import laws
 from plastigran.declared import number, word
@@ -20,6 +21,7 @@ from plastigran.experiments.fields import (
     SPHERE_OVERLAP,
     Flag,
     check_overlap,
+    having_options,
     law_field,
     law_options,
     options_field,
@@ -32,8 +34,14 @@ from plastigran.physics import central
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-#: Decks and how many bodies take part; the other body of one is a rigid wall.
+#: Decks and how many bodies take part; the other body of one is a wall.
 GEOMETRIES = {"sphere_wall": 1, "sphere_mesh": 1, "two_spheres": 2}
+
+#: Words for what a sphere hits that is no wall of a metal: a wall without yield, another sphere.
+WALLS = ("rigid", "none")
+
+#: Laws of a flat that a hard ball dents; of the others, a ball that flattens.
+INDENTATION = ("kogut_komvopoulos", "ye_komvopoulos")
 
 #: Speeds that take the paper's sphere (aluminium_zv02, 0.1 m) to 120 yield speeds [m/s].
 PAPER_SPEEDS = (0.0005, 0.001, 0.002, 0.005, 0.01, 0.02, 0.06, 0.1, 0.2)
@@ -111,6 +119,13 @@ class CentralImpact(Experiment):
         return laws.combine(body, body if self.bodies == 2 else wall)
 
     @property
+    def wall_name(self) -> str:
+        """The wall's metal, or a word of `WALLS`."""
+        if self.bodies == 2:
+            return "none"
+        return self.wall.name if self.wall is not None else "rigid"
+
+    @property
     def wall_yields(self) -> bool:
         """Whether the wall is dented before the sphere flattens."""
         if self.wall is None:
@@ -118,6 +133,12 @@ class CentralImpact(Experiment):
         return laws.combine(self.wall.body(), RIGID).yield_pressure < (
             laws.combine(self.material.body(), RIGID).yield_pressure
         )
+
+    @property
+    def law_is_of_dents(self) -> bool:
+        """Whether the law, with its options, is of a flat that a hard ball dents."""
+        chosen = law_options(self.law, self.options).get("yielding")
+        return self.law in INDENTATION or (self.law == "universal" and chosen == "flat")
 
     @property
     def radius_eff(self) -> float:
@@ -147,7 +168,9 @@ class CentralImpact(Experiment):
 
     @property
     def label(self) -> str:
-        return f"{self.geometry}_{self.material.name}_{self.law}"
+        return run_label(
+            self.geometry, self.material.name, self.law, self.wall_name, self.options or "default"
+        )
 
     @property
     def timestep(self) -> float:
@@ -191,10 +214,12 @@ class CentralImpact(Experiment):
 
     def facts(self) -> dict[str, object]:
         said = super().facts()
-        named = ["geometry", "material", "law", "radius", "speed"]
-        named += [name for name in ("wall", "options") if said[name] is not None]
         ratio = self.speed / self.yield_speed() if laws.LAWS[self.law].yields else nan
-        return {name: said[name] for name in named} | {"speed_ratio": ratio}
+        return {name: said[name] for name in ("geometry", "material", "law", "radius", "speed")} | {
+            "wall": self.wall_name,
+            "options": self.options or "default",
+            "speed_ratio": ratio,
+        }
 
     def notes(self, measured: CollisionOutcome, predicted: CollisionOutcome) -> dict[str, object]:
         step = self.timestep
@@ -202,17 +227,32 @@ class CentralImpact(Experiment):
         return {"in_range": predicted.in_range, "timestep": step, "steps": steps}
 
     @classmethod
+    def cases(cls, **settings: Any) -> list[CentralImpact]:
+        """The plan of a study; options go to the laws that have them.
+
+        Raises:
+            ValueError: As for `plan`, or none of the laws has an option.
+        """
+        options = settings.pop("options", None)
+        takers = having_options(settings["law"], options)
+        plan = cls.plan(**settings)
+        if not options:
+            return plan
+        return [evolve(case, options=options) if case.law in takers else case for case in plan]
+
+    @classmethod
     def summary(cls, runs: Runs) -> str:
         dented = dict.fromkeys(
-            f"{case.material.name} on {case.wall.name}"
+            f"{case.material.name} on {case.wall_name}"
             for case in runs.outcomes
-            if case.wall_yields and case.law == "universal" and not case.options
+            if case.wall_yields and not case.law_is_of_dents
         )
         said = [super().summary(runs), *_arrangement(runs)]
         if dented:
             said.append(
-                f"{', '.join(dented)}: the wall is dented, the ball does not flatten. Run "
-                "universal by itself with --options 'yielding flat', and give the wall its "
+                f"{', '.join(dented)}: the wall is dented, the ball does not flatten. universal "
+                f"with --options 'yielding flat' is for that, {' and '.join(INDENTATION)} are fits "
+                "to indentations, the other laws are of balls that flatten. Give the wall its "
                 "rate_coefficient (docs/rate_factor.md)"
             )
         return "\n".join(said)
@@ -227,11 +267,23 @@ class CentralImpact(Experiment):
         }
 
 
+def run_label(
+    geometry: str, material: str, law: str, wall: str = "rigid", options: str = "default"
+) -> str:
+    """Name of an impact's folder, behind its number, from what its row in the table says."""
+    said = [geometry, material, law]
+    said += [] if wall in WALLS else ["on", wall]
+    said += [] if options == "default" else options.split()
+    return "_".join(said)
+
+
 def _arrangement(runs: Runs) -> list[str]:
-    """What spheres hit what, where it is the same for all: the table has what varies."""
+    """What spheres hit what, and with which options, where the table does not have it."""
     radii = {case.radius for case in runs.outcomes}
-    walls = {case.wall.name if case.wall else "a rigid wall" for case in runs.outcomes}
-    if len(radii) > 1 or len(walls) > 1:
-        return []
-    on = f", on {walls.pop()}" if all(case.bodies == 1 for case in runs.outcomes) else ""
-    return [f"spheres of radius {radii.pop():g} m{on}"]
+    walls = {case.wall_name for case in runs.outcomes}
+    said = []
+    if len(radii) == len(walls) == 1:
+        wall = walls.pop()
+        on = {"none": "", "rigid": ", on a rigid wall"}.get(wall, f", on {wall}")
+        said.append(f"spheres of radius {radii.pop():g} m{on}")
+    return said

@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from importlib.resources import files
 
 import matplotlib
@@ -25,6 +25,9 @@ Collisions = Mapping[CentralImpact, CollisionOutcome]
 #: Loops in a panel.
 LOOPS = 5
 
+#: Units of force, and how many of each are in a newton.
+FORCES = {"kN": 1e-3, "N": 1.0, "mN": 1e3, "µN": 1e6, "nN": 1e9, "pN": 1e12}
+
 
 def finite_elements() -> pd.DataFrame:
     """Peak force and restitution from the paper's finite elements; see the file's head."""
@@ -44,9 +47,9 @@ def restitution_figure(collisions: Collisions, by_theory: bool = False) -> Figur
         curves = _curves(collisions)
         crowded = len(curves) > 6
         figure, axes = subplots(figsize=(8.6 if crowded else 6.4, 4.6))
-        bodies = list(dict.fromkeys(_bodies(impact) for impact in collisions))
-        for (law, body, name), runs in curves.items():
-            shade, style = law_number(law), bodies.index(body)
+        settings = list(dict.fromkeys(_setting(impact) for impact in collisions))
+        for (law, setting, name), runs in curves.items():
+            shade, style = law_number(law), settings.index(setting)
             colour, marker = COLOURS[shade], MARKERS[shade]
             speeds = [impact.speed for impact, _ in runs]
             line = np.geomspace(speeds[0] / 1.3, speeds[-1] * 1.3, 200)
@@ -73,6 +76,7 @@ def restitution_figure(collisions: Collisions, by_theory: bool = False) -> Figur
         place = {"loc": "center left", "bbox_to_anchor": (1, 0.5)} if crowded else {"loc": "best"}
         said = None if by_theory else "points: LIGGGHTS, lines: theory"
         axes.legend(title=said, fontsize="small", title_fontsize="small", **place)
+        figure.suptitle(_common(collisions), fontsize=10)
     return figure
 
 
@@ -81,16 +85,19 @@ def _is_of_paper(impact: CentralImpact) -> bool:
     return given == ("aluminium_zv02", 0.1, None, None)
 
 
-def _bodies(impact: CentralImpact) -> tuple[Material, float, str, Material | None]:
-    return impact.material, impact.radius, impact.geometry, impact.wall
+def _setting(impact: CentralImpact) -> tuple[Material, float, str, Material | None, str | None]:
+    """All of an impact but its law and speed."""
+    return impact.material, impact.radius, impact.geometry, impact.wall, impact.options
 
 
 def _curves(
     collisions: Collisions,
 ) -> dict[tuple[str, tuple, str], list[tuple[CentralImpact, CollisionOutcome]]]:
-    """Impacts of one law and pair of bodies, by speed; their name says what sets them apart."""
-    bodies = zip(*map(_bodies, collisions), strict=True)
-    materials, radii, geometries, walls = map(set, bodies)
+    """Impacts of one law and setting, by speed; their name says what sets them apart."""
+    materials, radii, geometries, walls, _ = map(set, zip(*map(_setting, collisions), strict=True))
+    chosen: dict = {}
+    for impact in collisions:
+        chosen.setdefault(impact.law, set()).add(impact.options)
     found: dict = {}
     for impact, collision in sorted(collisions.items(), key=lambda run: (run[0].law, run[0].speed)):
         name = [title(impact.law)]
@@ -100,11 +107,27 @@ def _curves(
             name.append(f"{impact.radius:g} m")
         if len(geometries) > 1:
             name.append(impact.geometry.replace("_", " "))
-        if len(walls) > 1:
-            name.append(f"on {title(impact.wall.name) if impact.wall else 'rigid'}")
-        key = (impact.law, _bodies(impact), ", ".join(name))
+        if len(walls) > 1 and impact.bodies == 1:
+            name.append(f"on {title(impact.wall.name) if impact.wall else 'a rigid wall'}")
+        if impact.options or len(chosen[impact.law]) > 1:
+            name.append(impact.options or "default")
+        key = (impact.law, _setting(impact), ", ".join(name))
         found.setdefault(key, []).append((impact, collision))
     return found
+
+
+def _common(impacts: Iterable[CentralImpact]) -> str:
+    """What all impacts share, in words."""
+    material, radius, geometry, wall, _ = map(set, zip(*map(_setting, impacts), strict=True))
+    said = [f"{title(one.name)}" for one in material if len(material) == 1]
+    said += [f"radius {one:g} m" for one in radius if len(radius) == 1]
+    if geometry == {"two_spheres"}:
+        said.append("two spheres")
+    elif "two_spheres" not in geometry:
+        said += [
+            f"on {title(one.name) if one else 'a rigid wall'}" for one in wall if len(wall) == 1
+        ]
+    return ", ".join(said)
 
 
 def _theory(model: CentralImpact, speeds: np.ndarray) -> np.ndarray:
@@ -138,10 +161,12 @@ def _plain_ticks(axes: Axes) -> None:
 
 
 def loops_figure(collisions: Collisions) -> Figure:
-    """Force over overlap, one panel a law and pair of bodies, one loop a speed: the `LOOPS`
+    """Force over overlap, one panel a law and setting, one loop a speed: the `LOOPS`
     fastest, the rest are too small to see beside them."""
     curves = _curves(collisions)
-    like = len({body for _, body, _ in curves}) == 1
+    peak = max(collision.force_max for collision in collisions.values())
+    unit, factor = next((unit, size) for unit, size in FORCES.items() if peak * size >= 1)
+    like = len({setting[:-1] for _, setting, _ in curves}) == 1
     with styled():
         columns = min(len(curves), 4)
         rows = -(-len(curves) // columns)
@@ -163,13 +188,13 @@ def loops_figure(collisions: Collisions) -> Figure:
                 touching = loop[loop["overlap"] >= 0]
                 axes.plot(
                     touching["overlap"] * 1e6,
-                    touching["force"] / 1e3,
+                    touching["force"] * factor,
                     color=shade,
                     label=f"{impact.speed:.3g} m/s",
                 )
             axes.set_title(name, fontsize=10)
         for axes in panels[:, 0]:
-            axes.set_ylabel("normal force (kN)")
+            axes.set_ylabel(f"normal force ({unit})")
         lowest = panels.flat[max(len(curves) - columns, 0) : len(curves)]  # of each column
         for axes in lowest if like else panels.flat[: len(curves)]:
             axes.tick_params(labelbottom=True)
@@ -180,6 +205,8 @@ def loops_figure(collisions: Collisions) -> Figure:
             if labels != said:  # else it has the speeds of the panel before
                 axes.legend(handles, labels, loc="upper left", fontsize=8)
             said = labels
+        said = [_common(collisions)]
         if (speeds := max(map(len, curves.values()))) > LOOPS:
-            figure.suptitle(f"the {LOOPS} fastest of {speeds} speeds", fontsize=10)
+            said.append(f"the {LOOPS} fastest of {speeds} speeds")
+        figure.suptitle("; ".join(filter(None, said)), fontsize=10)
     return figure

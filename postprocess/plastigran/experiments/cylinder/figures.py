@@ -17,7 +17,7 @@ from plastigran.experiments.cylinder.study import (
     FINITE_ELEMENTS_OVERLAP_RES,
     study,
 )
-from plastigran.plot.style import COLOURS, styled, subplots, title
+from plastigran.plot.style import law_colour, styled, subplots, title
 
 
 @dataclass(frozen=True)
@@ -88,7 +88,8 @@ def comparison_figure() -> Figure:
     table = study([at["radius"]], np.linspace(0.01, 1.2, 120) * at["speed"], at["length_ratio"])
     with styled():
         figure, (left, right) = subplots(1, 2, figsize=(8.2, 3.4))
-        for colour, (law, rows) in zip(COLOURS, table.groupby("law"), strict=False):
+        for law, rows in table.groupby("law"):
+            colour = law_colour(law)
             left.plot(rows["speed"], rows["overlap_res"] * 1e6, color=colour, label=title(law))
             right.plot(rows["speed"], rows["coefficient_of_restitution"], color=colour)
         left.plot(

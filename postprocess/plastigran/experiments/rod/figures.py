@@ -11,7 +11,15 @@ from matplotlib.figure import Figure
 from plastigran.experiments.rod import RodImpact
 from plastigran.experiments.rod.paper import PAPER_RESTITUTION, MeasuredRun, paper_rods
 from plastigran.physics.rod import RodOutcome
-from plastigran.plot.style import COLOURS, MARKERS, styled, subplots, title
+from plastigran.plot.style import (
+    COLOURS,
+    MARKERS,
+    law_colour,
+    law_number,
+    styled,
+    subplots,
+    title,
+)
 
 MEASURED = MeasuredRun()
 #: Engine points drawn of a motion.
@@ -155,11 +163,11 @@ def _grid(table: pd.DataFrame, rows: int) -> tuple[Figure, np.ndarray]:
 
 def _curves(axes: Axes, table: pd.DataFrame, angle: float, column: str, scale: float) -> None:
     """Points from the engine; lines through what the equations of motion give at their speeds."""
-    for shade, law in enumerate(sorted(table["law"].unique())):
+    for law in sorted(table["law"].unique()):
         rows = table[(table["law"] == law) & (table["angle"] == angle)].sort_values("speed")
         if not rows[column].any():
             continue  # an elastic contact leaves no dent
-        colour, marker = COLOURS[shade % len(COLOURS)], MARKERS[shade % len(MARKERS)]
+        colour, marker = law_colour(law), MARKERS[law_number(law)]
         axes.plot(rows["speed"], rows[f"{column}_predicted"] * scale, color=colour, lw=1)
         axes.plot(
             rows["speed"],

@@ -12,7 +12,7 @@ from plastigran.fem.sphere.fields import at_vertices
 from plastigran.fem.stepping.snapshot import YIELDED, Snapshot
 from plastigran.papers.kp10.computations import KINDS, LAWS, SHOWN, Computed, Key
 from plastigran.plot.fields import draw_field
-from plastigran.plot.style import COLOURS, styled, subplots, title
+from plastigran.plot.style import COLOURS, law_colour, styled, subplots, title
 
 MICRO = 1e6
 LEVELS = np.linspace(0, 1, 11)  # of von Mises stress over the flow stress
@@ -33,14 +33,14 @@ def restitution_figure(found: Computed) -> Figure:
     with styled():
         figure, grid = subplots(1, len(ratios), figsize=(4.4 * len(ratios), 3.6), squeeze=False)
         for axes, ratio in zip(grid[0], ratios, strict=True):
-            for law, colour in zip(LAWS, COLOURS, strict=False):
+            for law in LAWS:
                 runs = sorted(
                     (v, run)
                     for (r, v, name), run in found.runs.items()
                     if (r, name) == (ratio, law)
                 )
                 values = [run.coefficient_of_restitution for _, run in runs]
-                axes.plot([v for v, _ in runs], values, color=colour, label=title(law))
+                axes.plot([v for v, _ in runs], values, color=law_colour(law), label=title(law))
             marks = {
                 ("normal", "layer"): ("ko", "finite elements, 100 µm"),
                 ("normal", "thick"): ("k^", "no wave comes back"),

@@ -19,7 +19,7 @@ from plastigran.papers.zv02.computations import (
     Computed,
 )
 from plastigran.papers.zv02.tables import nodal_swing
-from plastigran.plot.style import COLOURS, styled, subplots, title
+from plastigran.plot.style import COLOURS, law_colour, styled, subplots, title
 
 GREY = "0.45"  # of what does not yield
 
@@ -29,7 +29,8 @@ def restitution_figure(computed: Computed) -> Figure:
     speeds = np.geomspace(SPHERE.yield_speed, 1.2 * max(computed.throws), 150)
     with styled():
         figure, axes = subplots(figsize=(7.6, 4.6))
-        for colour, name in zip(COLOURS, LAWS, strict=False):
+        for name in LAWS:
+            colour = law_colour(name)
             impact = laws.LAWS[name](PAIR).central_impact(RADIUS, MASS, speeds)
             axes.plot(speeds, impact.coefficient_of_restitution, color=colour, label=title(name))
             table = computed.runs.table
@@ -69,7 +70,7 @@ def collisions_figure(computed: Computed) -> Figure:
             1, len(speeds), figsize=(2.6 * len(speeds) + 0.4, 3.4), squeeze=False
         )
         for axes, speed in zip(panels[0], speeds, strict=True):
-            for colour, law in ((GREY, "hertz"), (COLOURS[0], LAWS[0])):
+            for colour, law in ((GREY, "hertz"), (law_colour(LAWS[0]), LAWS[0])):
                 loop = outcomes[law, speed].loop
                 before = loop[loop["force"] == 0].iloc[0]  # it flies at the plane
                 touch = before["time"] - before["overlap"] / before["speed"]
@@ -100,12 +101,12 @@ def loops_figure(pressing: Pressing) -> Figure:
         figure, panels = subplots(1, 2, figsize=(8.6, 3.8), width_ratios=(1, 1))
         middle = len(tops) // 2
         for axes, shown in zip(panels, (tops[: middle + 1], tops), strict=True):
-            for colour, name in zip(COLOURS, LAWS[:4], strict=False):
+            for name in LAWS[:4]:
                 law = laws.LAWS[name](PAIR)
                 up = np.linspace(0, shown[-1], 400)
                 path = np.concatenate([up, up[::-1]])
                 force = law.follow(RADIUS, path)["force"]
-                axes.plot(1e6 * path, force / 1e3, color=colour, lw=1, label=title(name))
+                axes.plot(1e6 * path, force / 1e3, color=law_colour(name), lw=1, label=title(name))
             history = pressing.history[pressing.history["branch"] < 2 * len(shown)]
             axes.plot(
                 1e6 * history["approach"],
@@ -127,13 +128,13 @@ def contact_radius_figure(pressing: Pressing) -> Figure:
     overlap = np.linspace(0, 1.6 * loading["approach"].max(), 4000)
     with styled():
         figure, axes = subplots(figsize=(6.4, 4.2))
-        for colour, name in zip(COLOURS, LAWS, strict=False):
+        for name in LAWS:
             answer = laws.LAWS[name](PAIR).follow(RADIUS, overlap)
             shown = answer["force"] <= force[-1]
             axes.plot(
                 answer["force"][shown] / 1e3,
                 1e3 * answer["contact_radius"][shown],
-                color=colour,
+                color=law_colour(name),
                 lw=1,
                 label=title(name),
             )

@@ -11,15 +11,17 @@ import pandas as pd
 import plotly.graph_objects as go
 
 from plastigran.engine.dumps import DumpError, TruncatedFileWarning, read_dump
-from plastigran.experiments.central import GEOMETRIES
+from plastigran.experiments.central import GEOMETRIES, run_label
 from plastigran.experiments.collision import CollisionError, force_overlap_loop
 from plastigran.plot.style import title
 from plastigran.report.page.charts import Chart, chart_name, figure, line, of_law
 from plastigran.report.page.names import scale
-from plastigran.report.page.sweep_charts import said_of
+from plastigran.report.page.sweep_charts import APART, said_of
 
 #: Share by which radii and speeds are told apart; trajectories have 17 digits.
 DIGITS = 1e-9
+#: What the name of a run's folder tells.
+LABELLED = ("geometry", "material", "law", "wall", "options")
 #: Points a loop is drawn with at most.
 LOOP_POINTS = 80
 
@@ -31,7 +33,7 @@ def loops_chart(name: str, folder: Path, table: pd.DataFrame) -> tuple[Chart | N
     damaged: list[Exception] = []
     if not {"geometry", "law", "speed", "material", "radius"} <= set(table):
         return None, []
-    apart = [name for name in ("geometry", "material", "radius") if table[name].nunique() > 1]
+    apart = [name for name in APART if name in table and table[name].nunique() > 1]
     for run in sorted(folder.glob("runs/*/trajectory.dump")):
         try:
             found = _loop(run, table)
@@ -46,9 +48,7 @@ def loops_chart(name: str, folder: Path, table: pd.DataFrame) -> tuple[Chart | N
     if not loops:
         return None, missing
     views = {
-        ", ".join(
-            said_of(name, value) for name, value in zip(("speed", *apart), key, strict=True)
-        ): _loops(loops[key])
+        ", ".join(filter(None, map(said_of, ("speed", *apart), key))): _loops(loops[key])
         for key in sorted(loops)
     }
     names = list(views)
@@ -71,8 +71,9 @@ def _loop(trajectory: Path, table: pd.DataFrame) -> tuple[pd.Series, pd.DataFram
     Raises:
         CollisionError, DumpError, TruncatedFileWarning: The trajectory is damaged.
     """
-    label = trajectory.parent.name
-    rows = table[[label.endswith(f"{r.geometry}_{r.material}_{r.law}") for r in table.itertuples()]]
+    label = trajectory.parent.name.partition("_")[2]
+    told = table[[name for name in LABELLED if name in table]].astype(str)
+    rows = table[[run_label(**row) == label for row in told.to_dict("records")]]
     with warnings.catch_warnings():
         warnings.simplefilter("error", TruncatedFileWarning)
         motion = read_dump(trajectory)

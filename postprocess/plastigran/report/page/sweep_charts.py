@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from itertools import cycle
 
 import numpy as np
@@ -10,21 +11,39 @@ import pandas as pd
 import plotly.graph_objects as go
 
 from plastigran import laws
-from plastigran.experiments.central import GEOMETRIES, CentralImpact
-from plastigran.materials import read_material
+from plastigran.experiments.central import GEOMETRIES, WALLS, CentralImpact
+from plastigran.materials import Material
 from plastigran.plot.style import title
 from plastigran.report.page.charts import Chart, chart_name, decades, figure, line, of_law, points
 from plastigran.report.page.names import PREDICTED, scale, words
 
 #: Speeds of a line of theory.
 FINE = 60
+#: What sets curves of a law apart.
+APART = (
+    "material",
+    "wall",
+    "options",
+    "geometry",
+    "radius",
+    "angle",
+    "coefficient_of_friction",
+)
 #: Of theory where there is no line.
 DASH = {"symbol": "line-ew", "size": 22}
 
 
-def measured_chart(name: str, table: pd.DataFrame) -> Chart | None:
+def measured_chart(
+    name: str, table: pd.DataFrame, materials: Mapping[str, Material]
+) -> Chart | None:
     """Every quantity that theory has too, over speed or angle: points measured in the engine,
-    lines of theory. None of a table without such curves."""
+    lines of theory. None of a table without such curves.
+
+    Args:
+        name: Of the section.
+        table: Of the impacts.
+        materials: As for `central_case`.
+    """
     abscissa = _abscissa(table)
     quantities = [
         column
@@ -36,7 +55,7 @@ def measured_chart(name: str, table: pd.DataFrame) -> Chart | None:
     groups = _groups(table, abscissa)
     if any(rows[abscissa].duplicated().any() for rows in groups.values()):
         return None  # something else varies: no curve
-    theory = {key: _theory(rows, abscissa) for key, rows in groups.items()}
+    theory = {key: _theory(rows, abscissa, materials) for key, rows in groups.items()}
     views = {
         words(quantity).capitalize(): _measured(groups, theory, quantity, abscissa)
         for quantity in quantities
@@ -56,7 +75,7 @@ def measured_chart(name: str, table: pd.DataFrame) -> Chart | None:
 def _abscissa(table: pd.DataFrame) -> str | None:
     """The case's number that varies most; where none does, the word."""
     numbers = [name for name in ("speed", "angle", "incident_angle", "radius") if name in table]
-    words = [name for name in ("geometry", "material", "wall") if name in table]
+    words = [name for name in ("geometry", "material", "wall", "options") if name in table]
     varied = [name for name in numbers + words if table[name].nunique() > 1]
     most = max(
         (name for name in varied if name in numbers), key=lambda n: table[n].nunique(), default=None
@@ -67,14 +86,13 @@ def _abscissa(table: pd.DataFrame) -> str | None:
 def _groups(table: pd.DataFrame, abscissa: str) -> dict[tuple[str, str], pd.DataFrame]:
     """Rows of a curve, by law and by what else sets the curve apart."""
     apart = [
-        name
-        for name in ("material", "wall", "geometry", "radius", "angle", "coefficient_of_friction")
-        if name in table and name != abscissa and table[name].nunique() > 1
+        name for name in APART if name in table and name != abscissa and table[name].nunique() > 1
     ]
     law = table["law"] if "law" in table else pd.Series("", table.index)
     found = {}
     for key, rows in table.groupby([law, *(table[name] for name in apart)], sort=True):
-        others = ", ".join(said_of(name, value) for name, value in zip(apart, key[1:], strict=True))
+        said = (said_of(name, value) for name, value in zip(apart, key[1:], strict=True))
+        others = ", ".join(filter(None, said))
         found[str(key[0]), others] = rows.sort_values(abscissa)
     return found
 
@@ -94,9 +112,10 @@ def _dashes_said(groups: dict) -> str:
 
 def said_of(name: str, value: object) -> str:
     """A value of a case in words, with its unit."""
+    if name == "wall":
+        return {"none": "", "rigid": "on a rigid wall"}.get(str(value), f"on {title(str(value))}")
     if isinstance(value, str):
-        shown = title(value) if name in ("material", "wall") else value.replace("_", " ")
-        return f"on {shown}" if name == "wall" else shown
+        return title(value) if name == "material" else value.replace("_", " ")
     found = scale(name, [value])
     space = "" if found.unit == "°" else " "
     shown = f"{value * found.factor:.3g}{space}{found.unit}".strip()
@@ -152,11 +171,11 @@ def _along(values: pd.Series, factor: float) -> pd.Series:
     return values * factor if values.dtype.kind in "if" else values.str.replace("_", " ")
 
 
-def _theory(rows: pd.DataFrame, abscissa: str) -> pd.DataFrame:
+def _theory(rows: pd.DataFrame, abscissa: str, materials: Mapping[str, Material]) -> pd.DataFrame:
     """Theory at many speeds, or where it cannot be had again, what the table has of it."""
     if abscissa != "speed" or len(rows) < 2:
         return rows
-    case = central_case(rows.iloc[-1])
+    case = central_case(rows.iloc[-1], materials)
     if case is None:
         return rows
     speeds = np.unique(
@@ -168,19 +187,26 @@ def _theory(rows: pd.DataFrame, abscissa: str) -> pd.DataFrame:
     return pd.DataFrame({"speed": speeds, **fine})
 
 
-def central_case(row: pd.Series) -> CentralImpact | None:
+def central_case(row: pd.Series, materials: Mapping[str, Material]) -> CentralImpact | None:
     """The impact of a row of a table; None where it is another experiment's, or its material is not
-    at hand: it is a user's own, say, or another one of that name."""
+    at hand: it is a user's own, say, or another one of that name.
+
+    Args:
+        row: Of the table.
+        materials: That the sweep has recorded, by name; others are those at hand.
+    """
     if row.get("geometry") not in GEOMETRIES:
         return None
+    wall, options = row.get("wall"), row.get("options")
     try:
         case = CentralImpact(
             law=row["law"],
             speed=row["speed"],
-            material=read_material(row["material"]),
+            material=materials.get(row["material"], row["material"]),
             radius=row["radius"],
             geometry=row["geometry"],
-            **{name: row[name] for name in ("wall", "options") if isinstance(row.get(name), str)},
+            wall=None if wall in (*WALLS, None) else materials.get(wall, wall),
+            options=None if options == "default" else options,
         )
     except ValueError:
         return None

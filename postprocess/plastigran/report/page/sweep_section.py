@@ -4,21 +4,25 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Mapping
 from pathlib import Path
 
 import pandas as pd
 
 from plastigran.calibration.expected_errors import errors_table
+from plastigran.declared import declaration
 from plastigran.engine.log import LOG, find_error
+from plastigran.experiments.central import WALLS
 from plastigran.experiments.runs import STUDY, TABLE
 from plastigran.experiments.tables import HEADS
+from plastigran.materials import Material
 from plastigran.plot.style import title
 from plastigran.report.page.charts import chart_name
 from plastigran.report.page.collect import Results
 from plastigran.report.page.loop_chart import loops_chart
 from plastigran.report.page.names import number, words
 from plastigran.report.page.pictures import read_pictures
-from plastigran.report.page.sections import Section, cells, version_facts
+from plastigran.report.page.sections import Section, Table, cells, version_facts
 from plastigran.report.page.sweep_charts import measured_chart
 from plastigran.report.page.trust import Trust, trust, validation_chart, verification_chart
 
@@ -50,19 +54,19 @@ def make(results: Results, name: str) -> Section:
         )
     missing += _errors(runs)
     laws = sorted(table["law"].unique()) if "law" in table else []
-    trusted = trust(table)
+    materials, odd = _materials(study)
+    missing += odd
+    trusted = trust(table, materials)
     charts = []
     if len(table):
         loops, damaged = loops_chart(name, folder, table)
         missing += damaged
-        charts = [measured_chart(name, table), loops]
+        charts = [measured_chart(name, table, materials), loops]
         if "speed_ratio" in table and table["speed_ratio"].nunique() > 1:
             errors = errors_table()
             errors = errors[errors["law"].isin(laws)]
             charts.append(verification_chart(name, table))
-            if not {"wall", "options"} & set(table) or any(
-                any(t.validated.values()) for t in trusted
-            ):
+            if not _is_unusual(table) or any(any(t.validated.values()) for t in trusted):
                 charts.append(validation_chart(name, errors))
     drawn = {chart.name for chart in charts if chart}
     replaced = {figure for figure, kind in _CHARTED.items() if chart_name(name, kind) in drawn}
@@ -79,7 +83,7 @@ def make(results: Results, name: str) -> Section:
         facts=_facts(study, table, runs),
         charts=[chart for chart in charts if chart],
         pictures=pictures,
-        tables=[cells(table, f"All {len(table)} impacts", _heads(table))] if len(table) else [],
+        tables=[*_constants(materials), *_impacts(table)],
         trust=trusted,
         laws=laws,
     )
@@ -94,6 +98,45 @@ def _read_study(folder: Path) -> tuple[dict, list[str]]:
         return (study, []) if isinstance(study, dict) else ({}, [f"{STUDY} is no record."])
     except ValueError as error:
         return {}, [f"{STUDY} is damaged: {error}."]
+
+
+def _materials(study: dict) -> tuple[dict[str, Material], list[str]]:
+    """The materials that a sweep has recorded, and a sentence for each that cannot be read."""
+    found, odd = {}, []
+    recorded = study.get("materials")
+    for name, constants in recorded.items() if isinstance(recorded, dict) else ():
+        try:
+            found[name] = Material(name, **constants)
+        except (TypeError, ValueError) as error:
+            odd.append(f"{STUDY} has no whole {name}: {error}.")
+    return found, odd
+
+
+def _constants(materials: Mapping[str, Material]) -> list[Table]:
+    """A table of the materials' constants."""
+    if not materials:
+        return []
+    rows = [{"material": name} | each.variables() for name, each in materials.items()]
+    units = {name: said.unit for name, said in declaration(Material).items()}
+    units = {name: unit for name, unit in units.items() if unit not in ("", "-")}
+    table = pd.DataFrame(rows)
+    heads = {name: ", ".join(filter(None, (words(name), units.get(name, "")))) for name in table}
+    return [cells(table, "Constants of the materials", heads)]
+
+
+def _impacts(table: pd.DataFrame) -> list[Table]:
+    """The table of all impacts."""
+    return [cells(table, f"All {len(table)} impacts", _heads(table))] if len(table) else []
+
+
+def _is_unusual(table: pd.DataFrame) -> bool:
+    """Whether all impacts are on walls of metals or by options of their law."""
+    usual = pd.Series(True, table.index)
+    if "wall" in table:
+        usual &= table["wall"].isin(WALLS)
+    if "options" in table:
+        usual &= table["options"] == "default"
+    return not usual.any()
 
 
 def _errors(runs: list[Path]) -> list[str]:
@@ -123,7 +166,7 @@ def _facts(study: dict, table: pd.DataFrame, runs: list[Path]) -> dict[str, str]
         names = [title(str(law)) for law in sorted(table["law"].unique())]
         facts["law"] = ", ".join(names) if len(names) <= MOST_NAMED else f"{len(names)} laws"
     for name in ("geometry", "material", "wall", "options", "radius", "angle", "speed"):
-        if name not in table or table[name].isna().all():
+        if name not in table or table[name].isna().all() or set(table[name]) <= {"none", "default"}:
             continue
         values = table[name].unique()
         unit = {"radius": " m", "speed": " m/s", "angle": "°"}.get(name, "")

@@ -7,16 +7,19 @@ against finite elements of spheres, by what `plastigran validate` found.
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 import attrs
 import numpy as np
 import pandas as pd
 
 from plastigran.calibration.expected_errors import ExpectedError, expected_error
-from plastigran.experiments.central import CentralImpact
+from plastigran.experiments.central import WALLS, CentralImpact
+from plastigran.materials import Material
 from plastigran.plot.style import title
 from plastigran.report.page.charts import Chart, chart_name, decades, figure, of_law, points
 from plastigran.report.page.names import PREDICTED, words
-from plastigran.report.page.sweep_charts import central_case, law_range, leaves_range
+from plastigran.report.page.sweep_charts import APART, central_case, law_range, leaves_range
 
 QUANTITIES = ("coefficient_of_restitution", "force_max")
 #: Limits of the charts' axes of errors, powers of ten of a per cent.
@@ -34,7 +37,8 @@ class Trust:
         verified: By quantity, the largest difference of the runs from the law's theory.
         validated: By quantity, rms and largest error against finite elements at like speeds.
         unread: Materials in the way of that: their constants are not at hand.
-        beyond: Materials of which nothing is known, at speeds the finite elements do not reach.
+        beyond: Impacts of which nothing is known: at speeds that the finite elements do not reach,
+            on walls that are dented, by options of the law.
         until: Speed from which on the law was beyond its range [m/s].
         range: Its range in words.
     """
@@ -48,8 +52,13 @@ class Trust:
     range: str
 
 
-def trust(table: pd.DataFrame) -> list[Trust]:
-    """What is known of each law of a table of impacts, a sweep's."""
+def trust(table: pd.DataFrame, materials: Mapping[str, Material]) -> list[Trust]:
+    """What is known of each law of a table of impacts, a sweep's.
+
+    Args:
+        table: Of the impacts.
+        materials: As for `central_case`.
+    """
     if "law" not in table:
         return []
     left = leaves_range(table)
@@ -57,7 +66,7 @@ def trust(table: pd.DataFrame) -> list[Trust]:
         Trust(
             str(law),
             {name: _verified(rows, name) for name in QUANTITIES},
-            *_validated(rows),
+            *_validated(rows, materials),
             left.get(law),
             law_range(str(law)),
         )
@@ -73,27 +82,29 @@ def _verified(rows: pd.DataFrame, name: str) -> float | None:
 
 
 def _validated(
-    rows: pd.DataFrame,
+    rows: pd.DataFrame, materials: Mapping[str, Material]
 ) -> tuple[dict[str, tuple[float, float] | None], list[str], list[str]]:
     """Rms and largest error of a law by quantity, the largest of the bodies that yield; materials
-    that are not at hand, and those that nothing is known of."""
+    that are not at hand, and impacts that nothing is known of."""
     unknown = dict.fromkeys(QUANTITIES)
     if not {"speed_ratio", "material", "geometry", "radius"} <= set(rows):
         return unknown, [], []
     found, unread, beyond = [], [], []
-    bodies = [name for name in ("material", "geometry", "radius", "wall") if name in rows]
-    for (material, *others), body in rows.groupby(bodies, dropna=False):
+    apart = [name for name in APART if name in rows]
+    for values, body in rows.groupby(apart):
         if not body["speed_ratio"].max() >= 1:
             continue
-        case = central_case(body.loc[body["speed"].idxmax()])
+        of = dict(zip(apart, values, strict=True))
+        case = central_case(body.loc[body["speed"].idxmax()], materials)
         error = case and _expected(case, body["speed_ratio"])
         if error is None:
-            wall = [name for name in others[2:] if isinstance(name, str)]
-            unread.append(" or ".join([str(material), *wall]))
+            metals = [of["material"], *(w for w in [of.get("wall", "rigid")] if w not in WALLS)]
+            unread.append(" or ".join(map(str, metals)))
         elif error.restitution is None:
-            beyond.append(str(material))
+            beyond.append(_named(case))
         else:
             found.append(error)
+    unread, beyond = list(dict.fromkeys(unread)), list(dict.fromkeys(beyond))
     if unread or not found:
         return unknown, unread, beyond
     errors = {
@@ -102,6 +113,12 @@ def _validated(
     }
     largest = {name: tuple(map(max, zip(*each, strict=True))) for name, each in errors.items()}
     return largest, [], beyond
+
+
+def _named(case: CentralImpact) -> str:
+    """An impact's material, and the wall and options that are not the usual ones."""
+    wall = f" on {title(case.wall.name)}" if case.wall else ""
+    return f"{title(case.material.name)}{wall}{f', {case.options}' if case.options else ''}"
 
 
 def _expected(fastest: CentralImpact, ratios: pd.Series) -> ExpectedError:

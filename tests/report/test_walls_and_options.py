@@ -1,0 +1,95 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""A report on impacts that differ in wall, options and material: each has its curve, its loop and
+its errors."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pandas as pd
+import pytest
+
+from plastigran import collide
+from plastigran.experiments.central import CentralImpact
+from plastigran.materials import Material, read_material, write_material
+from plastigran.report.page.collect import collect
+from plastigran.report.page.render import make_section
+from plastigran.report.page.trust import trust
+
+pytestmark = pytest.mark.engine
+WALLS = (None, "steel")
+OPTIONS = (None, "yielding flat")
+
+
+def section(folder: Path):
+    (results,) = collect([folder])
+    return make_section(results, "run-0")
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory) -> Path:
+    """Zirconia on a rigid wall and on steel, which it dents."""
+    folder = tmp_path_factory.mktemp("walls")
+    fields = {"radius": 0.0025, "wall": WALLS, "options": OPTIONS}
+    collide("universal", [1, 3], "zirconia", folder=folder, **fields)
+    return folder
+
+
+def test_each_has_its_curve_and_its_loop(folder):
+    measured, loops = section(folder).charts[:2]
+    table = pd.read_csv(folder / "impacts.csv")
+    assert not table["wall"].isna().any() and not table["options"].isna().any()
+    names = [
+        f"Universal, {wall}, {options}"
+        for wall in ("on a rigid wall", "on Steel")
+        for options in ("default", "yielding flat")
+    ]
+    for quantity, view in measured.views.items():
+        assert [trace.name for trace in view.data[::2]] == names, quantity
+    forces = table.sort_values(["speed", "wall", "options"])["force_max"]
+    found = [max(trace.y) for view in loops.views.values() for trace in view.data]
+    assert len(loops.views) == len(found) == 8
+    # Every so many points are kept; a loop has 40 or more.
+    assert found == pytest.approx(list(forces), rel=0.03)
+
+
+def test_errors_are_claimed_for_the_usual_alone(folder):
+    (row,) = section(folder).trust
+    assert row.beyond == [
+        "Zirconia, yielding flat",
+        "Zirconia on Steel",
+        "Zirconia on Steel, yielding flat",
+    ]
+    assert row.unread == []
+    assert row.validated["force_max"] is not None
+
+
+def test_a_users_own_material_is_known_from_the_sweep(tmp_path):
+    """Its constants are in the page, and errors of its impacts."""
+    steel = read_material("steel").variables()
+    own = Material("mine", **steel | {"yield_strength": 7e8})
+    write_material(own, tmp_path / "mine.in", "By a tensile test.")
+    collide("thornton", [0.5, 5], tmp_path / "mine.in", 0.005, folder=tmp_path / "results")
+    (tmp_path / "mine.in").unlink()
+    made = section(tmp_path / "results")
+    constants = made.tables[0]
+    assert constants.title == "Constants of the materials"
+    said = dict(zip(constants.head, constants.rows[0], strict=True))
+    assert said["material"] == "mine" and said["yield strength, Pa"] == "7 × 10⁸"
+    assert made.trust[0].validated["force_max"] is not None
+    assert not any("not at hand" in sentence for sentence in made.missing)
+    table = pd.read_csv(tmp_path / "results" / "impacts.csv")
+    assert trust(table, {})[0].unread == ["mine"]
+
+
+def test_two_materials_of_one_name_are_refused(tmp_path):
+    """Tables know materials by their names."""
+    for k, strength in enumerate((3e8, 4e8)):
+        (tmp_path / str(k)).mkdir()
+        own = Material("mine", **read_material("steel").variables() | {"yield_strength": strength})
+        write_material(own, tmp_path / str(k) / "mine.in", "One of two.")
+    files = [tmp_path / str(k) / "mine.in" for k in (0, 1)]
+    with pytest.raises(ValueError, match="two materials are named mine; give their files differ"):
+        collide("thornton", 0.1, files, 0.005, folder=tmp_path / "results")
+    with pytest.raises(ValueError, match="two materials are named mine; give their files differ"):
+        CentralImpact.theory(law=["thornton"], material=files, speed=0.1).write(tmp_path / "theory")
