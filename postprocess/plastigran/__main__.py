@@ -3,11 +3,13 @@
 
 from __future__ import annotations
 
+import signal
 import sys
 
 
 def start() -> int:
     """Run the command; one that is stopped while it still loads says so, too."""
+    signal.signal(signal.SIGTERM, signal.default_int_handler)
     try:
         from plastigran.cli import main  # takes a second
 

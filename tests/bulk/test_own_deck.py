@@ -3,6 +3,10 @@
 
 from __future__ import annotations
 
+import re
+import shutil
+import signal
+import time
 from pathlib import Path
 
 import numpy as np
@@ -17,6 +21,7 @@ from plastigran.engine.log import read_thermo
 from plastigran.engine.process import EngineError
 from plastigran.plot.snapshot import find_frames
 
+PROJECT = Path(__file__).parents[2]
 #: A sphere falls on a plane and a mesh beside the deck; no variable, no dt, long names in the log.
 PLAIN = """
 # Stoß einer Kugel
@@ -84,6 +89,39 @@ def test_a_plain_deck_runs_where_it_lies(plain, tmp_path, monkeypatch, capsys):
     assert sorted(path.name for path in plain.parent.iterdir()) == [
         "meshes", "plain.in", "properties.in",
     ]  # fmt: skip
+
+
+def test_a_stopped_deck_leaves_nothing_where_it_lies(plain, tmp_path, start_plastigran):
+    """The engine's restart file of that moment goes to the results."""
+    plain.write_text(PLAIN.replace("run 500", "run 50000000"), encoding="latin-1")
+    files = set(plain.parent.iterdir())
+    folder = tmp_path / "run"
+    run = start_plastigran("bulk", plain, "--output", folder)
+    log = folder / "log.liggghts"
+    while not (log.exists() and " 1600 " in log.read_text(encoding="latin-1")):
+        assert run.poll() is None, run.stderr.read()
+        time.sleep(0.05)
+    run.send_signal(signal.SIGINT)
+    run.communicate(timeout=60)
+    assert run.returncode == 130
+    assert set(plain.parent.iterdir()) == files
+    assert list(folder.glob("restart_forced_*"))
+
+
+def test_the_readmes_deck_does_as_it_says(tmp_path):
+    """Two thirds become plastic work; 2 mJ of 33 either way, for the balls' paths are chaotic."""
+    readme = (PROJECT / "README.md").read_text()
+    deck = tmp_path / "deck.in"
+    text = re.search(r"^```\n(units si\n.*?)```", readme, re.DOTALL | re.MULTILINE)[1]
+    deck.write_text(text.replace("inputs/energy_ledger.in", "energy_ledger.in"))
+    shutil.copy(PROJECT / "inputs" / "energy_ledger.in", tmp_path)
+    run = run_bulk(deck, {}, tmp_path / "run", show=False)
+    assert run.passed and len(run.checks) == 2
+    end = run.series.iloc[-1]
+    assert run.series[["kinetic", "gravity"]].iloc[0].sum() == pytest.approx(33e-3, abs=0.5e-3)
+    assert end["plastic"] == pytest.approx(21e-3, abs=2e-3)
+    assert end["friction"] == pytest.approx(5e-3, abs=2e-3)
+    assert abs(end["drift"]) < 1e-6 * 33e-3
 
 
 def test_a_plain_deck_cannot_go_on(plain, tmp_path):

@@ -168,12 +168,14 @@ def test_a_material_of_ones_own(tmp_path):
     )
 
 
-def test_a_stop_while_the_command_loads_is_no_fault(monkeypatch, capsys):
-    def stopped() -> int:
-        raise KeyboardInterrupt
-
-    monkeypatch.setattr("plastigran.cli.main", stopped)
-    assert start() == 130
+@pytest.mark.parametrize("sent", [signal.SIGINT, signal.SIGTERM])
+def test_a_stop_while_the_command_loads_is_no_fault(sent, monkeypatch, capsys):
+    before = signal.getsignal(signal.SIGTERM)
+    monkeypatch.setattr("plastigran.cli.main", lambda: signal.raise_signal(sent))
+    try:
+        assert start() == 130
+    finally:
+        signal.signal(signal.SIGTERM, before)
     assert capsys.readouterr().err == "plastigran: stopped\n"
 
 

@@ -69,16 +69,45 @@ def test_what_cannot_be_is_refused(changes, complaint):
 
 
 @pytest.mark.parametrize(
-    ("wall", "options", "said"),
-    [("steel", None, 1), ("steel", "yielding flat", 0), (None, None, 0)],
+    ("law", "wall", "options", "said"),
+    [
+        ("universal", "steel", None, 1),
+        ("universal", "steel", "yielding flat", 0),
+        ("universal", None, None, 0),
+        ("thornton", "steel", None, 1),
+        ("ye_komvopoulos", "steel", None, 0),
+    ],
 )
-def test_a_dented_wall_is_said(wall, options, said):
-    """`universal` is of spheres that flatten, unless it is told."""
+def test_a_dented_wall_is_said(law, wall, options, said):
+    """Most laws are of spheres that flatten; `universal` can be told."""
     runs = CentralImpact.theory(
-        law="universal", material="zirconia", speed=1.0, radius=0.005, wall=wall, options=options
+        law=law, material="zirconia", speed=1.0, radius=0.005, wall=wall, options=options
     )
     assert str(runs).count("zirconia on steel: the wall is dented") == said
     assert f"spheres of radius 0.005 m, on {wall or 'a rigid wall'}" in str(runs)
+
+
+def test_options_go_to_the_laws_that_have_them():
+    runs = CentralImpact.theory(law=["universal", "thornton"], speed=0.1, options="yielding flat")
+    assert runs.table["options"].tolist() == ["yielding flat", "default"]
+    with pytest.raises(ValueError, match="thornton has no option 'yielding'"):
+        CentralImpact.theory(law=["thornton", "hertz"], speed=0.1, options="yielding flat")
+    with pytest.raises(ValueError, match="yielding is soft; it must be sphere, flat"):
+        CentralImpact.theory(law=["universal", "thornton"], speed=0.1, options="yielding soft")
+
+
+def test_every_row_has_a_wall_and_options():
+    """Else a table of several cannot be read again."""
+    runs = CentralImpact.theory(law="thornton", speed=0.1, geometry=["sphere_wall", "two_spheres"])
+    assert runs.table["wall"].tolist() == ["rigid", "none"]
+    assert runs.table["options"].tolist() == ["default", "default"]
+
+
+def test_impacts_without_yield_are_said():
+    said = "every impact is slower than its yield speed"
+    for speeds, expected in ((0.1, True), ([0.1, 50.0], False)):
+        runs = CentralImpact.theory(law="thornton", material="glass", speed=speeds, radius=0.005)
+        assert (said in str(runs)) is expected
 
 
 def test_a_cylinder_has_a_rigid_wall():

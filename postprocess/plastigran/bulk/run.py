@@ -3,12 +3,14 @@
 
 from __future__ import annotations
 
+import shutil
 from collections.abc import Mapping
 from pathlib import Path
 
 from plastigran.bulk.folder import (
     BEFORE,
     CHECKS,
+    OF_A_SIGNAL,
     SERIES,
     all_derived,
     carry_files,
@@ -81,6 +83,7 @@ def run_bulk(
         before[before["step"] <= step].to_csv(folder / BEFORE, index=False)
         carry_files(restart, folder, step)
     write_record(folder, record)  # last: a folder with a record can be gone on from
+    strangers = set(plan.working_folder.glob(OF_A_SIGNAL))
     try:
         run_deck(
             script,
@@ -92,6 +95,8 @@ def run_bulk(
             working_folder=plan.working_folder,
         )
     finally:
+        for file in set(plan.working_folder.glob(OF_A_SIGNAL)) - strangers:
+            shutil.move(file, folder / file.name)
         if (log := folder / LOG).exists():
             record["versions"]["engine"] = log.read_text(errors="replace").partition("\n")[0]
             write_record(folder, record)

@@ -22,8 +22,8 @@ STYLE = {
     "svg.hashsalt": "plastigran",
 }
 # Colours apart for colour-blind eyes (Okabe & Ito, then Tol's muted), one for each law of a shape,
-# and grey; `law_number` has a law's.
-COLOURS = ["#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#000000", "#DC267F"]
+# and grey; black is for what they are held against. `law_number` has a law's.
+COLOURS = ["#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#8C564B", "#DC267F"]
 COLOURS += ["#882255", "#999933", "#332288", "#44AA99", "#661100", "#AA4499"]
 COLOURS += ["#117733", "#7F7F7F"]
 MARKERS = "osD^vPX<>dph*8H."

@@ -248,6 +248,11 @@ class CentralImpact(Experiment):
             if case.wall_yields and not case.law_is_of_dents
         )
         said = [super().summary(runs), *_arrangement(runs)]
+        if (runs.table["speed_ratio"] < 1).all():
+            said.append(
+                "every impact is slower than its yield speed (v/v_Y < 1): nothing yields, and the "
+                "coefficient of restitution is 1"
+            )
         if dented:
             said.append(
                 f"{', '.join(dented)}: the wall is dented, the ball does not flatten. universal "
