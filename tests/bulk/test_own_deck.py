@@ -14,6 +14,7 @@ import pytest
 from numpy.testing import assert_allclose
 
 import plastigran as pg
+from plastigran.bulk.plan import plan_bulk
 from plastigran.bulk.run import run_bulk
 from plastigran.bulk.template import write_deck
 from plastigran.cli import main
@@ -137,6 +138,23 @@ def test_an_unknown_setting_is_refused(plain, tmp_path):
     said = r"plain\.in has no setting 'radius'; it has none: a setting is a line `variable"
     with pytest.raises(ValueError, match=said):
         run_bulk(plain, {"radius": 1}, tmp_path / "run", show=False)
+
+
+def test_a_law_misspelt_is_named_before_anything_runs(plain, tmp_path):
+    """In a setting or in the line itself; a model of the engine's own is let be."""
+    template = write_deck(tmp_path / "falling", "thornton", "steel")
+    with pytest.raises(
+        ValueError, match=r"falling\.in: no contact model 'universl'; is it universal"
+    ):
+        run_bulk(template, {"law": "universl"}, tmp_path / "run", show=False)
+    text = plain.read_text(encoding="latin-1")
+    plain.write_text(text.replace("model thornton", "model thorton"), encoding="latin-1")
+    with pytest.raises(ValueError, match=r"plain\.in: no contact model 'thorton'; is it thornton"):
+        run_bulk(plain, {}, tmp_path / "run", show=False)
+    assert not (tmp_path / "run").exists()
+    for stock in ("hertz/stiffness", "thornton_ning", "${own}"):
+        plain.write_text(text.replace("model thornton", f"model {stock}"), encoding="latin-1")
+        plan_bulk(plain, {}, tmp_path / "run")
 
 
 def test_columns_of_one_name_are_numbered(tmp_path):

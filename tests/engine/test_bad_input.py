@@ -191,6 +191,16 @@ def test_cylinder_deck_names_what_must_be_positive(name, tmp_path):
         run_deck("collision/cylinder_wall.in", {name: -1e-5}, tmp_path)
 
 
+@pytest.mark.parametrize(
+    ("deck", "said"),
+    [("cylinder_wall", "the wall of a cylinder is rigid"), ("two_spheres", "are of one material")],
+)
+@pytest.mark.parametrize("name", ["youngs_modulus_other", "yield_strength_other"])
+def test_decks_without_a_wall_of_metal_refuse_its_constants(deck, said, name, tmp_path):
+    with pytest.raises(EngineError, match=f"{name} is 2.*; .*{said}"):
+        run_deck(f"collision/{deck}.in", {name: 2e11}, tmp_path)
+
+
 def test_options_are_words(engine_law, tmp_path):
     """Every choice of every option is taken, any other word refused."""
     for option in laws.LAWS[engine_law].options():

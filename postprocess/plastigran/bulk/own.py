@@ -4,18 +4,25 @@
 from __future__ import annotations
 
 import os
+import re
+from difflib import get_close_matches
 from pathlib import Path
 
 import pandas as pd
 
+from plastigran import laws
 from plastigran.bulk.checks import DISSIPATED, LEDGER, TAKEN, energy_input, ledger_checks
 from plastigran.bulk.deck import Analysis
-from plastigran.engine.deck import DeckSource
+from plastigran.engine.deck import DeckSource, commands
 from plastigran.engine.process import inputs_folder, misread
 from plastigran.plot.ledger import ledger_figure
 
+#: Endings of files that decks read beside scripts.
+MESHES = (".stl", ".vtk")
 #: Settings by which a deck is told to go on from a restart file.
 GOES_ON = ("start", "checkpoint")
+
+_MODEL = re.compile(r"\bgran model\s+(\S+)")
 
 
 def own_places(source: DeckSource, folder: Path) -> dict[str, object]:
@@ -37,6 +44,19 @@ def own_places(source: DeckSource, folder: Path) -> dict[str, object]:
                 f"{source.path.name} reads as ${{output}}: choose another folder"
             )
     return {"inputs": inputs_folder() if "inputs" in read else None, "output": output}
+
+
+def check_laws(source: DeckSource) -> None:
+    """Raises ValueError when a deck names a contact model that is almost one of the laws."""
+    for file in source.files:
+        if file.suffix.lower() in MESHES:
+            continue
+        for command in commands(file):
+            found = _MODEL.search(command)
+            name = source.resolve(found[1]) if found else ""
+            if name in laws.LAWS or not (meant := get_close_matches(name, laws.LAWS, 1, 0.85)):
+                continue
+            raise ValueError(f"{file.name}: no contact model {name!r}; is it {meant[0]}?")
 
 
 def check_goes_on(source: DeckSource) -> None:

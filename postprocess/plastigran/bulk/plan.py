@@ -11,7 +11,7 @@ import attrs
 from plastigran.bulk.deck import BulkDeck
 from plastigran.bulk.decks import deck_class
 from plastigran.bulk.folder import read_record, restart_point
-from plastigran.bulk.own import check_goes_on, own_places
+from plastigran.bulk.own import check_goes_on, check_laws, own_places
 from plastigran.engine.deck import DeckSource, find_deck, read_deck
 from plastigran.engine.process import typed_command
 
@@ -81,7 +81,9 @@ def plan_bulk(
         check_goes_on(read_deck(script, {}, folder))
     source = read_deck(script, values, folder)
     places = {"inputs": folder / "deck"} if kind else own_places(source, folder)
-    if kind:
+    if not kind:
+        check_laws(source)
+    else:
         if earlier:
             check_continued(source.settings, earlier["settings"], kind.continuable_settings())
         kind.read(source.settings).check_inputs()

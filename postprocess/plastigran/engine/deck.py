@@ -79,6 +79,10 @@ class DeckSource:
         """Of the deck: its script's, without the ending."""
         return self.path.stem
 
+    def resolve(self, text: str) -> str:
+        """Words of a command with the settings' values in them."""
+        return _with_values(text, self.settings)
+
     def copy(self, folder: Path) -> Path:
         """Copy the files into a folder: as they lie in the inputs, others side by side.
 
@@ -94,6 +98,10 @@ class DeckSource:
             if file == self.path:
                 script = target
         return script
+
+
+def _with_values(text: str, settings: Mapping[str, str]) -> str:
+    return _REFERENCE.sub(lambda m: settings.get(m[1], m[0]), text)
 
 
 def deck_names() -> list[str]:
@@ -141,9 +149,6 @@ def read_deck(deck: str | Path, values: Mapping[str, object], folder: Path) -> D
     references: set[str] = set()
     defined: set[str] = set()
 
-    def resolve(text: str) -> str:
-        return _REFERENCE.sub(lambda m: settings.get(m[1], m[0]), text)
-
     def take_in(file: Path, included_by: str) -> None:
         """The settings and files of a script and of those it includes, in the engine's order."""
         if not file.is_file():
@@ -156,13 +161,14 @@ def read_deck(deck: str | Path, values: Mapping[str, object], folder: Path) -> D
             defined.update(_VARIABLE.findall(command))
             if setting := index_variable(command):
                 name, value = setting
-                settings.setdefault(name, given.get(name, resolve(value)))
+                settings.setdefault(name, given.get(name, _with_values(value, settings)))
             elif found := _INCLUDE.match(command):
-                if not _REFERENCE.search(included := resolve(found[1])):
+                if not _REFERENCE.search(included := _with_values(found[1], settings)):
                     take_in(path.parent / included, file.name)
             else:
-                words = (Path(resolve(word)) for word in command.split() if "${inputs}" in word)
-                files.extend(word for word in words if word.is_file())
+                named = (word for word in command.split() if "${inputs}" in word)
+                read = (Path(_with_values(word, settings)) for word in named)
+                files.extend(file for file in read if file.is_file())
 
     take_in(path, "")
     references -= defined

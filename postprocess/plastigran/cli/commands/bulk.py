@@ -93,7 +93,8 @@ def run(arguments: argparse.Namespace) -> None:
         bulk_run.raise_if_failed()
         return
     if earlier and at_its_end(bulk_run):
-        print(f"{earlier} was already at its last step: nothing was computed")
+        longer = "; -v with the setting of its end, such as duration, goes on" * (not bulk_run.deck)
+        print(f"{earlier} was already at its last step: nothing was computed{longer}")
     if bulk_run.deck is None and not bulk_run.checks.size:
         print(f"{name} keeps no energy ledger, or its log has no entries: nothing was checked")
     report(bulk_run)
