@@ -242,25 +242,9 @@ class CentralImpact(Experiment):
 
     @classmethod
     def summary(cls, runs: Runs) -> str:
-        dented = dict.fromkeys(
-            f"{case.material.name} on {case.wall_name}"
-            for case in runs.outcomes
-            if case.wall_yields and not case.law_is_of_dents
-        )
-        said = [super().summary(runs), *_arrangement(runs)]
-        if (runs.table["speed_ratio"] < 1).all():
-            said.append(
-                "every impact is slower than its yield speed (v/v_Y < 1): nothing yields, and the "
-                "coefficient of restitution is 1"
-            )
-        if dented:
-            said.append(
-                f"{', '.join(dented)}: the wall is dented, the ball does not flatten. universal "
-                f"with --options 'yielding flat' is for that, {' and '.join(INDENTATION)} are fits "
-                "to indentations, the other laws are of balls that flatten. Give the wall its "
-                "rate_coefficient (docs/rate_factor.md)"
-            )
-        return "\n".join(said)
+        from plastigran.experiments.central.remarks import remarks
+
+        return "\n".join([super().summary(runs), *remarks(runs)])
 
     @classmethod
     def figures(cls, runs: Runs) -> dict[str, Callable[[], Figure]]:
@@ -280,15 +264,3 @@ def run_label(
     said += [] if wall in WALLS else ["on", wall]
     said += [] if options == "default" else options.split()
     return "_".join(said)
-
-
-def _arrangement(runs: Runs) -> list[str]:
-    """What spheres hit what, and with which options, where the table does not have it."""
-    radii = {case.radius for case in runs.outcomes}
-    walls = {case.wall_name for case in runs.outcomes}
-    said = []
-    if len(radii) == len(walls) == 1:
-        wall = walls.pop()
-        on = {"none": "", "rigid": ", on a rigid wall"}.get(wall, f", on {wall}")
-        said.append(f"spheres of radius {radii.pop():g} m{on}")
-    return said

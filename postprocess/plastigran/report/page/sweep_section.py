@@ -4,22 +4,20 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Mapping
 from pathlib import Path
 
 import pandas as pd
 
 from plastigran.calibration.expected_errors import errors_table
-from plastigran.declared import declaration
 from plastigran.engine.log import LOG, find_error
 from plastigran.experiments.central import WALLS
 from plastigran.experiments.runs import STUDY, TABLE
 from plastigran.experiments.tables import HEADS
-from plastigran.materials import Material
 from plastigran.plot.style import title
 from plastigran.report.page.charts import chart_name
 from plastigran.report.page.collect import Results
 from plastigran.report.page.loop_chart import loops_chart
+from plastigran.report.page.materials import constants, recorded
 from plastigran.report.page.names import number, words
 from plastigran.report.page.pictures import read_pictures
 from plastigran.report.page.sections import Section, Table, cells, version_facts
@@ -54,7 +52,7 @@ def make(results: Results, name: str) -> Section:
         )
     missing += _errors(runs)
     laws = sorted(table["law"].unique()) if "law" in table else []
-    materials, odd = _materials(study)
+    materials, odd = recorded(study)
     missing += odd
     trusted = trust(table, materials)
     charts = []
@@ -83,7 +81,7 @@ def make(results: Results, name: str) -> Section:
         facts=_facts(study, table, runs),
         charts=[chart for chart in charts if chart],
         pictures=pictures,
-        tables=[*_constants(materials), *_impacts(table)],
+        tables=[*constants(materials), *_impacts(table)],
         trust=trusted,
         laws=laws,
     )
@@ -98,30 +96,6 @@ def _read_study(folder: Path) -> tuple[dict, list[str]]:
         return (study, []) if isinstance(study, dict) else ({}, [f"{STUDY} is no record."])
     except ValueError as error:
         return {}, [f"{STUDY} is damaged: {error}."]
-
-
-def _materials(study: dict) -> tuple[dict[str, Material], list[str]]:
-    """The materials that a sweep has recorded, and a sentence for each that cannot be read."""
-    found, odd = {}, []
-    recorded = study.get("materials")
-    for name, constants in recorded.items() if isinstance(recorded, dict) else ():
-        try:
-            found[name] = Material(name, **constants)
-        except (TypeError, ValueError) as error:
-            odd.append(f"{STUDY} has no whole {name}: {error}.")
-    return found, odd
-
-
-def _constants(materials: Mapping[str, Material]) -> list[Table]:
-    """A table of the materials' constants."""
-    if not materials:
-        return []
-    rows = [{"material": name} | each.variables() for name, each in materials.items()]
-    units = {name: said.unit for name, said in declaration(Material).items()}
-    units = {name: unit for name, unit in units.items() if unit not in ("", "-")}
-    table = pd.DataFrame(rows)
-    heads = {name: ", ".join(filter(None, (words(name), units.get(name, "")))) for name in table}
-    return [cells(table, "Constants of the materials", heads)]
 
 
 def _impacts(table: pd.DataFrame) -> list[Table]:

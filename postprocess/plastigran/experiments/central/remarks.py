@@ -1,0 +1,49 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""What is to be said of central impacts beside their table."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from plastigran.experiments.central import INDENTATION, CentralImpact
+from plastigran.experiments.runs import Runs
+
+
+def remarks(runs: Runs) -> list[str]:
+    """Sentences: what hits what, and what a reader of the table must know."""
+    said = [_arrangement(runs.cases), _dented(runs.cases)]
+    if (runs.table["speed_ratio"] < 1).all():
+        said.insert(
+            1,
+            "every impact is slower than its yield speed (v/v_Y < 1): nothing yields, and the "
+            "coefficient of restitution is 1",
+        )
+    return [sentence for sentence in said if sentence]
+
+
+def _arrangement(impacts: Iterable[CentralImpact]) -> str:
+    """What spheres hit what, where it is the same for all: the table has what varies."""
+    radii = {impact.radius for impact in impacts}
+    walls = {impact.wall_name for impact in impacts}
+    if len(radii) > 1 or len(walls) > 1:
+        return ""
+    wall = walls.pop()
+    on = {"none": "", "rigid": ", on a rigid wall"}.get(wall, f", on {wall}")
+    return f"spheres of radius {radii.pop():g} m{on}"
+
+
+def _dented(impacts: Iterable[CentralImpact]) -> str:
+    """Which balls dent their wall by a law of balls that flatten."""
+    names = dict.fromkeys(
+        f"{impact.material.name} on {impact.wall_name}"
+        for impact in impacts
+        if impact.wall_yields and not impact.law_is_of_dents
+    )
+    if not names:
+        return ""
+    return (
+        f"{', '.join(names)}: the wall is dented, the ball does not flatten. universal with "
+        f"--options 'yielding flat' is for that, {' and '.join(INDENTATION)} are fits to "
+        "indentations, the other laws are of balls that flatten. Give the wall its "
+        "rate_coefficient (docs/rate_factor.md)"
+    )

@@ -1,0 +1,42 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""The materials that a sweep has recorded."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+import pandas as pd
+
+from plastigran.declared import declaration
+from plastigran.experiments.runs import STUDY
+from plastigran.materials import Material
+from plastigran.report.page.names import words
+from plastigran.report.page.sections import Table, cells
+
+
+def recorded(study: dict) -> tuple[dict[str, Material], list[str]]:
+    """The materials of a sweep, by name, and a sentence for each that cannot be read.
+
+    Args:
+        study: What stands in its `study.json`.
+    """
+    found, odd = {}, []
+    said = study.get("materials")
+    for name, values in said.items() if isinstance(said, dict) else ():
+        try:
+            found[name] = Material(name, **values)
+        except (TypeError, ValueError) as error:
+            odd.append(f"{STUDY} has no whole {name}: {error}.")
+    return found, odd
+
+
+def constants(materials: Mapping[str, Material]) -> list[Table]:
+    """A table of the materials' constants."""
+    if not materials:
+        return []
+    rows = [{"material": name} | each.variables() for name, each in materials.items()]
+    units = {name: said.unit for name, said in declaration(Material).items()}
+    units = {name: unit for name, unit in units.items() if unit not in ("", "-")}
+    table = pd.DataFrame(rows)
+    heads = {name: ", ".join(filter(None, (words(name), units.get(name, "")))) for name in table}
+    return [cells(table, "Constants of the materials", heads)]
