@@ -19,6 +19,15 @@ from plastigran.report.page.names import PREDICTED, scale, words
 
 #: Speeds of a line of theory.
 FINE = 60
+#: Of lines of theory, as plotly and as a sentence has them.
+KINDS = {
+    "solid": "solid",
+    "dash": "dashed",
+    "dot": "dotted",
+    "dashdot": "dash-dotted",
+    "longdash": "long-dashed",
+    "longdashdot": "long-dash-dotted",
+}
 #: What sets curves of a law apart.
 APART = (
     "material",
@@ -100,13 +109,12 @@ def _groups(table: pd.DataFrame, abscissa: str) -> dict[tuple[str, str], pd.Data
 def _dashes(groups: dict) -> dict[str, str]:
     """The kind of line of what sets curves of a law apart."""
     apart = dict.fromkeys(others for _, others in groups)
-    return dict(zip(apart, cycle(("solid", "dash", "dot")), strict=False))
+    return dict(zip(apart, cycle(KINDS), strict=False))
 
 
 def _dashes_said(groups: dict) -> str:
     """A sentence on the kinds of lines, where there are several."""
-    kinds = {"solid": "solid", "dash": "dashed", "dot": "dotted"}
-    found = [f"{kinds[dash]} {others}" for others, dash in _dashes(groups).items()]
+    found = [f"{KINDS[dash]} {others}" for others, dash in _dashes(groups).items()]
     return f" Lines: {'; '.join(found)}." if len(found) > 1 else ""
 
 
