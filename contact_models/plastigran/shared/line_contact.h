@@ -46,41 +46,73 @@ inline double lambert_root(double t) {
   return w;
 }
 
-// The same from a table, which serves all line contacts there are: t is the logarithm of a ratio of
-// lengths, and the table ends at 20 000. A step of Newton's leaves rounding only here, too.
-inline const Tabulated<1> lambert_roots(1.25, [](double t) { return std::array{lambert_root(t)}; });
+// What all line contacts there are have in common, tabulated once. 1/w where w - ln w = ln(1/x),
+// the share of an overlap that its load is: x is the overlap over the reach.
+inline double load_share(double x) { return 1 / lambert_root(std::max(1.25, -std::log(x))); }
+inline const Tabulated<1, 8, 30> load_shares(0x1p-31,
+                                             [](double x) { return std::array{load_share(x)}; });
 
-inline double tabulated_lambert_root(double t) {
-  const double w = lambert_roots(t)[0];
-  return w - (w - natural_log(w) - t) * w / (w - 1);
-}
-
-// The elastic line contact: what a load q [m] does, and which load an overlap asks for.
+// The elastic line contact, overlap = q ln(reach/q): what a load q [m] does, and which load an
+// overlap asks for.
 class LineCompliance {
  public:
-  // reach [m]: overlap = q ln(reach/q)
-  explicit LineCompliance(double reach) : reach_(reach), tangent_from_(reach * std::exp(-2.0)) {}
+  explicit LineCompliance(double reach) : reach_(reach), tangent_from_(reach * tangent_share) {}
 
-  // At a load: the overlap [m] and the work [m^2] of the load over it.
-  struct Pressed {
-    double overlap, work;
-  };
-  Pressed pressed(double load) const {
-    const double bent = std::min(load, tangent_from_), straight = load - bent;
-    const double log = natural_log(reach_ / bent);
-    return {bent * log + straight,
-            bent * bent * (2 * log - 1) / 4 + straight * (bent + straight / 2)};
+  // Of a load and log = ln(reach/load) [m].
+  double overlap(double load, double log) const {
+    return log > 2 ? load * log : load + tangent_from_;
   }
   double load(double overlap) const {
-    return overlap < 2 * tangent_from_
-               ? overlap / tabulated_lambert_root(natural_log(reach_ / overlap))
-               : overlap - tangent_from_;
+    if (!(overlap < 2 * tangent_from_)) return overlap - tangent_from_;
+    const double x = overlap / reach_;
+    return overlap * (load_shares.covers(x) ? load_shares(x)[0] : load_share(x));
+  }
+  // Of the load over its overlap [m^2].
+  double work(double load, double overlap) const {
+    return load < tangent_from_ ? 0.25 * load * (2 * overlap - load)
+                                : 0.5 * load * load + 0.25 * tangent_from_ * tangent_from_;
   }
 
  private:
+  static constexpr double tangent_share = 0.13533528323661269;  // exp(-2)
   double reach_;
   double tangent_from_;
 };
+
+// A contact whose area a^2 has grown beyond that at yield; load and work in those of yield.
+class LineYielding {
+ public:
+  // load/load_y; ln(area); integral of area p/1.5 over s from yield, the work beyond it over
+  // F_Y a_Y^2/R.
+  struct Loaded {
+    double load, log_area, work;
+  };
+  static Loaded at(double area) {
+    const auto [load, log_area, work] = table.covers(area) ? table(area) : computed(area);
+    return {load, log_area, work};
+  }
+
+ private:
+  static constexpr double hardening = 0.38490017945975051;    // (1/sqrt(3))/1.5
+  static constexpr double pressure_cap = 1.6;                 // 2.4/1.5
+  static constexpr double plastic_from = 4.7533314343482855;  // s there, exp(0.9 sqrt(3))
+
+  static std::array<double, 3> computed(double area) {
+    const double s = std::sqrt(area), log_s = 0.5 * std::log(area);
+    return {s * std::min(1 + hardening * log_s, pressure_cap), 2 * log_s, work(s, log_s)};
+  }
+  static double work(double s, double log_s) {
+    const double cube = s * s * s;
+    if (s > plastic_from) {
+      const double full = plastic_from * plastic_from * plastic_from;
+      return work(plastic_from, 0.9 * 1.7320508075688772) + pressure_cap / 3 * (cube - full);
+    }
+    return (cube - 1) / 3 + hardening * (cube * log_s - (cube - 1) / 3) / 3;
+  }
+
+  static const Tabulated<3> table;
+};
+inline const Tabulated<3> LineYielding::table(1, computed, std::array{plastic_from * plastic_from});
 
 // The law that a Rebound makes of a line contact. A rebound has the law's `name` and `source`;
 // `recovery(load_y, overlap_y, load, flattening)`, the way back from the largest overlap [m]; and
@@ -110,33 +142,38 @@ class LineContact : public Rebound, public LargestOverlap {
       : stiffness_(pi * pair.youngs_modulus_eff * given.cylinder_length),
         lateral_(pair.poissons_ratio / (1 - pair.poissons_ratio)),
         reach_(given.body_thickness * given.body_thickness * std::exp(-lateral_)),
-        half_width_ratio_(12 * pair.yield_strength / (pi * pair.youngs_modulus_eff)),
+        log_reach_(std::log(4 * reach_)),
+        load_ratio_(std::pow(6 * pair.yield_strength / (pi * pair.youngs_modulus_eff), 2)),
+        log_yield_(std::log(reach_ / load_ratio_)),
         energy_guard_(given.energy_guard == 1) {}
 
   Response respond(double radius_eff, double overlap, State& state) const {
     const LineCompliance undented(reach_ / radius_eff);
-    const double load_y = 0.25 * half_width_ratio_ * half_width_ratio_ * radius_eff;
-    const auto [overlap_y, work_y] = undented.pressed(load_y);
+    const double load_y = load_ratio_ * radius_eff;
+    const double log_y = log_yield_ - 2 * natural_log(radius_eff);  // ln(reach/(R load_y))
+    const double overlap_y = undented.overlap(load_y, log_y);
     Response response;
     if (state.overlap_max == 0 && overlap <= overlap_y) {
       if (!(overlap > overlap_min)) return response;
       const double load = undented.load(overlap);
       response.force = stiffness_ * load;
       response.contact_radius = 2 * std::sqrt(load * radius_eff);
-      response.elastic_energy = stiffness_ * undented.pressed(load).work;
+      response.elastic_energy = stiffness_ * undented.work(load, overlap);
       return response;
     }
     if (overlap > state.overlap_max) state.overlap_max = overlap;
 
-    // At the largest overlap: loads in q, lengths in a_Y, works over stiffness_.
+    // At the largest overlap: loads in q, works over stiffness_.
     const double area = 1 + (state.overlap_max - overlap_y) / (2 * load_y);  // s^2
-    const double s = std::sqrt(area), log_s = 0.5 * natural_log(area);
-    const double load_max = load_y * s * std::min(1 + hardening * log_s, pressure_cap);
-    const double flattening = load_max / (load_y * area);
-    const double work = work_y + 4 * load_y * load_y * plastic_share(s, log_s);
+    const LineYielding::Loaded loaded = LineYielding::at(area);
+    const double load_max = load_y * loaded.load;
+    const double flattening = loaded.load / area;
+    const double work = undented.work(load_y, overlap_y) + 4 * load_y * load_y * loaded.work;
     const LineCompliance crater(reach_ / radius_eff * flattening);
-    const auto [crater_overlap, crater_work] = crater.pressed(load_max);
-    const double fullness = Rebound::straight ? 0.5 : crater_work / (load_max * crater_overlap);
+    const double crater_overlap = crater.overlap(load_max, log_y - loaded.log_area);
+    const double fullness =
+        Rebound::straight ? 0.5
+                          : crater.work(load_max, crater_overlap) / (load_max * crater_overlap);
     double recovery = Rebound::recovery(load_y, overlap_y, load_max, flattening);
     if (energy_guard_) recovery = std::min(recovery, work / (load_max * fullness));
 
@@ -147,7 +184,8 @@ class LineContact : public Rebound, public LargestOverlap {
       response.contact_radius = 2 * std::sqrt(load * radius_eff / flattening);
       response.elastic_energy =
           stiffness_ * recovery *
-          (Rebound::straight ? 0.5 * load * x : crater.pressed(load).work / crater_overlap);
+          (Rebound::straight ? 0.5 * load * x
+                             : crater.work(load, x * crater_overlap) / crater_overlap);
     }
     response.plastic_work = stiffness_ * (work - load_max * recovery * fullness);
     return response;
@@ -162,32 +200,21 @@ class LineContact : public Rebound, public LargestOverlap {
   }
 
  private:
-  static constexpr double overlap_min = 1e-200;               // [m] no ratio overflows above it
-  static constexpr double hardening = 0.38490017945975051;    // (1/sqrt(3))/1.5
-  static constexpr double pressure_cap = 1.6;                 // 2.4/1.5
-  static constexpr double plastic_from = 4.7533314343482855;  // s there, exp(0.9 sqrt(3))
+  static constexpr double overlap_min = 1e-200;  // [m] no ratio overflows above it
+  static constexpr double square_min = 1e-300;   // [m^2] a narrower contact has no width yet
 
-  // ln(4 D^2/a^2) - k; without end where the contact has no width yet
+  // ln(4 D^2/a^2) - k
   double compliance(double half_width) const {
     const double square = half_width * half_width;
-    return square > 0 ? natural_log(4 * reach_ / square) : unlimited;
+    return square > square_min ? log_reach_ - natural_log(square) : unlimited;
   }
 
-  // Integral of s^2 p/1.5 from yield: the work beyond it over F_Y a_Y^2/R.
-  static double plastic_share(double s, double log_s) {
-    const double cube = s * s * s;
-    if (s > plastic_from) {
-      const double full = plastic_from * plastic_from * plastic_from;
-      return plastic_share(plastic_from, 0.9 * 1.7320508075688772) +
-             pressure_cap / 3 * (cube - full);
-    }
-    return (cube - 1) / 3 + hardening * (cube * log_s - (cube - 1) / 3) / 3;
-  }
-
-  double stiffness_;         // pi E* L [N/m]: F = stiffness q
-  double lateral_;           // k
-  double reach_;             // D^2 exp(-k): overlap = q ln(reach/(R q))
-  double half_width_ratio_;  // a_Y/R
+  double stiffness_;   // pi E* L [N/m]: F = stiffness q
+  double lateral_;     // k
+  double reach_;       // D^2 exp(-k): overlap = q ln(reach/(R q))
+  double log_reach_;   // ln(4 reach)
+  double load_ratio_;  // load_y/R = (a_Y/(2R))^2
+  double log_yield_;   // ln(reach/load_ratio)
   bool energy_guard_;
 };
 

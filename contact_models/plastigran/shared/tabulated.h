@@ -158,11 +158,10 @@ struct Panel {
   };
 };
 
-template <std::size_t count, std::size_t terms = 8>
+template <std::size_t count, std::size_t terms = 8, std::size_t octaves = 14>
 class Tabulated {
   typedef plastigran::Panel<count, terms> Panel;
   static constexpr std::size_t capacity = 160;   // panels
-  static constexpr std::size_t octaves = 14;     // from the begin on
   static constexpr std::size_t per_octave = 32;  // buckets, each of which knows its first panel
   static constexpr std::size_t buckets = octaves * per_octave;
   static constexpr std::size_t widest = 32;  // buckets in a panel
@@ -173,7 +172,7 @@ class Tabulated {
   // Covers nothing.
   Tabulated() = default;
 
-  // Covers from `begin` > 0 on, 14 octaves or as far as the panels reach. `functions` returns
+  // Covers from `begin` > 0 on, its octaves or as far as the panels reach. `functions` returns
   // Values; a kink among `kinks` is found sooner.
   template <class Functions, class Kinks = std::array<double, 0>>
   Tabulated(double begin, const Functions& functions, const Kinks& kinks = {})
@@ -198,9 +197,9 @@ class Tabulated {
   }
 
   // The integral of one function, `constant` at the begin.
-  Tabulated<1, terms + 1> integral(double constant) const {
+  Tabulated<1, terms + 1, octaves> integral(double constant) const {
     static_assert(count == 1);
-    Tabulated<1, terms + 1> sum;
+    Tabulated<1, terms + 1, octaves> sum;
     sum.begin_ = begin_, sum.end_ = end_, sum.panel_of_ = panel_of_;
     double left = begin_;
     for (std::size_t panel = 0; panel < capacity && left < end_; ++panel) {
@@ -217,7 +216,7 @@ class Tabulated {
   }
 
  private:
-  template <std::size_t, std::size_t>
+  template <std::size_t, std::size_t, std::size_t>
   friend class Tabulated;
 
   static std::uint64_t leading_bits(double x) {
