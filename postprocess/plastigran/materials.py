@@ -140,11 +140,13 @@ def read_material(name: Material | str | Path) -> Material:
     A material itself is handed back.
 
     Raises:
-        ValueError: No such material, or a constant is missing, unknown, given twice, not a number
-            or out of range.
+        ValueError: It is none of these, there is no such material, or a constant is missing,
+            unknown, given twice, not a number or out of range.
     """
     if isinstance(name, Material):
         return name
+    if not isinstance(name, str | Path):
+        raise ValueError(f"{name!r} is no material; it must be a Material, a name or a path")
     path = Path(name)
     if path.suffix != ".in":
         path = folder() / f"{name}.in"
@@ -215,15 +217,21 @@ def _required(field: attrs.Attribute) -> bool:
 def material_field(
     meaning: str, default: str | attrs.NothingType | None = attrs.NOTHING, suffix: str = ""
 ):
-    """A field of a case for a material, taken as one, by name or by the path of a file; for None
-    too when that is the default, and then by keyword only. The deck knows its constants by their
-    names with the suffix."""
+    """A field of a case for a material, taken as one, by name or by the path of a file. Where the
+    default is None, a rigid body, "rigid" and `RIGID` stand for that, and it goes by keyword only.
+    The deck knows its constants by their names with the suffix."""
     return attrs.field(
         default=default,
         kw_only=default is None,
-        converter=attrs.converters.optional(read_material) if default is None else read_material,
+        converter=_read_unless_rigid if default is None else read_material,
         metadata={"declaration": Declaration(meaning, kind=str), "suffix": suffix},
     )
+
+
+def _read_unless_rigid(name: Material | laws.Body | str | Path | None) -> Material | None:
+    """A material, or None for a body that is rigid, which "rigid" and `RIGID` stand for, too."""
+    is_rigid = name is None or name == "rigid" or (isinstance(name, laws.Body) and name == RIGID)
+    return None if is_rigid else read_material(name)
 
 
 def laws_for(shape: str, bodies: Iterable[Material] = ()) -> list[str]:

@@ -43,8 +43,8 @@ def test_elastic_impact_returns_everything(law_name, law_between, pair):
 
 
 def test_unyielding_bodies_are_elastic(law_name, law_between):
-    """Yield strength to infinity: the elastic contact, for hard impacts too. 4e-14: the laws' tables
-    are fitted to 3e-14, and the elastic line contact of cylinders is one."""
+    """Yield strength to infinity: the elastic contact, for hard impacts too. 4e-14: tables are
+    fitted to 3e-14, and the elastic line contact of cylinders is one."""
     strong = laws.combine(laws.Body(7e10, 0.3, 1e20), laws.Body(7e10, 0.3, 1e20))
     law = law_between(law_name, strong)
     overlap = np.geomspace(1e-12, 1e-3, 50)

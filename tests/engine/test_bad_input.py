@@ -212,6 +212,13 @@ def test_options_are_words(engine_law, tmp_path):
             run(tmp_path, law=engine_law, settings=f"tangential off {option['name']} maybe")
 
 
+@pytest.mark.parametrize("name", ["coefficientFriction", "coefficientRollingFriction"])
+def test_negative_friction_is_refused(name, tmp_path):
+    """The engine takes it, and it gives energy."""
+    with pytest.raises(EngineError, match=rf"{name} is -0.3; it must be 0 or more \(atom types 1"):
+        run(tmp_path, law="thornton", more=constant(name, "-0.3"))
+
+
 def test_unknown_law(tmp_path):
     with pytest.raises(EngineError, match="Invalid model specified"):
         run(tmp_path, law="vu_quok_zhang")

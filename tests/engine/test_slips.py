@@ -59,6 +59,9 @@ def matrix(name: str, value: str) -> str:
     return property_global(name, f"2 {value} {value} {value} {value}", "peratomtypepair")
 
 
+COHESION = property_global("cohesionEnergyDensity", "2 1e9 0 0 0", "peratomtypepair")
+
+
 def test_a_good_deck_is_told_nothing(tmp_path):
     assert "WARNING" not in run(tmp_path)
 
@@ -99,7 +102,7 @@ def test_a_good_deck_is_told_nothing(tmp_path):
             "nothing asks for the property indentatonPressure; is it indentationPressure?",
         ),
         (
-            {"more": property_global("cohesionEnergyDensity", "2 1e9 0 0 0", "peratomtypepair")},
+            {"more": COHESION, "model": "thornton tangential off cohesion sjkr"},
             "cohesionEnergyDensity is 1e+09 [Pa], above the yield pressure 1.6",
         ),
     ],
@@ -109,6 +112,10 @@ def test_what_looks_like_a_slip_is_said_once(changes, said, tmp_path):
     log = run(tmp_path, **changes)
     assert log.count("WARNING: model ") == 1
     assert said in log
+
+
+def test_cohesion_that_no_model_asks_for_is_no_slip(tmp_path):
+    assert "WARNING" not in run(tmp_path, more=COHESION, model="thornton tangential off")
 
 
 def test_a_body_that_is_rigid_or_never_yields_is_no_slip(tmp_path):

@@ -9,7 +9,7 @@ import pytest
 from plastigran import laws
 from plastigran.experiments.central import CentralImpact
 from plastigran.experiments.cylinder import CylinderImpact
-from plastigran.materials import read_material
+from plastigran.materials import RIGID, read_material
 
 
 @pytest.mark.parametrize("geometry", ["sphere_wall", "sphere_mesh"])
@@ -26,6 +26,14 @@ def test_the_engine_has_the_wall_of_theory(geometry, ball, wall, tmp_path):
         assert getattr(found, name) == pytest.approx(getattr(expected, name), rel=2e-3)
     rigid = CentralImpact("universal", 0.5, ball, 0.005, geometry)
     assert expected.force_max < rigid.predict().force_max
+
+
+def test_a_rigid_wall_has_a_name():
+    """In a sweep it stands beside metals."""
+    runs = CentralImpact.theory(law="thornton", speed=0.1, wall=["rigid", "copper", RIGID])
+    assert runs.table["wall"].tolist() == ["rigid", "copper"]
+    with pytest.raises(ValueError, match="3 is no material; it must be a Material, a name or a p"):
+        CentralImpact("thornton", 0.1, "steel", 0.005, wall=3)
 
 
 def test_a_wall_of_the_balls_metal_has_half_its_modulus():

@@ -211,10 +211,38 @@ def test_entries_are_the_same_in_the_engines_own_loop(tmp_path):
     assert largest_difference(ours, engines) < 1e-12 * scale
 
 
-def test_entries_are_known_when_forces_are(tmp_path):
-    """Between displacement and forces, where a `fix move` asks, they are not."""
-    with pytest.raises(EngineError, match="asked for between displacement and forces"):
-        ledger("between", tmp_path)
+@pytest.mark.parametrize("asks", [1, 2, 3], ids=["move", "adapt", "setforce"])
+@pytest.mark.parametrize("every", [1, 50])
+def test_entries_are_known_when_all_forces_are(asks, every, tmp_path):
+    """Within a step they are not: in its first part, before forces, or while walls' are to come. It
+    does not matter whether the step before has been asked."""
+    with pytest.raises(EngineError, match="asked for within a step, before all forces are known"):
+        ledger("between", tmp_path, asks=asks, every=every)
+
+
+@pytest.mark.parametrize("pre", ["yes", "no"])
+def test_what_a_deck_changes_between_runs_is_booked(pre, tmp_path):
+    """With or without a set-up; entries that are said between runs are those of the end. An answer
+    before the walls have had their turn is not the start that drift is taken from.
+
+    1e-3 of what is given: the time step's error is a tenth of that.
+    """
+    table = ledger("changed", tmp_path, pre=pre)
+    end, second = (table[table["run"] == run].iloc[-1] for run in (0, 1))
+    assert table["elastic"].iloc[0] > 0.9 * end["kinetic"] > 0
+    given = second["inserted"]
+    assert given > 5 * end["kinetic"]
+    assert table["drift"].abs().max() < 1e-3 * given
+    log = (tmp_path / "log.liggghts").read_text()
+    said = [re.findall(rf"^{word} (.+)$", log, re.MULTILINE) for word in ("ended", "changed")]
+    assert said[0][-1] == said[1][-1]
+    kinetic, inserted, _ = map(float, said[0][-1].split())
+    assert inserted == 0 and kinetic == pytest.approx(end["kinetic"], rel=1e-6)
+
+
+def test_particles_that_go_between_runs_need_a_set_up(tmp_path):
+    with pytest.raises(EngineError, match="particles have come or gone since the last run, and"):
+        ledger("changed", tmp_path, pre="no", remove=1)
 
 
 def test_a_box_that_deforms_shifts_no_entry(tmp_path):

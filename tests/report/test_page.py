@@ -178,6 +178,17 @@ def test_a_sweep_cut_short_says_what_is_missing(copied_sweep):
     assert "impacts.csv is missing" in said and "study.json is damaged" in said
 
 
+@pytest.mark.parametrize("cut", ["row", "number"])
+def test_a_line_cut_short_is_left_out_and_told(copied_sweep, cut):
+    file = copied_sweep / "impacts.csv"
+    lines = file.read_text().splitlines(keepends=True)
+    end = len(lines[4]) // 3 if cut == "row" else len(lines[4]) - 4
+    file.write_text("".join(lines[:4]) + lines[4][:end])
+    made = section(copied_sweep)
+    assert made.verdict == "3 of 9 impacts"
+    assert made.missing[0] == "The last line of impacts.csv is cut short and left out."
+
+
 def test_a_damaged_trajectory_is_told(copied_sweep):
     """No frames, or not all of them."""
     next(copied_sweep.glob("runs/0003*/trajectory.dump")).write_text("nonsense\n")

@@ -60,10 +60,24 @@ bool EnergyLedger::is_first_before_exchange() const {
 
 void EnergyLedger::setup_pre_exchange() {
   warn_of_strangers();
-  if (!ran_) return;
+  if (ran_) book_changes();
+}
+
+// What a deck has changed since the last run.
+void EnergyLedger::book_changes() {
   const double now = mechanical_energy();
   inserted_ += now - before_;
   before_ = now;  // commands that write files set up, too, and the next run once more
+}
+
+void EnergyLedger::begin_without_set_up() {
+  int changed = losses_.size() != std::size_t(atom->nlocal), anywhere = 0;
+  MPI_Allreduce(&changed, &anywhere, 1, MPI_INT, MPI_MAX, world);
+  if (anywhere)
+    error->all(FLERR,
+               "energy_ledger: particles have come or gone since the last run, and this one has no "
+               "set-up: leave out `pre no`");
+  book_changes();
 }
 
 void EnergyLedger::add_stored(const Contact& contact, double elastic_energy, double spring_energy) {
@@ -74,14 +88,26 @@ void EnergyLedger::add_stored(const Contact& contact, double elastic_energy, dou
   stored.springs += share * spring_energy;
 }
 
+double EnergyLedger::compute_vector(int entry) {
+  if (phase_ == STEP)
+    error->all(FLERR,
+               "energy_ledger: an entry was asked for within a step, before all forces are known. "
+               "Outputs ask at its end; what acts in a step can take the entry of the step before "
+               "from a fix ave/time 1 1 1");
+  if (!summed_) sum();
+  return sums_[entry];
+}
+
+void EnergyLedger::start() {
+  sum();
+  started_ = true;
+  initial_ = total_;
+  sums_[DRIFT] = 0;
+}
+
 // On this rank alone.
 void EnergyLedger::count_deferred() {
-  if (!deferred_) return;
-  if (contacts_moved_)
-    error->one(FLERR,
-               "energy_ledger: an entry was asked for between displacement and forces, where what "
-               "contacts store is not known; ask for it when forces are computed, as outputs do");
-  std::exchange(deferred_, nullptr)->count_stored_energies();
+  if (deferred_) std::exchange(deferred_, nullptr)->count_stored_energies();
 }
 
 void EnergyLedger::add_plastic_work(const Contact& contact, double work, bool has_local_partner) {
@@ -115,7 +141,7 @@ void EnergyLedger::add_wall(const Contact& contact, const AccountedLoad& on_i,
 void EnergyLedger::begin_pass() {
   by_pairs_ = by_walls_ = Stored();
   unwritten_plastic_work_ = 0;
-  summed_ = contacts_moved_ = false;
+  summed_ = false;
   deferred_ = nullptr;
   walls_.clear();
   losses_.assign(atom->nlocal, Losses());
@@ -184,11 +210,10 @@ void EnergyLedger::sum() {
                                  0,
                                  by_pairs_.springs + by_walls_.springs};
   MPI_Allreduce(local, sums_, ENTRIES, MPI_DOUBLE, MPI_SUM, world);
-  double total = -sums_[WALL_WORK] - sums_[INSERTED];
-  for (int entry = KINETIC; entry < WALL_WORK; ++entry) total += sums_[entry];
-  if (!started_ && update->whichflag) started_ = true, initial_ = total;
-  sums_[DRIFT] = started_ ? total - initial_ : 0;
-  summed_ = true;
+  total_ = -sums_[WALL_WORK] - sums_[INSERTED];
+  for (int entry = KINETIC; entry < WALL_WORK; ++entry) total_ += sums_[entry];
+  sums_[DRIFT] = started_ ? total_ - initial_ : 0;
+  summed_ = phase_ != SET_UP;
 }
 
 void EnergyLedger::write_restart(FILE* file) {

@@ -80,13 +80,17 @@ class EnergyLedger : public OwnFix {
   // Between two runs a deck may have added, deleted or set particles.
   void setup_pre_exchange() override;
 
-  void setup_pre_force(int) override { begin_pass(); }
+  void setup_pre_force(int) override {
+    begin_pass();
+    phase_ = SET_UP;
+  }
   void pre_force(int) override { begin_pass(); }
 
   // The sum at the start is taken when all forces of the first set-up are there, walls' too.
   void pre_initial_integrate() override {
-    if (!started_) sum();
-    if (deferred_) contacts_moved_ = true;
+    if (phase_ == BETWEEN_RUNS) begin_without_set_up();
+    if (!started_) start();
+    phase_ = STEP;
   }
 
   // Positions are new, velocities those at mid-step, forces still the old ones.
@@ -103,21 +107,25 @@ class EnergyLedger : public OwnFix {
   void pre_neighbor() override { inserted_ += mechanical_energy() - before_; }
 
   // The new forces, and still the velocities at mid-step.
-  void pre_final_integrate() override { add_work(); }
+  void pre_final_integrate() override {
+    add_work();
+    phase_ = STEP_END;
+  }
 
   void post_run() override {
-    count_deferred();
+    phase_ = BETWEEN_RUNS;
+    if (!started_)
+      start();
+    else if (!summed_)
+      sum();
     before_ = mechanical_energy();
     ran_ = true;
   }
 
   double compute_scalar() override { return compute_vector(DRIFT); }
 
-  // All ranks together.
-  double compute_vector(int entry) override {
-    if (!summed_) sum();
-    return sums_[entry];
-  }
+  // All ranks together. Between runs the entries are those the last one ended with.
+  double compute_vector(int entry) override;
 
   void write_restart(FILE* file) override;
   void restart(char* data) override;
@@ -146,7 +154,14 @@ class EnergyLedger : public OwnFix {
     return contact.is_wall || has_local_partner ? 1 : 0.5;
   }
 
+  // Where the engine is. Entries are known when all forces are: not within a step. In set-up walls
+  // may be to come, so that nothing is kept.
+  enum Phase { BETWEEN_RUNS, SET_UP, STEP, STEP_END };
+
   void count_deferred();
+  void start();
+  void book_changes();
+  void begin_without_set_up();  // of a run with `pre no`
   void add_plastic_work(const Contact& contact, double work, bool has_local_partner);
   void add_dashpot(const Contact& contact, double force, bool has_local_partner);
   void add_wall(const Contact& contact, const AccountedLoad& on_i, const Vector& friction);
@@ -167,8 +182,8 @@ class EnergyLedger : public OwnFix {
   // Of the last force computation, on this rank.
   Stored by_pairs_, by_walls_;          // apart: sums do not depend on which is asked first
   StoredEnergies* deferred_ = nullptr;  // of contacts that are not in these sums yet
-  bool contacts_moved_ = false;         // before these were asked for
-  double unwritten_plastic_work_ = 0;   // set-up computes forces, and writes no history
+  Phase phase_ = BETWEEN_RUNS;
+  double unwritten_plastic_work_ = 0;  // set-up computes forces, and writes no history
   std::vector<WallContact> walls_;
   std::vector<Losses> losses_;    // by local particle
   std::vector<Vector> dashpots_;  // forces, by local particle; of no length where none acted
@@ -179,7 +194,7 @@ class EnergyLedger : public OwnFix {
   bool acts_first_ = false;  // no fix that acts in pre_exchange() stands before this one
   bool ran_ = false;
 
-  double initial_ = 0;  // over all ranks
+  double total_ = 0, initial_ = 0;  // over all ranks: now, and at the start
   bool started_ = false;
   double sums_[ENTRIES] = {};
   bool summed_ = false;  // sums_ are those of the present forces and velocities

@@ -107,6 +107,18 @@ std::vector<Body> DeckProperties::bodies(bool yields) const {
   return bodies;
 }
 
+void DeckProperties::check_friction() const {
+  for (const char* const field : {"coefficient_friction", "coefficient_rolling_friction"})
+    for (int type = 1; type <= type_count_; ++type)
+      for (int other = type; other <= type_count_; ++other) {
+        const double value = per_pair(field, type, other, 0);
+        if (value >= 0) continue;
+        std::ostringstream text;
+        text << property_name(field) << " is " << value << "; it must be 0 or more";
+        fail(about_types(text.str(), type, other));
+      }
+}
+
 void DeckProperties::fail(const std::string& reason) const {
   error->all(FLERR, (model_ + ": " + reason).c_str());
 }
@@ -142,14 +154,15 @@ std::vector<std::string> DeckProperties::misspelt(const std::string& name) const
   return found;
 }
 
-std::vector<std::string> DeckProperties::doubts(const std::vector<Body>& bodies) const {
+std::vector<std::string> DeckProperties::doubts(const std::vector<Body>& bodies,
+                                                bool cohesive) const {
   std::vector<std::string> sentences;
   const double pascal = pascal_in_deck(update->unit_style);
   for (int type = 1; pascal > 0 && type <= type_count_; ++type) {
     const Complaint complaint = implausible(bodies[type - 1], pascal);
     if (!complaint.empty()) sentences.push_back(about_types(worded(complaint), type, 0));
   }
-  for (int type = 1; given("cohesion_energy_density") && type <= type_count_; ++type)
+  for (int type = 1; cohesive && given("cohesion_energy_density") && type <= type_count_; ++type)
     for (int other = type; other <= type_count_; ++other) {
       const double pull = per_pair("cohesion_energy_density", type, other, 0);
       const double push = combine(bodies[type - 1], bodies[other - 1]).yield_pressure;

@@ -43,6 +43,9 @@ class DeckProperties : protected LAMMPS_NS::Pointers {
   // The bulk constants of every atom type. Their strength may be left out where nothing yields.
   std::vector<Body> bodies(bool yields) const;
 
+  // Stops where a coefficient of friction is negative, which the engine takes.
+  void check_friction() const;
+
   // Stops on all ranks together.
   void fail(const std::string& reason) const;
 
@@ -59,8 +62,8 @@ class DeckProperties : protected LAMMPS_NS::Pointers {
   std::string unit(const std::string& si) const;
 
   // Sentences on what is allowed and yet looks like a slip: values of bodies, and properties whose
-  // name is a letter or two off one that has been asked for.
-  std::vector<std::string> doubts(const std::vector<Body>& bodies) const;
+  // name is a letter or two off one that has been asked for. `cohesive`: bodies draw each other.
+  std::vector<std::string> doubts(const std::vector<Body>& bodies, bool cohesive) const;
 
  private:
   LAMMPS_NS::FixPropertyGlobal* find(const char* field, const char* shape, int rows, int columns,

@@ -93,6 +93,7 @@ class ElastoplasticNormalModel : public NormalModelBase {
                             owner_.histories(), !reported_});
     const plastigran::DeckProperties deck(lmp, caller(), registry.max_type());
     pairs_.build(deck, registry.max_type(), settings_.choices);
+    deck.check_friction();
     if (plastigran::yields<Law>) rates_.connect(deck, pairs_.rate_matters());
     watch_.begin(caller(), settings_.overlap_limit);
     plastigran::own_fix<plastigran::MotionWatch>(lmp);
@@ -218,7 +219,8 @@ class ElastoplasticNormalModel : public NormalModelBase {
                              settings_.describe_unused(caller(), deck, owner_.is_wall());
     if (screen) fputs(text.c_str(), screen);
     if (logfile) fputs(text.c_str(), logfile);
-    for (const std::string& doubt : deck.doubts(pairs_.bodies())) watch_.warn_once(doubt);
+    const bool cohesive = owner_.other_models().find(" cohesion ") != std::string::npos;
+    for (const std::string& doubt : deck.doubts(pairs_.bodies(), cohesive)) watch_.warn_once(doubt);
   }
 
   void forecast_impacts(const plastigran::DeckProperties& deck) {

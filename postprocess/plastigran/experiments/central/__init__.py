@@ -60,7 +60,7 @@ class CentralImpact(Experiment):
     material: Material = material_field("of the spheres")
     radius: float = number("radius of the spheres", "m", 0)
     geometry: str = word("deck", tuple(GEOMETRIES), default="sphere_wall")
-    wall: Material | None = material_field("of the plane, rigid by default", None, "_other")
+    wall: Material | None = material_field("of the plane: a material, or rigid", None, "_other")
     options: str | None = options_field()
 
     command = "impact"

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import json
+from io import StringIO
 from pathlib import Path
 
 import pandas as pd
@@ -40,11 +41,8 @@ def make(results: Results, name: str) -> Section:
     folder = results.folder
     runs = sorted(path for path in folder.glob("runs/*") if path.is_dir())
     study, missing = _read_study(folder)
-    try:
-        table = pd.read_csv(folder / TABLE)
-    except (OSError, ValueError):
-        table = pd.DataFrame()
-        missing.append(f"{TABLE} is missing or empty: no impact has finished.")
+    table, cut = _read_table(folder / TABLE)
+    missing += cut
     if len(table) < len(runs):
         missing.append(
             f"{len(table)} of {len(runs)} impacts have a line in {TABLE}; the others failed, were "
@@ -85,6 +83,16 @@ def make(results: Results, name: str) -> Section:
         trust=trusted,
         laws=laws,
     )
+
+
+def _read_table(path: Path) -> tuple[pd.DataFrame, list[str]]:
+    """The results table, and a sentence where it is not there or its last line is not whole."""
+    try:
+        whole, end, rest = path.read_text(encoding="utf-8").rpartition("\n")
+        table = pd.read_csv(StringIO(whole + end))
+    except (OSError, ValueError):
+        return pd.DataFrame(), [f"{TABLE} is missing or empty: no impact has finished."]
+    return table, [f"The last line of {TABLE} is cut short and left out."] if rest else []
 
 
 def _read_study(folder: Path) -> tuple[dict, list[str]]:
