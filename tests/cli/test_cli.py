@@ -170,12 +170,15 @@ def test_a_material_of_ones_own(tmp_path):
 
 @pytest.mark.parametrize("sent", [signal.SIGINT, signal.SIGTERM])
 def test_a_stop_while_the_command_loads_is_no_fault(sent, monkeypatch, capsys):
-    before = signal.getsignal(signal.SIGTERM)
+    # A shell's background jobs ignore SIGINT.
+    before = {signal.SIGTERM: signal.getsignal(signal.SIGTERM)}
+    before[signal.SIGINT] = signal.signal(signal.SIGINT, signal.default_int_handler)
     monkeypatch.setattr("plastigran.cli.main", lambda: signal.raise_signal(sent))
     try:
         assert start() == 130
     finally:
-        signal.signal(signal.SIGTERM, before)
+        for each, handler in before.items():
+            signal.signal(each, handler)
     assert capsys.readouterr().err == "plastigran: stopped\n"
 
 
