@@ -93,3 +93,4 @@ def test_two_materials_of_one_name_are_refused(tmp_path):
         collide("thornton", 0.1, files, 0.005, folder=tmp_path / "results")
     with pytest.raises(ValueError, match="two materials are named mine; give their files differ"):
         CentralImpact.theory(law=["thornton"], material=files, speed=0.1).write(tmp_path / "theory")
+    assert not list((tmp_path / "theory").iterdir())

@@ -84,16 +84,19 @@ class Runs:
 
         Returns:
             The files, the results table first.
+
+        Raises:
+            ValueError: Of theory, two materials have one name; nothing is written.
         """
         from plastigran.plot import style  # matplotlib is slow to load
 
         folder = Path(folder)
         folder.mkdir(parents=True, exist_ok=True)
-        written = [folder / TABLE]
-        self.table.to_csv(written[0], index=False)
         if self.by_theory:
             made_with = {"plastigran": version("plastigran")}
             _write_study(folder, self.cases, self.settings, made_with, by_theory=True)
+        written = [folder / TABLE]
+        self.table.to_csv(written[0], index=False)
         for name, table in self.tables.items():
             written.append(folder / f"{name}.csv")
             table.to_csv(written[-1], index=table.index.name is not None)

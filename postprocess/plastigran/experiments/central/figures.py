@@ -165,7 +165,8 @@ def loops_figure(collisions: Collisions) -> Figure:
     fastest, the rest are too small to see beside them."""
     curves = _curves(collisions)
     peak = max(collision.force_max for collision in collisions.values())
-    unit, factor = next((unit, size) for unit, size in FORCES.items() if peak * size >= 1)
+    fitting = (each for each in FORCES.items() if peak * each[1] >= 1)
+    unit, factor = next(fitting, ("pN", FORCES["pN"]))
     like = len({setting[:-1] for _, setting, _ in curves}) == 1
     with styled():
         columns = min(len(curves), 4)
