@@ -84,6 +84,7 @@ def test_what_cannot_be_is_refused(changes, complaint):
         ("universal", None, None, 0),
         ("thornton", "steel", None, 1),
         ("ye_komvopoulos", "steel", None, 0),
+        ("hertz", "steel", None, 0),
     ],
 )
 def test_a_dented_wall_is_said(law, wall, options, said):
@@ -102,6 +103,12 @@ def test_options_go_to_the_laws_that_have_them():
         CentralImpact.theory(law=["thornton", "hertz"], speed=0.1, options="yielding flat")
     with pytest.raises(ValueError, match="yielding is soft; it must be sphere, flat"):
         CentralImpact.theory(law=["universal", "thornton"], speed=0.1, options="yielding soft")
+
+
+def test_several_options_are_a_sweep():
+    chosen = ["yielding flat", "yielding sphere"]
+    runs = CentralImpact.theory(law=["universal", "thornton"], speed=0.1, options=chosen)
+    assert runs.table["options"].tolist() == ["yielding flat", "default", "yielding sphere"]
 
 
 def test_every_row_has_a_wall_and_options():

@@ -221,14 +221,15 @@ def test_entries_are_known_when_all_forces_are(asks, every, tmp_path):
 
 
 @pytest.mark.parametrize("pre", ["yes", "no"])
-def test_what_a_deck_changes_between_runs_is_booked(pre, tmp_path):
+@pytest.mark.parametrize("steps", [0, 200])
+def test_what_a_deck_changes_between_runs_is_booked(pre, steps, tmp_path):
     """With or without a set-up; entries that are said between runs are those of the end. An answer
     before the walls have had their turn is not the start that drift is taken from.
 
     1e-3 of what is given: the time step's error is a tenth of that.
     """
-    table = ledger("changed", tmp_path, pre=pre)
-    end, second = (table[table["run"] == run].iloc[-1] for run in (0, 1))
+    table = ledger("changed", tmp_path, pre=pre, steps=steps)
+    end, second = (table[table["run"] == run].iloc[-1] for run in (0, 2))
     assert table["elastic"].iloc[0] > 0.9 * end["kinetic"] > 0
     given = second["inserted"]
     assert given > 5 * end["kinetic"]

@@ -78,6 +78,7 @@ void EnergyLedger::begin_without_set_up() {
                "energy_ledger: particles have come or gone since the last run, and this one has no "
                "set-up: leave out `pre no`");
   book_changes();
+  summed_ = false;
 }
 
 void EnergyLedger::add_stored(const Contact& contact, double elastic_energy, double spring_energy) {

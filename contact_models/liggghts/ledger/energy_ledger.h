@@ -113,6 +113,7 @@ class EnergyLedger : public OwnFix {
   }
 
   void post_run() override {
+    if (phase_ == BETWEEN_RUNS) begin_without_set_up();  // a run of no steps
     phase_ = BETWEEN_RUNS;
     if (!started_)
       start();

@@ -15,7 +15,7 @@ from attrs import evolve
 
 from plastigran import laws
 from plastigran.declared import number, word
-from plastigran.experiments.base import Experiment
+from plastigran.experiments.base import Experiment, several
 from plastigran.experiments.collision import CollisionOutcome, measure
 from plastigran.experiments.fields import (
     SPHERE_OVERLAP,
@@ -233,12 +233,13 @@ class CentralImpact(Experiment):
         Raises:
             ValueError: As for `plan`, or none of the laws has an option.
         """
-        options = settings.pop("options", None)
-        takers = having_options(settings["law"], options)
+        found: list[CentralImpact] = []
+        chosen = several(settings.pop("options", None))
         plan = cls.plan(**settings)
-        if not options:
-            return plan
-        return [evolve(case, options=options) if case.law in takers else case for case in plan]
+        for options in chosen:
+            takers = having_options(settings["law"], options) if options else []
+            found += [evolve(one, options=options) if one.law in takers else one for one in plan]
+        return list(dict.fromkeys(found))
 
     @classmethod
     def summary(cls, runs: Runs) -> str:

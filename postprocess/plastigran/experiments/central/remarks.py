@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
+from plastigran import laws
 from plastigran.experiments.central import INDENTATION, CentralImpact
 from plastigran.experiments.runs import Runs
 
@@ -37,7 +38,10 @@ def _dented(impacts: Iterable[CentralImpact]) -> str:
     names = dict.fromkeys(
         f"{impact.material.name} on {impact.wall_name}"
         for impact in impacts
-        if impact.wall_yields and not impact.law_is_of_dents
+        if impact.wall_yields
+        and laws.LAWS[impact.law].yields
+        and impact.speed >= impact.yield_speed()
+        and not impact.law_is_of_dents
     )
     if not names:
         return ""
