@@ -50,8 +50,8 @@ inline double binary_log(double x) {
 // The natural logarithm, as well.
 inline double natural_log(double x) { return ln_2 * binary_log(x); }
 
-// base^exponent to 3e-15 of it and 2e-16 |exponent log2(base)| for base > 0, neither so small or large that
-// the one or the other is not a normal number.
+// base^exponent to 3e-15 of it and 2e-16 |exponent log2(base)| for base > 0, neither so small or
+// large that the one or the other is not a normal number.
 inline double power(double base, double exponent) {
   const double way = exponent * binary_log(base);
   constexpr double round = 6755399441055744.0 / 128;  // 1.5 2^52, over 128: rounds to a 128th
