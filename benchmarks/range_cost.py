@@ -16,7 +16,7 @@ from tempfile import TemporaryDirectory
 
 from plastigran import laws
 from plastigran.engine.process import run_deck
-from plastigran.materials import laws_for
+from plastigran.usable_laws import laws_for
 
 DECK = Path(__file__).with_suffix(".in")
 

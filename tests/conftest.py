@@ -26,7 +26,8 @@ from plastigran.bulk.decks import deck_class
 from plastigran.bulk.outcome import BulkRun, open_run
 from plastigran.bulk.run import run_bulk
 from plastigran.engine.process import PROJECT
-from plastigran.materials import RIGID, laws_for, read_material
+from plastigran.materials import RIGID, read_material
+from plastigran.usable_laws import laws_for
 
 # Laws with a model in the engine: one binding header each.
 ENGINE_LAWS = sorted(

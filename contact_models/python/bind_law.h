@@ -156,6 +156,7 @@ Raises:
   law.attr("rate_dependent") = rate_dependent<Law>;
   law.attr("yields") = yields<Law>;
   law.attr("hardens") = hardens<Law>;
+  law.attr("indentation") = indentation<Law>;
   law.attr("shape") = shape<Law>;
   nb::list names;
   for (const char* name : Law::state_names) names.append(name);

@@ -7,8 +7,6 @@ the same form.
 
 from __future__ import annotations
 
-import warnings
-from collections.abc import Iterable
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -25,6 +23,8 @@ if TYPE_CHECKING:
 #: A wall that neither deforms nor yields.
 RIGID = laws.Body(1e30, 0.3, 1e30, 1.61)
 
+#: Words that tables have where there is no material, or for what is usual.
+TAKEN = ("rigid", "none", "default")
 
 #: Constants of a body in contact, as `laws.Body` takes them.
 OF_BODY = (
@@ -70,6 +70,7 @@ class Material:
     )
 
     def __attrs_post_init__(self) -> None:
+        _check_name(self.name)
         self.body()
 
     def variables(self, suffix: str = "") -> dict[str, float]:
@@ -102,6 +103,14 @@ class Material:
     def body(self) -> laws.Body:
         """The constants as the laws take them."""
         return laws.Body(*(getattr(self, name) for name in OF_BODY))
+
+
+def _check_name(name: object) -> None:
+    """Refuse a material's name that tables or folders could not have."""
+    if not isinstance(name, str) or not name.strip() or set(name) & set("/\n\0"):
+        raise ValueError(f"name is {name!r}; it must be a word, without a slash")
+    if name in TAKEN:
+        raise ValueError(f"name is {name!r}; {', '.join(TAKEN)} have another meaning in tables")
 
 
 def _needed(law: str) -> list[str]:
@@ -232,36 +241,3 @@ def _read_unless_rigid(name: Material | laws.Body | str | Path | None) -> Materi
     """A material, or None for a body that is rigid, which "rigid" and `RIGID` stand for, too."""
     is_rigid = name is None or name == "rigid" or (isinstance(name, laws.Body) and name == RIGID)
     return None if is_rigid else read_material(name)
-
-
-def laws_for(shape: str, bodies: Iterable[Material] = ()) -> list[str]:
-    """Names of the laws for bodies of a shape, "sphere" or "cylinder".
-
-    Args:
-        shape: Of the bodies.
-        bodies: Leave out laws that need a constant which one of these materials does not give.
-    """
-    fitting, bodies = sorted(k for k, law in laws.LAWS.items() if law.shape == shape), list(bodies)
-    return [name for name in fitting if not any(body.missing(name) for body in bodies)]
-
-
-def choose_laws(given: Iterable[str], shape: str, bodies: Iterable[Material] = ()) -> list[str]:
-    """Names of laws, each once; "all" stands for those of `laws_for`.
-
-    Raises:
-        ValueError: There is no such law.
-
-    Warns:
-        UserWarning: "all" leaves out a law, for a material lacks its constants.
-    """
-    given, usable = list(given), laws_for(shape, bodies)
-    for name in given:
-        if name not in laws.LAWS and name != "all":
-            raise ValueError(f"no law {name!r}; there are {', '.join(sorted(laws.LAWS))}")
-    left = sorted(set(laws_for(shape)) - set(usable) - set(given))
-    if "all" in given and left:
-        warnings.warn(
-            f"left out, for the material lacks their constants: {', '.join(left)}", stacklevel=2
-        )
-    expanded = [usable if name == "all" else [name] for name in given]
-    return list(dict.fromkeys(name for some in expanded for name in some))

@@ -18,7 +18,8 @@ from plastigran.__main__ import start
 from plastigran.cli import main
 from plastigran.engine.deck import property_name
 from plastigran.engine.process import inputs_folder
-from plastigran.materials import laws_for, read_material
+from plastigran.materials import read_material
+from plastigran.usable_laws import laws_for
 
 
 def test_impact_writes_table_and_figures(tmp_path, capsys):

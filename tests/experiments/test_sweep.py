@@ -9,7 +9,8 @@ import pytest
 import plastigran as pg
 from plastigran.engine.process import EngineError
 from plastigran.experiments.central import CentralImpact
-from plastigran.experiments.runs import TABLE, sweep
+from plastigran.experiments.record import TABLE
+from plastigran.experiments.runs import sweep
 from plastigran.experiments.tables import format_table
 
 

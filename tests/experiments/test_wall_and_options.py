@@ -6,10 +6,10 @@ from __future__ import annotations
 
 import pytest
 
-from plastigran import laws
+from plastigran import collide, laws
 from plastigran.experiments.central import CentralImpact
 from plastigran.experiments.cylinder import CylinderImpact
-from plastigran.materials import RIGID, read_material
+from plastigran.materials import RIGID, Material, read_material
 
 
 @pytest.mark.parametrize("geometry", ["sphere_wall", "sphere_mesh"])
@@ -92,8 +92,8 @@ def test_a_dented_wall_is_said(law, wall, options, said):
     runs = CentralImpact.theory(
         law=law, material="zirconia", speed=1.0, radius=0.005, wall=wall, options=options
     )
-    assert str(runs).count("zirconia on steel: the wall is dented") == said
-    assert f"spheres of radius 0.005 m, on {wall or 'a rigid wall'}" in str(runs)
+    assert str(runs).count("Zirconia on Steel: the wall is dented") == said
+    assert f"spheres of radius 0.005 m, on {'Steel' if wall else 'a rigid wall'}" in str(runs)
 
 
 def test_options_go_to_the_laws_that_have_them():
@@ -103,6 +103,22 @@ def test_options_go_to_the_laws_that_have_them():
         CentralImpact.theory(law=["thornton", "hertz"], speed=0.1, options="yielding flat")
     with pytest.raises(ValueError, match="yielding is soft; it must be sphere, flat"):
         CentralImpact.theory(law=["universal", "thornton"], speed=0.1, options="yielding soft")
+
+
+def test_options_go_to_the_laws_that_have_them_in_python():
+    """`collide` has the rule of the command."""
+    given = {"speeds": 0.5, "materials": "steel", "radius": 0.005, "options": "yielding flat"}
+    runs = collide(["universal", "thornton"], **given)
+    assert runs.table["options"].tolist() == ["yielding flat", "default"]
+    with pytest.raises(ValueError, match="thornton has no option 'yielding'"):
+        collide("thornton", **given)
+
+
+@pytest.mark.parametrize("name", ["rigid", "none", "default", "", "a/b", 304])
+def test_names_that_no_material_may_have(name):
+    """Tables and folders have them for something else, or cannot have them."""
+    with pytest.raises(ValueError, match=f"name is {name!r}; "):
+        Material(name, **read_material("steel").variables())
 
 
 def test_several_options_are_a_sweep():

@@ -6,8 +6,8 @@ from __future__ import annotations
 import pytest
 
 from plastigran import laws
-from plastigran.materials import laws_for
 from plastigran.plot.style import COLOURS, MARKERS, law_colour, law_number
+from plastigran.usable_laws import laws_for
 
 
 @pytest.mark.parametrize("shape", sorted({law.shape for law in laws.LAWS.values()}))

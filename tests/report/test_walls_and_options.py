@@ -11,6 +11,7 @@ import pytest
 
 from plastigran import collide
 from plastigran.experiments.central import CentralImpact
+from plastigran.experiments.record import read_table
 from plastigran.materials import Material, read_material, write_material
 from plastigran.report.page.collect import collect
 from plastigran.report.page.render import make_section
@@ -94,3 +95,23 @@ def test_two_materials_of_one_name_are_refused(tmp_path):
     with pytest.raises(ValueError, match="two materials are named mine; give their files differ"):
         CentralImpact.theory(law=["thornton"], material=files, speed=0.1).write(tmp_path / "theory")
     assert not list((tmp_path / "theory").iterdir())
+
+
+def test_names_that_look_like_numbers_or_nothing(tmp_path):
+    """Steel 304 is a name as any other, and so is null: of a ball and of its wall."""
+    metals = []
+    for name, strength in (("304", 3e8), ("null", 9e8)):
+        own = Material(name, **read_material("steel").variables() | {"yield_strength": strength})
+        metals.append(tmp_path / f"{name}.in")
+        write_material(own, metals[-1], "A name on purpose.")
+    folder = tmp_path / "results"
+    collide("thornton", [0.5, 5], metals, 0.005, folder=folder, wall=metals)
+    made = section(folder)
+    names = {trace.name for trace in made.charts[0].views["Coefficient of restitution"].data}
+    assert names == {
+        f"Thornton, {ball}, on {wall}" for ball in ("304", "Null") for wall in ("304", "Null")
+    }
+    assert made.state == "done", made.missing
+    assert len(made.charts[1].views) == 8
+    table, whole = read_table(folder / "impacts.csv")
+    assert whole and set(table["material"]) == set(table["wall"]) == {"304", "null"}

@@ -15,7 +15,7 @@ from plastigran.engine.dumps import read_dump
 from plastigran.engine.process import run_deck
 from plastigran.experiments.chung_ooi import BenchmarkImpact
 from plastigran.experiments.chung_ooi.comparison import motion
-from plastigran.materials import laws_for
+from plastigran.usable_laws import laws_for
 
 LAW = "vu_quoc_zhang"
 #: Laws that yield, and are the engine's hertz for bodies that do not.

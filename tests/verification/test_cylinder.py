@@ -13,9 +13,10 @@ from scipy.integrate import quad, solve_ivp
 
 from plastigran import laws
 from plastigran.experiments.cylinder import CylinderImpact, study
-from plastigran.materials import laws_for, read_material
+from plastigran.materials import read_material
 from plastigran.physics import central
 from plastigran.physics.contact_time import contact_time
+from plastigran.usable_laws import laws_for
 
 CYLINDER_LAWS = laws_for("cylinder")
 

@@ -10,7 +10,7 @@ from scipy.integrate import solve_ivp
 from plastigran.engine.process import EngineError, inputs_folder, run_deck
 from plastigran.experiments.collision import measure
 from plastigran.experiments.cylinder import CylinderImpact
-from plastigran.materials import laws_for
+from plastigran.usable_laws import laws_for
 
 CYLINDER_LAWS = laws_for("cylinder")
 

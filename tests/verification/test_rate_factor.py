@@ -7,8 +7,9 @@ import numpy as np
 import pytest
 
 from plastigran import laws
-from plastigran.materials import RIGID, laws_for
+from plastigran.materials import RIGID
 from plastigran.physics import central
+from plastigran.usable_laws import laws_for
 
 RADIUS, LENGTH, MASS = 0.1, 0.1, 11.0  # m, m, kg
 ALUMINIUM = {

@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 from plastigran import laws
-from plastigran.materials import laws_for
+from plastigran.usable_laws import laws_for
 
 #: Largest relative error of restitution in 600 random impacts by 24 phases each, where it is more
 #: than 1e-3: kinks of the force are not in the estimate.

@@ -26,6 +26,7 @@ struct KogutKomvopoulosCurve : ReadingAlone {
   static constexpr const char* name = "kogut_komvopoulos";
   static constexpr const char* source = "Kogut & Komvopoulos 2004, J. Mater. Res. 19:3641";
   static constexpr const char* range = "well-developed plasticity; overlap <= 0.1 R";
+  static constexpr bool indentation = true;
 
   std::array<double, 3> breaks;
   double yield_radius_ratio;

@@ -23,6 +23,7 @@ struct YeKomvopoulosCurve : ReadingAlone {
   static constexpr const char* name = "ye_komvopoulos";
   static constexpr const char* source = "Ye & Komvopoulos 2003, J. Tribol. 125:685";
   static constexpr const char* range = "indentation; overlap <= 0.1 R";
+  static constexpr bool indentation = true;
 
   FittedSphere sphere;
   double compliance;  // sigma_Y/E'

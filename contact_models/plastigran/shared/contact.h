@@ -25,6 +25,7 @@
 //                respond(radius_eff, overlap, state, overlap_rate = 0), a total law at rate zero
 //   yields = false          no yield: the yield strength is not asked for
 //   hardens = true          the tangent modulus matters
+//   indentation = true      a hard sphere dents a flat, not: a sphere flattens
 //   overlap_range()         the largest overlap over R* it is good for
 //   overlap_breaks()        overlaps over R* at which the virgin force may jump
 //   elastic_stiffness(contact_radius)      of the elastic contact
@@ -125,7 +126,8 @@ struct NoConstants {
 };
 
 // What a law says of itself, and what holds where it says nothing: its constants, its choices, the
-// shape of its bodies, whether the rate of overlap matters, whether the bodies yield and harden.
+// shape of its bodies, whether the rate of overlap matters, whether the bodies yield and harden,
+// which one yields.
 template <class Law, class = void>
 constexpr std::array<Parameter<typename Law::Parameters>, 0> parameters_of{};
 template <class Law>
@@ -156,6 +158,11 @@ template <class Law, class = void>
 constexpr bool hardens = false;
 template <class Law>
 constexpr bool hardens<Law, std::void_t<decltype(Law::hardens)>> = Law::hardens;
+
+template <class Law, class = void>
+constexpr bool indentation = false;
+template <class Law>
+constexpr bool indentation<Law, std::void_t<decltype(Law::indentation)>> = Law::indentation;
 
 // Ask any law; one that does not depend on the rate never sees it.
 template <class Law>

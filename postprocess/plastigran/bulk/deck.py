@@ -17,8 +17,9 @@ from plastigran.bulk.folder import read_derived
 from plastigran.bulk.grains import Grains
 from plastigran.bulk.settings import continuable, text
 from plastigran.declared import declaration, number, require, whole, word
-from plastigran.materials import Material, laws_for
+from plastigran.materials import Material
 from plastigran.plot.ledger import ledger_figure
+from plastigran.usable_laws import laws_for
 
 
 @attrs.frozen

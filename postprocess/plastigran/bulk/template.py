@@ -10,7 +10,8 @@ from pathlib import Path
 from plastigran.contact import Contact
 from plastigran.engine.deck import index_variables
 from plastigran.engine.process import inputs_folder, misread
-from plastigran.materials import Material, laws_for, read_material, write_material
+from plastigran.materials import Material, read_material, write_material
+from plastigran.usable_laws import laws_for
 
 #: Speed of the fastest impact of the template, a fall from its top [m/s], with room to spare.
 SPEED = 2.0

@@ -20,9 +20,10 @@ import pandas as pd
 
 from plastigran.contact import Contact
 from plastigran.declared import Declaration, read_number
-from plastigran.materials import Material, laws_for
+from plastigran.materials import Material
 from plastigran.physics.central import yield_speed
 from plastigran.physics.rebound_hardness import GRAVITATIONAL_ACCELERATION
+from plastigran.usable_laws import laws_for
 
 #: Power of s by which each constant of a material is multiplied; the others stay.
 POWERS = {

@@ -126,7 +126,7 @@ def known_materials() -> str:
 
 
 def add_laws(command: argparse.ArgumentParser, bodies: str) -> None:
-    """`--law`: those named, or all for some bodies, as `materials.choose_laws` takes them."""
+    """`--law`: those named, or all for some bodies, as `usable_laws.choose_laws` takes them."""
     command.add_argument(
         "--law",
         nargs="+",

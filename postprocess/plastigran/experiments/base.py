@@ -12,15 +12,15 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, ClassVar
 
 import attrs
-import numpy as np
 import pandas as pd
 
 from plastigran.declared import declaration
 from plastigran.engine.process import inputs_folder, run_deck, typed_command
-from plastigran.experiments.fields import Flag
+from plastigran.experiments.fields import Flag, several
 from plastigran.experiments.runs import Runs, sweep
 from plastigran.experiments.tables import format_range, format_table
-from plastigran.materials import Material, choose_laws, read_material
+from plastigran.materials import Material, read_material
+from plastigran.usable_laws import choose_laws
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -264,10 +264,3 @@ class Experiment:
         if "in_range" in runs.table:
             text.append(format_range(runs.table))
         return "\n".join(filter(None, text))
-
-
-def several(value: Any) -> tuple:
-    """One value, or an iterable of them, as a tuple."""
-    if isinstance(value, str | Path | Material) or not np.iterable(value):
-        return (value,)
-    return tuple(value)

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from pathlib import Path
 from typing import Any
 
 import attrs
@@ -11,7 +12,8 @@ import numpy as np
 
 from plastigran import laws
 from plastigran.declared import Declaration
-from plastigran.materials import laws_for
+from plastigran.materials import Material
+from plastigran.usable_laws import laws_for
 
 #: Largest overlap a sphere's run is allowed, over the effective radius.
 SPHERE_OVERLAP = 0.3
@@ -38,6 +40,13 @@ class Flag:
     def values(self) -> Any:
         """The default, of a span its values, evenly apart in their logarithms."""
         return tuple(np.geomspace(*self.span)) if self.span else self.default
+
+
+def several(value: Any) -> tuple:
+    """One value, or an iterable of them, as a tuple."""
+    if isinstance(value, str | Path | Material) or not np.iterable(value):
+        return (value,)
+    return tuple(value)
 
 
 def law_field(default: Any = attrs.NOTHING) -> Any:

@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-import json
 import os
 import shutil
 from collections.abc import Iterable, Iterator, Mapping
@@ -19,18 +18,13 @@ import attrs
 import pandas as pd
 
 from plastigran.engine.versions import versions
+from plastigran.experiments.record import STUDY, TABLE, add_row, materials_of, write_study
 from plastigran.progress import ProgressBar
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
     from plastigran.experiments.base import Experiment
-    from plastigran.materials import Material
-
-#: The results table in a sweep's folder.
-TABLE = "impacts.csv"
-#: What ran, in a sweep's folder: command, settings, versions.
-STUDY = "study.json"
 
 
 @attrs.frozen(slots=False, eq=False, repr=False)
@@ -94,7 +88,7 @@ class Runs:
         folder.mkdir(parents=True, exist_ok=True)
         if self.by_theory:
             made_with = {"plastigran": version("plastigran")}
-            _write_study(folder, self.cases, self.settings, made_with, by_theory=True)
+            write_study(folder, self.cases, self.settings, made_with, by_theory=True)
         written = [folder / TABLE]
         self.table.to_csv(written[0], index=False)
         for name, table in self.tables.items():
@@ -148,28 +142,16 @@ def sweep(
         raise ValueError("there is no case to run")
     if jobs is not None and not (isinstance(jobs, int) and jobs >= 1):
         raise ValueError(f"jobs is {jobs!r}; it must be 1 or more")
-    _materials(cases)
+    materials_of(cases)
     made_with = versions()  # raises where there is no engine, before anything is removed
     with claim(folder, force):
-        _write_study(folder, cases, settings or {}, made_with)
+        write_study(folder, cases, settings or {}, made_with)
         return _sweep(cases, folder, jobs, progress, settings)
 
 
 def case_folders(cases: Iterable[Experiment], folder: Path) -> list[Path]:
     """Where each case of a sweep runs."""
     return [folder / "runs" / f"{number:04d}_{case.label}" for number, case in enumerate(cases)]
-
-
-def _add_row(path: Path, row: Mapping[str, object]) -> None:
-    """Append a row to a table; an interrupt leaves none in part. The first one begins the file."""
-    line = pd.DataFrame([row])
-    if path.exists():
-        with open(path, "a", newline="") as file:
-            file.write(line.to_csv(header=False, index=False))
-        return
-    draft = path.with_suffix(".new")
-    line.to_csv(draft, index=False)
-    draft.replace(path)
 
 
 @contextmanager
@@ -226,7 +208,7 @@ def _sweep(
                 failure = failure or error
                 continue
             rows[case] = case.row(measured[case])
-            _add_row(path, rows[case])
+            add_row(path, rows[case])
     finally:  # an interrupt starts no further engine
         pool.shutdown(wait=True, cancel_futures=True)
         bar.close()
@@ -236,47 +218,3 @@ def _sweep(
     table.to_csv(path, index=False)
     outcomes = {case: measured[case] for case in cases}
     return Runs(type(cases[0]), outcomes, table, dict(settings or {}))
-
-
-def _write_study(
-    folder: Path,
-    cases: list[Experiment],
-    settings: Mapping[str, Any],
-    made_with: Mapping[str, str],
-    by_theory: bool = False,
-) -> None:
-    """Record what is to be run, before it is, or what theory has answered."""
-    said = {
-        "command": cases[0].command,
-        "cases": len(cases),
-        "by_theory": by_theory,
-        "settings": {name: _plain(value) for name, value in settings.items()},
-        "materials": {name: each.variables() for name, each in _materials(cases).items()},
-        "versions": made_with,
-    }
-    (folder / STUDY).write_text(json.dumps(said, indent=2) + "\n")
-
-
-def _materials(cases: Iterable[Experiment]) -> dict[str, Material]:
-    """Of all bodies, by name.
-
-    Raises:
-        ValueError: Two differ that have one name, by which tables know them.
-    """
-    found: dict[str, Material] = {}
-    for case in cases:
-        for name, material in case.materials().items():
-            if found.setdefault(name, material) != material:
-                raise ValueError(
-                    f"two materials are named {name}; give their files different names"
-                )
-    return found
-
-
-def _plain(value: Any) -> Any:
-    """A setting as JSON has it: numbers and words, of another object its name."""
-    if value is None or isinstance(value, bool | int | float | str):
-        return value
-    if isinstance(value, Iterable):
-        return [_plain(each) for each in value]
-    return str(getattr(value, "name", value))

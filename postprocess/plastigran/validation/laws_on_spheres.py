@@ -10,8 +10,9 @@ import pandas as pd
 
 from plastigran import laws
 from plastigran.calibration.expected_errors import KINDS
-from plastigran.materials import RIGID, laws_for
+from plastigran.materials import RIGID
 from plastigran.physics.central import yield_speed
+from plastigran.usable_laws import laws_for
 from plastigran.validation.spheres import table
 from plastigran.validation.spheres.metals import PLANE_MODULUS, RADIUS, SphereMetal
 from plastigran.validation.spheres.regimes import SPEED_RATIOS, kind

@@ -11,7 +11,8 @@ from plastigran.cli.commands.bulk import report
 from plastigran.cli.experiments import run_study
 from plastigran.experiments.central import GEOMETRIES, PAPER_SPEEDS, CentralImpact
 from plastigran.experiments.runs import sweep
-from plastigran.materials import laws_for, read_material
+from plastigran.materials import read_material
+from plastigran.usable_laws import laws_for
 
 HELP = "the tour: collisions, a gas that cools and a hopper, with figures and a report"
 EXAMPLE = "plastigran demo --output results/demo"

@@ -10,7 +10,7 @@ import pandas as pd
 from plastigran import laws
 from plastigran.cli.arguments import add_json, print_json
 from plastigran.engine.deck import property_name
-from plastigran.materials import choose_laws
+from plastigran.usable_laws import choose_laws
 
 HELP = "list the laws: bodies, range, source, constants, options"
 EXAMPLE = "plastigran laws universal thornton"
@@ -31,6 +31,7 @@ def flags(name: str) -> str:
         "the engine's own": name == "hertz",
         "no yield": not law.yields,
         "hardens": law.hardens,
+        "indentation": law.indentation,
         "rate dependent": law.rate_dependent,
         "energy guard": "energy_guard" in options,
     }

@@ -23,6 +23,7 @@ from plastigran.cli.arguments import (
     print_json,
     refuse_idle,
 )
+from plastigran.usable_laws import choose_laws
 
 HELP = "a softer material of the same restitution, for longer time steps"
 EXAMPLE = "plastigran soften --material steel --speedup 10 --radius 0.005 --speed 1"
@@ -52,7 +53,7 @@ def run(arguments: argparse.Namespace) -> None:
     material = materials.read_material(arguments.material)
     factor = arguments.factor or arguments.speedup ** (1 / TIME_POWER)
     softened = soften(material, factor)
-    names = materials.choose_laws(arguments.law, "sphere", [material])
+    names = choose_laws(arguments.law, "sphere", [material])
     table = comparison(material, factor, arguments.radius, arguments.speed, names)
     overlaps = {"impact": [float(table[name].max()) for name in ("overlap", "overlap_softened")]}
     if arguments.depth:

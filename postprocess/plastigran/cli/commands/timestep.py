@@ -9,6 +9,7 @@ import sys
 from plastigran import materials
 from plastigran.cli.arguments import add_json, add_laws, add_material, positive, print_json
 from plastigran.experiments.collide import IMPACTS
+from plastigran.usable_laws import choose_laws
 
 HELP = "recommended time step of an impact"
 EXAMPLE = "plastigran timestep --law universal --material steel --radius 0.005 --speed 0.5"
@@ -31,7 +32,7 @@ def run(arguments: argparse.Namespace) -> None:
     material, kind = materials.read_material(arguments.material), KINDS[arguments.geometry]
     steps = {
         name: kind(name, arguments.speed, material, arguments.radius, arguments.geometry).timestep
-        for name in materials.choose_laws(arguments.law, kind.shape, [material])
+        for name in choose_laws(arguments.law, kind.shape, [material])
     }
     if arguments.json:
         print_json([{"law": name, "timestep": step} for name, step in steps.items()])

@@ -15,7 +15,9 @@ from attrs import evolve
 
 from plastigran import laws
 from plastigran.declared import number, word
-from plastigran.experiments.base import Experiment, several
+from plastigran.experiments.base import Experiment
+from plastigran.experiments.central.arrangement import run_label
+from plastigran.experiments.central.remarks import remarks
 from plastigran.experiments.collision import CollisionOutcome, measure
 from plastigran.experiments.fields import (
     SPHERE_OVERLAP,
@@ -25,6 +27,7 @@ from plastigran.experiments.fields import (
     law_field,
     law_options,
     options_field,
+    several,
 )
 from plastigran.experiments.runs import Runs
 from plastigran.experiments.tables import HEADS
@@ -36,12 +39,6 @@ if TYPE_CHECKING:
 
 #: Decks and how many bodies take part; the other body of one is a wall.
 GEOMETRIES = {"sphere_wall": 1, "sphere_mesh": 1, "two_spheres": 2}
-
-#: Words for what a sphere hits that is no wall of a metal: a wall without yield, another sphere.
-WALLS = ("rigid", "none")
-
-#: Laws of a flat that a hard ball dents; of the others, a ball that flattens.
-INDENTATION = ("kogut_komvopoulos", "ye_komvopoulos")
 
 #: Speeds that take the paper's sphere (aluminium_zv02, 0.1 m) to 120 yield speeds [m/s].
 PAPER_SPEEDS = (0.0005, 0.001, 0.002, 0.005, 0.01, 0.02, 0.06, 0.1, 0.2)
@@ -120,7 +117,7 @@ class CentralImpact(Experiment):
 
     @property
     def wall_name(self) -> str:
-        """The wall's metal, or a word of `WALLS`."""
+        """The wall's metal, or a word of `arrangement.WALLS`."""
         if self.bodies == 2:
             return "none"
         return self.wall.name if self.wall is not None else "rigid"
@@ -135,10 +132,10 @@ class CentralImpact(Experiment):
         )
 
     @property
-    def law_is_of_dents(self) -> bool:
-        """Whether the law, with its options, is of a flat that a hard ball dents."""
+    def law_is_of_indentation(self) -> bool:
+        """Whether the law, with its options, is of a flat that a hard sphere dents."""
         chosen = law_options(self.law, self.options).get("yielding")
-        return self.law in INDENTATION or (self.law == "universal" and chosen == "flat")
+        return laws.LAWS[self.law].indentation or chosen == "flat"
 
     @property
     def radius_eff(self) -> float:
@@ -227,24 +224,23 @@ class CentralImpact(Experiment):
         return {"in_range": predicted.in_range, "timestep": step, "steps": steps}
 
     @classmethod
-    def cases(cls, **settings: Any) -> list[CentralImpact]:
-        """The plan of a study; options go to the laws that have them.
+    def plan(cls, **values: Any) -> list[CentralImpact]:
+        """As for every experiment, but that options go to the laws that have them.
 
         Raises:
-            ValueError: As for `plan`, or none of the laws has an option.
+            ValueError: A case cannot be run, or no law has an option; the message says why.
         """
         found: list[CentralImpact] = []
-        chosen = several(settings.pop("options", None))
-        plan = cls.plan(**settings)
+        chosen = several(values.pop("options", None))
+        plan = super().plan(**values)
+        names = dict.fromkeys(one.law for one in plan)
         for options in chosen:
-            takers = having_options(settings["law"], options) if options else []
+            takers = having_options(names, options) if options else []
             found += [evolve(one, options=options) if one.law in takers else one for one in plan]
         return list(dict.fromkeys(found))
 
     @classmethod
     def summary(cls, runs: Runs) -> str:
-        from plastigran.experiments.central.remarks import remarks
-
         return "\n".join([super().summary(runs), *remarks(runs)])
 
     @classmethod
@@ -255,13 +251,3 @@ class CentralImpact(Experiment):
             "restitution": lambda: figures.restitution_figure(runs.outcomes, runs.by_theory),
             "loops": lambda: figures.loops_figure(runs.outcomes),
         }
-
-
-def run_label(
-    geometry: str, material: str, law: str, wall: str = "rigid", options: str = "default"
-) -> str:
-    """Name of an impact's folder, behind its number, from what its row in the table says."""
-    said = [geometry, material, law]
-    said += [] if wall in WALLS else ["on", wall]
-    said += [] if options == "default" else options.split()
-    return "_".join(said)

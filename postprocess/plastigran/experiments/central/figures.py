@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 from importlib.resources import files
 
 import matplotlib
@@ -15,6 +15,7 @@ from matplotlib.ticker import LogLocator
 
 from plastigran import laws
 from plastigran.experiments.central import CentralImpact
+from plastigran.experiments.central.arrangement import on_wall
 from plastigran.experiments.collision import CollisionOutcome
 from plastigran.materials import Material
 from plastigran.physics import central
@@ -108,7 +109,7 @@ def _curves(
         if len(geometries) > 1:
             name.append(impact.geometry.replace("_", " "))
         if len(walls) > 1 and impact.bodies == 1:
-            name.append(f"on {title(impact.wall.name) if impact.wall else 'a rigid wall'}")
+            name.append(on_wall(impact.wall_name))
         if impact.options or len(chosen[impact.law]) > 1:
             name.append(impact.options or "default")
         key = (impact.law, _setting(impact), ", ".join(name))
@@ -116,17 +117,16 @@ def _curves(
     return found
 
 
-def _common(impacts: Iterable[CentralImpact]) -> str:
+def _common(collisions: Collisions) -> str:
     """What all impacts share, in words."""
+    impacts = list(collisions)
     material, radius, geometry, wall, _ = map(set, zip(*map(_setting, impacts), strict=True))
     said = [f"{title(one.name)}" for one in material if len(material) == 1]
     said += [f"radius {one:g} m" for one in radius if len(radius) == 1]
     if geometry == {"two_spheres"}:
         said.append("two spheres")
     elif "two_spheres" not in geometry:
-        said += [
-            f"on {title(one.name) if one else 'a rigid wall'}" for one in wall if len(wall) == 1
-        ]
+        said += [on_wall(impacts[0].wall_name)] * (len(wall) == 1)
     return ", ".join(said)
 
 

@@ -4,10 +4,15 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from typing import TYPE_CHECKING
 
 from plastigran import laws
-from plastigran.experiments.central import INDENTATION, CentralImpact
+from plastigran.experiments.central.arrangement import on_wall
 from plastigran.experiments.runs import Runs
+from plastigran.plot.style import title
+
+if TYPE_CHECKING:
+    from plastigran.experiments.central import CentralImpact
 
 
 def remarks(runs: Runs) -> list[str]:
@@ -28,26 +33,25 @@ def _arrangement(impacts: Iterable[CentralImpact]) -> str:
     walls = {impact.wall_name for impact in impacts}
     if len(radii) > 1 or len(walls) > 1:
         return ""
-    wall = walls.pop()
-    on = {"none": "", "rigid": ", on a rigid wall"}.get(wall, f", on {wall}")
-    return f"spheres of radius {radii.pop():g} m{on}"
+    return ", ".join(filter(None, (f"spheres of radius {radii.pop():g} m", on_wall(walls.pop()))))
 
 
 def _dented(impacts: Iterable[CentralImpact]) -> str:
     """Which balls dent their wall by a law of balls that flatten."""
     names = dict.fromkeys(
-        f"{impact.material.name} on {impact.wall_name}"
+        f"{title(impact.material.name)} {on_wall(impact.wall_name)}"
         for impact in impacts
         if impact.wall_yields
         and laws.LAWS[impact.law].yields
         and impact.speed >= impact.yield_speed()
-        and not impact.law_is_of_dents
+        and not impact.law_is_of_indentation
     )
     if not names:
         return ""
+    indentation = sorted(name for name, law in laws.LAWS.items() if law.indentation)
     return (
         f"{', '.join(names)}: the wall is dented, the ball does not flatten. universal with "
-        f"--options 'yielding flat' is for that, {' and '.join(INDENTATION)} are fits to "
+        f"--options 'yielding flat' is for that, {' and '.join(indentation)} are fits to "
         "indentations, the other laws are of balls that flatten. Give the wall its "
         "rate_coefficient (docs/rate_factor.md)"
     )

@@ -18,8 +18,8 @@ from plastigran.experiments.central import CentralImpact
 from plastigran.experiments.cylinder import study
 from plastigran.experiments.fields import Flag
 from plastigran.experiments.runs import Runs
-from plastigran.materials import laws_for
 from plastigran.physics import central
+from plastigran.usable_laws import laws_for
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

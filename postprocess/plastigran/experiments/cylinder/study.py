@@ -15,10 +15,11 @@ import pandas as pd
 from numpy.typing import ArrayLike
 
 from plastigran import laws
-from plastigran.materials import RIGID, laws_for, read_material
+from plastigran.materials import RIGID, read_material
 from plastigran.physics import central
 from plastigran.physics.contact_time import contact_time
 from plastigran.progress import ProgressBar
+from plastigran.usable_laws import laws_for
 
 MATERIAL = "glass_kp10"
 MASS = 1.59e-6  # of the slider [kg]

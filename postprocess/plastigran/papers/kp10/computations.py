@@ -17,8 +17,9 @@ from plastigran.fem.cylinder.struck import Strike
 from plastigran.fem.material.elastic_plastic import ElasticPlastic
 from plastigran.fem.material.hardening import LinearHardening
 from plastigran.fem.settings import Settings
-from plastigran.materials import laws_for, read_material
+from plastigran.materials import read_material
 from plastigran.report.computing import Computation, compute_all
+from plastigran.usable_laws import laws_for
 
 RADIUS = 1e-5
 GLASS = read_material(MATERIAL)

@@ -10,7 +10,7 @@ from pathlib import Path
 import attrs
 
 from plastigran.bulk.folder import RECORD
-from plastigran.experiments.runs import STUDY, TABLE
+from plastigran.experiments.record import STUDY, TABLE
 
 #: Folders down from a given one in which results are looked for.
 DEPTH = 4

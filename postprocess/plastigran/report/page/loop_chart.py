@@ -11,7 +11,8 @@ import pandas as pd
 import plotly.graph_objects as go
 
 from plastigran.engine.dumps import DumpError, TruncatedFileWarning, read_dump
-from plastigran.experiments.central import GEOMETRIES, run_label
+from plastigran.experiments.central import GEOMETRIES
+from plastigran.experiments.central.arrangement import run_label
 from plastigran.experiments.collision import CollisionError, force_overlap_loop
 from plastigran.plot.style import title
 from plastigran.report.page.charts import Chart, chart_name, figure, line, of_law

@@ -8,7 +8,7 @@ from collections.abc import Mapping
 import pandas as pd
 
 from plastigran.declared import declaration
-from plastigran.experiments.runs import STUDY
+from plastigran.experiments.record import STUDY
 from plastigran.materials import Material
 from plastigran.report.page.names import words
 from plastigran.report.page.sections import Table, cells

@@ -103,7 +103,7 @@ def render(sections: list[Section], title: str) -> str:
         sections=sections,
         counts={s: k for s in _STATES if (k := sum(each.state == s for each in sections))},
         laws=switched if len(switched) > 1 else [],
-        law_colour=shades,
+        law_number=shades,
         colours=colours,
         numbers=packed(json.dumps(numbers, cls=PlotlyJSONEncoder)),
         plotly=_plotly() if charts else "",

@@ -11,7 +11,8 @@ import pandas as pd
 import plotly.graph_objects as go
 
 from plastigran import laws
-from plastigran.experiments.central import GEOMETRIES, WALLS, CentralImpact
+from plastigran.experiments.central import GEOMETRIES, CentralImpact
+from plastigran.experiments.central.arrangement import WALLS, on_wall
 from plastigran.materials import Material
 from plastigran.plot.style import title
 from plastigran.report.page.charts import Chart, chart_name, decades, figure, line, of_law, points
@@ -99,7 +100,7 @@ def _groups(table: pd.DataFrame, abscissa: str) -> dict[tuple[str, str], pd.Data
     ]
     law = table["law"] if "law" in table else pd.Series("", table.index)
     found = {}
-    for key, rows in table.groupby([law, *(table[name] for name in apart)], sort=True):
+    for key, rows in table.groupby([law, *(table[name] for name in apart)], dropna=False):
         said = (said_of(name, value) for name, value in zip(apart, key[1:], strict=True))
         others = ", ".join(filter(None, said))
         found[str(key[0]), others] = rows.sort_values(abscissa)
@@ -121,7 +122,7 @@ def _dashes_said(groups: dict) -> str:
 def said_of(name: str, value: object) -> str:
     """A value of a case in words, with its unit."""
     if name == "wall":
-        return {"none": "", "rigid": "on a rigid wall"}.get(str(value), f"on {title(str(value))}")
+        return on_wall(str(value))
     if isinstance(value, str):
         return title(value) if name == "material" else value.replace("_", " ")
     found = scale(name, [value])

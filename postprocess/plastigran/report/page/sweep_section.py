@@ -4,15 +4,14 @@
 from __future__ import annotations
 
 import json
-from io import StringIO
 from pathlib import Path
 
 import pandas as pd
 
 from plastigran.calibration.expected_errors import errors_table
 from plastigran.engine.log import LOG, find_error
-from plastigran.experiments.central import WALLS
-from plastigran.experiments.runs import STUDY, TABLE
+from plastigran.experiments.central.arrangement import WALLS
+from plastigran.experiments.record import STUDY, TABLE, read_table
 from plastigran.experiments.tables import HEADS
 from plastigran.plot.style import title
 from plastigran.report.page.charts import chart_name
@@ -88,11 +87,11 @@ def make(results: Results, name: str) -> Section:
 def _read_table(path: Path) -> tuple[pd.DataFrame, list[str]]:
     """The results table, and a sentence where it is not there or its last line is not whole."""
     try:
-        whole, end, rest = path.read_text(encoding="utf-8").rpartition("\n")
-        table = pd.read_csv(StringIO(whole + end))
+        table, is_whole = read_table(path)
     except (OSError, ValueError):
         return pd.DataFrame(), [f"{TABLE} is missing or empty: no impact has finished."]
-    return table, [f"The last line of {TABLE} is cut short and left out."] if rest else []
+    cut = f"The last line of {TABLE} is cut short and left out."
+    return table, [] if is_whole else [cut]
 
 
 def _read_study(folder: Path) -> tuple[dict, list[str]]:

@@ -14,7 +14,8 @@ import numpy as np
 import pandas as pd
 
 from plastigran.calibration.expected_errors import ExpectedError, expected_error
-from plastigran.experiments.central import WALLS, CentralImpact
+from plastigran.experiments.central import CentralImpact
+from plastigran.experiments.central.arrangement import WALLS, on_wall
 from plastigran.materials import Material
 from plastigran.plot.style import title
 from plastigran.report.page.charts import Chart, chart_name, decades, figure, of_law, points
@@ -91,7 +92,7 @@ def _validated(
         return unknown, [], []
     found, unread, beyond = [], [], []
     apart = [name for name in APART if name in rows]
-    for values, body in rows.groupby(apart):
+    for values, body in rows.groupby(apart, dropna=False):
         if not body["speed_ratio"].max() >= 1:
             continue
         of = dict(zip(apart, values, strict=True))
@@ -117,7 +118,7 @@ def _validated(
 
 def _named(case: CentralImpact) -> str:
     """An impact's material, and the wall and options that are not the usual ones."""
-    wall = f" on {title(case.wall.name)}" if case.wall else ""
+    wall = f" {on_wall(case.wall_name)}" if case.wall else ""
     return f"{title(case.material.name)}{wall}{f', {case.options}' if case.options else ''}"
 
 

@@ -1,0 +1,91 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""What a sweep leaves in its folder beside its runs: a table of results, and what ran."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterable, Mapping
+from io import StringIO
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import pandas as pd
+
+if TYPE_CHECKING:
+    from plastigran.experiments.base import Experiment
+    from plastigran.materials import Material
+
+#: The results table in a sweep's folder.
+TABLE = "impacts.csv"
+#: What ran, in a sweep's folder: command, settings, versions.
+STUDY = "study.json"
+#: Columns of the table that hold words, whatever these look like: a steel may be named 304.
+WORDS = ("law", "material", "wall", "options", "geometry")
+
+
+def add_row(path: Path, row: Mapping[str, object]) -> None:
+    """Append a row to a table; an interrupt leaves none in part. The first one begins the file."""
+    line = pd.DataFrame([row])
+    if path.exists():
+        with open(path, "a", newline="") as file:
+            file.write(line.to_csv(header=False, index=False))
+        return
+    draft = path.with_suffix(".new")
+    line.to_csv(draft, index=False)
+    draft.replace(path)
+
+
+def read_table(path: Path) -> tuple[pd.DataFrame, bool]:
+    """The rows of a table, and whether its last line is whole; one that is not is left out.
+
+    Raises:
+        OSError, ValueError: There is no table, or it is none.
+    """
+    whole, end, rest = path.read_text(encoding="utf-8").rpartition("\n")
+    words = dict.fromkeys(WORDS, str)
+    table = pd.read_csv(StringIO(whole + end), dtype=words, keep_default_na=False, na_values=[""])
+    return table, not rest
+
+
+def write_study(
+    folder: Path,
+    cases: list[Experiment],
+    settings: Mapping[str, Any],
+    made_with: Mapping[str, str],
+    by_theory: bool = False,
+) -> None:
+    """Record what is to be run, before it is, or what theory has answered."""
+    said = {
+        "command": cases[0].command,
+        "cases": len(cases),
+        "by_theory": by_theory,
+        "settings": {name: _plain(value) for name, value in settings.items()},
+        "materials": {name: each.variables() for name, each in materials_of(cases).items()},
+        "versions": made_with,
+    }
+    (folder / STUDY).write_text(json.dumps(said, indent=2) + "\n")
+
+
+def materials_of(cases: Iterable[Experiment]) -> dict[str, Material]:
+    """Of all bodies, by name.
+
+    Raises:
+        ValueError: Two differ that have one name, by which tables know them.
+    """
+    found: dict[str, Material] = {}
+    for case in cases:
+        for name, material in case.materials().items():
+            if found.setdefault(name, material) != material:
+                raise ValueError(
+                    f"two materials are named {name}; give their files different names"
+                )
+    return found
+
+
+def _plain(value: Any) -> Any:
+    """A setting as JSON has it: numbers and words, of another object its name."""
+    if value is None or isinstance(value, bool | int | float | str):
+        return value
+    if isinstance(value, Iterable):
+        return [_plain(each) for each in value]
+    return str(getattr(value, "name", value))
