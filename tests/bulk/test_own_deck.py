@@ -93,8 +93,10 @@ def test_a_plain_deck_runs_where_it_lies(plain, tmp_path, monkeypatch, capsys):
 
 
 def test_a_stopped_deck_leaves_nothing_where_it_lies(plain, tmp_path, start_plastigran):
-    """The engine's restart file of that moment goes to the results."""
+    """The engine's restart file of that moment goes to the results; another run's stays."""
     plain.write_text(PLAIN.replace("run 500", "run 50000000"), encoding="latin-1")
+    other = plain.parent / "restart_forced_liggghts_7.data"
+    other.write_text("Left by another run.")
     files = set(plain.parent.iterdir())
     folder = tmp_path / "run"
     run = start_plastigran("bulk", plain, "--output", folder)
@@ -152,6 +154,9 @@ def test_a_law_misspelt_is_named_before_anything_runs(plain, tmp_path):
     with pytest.raises(ValueError, match=r"plain\.in: no contact model 'thorton'; is it thornton"):
         run_bulk(plain, {}, tmp_path / "run", show=False)
     assert not (tmp_path / "run").exists()
+    plain.write_text(text.replace("model thornton", "model  thornton2"), encoding="latin-1")
+    with pytest.warns(UserWarning, match="model .thornton2.; is it thornton.* of your own is let"):
+        plan_bulk(plain, {}, tmp_path / "run")
     for stock in ("hertz/stiffness", "thornton_ning", "${own}"):
         plain.write_text(text.replace("model thornton", f"model {stock}"), encoding="latin-1")
         plan_bulk(plain, {}, tmp_path / "run")

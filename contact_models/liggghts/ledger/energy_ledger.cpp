@@ -214,7 +214,7 @@ void EnergyLedger::sum() {
   total_ = -sums_[WALL_WORK] - sums_[INSERTED];
   for (int entry = KINETIC; entry < WALL_WORK; ++entry) total_ += sums_[entry];
   sums_[DRIFT] = started_ ? total_ - initial_ : 0;
-  summed_ = phase_ != SET_UP;
+  summed_ = phase_ != SET_UP && (ran_ || phase_ != BETWEEN_RUNS);
 }
 
 void EnergyLedger::write_restart(FILE* file) {

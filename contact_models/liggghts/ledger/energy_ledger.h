@@ -115,12 +115,12 @@ class EnergyLedger : public OwnFix {
   void post_run() override {
     if (phase_ == BETWEEN_RUNS) begin_without_set_up();  // a run of no steps
     phase_ = BETWEEN_RUNS;
+    ran_ = true;
     if (!started_)
       start();
     else if (!summed_)
       sum();
     before_ = mechanical_energy();
-    ran_ = true;
   }
 
   double compute_scalar() override { return compute_vector(DRIFT); }
@@ -156,7 +156,7 @@ class EnergyLedger : public OwnFix {
   }
 
   // Where the engine is. Entries are known when all forces are: not within a step. In set-up walls
-  // may be to come, so that nothing is kept.
+  // may be to come, and before the first run anything, so that nothing is kept.
   enum Phase { BETWEEN_RUNS, SET_UP, STEP, STEP_END };
 
   void count_deferred();

@@ -31,8 +31,8 @@ CHECKS = "checks.csv"
 DUMP = "grains.dump"
 #: Collision spectra, whose tables the engine adds; it takes those after a checkpoint away itself.
 SPECTRA = "collision_spectra.csv"
-#: Restart files that the engine writes where it runs when a signal stops it.
-OF_A_SIGNAL = "restart_forced_*"
+#: How restart files begin that the engine writes where it runs when a signal stops it.
+OF_A_SIGNAL = "restart_forced_liggghts"
 #: Files of a run, which are removed before another overwrites it.
 OWN_FILES = (
     RECORD,
@@ -41,7 +41,7 @@ OWN_FILES = (
     LOG,
     "screen.txt",
     PATTERN,
-    OF_A_SIGNAL,
+    f"{OF_A_SIGNAL}_*",
     DUMP,
     SPECTRA,
     SERIES,

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import os
 import re
+import warnings
 from difflib import get_close_matches
 from pathlib import Path
 
@@ -22,7 +23,7 @@ MESHES = (".stl", ".vtk")
 #: Settings by which a deck is told to go on from a restart file.
 GOES_ON = ("start", "checkpoint")
 
-_MODEL = re.compile(r"\bgran model\s+(\S+)")
+_MODEL = re.compile(r"\bgran\s+(?:&\s*)?model\s+(\S+)")
 
 
 def own_places(source: DeckSource, folder: Path) -> dict[str, object]:
@@ -47,16 +48,25 @@ def own_places(source: DeckSource, folder: Path) -> dict[str, object]:
 
 
 def check_laws(source: DeckSource) -> None:
-    """Raises ValueError when a deck names a contact model that is almost one of the laws."""
+    """Refuse a contact model whose name is almost a law's.
+
+    Raises:
+        ValueError: There is one.
+
+    Warns:
+        UserWarning: There is one that a law's name is part of: a model of the user's own, perhaps.
+    """
     for file in source.files:
         if file.suffix.lower() in MESHES:
             continue
-        for command in commands(file):
-            found = _MODEL.search(command)
-            name = source.resolve(found[1]) if found else ""
+        for found in _MODEL.finditer("\n".join(commands(file))):
+            name = source.resolve(found[1])
             if name in laws.LAWS or not (meant := get_close_matches(name, laws.LAWS, 1, 0.85)):
                 continue
-            raise ValueError(f"{file.name}: no contact model {name!r}; is it {meant[0]}?")
+            said = f"{file.name}: no contact model {name!r}; is it {meant[0]}?"
+            if meant[0] not in name:
+                raise ValueError(said)
+            warnings.warn(f"{said} A model of your own is let be", stacklevel=2)
 
 
 def check_goes_on(source: DeckSource) -> None:

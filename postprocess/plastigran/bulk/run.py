@@ -3,8 +3,10 @@
 
 from __future__ import annotations
 
+import re
 import shutil
 from collections.abc import Mapping
+from contextlib import suppress
 from pathlib import Path
 
 from plastigran.bulk.folder import (
@@ -83,7 +85,6 @@ def run_bulk(
         before[before["step"] <= step].to_csv(folder / BEFORE, index=False)
         carry_files(restart, folder, step)
     write_record(folder, record)  # last: a folder with a record can be gone on from
-    strangers = set(plan.working_folder.glob(OF_A_SIGNAL))
     try:
         run_deck(
             script,
@@ -95,15 +96,24 @@ def run_bulk(
             working_folder=plan.working_folder,
         )
     finally:
-        for file in set(plan.working_folder.glob(OF_A_SIGNAL)) - strangers:
-            shutil.move(file, folder / file.name)
         if (log := folder / LOG).exists():
-            record["versions"]["engine"] = log.read_text(errors="replace").partition("\n")[0]
+            said = log.read_text(errors="replace")
+            record["versions"]["engine"] = said.partition("\n")[0]
             write_record(folder, record)
+            _fetch_restart_file(said, plan.working_folder, folder)
     read_series(folder).to_csv(folder / SERIES, index=False)  # whatever comes of its analysis
     run = open_run(folder)
     write_results(run)
     return run
+
+
+def _fetch_restart_file(log: str, working_folder: Path, folder: Path) -> None:
+    """Move the restart file that a signal has left, if there is one, from where the engine ran: the
+    one of the last step that the log has. Other runs there may leave others."""
+    if steps := re.findall(r"^ *(\d+) ", log, re.MULTILINE):
+        for file in working_folder.glob(f"{OF_A_SIGNAL}_{steps[-1]}.*"):
+            with suppress(FileNotFoundError):  # another run has stopped at the same step
+                shutil.move(file, folder / file.name)
 
 
 def write_results(run: BulkRun) -> None:

@@ -1,0 +1,17 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""The run that several tests of the ledger look at."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pandas as pd
+import pytest
+from ledger_runs import ledger
+
+
+@pytest.fixture(scope="session")
+def bed(tmp_path_factory) -> tuple[Path, pd.DataFrame]:
+    """A bed of 144 grains coming to rest: its folder and its ledger."""
+    folder = tmp_path_factory.mktemp("bed")
+    return folder, ledger("bed", folder)

@@ -1,0 +1,94 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""The ledger over several runs of a deck, a restart, and grains that come and go."""
+
+from __future__ import annotations
+
+import re
+
+import numpy as np
+import pytest
+from ledger_runs import ENTRIES, ledger, plastic_work
+
+from plastigran.engine.process import EngineError
+
+
+@pytest.mark.parametrize("pre", ["yes", "no"])
+@pytest.mark.parametrize("steps", [0, 200])
+def test_what_a_deck_changes_between_runs_is_booked(pre, steps, tmp_path):
+    """With or without a set-up; entries that are said between runs are those of the end. An answer
+    before the walls have had their turn is not the start that drift is taken from.
+
+    1e-3 of what is given: the time step's error is a tenth of that.
+    """
+    table = ledger("changed", tmp_path, pre=pre, steps=steps)
+    end, second = (table[table["run"] == run].iloc[-1] for run in (0, 2))
+    assert table["elastic"].iloc[0] > 0.9 * end["kinetic"] > 0
+    given = second["inserted"]
+    assert given > 5 * end["kinetic"]
+    assert table["drift"].abs().max() < 1e-3 * given
+    log = (tmp_path / "log.liggghts").read_text()
+    said = [re.findall(rf"^{word} (.+)$", log, re.MULTILINE) for word in ("ended", "changed")]
+    assert said[0][-1] == said[1][-1]
+    kinetic, inserted, _ = map(float, said[0][-1].split())
+    assert inserted == 0 and kinetic == pytest.approx(end["kinetic"], rel=1e-6)
+
+
+def test_particles_that_go_between_runs_need_a_set_up(tmp_path):
+    with pytest.raises(EngineError, match="particles have come or gone since the last run, and"):
+        ledger("changed", tmp_path, pre="no", remove=1)
+
+
+@pytest.mark.parametrize("ranks", [1, 2])
+def test_a_restart_keeps_the_accounts(bed, ranks, tmp_path):
+    """The second half from the file has the entries of the whole run.
+
+    1e-9 of the energy: the digits of the file on one rank, sums in another order on two.
+    """
+    folder, whole = bed
+    restart = folder / "middle.restart"
+    table = ledger("bed_restart", tmp_path, ranks, restart=restart, after=2000)
+    second = whole[whole["run"] == 1].iloc[: len(table)]
+    assert len(table) == 5 and table["plastic"].iloc[0] > 0
+    scale = whole[["kinetic", "gravity"]].iloc[0].sum()
+    assert np.abs(table[ENTRIES].to_numpy() - second[ENTRIES].to_numpy()).max() < 1e-9 * scale
+    same = plastic_work(folder, table["step"].iloc[-1])
+    assert np.abs(plastic_work(tmp_path) - same).max() < 1e-9 * scale
+
+
+def test_grains_taken_away_leave_the_others(bed, tmp_path):
+    """Their energy goes to its own entry, their plastic work stays in the total.
+
+    What springs in their contacts held is lost without an entry, and is all that drifts.
+    """
+    table = ledger("bed_thinned", tmp_path, restart=bed[0] / "middle.restart")
+    before, after = table[table["run"] == 0].iloc[-1], table[table["run"] == 1].iloc[0]
+    assert before["step"] == after["step"]
+    change = after - before
+    scale = before["kinetic"]
+    gone = change["kinetic"] + change["gravity"]
+    assert change["inserted"] == pytest.approx(gone, abs=1e-12 * scale) and gone < -scale
+    for entry in ("plastic", "friction", "viscous"):
+        assert change[entry] == 0
+    assert change["drift"] == pytest.approx(change["elastic"], abs=1e-12 * scale)
+    with_all = plastic_work(tmp_path, before["step"])
+    without = plastic_work(tmp_path, before["step"], "left")
+    assert len(with_all) == 144 and len(without) == 96
+    assert (without == with_all[without.index]).all() and without.max() > 0
+
+
+def test_grains_come_and_go_while_the_engine_runs(tmp_path):
+    """Inserted, and lost through the floor: they bring their energy and take it along.
+
+    A grain that appears or disappears in the middle of a step has half of its kick by gravity more
+    or less: m g v dt/2, here 3e-4 of the energy.
+    """
+    table = ledger("passing", tmp_path)
+    mechanical = table["kinetic"] + table["gravity"]
+    scale = mechanical.max()
+    assert table["atoms"].iloc[0] == 0 == table["atoms"].iloc[-1] and table["atoms"].max() == 20
+    assert mechanical.iloc[-1] == 0
+    assert table["inserted"].max() == pytest.approx(scale, rel=1e-3)
+    assert table["drift"].abs().max() < 1e-3 * scale
+    falling = table[(table["run"] == 1) & (table["atoms"] == 20)]
+    assert len(falling) > 5
+    assert np.ptp(falling["drift"]) < 1e-12 * scale
