@@ -20,7 +20,7 @@ from plastigran import laws
 from plastigran.engine.dumps import read_dump
 from plastigran.engine.process import PROJECT, run_deck
 from plastigran.physics.central import yield_speed
-from plastigran.plot.style import COLOURS, MARKERS, save, styled, subplots
+from plastigran.plot.style import MARKERS, law_colour, law_number, save, styled, subplots
 from plastigran.validation.spheres import table
 from plastigran.validation.spheres.metals import METALS
 
@@ -165,17 +165,15 @@ def restitution(folder: Path, names: Iterable[str] = (*PEERS, *OURS)) -> pd.Data
 def draw(found: pd.DataFrame, target: Path = FIGURE) -> None:
     """Restitution over speed of all laws, beside the finite elements."""
     figure, axes = subplots(figsize=(7, 4.5))
-    for k, (law, rows) in enumerate(found.groupby("law", sort=False)):
+    for law, rows in found.groupby("law", sort=False):
         if law == "finite elements":
             look = {"color": "black", "linewidth": 0, "marker": "o", "markersize": 7}
+        elif law in PEERS:
+            marker = "+x1"[PEERS.index(law)]
+            look = {"color": law_colour(law), "ls": "--", "lw": 1, "marker": marker, "ms": 5}
         else:
-            look = {
-                "color": COLOURS[k - 1 if k < 7 else k],
-                "marker": MARKERS[k],
-                "markersize": 3,
-                "linewidth": 1,
-            }
-            look["linestyle"] = "--" if law in PEERS else "-"
+            marker = MARKERS[law_number(law)]
+            look = {"color": law_colour(law), "ls": "-", "lw": 1, "marker": marker, "ms": 3}
         axes.plot(rows["speed_ratio"], rows["restitution"], label=law, **look)
     axes.set(xscale="log", xlabel="impact speed over that at yield", ylim=(0, 1.02))
     axes.set_ylabel("coefficient of restitution")

@@ -68,7 +68,9 @@ def law_field(default: Any = attrs.NOTHING) -> Any:
 def options_field() -> Any:
     """A field of a case for options of its law, which `law_options` reads."""
     said = Declaration(
-        "options of the law, as 'yielding flat'; `plastigran laws LAW` has them", kind=str
+        "options, as 'yielding flat', for the given laws that have them; `plastigran laws LAW` "
+        "lists a law's",
+        kind=str,
     )
     return attrs.field(default=None, kw_only=True, metadata={"declaration": said})
 
