@@ -169,8 +169,8 @@ def draw(found: pd.DataFrame, target: Path = FIGURE) -> None:
         if law == "finite elements":
             look = {"color": "black", "linewidth": 0, "marker": "o", "markersize": 7}
         elif law in PEERS:
-            marker = "+x1"[PEERS.index(law)]
-            look = {"color": law_colour(law), "ls": "--", "lw": 1, "marker": marker, "ms": 5}
+            dashes, marker = (("--", "+"), (":", "x"), ("-.", "s"))[PEERS.index(law)]
+            look = {"color": law_colour(law), "ls": dashes, "lw": 1, "marker": marker, "ms": 4}
         else:
             marker = MARKERS[law_number(law)]
             look = {"color": law_colour(law), "ls": "-", "lw": 1, "marker": marker, "ms": 3}
