@@ -190,6 +190,30 @@ def test_restart_with_another_law_is_refused(owner, commands, variables, tmp_pat
         run_with(commands, "stronge", tmp_path, "restart_read", **case, **variables)
 
 
+@pytest.mark.parametrize("geometry", ["pair", "plane"])
+def test_a_restart_with_other_constants_is_told_of(geometry, tmp_path):
+    """The dents were made with those of the file."""
+    case = {"geometry": geometry, "after": 1}
+    bodies = scene("stronge")
+    bodies.run("restart_write", tmp_path, before=40, **case)
+    case["restart"] = (tmp_path / "middle.restart").resolve()
+    assert "other constants" not in bodies.run("restart_read", tmp_path / "same", **case)
+    log = bodies.run("restart_read", tmp_path / "other", yield_strength=5e8, **case)
+    owner = {"pair": "pair_style", "plane": "fix wall"}[geometry]
+    said = rf"{owner}: contacts go on with other constants: `model stronge, .*yield strength 1e\+08"
+    assert re.search(said + r" Pa.*` is now `model stronge, .*yield strength 5e\+08 Pa", log)
+
+
+def test_other_constants_between_runs_are_told_of(tmp_path):
+    other = "fix yield_strength all property/global yieldStrength peratomtype 5e8 1e30"
+    log = run_with(f"unfix yield_strength; {other}", "stronge", tmp_path)
+    assert log.count("pair_style: contacts go on with other constants") == 1
+    log = run_with(
+        "pair_style gran model hertz tangential off; pair_coeff * *", "stronge", tmp_path
+    )
+    assert "other constants" not in log
+
+
 @pytest.mark.parametrize("fix", ["range", "step", "motion", "history"])
 def test_own_fixes_may_be_removed(fix, tmp_path):
     """The next run is set up anew, `pre no` or not: its forces are the same."""

@@ -23,6 +23,14 @@ namespace {
 
 const char pair_owner[] = "pair_style", pair_histories[] = "contacthistory";
 
+// The first line of a text that another does not begin with at the same place.
+std::string first_difference(const std::string& text, const std::string& other) {
+  std::istringstream lines(text), others(other);
+  std::string line, beside;
+  while (std::getline(lines, line) && std::getline(others, beside) && line == beside) continue;
+  return line;
+}
+
 }  // namespace
 
 HistoryKeeper::HistoryKeeper(LAMMPS_NS::LAMMPS* engine, int count, char** words)
@@ -46,6 +54,8 @@ void HistoryKeeper::connect(const std::string& owner, const Line& line) {
   const bool given_anew = line.given_anew || connected.given_anew;
   connected = line;
   connected.given_anew = given_anew;
+  const auto last = lines_.find(owner);
+  if (last != lines_.end() && last->second.models != line.models) constants_.erase(owner);
   const auto found = in_file_.find(owner);
   if (found == in_file_.end()) return;
   const std::string models = found->second.models;
@@ -56,6 +66,16 @@ void HistoryKeeper::connect(const std::string& owner, const Line& line) {
               line.models + "`. Give the line as it was; for contacts that begin anew, `run 0` " +
               "with that line comes before the other")
                  .c_str());
+}
+
+void HistoryKeeper::compare_constants(const std::string& owner, const std::string& constants) {
+  std::string& before = constants_[owner];
+  if (!before.empty() && before != constants && comm->me == 0)
+    error->warning(FLERR, (owner + ": contacts go on with other constants: `" +
+                           first_difference(before, constants) + "` is now `" +
+                           first_difference(constants, before) + '`')
+                              .c_str());
+  before = constants;
 }
 
 std::string HistoryKeeper::restarted_settings(const std::string& owner) const {
@@ -200,14 +220,18 @@ void HistoryKeeper::end_of_step() {
     modify->find_fix_style_strict(pair_histories, k)->setup_pre_exchange();
 }
 
-// A line of text for each owner: its ID, its models and its settings, between tabs.
+// Lines of text for each owner: its ID, its models and its settings, between tabs; behind a tab
+// each, its constants.
 void HistoryKeeper::write_restart(FILE* file) {
   if (comm->me != 0) return;
   std::string text;
   for (const auto& [owner, line] : lines_)
-    if (!line.histories.empty() || owner == pair_owner)
+    if (!line.histories.empty() || owner == pair_owner) {
       text +=
           owner + '\t' + (line.histories.empty() ? "" : line.models) + '\t' + line.settings + '\n';
+      std::istringstream constants(constants_[owner]);
+      for (std::string each; std::getline(constants, each);) text += '\t' + each + '\n';
+    }
   const int size = text.size() + 1;
   fwrite(&size, sizeof size, 1, file);
   fwrite(text.c_str(), 1, size, file);
@@ -215,10 +239,13 @@ void HistoryKeeper::write_restart(FILE* file) {
 
 void HistoryKeeper::restart(char* data) {
   std::istringstream text(data);
-  for (std::string owner, models, settings; std::getline(text, owner, '\t') &&
-                                            std::getline(text, models, '\t') &&
-                                            std::getline(text, settings);)
+  for (std::string owner, models, settings, constant; std::getline(text, owner, '\t') &&
+                                                      std::getline(text, models, '\t') &&
+                                                      std::getline(text, settings);) {
     in_file_[owner] = {models, settings, {}, false};
+    while (text.peek() == '\t' && std::getline(text.ignore(), constant))
+      constants_[owner] += constant + '\n';
+  }
 }
 
 }  // namespace plastigran

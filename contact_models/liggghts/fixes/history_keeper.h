@@ -7,7 +7,7 @@
 // forgets those of a pair style or wall whose line is given again. Here they are stored at the end
 // of a run, by particle, and handed back as the next one is set up, where the engine has not kept
 // the same. They go to the contacts of the same law with the same options; where those are others,
-// the log says that contacts begin anew.
+// the log says that contacts begin anew, and where only their constants are others, it says that.
 //
 // Restart files: the engine's say which models contacts have, not their settings; this fix adds
 // these. At a step of the `restart` command the engine stores the pairs' histories at the step's
@@ -42,6 +42,10 @@ class HistoryKeeper : public OwnFix {
   // From a model before each run: `owner` is "pair_style" or "fix ID". Stops when the contacts that
   // a restart file has of this owner are those of other models. All ranks together.
   void connect(const std::string& owner, const Line& line);
+
+  // The constants of the owner's contacts, a line for each two atom types. Warns where they are
+  // others than those with which contacts have reached what they remember.
+  void compare_constants(const std::string& owner, const std::string& constants);
 
   // What a restart file says of an owner's settings; without a word of it, a warning and nothing.
   std::string restarted_settings(const std::string& owner) const;
@@ -80,11 +84,12 @@ class HistoryKeeper : public OwnFix {
   bool any_remembers(std::size_t which) const;
   const double* record_of(int i, std::size_t which) const;
 
-  Lines connected_;             // since the last set-up
-  Lines lines_;                 // of the run under way, or the last one
-  Lines in_file_;               // what a restart file says, until the owner connects
-  std::vector<Kept> kept_;      // what each record has, in this order
-  ParticleRecords records_;     // by the particles' numbers at the end of the run
+  Lines connected_;  // since the last set-up
+  Lines lines_;      // of the run under way, or the last one
+  Lines in_file_;    // what a restart file says, until the owner connects
+  std::map<std::string, std::string> constants_;  // by owner: of the run under way, or the last one
+  std::vector<Kept> kept_;                        // what each record has, in this order
+  ParticleRecords records_;                       // by the particles' numbers at the end of the run
   std::vector<int> numbers_;    // by local particle: these numbers, 0 for new ones
   long total_ = 0;              // particles at the end of the run
   int page_ = 0, largest_ = 0;  // neigh_modify `page` and `one` at the end of the run

@@ -93,6 +93,9 @@ class ElastoplasticNormalModel : public NormalModelBase {
                             owner_.histories(), !reported_});
     const plastigran::DeckProperties deck(lmp, caller(), registry.max_type());
     pairs_.build(deck, registry.max_type(), settings_.choices);
+    const std::string constants =
+        pairs_.describe(caller(), deck, settings_.choices, owner_.is_wall());
+    if (!Law::state_names.empty()) keeper->compare_constants(owner, constants);
     deck.check_friction();
     if (plastigran::yields<Law>) rates_.connect(deck, pairs_.rate_matters());
     watch_.begin(caller(), settings_.overlap_limit);
@@ -107,7 +110,7 @@ class ElastoplasticNormalModel : public NormalModelBase {
     // Ask for surfacesClose() just outside contact, where the history is cleared: otherwise a pair
     // that parts and meets again before the next neighbour build would remember its dent.
     neighbor->register_contact_dist_factor(1.01);
-    if (!reported_ && comm->me == 0) report_constants(deck);
+    if (!reported_ && comm->me == 0) report_constants(deck, constants);
     reported_ = true;
     forecast_impacts(deck);
   }
@@ -214,9 +217,9 @@ class ElastoplasticNormalModel : public NormalModelBase {
   }
 
   // What the model was given and what it assumed: a misspelt optional property shows here.
-  void report_constants(const plastigran::DeckProperties& deck) {
-    const std::string text = pairs_.describe(caller(), deck, settings_.choices, owner_.is_wall()) +
-                             settings_.describe_unused(caller(), deck, owner_.is_wall());
+  void report_constants(const plastigran::DeckProperties& deck, const std::string& constants) {
+    const std::string text =
+        constants + settings_.describe_unused(caller(), deck, owner_.is_wall());
     if (screen) fputs(text.c_str(), screen);
     if (logfile) fputs(text.c_str(), logfile);
     const bool cohesive = owner_.other_models().find(" cohesion ") != std::string::npos;
