@@ -208,10 +208,12 @@ def test_other_constants_between_runs_are_told_of(tmp_path):
     other = "fix yield_strength all property/global yieldStrength peratomtype 5e8 1e30"
     log = run_with(f"unfix yield_strength; {other}", "stronge", tmp_path)
     assert log.count("pair_style: contacts go on with other constants") == 1
-    log = run_with(
-        "pair_style gran model hertz tangential off; pair_coeff * *", "stronge", tmp_path
-    )
-    assert "other constants" not in log
+    elastic = {"tangential": "off", "yield_strength": 1e30}
+    log = run_with(f"unfix yield_strength; {other}", "stronge", tmp_path, **elastic)
+    assert "other constants" not in log, "nothing is remembered"
+    another = "pair_style gran model thornton tangential history; pair_coeff * *"
+    log = run_with(another, "stronge", tmp_path)
+    assert "begin anew" in log and "other constants" not in log
 
 
 @pytest.mark.parametrize("fix", ["range", "step", "motion", "history"])

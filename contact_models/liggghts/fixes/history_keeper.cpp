@@ -70,11 +70,9 @@ void HistoryKeeper::connect(const std::string& owner, const Line& line) {
 
 void HistoryKeeper::compare_constants(const std::string& owner, const std::string& constants) {
   std::string& before = constants_[owner];
-  if (!before.empty() && before != constants && comm->me == 0)
-    error->warning(FLERR, (owner + ": contacts go on with other constants: `" +
-                           first_difference(before, constants) + "` is now `" +
-                           first_difference(constants, before) + '`')
-                              .c_str());
+  if (!before.empty() && before != constants)
+    changes_[owner] = '`' + first_difference(before, constants) + "` is now `" +
+                      first_difference(constants, before) + '`';
   before = constants;
 }
 
@@ -138,7 +136,32 @@ bool HistoryKeeper::goes_on(const Kept& kept, const Line& line, LAMMPS_NS::Fix* 
 void HistoryKeeper::setup_pre_exchange() {
   lines_.swap(connected_);
   connected_.clear();
-  if (kept_.empty()) return;
+  if (!kept_.empty()) give_back_what_is_lost();
+  warn_of_changes();
+}
+
+void HistoryKeeper::warn_of_changes() {
+  for (const auto& [owner, change] : changes_)
+    if (remembers(owner) && comm->me == 0)
+      error->warning(FLERR, (owner + ": contacts go on with other constants: " + change).c_str());
+  changes_.clear();
+}
+
+// Whether any contact of an owner does. All ranks together.
+bool HistoryKeeper::remembers(const std::string& owner) const {
+  int remembers = 0;
+  for (const std::string& id : lines_.at(owner).histories)
+    if (LAMMPS_NS::Fix* const fix = modify->find_fix_id(id.c_str()))
+      for (int i = 0; i < atom->nlocal; ++i) {
+        const StoredHistories histories(fix);
+        const std::vector<double> values = histories.of(i);
+        if (histories.remembers(values.data(), values.size(), histories.width())) remembers = 1;
+      }
+  MPI_Allreduce(MPI_IN_PLACE, &remembers, 1, MPI_INT, MPI_MAX, world);
+  return remembers;
+}
+
+void HistoryKeeper::give_back_what_is_lost() {
   records_.fetch(numbers_.data(), atom->nlocal, world);
   const Lines lines = all_lines(lines_);
   std::vector<LAMMPS_NS::Fix*> fixes;  // null: nothing is handed back
@@ -194,7 +217,9 @@ bool HistoryKeeper::any_remembers(std::size_t which) const {
   int remembers = 0;
   for (int i = 0; i < atom->nlocal; ++i) {
     const double* const record = record_of(i, which);
-    if (record && StoredHistories::remembers(record + 1, static_cast<int>(*record))) remembers = 1;
+    if (record &&
+        StoredHistories::remembers(record + 1, static_cast<int>(*record), kept_[which].width))
+      remembers = 1;
   }
   MPI_Allreduce(MPI_IN_PLACE, &remembers, 1, MPI_INT, MPI_MAX, world);
   return remembers;

@@ -43,8 +43,8 @@ class HistoryKeeper : public OwnFix {
   // a restart file has of this owner are those of other models. All ranks together.
   void connect(const std::string& owner, const Line& line);
 
-  // The constants of the owner's contacts, a line for each two atom types. Warns where they are
-  // others than those with which contacts have reached what they remember.
+  // The constants of the owner's contacts, a line for each two atom types. Where contacts remember
+  // what they reached with others, the coming run begins with a warning.
   void compare_constants(const std::string& owner, const std::string& constants);
 
   // What a restart file says of an owner's settings; without a word of it, a warning and nothing.
@@ -79,6 +79,9 @@ class HistoryKeeper : public OwnFix {
   void forget() { records_ = ParticleRecords(), kept_.clear(); }
   Lines all_lines(const Lines& ours) const;
   bool goes_on(const Kept& kept, const Line& line, LAMMPS_NS::Fix* fix) const;
+  void give_back_what_is_lost();
+  void warn_of_changes();
+  bool remembers(const std::string& owner) const;
   void hand_back(const std::vector<LAMMPS_NS::Fix*>& fixes);
   bool is_intact(std::size_t which, LAMMPS_NS::Fix* fix) const;
   bool any_remembers(std::size_t which) const;
@@ -88,6 +91,7 @@ class HistoryKeeper : public OwnFix {
   Lines lines_;      // of the run under way, or the last one
   Lines in_file_;    // what a restart file says, until the owner connects
   std::map<std::string, std::string> constants_;  // by owner: of the run under way, or the last one
+  std::map<std::string, std::string> changes_;    // by owner: in these, for the coming run
   std::vector<Kept> kept_;                        // what each record has, in this order
   ParticleRecords records_;                       // by the particles' numbers at the end of the run
   std::vector<int> numbers_;    // by local particle: these numbers, 0 for new ones

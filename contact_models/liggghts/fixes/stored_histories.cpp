@@ -109,8 +109,12 @@ void StoredHistories::forget(int i) {
   fix_->unpack_exchange(i, nothing.data());
 }
 
-bool StoredHistories::remembers(const double* values, int count) {
-  return std::any_of(values, values + count, [](double value) { return value != 0; });
+bool StoredHistories::remembers(const double* values, int count, int width) {
+  const bool listed = count != width;  // behind each partner; the number of contacts is first
+  for (int k = listed ? 2 : 0; k + width <= count; k += 1 + width)
+    if (std::any_of(values + k, values + k + width, [](double value) { return value != 0; }))
+      return true;
+  return false;
 }
 
 std::uint64_t wall_position(LAMMPS_NS::LAMMPS* engine, const LAMMPS_NS::Fix* histories) {

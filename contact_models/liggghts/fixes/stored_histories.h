@@ -38,8 +38,8 @@ class StoredHistories {
 
   void forget(int i);
 
-  // Whether what of() returned holds a memory.
-  static bool remembers(const double* values, int count);
+  // Whether what of() returned holds a memory: values of contacts other than zero.
+  static bool remembers(const double* values, int count, int width);
 
  private:
   LAMMPS_NS::Fix* fix_;
