@@ -198,8 +198,14 @@ class PairLoop : public LIGGGHTS::PairStyles::Granular<Contact>, private StoredE
   }
 
   static void add(double* force, double* torque, const Load& load) {
-    for (int axis = 0; axis < 3; ++axis) force[axis] += load.delta_F[axis];
-    for (int axis = 0; axis < 3; ++axis) torque[axis] += load.delta_torque[axis];
+    add(force, load.delta_F);
+    add(torque, load.delta_torque);
+  }
+
+  // Read before it is written: two components at once.
+  static void add(double* sum, const double* part) {
+    const double x = sum[0] + part[0], y = sum[1] + part[1], z = sum[2] + part[2];
+    sum[0] = x, sum[1] = y, sum[2] = z;
   }
 
   LAMMPS_NS::LAMMPS* engine_;
