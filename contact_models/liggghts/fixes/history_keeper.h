@@ -68,6 +68,7 @@ class HistoryKeeper : public OwnFix {
 
  private:
   typedef std::map<std::string, Line> Lines;
+  static constexpr char pair_owner[] = "pair_style", pair_histories[] = "contacthistory";
 
   // A fix with histories when they were stored.
   struct Kept {
