@@ -218,6 +218,17 @@ def test_true_edges_keep_their_contacts(tmp_path):
     assert beside == pytest.approx(alone, rel=1e-9)
 
 
+def test_two_triangles_with_one_between_out_of_reach_are_one_surface(tmp_path):
+    """On a shallow fold, near the node where the triangles that share its edge are narrow: the
+    sphere's two feet are on triangles that share the node alone."""
+    depth = RADIUS - 1e-4
+    alone = pressed_on(tmp_path / "plate", surfaces.folded_plate(0, 0.3), (-0.05, 0.03, depth))
+    foot = -depth * np.tan(np.radians(5))
+    fold = pressed_on(tmp_path / "fold", surfaces.folded_plate(10, 0.3), (foot, 0.1495, depth))
+    assert np.linalg.norm(fold) == pytest.approx(alone[2], rel=1e-3)
+    assert "joins them" not in (tmp_path / "fold" / "log.liggghts").read_text()
+
+
 def test_the_engines_list_of_contacts_has_the_one_force(tmp_path):
     """`compute wall/gran/local` has a row for each triangle under the sphere, one with a force."""
     groove, depth = surfaces.folded_plate(60, 0.3), RADIUS - 1e-4
@@ -241,12 +252,12 @@ def test_the_engines_list_of_contacts_has_the_one_force(tmp_path):
     assert rows.sum(axis=0) == pytest.approx(force, rel=1e-5, abs=1e-5 * np.abs(force).max())
 
 
-def test_triangles_that_share_no_edge_are_named(tmp_path):
-    """The plate's left half ends at a side of its right half's: the sphere beside it meets both."""
-    whole, halved = (surfaces.folded_plate(0, 0.3, pieces) for pieces in (1, 2))
-    sides = [np.mean(plate[:, :, 0], axis=1) for plate in (whole, halved)]
-    split = np.concatenate([whole[sides[0] < 0], halved[sides[1] > 0]])
-    place, seam = (-0.001, 0.03, RADIUS - 1e-4), "no edge joins them"
+def test_triangles_that_share_neither_edge_nor_node_are_named(tmp_path):
+    """Strips of the plate's left half end at sides of its right half's: the sphere meets both."""
+    whole, halved, thirds = (surfaces.folded_plate(0, 0.3, pieces) for pieces in (1, 2, 3))
+    sides = [np.mean(plate[:, :, 0], axis=1) for plate in (halved, thirds)]
+    split = np.concatenate([halved[sides[0] < 0], thirds[sides[1] > 0]])
+    place, seam = (-0.001, 0.03, RADIUS - 1e-4), "no edge or node joins them"
     alone = pressed_on(tmp_path / "whole", whole, place)
     double = pressed_on(tmp_path / "split", split, place)
     assert double[2] > 1.5 * alone[2]

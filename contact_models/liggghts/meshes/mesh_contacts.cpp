@@ -101,18 +101,30 @@ void MeshContacts::find_overlaps(int particle) {
 }
 
 void MeshContacts::join_surfaces(int particle, int first) {
-  const double* const centre = engine_->atom->x[particle];
   const int last = overlaps_.size();
   for (int a = first; a < last; ++a)
     for (int b = a + 1; b < last; ++b) {
       const auto [kept, joined] = std::minmax(overlaps_[a].surface, overlaps_[b].surface);
       const int surface = kept, other = joined;
-      if (surface == other || !one_surface(*mesh_, overlaps_[a].triangle, overlaps_[b].triangle,
-                                           centre, feature_cosine_))
+      if (surface == other || !meet_as_one(particle, overlaps_[a].triangle, overlaps_[b].triangle))
         continue;
       for (int k = first; k < last; ++k)
         if (overlaps_[k].surface == other) overlaps_[k].surface = surface;
     }
+}
+
+// Over an edge, or over a node where the triangle between is just out of reach.
+bool MeshContacts::meet_as_one(int particle, int a, int b) const {
+  return one_surface(*mesh_, a, b, engine_->atom->x[particle], feature_cosine_) ||
+         (share_a_node(*mesh_, a, b) && cosine_between(particle, a, b) >= feature_cosine_);
+}
+
+// Of the directions of the contacts with two triangles.
+double MeshContacts::cosine_between(int particle, int a, int b) const {
+  double to_a[3], to_b[3];
+  distance(particle, a, false, to_a);
+  distance(particle, b, false, to_b);
+  return vectorDot3D(to_a, to_b) / (vectorMag3D(to_a) * vectorMag3D(to_b));
 }
 
 void MeshContacts::choose_carriers(int particle, int first) {
@@ -138,10 +150,7 @@ void MeshContacts::look_for_seam(int particle, int first) const {
   for (int a = first; a < last; ++a)
     for (int b = a + 1; b < last; ++b) {
       if (!overlaps_[a].carries || !overlaps_[b].carries) continue;
-      double to_a[3], to_b[3];
-      distance(particle, overlaps_[a].triangle, false, to_a);
-      distance(particle, overlaps_[b].triangle, false, to_b);
-      const double cosine = vectorDot3D(to_a, to_b) / (vectorMag3D(to_a) * vectorMag3D(to_b));
+      const double cosine = cosine_between(particle, overlaps_[a].triangle, overlaps_[b].triangle);
       if (!(cosine >= feature_cosine_)) continue;
       const double* const x = engine_->atom->x[particle];
       seams_->note({engine_->atom->tag[particle],

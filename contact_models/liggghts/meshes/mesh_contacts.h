@@ -4,7 +4,7 @@
 //
 // The engine computes a contact with every triangle a particle overlaps, and each remembers for
 // itself: on a fold the force doubles, and behind it a dent is forgotten. Here the triangles a
-// particle overlaps at the same time are joined to surfaces, over the edges between them; the
+// particle overlaps at the same time are joined to surfaces, over their edges and nodes; the
 // deepest of a surface carries its contact and takes over what the surface remembers. The others
 // have no force and no memory.
 //
@@ -55,6 +55,8 @@ class MeshContacts {
   std::pair<int, int> overlaps_of(int particle);
   void find_overlaps(int particle);
   void join_surfaces(int particle, int first);
+  bool meet_as_one(int particle, int a, int b) const;
+  double cosine_between(int particle, int a, int b) const;
   void choose_carriers(int particle, int first);
   void find_memory(int particle, int first);
   void look_for_seam(int particle, int first) const;

@@ -22,7 +22,8 @@ void SeamWatch::post_run() {
   text << "fix wall/gran: particle " << seam_.particle << " at (" << seam_.x[0] << ' ' << seam_.x[1]
        << ' ' << seam_.x[2] << ") has contacts with triangles " << seam_.triangles[0] << " and "
        << seam_.triangles[1] << " of a mesh at once, in directions " << seam_.angle
-       << " degrees apart: less than feature_angle, but no edge joins them. Its force is that of "
+       << " degrees apart: less than feature_angle, but no edge or node joins them. Its force is "
+          "that of "
           "both, and neither remembers the other. Triangles of a smooth surface must share edges";
   error->warning(FLERR, text.str().c_str());
 }

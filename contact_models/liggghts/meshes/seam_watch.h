@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// Says once when a particle has two contacts where a mesh looks smooth, but its triangles share no
-// edge: a node of one lies on an edge of the other, there is a gap, or one is there twice.
+// Says once when a particle has two contacts where a mesh looks smooth, but its triangles share
+// neither edge nor node: a node of one lies on an edge of the other, or there is a gap.
 #pragma once
 
 #include "liggghts/fixes/own_fix.h"
