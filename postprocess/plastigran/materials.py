@@ -157,6 +157,8 @@ def read_material(name: Material | str | Path) -> Material:
     if not isinstance(name, str | Path):
         raise ValueError(f"{name!r} is no material; it must be a Material, a name or a path")
     path = Path(name)
+    if path.suffix == ".in" and not path.is_file():
+        raise ValueError(f"no file {path}; materials known by name are {', '.join(names())}")
     if path.suffix != ".in":
         path = folder() / f"{name}.in"
     if not path.is_file():

@@ -143,7 +143,7 @@ def test_a_material_file_reads_back(tmp_path):
     assert read.name == "spring"
     # Twelve digits are written.
     assert read.variables() == pytest.approx(found.material.variables(), rel=1e-11)
-    assert path.read_text().startswith("# Yield strength 45 HRC = 446 HV")
+    assert path.read_text().startswith("# Yield strength from 45 HRC = 446 HV")
 
 
 @pytest.mark.parametrize(

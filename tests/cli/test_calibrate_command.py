@@ -85,7 +85,8 @@ def test_ball_and_plate_are_named(capsys, drops):
 
 
 def test_finite_elements_fit_the_constants_and_have_a_figure(capsys, tmp_path, coarse):
-    line = ["calibrate", "--young", "70e9", "--poisson", "0.3", "--yield", "1e8", "--range", "41"]
+    line = ["calibrate", "--young", "70e9", "--poisson", "0.3", "--density", "2700"]
+    line += ["--yield", "1e8", "--range", "41"]
     figure = tmp_path / "fem.png"
     assert main([*line, "--law", "thornton", "--figure", str(figure), "--json"]) == 0
     numbers = json.loads(capsys.readouterr().out)

@@ -19,6 +19,7 @@ from plastigran.fem.material.hardening import LinearHardening
 from plastigran.fem.settings import Settings
 
 METAL = ["--young", "70e9", "--poisson", "0.3", "--yield", "1e8"]
+DENSE = [*METAL, "--density", "2700"]
 SOFT_PLANE = ["--plane-young", "1e9"]
 GLASS = ["--young", "79.5e9", "--poisson", "0.23", "--density", "2500"]
 ICE = ["--young", "9.3e9", "--poisson", "0.25", "--density", "900", "--radius", "0.01"]
@@ -96,8 +97,8 @@ def test_vibrating_sphere_names_its_modes(capsys):
         ),
         (["fem", "vibrate", *METAL[:4], "--speed", "900"], "speed of sound"),
         (["fem", "vibrate", *METAL[:4], "--speed", "500"], "of the radius; up to 0.5"),
-        (["calibrate", "--fem", *METAL, "--range", "1e6"], "of the radius; up to 0.4"),
-        (["calibrate", *METAL, "--range", "1.2"], "needs 3 times the force at yield"),
+        (["calibrate", "--fem", *DENSE, "--range", "1e6"], "of the radius; up to 0.4"),
+        (["calibrate", *DENSE, "--range", "1.2"], "needs 3 times the force at yield"),
     ],
 )
 def test_bad_input_is_refused_with_its_limit(line, said, capsys):

@@ -37,7 +37,7 @@ def calibrate(
     *,
     youngs_modulus: float,
     poissons_ratio: float,
-    density: float = 2700.0,
+    density: float,
     yield_strength: float | None = None,
     hardness: Hardness | float | str | None = None,
     leeb: float | str | None = None,

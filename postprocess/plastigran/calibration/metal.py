@@ -98,12 +98,15 @@ class CalibratedMetal:
                 f"{value:.6g}  # of vu_quoc_zhang"
                 for name, value in self.constants.items()
             ]
+        lines += ["# Friction is not of the metal alone: its value is yours."]
+        friction = "coefficientFriction peratomtypepair 1 0.3"
+        lines += [f"fix coefficient_friction all property/global {friction}"]
         return [*lines, f"pair_style gran model {self.law} tangential history"]
 
     @property
     def remark(self) -> str:
         """Where the strength is from, for the head of a material's file."""
-        return f"Yield strength {self.source}; 95 % {self._interval()} Pa."
+        return f"Yield strength from {self.source}; 95 % {self._interval()} Pa."
 
     def __str__(self) -> str:
         """What a person reads first."""

@@ -35,12 +35,16 @@ def add_metal(
     )
 
 
-def add_elastic(command: argparse.ArgumentParser, radius: float | None = 0.1) -> None:
-    """An elastic material, the radius and --json."""
+def add_elastic(
+    command: argparse.ArgumentParser, radius: float | None = 0.1, density: float | None = 2700.0
+) -> None:
+    """An elastic material, the radius and --json; `radius` and `density` are defaults, without
+    which they must be given."""
     command.add_argument("--young", type=positive, required=True, help="Young's modulus, Pa")
     command.add_argument("--poisson", type=float, required=True, help="Poisson's ratio")
+    said = "density, kg/m3" if density is None else f"density, kg/m3, default {density:g}"
     command.add_argument(
-        "--density", type=positive, default=2700.0, help="density, kg/m3, default 2700"
+        "--density", type=positive, default=density, required=density is None, help=said
     )
     said = "m" if radius is None else f"m, default {radius:g}"
     command.add_argument(

@@ -14,7 +14,7 @@ from pathlib import Path
 from shlex import join
 from time import monotonic
 
-from plastigran.engine.log import LOG, find_error, find_warnings
+from plastigran.engine.log import LOG, find_error, find_warnings, worst
 from plastigran.engine.watch import RunBar
 
 PROJECT = Path(__file__).resolve().parents[3]
@@ -203,7 +203,7 @@ def run_deck(
             _stop(engine, folder)
     text = log.read_text(errors="replace") if log.exists() else ""
     if returncode:
-        reason = _reason(returncode, text + said.read_text(errors="replace"))
+        reason = _reason(returncode, f"{text}\n{said.read_text(errors='replace')}")
         raise EngineStopped(f"{deck.name}: {reason} (log: {log if text else said})")
     return text
 
@@ -258,7 +258,9 @@ def _stop(engine: subprocess.Popen, folder: Path) -> None:
 def _reason(returncode: int, said: str) -> str:
     """Why a run ended, from its code and what it wrote to log and screen, warnings included."""
     if error := find_error(said):
-        warned = find_warnings(said)[-3:]
+        # The log may end within a line. What looks like a slip is said first, before any step.
+        found = worst(find_warnings(said))
+        warned = [one for one in found if sum(each.startswith(one) for each in found) == 1][:3]
         return f"{error}; it had warned: {'; '.join(warned)}" if warned else error
     killer = -returncode if returncode < 0 else returncode - 128  # as mpirun reports a rank's
     if killer in set(signal.Signals):

@@ -76,7 +76,8 @@ def find_frames(folder: str | Path) -> list[Frame]:
     grains, contacts, mesh = at("grains"), at("contacts"), at("mesh")
     if not grains:
         raise SnapshotError(
-            f"no frames (grains_STEP.vtk) in {folder}; run the deck with -v frames=10 or so"
+            f"no frames (grains_STEP.vtk) in {folder}; run the deck with -v frames=10 or so, a "
+            "deck of your own with the dumps that `plastigran new-deck` writes"
         )
     return [Frame(s, grains[s], contacts.get(s), mesh.get(s)) for s in sorted(grains)]
 
@@ -167,6 +168,7 @@ def load_pyvista():
         import pyvista
     except ImportError:
         raise SnapshotError("snapshots need pyvista: pip install pyvista") from None
+    pyvista.vtk_verbosity("off")  # it warns on the screen of files without points
     return pyvista
 
 

@@ -45,7 +45,7 @@ def add_arguments(command: argparse.ArgumentParser) -> None:
     measured.add_argument(
         "--drop", type=Path, metavar="FILE", help="table of drops: docs/calibrate.md"
     )
-    add_elastic(command, FEM_RADIUS)
+    add_elastic(command, FEM_RADIUS, density=None)
     command.add_argument(
         "--hardening",
         type=float,
@@ -120,7 +120,7 @@ def run(arguments: argparse.Namespace) -> None:
     if arguments.json:
         print_json(found.to_dict())
     else:
-        _print(found)
+        _print(found, output)
 
 
 def _refuse_idle(arguments: argparse.Namespace) -> None:
@@ -164,7 +164,7 @@ def _draw(found: CalibratedMetal, path: Path) -> None:
     save(figure(found, progress=True), path, (path.suffix or ".png",))
 
 
-def _print(found: CalibratedMetal) -> None:
+def _print(found: CalibratedMetal, output: Path | None) -> None:
     print(found)
     if found.pressed is not None:
         print()
@@ -172,4 +172,6 @@ def _print(found: CalibratedMetal) -> None:
             print(f"{name:28s} {value:.5g}")
     print("\nLines of a deck:")
     print("\n".join(found.deck_lines()))
+    if output is not None:
+        print(f"\nwritten: {output}")
     print(f"\nA material's file:\n# {found.remark}\n{material_lines(found.material)}")

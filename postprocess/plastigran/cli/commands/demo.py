@@ -54,7 +54,7 @@ def run(arguments: argparse.Namespace) -> None:
     print("\nA freely cooling gas of 512 grains, on two ranks:")
     gas = folder / "cooling_gas"
     report(run_bulk("cooling_gas", {"side": "8", "frames": "16"}, gas, ranks=2, force=True))
-    print("\nA hopper of 2080 yielding grains runs out, on two ranks:")
+    print("\nHalf of 2080 yielding grains run out of a hopper, on two ranks:")
     hopper = folder / "hopper"
     report(run_bulk("hopper", HOPPER, hopper, ranks=2, force=True))
     picture = hopper / "figures" / "grains.png"

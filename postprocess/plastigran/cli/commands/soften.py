@@ -77,6 +77,8 @@ def run(arguments: argparse.Namespace) -> None:
         print_json(numbers)
         return
     print(materials.material_lines(softened))
+    if arguments.output:
+        print(f"\nwritten: {arguments.output}")
     print(
         f"\nTime steps are {growth:.4g} times as long. Overlaps over the radius:\n"
         + "\n".join(

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from importlib.resources import files
+from textwrap import fill
 
 import matplotlib
 import numpy as np
@@ -209,5 +210,6 @@ def loops_figure(collisions: Collisions) -> Figure:
         said = [_common(collisions)]
         if (speeds := max(map(len, curves.values()))) > LOOPS:
             said.append(f"the {LOOPS} fastest of {speeds} speeds")
-        figure.suptitle("; ".join(filter(None, said)), fontsize=10)
+        line = int(12 * figure.get_figwidth())  # characters, at most
+        figure.suptitle(fill("; ".join(filter(None, said)), line), fontsize=10)
     return figure

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 def remarks(runs: Runs) -> list[str]:
     """Sentences: what hits what, and what a reader of the table must know."""
-    said = [_arrangement(runs.cases), _dented(runs.cases)]
+    said = [_arrangement(runs.cases), dented(runs.cases)]
     if (runs.table["speed_ratio"] < 1).all():
         said.insert(
             1,
@@ -36,7 +36,7 @@ def _arrangement(impacts: Iterable[CentralImpact]) -> str:
     return ", ".join(filter(None, (f"spheres of radius {radii.pop():g} m", on_wall(walls.pop()))))
 
 
-def _dented(impacts: Iterable[CentralImpact]) -> str:
+def dented(impacts: Iterable[CentralImpact]) -> str:
     """Which balls dent their wall by a law of balls that flatten."""
     names = dict.fromkeys(
         f"{title(impact.material.name)} {on_wall(impact.wall_name)}"

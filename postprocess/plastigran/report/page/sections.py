@@ -48,7 +48,7 @@ class Section:
         state: "passed", "failed", "unfinished" or "done", the last where nothing is checked.
         verdict: The state in a few words.
         missing: Sentences on what is not there, or went wrong.
-        warnings: Of the engine's models.
+        warnings: Of the engine's models, or of how a law was used.
         facts: What ran, by name.
         settings: Further settings: name, value with unit, meaning.
         checks: Rows of `BulkRun.checks`.

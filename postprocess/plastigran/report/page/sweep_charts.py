@@ -95,6 +95,8 @@ def _abscissa(table: pd.DataFrame) -> str | None:
 
 def _groups(table: pd.DataFrame, abscissa: str) -> dict[tuple[str, str], pd.DataFrame]:
     """Rows of a curve, by law and by what else sets the curve apart."""
+    if abscissa == "geometry" and "wall" in table:  # which says where there is none
+        table = table.assign(wall=table["wall"].replace("none", "rigid"))
     apart = [
         name for name in APART if name in table and name != abscissa and table[name].nunique() > 1
     ]

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Mapping
 from pathlib import Path
 
 import pandas as pd
@@ -11,8 +12,10 @@ import pandas as pd
 from plastigran.calibration.expected_errors import errors_table
 from plastigran.engine.log import LOG, find_error
 from plastigran.experiments.central.arrangement import WALLS
+from plastigran.experiments.central.remarks import dented
 from plastigran.experiments.record import STUDY, TABLE, read_table
 from plastigran.experiments.tables import HEADS
+from plastigran.materials import Material
 from plastigran.plot.style import title
 from plastigran.report.page.charts import chart_name
 from plastigran.report.page.collect import Results
@@ -21,7 +24,7 @@ from plastigran.report.page.materials import constants, recorded
 from plastigran.report.page.names import number, words
 from plastigran.report.page.pictures import read_pictures
 from plastigran.report.page.sections import Section, Table, cells, version_facts
-from plastigran.report.page.sweep_charts import measured_chart
+from plastigran.report.page.sweep_charts import central_case, measured_chart
 from plastigran.report.page.trust import Trust, trust, validation_chart, verification_chart
 
 #: Laws of a sweep that its head names, at most.
@@ -75,6 +78,7 @@ def make(results: Results, name: str) -> Section:
         state="unfinished" if missing else "done",
         verdict=f"{len(table)} of {len(runs)} impacts" if missing else f"{len(table)} impacts{by}",
         missing=missing + _unread(trusted) + left,
+        warnings=_dented(table, materials),
         facts=_facts(study, table, runs),
         charts=[chart for chart in charts if chart],
         pictures=pictures,
@@ -139,6 +143,13 @@ def _unread(trusted: list[Trust]) -> list[str]:
     ]
 
 
+def _dented(table: pd.DataFrame, materials: Mapping[str, Material]) -> list[str]:
+    """A sentence where balls dent their wall by laws of balls that flatten."""
+    rows = table[~table["wall"].isin(WALLS)] if "wall" in table else table.iloc[:0]
+    cases = (central_case(row, materials) for _, row in rows.iterrows())
+    return [sentence] if (sentence := dented(case for case in cases if case)) else []
+
+
 def _facts(study: dict, table: pd.DataFrame, runs: list[Path]) -> dict[str, str]:
     facts = {"command": f"plastigran {study['command']}"} if study.get("command") else {}
     if study.get("by_theory"):
@@ -150,6 +161,8 @@ def _facts(study: dict, table: pd.DataFrame, runs: list[Path]) -> dict[str, str]
         if name not in table or table[name].isna().all() or set(table[name]) <= {"none", "default"}:
             continue
         values = table[name].unique()
+        if name == "wall" and len(values) > 1:
+            values = [wall for wall in values if wall != "none"]  # of two spheres
         unit = {"radius": " m", "speed": " m/s", "angle": "°"}.get(name, "")
         if table[name].dtype.kind in "if":
             ends = [number(float(value)) for value in (values.min(), values.max())]
