@@ -209,3 +209,12 @@ def test_rate_of_strain_takes_its_share_of_the_strength_of_an_impact():
     assert factor == pytest.approx(1 + 0.014 * np.log(rate), abs=5.1e-5)
     assert fast.yield_strength / slow.yield_strength == pytest.approx(factor, rel=1e-4)
     assert any("rateCoefficient" in line for line in slow.deck_lines())
+
+
+def test_a_steels_conversion_is_said_of_another_metal():
+    """Vickers hardness needs none."""
+    titanium = {"youngs_modulus": 1.14e11, "poissons_ratio": 0.34, "density": 4430}
+    said = "for steel: of this metal, measure HV"
+    assert any(said in note for note in calibrate(**titanium, hardness="36HRC").notes)
+    assert not any(said in note for note in calibrate(**titanium, hardness="354HV").notes)
+    assert not any(said in note for note in calibrate(**STEEL, hardness="36HRC").notes)

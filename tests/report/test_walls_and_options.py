@@ -15,6 +15,7 @@ from plastigran.experiments.record import read_table
 from plastigran.materials import Material, read_material, write_material
 from plastigran.report.page.collect import collect
 from plastigran.report.page.render import make_section
+from plastigran.report.page.sweep_charts import measured_chart
 from plastigran.report.page.trust import trust
 
 pytestmark = pytest.mark.engine
@@ -115,3 +116,19 @@ def test_names_that_look_like_numbers_or_nothing(tmp_path):
     assert len(made.charts[1].views) == 8
     table, whole = read_table(folder / "impacts.csv")
     assert whole and set(table["material"]) == set(table["wall"]) == {"304", "null"}
+
+
+def test_what_dents_its_wall_is_said(folder):
+    """As the command does."""
+    (said,) = section(folder).warnings
+    assert said.startswith("Zirconia on Steel: the wall is dented, the ball does not flatten")
+
+
+def test_a_pair_and_a_wall_are_one_line_over_geometry(tmp_path):
+    """The word for the geometry says that two spheres have no wall."""
+    geometries = ["sphere_wall", "two_spheres"]
+    table = CentralImpact.theory(law=["thornton"], speed=0.1, geometry=geometries).table
+    predicted = {f"{name}_predicted": table[name] for name in ("force_max", "overlap_max")}
+    chart = measured_chart("run-0", table.assign(**predicted), {})
+    names = {trace.name for view in chart.views.values() for trace in view.data}
+    assert names == {"Thornton"} and "Lines" not in chart.caption
