@@ -129,7 +129,9 @@ def _facts(record: dict[str, Any], run: BulkRun | None) -> dict[str, str]:
             facts[name.replace("_", " ")] = _with_unit(name, settings[name], units)
     facts["ranks"] = str(record.get("ranks", "unknown"))
     if run is not None and "atoms" in run.series and len(run.series):
-        facts["grains"] = number(float(run.series["atoms"].iloc[0]))
+        grains = run.series["atoms"]  # a deck may insert them
+        ends = [number(float(count)) for count in (grains.min(), grains.max())]
+        facts["grains"] = " to ".join(dict.fromkeys(ends))
     if record.get("restart"):
         facts["goes on from"] = Path(record["restart"]).name
     return facts | version_facts(versions)

@@ -76,13 +76,13 @@ def make(results: Results, name: str) -> Section:
         title=results.name,
         folder=folder,
         state="unfinished" if missing else "done",
-        verdict=f"{len(table)} of {len(runs)} impacts" if missing else f"{len(table)} impacts{by}",
+        verdict=f"{len(table)} of {_impacts(len(runs))}" if missing else _impacts(len(table)) + by,
         missing=missing + _unread(trusted) + left,
         warnings=_dented(table, materials),
         facts=_facts(study, table, runs),
         charts=[chart for chart in charts if chart],
         pictures=pictures,
-        tables=[*constants(materials), *_impacts(table)],
+        tables=[*constants(materials), *_rows(table)],
         trust=trusted,
         laws=laws,
     )
@@ -109,9 +109,15 @@ def _read_study(folder: Path) -> tuple[dict, list[str]]:
         return {}, [f"{STUDY} is damaged: {error}."]
 
 
-def _impacts(table: pd.DataFrame) -> list[Table]:
+def _impacts(count: int) -> str:
+    """So many of them, in words."""
+    return f"{count} impact{'' if count == 1 else 's'}"
+
+
+def _rows(table: pd.DataFrame) -> list[Table]:
     """The table of all impacts."""
-    return [cells(table, f"All {len(table)} impacts", _heads(table))] if len(table) else []
+    title = f"The {_impacts(len(table))} in numbers"
+    return [cells(table, title, _heads(table))] if len(table) else []
 
 
 def _is_unusual(table: pd.DataFrame) -> bool:
