@@ -25,16 +25,21 @@ def bowl(rings: int, sectors: int, radius: float) -> np.ndarray:
     return triangles[sides.min(axis=1) > 1e-9 * radius]  # at the pole a side has no length
 
 
-def folded_plate(angle: float, size: float, pieces: int = 1) -> np.ndarray:
+def folded_plate(
+    angle: float, size: float, pieces: int = 1, near: tuple[float, ...] = ()
+) -> np.ndarray:
     """Two squares in z = 0 and beyond the edge x = 0, where the plane turns upward.
 
     Args:
         angle: Of the fold [degrees]; negative downward.
         size: Of each square.
         pieces: Each square is cut into so many strips along the edge.
+        near: And across, at these distances from the edge.
     """
     turn = np.radians(angle)
-    across = np.array([[-1.0, 0.0], [0.0, 0.0], [np.cos(turn), np.sin(turn)]]) * size
+    sides = np.array([[-1.0, 0.0], [np.cos(turn), np.sin(turn)]])
+    cuts = np.array([*sorted(near), size])[:, np.newaxis]
+    across = np.concatenate([cuts[::-1] * sides[0], [[0.0, 0.0]], cuts * sides[1]])
     along = np.linspace(-size / 2, size / 2, pieces + 1)
     return _strips(np.array([np.insert(across, 1, y, axis=1) for y in along]))
 

@@ -218,6 +218,20 @@ def test_true_edges_keep_their_contacts(tmp_path):
     assert beside == pytest.approx(alone, rel=1e-9)
 
 
+@pytest.mark.parametrize("angle", [35, 40, 50])
+@pytest.mark.parametrize("overlap", [0.01, 0.03, 0.08])
+def test_a_groove_of_small_triangles_keeps_both_contacts(angle, overlap, tmp_path):
+    """Deep between two sides some triangles of both, with a node in common, are touched at corners
+    that lie in nearly one direction."""
+    depth, turn = RADIUS * (1 - overlap), np.radians(angle)
+    near = (0.05 * RADIUS, 0.15 * RADIUS, 0.3 * RADIUS)
+    groove = surfaces.folded_plate(angle, 0.3, 12, near)
+    alone = pressed_on(tmp_path / "plate", surfaces.folded_plate(0, 0.3), (-0.05, 0.03, depth))
+    both = pressed_on(tmp_path / "groove", groove, (-depth * np.tan(turn / 2), 0.03, depth))
+    expected = alone[2] * np.array([-np.sin(turn), 0, 1 + np.cos(turn)])
+    assert both == pytest.approx(expected, rel=1e-3, abs=1e-3 * alone[2])
+
+
 def test_two_triangles_with_one_between_out_of_reach_are_one_surface(tmp_path):
     """On a shallow fold, near the node where the triangles that share its edge are narrow: the
     sphere's two feet are on triangles that share the node alone."""

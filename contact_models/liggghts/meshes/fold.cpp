@@ -36,16 +36,6 @@ bool behind(TriMesh& mesh, int triangle, const Leaf& leaf, const Leaf& other,
   return vectorDot3D(to_centre, normal) * vectorDot3D(other.away, normal) <= 0;
 }
 
-}  // namespace
-
-bool one_surface(TriMesh& mesh, int a, int b, const double* centre, double feature_cosine) {
-  int edge_a, edge_b;
-  if (!mesh.shareEdge(a, b, edge_a, edge_b)) return false;
-  const Leaf leaf_a(mesh, a, edge_a), leaf_b(mesh, b, edge_b);
-  return -vectorDot3D(leaf_a.away, leaf_b.away) >= feature_cosine ||
-         behind(mesh, a, leaf_a, leaf_b, centre) || behind(mesh, b, leaf_b, leaf_a, centre);
-}
-
 // Nodes of neighbours are rounded each for itself.
 bool share_a_node(TriMesh& mesh, int a, int b) {
   const double tolerance = 1e-6 * mesh.edgeLen(a, 0);
@@ -57,6 +47,16 @@ bool share_a_node(TriMesh& mesh, int a, int b) {
       if (pointDistance(at_a, at_b) < tolerance) return true;
     }
   return false;
+}
+
+}  // namespace
+
+bool one_surface(TriMesh& mesh, int a, int b, const double* centre, double feature_cosine) {
+  int edge_a, edge_b;
+  if (!mesh.shareEdge(a, b, edge_a, edge_b)) return false;
+  const Leaf leaf_a(mesh, a, edge_a), leaf_b(mesh, b, edge_b);
+  return -vectorDot3D(leaf_a.away, leaf_b.away) >= feature_cosine ||
+         behind(mesh, a, leaf_a, leaf_b, centre) || behind(mesh, b, leaf_b, leaf_a, centre);
 }
 
 bool around_a_node(TriMesh& mesh, int a, int b, double feature_cosine) {

@@ -14,8 +14,6 @@ namespace plastigran {
 bool one_surface(LAMMPS_NS::TriMesh& mesh, int a, int b, const double* centre,
                  double feature_cosine);
 
-bool share_a_node(LAMMPS_NS::TriMesh& mesh, int a, int b);
-
 // Whether the two share a node, and their planes differ by no more than the feature angle.
 bool around_a_node(LAMMPS_NS::TriMesh& mesh, int a, int b, double feature_cosine);
 

@@ -116,15 +116,7 @@ void MeshContacts::join_surfaces(int particle, int first) {
 // Over an edge, or over a node where the triangle between is just out of reach.
 bool MeshContacts::meet_as_one(int particle, int a, int b) const {
   return one_surface(*mesh_, a, b, engine_->atom->x[particle], feature_cosine_) ||
-         (share_a_node(*mesh_, a, b) && cosine_between(particle, a, b) >= feature_cosine_);
-}
-
-// Of the directions of the contacts with two triangles.
-double MeshContacts::cosine_between(int particle, int a, int b) const {
-  double to_a[3], to_b[3];
-  distance(particle, a, false, to_a);
-  distance(particle, b, false, to_b);
-  return vectorDot3D(to_a, to_b) / (vectorMag3D(to_a) * vectorMag3D(to_b));
+         around_a_node(*mesh_, a, b, feature_cosine_);
 }
 
 void MeshContacts::choose_carriers(int particle, int first) {
@@ -150,7 +142,10 @@ void MeshContacts::look_for_seam(int particle, int first) const {
   for (int a = first; a < last; ++a)
     for (int b = a + 1; b < last; ++b) {
       if (!overlaps_[a].carries || !overlaps_[b].carries) continue;
-      const double cosine = cosine_between(particle, overlaps_[a].triangle, overlaps_[b].triangle);
+      double to_a[3], to_b[3];
+      distance(particle, overlaps_[a].triangle, false, to_a);
+      distance(particle, overlaps_[b].triangle, false, to_b);
+      const double cosine = vectorDot3D(to_a, to_b) / (vectorMag3D(to_a) * vectorMag3D(to_b));
       if (!(cosine >= feature_cosine_)) continue;
       const double* const x = engine_->atom->x[particle];
       seams_->note({engine_->atom->tag[particle],

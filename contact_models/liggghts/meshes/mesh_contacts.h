@@ -56,7 +56,6 @@ class MeshContacts {
   void find_overlaps(int particle);
   void join_surfaces(int particle, int first);
   bool meet_as_one(int particle, int a, int b) const;
-  double cosine_between(int particle, int a, int b) const;
   void choose_carriers(int particle, int first);
   void find_memory(int particle, int first);
   void look_for_seam(int particle, int first) const;
