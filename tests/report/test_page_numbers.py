@@ -46,6 +46,16 @@ def test_frames_are_packed_to_16_bits(hopper):
         np.testing.assert_allclose(values * top, expected, atol=half * top)
 
 
+def test_frames_count_time_as_the_charts_do(hopper):
+    """From the step that is named; before it time is negative."""
+    last = find_frames(hopper)[-1].step
+    movie = pack_movie("m", hopper, 2e-5, begin=last)
+    head = gzip.decompress(base64.b64decode(movie.data)).split(b"\n", 1)[0]
+    said = [frame["said"] for frame in json.loads(head)["frames"]]
+    assert said[-1] == "0 s"
+    assert said[0] == f"−{2e-5 * last * 1e3:.3g} ms"
+
+
 def test_the_largest_force_on_a_grain_is_that_of_its_contacts(hopper):
     files = find_frames(hopper)[-1]
     frame = read_frame(files)

@@ -25,7 +25,7 @@ def run(tmp_path_factory) -> Path:
 
 def drawn(path: Path) -> np.ndarray:
     """Where a picture of 1000 times 800 pixels is not white, left of the scale."""
-    return (imread(path)[220:, :870, :3] < 0.97).any(axis=2)
+    return (imread(path)[220:, :840, :3] < 0.97).any(axis=2)
 
 
 def halves(shown: np.ndarray) -> tuple[np.ndarray, np.ndarray]:

@@ -151,9 +151,9 @@ def test_movie(name, tmp_path, capsys):
     assert all(0.005 < picture.mean() < 0.5 for picture in shown)
 
 
-@pytest.mark.parametrize(("colour", "low"), [("height", 0.0), ("radius", None)])
-def test_a_movie_has_one_scale(colour, low, tmp_path, monkeypatch, capsys):
-    """Heights from the lowest of all frames; nothing is printed where none is asked to."""
+@pytest.mark.parametrize("colour", ["height", "radius", "speed"])
+def test_a_movie_has_one_scale(colour, tmp_path, monkeypatch, capsys):
+    """From the least of all frames, speeds from nothing; nothing is printed unasked."""
     folder, spans = press_pairs(tmp_path), []
 
     def draw(*arguments):
@@ -164,8 +164,9 @@ def test_a_movie_has_one_scale(colour, low, tmp_path, monkeypatch, capsys):
     frames = find_frames(folder)
     save_grain_movie(frames, tmp_path / "x.gif", colour, progress=False)
     values = np.concatenate([grain_values(frame, colour) for frame in frames])
-    assert spans == [(0.0 if low is None else values.min(), values.max())] * len(STEPS)
-    assert spans[0][0] <= 0 < spans[0][1]
+    least = 0.0 if colour == "speed" else values.min()
+    assert spans == [(least, values.max())] * len(STEPS)
+    assert spans[0][0] < spans[0][1]
     assert capsys.readouterr().err == ""
 
 

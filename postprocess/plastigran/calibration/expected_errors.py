@@ -39,7 +39,8 @@ class ExpectedError:
     force_largest: float | None = None
 
     def __str__(self) -> str:
-        regime = f"{self.kind}, v/v_Y {self.speed_ratio[0]:.3g} to {self.speed_ratio[1]:.3g}"
+        ends = " to ".join(dict.fromkeys(f"{end:.3g}" for end in self.speed_ratio))
+        regime = f"{self.kind} contacts, {ends} times the yield speed"
         if self.restitution is None:
             return f"not known ({regime})"
         return (

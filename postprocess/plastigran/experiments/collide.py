@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import warnings
 from collections.abc import Iterable
 from contextlib import ExitStack
 from pathlib import Path
@@ -12,9 +13,11 @@ from typing import Any
 from numpy.typing import ArrayLike
 
 from plastigran import laws as all_laws
+from plastigran.contact import RangeWarning
 from plastigran.experiments.central import CentralImpact
 from plastigran.experiments.cylinder import CylinderImpact
 from plastigran.experiments.runs import Runs, sweep
+from plastigran.experiments.tables import format_range
 from plastigran.materials import Material
 
 #: The class of impact for each shape of bodies.
@@ -46,11 +49,15 @@ def collide(
         fields: Further fields of the case, such as a cylinder's `mass`.
 
     Returns:
-        What was measured: `.table`, `.outcomes`, `.figure("restitution")`.
+        What was measured: `.table`, `.outcomes`, `.figure("restitution")`; printed, the table with
+        what a reader of it must know.
 
     Raises:
         ValueError: A case cannot be run; the message says why.
         EngineError: The engine stopped with an error.
+
+    Warns:
+        RangeWarning: Impacts are beyond their law's range.
     """
     names = [laws] if isinstance(laws, str) else list(laws)
     shape = all_laws.LAWS[names[0]].shape if names and names[0] in all_laws.LAWS else "sphere"
@@ -62,4 +69,7 @@ def collide(
     with ExitStack() as stack:
         if folder is None:
             folder = stack.enter_context(TemporaryDirectory())
-        return sweep(cases, folder, jobs, progress=False, force=force)
+        runs = sweep(cases, folder, jobs, progress=False, force=force)
+    if said := format_range(runs.table):
+        warnings.warn(said, RangeWarning, stacklevel=2)
+    return runs

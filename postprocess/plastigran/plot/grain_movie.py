@@ -9,6 +9,7 @@ from pathlib import Path
 import numpy as np
 
 from plastigran.plot.snapshot import (
+    FROM_ZERO,
     Frame,
     SnapshotError,
     contact_forces,
@@ -54,8 +55,7 @@ def save_grain_movie(
         raise SnapshotError(f"{path} is no movie; its name must end in {' or '.join(WRITERS)}")
     values = [contact_forces(f) if contacts else grain_values(f, colour) for f in frames]
     every = np.concatenate([np.zeros(0), *values])
-    # Heights are from the lowest; what else there is begins at nothing.
-    low = every.min(initial=np.inf) if colour == "height" and not contacts else 0.0
+    low = 0.0 if contacts or colour in FROM_ZERO else every.min(initial=np.inf)
     span = low, every.max(initial=low)
     if contacts and span == (0, 0):
         raise SnapshotError("nothing touches in any frame")

@@ -36,12 +36,13 @@ def ledger_figure(
             lw=0,
         )
         axes.set_axisbelow(True)
-        axes.set_ylabel(f"energy, of the {came_in:.3g} J that came in")
+        axes.set_ylabel(f"energy, of the {came_in:.3g} J that came in, all told")
         handles, labels = axes.get_legend_handles_labels()
         axes.legend(handles[::-1], labels[::-1], loc="upper left")
         below.plot(series["time"], series["drift"] / came_in, color="0.2", lw=1)
-        for bound in (-limit, limit):
-            below.axhline(bound, color="0.4", ls=":")
+        for bound, said in ((-limit, None), (limit, "limit of the check")):
+            below.axhline(bound, color="0.4", ls=":", label=said)
+        below.legend(loc="upper left", fontsize=8)
         below.ticklabel_format(axis="y", style="sci", scilimits=(0, 0))
         below.set_ylabel("drift")
         below.set_xlabel("time (s)")

@@ -14,16 +14,20 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from plastigran.plot.colour_scale import colour_scale
+
 if TYPE_CHECKING:
     import pyvista
 
-#: What grains can be coloured by, with the name and unit on the bar.
+#: What grains can be coloured by, with the words and unit beside the scale.
 COLOURS = {
-    "plastic_work": "plastic work (J)",
-    "speed": "speed (m/s)",
-    "height": "height (m)",
-    "radius": "radius (m)",
+    "plastic_work": ("plastic work", "J"),
+    "speed": ("speed", "m/s"),
+    "height": ("height", "m"),
+    "radius": ("radius", "m"),
 }
+#: Colours whose scale begins at nothing.
+FROM_ZERO = ("plastic_work", "speed")
 #: Directions to look from: the camera's side and what is up.
 VIEWS = {
     "front": ((0, -1, 0), (0, 0, 1)),
@@ -133,10 +137,10 @@ def render(
     plotter = load_pyvista().Plotter(off_screen=True, window_size=size)
     bar = {
         "vertical": True,
-        "position_x": 0.88,
+        "position_x": 0.85,
         "position_y": 0.25,
         "height": 0.5,
-        "fmt": "%.2g",
+        "fmt": "%.4g",
         "color": "black",
         "title_font_size": 22,
         "label_font_size": 20,
@@ -206,19 +210,21 @@ def contact_forces(frame: Frame) -> np.ndarray:
 def _add_grains(plotter: pyvista.Plotter, frame: Frame, colour: str, bar: dict, span: Span) -> None:
     pyvista = load_pyvista()
     grains = pyvista.read(frame.grains)
-    grains[COLOURS[colour]] = values = grain_values(frame, colour)
-    if np.ptp(span or values) == 0:  # one colour
-        bar = bar | {"n_labels": 1}
+    values = grain_values(frame, colour)
+    if not span and not len(values):  # a movie may begin before there are any
+        raise SnapshotError(f"{frame.grains} holds no grains")
+    scale = colour_scale(*COLOURS[colour], span or values, colour in FROM_ZERO)
+    grains[scale.title] = scale.factor * values
     facets = 24 if grains.n_points < 10_000 else 10
     sphere = pyvista.Sphere(radius=1, theta_resolution=facets, phi_resolution=facets)
     balls = grains.glyph(geom=sphere, scale="radius", orient=False)
     plotter.add_mesh(
         balls,
-        scalars=COLOURS[colour],
-        clim=span,
+        scalars=scale.title,
+        clim=scale.ends,
         cmap="viridis",
         smooth_shading=True,
-        scalar_bar_args=bar | {"title": f"{COLOURS[colour]}\n"},
+        scalar_bar_args=bar | {"title": f"{scale.title}\n", "n_labels": scale.labels},
     )
 
 
@@ -235,19 +241,19 @@ def _add_contacts(plotter: pyvista.Plotter, frame: Frame, bar: dict, span: Span)
             return
         raise SnapshotError(f"nothing touches in {frame.contacts}")
     largest = span[1] if span else force.max()
-    name = "contact force (N)"
+    scale = colour_scale("contact force", "N", [0, largest], from_zero=True)
     chains = pyvista.PolyData(
         ends[shown].reshape(-1, 3), lines=np.insert(np.arange(2 * len(shown)), slice(0, None, 2), 2)
     )
-    chains[name] = np.repeat(force[shown], 2)
+    chains[scale.title] = scale.factor * np.repeat(force[shown], 2)
     # Sections as the forces: the thickest tube is a third as wide as a grain.
-    chains["thickness"] = radius / 3 * np.sqrt(chains[name] / largest)
+    chains["thickness"] = radius / 3 * np.sqrt(np.repeat(force[shown], 2) / largest)
     tubes = chains.tube(scalars="thickness", absolute=True, n_sides=8, capping=True)
     plotter.add_mesh(
         tubes,
-        scalars=name,
-        clim=(0, largest),
+        scalars=scale.title,
+        clim=scale.ends,
         cmap="inferno_r",
         smooth_shading=True,
-        scalar_bar_args=bar | {"title": f"{name}\n"},
+        scalar_bar_args=bar | {"title": f"{scale.title}\n", "n_labels": scale.labels},
     )

@@ -26,7 +26,7 @@ STYLE = {
 COLOURS = ["#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#8C564B", "#DC267F"]
 COLOURS += ["#882255", "#999933", "#332288", "#44AA99", "#661100", "#AA4499"]
 COLOURS += ["#117733", "#7F7F7F"]
-MARKERS = "osD^vPX<>dph*8H."
+MARKERS = [*"osD^vPX<>dp*", (4, 1, 0), (3, 1, 180), "h", "."]
 
 
 def title(name: str) -> str:

@@ -35,6 +35,7 @@ plastigran fem throw --young 2.1e11 --poisson 0.3 --density 7850 --yield 3e8 --r
 plastigran fem press --help
 """
 
+#: Units of what is printed, or what tells ratios apart.
 UNITS = {
     "force": "N",
     "force_max": "N",
@@ -52,11 +53,11 @@ UNITS = {
     "work_unloading": "J",
     "speed": "m/s",
     "timestep": "s",
-    "kinetic_restitution": "",
-    "nodal_restitution": "",
-    "vibration_energy": "",
+    "kinetic_restitution": "by kinetic energy, half the vibration in it",
+    "nodal_restitution": "by the mean velocity of the corners, with the vibration",
+    "vibration_energy": "of the energy of the impact",
     "contact_time": "s",
-    "coefficient_of_restitution": "",
+    "coefficient_of_restitution": "by momentum: of the centre of mass",
 }
 
 #: Units of columns of tables.

@@ -20,15 +20,13 @@ from plastigran.experiments.central.arrangement import on_wall
 from plastigran.experiments.collision import CollisionOutcome
 from plastigran.materials import Material
 from plastigran.physics import central
+from plastigran.plot.prefixes import prefix
 from plastigran.plot.style import COLOURS, MARKERS, law_number, styled, subplots, title
 
 Collisions = Mapping[CentralImpact, CollisionOutcome]
 
 #: Loops in a panel.
 LOOPS = 5
-
-#: Units of force, and how many of each are in a newton.
-FORCES = {"kN": 1e-3, "N": 1.0, "mN": 1e3, "µN": 1e6, "nN": 1e9, "pN": 1e12}
 
 
 def finite_elements() -> pd.DataFrame:
@@ -165,9 +163,7 @@ def loops_figure(collisions: Collisions) -> Figure:
     """Force over overlap, one panel a law and setting, one loop a speed: the `LOOPS`
     fastest, the rest are too small to see beside them."""
     curves = _curves(collisions)
-    peak = max(collision.force_max for collision in collisions.values())
-    fitting = (each for each in FORCES.items() if peak * each[1] >= 1)
-    unit, factor = next(fitting, ("pN", FORCES["pN"]))
+    small, factor = prefix([collision.force_max for collision in collisions.values()])
     like = len({setting[:-1] for _, setting, _ in curves}) == 1
     with styled():
         columns = min(len(curves), 4)
@@ -196,7 +192,7 @@ def loops_figure(collisions: Collisions) -> Figure:
                 )
             axes.set_title(name, fontsize=10)
         for axes in panels[:, 0]:
-            axes.set_ylabel(f"normal force ({unit})")
+            axes.set_ylabel(f"normal force ({small}N)")
         lowest = panels.flat[max(len(curves) - columns, 0) : len(curves)]  # of each column
         for axes in lowest if like else panels.flat[: len(curves)]:
             axes.tick_params(labelbottom=True)

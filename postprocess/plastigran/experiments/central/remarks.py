@@ -14,6 +14,9 @@ from plastigran.plot.style import title
 if TYPE_CHECKING:
     from plastigran.experiments.central import CentralImpact
 
+#: Least part of a number that the table shows.
+VISIBLE = 5e-5
+
 
 def remarks(runs: Runs) -> list[str]:
     """Sentences: what hits what, and what a reader of the table must know."""
@@ -23,6 +26,12 @@ def remarks(runs: Runs) -> list[str]:
             1,
             "every impact is slower than its yield speed (v/v_Y < 1): nothing yields, and the "
             "coefficient of restitution is 1",
+        )
+    largest = runs.table["coefficient_of_restitution"].max()
+    if largest > 1 + VISIBLE:
+        said.append(
+            f"a coefficient of restitution above 1, here up to {largest:.5g}, is the error of the "
+            "time step (docs/timestep.md)"
         )
     return [sentence for sentence in said if sentence]
 

@@ -63,9 +63,9 @@ def ledger_chart(name: str, series: pd.DataFrame) -> Chart | None:
         chart_name(name, "ledger"),
         {"": made},
         "shares of the energy that came in, stacked over time, and the drift of their sum",
-        f"Of the {came_in * came.factor:.3g} {came.unit} that came in: what moves, what contacts "
-        "store, and what yielding, friction and viscosity took. Below, what the sum is off by; "
-        f"dotted, the limit of {100 * LEDGER:g} %.",
+        f"Of the {came_in * came.factor:.3g} {came.unit} that came in, all told: what moves, what "
+        "contacts store, and what yielding, friction and viscosity took. Below, what the sum is "
+        f"off by; dotted, the limit of {100 * LEDGER:g} %.",
         height=460,
     )
 

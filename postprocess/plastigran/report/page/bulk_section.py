@@ -58,7 +58,7 @@ def make(results: Results, name: str) -> Section:
     state, verdict = _verdict(run)
     series = run.series if run else pd.DataFrame()
     charts = [ledger_chart(name, series), series_chart(name, series)] if run else []
-    movie, said = _movie(folder, name, record)
+    movie, said = _movie(folder, name, record, series)
     besides = {"ledger"} | ({"grains"} if movie else set())
     pictures, left = read_pictures(folder / "figures", besides)
     settings = record["settings"]
@@ -109,13 +109,18 @@ def _verdict(run: BulkRun | None) -> tuple[str, str]:
     return ("passed", f"{count} checks passed") if count else ("done", "finished")
 
 
-def _movie(folder: Path, name: str, record: dict) -> tuple[Movie | None, list[str]]:
+def _movie(
+    folder: Path, name: str, record: dict, series: pd.DataFrame
+) -> tuple[Movie | None, list[str]]:
     try:
         step = float(record["settings"]["timestep"])
     except (KeyError, ValueError):
         step = None
+    begin = 0
+    if step and len(series) and {"step", "time"} <= set(series):  # a deck may count from later on
+        begin = round(series["step"].iloc[0] - series["time"].iloc[0] / step)
     try:
-        return pack_movie(chart_name(name, "movie"), folder, step), []
+        return pack_movie(chart_name(name, "movie"), folder, step, begin), []
     except (SnapshotError, OSError, ValueError, KeyError) as error:
         return None, [f"The frames cannot be shown: {error}."]
 

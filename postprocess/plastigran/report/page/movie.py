@@ -50,13 +50,14 @@ class Movie:
     caption: str
 
 
-def pack_movie(name: str, folder: Path, timestep: float | None) -> Movie | None:
+def pack_movie(name: str, folder: Path, timestep: float | None, begin: int = 0) -> Movie | None:
     """The frames of a run; None where it has none.
 
     Args:
         name: Of the element of the page.
         folder: Of the run.
         timestep: Of the engine [s]; None where it is not known: steps are shown instead.
+        begin: The step from which the run's charts count time.
 
     Raises:
         SnapshotError: A frame is damaged, or pyvista is not installed.
@@ -77,7 +78,7 @@ def pack_movie(name: str, folder: Path, timestep: float | None) -> Movie | None:
     colours = {key: words for key, (words, _) in COLOURED.items() if _has(frames, key)}
     return Movie(
         name,
-        _pack(frames, list(colours), timestep),
+        _pack(frames, list(colours), timestep, begin),
         len(frames),
         colours,
         any(len(frame.walls) for frame in frames),
@@ -112,7 +113,7 @@ def _thinned(frame: GrainFrame, every: int) -> GrainFrame:
     )
 
 
-def _pack(frames: list[GrainFrame], colours: list[str], timestep: float | None) -> str:
+def _pack(frames: list[GrainFrame], colours: list[str], timestep: float | None, begin: int) -> str:
     corners = np.concatenate(
         [np.concatenate([f.positions, f.walls.reshape(-1, 3)]) for f in frames]
         or [np.zeros((1, 3))]
@@ -132,7 +133,7 @@ def _pack(frames: list[GrainFrame], colours: list[str], timestep: float | None) 
         walls_before = walls
         heads.append(
             {
-                "said": _said(frame.step, timestep),
+                "said": _said(frame.step, timestep, begin),
                 "grains": len(frame.radii),
                 "corners": None if same else len(walls),
             }
@@ -170,11 +171,12 @@ def _colour(name: str, frames: list[GrainFrame], top: float) -> dict:
     }
 
 
-def _said(step: int, timestep: float | None) -> str:
+def _said(step: int, timestep: float | None, begin: int) -> str:
     if timestep is None:
         return f"step {step}"
-    time = scale("time", [step * timestep])
-    return f"{step * timestep * time.factor:.3g} {time.unit}"
+    moment = (step - begin) * timestep
+    time = scale("time", [moment])
+    return f"{moment * time.factor:.3g} {time.unit}".replace("-", "−")
 
 
 def _colour_map() -> list[str]:

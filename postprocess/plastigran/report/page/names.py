@@ -6,6 +6,8 @@ from __future__ import annotations
 import attrs
 import numpy as np
 
+from plastigran.plot.prefixes import prefix
+
 #: What the name of a column ends in that holds theory's value of another.
 PREDICTED = "_predicted"
 #: Column of a table: its name in words and its unit; "" where it has none.
@@ -56,7 +58,6 @@ QUANTITIES = {
     "weight_power": ("power of the weight", "W"),
     "revolutions": ("revolutions", ""),
 }
-_PREFIXES = {-12: "p", -9: "n", -6: "µ", -3: "m", 0: "", 3: "k", 6: "M", 9: "G"}
 #: Units that do not take a prefix.
 _WHOLE = ("", "°", "m²/s²", "kg m/s", "rad/s", "kg", "m/s")
 
@@ -95,12 +96,10 @@ def scale(column: str, values: object) -> Scale:
     name, base = words(column), unit(column)
     if base is None:
         return Scale(name, "as in the log", 1.0)
-    numbers = np.abs(np.asarray(values, float))
-    numbers = numbers[np.isfinite(numbers) & (numbers > 0)]
-    if base in _WHOLE or not numbers.size:
+    if base in _WHOLE:
         return Scale(name, base, 1.0)
-    power = int(np.clip(3 * np.floor(np.log10(numbers.max()) / 3), -12, 9))
-    return Scale(name, _PREFIXES[power] + base, 10.0**-power)
+    small, factor = prefix(values)
+    return Scale(name, small + base, factor)
 
 
 def number(value: object) -> str:

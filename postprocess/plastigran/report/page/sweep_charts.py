@@ -18,8 +18,9 @@ from plastigran.plot.style import title
 from plastigran.report.page.charts import Chart, chart_name, decades, figure, line, of_law, points
 from plastigran.report.page.names import PREDICTED, scale, words
 
-#: Speeds of a line of theory.
+#: Speeds of a line of theory, and how far it goes to both sides of a single one.
 FINE = 60
+BESIDE = 1.3
 #: Of lines of theory, as plotly and as a sentence has them.
 KINDS = {
     "solid": "solid",
@@ -153,8 +154,9 @@ def _measured(groups: dict, theory: dict, quantity: str, abscissa: str) -> go.Fi
         fine = theory[law, others]
         column = f"{quantity}{PREDICTED}"
         dashed = {"line": {"dash": dashes[others]}}
-        # Between words there is nothing: a dash at each.
-        draw, look = (line, dashed) if numbers else (points, {"marker": DASH})
+        # Between words, and beside a lone point, there is nothing: a dash at each.
+        curve = numbers and len(fine) > 1
+        draw, look = (line, dashed) if curve else (points, {"marker": DASH})
         made.add_trace(
             draw(
                 _along(fine[abscissa], x.factor),
@@ -183,15 +185,17 @@ def _along(values: pd.Series, factor: float) -> pd.Series:
 
 
 def _theory(rows: pd.DataFrame, abscissa: str, materials: Mapping[str, Material]) -> pd.DataFrame:
-    """Theory at many speeds, or where it cannot be had again, what the table has of it."""
-    if abscissa != "speed" or len(rows) < 2:
+    """Theory at many speeds, a little beside that of a single impact; where it cannot be had again,
+    what the table has of it."""
+    if abscissa != "speed":
         return rows
     case = central_case(rows.iloc[-1], materials)
     if case is None:
         return rows
-    speeds = np.unique(
-        np.r_[rows["speed"], np.geomspace(rows["speed"].min(), rows["speed"].max(), FINE)]
-    )
+    ends = rows["speed"].min(), rows["speed"].max()
+    if ends[0] == ends[1]:
+        ends = ends[0] / BESIDE, ends[1] * BESIDE
+    speeds = np.unique(np.r_[rows["speed"], np.geomspace(*ends, FINE)])
     found = case.contact_law().central_impact(case.radius_eff, case.mass_eff, speeds * case.bodies)
     names = ("coefficient_of_restitution", "force_max", "overlap_max", "overlap_res")
     fine = {f"{name}{PREDICTED}": getattr(found, name) for name in names}

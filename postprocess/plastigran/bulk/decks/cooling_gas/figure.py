@@ -51,7 +51,8 @@ def cooling_figure(
             )
         if stall is not None:
             axes.axhline(stall, color="0.4", ls=":")
-            axes.annotate("$v_Y^2$", (0.01, stall), xycoords=("axes fraction", "data"), va="bottom")
+            place = {"xycoords": ("axes fraction", "data"), "va": "bottom"}
+            axes.annotate("$v_Y^2$, yield speed squared", (0.01, stall), **place)
         axes.plot([], [], color="0.4", lw=1.3, label="mean field")
         axes.set_xscale("log")
         axes.set_yscale("log")

@@ -34,11 +34,11 @@ def discharge_figure(series: pd.DataFrame, discharge: Discharge | None, mass: fl
             time = np.array([discharge.start, discharge.stop])
             begin = mass * np.interp(discharge.start, series["time"], series["counted"])
             low, high = (begin + edge * (time - time[0]) for edge in discharge.band)
-            axes.fill_between(
-                time, low, high, color="0.85", lw=0, label="with the scatter of C and k"
-            )
             law = begin + discharge.predicted * (time - time[0])
             axes.plot(time, law, "--", color="0.4", label="Beverloo's law")
+            axes.fill_between(
+                time, low, high, color="0.85", lw=0, label="the same, with the scatter of C and k"
+            )
             axes.set_title(
                 f"{discharge.rate:.3g} ± {discharge.rate_error:.1g} kg/s, "
                 f"{discharge.rate / discharge.predicted:.2f} of Beverloo's",
