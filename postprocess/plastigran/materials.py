@@ -7,6 +7,7 @@ the same form.
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -23,8 +24,11 @@ if TYPE_CHECKING:
 #: A wall that neither deforms nor yields.
 RIGID = laws.Body(1e30, 0.3, 1e30, 1.61)
 
-#: Words that tables have where there is no material, or for what is usual.
-TAKEN = ("rigid", "none", "default")
+#: What tables and folders say of a wall that is `RIGID`, of one that is not there, and of options
+#: as they are by default: no material is named so.
+RIGID_WALL, NO_WALL, USUAL = TAKEN = "rigid", "none", "default"
+#: Names that materials may have.
+_NAME = re.compile(r"\w([\w .+-]*[\w.+-])?")
 
 #: Constants of a body in contact, as `laws.Body` takes them.
 OF_BODY = (
@@ -107,8 +111,11 @@ class Material:
 
 def _check_name(name: object) -> None:
     """Refuse a material's name that tables or folders could not have."""
-    if not isinstance(name, str) or not name.strip() or set(name) & set("/\n\0"):
-        raise ValueError(f"name is {name!r}; it must be a word, without a slash")
+    if not isinstance(name, str) or not _NAME.fullmatch(name):
+        raise ValueError(
+            f"name is {name!r}; it must be letters, digits, spaces and _ . + -, "
+            "the first a letter, digit or _"
+        )
     if name in TAKEN:
         raise ValueError(f"name is {name!r}; {', '.join(TAKEN)} have another meaning in tables")
 
@@ -241,5 +248,5 @@ def material_field(
 
 def _read_unless_rigid(name: Material | laws.Body | str | Path | None) -> Material | None:
     """A material, or None for a body that is rigid, which "rigid" and `RIGID` stand for, too."""
-    is_rigid = name is None or name == "rigid" or (isinstance(name, laws.Body) and name == RIGID)
+    is_rigid = name is None or name == RIGID_WALL or (isinstance(name, laws.Body) and name == RIGID)
     return None if is_rigid else read_material(name)

@@ -111,6 +111,14 @@ def test_a_stopped_deck_leaves_nothing_where_it_lies(plain, tmp_path, start_plas
     assert list(folder.glob("restart_forced_*"))
 
 
+def test_a_finished_run_takes_nothing_of_another(plain, tmp_path):
+    """Not even what another has left at the same step."""
+    other = plain.parent / "restart_forced_liggghts_1500.data"
+    other.write_text("Left by another run.")
+    run_bulk(plain, {}, tmp_path / "run", show=False)
+    assert other.exists()
+
+
 def test_the_readmes_deck_does_as_it_says(tmp_path):
     """Two thirds become plastic work; 2 mJ of 33 either way, for the balls' paths are chaotic."""
     readme = (PROJECT / "README.md").read_text()
@@ -143,7 +151,7 @@ def test_an_unknown_setting_is_refused(plain, tmp_path):
 
 
 def test_a_law_misspelt_is_named_before_anything_runs(plain, tmp_path):
-    """In a setting or in the line itself; a model of the engine's own is let be."""
+    """In a setting or in the line itself; a model of the engine's own is taken."""
     template = write_deck(tmp_path / "falling", "thornton", "steel")
     with pytest.raises(
         ValueError, match=r"falling\.in: no contact model 'universl'; is it universal"
@@ -155,7 +163,9 @@ def test_a_law_misspelt_is_named_before_anything_runs(plain, tmp_path):
         run_bulk(plain, {}, tmp_path / "run", show=False)
     assert not (tmp_path / "run").exists()
     plain.write_text(text.replace("model thornton", "model  thornton2"), encoding="latin-1")
-    with pytest.warns(UserWarning, match="model .thornton2.; is it thornton.* of your own is let"):
+    with pytest.warns(
+        UserWarning, match="model .thornton2.; is it thornton.* of your own is taken"
+    ):
         plan_bulk(plain, {}, tmp_path / "run")
     for stock in ("hertz/stiffness", "thornton_ning", "${own}"):
         plain.write_text(text.replace("model thornton", f"model {stock}"), encoding="latin-1")

@@ -93,6 +93,7 @@ def test_a_bed_at_rest_grows_softer_with_depth():
     assert_allclose(resting_overlap(STEEL, 10 * RADIUS, 0.1), shallow)
 
 
+@pytest.mark.filterwarnings("ignore::plastigran.contact.RangeWarning")
 def test_engine_agrees(tmp_path):
     """The same impact in the engine, stiff and soft, at each one's step: the same restitution
     within what that step leaves, 1e-3."""

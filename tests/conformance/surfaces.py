@@ -25,6 +25,15 @@ def bowl(rings: int, sectors: int, radius: float) -> np.ndarray:
     return triangles[sides.min(axis=1) > 1e-9 * radius]  # at the pole a side has no length
 
 
+def cone(facets: int, low: float, high: float) -> np.ndarray:
+    """The inside of a cone about z, 45 degrees steep, from one radius up to another."""
+    angles = np.linspace(0, 2 * np.pi, facets + 1)
+    rings = [
+        np.stack([r * np.cos(angles), r * np.sin(angles), r + 0 * angles], 1) for r in (low, high)
+    ]
+    return _strips(np.array(rings))
+
+
 def folded_plate(
     angle: float, size: float, pieces: int = 1, near: tuple[float, ...] = ()
 ) -> np.ndarray:

@@ -281,6 +281,27 @@ def test_triangles_that_share_neither_edge_nor_node_are_named(tmp_path):
     assert "fix wall/gran: particle 1 at (-0.001 0.03" in log
 
 
+RESTING = {"x": 0.004, "y": 0.002, "z": 0.15, "g": 9.81, "timestep": 5e-5, "every": 1000}
+RESTING |= {"youngs_modulus": 1e7, "yield_strength": 1e5, "coefficient_of_friction": 0.3}
+
+
+def test_a_ball_that_leans_on_all_sides_is_named(tmp_path):
+    """In a cone one contact does not hold it; with one for each facet, as the warning says, it
+    comes to rest, and nothing is said. 1e-3 of the energy that came in."""
+    wall, moving = mesh(tmp_path, surfaces.cone(36, 0.02, 0.3)), {}
+    said = "of one smooth surface, in directions"
+    for name, options in (("one", ""), ("each", "feature_angle 5")):
+        folder = tmp_path / name
+        folder.mkdir()
+        ledger = run(folder, f"{wall} {options}", let_go(60_000), **RESTING).ledger
+        came_in = ledger["gravity"].iloc[0] - ledger["gravity"].iloc[-1]
+        moving[name] = ledger["kinetic"].iloc[-1] / came_in
+        assert abs(ledger["drift"].iloc[-1]) < 1e-3 * came_in
+        warned = (folder / "log.liggghts").read_text().count(said)
+        assert warned == (name == "one")
+    assert moving["each"] < 1e-3 < moving["one"]
+
+
 # Thrown along the bottom of a bowl, a little aslant.
 THROWN = {"x": -0.03, "z": -0.1975, "vx": 4, "vy": 0.5, "vz": -0.7, "g": 9.81, "timestep": 2e-5}
 SOFT = {"youngs_modulus": 7e8, "yield_strength": 1e7}

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from scenes import Cylinders, scene
+from scenes import GEOMETRIES, Cylinders, scene
 
 from plastigran import laws
 from plastigran.engine.dumps import read_dump
@@ -190,16 +190,17 @@ def test_restart_with_another_law_is_refused(owner, commands, variables, tmp_pat
         run_with(commands, "stronge", tmp_path, "restart_read", **case, **variables)
 
 
-@pytest.mark.parametrize("geometry", ["pair", "plane"])
-def test_a_restart_with_other_constants_is_told_of(geometry, tmp_path):
+@pytest.mark.parametrize("ranks", [1, 2])
+@pytest.mark.parametrize("geometry", GEOMETRIES)
+def test_a_restart_with_other_constants_is_told_of(geometry, ranks, tmp_path):
     """The dents were made with those of the file."""
     case = {"geometry": geometry, "after": 1}
     bodies = scene("stronge")
     bodies.run("restart_write", tmp_path, before=40, **case)
     case["restart"] = (tmp_path / "middle.restart").resolve()
-    assert "other constants" not in bodies.run("restart_read", tmp_path / "same", **case)
-    log = bodies.run("restart_read", tmp_path / "other", yield_strength=5e8, **case)
-    owner = {"pair": "pair_style", "plane": "fix wall"}[geometry]
+    assert "other constants" not in bodies.run("restart_read", tmp_path / "same", ranks, **case)
+    log = bodies.run("restart_read", tmp_path / "other", ranks, yield_strength=5e8, **case)
+    owner = "pair_style" if geometry == "pair" else "fix wall"
     said = rf"{owner}: contacts go on with other constants: `model stronge, .*yield strength 1e\+08"
     assert re.search(said + r" Pa.*` is now `model stronge, .*yield strength 5e\+08 Pa", log)
 
@@ -214,6 +215,31 @@ def test_other_constants_between_runs_are_told_of(tmp_path):
     another = "pair_style gran model thornton tangential history; pair_coeff * *"
     log = run_with(another, "stronge", tmp_path)
     assert "begin anew" in log and "other constants" not in log
+
+
+STRENGTH = "fix yield_strength all property/global yieldStrength peratomtype {} 1e30"
+#: Sets the contacts up without a run.
+SET_UP = "delete_atoms overlap 1e-6 all all"
+
+
+def test_constants_are_compared_from_run_to_run(tmp_path):
+    """What they were in between, where commands have set the contacts up, does not count."""
+    again = [STRENGTH.format(strength) for strength in ("5e8", "1e8", "7e8")]
+    there = f"unfix yield_strength; {again[0]}; {SET_UP}; unfix yield_strength; "
+    assert "other constants" not in run_with(there + again[1], "stronge", tmp_path / "back")
+    log = run_with(there + again[2], "stronge", tmp_path / "on")
+    (said,) = re.findall("pair_style: contacts go on with other constants: (.*)", log)
+    assert "strength 1e+08 Pa" in said and "strength 7e+08 Pa" in said
+
+
+def test_a_default_that_is_said_is_the_same_constant(tmp_path):
+    log = run_with("", "vu_quoc_zhang", tmp_path / "assumed")
+    assumed = re.search(r"contactRadiusCoefficient (\S+) \(default\)", log)[1]
+    said = (
+        f"fix c all property/global contactRadiusCoefficient peratomtypepair 2{4 * f' {assumed}'}"
+    )
+    log = run_with(said, "vu_quoc_zhang", tmp_path / "said")
+    assert "other constants" not in log
 
 
 @pytest.mark.parametrize("fix", ["range", "step", "motion", "history"])

@@ -124,7 +124,7 @@ def test_names_that_no_material_may_have(name):
 def test_several_options_are_a_sweep():
     chosen = ["yielding flat", "yielding sphere"]
     runs = CentralImpact.theory(law=["universal", "thornton"], speed=0.1, options=chosen)
-    assert runs.table["options"].tolist() == ["yielding flat", "default", "yielding sphere"]
+    assert runs.table["options"].tolist() == [*chosen, "default"]
 
 
 def test_every_row_has_a_wall_and_options():

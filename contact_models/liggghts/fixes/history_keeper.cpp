@@ -4,6 +4,7 @@
 #include <mpi.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "atom.h"
 #include "comm.h"
@@ -38,7 +39,7 @@ HistoryKeeper::Lines HistoryKeeper::all_lines(const Lines& ours) const {
   LAMMPS_NS::Pair* const pair = force->pair_match("gran", 1);
   if (pair && !lines.count(pair_owner)) {
     const auto hash = static_cast<LAMMPS_NS::PairGran*>(pair)->hashcode();
-    lines[pair_owner] = {"the engine's " + std::to_string(hash), "", {pair_histories}, false};
+    lines[pair_owner] = {"the engine's " + std::to_string(hash), "", {pair_histories}, ""};
   }
   return lines;
 }
@@ -52,7 +53,8 @@ void HistoryKeeper::post_run() {
       if (!fix) continue;
       stored.emplace_back(fix);
       stored.back().update();
-      kept_.push_back({owner, line.models, id, stored.back().width(), wall_position(lmp, fix)});
+      kept_.push_back({owner, line.models, id, stored.back().width(), stored.back().listed(),
+                       wall_position(lmp, fix)});
     }
   std::size_t values = 0;
   for (int i = 0; i < atom->nlocal; ++i)
@@ -80,10 +82,9 @@ bool HistoryKeeper::goes_on(const Kept& kept, const Line& line, LAMMPS_NS::Fix* 
 }
 
 void HistoryKeeper::setup_pre_exchange() {
-  lines_.swap(connected_);
-  connected_.clear();
+  const Lines former = std::exchange(lines_, std::exchange(connected_, {}));
   if (!kept_.empty()) give_back_what_is_lost();
-  warn_of_changes();
+  warn_of_other_constants(former);
 }
 
 void HistoryKeeper::give_back_what_is_lost() {
@@ -142,8 +143,8 @@ bool HistoryKeeper::any_remembers(std::size_t which) const {
   int remembers = 0;
   for (int i = 0; i < atom->nlocal; ++i) {
     const double* const record = record_of(i, which);
-    if (record &&
-        StoredHistories::remembers(record + 1, static_cast<int>(*record), kept_[which].width))
+    const Kept& kept = kept_[which];
+    if (record && StoredHistories::remembers(record + 1, *record, kept.width, kept.listed))
       remembers = 1;
   }
   MPI_Allreduce(MPI_IN_PLACE, &remembers, 1, MPI_INT, MPI_MAX, world);

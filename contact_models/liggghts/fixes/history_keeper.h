@@ -31,7 +31,8 @@ class HistoryKeeper : public OwnFix {
     std::string models;                  // the law, its options and the models beside it
     std::string settings;                // all that the line may set: NAME WORD NAME WORD ...
     std::vector<std::string> histories;  // IDs of the engine's fixes that store the memory, if any
-    bool given_anew;                     // since the last run
+    std::string constants;               // of each two atom types a line; empty: no memory
+    bool given_anew = false;             // since the last run
   };
 
   HistoryKeeper(LAMMPS_NS::LAMMPS* engine, int count, char** words);
@@ -42,10 +43,6 @@ class HistoryKeeper : public OwnFix {
   // From a model before each run: `owner` is "pair_style" or "fix ID". Stops when the contacts that
   // a restart file has of this owner are those of other models. All ranks together.
   void connect(const std::string& owner, const Line& line);
-
-  // The constants of the owner's contacts, a line for each two atom types. Where contacts remember
-  // what they reached with others, the coming run begins with a warning.
-  void compare_constants(const std::string& owner, const std::string& constants);
 
   // What a restart file says of an owner's settings; without a word of it, a warning and nothing.
   std::string restarted_settings(const std::string& owner) const;
@@ -74,6 +71,7 @@ class HistoryKeeper : public OwnFix {
   struct Kept {
     std::string owner, models, fix;
     int width;            // values of a contact
+    bool listed;          // as of StoredHistories
     std::uint64_t place;  // of a wall's histories: where it is
   };
 
@@ -81,20 +79,18 @@ class HistoryKeeper : public OwnFix {
   Lines all_lines(const Lines& ours) const;
   bool goes_on(const Kept& kept, const Line& line, LAMMPS_NS::Fix* fix) const;
   void give_back_what_is_lost();
-  void warn_of_changes();
+  void warn_of_other_constants(const Lines& former) const;
   bool remembers(const std::string& owner) const;
   void hand_back(const std::vector<LAMMPS_NS::Fix*>& fixes);
   bool is_intact(std::size_t which, LAMMPS_NS::Fix* fix) const;
   bool any_remembers(std::size_t which) const;
   const double* record_of(int i, std::size_t which) const;
 
-  Lines connected_;  // since the last set-up
-  Lines lines_;      // of the run under way, or the last one
-  Lines in_file_;    // what a restart file says, until the owner connects
-  std::map<std::string, std::string> constants_;  // by owner: of the run under way, or the last one
-  std::map<std::string, std::string> changes_;    // by owner: in these, for the coming run
-  std::vector<Kept> kept_;                        // what each record has, in this order
-  ParticleRecords records_;                       // by the particles' numbers at the end of the run
+  Lines connected_;         // since the last set-up
+  Lines lines_;             // of the run under way, or the last one, which a restart file may be of
+  Lines in_file_;           // what a restart file says, until the owner connects
+  std::vector<Kept> kept_;  // what each record has, in this order
+  ParticleRecords records_;     // by the particles' numbers at the end of the run
   std::vector<int> numbers_;    // by local particle: these numbers, 0 for new ones
   long total_ = 0;              // particles at the end of the run
   int page_ = 0, largest_ = 0;  // neigh_modify `page` and `one` at the end of the run

@@ -20,12 +20,18 @@ namespace plastigran {
 
 namespace {
 
-// The first line of a text that another does not begin with at the same place.
-std::string first_difference(const std::string& text, const std::string& other) {
-  std::istringstream lines(text), others(other);
-  std::string line, beside;
-  while (std::getline(lines, line) && std::getline(others, beside) && line == beside) continue;
-  return line;
+// The constants of the first two atom types that have others now, and these, in words; empty where
+// there are none. Types that only one of the texts is about do not count.
+std::string first_change(const std::string& before, const std::string& now) {
+  const std::string others = '\n' + now;
+  std::istringstream lines(before);
+  for (std::string line; std::getline(lines, line);) {
+    const std::size_t begin = others.find('\n' + line.substr(0, line.find(": ") + 1));
+    if (begin == std::string::npos) continue;
+    const std::string other = others.substr(begin + 1, others.find('\n', begin + 1) - begin - 1);
+    if (other != line) return '`' + line + "` is now `" + other + '`';
+  }
+  return {};
 }
 
 }  // namespace
@@ -35,11 +41,10 @@ void HistoryKeeper::connect(const std::string& owner, const Line& line) {
   const bool given_anew = line.given_anew || connected.given_anew;
   connected = line;
   connected.given_anew = given_anew;
-  const auto last = lines_.find(owner);
-  if (last != lines_.end() && last->second.models != line.models) constants_.erase(owner);
   const auto found = in_file_.find(owner);
   if (found == in_file_.end()) return;
   const std::string models = found->second.models;
+  lines_[owner] = found->second;
   in_file_.erase(found);
   if (models.empty() || models == line.models || line.histories.empty()) return;
   error->all(FLERR,
@@ -47,14 +52,6 @@ void HistoryKeeper::connect(const std::string& owner, const Line& line) {
               line.models + "`. Give the line as it was; for contacts that begin anew, `run 0` " +
               "with that line comes before the other")
                  .c_str());
-}
-
-void HistoryKeeper::compare_constants(const std::string& owner, const std::string& constants) {
-  std::string& before = constants_[owner];
-  if (!before.empty() && before != constants)
-    changes_[owner] = '`' + first_difference(before, constants) + "` is now `" +
-                      first_difference(constants, before) + '`';
-  before = constants;
 }
 
 std::string HistoryKeeper::restarted_settings(const std::string& owner) const {
@@ -67,23 +64,24 @@ std::string HistoryKeeper::restarted_settings(const std::string& owner) const {
   return {};
 }
 
-void HistoryKeeper::warn_of_changes() {
-  for (const auto& [owner, change] : changes_)
-    if (remembers(owner) && comm->me == 0)
+// Of contacts that go on. All ranks together.
+void HistoryKeeper::warn_of_other_constants(const Lines& former) const {
+  for (const auto& [owner, line] : lines_) {
+    const auto before = former.find(owner);
+    if (before == former.end() || before->second.models != line.models) continue;
+    const std::string change = first_change(before->second.constants, line.constants);
+    if (!change.empty() && remembers(owner) && comm->me == 0)
       error->warning(FLERR, (owner + ": contacts go on with other constants: " + change).c_str());
-  changes_.clear();
+  }
 }
 
-// Whether any contact of an owner does. All ranks together.
+// Whether any contact of an owner remembers anything. All ranks together.
 bool HistoryKeeper::remembers(const std::string& owner) const {
   int remembers = 0;
   for (const std::string& id : lines_.at(owner).histories)
     if (LAMMPS_NS::Fix* const fix = modify->find_fix_id(id.c_str()))
-      for (int i = 0; i < atom->nlocal; ++i) {
-        const StoredHistories histories(fix);
-        const std::vector<double> values = histories.of(i);
-        if (histories.remembers(values.data(), values.size(), histories.width())) remembers = 1;
-      }
+      for (int i = 0; i < atom->nlocal && !remembers; ++i)
+        remembers = StoredHistories(fix).remembers(i);
   MPI_Allreduce(MPI_IN_PLACE, &remembers, 1, MPI_INT, MPI_MAX, world);
   return remembers;
 }
@@ -103,7 +101,7 @@ void HistoryKeeper::write_restart(FILE* file) {
     if (!line.histories.empty() || owner == pair_owner) {
       text +=
           owner + '\t' + (line.histories.empty() ? "" : line.models) + '\t' + line.settings + '\n';
-      std::istringstream constants(constants_[owner]);
+      std::istringstream constants(line.constants);
       for (std::string each; std::getline(constants, each);) text += '\t' + each + '\n';
     }
   const int size = text.size() + 1;
@@ -116,9 +114,9 @@ void HistoryKeeper::restart(char* data) {
   for (std::string owner, models, settings, constant; std::getline(text, owner, '\t') &&
                                                       std::getline(text, models, '\t') &&
                                                       std::getline(text, settings);) {
-    in_file_[owner] = {models, settings, {}, false};
+    Line& line = in_file_[owner] = {models, settings, {}, ""};
     while (text.peek() == '\t' && std::getline(text.ignore(), constant))
-      constants_[owner] += constant + '\n';
+      line.constants += constant + '\n';
   }
 }
 

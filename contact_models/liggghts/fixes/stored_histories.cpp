@@ -109,8 +109,13 @@ void StoredHistories::forget(int i) {
   fix_->unpack_exchange(i, nothing.data());
 }
 
-bool StoredHistories::remembers(const double* values, int count, int width) {
-  const bool listed = count != width;  // behind each partner; the number of contacts is first
+bool StoredHistories::remembers(int i) const {
+  const std::vector<double> values = of(i);
+  return remembers(values.data(), values.size(), width(), listed_);
+}
+
+// In a list they are behind each partner, and the number of contacts is first.
+bool StoredHistories::remembers(const double* values, int count, int width, bool listed) {
   for (int k = listed ? 2 : 0; k + width <= count; k += 1 + width)
     if (std::any_of(values + k, values + k + width, [](double value) { return value != 0; }))
       return true;

@@ -26,6 +26,7 @@ class StoredHistories {
   }
 
   int width() const;  // values of a contact
+  bool listed() const { return listed_; }
 
   // How many values of() has.
   int size_of(int i) const;
@@ -38,8 +39,11 @@ class StoredHistories {
 
   void forget(int i);
 
-  // Whether what of() returned holds a memory: values of contacts other than zero.
-  static bool remembers(const double* values, int count, int width);
+  // Whether a particle's contacts remember anything: values other than zero.
+  bool remembers(int i) const;
+
+  // The same of what of() has returned.
+  static bool remembers(const double* values, int count, int width, bool listed);
 
  private:
   LAMMPS_NS::Fix* fix_;

@@ -24,6 +24,13 @@ const double same_depth = 1e-11;
 // Of a cosine: corners in mesh files have some seven digits.
 const double rounded = 1e-6;
 
+// Cosine of the angle between directions from which on a particle leans on opposite sides.
+const double opposite = 0.5;
+
+double cosine_between(const double* a, const double* b) {
+  return vectorDot3D(a, b) / (vectorMag3D(a) * vectorMag3D(b));
+}
+
 }  // namespace
 
 MeshContacts::MeshContacts(LAMMPS_NS::LAMMPS* engine, LAMMPS_NS::FixMeshSurface* mesh,
@@ -63,7 +70,8 @@ std::pair<int, int> MeshContacts::overlaps_of(int particle) {
     join_surfaces(particle, first);
     choose_carriers(particle, first);
     find_memory(particle, first);
-    if (!seams_->found()) look_for_seam(particle, first);
+    if (!watch_->found(MeshWatch::seam)) look_for_seam(particle, first);
+    if (!watch_->found(MeshWatch::ring)) look_for_ring(particle, first);
     found_[particle] = {first, static_cast<int>(overlaps_.size())};
   }
   return found_[particle];
@@ -86,18 +94,19 @@ void MeshContacts::list_triangles() {
 
 void MeshContacts::find_overlaps(int particle) {
   const std::size_t first = overlaps_.size();
-  double to_surface[3];
+  double to_foot[3];
   for (int k = first_near_[particle]; k < first_near_[particle + 1]; ++k) {
     if (beyond_its_plane(particle, near_[k])) continue;
-    const double gap = distance(particle, near_[k], false, to_surface);
+    const double gap = distance(particle, near_[k], false, to_foot);
     if (gap > 0) continue;
     const int index = overlaps_.size();
-    overlaps_.push_back(
-        {near_[k], -gap, slot_of(particle, near_[k]) >= 0, index, false, nullptr, -1});
+    const bool known = slot_of(particle, near_[k]) >= 0;
+    overlaps_.push_back({near_[k], {}, -gap, known, index, false, nullptr, -1});
+    vectorCopy3D(to_foot, overlaps_.back().to_foot);
   }
   if (overlaps_.size() - first == 1) return;
   for (std::size_t k = first; k < overlaps_.size(); ++k)
-    overlaps_[k].depth = -distance(particle, overlaps_[k].triangle, true, to_surface);
+    overlaps_[k].depth = -distance(particle, overlaps_[k].triangle, true, to_foot);
 }
 
 void MeshContacts::join_surfaces(int particle, int first) {
@@ -140,20 +149,29 @@ void MeshContacts::choose_carriers(int particle, int first) {
 void MeshContacts::look_for_seam(int particle, int first) const {
   const int last = overlaps_.size();
   for (int a = first; a < last; ++a)
-    for (int b = a + 1; b < last; ++b) {
-      if (!overlaps_[a].carries || !overlaps_[b].carries) continue;
-      double to_a[3], to_b[3];
-      distance(particle, overlaps_[a].triangle, false, to_a);
-      distance(particle, overlaps_[b].triangle, false, to_b);
-      const double cosine = vectorDot3D(to_a, to_b) / (vectorMag3D(to_a) * vectorMag3D(to_b));
-      if (!(cosine >= feature_cosine_)) continue;
-      const double* const x = engine_->atom->x[particle];
-      seams_->note({engine_->atom->tag[particle],
-                    {mesh_->id(overlaps_[a].triangle), mesh_->id(overlaps_[b].triangle)},
-                    {x[0], x[1], x[2]},
-                    std::acos(std::min(1.0, cosine)) * 180 / M_PI});
-      return;
-    }
+    for (int b = a + 1; b < last; ++b)
+      if (overlaps_[a].carries && overlaps_[b].carries &&
+          cosine_between(overlaps_[a].to_foot, overlaps_[b].to_foot) >= feature_cosine_)
+        return watch_->note(MeshWatch::seam, place(particle, overlaps_[a], overlaps_[b]));
+}
+
+// Triangles of one surface on opposite sides of the particle.
+void MeshContacts::look_for_ring(int particle, int first) const {
+  const int last = overlaps_.size();
+  for (int a = first; a < last; ++a)
+    for (int b = first; overlaps_[a].carries && b < last; ++b)
+      if (overlaps_[a].surface == overlaps_[b].surface &&
+          cosine_between(overlaps_[a].to_foot, overlaps_[b].to_foot) < opposite)
+        return watch_->note(MeshWatch::ring, place(particle, overlaps_[a], overlaps_[b]));
+}
+
+MeshWatch::Place MeshContacts::place(int particle, const Overlap& a, const Overlap& b) const {
+  const double* const x = engine_->atom->x[particle];
+  const double cosine = std::min(1.0, cosine_between(a.to_foot, b.to_foot));
+  return {engine_->atom->tag[particle],
+          {mesh_->id(a.triangle), mesh_->id(b.triangle)},
+          {x[0], x[1], x[2]},
+          std::acos(cosine) * 180 / M_PI};
 }
 
 // What the particle's contacts remember goes to the ones that carry now. Where two surfaces have
@@ -221,14 +239,14 @@ bool MeshContacts::beyond_its_plane(int particle, int triangle) const {
   return std::abs(vectorDot3D(to_centre, normal)) > engine_->atom->radius[particle];
 }
 
-// From the particle's surface to the triangle; `to_surface` is from its centre to the nearest
+// From the particle's surface to the triangle; `to_foot` is from its centre to the nearest
 // point. The engine gives no contact at edges and corners that it leaves to another triangle.
 double MeshContacts::distance(int particle, int triangle, bool of_the_engine,
-                              double* to_surface) const {
+                              double* to_foot) const {
   double weights[3];
   int region;
   return mesh_->resolveTriSphereContactBary(particle, triangle, engine_->atom->radius[particle],
-                                            engine_->atom->x[particle], to_surface, weights, region,
+                                            engine_->atom->x[particle], to_foot, weights, region,
                                             of_the_engine);
 }
 

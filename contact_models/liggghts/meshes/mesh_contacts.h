@@ -17,7 +17,7 @@
 
 #include "fix_mesh_surface.h"
 #include "lammps.h"
-#include "liggghts/meshes/seam_watch.h"
+#include "liggghts/meshes/mesh_watch.h"
 
 namespace plastigran {
 
@@ -29,8 +29,8 @@ class MeshContacts {
                std::vector<int> vectors);
 
   // Before a run.
-  void begin_run(SeamWatch* seams) {
-    seams_ = seams;
+  void begin_run(MeshWatch* watch) {
+    watch_ = watch;
     list_step_ = contact_step_ = -1;
   }
 
@@ -42,13 +42,14 @@ class MeshContacts {
  private:
   // An overlap of a particle with a triangle.
   struct Overlap {
-    int triangle;    // its local number
-    double depth;    // below 0: the engine leaves this edge or corner to another triangle
-    bool known;      // the engine stores a history for it already
-    int surface;     // the first overlap of the same surface
-    bool carries;    // the contact of its surface
-    double* memory;  // of its surface, to be taken over; null: nothing to remember
-    int former;      // the triangle that had it
+    int triangle;       // its local number
+    double to_foot[3];  // from the particle's centre to the triangle's nearest point
+    double depth;       // below 0: the engine leaves this edge or corner to another triangle
+    bool known;         // the engine stores a history for it already
+    int surface;        // the first overlap of the same surface
+    bool carries;       // the contact of its surface
+    double* memory;     // of its surface, to be taken over; null: nothing to remember
+    int former;         // the triangle that had it
   };
 
   void list_triangles();
@@ -59,10 +60,12 @@ class MeshContacts {
   void choose_carriers(int particle, int first);
   void find_memory(int particle, int first);
   void look_for_seam(int particle, int first) const;
+  void look_for_ring(int particle, int first) const;
+  MeshWatch::Place place(int particle, const Overlap& a, const Overlap& b) const;
   Overlap* heir_of(int particle, int first, int triangle);
   void take_over(int particle, Overlap& overlap, double* history) const;
   bool beyond_its_plane(int particle, int triangle) const;
-  double distance(int particle, int triangle, bool of_the_engine, double* to_surface) const;
+  double distance(int particle, int triangle, bool of_the_engine, double* to_foot) const;
   bool remembers(const double* history) const;
   int slot_of(int particle, int triangle) const;
 
@@ -71,7 +74,7 @@ class MeshContacts {
   LAMMPS_NS::TriMesh* mesh_;
   double feature_cosine_;
   std::vector<int> vectors_;
-  SeamWatch* seams_ = nullptr;
+  MeshWatch* watch_ = nullptr;
 
   // The triangles near each local particle, in the engine's order: those of particle i stand from
   // first_near_[i] to first_near_[i + 1]. From the neighbour lists of that step.

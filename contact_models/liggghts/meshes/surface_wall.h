@@ -47,8 +47,8 @@ class SurfaceWall : public LIGGGHTS::Walls::Granular<Contact> {
       if (!std::strstr(mesh->style, "planar")) mesh->triMesh()->setCurvature(1 - 1e-12);
       meshes_.emplace_back(engine_, mesh, std::cos(feature_angle_ * M_PI / 180), vectors());
     }
-    SeamWatch* const seams = own_fix<SeamWatch>(engine_);
-    for (MeshContacts& mesh : meshes_) mesh.begin_run(seams);
+    MeshWatch* const watch = own_fix<MeshWatch>(engine_);
+    for (MeshContacts& mesh : meshes_) mesh.begin_run(watch);
   }
 
   void compute_force(LAMMPS_NS::FixWallGran* wall,

@@ -89,13 +89,15 @@ class ElastoplasticNormalModel : public NormalModelBase {
       plastigran::restore_settings(lmp, *this, keeper->restarted_settings(owner),
                                    [this] { postSettings(nullptr, nullptr); });
     const std::string options = plastigran::options_text<Law>(settings_.choices, " ");
-    keeper->connect(owner, {caller() + owner_.other_models() + options, settings_.text(),
-                            owner_.histories(), !reported_});
     const plastigran::DeckProperties deck(lmp, caller(), registry.max_type());
     pairs_.build(deck, registry.max_type(), settings_.choices);
-    const std::string constants =
-        pairs_.describe(caller(), deck, settings_.choices, owner_.is_wall());
-    if (!Law::state_names.empty()) keeper->compare_constants(owner, constants);
+    const auto constants = [&](const char* assumed) {
+      return pairs_.describe(caller() + (owner_.is_wall() ? ", wall" : ""), deck, settings_.choices,
+                             assumed);
+    };
+    keeper->connect(
+        owner, {caller() + owner_.other_models() + options, settings_.text(), owner_.histories(),
+                Law::state_names.empty() ? "" : constants(""), !reported_});
     deck.check_friction();
     if (plastigran::yields<Law>) rates_.connect(deck, pairs_.rate_matters());
     watch_.begin(caller(), settings_.overlap_limit);
@@ -110,7 +112,7 @@ class ElastoplasticNormalModel : public NormalModelBase {
     // Ask for surfacesClose() just outside contact, where the history is cleared: otherwise a pair
     // that parts and meets again before the next neighbour build would remember its dent.
     neighbor->register_contact_dist_factor(1.01);
-    if (!reported_ && comm->me == 0) report_constants(deck, constants);
+    if (!reported_ && comm->me == 0) report_constants(deck, constants(" (default)"));
     reported_ = true;
     forecast_impacts(deck);
   }

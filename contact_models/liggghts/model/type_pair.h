@@ -97,17 +97,17 @@ class TypePairs {
   TypePair<Law>& operator()(int type, int other_type) { return *at(type, other_type); }
 
   // A line for each two types that may meet: their effective constants, the law's own and its
-  // options. `caller` begins each line.
+  // options. `caller` begins each line; `assumed` follows constants that the deck does not give.
   std::string describe(const std::string& caller, const DeckProperties& deck,
-                       const Constants& options, bool is_wall) {
+                       const Constants& options, const char* assumed) {
     std::ostringstream text;
     for (int i = 1; i <= type_count_; ++i)
       for (int j = i; j <= type_count_; ++j) {
         const TypePair<Law>& pair = (*this)(i, j);
         if (!pair.refusal.empty()) continue;
         const std::string pascal = ' ' + deck.unit("Pa");
-        text << caller << (is_wall ? ", wall" : "") << ", atom types " << i << " and " << j
-             << ": effective modulus " << pair.bodies.youngs_modulus_eff << pascal;
+        text << caller << ", atom types " << i << " and " << j << ": effective modulus "
+             << pair.bodies.youngs_modulus_eff << pascal;
         if (yields<Law>)
           text << ", yield strength " << pair.bodies.yield_strength << pascal << ", yield pressure "
                << pair.bodies.yield_pressure << pascal;
@@ -116,10 +116,10 @@ class TypePairs {
                << pair.bodies.reference_rate << ' ' << deck.unit("1/s");
         if (hardens<Law>)
           text << ", tangent modulus " << pair.bodies.tangent_modulus << pascal
-               << (deck.given("tangent_modulus") ? "" : " (default)");
+               << (deck.given("tangent_modulus") ? "" : assumed);
         for (const auto& parameter : parameters_of<Law>)
           text << ", " << property_name(parameter.name) << ' ' << pair.constants.*parameter.value
-               << (deck.given(parameter.name) ? "" : " (default)");
+               << (deck.given(parameter.name) ? "" : assumed);
         text << options_text<Law>(options, ", ") << '\n';
       }
     return text.str();

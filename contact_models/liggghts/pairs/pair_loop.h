@@ -202,7 +202,7 @@ class PairLoop : public LIGGGHTS::PairStyles::Granular<Contact>, private StoredE
     add(torque, load.delta_torque);
   }
 
-  // Read before it is written: two components at once.
+  // All three sums are read before any is written: the compiler may then add two at once.
   static void add(double* sum, const double* part) {
     const double x = sum[0] + part[0], y = sum[1] + part[1], z = sum[2] + part[2];
     sum[0] = x, sum[1] = y, sum[2] = z;

@@ -144,7 +144,7 @@ class BulkDeck:
 
     @classmethod
     def read(cls, settings: Mapping[str, object]) -> Self:
-        """The deck with the settings of a run, as text or numbers; others are let be.
+        """The deck with the settings of a run, as text or numbers; others are left out.
 
         Raises:
             ValueError: One is missing or out of range.

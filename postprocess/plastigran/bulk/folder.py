@@ -17,7 +17,7 @@ from typing import TextIO
 
 import pandas as pd
 
-from plastigran.engine.checkpoints import PATTERN, newest_checkpoint
+from plastigran.engine.checkpoints import OF_A_SIGNAL, PATTERN, newest_checkpoint
 from plastigran.engine.dumps import DumpError, TruncatedFileWarning
 from plastigran.engine.log import LOG, read_thermo
 from plastigran.engine.process import EngineError, engines
@@ -31,8 +31,6 @@ CHECKS = "checks.csv"
 DUMP = "grains.dump"
 #: Collision spectra, whose tables the engine adds; it takes those after a checkpoint away itself.
 SPECTRA = "collision_spectra.csv"
-#: How restart files begin that the engine writes where it runs when a signal stops it.
-OF_A_SIGNAL = "restart_forced_liggghts"
 #: Files of a run, which are removed before another overwrites it.
 OWN_FILES = (
     RECORD,

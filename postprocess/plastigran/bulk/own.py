@@ -66,7 +66,7 @@ def check_laws(source: DeckSource) -> None:
             said = f"{file.name}: no contact model {name!r}; is it {meant[0]}?"
             if meant[0] not in name:
                 raise ValueError(said)
-            warnings.warn(f"{said} A model of your own is let be", stacklevel=2)
+            warnings.warn(f"{said} A model of your own is taken as it is", stacklevel=2)
 
 
 def check_goes_on(source: DeckSource) -> None:

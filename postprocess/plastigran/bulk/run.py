@@ -3,16 +3,12 @@
 
 from __future__ import annotations
 
-import re
-import shutil
 from collections.abc import Mapping
-from contextlib import suppress
 from pathlib import Path
 
 from plastigran.bulk.folder import (
     BEFORE,
     CHECKS,
-    OF_A_SIGNAL,
     SERIES,
     all_derived,
     carry_files,
@@ -22,7 +18,7 @@ from plastigran.bulk.folder import (
 )
 from plastigran.bulk.outcome import BulkRun, open_run
 from plastigran.bulk.plan import plan_bulk
-from plastigran.engine.checkpoints import step_of
+from plastigran.engine.checkpoints import fetch_file_of_signal, files_of_signals, step_of
 from plastigran.engine.log import LOG
 from plastigran.engine.process import run_deck
 from plastigran.engine.versions import versions
@@ -85,6 +81,7 @@ def run_bulk(
         before[before["step"] <= step].to_csv(folder / BEFORE, index=False)
         carry_files(restart, folder, step)
     write_record(folder, record)  # last: a folder with a record can be gone on from
+    left = files_of_signals(plan.working_folder)
     try:
         run_deck(
             script,
@@ -97,23 +94,13 @@ def run_bulk(
         )
     finally:
         if (log := folder / LOG).exists():
-            said = log.read_text(errors="replace")
-            record["versions"]["engine"] = said.partition("\n")[0]
+            record["versions"]["engine"] = log.read_text(errors="replace").partition("\n")[0]
             write_record(folder, record)
-            _fetch_restart_file(said, plan.working_folder, folder)
+            fetch_file_of_signal(plan.working_folder, left, folder)
     read_series(folder).to_csv(folder / SERIES, index=False)  # whatever comes of its analysis
     run = open_run(folder)
     write_results(run)
     return run
-
-
-def _fetch_restart_file(log: str, working_folder: Path, folder: Path) -> None:
-    """Move the restart file that a signal has left, if there is one, from where the engine ran: the
-    one of the last step that the log has. Other runs there may leave others."""
-    if steps := re.findall(r"^ *(\d+) ", log, re.MULTILINE):
-        for file in working_folder.glob(f"{OF_A_SIGNAL}_{steps[-1]}.*"):
-            with suppress(FileNotFoundError):  # another run has stopped at the same step
-                shutil.move(file, folder / file.name)
 
 
 def write_results(run: BulkRun) -> None:

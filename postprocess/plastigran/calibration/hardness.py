@@ -43,12 +43,14 @@ class Scale:
         range: Of its numbers.
         scatter: Of the conversion into HV.
         source: Of the conversion.
+        of_steel: Whether the conversion is of steel alone.
     """
 
     name: str
     range: Declaration
     scatter: float
     source: str
+    of_steel: bool = False
 
     def vickers(self, value: float) -> float:
         """The number in HV."""
@@ -68,9 +70,9 @@ SCALES = {
     for scale in (
         Scale("HV", _range("HV", 5, 2000), 0.0, "the scale itself"),
         # ISO 18265, table A.1; ASTM E140 has HB = HV below 240 and agrees within 1.5 % above.
-        Scale("HB", _range("HB", 76, 618), 0.05, "HB = 0.95 HV for steel, ISO 18265"),
+        Scale("HB", _range("HB", 76, 618), 0.05, "HB = 0.95 HV, ISO 18265", True),
         # Makers' manuals convert 41.5 and 54.5 HRC to HV that are 4 % off it.
-        Scale("HRC", _range("HRC", 20, 68), 0.05, "table 1 of ASTM E140, for steel"),
+        Scale("HRC", _range("HRC", 20, 68), 0.05, "table 1 of ASTM E140", True),
     )
 }
 

@@ -87,8 +87,8 @@ def from_hardness(hardness: Hardness, plastic_modulus: float, youngs_modulus: fl
     tensile = steel_yield_strength(hardness.vickers)
     if STEEL.allows(youngs_modulus) and 0 < tensile < flow:
         notes.append(f"a tensile test of a steel that hard yields at some {tensile:.3g} Pa")
-    if "steel" in scale.source and not STEEL.allows(youngs_modulus):
-        notes.append(f"{scale.source}: of this metal, measure HV")
+    if scale.of_steel and not STEEL.allows(youngs_modulus):
+        notes.append(f"the conversion is of steel ({scale.source}); of another metal, measure HV")
     value = flow - added
     return Strength(value, (max(value - half, 0.0), value + half), source, notes=tuple(notes))
 

@@ -1,9 +1,11 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Numbered restart files of a run, and which of them are whole."""
+"""Restart files of a run: numbered ones, which of them are whole, and that of a signal."""
 
 from __future__ import annotations
 
+import shutil
 import warnings
+from contextlib import suppress
 from pathlib import Path
 
 import numpy as np
@@ -13,6 +15,8 @@ from plastigran.engine.process import EngineError
 
 #: What decks give to the engine's `restart` command.
 PATTERN = "checkpoint.*.restart"
+#: How restart files begin that the engine writes where it runs when a signal stops it.
+OF_A_SIGNAL = "restart_forced_liggghts"
 #: Numbers of a file that are looked at together.
 _BLOCK = 1 << 20
 
@@ -40,6 +44,33 @@ def newest_checkpoint(folder: str | Path) -> Path:
             return checkpoint
         warnings.warn(f"{checkpoint} is cut short; an earlier one is looked for", stacklevel=2)
     raise EngineError(f"no whole checkpoint ({PATTERN}) in {folder}; start the deck afresh")
+
+
+def files_of_signals(working_folder: Path) -> dict[Path, int]:
+    """The files of `OF_A_SIGNAL` in a folder, with the time of each."""
+    found = {}
+    for file in working_folder.glob(f"{OF_A_SIGNAL}_*"):
+        with suppress(FileNotFoundError):  # another run has fetched it
+            found[file] = file.stat().st_mtime_ns
+    return found
+
+
+def fetch_file_of_signal(working_folder: Path, before: dict[Path, int], folder: Path) -> None:
+    """Move the restart file that a signal has made a run leave, if there is one, to its results.
+
+    It is of the run's last step and was not there before. Other runs in that folder may leave
+    others.
+
+    Args:
+        working_folder: Where the engine ran.
+        before: What `files_of_signals` found as the run began.
+        folder: Of the run's results.
+    """
+    step = LogFollower(folder / LOG).read().step
+    for file, time in files_of_signals(working_folder).items():
+        if file.stem == f"{OF_A_SIGNAL}_{step}" and before.get(file) != time:
+            with suppress(FileNotFoundError):  # another run has stopped at the same step
+                shutil.move(file, folder / file.name)
 
 
 def is_whole(checkpoint: Path) -> bool:

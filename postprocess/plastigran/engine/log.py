@@ -27,12 +27,10 @@ THERMO_COLUMNS = {
 _RUN = re.compile(r"run\s+(\d+)(\s+upto)?\s*$")
 #: How the engine ends; a deck may print or echo the word as well.
 _ERROR = re.compile(r"^ERROR(?: on proc \d+)?: .*", re.MULTILINE)
-#: What the contact models and the launcher warn of, without the place in the source.
-_WARNING = re.compile(
-    r"^WARNING: ((?:model|the time step|energy_ledger|fix \S+ (?:heat/|collision_spectra)).*?)"
-    r"(?: \(\S+:\d+\))?$",
-    re.M,
-)
+#: What the contact models and the launcher warn of, without the place in the source; the engine's
+#: own warnings begin with other words.
+_OURS = r"model |the time step |energy_ledger|pair_style: |fix \S+(?:: | heat/| collision_spectra)"
+_WARNING = re.compile(rf"^WARNING: ((?:{_OURS}).*?)(?: \(\S+:\d+\))?$", re.M)
 _NUMBER = re.compile(r"\d[\d.e+-]*")
 
 

@@ -170,7 +170,7 @@ def run_deck(
     Raises:
         EngineError: There is no such deck or no engine.
         EngineStopped: The engine ended with an error or took too long. The error is quoted, with
-            the last warnings of contact models that came before it.
+            warnings of contact models that came before it: two, and the last.
     """
     folder = Path(folder).resolve()
     folder.mkdir(parents=True, exist_ok=True)
@@ -203,7 +203,8 @@ def run_deck(
             _stop(engine, folder)
     text = log.read_text(errors="replace") if log.exists() else ""
     if returncode:
-        reason = _reason(returncode, f"{text}\n{said.read_text(errors='replace')}")
+        whole = text[: text.rfind("\n") + 1]  # an engine that stops may leave half a line
+        reason = _reason(returncode, whole + said.read_text(errors="replace"))
         raise EngineStopped(f"{deck.name}: {reason} (log: {log if text else said})")
     return text
 
@@ -258,9 +259,9 @@ def _stop(engine: subprocess.Popen, folder: Path) -> None:
 def _reason(returncode: int, said: str) -> str:
     """Why a run ended, from its code and what it wrote to log and screen, warnings included."""
     if error := find_error(said):
-        # The log may end within a line. What looks like a slip is said first, before any step.
+        # What looks like a slip is said first, before any step; the last is of the moment.
         found = worst(find_warnings(said))
-        warned = [one for one in found if sum(each.startswith(one) for each in found) == 1][:3]
+        warned = [*found[:2], *found[2:][-1:]]
         return f"{error}; it had warned: {'; '.join(warned)}" if warned else error
     killer = -returncode if returncode < 0 else returncode - 128  # as mpirun reports a rank's
     if killer in set(signal.Signals):

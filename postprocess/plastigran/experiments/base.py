@@ -26,6 +26,16 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 
+def combinations(values: Mapping[str, Any]) -> list[dict[str, Any]]:
+    """Every combination of values, the first name's varying slowest.
+
+    Args:
+        values: By name, one or an iterable of them.
+    """
+    chosen = product(*map(several, values.values()))
+    return [dict(zip(values, each, strict=True)) for each in chosen]
+
+
 @attrs.frozen
 class Experiment:
     """One case of an experiment: what is to be run. Its fields are declared quantities.
@@ -174,9 +184,7 @@ class Experiment:
         Raises:
             ValueError: A case cannot be run; the message says why.
         """
-        axes = [several(value) for value in values.values()]
-        named = (dict(zip(values, chosen, strict=True)) for chosen in product(*axes))
-        return list(dict.fromkeys(cls(**case) for case in named))
+        return list(dict.fromkeys(cls(**case) for case in combinations(values)))
 
     @classmethod
     def study_settings(cls, **given: Any) -> dict[str, Any]:

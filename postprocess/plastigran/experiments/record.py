@@ -19,8 +19,6 @@ if TYPE_CHECKING:
 TABLE = "impacts.csv"
 #: What ran, in a sweep's folder: command, settings, versions.
 STUDY = "study.json"
-#: Columns of the table that hold words, whatever these look like: a steel may be named 304.
-WORDS = ("law", "material", "wall", "options", "geometry")
 
 
 def add_row(path: Path, row: Mapping[str, object]) -> None:
@@ -38,13 +36,24 @@ def add_row(path: Path, row: Mapping[str, object]) -> None:
 def read_table(path: Path) -> tuple[pd.DataFrame, bool]:
     """The rows of a table, and whether its last line is whole; one that is not is left out.
 
+    What the record beside it calls words is read as such: a steel may be named 304.
+
     Raises:
         OSError, ValueError: There is no table, or it is none.
     """
     whole, end, rest = path.read_text(encoding="utf-8").rpartition("\n")
-    words = dict.fromkeys(WORDS, str)
+    words = dict.fromkeys(read_study(path.parent).get("words", ()), str)
     table = pd.read_csv(StringIO(whole + end), dtype=words, keep_default_na=False, na_values=[""])
     return table, not rest
+
+
+def read_study(folder: Path) -> dict[str, Any]:
+    """What a sweep has recorded of itself; nothing where there is no record, or a damaged one."""
+    try:
+        said = json.loads((folder / STUDY).read_text(encoding="utf-8"))
+    except (OSError, ValueError):
+        return {}
+    return said if isinstance(said, dict) else {}
 
 
 def write_study(
@@ -55,11 +64,13 @@ def write_study(
     by_theory: bool = False,
 ) -> None:
     """Record what is to be run, before it is, or what theory has answered."""
+    facts = [each.facts() for each in cases]
     said = {
         "command": cases[0].command,
         "cases": len(cases),
         "by_theory": by_theory,
         "settings": {name: _plain(value) for name, value in settings.items()},
+        "words": sorted({name for row in facts for name in row if isinstance(row[name], str)}),
         "materials": {name: each.variables() for name, each in materials_of(cases).items()},
         "versions": made_with,
     }

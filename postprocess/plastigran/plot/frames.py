@@ -6,7 +6,7 @@ from __future__ import annotations
 import attrs
 import numpy as np
 
-from plastigran.plot.snapshot import Frame, SnapshotError, load_pyvista
+from plastigran.plot.snapshot import Frame, SnapshotError, read_vtk
 
 
 @attrs.frozen(eq=False)
@@ -39,14 +39,13 @@ def read_frame(frame: Frame) -> GrainFrame:
     Raises:
         SnapshotError: A file is damaged or lacks a column, or pyvista is not installed.
     """
-    pyvista = load_pyvista()
-    grains = pyvista.read(frame.grains)
+    grains = read_vtk(frame.grains)
     if missing := {"radius", "v", "id"} - set(grains.point_data):
         raise SnapshotError(f"{frame.grains} has no {', '.join(sorted(missing))}")
     positions = np.asarray(grains.points, float).reshape(-1, 3)
     work = grains.point_data.get("f_plastic_work")
     walls = np.empty((0, 3, 3))
-    if frame.mesh and (mesh := pyvista.read(frame.mesh)).n_cells:
+    if frame.mesh and (mesh := read_vtk(frame.mesh)).n_cells:
         walls = np.asarray(mesh.points, float)[mesh.regular_faces]
     return GrainFrame(
         frame.step,
@@ -67,7 +66,7 @@ def _largest_force(frame: Frame, positions: np.ndarray) -> np.ndarray:
     with open(frame.contacts, "rb") as file:
         none = b"\nPOINTS 0 " in file.read(500)  # the reader warns of them
     if not none and len(positions):
-        lines = load_pyvista().read(frame.contacts)
+        lines = read_vtk(frame.contacts)
         force = np.linalg.norm(np.asarray(lines["force"], float).reshape(-1, 3), axis=1)
         ends = np.asarray(lines.points, float).reshape(-1, 3)
         # An end beyond a periodic side is no grain's centre; six digits are written of each.

@@ -14,7 +14,7 @@ from plastigran.plot.snapshot import (
     SnapshotError,
     contact_forces,
     grain_values,
-    load_pyvista,
+    read_vtk,
     render,
 )
 from plastigran.progress import ProgressBar
@@ -71,12 +71,12 @@ def save_grain_movie(
 
 def _bounds(frames: Sequence[Frame]) -> list[float]:
     """Two ends along x, y and z [m] of all grains of all frames, and of meshes."""
-    pyvista, boxes = load_pyvista(), []
+    boxes = []
     for frame in frames:
-        grains = pyvista.read(frame.grains)
+        grains = read_vtk(frame.grains)
         boxes.append(np.reshape(grains.bounds, (3, 2)) + grains["radius"].max() * np.array([-1, 1]))
         if frame.mesh:
-            boxes.append(np.reshape(pyvista.read(frame.mesh).bounds, (3, 2)))
+            boxes.append(np.reshape(read_vtk(frame.mesh).bounds, (3, 2)))
     low, high = np.min(boxes, axis=0)[:, 0], np.max(boxes, axis=0)[:, 1]
     return np.stack([low, high], axis=1).ravel().tolist()
 

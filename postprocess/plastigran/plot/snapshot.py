@@ -150,9 +150,7 @@ def render(
     else:
         _add_grains(plotter, frame, colour, bar, span)
     if frame.mesh:
-        plotter.add_mesh(
-            load_pyvista().read(frame.mesh), color="grey", opacity=0.25, show_edges=False
-        )
+        plotter.add_mesh(read_vtk(frame.mesh), color="grey", opacity=0.25, show_edges=False)
     side, up = VIEWS[view]
     plotter.set_background("white")
     plotter.view_vector(side, viewup=up, bounds=bounds)
@@ -172,8 +170,14 @@ def load_pyvista():
         import pyvista
     except ImportError:
         raise SnapshotError("snapshots need pyvista: pip install pyvista") from None
-    pyvista.vtk_verbosity("off")  # it warns on the screen of files without points
     return pyvista
+
+
+def read_vtk(path: Path) -> pyvista.DataSet:
+    """A file of a frame. VTK would warn of one without points, which is no fault."""
+    pyvista = load_pyvista()
+    with pyvista.vtk_verbosity("off"):
+        return pyvista.read(path)
 
 
 def grain_values(frame: Frame, colour: str) -> np.ndarray:
@@ -182,7 +186,7 @@ def grain_values(frame: Frame, colour: str) -> np.ndarray:
     Raises:
         SnapshotError: The frame does not have it.
     """
-    grains = load_pyvista().read(frame.grains)
+    grains = read_vtk(frame.grains)
     columns = {
         "plastic_work": lambda: grains["f_plastic_work"],
         "speed": lambda: np.linalg.norm(grains["v"], axis=1),
@@ -203,20 +207,19 @@ def contact_forces(frame: Frame) -> np.ndarray:
     """
     if frame.contacts is None:
         raise SnapshotError(f"{frame.grains.parent} has no contacts_{frame.step}.vtk")
-    lines = load_pyvista().read(frame.contacts)
+    lines = read_vtk(frame.contacts)
     return np.linalg.norm(lines["force"], axis=1) if lines.n_cells else np.zeros(0)
 
 
 def _add_grains(plotter: pyvista.Plotter, frame: Frame, colour: str, bar: dict, span: Span) -> None:
-    pyvista = load_pyvista()
-    grains = pyvista.read(frame.grains)
+    grains = read_vtk(frame.grains)
     values = grain_values(frame, colour)
     if not span and not len(values):  # a movie may begin before there are any
         raise SnapshotError(f"{frame.grains} holds no grains")
     scale = colour_scale(*COLOURS[colour], span or values, colour in FROM_ZERO)
     grains[scale.title] = scale.factor * values
     facets = 24 if grains.n_points < 10_000 else 10
-    sphere = pyvista.Sphere(radius=1, theta_resolution=facets, phi_resolution=facets)
+    sphere = load_pyvista().Sphere(radius=1, theta_resolution=facets, phi_resolution=facets)
     balls = grains.glyph(geom=sphere, scale="radius", orient=False)
     plotter.add_mesh(
         balls,
@@ -230,11 +233,11 @@ def _add_grains(plotter: pyvista.Plotter, frame: Frame, colour: str, bar: dict, 
 
 def _add_contacts(plotter: pyvista.Plotter, frame: Frame, bar: dict, span: Span) -> None:
     pyvista, force = load_pyvista(), contact_forces(frame)
-    lines = pyvista.read(frame.contacts)
+    lines = read_vtk(frame.contacts)
     # A contact through a periodic side would cross the whole box.
     ends = lines.points.reshape(-1, 2, 3)
     lengths = np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1)
-    radius = float(pyvista.read(frame.grains)["radius"].max())
+    radius = float(read_vtk(frame.grains)["radius"].max())
     shown = np.flatnonzero((force > 0) & (lengths < 2 * radius))
     if not len(shown):
         if span:  # a movie may begin before anything touches

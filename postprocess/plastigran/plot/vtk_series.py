@@ -12,7 +12,7 @@ from xml.etree import ElementTree
 
 import numpy as np
 
-from plastigran.plot.snapshot import Frame, SnapshotError, load_pyvista
+from plastigran.plot.snapshot import Frame, SnapshotError, read_vtk
 
 #: Names of a frame's columns in the engine's files, and ours. All in SI units.
 GRAINS = {"v": "velocity", "f_plastic_work": "plastic_work"}
@@ -79,6 +79,4 @@ def write_series(path: Path, files: Mapping[float, Path]) -> None:
 def _read(path: Path | None, frame: Frame):
     if path is None:
         raise SnapshotError(f"the frame of step {frame.step} has no contacts or mesh")
-    pyvista = load_pyvista()
-    with pyvista.vtk_verbosity("off"):  # a frame without contacts is no fault
-        return pyvista.read(path)
+    return read_vtk(path)

@@ -11,11 +11,10 @@ from typing import TYPE_CHECKING, Any, ClassVar
 import attrs
 import numpy as np
 import pandas as pd
-from attrs import evolve
 
 from plastigran import laws
 from plastigran.declared import number, word
-from plastigran.experiments.base import Experiment
+from plastigran.experiments.base import Experiment, combinations
 from plastigran.experiments.central.arrangement import run_label
 from plastigran.experiments.central.remarks import remarks
 from plastigran.experiments.collision import CollisionOutcome, measure
@@ -31,7 +30,14 @@ from plastigran.experiments.fields import (
 )
 from plastigran.experiments.runs import Runs
 from plastigran.experiments.tables import HEADS
-from plastigran.materials import RIGID, Material, material_field
+from plastigran.materials import (
+    NO_WALL,
+    RIGID,
+    RIGID_WALL,
+    USUAL,
+    Material,
+    material_field,
+)
 from plastigran.physics import central
 
 if TYPE_CHECKING:
@@ -119,8 +125,8 @@ class CentralImpact(Experiment):
     def wall_name(self) -> str:
         """The wall's metal, or a word of `arrangement.WALLS`."""
         if self.bodies == 2:
-            return "none"
-        return self.wall.name if self.wall is not None else "rigid"
+            return NO_WALL
+        return self.wall.name if self.wall is not None else RIGID_WALL
 
     @property
     def wall_yields(self) -> bool:
@@ -166,7 +172,7 @@ class CentralImpact(Experiment):
     @property
     def label(self) -> str:
         return run_label(
-            self.geometry, self.material.name, self.law, self.wall_name, self.options or "default"
+            self.geometry, self.material.name, self.law, self.wall_name, self.options or USUAL
         )
 
     @property
@@ -214,7 +220,7 @@ class CentralImpact(Experiment):
         ratio = self.speed / self.yield_speed() if laws.LAWS[self.law].yields else nan
         return {name: said[name] for name in ("geometry", "material", "law", "radius", "speed")} | {
             "wall": self.wall_name,
-            "options": self.options or "default",
+            "options": self.options or USUAL,
             "speed_ratio": ratio,
         }
 
@@ -230,14 +236,14 @@ class CentralImpact(Experiment):
         Raises:
             ValueError: A case cannot be run, or no law has an option; the message says why.
         """
-        found: list[CentralImpact] = []
-        chosen = several(values.pop("options", None))
-        plan = super().plan(**values)
-        names = dict.fromkeys(one.law for one in plan)
-        for options in chosen:
-            takers = having_options(names, options) if options else []
-            found += [evolve(one, options=options) if one.law in takers else one for one in plan]
-        return list(dict.fromkeys(found))
+        names = several(values.get("law"))
+        chosen = filter(None, several(values.get("options")))
+        takers = {options: having_options(names, options) for options in chosen}
+        cases = combinations(values)
+        for case in cases:
+            if case["law"] not in takers.get(case.get("options"), names):
+                case["options"] = None
+        return list(dict.fromkeys(cls(**case) for case in cases))
 
     @classmethod
     def summary(cls, runs: Runs) -> str:

@@ -18,7 +18,7 @@ from plastigran import laws
 from plastigran.experiments.central import CentralImpact
 from plastigran.experiments.central.arrangement import on_wall
 from plastigran.experiments.collision import CollisionOutcome
-from plastigran.materials import Material
+from plastigran.materials import USUAL, Material
 from plastigran.physics import central
 from plastigran.plot.prefixes import prefix
 from plastigran.plot.style import COLOURS, MARKERS, law_number, styled, subplots, title
@@ -110,7 +110,7 @@ def _curves(
         if len(walls) > 1 and impact.bodies == 1:
             name.append(on_wall(impact.wall_name))
         if impact.options or len(chosen[impact.law]) > 1:
-            name.append(impact.options or "default")
+            name.append(impact.options or USUAL)
         key = (impact.law, _setting(impact), ", ".join(name))
         found.setdefault(key, []).append((impact, collision))
     return found
@@ -125,7 +125,7 @@ def _common(collisions: Collisions) -> str:
     if geometry == {"two_spheres"}:
         said.append("two spheres")
     elif "two_spheres" not in geometry:
-        said += [on_wall(impacts[0].wall_name)] * (len(wall) == 1)
+        said += [on_wall(impacts[0].wall_name)] if len(wall) == 1 else []
     return ", ".join(said)
 
 

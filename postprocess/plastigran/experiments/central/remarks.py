@@ -47,20 +47,23 @@ def _arrangement(impacts: Iterable[CentralImpact]) -> str:
 
 def dented(impacts: Iterable[CentralImpact]) -> str:
     """Which balls dent their wall by a law of balls that flatten."""
-    names = dict.fromkeys(
-        f"{title(impact.material.name)} {on_wall(impact.wall_name)}"
+    found = [
+        impact
         for impact in impacts
         if impact.wall_yields
         and laws.LAWS[impact.law].yields
         and impact.speed >= impact.yield_speed()
         and not impact.law_is_of_indentation
-    )
-    if not names:
+    ]
+    if not found:
         return ""
+    names = dict.fromkeys(
+        f"{title(impact.material.name)} {on_wall(impact.wall_name)}" for impact in found
+    )
+    constant = any(impact.wall.rate_coefficient == 0 for impact in found)
     indentation = sorted(name for name, law in laws.LAWS.items() if law.indentation)
     return (
         f"{', '.join(names)}: the wall is dented, the ball does not flatten. universal with "
         f"--options 'yielding flat' is for that, {' and '.join(indentation)} are fits to "
-        "indentations, the other laws are of balls that flatten. Give the wall its "
-        "rate_coefficient (docs/rate_factor.md)"
-    )
+        "indentations, the other laws are of balls that flatten"
+    ) + constant * ". Give the wall its rate_coefficient (docs/rate_factor.md)"

@@ -134,9 +134,12 @@ def _facts(record: dict[str, Any], run: BulkRun | None) -> dict[str, str]:
             facts[name.replace("_", " ")] = _with_unit(name, settings[name], units)
     facts["ranks"] = str(record.get("ranks", "unknown"))
     if run is not None and "atoms" in run.series and len(run.series):
-        grains = run.series["atoms"]  # a deck may insert them
-        ends = [number(float(count)) for count in (grains.min(), grains.max())]
+        grains = run.series["atoms"]  # a deck may insert them, and others may leave
+        first, last, most = grains.iloc[0], grains.iloc[-1], grains.max()
+        ends = [number(float(count)) for count in (first, last)]
         facts["grains"] = " to ".join(dict.fromkeys(ends))
+        if most > max(first, last):
+            facts["grains"] += f", at most {number(float(most))}"
     if record.get("restart"):
         facts["goes on from"] = Path(record["restart"]).name
     return facts | version_facts(versions)

@@ -13,7 +13,7 @@ import plotly.graph_objects as go
 from plastigran import laws
 from plastigran.experiments.central import GEOMETRIES, CentralImpact
 from plastigran.experiments.central.arrangement import WALLS, on_wall
-from plastigran.materials import Material
+from plastigran.materials import NO_WALL, RIGID_WALL, USUAL, Material
 from plastigran.plot.style import title
 from plastigran.report.page.charts import Chart, chart_name, decades, figure, line, of_law, points
 from plastigran.report.page.names import PREDICTED, scale, words
@@ -97,7 +97,7 @@ def _abscissa(table: pd.DataFrame) -> str | None:
 def _groups(table: pd.DataFrame, abscissa: str) -> dict[tuple[str, str], pd.DataFrame]:
     """Rows of a curve, by law and by what else sets the curve apart."""
     if abscissa == "geometry" and "wall" in table:  # which says where there is none
-        table = table.assign(wall=table["wall"].replace("none", "rigid"))
+        table = table.assign(wall=table["wall"].replace(NO_WALL, RIGID_WALL))
     apart = [
         name for name in APART if name in table and name != abscissa and table[name].nunique() > 1
     ]
@@ -221,7 +221,7 @@ def central_case(row: pd.Series, materials: Mapping[str, Material]) -> CentralIm
             radius=row["radius"],
             geometry=row["geometry"],
             wall=None if wall in (*WALLS, None) else materials.get(wall, wall),
-            options=None if options == "default" else options,
+            options=None if options == USUAL else options,
         )
     except ValueError:
         return None

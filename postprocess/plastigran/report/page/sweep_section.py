@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Mapping
 from pathlib import Path
 
@@ -13,9 +12,9 @@ from plastigran.calibration.expected_errors import errors_table
 from plastigran.engine.log import LOG, find_error
 from plastigran.experiments.central.arrangement import WALLS
 from plastigran.experiments.central.remarks import dented
-from plastigran.experiments.record import STUDY, TABLE, read_table
+from plastigran.experiments.record import STUDY, TABLE, read_study, read_table
 from plastigran.experiments.tables import HEADS
-from plastigran.materials import Material
+from plastigran.materials import NO_WALL, USUAL, Material
 from plastigran.plot.style import title
 from plastigran.report.page.charts import chart_name
 from plastigran.report.page.collect import Results
@@ -100,13 +99,9 @@ def _read_table(path: Path) -> tuple[pd.DataFrame, list[str]]:
 
 def _read_study(folder: Path) -> tuple[dict, list[str]]:
     """What the sweep has recorded of itself, and a sentence where that cannot be read."""
-    if not (folder / STUDY).is_file():
-        return {}, []
-    try:
-        study = json.loads((folder / STUDY).read_text())
-        return (study, []) if isinstance(study, dict) else ({}, [f"{STUDY} is no record."])
-    except ValueError as error:
-        return {}, [f"{STUDY} is damaged: {error}."]
+    study = read_study(folder)
+    damaged = (folder / STUDY).is_file() and not study
+    return study, [f"{STUDY} is damaged: it is no record of a sweep."] if damaged else []
 
 
 def _impacts(count: int) -> str:
@@ -126,7 +121,7 @@ def _is_unusual(table: pd.DataFrame) -> bool:
     if "wall" in table:
         usual &= table["wall"].isin(WALLS)
     if "options" in table:
-        usual &= table["options"] == "default"
+        usual &= table["options"] == USUAL
     return not usual.any()
 
 
@@ -164,11 +159,11 @@ def _facts(study: dict, table: pd.DataFrame, runs: list[Path]) -> dict[str, str]
         names = [title(str(law)) for law in sorted(table["law"].unique())]
         facts["law"] = ", ".join(names) if len(names) <= MOST_NAMED else f"{len(names)} laws"
     for name in ("geometry", "material", "wall", "options", "radius", "angle", "speed"):
-        if name not in table or table[name].isna().all() or set(table[name]) <= {"none", "default"}:
+        if name not in table or table[name].isna().all() or set(table[name]) <= {NO_WALL, USUAL}:
             continue
         values = table[name].unique()
         if name == "wall" and len(values) > 1:
-            values = [wall for wall in values if wall != "none"]  # of two spheres
+            values = [wall for wall in values if wall != NO_WALL]  # of two spheres
         unit = {"radius": " m", "speed": " m/s", "angle": "°"}.get(name, "")
         if table[name].dtype.kind in "if":
             ends = [number(float(value)) for value in (values.min(), values.max())]

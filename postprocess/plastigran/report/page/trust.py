@@ -16,7 +16,7 @@ import pandas as pd
 from plastigran.calibration.expected_errors import ExpectedError, expected_error
 from plastigran.experiments.central import CentralImpact
 from plastigran.experiments.central.arrangement import WALLS, on_wall
-from plastigran.materials import Material
+from plastigran.materials import RIGID_WALL, Material
 from plastigran.plot.style import title
 from plastigran.report.page.charts import Chart, chart_name, decades, figure, of_law, points
 from plastigran.report.page.names import PREDICTED, words
@@ -99,7 +99,7 @@ def _validated(
         case = central_case(body.loc[body["speed"].idxmax()], materials)
         error = case and _expected(case, body["speed_ratio"])
         if error is None:
-            metals = [of["material"], *(w for w in [of.get("wall", "rigid")] if w not in WALLS)]
+            metals = [of["material"], *(w for w in [of.get("wall", RIGID_WALL)] if w not in WALLS)]
             unread.append(" or ".join(map(str, metals)))
         elif error.restitution is None:
             beyond.append(_named(case))

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "liggghts/meshes/mesh_watch.h"
+
+#include <mpi.h>
+
+#include <sstream>
+
+#include "comm.h"
+#include "error.h"
+
+namespace plastigran {
+
+namespace {
+
+std::string sentence(MeshWatch::Kind kind, const MeshWatch::Place& place) {
+  std::ostringstream text;
+  text << "fix wall/gran: particle " << place.particle << " at (" << place.x[0] << ' ' << place.x[1]
+       << ' ' << place.x[2] << ')';
+  if (kind == MeshWatch::seam)
+    text << " has contacts with triangles " << place.triangles[0] << " and " << place.triangles[1]
+         << " of a mesh at once, in directions " << place.angle
+         << " degrees apart: less than feature_angle, but no edge or node joins them. Its force is "
+            "that of both, and neither remembers the other. Triangles of a smooth surface must "
+            "share edges";
+  else
+    text << " touches triangles " << place.triangles[0] << " and " << place.triangles[1]
+         << " of one smooth surface, in directions " << place.angle
+         << " degrees apart, and has one contact with it: it may never come to rest there. A "
+            "feature_angle below the angle between neighbouring facets gives each its own";
+  return text.str();
+}
+
+}  // namespace
+
+void MeshWatch::post_run() {
+  say(seam);
+  say(ring);
+}
+
+// The first rank that has found one says it.
+void MeshWatch::say(Kind kind) {
+  int rank = found(kind) ? comm->me : comm->nprocs, first;
+  MPI_Allreduce(&rank, &first, 1, MPI_INT, MPI_MIN, world);
+  if (said_[kind] || first == comm->nprocs) return;
+  said_[kind] = true;
+  Place place = found_[kind].value_or(Place());
+  MPI_Bcast(&place, sizeof place, MPI_BYTE, first, world);
+  if (comm->me == 0) error->warning(FLERR, sentence(kind, place).c_str());
+}
+
+}  // namespace plastigran
