@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import json
+from math import pi
 
 import attrs
 import numpy as np
@@ -81,9 +82,25 @@ def test_lowest_factor_reaches_the_sound_overlap():
     factor = lowest_factor(overlap)
     assert_allclose(overlap * factor**-0.4, SOUND_OVERLAP)
     assert lowest_factor(2 * SOUND_OVERLAP) == 1
-    rest = resting_overlap(STEEL, RADIUS, 1.0)
+
+
+@pytest.mark.parametrize("law", ["hertz", "thornton", "universal"])
+def test_lowest_factor_bears_the_bed(law):
+    """By the law: the weight stays while the strength falls, so grains that yield sink deeper."""
+
+    def rest(factor):
+        return resting_overlap(soften(STEEL, factor), RADIUS, 1.0, law)
+
     factor = lowest_factor(0.0, rest)
-    assert_allclose(resting_overlap(soften(STEEL, factor), RADIUS, 1.0), SOUND_OVERLAP)
+    assert_allclose(rest(factor), SOUND_OVERLAP)
+    assert rest(factor) >= resting_overlap(soften(STEEL, factor), RADIUS, 1.0) * (1 - 1e-12)
+    force = 4 * pi * RADIUS**2 * STEEL.density * 9.81 / 6  # Rumpf's, Z = 6; phi cancels
+    soft = soften(STEEL, factor)
+    pair = pg.Contact(law, soft, soft, radius=RADIUS, radius_other=RADIUS)
+    found = pair.law.follow(RADIUS / 2, [SOUND_OVERLAP * RADIUS])["force"][0]
+    assert_allclose(found, force, rtol=1e-3)  # of g
+    # A load that moves the factor by rest comes first, else the impact does.
+    assert lowest_factor(SOUND_OVERLAP * 0.9, rest) == pytest.approx(0.9**2.5)
 
 
 def test_a_bed_at_rest_grows_softer_with_depth():

@@ -11,12 +11,13 @@ s^(-1/5), contact radius over radius; forces fall as s^(2/5). Constants of a law
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-from math import pi
+from collections.abc import Callable, Iterable
+from math import exp, log, pi
 
 import attrs
 import numpy as np
 import pandas as pd
+from scipy.optimize import brentq
 
 from plastigran.contact import Contact
 from plastigran.declared import Declaration, read_number
@@ -34,8 +35,6 @@ POWERS = {
 }
 #: Power of s by which durations, overlaps and time steps are multiplied.
 TIME_POWER = -0.4
-#: The same of the overlaps of grains that carry a given weight.
-REST_POWER = -2 / 3
 #: Overlap over the radius up to which grains count as hard: one percent of the diameter.
 SOUND_OVERLAP = 0.02
 #: Yield speeds between which laws are compared before and after.
@@ -121,37 +120,53 @@ def _restitution(contact: Contact) -> np.ndarray:
     return contact.impact(SPEED_RATIOS * speed).coefficient_of_restitution
 
 
-def lowest_factor(impact: float, rest: float = 0.0) -> float:
+def lowest_factor(impact: float, rest: Callable[[float], float] | None = None) -> float:
     """The factor at which the first of two overlaps reaches SOUND_OVERLAP.
 
     Args:
         impact: Overlap of the fastest impact of the grains as they are, over their radius [-].
-        rest: The same at rest under a load.
+        rest: Overlap at rest under a load, over the radius [-], by the factor.
     """
-    needed = [
-        (overlap / SOUND_OVERLAP) ** (-1 / power)
-        for overlap, power in ((impact, TIME_POWER), (rest, REST_POWER))
-    ]
-    return float(min(1.0, max(needed)))
+    lowest = min(1.0, (impact / SOUND_OVERLAP) ** (-1 / TIME_POWER))
+
+    def beyond(logarithm: float) -> float:
+        return rest(exp(logarithm)) - SOUND_OVERLAP
+
+    if rest is None or (lowest > 0 and rest(lowest) <= SOUND_OVERLAP):
+        return lowest
+    if rest(1.0) >= SOUND_OVERLAP:
+        return 1.0
+    return exp(brentq(beyond, log(max(lowest, _FACTOR.lower)), 0.0))
 
 
-def resting_overlap(material: Material, radius: float, depth: float) -> float:
+def resting_overlap(material: Material, radius: float, depth: float, law: str = "hertz") -> float:
     """Overlap of grains at rest under a bed of the same, over the radius [-].
 
     A contact carries F = 4 pi R^2 p/(Z phi) of the pressure p = rho phi g h (Rumpf 1958, Chem. Ing.
-    Tech. 30:144), Z = 6 and phi = 0.6, as Hertz' equal spheres do.
+    Tech. 30:144), Z = 6 and phi = 0.6.
 
     Args:
         material: Of the grains.
         radius: R [m].
         depth: h, of the bed above them [m].
+        law: Of the contact, which is loaded for the first time.
+
+    Returns:
+        At most 1: a contact that cannot carry the load.
 
     Raises:
-        ValueError: A number is out of range.
+        ValueError: A number is out of range, or the material lacks a constant of the law.
     """
     radius = read_number("radius", radius, Declaration("of the grains", "m", 0))
     depth = read_number("depth", depth, Declaration("of the bed", "m", 0))
     pressure = material.density * FILLING * GRAVITATIONAL_ACCELERATION * depth
     force = 4 * pi * radius**2 * pressure / (COORDINATION * FILLING)
-    modulus = material.youngs_modulus / (2 * (1 - material.poissons_ratio**2))
-    return float((0.75 * force / modulus) ** (2 / 3) / (radius / 2) ** (1 / 3) / radius)
+    contact = Contact(law, material, material, radius=radius, radius_other=radius)
+
+    def beyond(logarithm: float) -> float:
+        return float(contact.law.follow(radius / 2, [exp(logarithm) * radius])["force"][0]) - force
+
+    ends = log(1e-12), 0.0
+    if beyond(ends[1]) <= 0:
+        return 1.0
+    return exp(brentq(beyond, *ends)) if beyond(ends[0]) < 0 else exp(ends[0])

@@ -56,18 +56,21 @@ def run(arguments: argparse.Namespace) -> None:
     names = choose_laws(arguments.law, "sphere", [material])
     table = comparison(material, factor, arguments.radius, arguments.speed, names)
     overlaps = {"impact": [float(table[name].max()) for name in ("overlap", "overlap_softened")]}
+
+    def rest(factor: float) -> float:
+        body, lying = soften(material, factor), (arguments.radius, arguments.depth)
+        return max(resting_overlap(body, *lying, law=name) for name in names)
+
     if arguments.depth:
-        overlaps["rest"] = [
-            resting_overlap(body, arguments.radius, arguments.depth)
-            for body in (material, softened)
-        ]
+        overlaps["rest"] = [rest(1), rest(factor)]
+    lowest = lowest_factor(overlaps["impact"][0], rest if arguments.depth else None)
     growth = factor**TIME_POWER
     numbers = {
         "factor": factor,
         "speedup": growth,
         "material": softened.variables(),
         "overlap_softened": {kind: after for kind, (_, after) in overlaps.items()},
-        "sound_to_factor": lowest_factor(*(before for before, _ in overlaps.values())),
+        "sound_to_factor": lowest,
         "laws": table.to_dict("records"),
     }
     if arguments.output:
@@ -85,9 +88,11 @@ def run(arguments: argparse.Namespace) -> None:
             f"  {kind:8s} {before:.2g} -> {after:.2g}" for kind, (before, after) in overlaps.items()
         )
     )
-    lowest = numbers["sound_to_factor"]
     verdict = "sound" if factor >= lowest else "TOO SOFT: grains do not count as hard"
-    print(f"  {verdict}; {SOUND_OVERLAP:g} of the radius is reached at the factor {lowest:.2g}")
+    print(
+        f"  {verdict}; {SOUND_OVERLAP:g} of the radius, by the law below that yields most, is "
+        f"reached at the factor {lowest:.4g}"
+    )
     print(
         "\nlaw                    restitution      softened  largest change  step, s  softened, s"
     )
