@@ -135,6 +135,8 @@ def read_number(name: str, value: Any, said: Declaration) -> float:
 
 def _read_float(name: str, value: Any, said: Declaration) -> float:
     try:
+        if isinstance(value, str) and "_" in value:  # which Python takes, and the engine does not
+            raise ValueError
         return float(value)
     except (TypeError, ValueError):
         raise ValueError(f"{name} is {value!r}, not a number [{said.unit}]") from None

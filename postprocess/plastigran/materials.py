@@ -15,7 +15,7 @@ import attrs
 
 from plastigran import laws
 from plastigran.declared import Declaration, declaration, number
-from plastigran.engine.deck import index_lines
+from plastigran.engine.deck import commands, index_lines, index_variable
 from plastigran.engine.process import EngineError, inputs_folder, own_inputs
 
 if TYPE_CHECKING:
@@ -52,7 +52,7 @@ class Material:
 
     name: str
     youngs_modulus: float = number("Young's modulus", "Pa", 0)
-    poissons_ratio: float = number("Poisson's ratio", "-", -1, 0.5)
+    poissons_ratio: float = number("Poisson's ratio", "-", -1, 0.5, closed=True)
     density: float = number("density", "kg/m^3", 0)
     yield_strength: float = number("uniaxial yield strength, 1e30 for none", "Pa", 0)
     yield_pressure_factor: float = number(
@@ -176,6 +176,7 @@ def read_material(name: Material | str | Path) -> Material:
         lines = index_lines(path)
     except UnicodeDecodeError:
         raise ValueError(f"{path} is not a text file") from None
+    _check_lines(path)
     values = dict(lines)
     if len(values) < len(lines):
         names_given = [each for each, _ in lines]
@@ -192,6 +193,15 @@ def read_material(name: Material | str | Path) -> Material:
         return Material(path.stem, **given)
     except ValueError as error:
         raise ValueError(f"{path}: {error}") from error
+
+
+def _check_lines(file: Path) -> None:
+    """Refuse commands that the engine would run and this would not read."""
+    for command in commands(file):
+        if "\ufeff" in command:
+            raise ValueError(f"{file} begins with a byte order mark; save it as UTF-8 without one")
+        if len(command.split()) != 4 or not index_variable(command):
+            raise ValueError(f"{file}: {command!r} must be variable NAME index VALUE")
 
 
 def material_lines(material: Material) -> str:

@@ -75,12 +75,19 @@ def test_every_warning_is_told_once_at_its_worst(tmp_path):
         "energy_ledger: an atom was lost (../fix.cpp:1)",
         "model thornton: an overlap of 2e-05 m, step 300 (../pair.cpp:12)",
         "Less insertions than requested (../insert.cpp:3)",
+        "pair_style: contacts go on with other constants: a is now b (../keeper.cpp:7)",
+        "fix wall/gran: particle 3 at (0 0 1) has contacts with triangles (../watch.cpp:9)",
+        "fix floor: contacts of thornton begin anew (../keeper.cpp:8)",
+        "Fix wall/gran: the engine's own (../wall.cpp:8)",
     ]
     (tmp_path / "log.liggghts").write_text("".join(f"WARNING: {line}\n" for line in said))
     run = BulkRun("hopper", tmp_path, None, Analysis(pd.DataFrame()))
     assert warnings_of(run) == [
         "model thornton: an overlap of 2e-05 m, step 300",
         "energy_ledger: an atom was lost",
+        "pair_style: contacts go on with other constants: a is now b",
+        "fix wall/gran: particle 3 at (0 0 1) has contacts with triangles",
+        "fix floor: contacts of thornton begin anew",
     ]
 
 
@@ -90,6 +97,8 @@ def test_impact_by_theory_needs_no_engine(tmp_path, monkeypatch, capsys):
     line += ["--output", str(tmp_path / "out")]
     assert main([*line, "--jobs", "2"]) == 1
     assert "--jobs is 2; --theory starts no engine" in capsys.readouterr().err
+    assert main([*line, "--dry-run"]) == 1
+    assert "--theory starts none" in capsys.readouterr().err
     assert main([*line, "--json"]) == 0
     table = json.loads(capsys.readouterr().out)["table"]
     assert [(row["law"], row["speed"]) for row in table] == [

@@ -105,6 +105,10 @@ def test_a_good_deck_is_told_nothing(tmp_path):
             {"more": COHESION, "model": "thornton tangential off cohesion sjkr"},
             "cohesionEnergyDensity is 1e+09 [Pa], above the yield pressure 1.6",
         ),
+        (
+            {"more": "neighbor 0.01 multi"},
+            "this engine misses contacts with `neighbor multi`; give `bin`",
+        ),
     ],
 )
 def test_what_looks_like_a_slip_is_said_once(changes, said, tmp_path):

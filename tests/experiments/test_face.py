@@ -18,7 +18,7 @@ from plastigran.bulk import BulkRun
 from plastigran.bulk.decks import deck_class
 from plastigran.cli import main
 from plastigran.contact import RangeWarning
-from plastigran.engine.process import PROJECT
+from plastigran.engine.process import PROJECT, engine_path, inputs_folder
 from plastigran.experiments.central import CentralImpact
 from plastigran.experiments.cylinder import CylinderImpact
 
@@ -154,11 +154,31 @@ def test_without_input_scripts(monkeypatch, tmp_path, capsys):
     assert "aluminium_zv02" in capsys.readouterr().out
 
 
+def test_rubber_is_a_material(tmp_path):
+    """Incompressible: laws and decks take it."""
+    text = (materials.folder() / "steel.in").read_text().replace("0.3 ", "0.5 ")
+    (tmp_path / "rubber.in").write_text(text)
+    contact = pg.Contact("hertz", pg.material(tmp_path / "rubber.in"), pg.RIGID, radius=1e-3)
+    assert contact.pair.youngs_modulus_eff == pytest.approx(2.1e11 / 0.75)
+
+
+def test_a_relative_engine_is_where_it_was_asked_for(monkeypatch, tmp_path):
+    """Engines run in other folders."""
+    engine = engine_path()
+    monkeypatch.chdir(engine.parents[1])
+    monkeypatch.setenv("PLASTIGRAN_ENGINE", str(engine.relative_to(engine.parents[1])))
+    assert engine_path() == engine
+    folder = inputs_folder()
+    monkeypatch.chdir(folder.parent)
+    monkeypatch.setenv("PLASTIGRAN_INPUTS", folder.name)
+    assert inputs_folder() == folder
+
+
 @pytest.mark.parametrize(
     ("change", "said"),
     [
         (("7850.0", "-1"), "density is -1; it must be positive and finite"),
-        (("0.3 ", "0.5 "), "poissons_ratio is 0.5; it must lie between -1 and 0.5"),
+        (("0.3 ", "0.51 "), "poissons_ratio is 0.51; it must lie from -1 to 0.5"),
         (("2.1e11", "stiff"), "youngs_modulus is 'stiff', not a number"),
         (("yield_strength ", "strength "), "no value for yield_strength"),
         (("factor  index 0 ", "factor  index 0.3 "), "yield_pressure_factor is 0.3"),
@@ -174,6 +194,10 @@ def test_without_input_scripts(monkeypatch, tmp_path, capsys):
             ("variable density", "variable yield_strength index 1e9\nvariable density"),
             "yield_strength is given twice",
         ),
+        (("2.1e11", "2_1e10"), "youngs_modulus is '2_1e10', not a number"),
+        (("index 2.1e11", "equal 2.1e11"), "must be variable NAME index VALUE"),
+        (("2.1e11", "2.1e11 7e10"), "must be variable NAME index VALUE"),
+        (("variable density", "\ufeffvariable density"), "begins with a byte order mark"),
     ],
 )
 def test_material_files_that_cannot_be_are_named(change, said, tmp_path):

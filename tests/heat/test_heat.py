@@ -150,6 +150,17 @@ def test_a_restart_keeps_the_heat(bed, ranks, tmp_path):
     assert np.abs(difference).max() < FILE_ERROR * scale
 
 
+def test_a_misspelt_factor_is_named(tmp_path):
+    """It would be the usual 0.9 without a word."""
+    deck = tmp_path / "misspelt.in"
+    bed = (DECKS / "bed.in").read_text().split("timestep        ${timestep}")[0]
+    line = "fix f all property/global taylorQuinneyFaktor peratomtype 0.5"
+    deck.write_text(f"{bed}\n{line}\ninclude ${{heat_decks}}/warming_on.in\nrun 1\n")
+    log = run_deck(deck, {"decks": LEDGER_DECKS, "heat_decks": DECKS}, tmp_path)
+    said = "nothing asks for the property taylorQuinneyFaktor; is it taylorQuinneyFactor?"
+    assert log.count(said) == 1
+
+
 @pytest.mark.parametrize(
     ("line", "words"),
     [

@@ -32,6 +32,7 @@ void BodyShares::read(LAMMPS_NS::LAMMPS* engine, const std::string& caller) {
     }
     factors_.push_back(factor);
   }
+  misspellings_ = deck.misspellings();
 }
 
 std::string BodyShares::describe(const std::string& caller) const {

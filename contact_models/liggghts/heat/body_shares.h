@@ -21,6 +21,9 @@ class BodyShares {
   // A line for each atom type: its Taylor-Quinney factor. `caller` begins each.
   std::string describe(const std::string& caller) const;
 
+  // Sentences on properties whose name is nearly one that was asked for.
+  const std::vector<std::string>& misspellings() const { return misspellings_; }
+
   // The part of a contact's plastic work done in the first of two bodies: all of it in the one that
   // yields at the lower pressure, half in each of two alike.
   double of_plastic_work(int type, int other_type) const {
@@ -34,6 +37,7 @@ class BodyShares {
  private:
   std::vector<double> yield_pressures_, factors_;  // by type - 1
   bool given_ = false;                             // the factors, by the deck
+  std::vector<std::string> misspellings_;
 };
 
 }  // namespace plastigran

@@ -43,6 +43,8 @@ void DissipationHeat::init() {
     const std::string text = shares_.describe(caller);
     if (screen) std::fputs(text.c_str(), screen);
     if (logfile) std::fputs(text.c_str(), logfile);
+    for (const std::string& slip : shares_.misspellings())
+      error->warning(FLERR, (caller + ": " + slip).c_str());
   }
   described_ = true;
 }

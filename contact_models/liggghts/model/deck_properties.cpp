@@ -156,7 +156,7 @@ std::vector<std::string> DeckProperties::misspelt(const std::string& name) const
 
 std::vector<std::string> DeckProperties::doubts(const std::vector<Body>& bodies,
                                                 bool cohesive) const {
-  std::vector<std::string> sentences;
+  std::vector<std::string> sentences = misspellings();
   const double pascal = pascal_in_deck(update->unit_style);
   for (int type = 1; pascal > 0 && type <= type_count_; ++type) {
     const Complaint complaint = implausible(bodies[type - 1], pascal);
@@ -173,6 +173,11 @@ std::vector<std::string> DeckProperties::doubts(const std::vector<Body>& bodies,
            << ": cohesion sjkr or sjkr2 draws these bodies into one another";
       sentences.push_back(about_types(text.str(), type, other));
     }
+  return sentences;
+}
+
+std::vector<std::string> DeckProperties::misspellings() const {
+  std::vector<std::string> sentences;
   for (const std::string& name : asked_)
     for (const std::string& other : misspelt(name))
       sentences.push_back("nothing asks for the property " + other + "; is it " + name + '?');

@@ -61,8 +61,12 @@ class DeckProperties : protected LAMMPS_NS::Pointers {
   // The deck's unit for an SI unit.
   std::string unit(const std::string& si) const;
 
-  // Sentences on what is allowed and yet looks like a slip: values of bodies, and properties whose
-  // name is a letter or two off one that has been asked for. `cohesive`: bodies draw each other.
+  // Sentences on properties that nothing has asked for and whose name is a letter or two off one
+  // that has been.
+  std::vector<std::string> misspellings() const;
+
+  // The same on all that is allowed and yet looks like a slip, values of bodies, too. `cohesive`:
+  // bodies draw each other.
   std::vector<std::string> doubts(const std::vector<Body>& bodies, bool cohesive) const;
 
  private:

@@ -226,6 +226,8 @@ class ElastoplasticNormalModel : public NormalModelBase {
     if (logfile) fputs(text.c_str(), logfile);
     const bool cohesive = owner_.other_models().find(" cohesion ") != std::string::npos;
     for (const std::string& doubt : deck.doubts(pairs_.bodies(), cohesive)) watch_.warn_once(doubt);
+    if (neighbor->style == 2)
+      watch_.warn_once("this engine misses contacts with `neighbor multi`; give `bin`");
   }
 
   void forecast_impacts(const plastigran::DeckProperties& deck) {

@@ -19,6 +19,9 @@ namespace {
 const char heading[] = "step,quantity,with,type,other_type,lower,upper,count,sum\n";
 const char* const quantities[] = {"normal_speed", "dissipated_energy", "largest_force"};
 
+// Classes of a decade, at most: finer ones would be beside each other in the last digits.
+const long most_per_decade = 1000;
+
 // 0 unless the word is a positive whole number.
 long positive_number(const char* word) {
   char* end;
@@ -37,10 +40,15 @@ void CollisionSpectra::read_words(int count, char** words) {
     if (word != "file" && word != "per_decade")
       fail("unknown word " + word + "; possible: file, per_decade");
     if (k + 1 == count) fail(word + " lacks its value");
-    if (word == "file")
+    if (word == "file") {
       path_ = words[k + 1];
-    else if (!(per_decade_ = positive_number(words[k + 1])))
-      fail(std::string("per_decade is ") + words[k + 1] + "; it must be a positive whole number");
+      continue;
+    }
+    const long number = positive_number(words[k + 1]);
+    if (number < 1 || number > most_per_decade)
+      fail(std::string("per_decade is ") + words[k + 1] + "; it must be a whole number from 1 to " +
+           std::to_string(most_per_decade));
+    per_decade_ = number;
   }
   if (path_.empty()) fail("it needs `file FILE`");
   for (int k = 0; k < modify->nfix; ++k) {

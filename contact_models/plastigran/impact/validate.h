@@ -46,7 +46,8 @@ auto joint_complaint(const MaterialPair& pair, const typename Law::Parameters& c
   for (const auto& parameter : parameters_of<Law>)
     given << (given.tellp() > 0 ? ", " : "with ") << '{' << parameter.name << "} "
           << constants.*parameter.value << " [" << parameter.unit << ']';
-  return Complaint(given.str() + ": " + Law::admissibility);
+  if (given.tellp() > 0) given << ": ";
+  return Complaint(given.str() + Law::admissibility);
 }
 template <class Law>
 Complaint joint_complaint(const MaterialPair&, const typename Law::Parameters&, long) {

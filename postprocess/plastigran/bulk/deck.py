@@ -80,7 +80,7 @@ class BulkDeck:
     options: str = text("of the model, pairs NAME CHOICE")
     material: str = text("a file of inputs/materials")
     youngs_modulus: float = number("of the grains", "Pa", 0)
-    poissons_ratio: float = number("of the grains", "-", -1, 0.5)
+    poissons_ratio: float = number("of the grains", "-", -1, 0.5, closed=True)
     density: float = number("of a grain", "kg/m^3", 0)
     yield_strength: float = number("of the grains", "Pa", 0)
     yield_pressure_factor: float = number("contact yield pressure over yield strength; 0: Hertz's")

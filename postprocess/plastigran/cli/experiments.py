@@ -124,6 +124,10 @@ def run(experiment: type[Experiment], arguments: argparse.Namespace) -> None:
     theory = getattr(arguments, "theory", False)
     if theory and arguments.jobs:
         raise ValueError(f"--jobs is {arguments.jobs}; --theory starts no engine")
+    if theory and arguments.dry_run:
+        raise ValueError("--dry-run prints what the engine would be given; --theory starts none")
+    if arguments.json and arguments.dry_run:
+        raise ValueError("--json is of results; --dry-run has none")
     flags = experiment.all_flags()
     given = {name: getattr(arguments, name) for name in flags}
     for name, flag in flags.items():
@@ -163,6 +167,8 @@ def _spanned(
                 raise ValueError(f"--{name} is a range's; --{word} gives the values themselves")
         return given
     low, high, count = flag.span
+    if points == 1 and ends and ends[0] != ends[1]:
+        raise ValueError(f"--points is 1; --{word}s {ends[0]:g} {ends[1]:g} has two ends")
     return np.geomspace(*(ends or (low, high)), points or count)
 
 

@@ -41,7 +41,7 @@ def own_inputs() -> Path:
 
 def inputs_folder() -> Path:
     """Folder of the input scripts: $PLASTIGRAN_INPUTS, or `own_inputs()`."""
-    folder = Path(os.environ.get("PLASTIGRAN_INPUTS", own_inputs()))
+    folder = Path(os.environ.get("PLASTIGRAN_INPUTS", own_inputs())).absolute()
     if not (folder / "collision").is_dir():
         raise EngineError(f"no input scripts in {folder}; set PLASTIGRAN_INPUTS to their folder")
     return folder
@@ -50,7 +50,7 @@ def inputs_folder() -> Path:
 def engine_path() -> Path:
     """The launcher: $PLASTIGRAN_ENGINE, the project's build, or the first on PATH."""
     if named := os.environ.get("PLASTIGRAN_ENGINE"):
-        candidates = [Path(named)]
+        candidates = [Path(named).absolute()]
     else:
         candidates = [PROJECT / "build" / "liggghts-plastigran"]
         if found := shutil.which("liggghts-plastigran"):

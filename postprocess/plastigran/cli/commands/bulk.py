@@ -75,6 +75,8 @@ def run(arguments: argparse.Namespace) -> None:
             earlier.with_name(f"{earlier.name}_continued") if earlier else Path("results") / name
         )
     what = (arguments.deck, dict(arguments.settings), arguments.output, arguments.ranks, earlier)
+    if arguments.json and arguments.dry_run:
+        raise ValueError("--json is of results; --dry-run has none")
     if arguments.dry_run:
         plan = plan_bulk(*what)
         print(plan.command_line())
