@@ -16,7 +16,7 @@ from plastigran.calibration import DropTest, calibrate
 from plastigran.calibration.expected_errors import DEFAULT_LAW, errors_table, expected_error
 from plastigran.calibration.hardness import leeb_table
 from plastigran.calibration.strength import LEEB_SCATTER, read_leeb
-from plastigran.materials import write_material
+from plastigran.materials import read_material, write_material
 
 STEEL = {"youngs_modulus": 206e9, "poissons_ratio": 0.3, "density": 7850.0}
 ALUMINIUM = {"youngs_modulus": 70e9, "poissons_ratio": 0.3, "density": 2700.0}
@@ -209,6 +209,27 @@ def test_rate_of_strain_takes_its_share_of_the_strength_of_an_impact():
     assert factor == pytest.approx(1 + 0.014 * np.log(rate), abs=5.1e-5)
     assert fast.yield_strength / slow.yield_strength == pytest.approx(factor, rel=1e-4)
     assert any("rateCoefficient" in line for line in slow.deck_lines())
+
+
+def test_a_strength_that_may_grow_with_the_rate_is_said():
+    """Of a metal that is no steel no coefficient is taken by itself."""
+    aluminium = {"youngs_modulus": 6.9e10, "poissons_ratio": 0.33, "density": 2700}
+    said = "taken not to grow with the rate of strain"
+    assert any(said in note for note in calibrate(**aluminium, hardness=107).notes)
+    for coefficient in (0.0, 0.015):
+        found = calibrate(**aluminium, hardness=107, rate_coefficient=coefficient)
+        assert not any(said in note for note in found.notes)
+    assert not any(said in note for note in calibrate(**STEEL, hardness=200).notes)
+
+
+def test_no_error_is_claimed_of_pairs_that_were_not_computed():
+    """The finite elements are of spheres on a rigid plane."""
+    fall = {"speed": [0.5, 2.0], "restitution": [0.8, 0.6]}
+    on_rigid = calibrate(**STEEL, drops=DropTest(**fall))
+    assert on_rigid.expected_error.restitution is not None
+    on_glass = calibrate(**STEEL, drops=DropTest(**fall, plate=read_material("glass_kp10")))
+    assert on_glass.expected_error.restitution is None
+    assert "not known (a pair that the finite elements do not have" in str(on_glass.expected_error)
 
 
 def test_a_steels_conversion_is_said_of_another_metal():

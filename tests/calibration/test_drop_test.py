@@ -51,7 +51,10 @@ def test_forms_of_the_file_say_the_same(text, read):
         ),
         ("speed,restitution\n1,0\n", "restitution of drop 1 is 0; it must lie between 0 and 1"),
         ("speed,rebound_speed\n1,1.1\n", "restitution of drop 1 is 1.1; it must lie between"),
-        ("drop_height,restitution\n300,0.5\n", "drop_height of drop 1 is 300; .* 1e-06 and 100"),
+        (
+            "drop_height,restitution\n300,0.5\n",
+            "drop_height of drop 1 is 300; .* 1e-06 and 10 .m.; is it in m",
+        ),
         ("speed,restitution\n1,half\n", "restitution of drop 1 is 'half', not a number"),
         ("speed,restitution\n1,\n", "restitution of drop 1 is nan; it must lie"),
         ("", "is no table of drops"),

@@ -24,6 +24,7 @@ from plastigran.cli import EXIT_CODES, main, parser
 from plastigran.cli.arguments import print_json
 from plastigran.cli.commands import doctor
 from plastigran.cli.commands.bulk import warnings_of
+from plastigran.experiments.central import CentralImpact
 from plastigran.progress import ProgressBar
 
 STEEL = ["--young", "2.1e11", "--poisson", "0.3", "--density", "7850"]
@@ -59,6 +60,13 @@ def test_tables_as_json(capsys):
     assert main(["timestep", "--law", "thornton", "--speed", "0.1", "--json"]) == 0
     (row,) = json.loads(capsys.readouterr().out)
     assert row == {"law": "thornton", "timestep": pytest.approx(1.835e-5, rel=1e-2)}
+    line = ["timestep", "--law", "thornton", "--speed", "0.1", "--wall", "steel"]
+    assert main([*line, "--json"]) == 0
+    (softer,) = json.loads(capsys.readouterr().out)
+    case = CentralImpact("thornton", 0.1, "aluminium_zv02", 0.1, wall="steel")
+    assert softer["timestep"] == case.timestep > row["timestep"]
+    assert main([*line, "--geometry", "two_spheres"]) == 1
+    assert "wall is steel; two_spheres has none" in capsys.readouterr().err
     assert main(["modes", "--material", "ice", "--radius", "0.01", "--json"]) == 0
     assert {"kind", "degree", "frequency"} <= json.loads(capsys.readouterr().out)[0].keys()
 

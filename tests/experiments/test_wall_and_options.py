@@ -114,6 +114,14 @@ def test_options_go_to_the_laws_that_have_them_in_python():
         collide("thornton", **given)
 
 
+def test_a_law_of_dents_for_a_ball_that_flattens_is_said():
+    """Told by the options, where the ball is the one that yields."""
+    case = {"law": "universal", "speed": 1.0, "material": "steel", "wall": "zirconia"}
+    said = "Steel on Zirconia: the ball flattens; --options 'yielding flat' is of a dented wall"
+    assert said in str(CentralImpact.theory(**case, options="yielding flat"))
+    assert "flattens;" not in str(CentralImpact.theory(**case))
+
+
 @pytest.mark.parametrize("name", ["rigid", "none", "default", "", "a/b", 304])
 def test_names_that_no_material_may_have(name):
     """Tables and folders have them for something else, or cannot have them."""

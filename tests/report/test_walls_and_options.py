@@ -66,6 +66,14 @@ def test_errors_are_claimed_for_the_usual_alone(folder):
     assert row.validated["force_max"] is not None
 
 
+def test_no_error_is_claimed_on_a_wall_of_a_metal(tmp_path):
+    """Though the ball flattens: the finite elements are of spheres on a rigid plane."""
+    collide("universal", [0.1, 1], "steel", 0.005, folder=tmp_path / "own", wall="zirconia")
+    (row,) = section(tmp_path / "own").trust
+    assert row.beyond == ["Steel on Zirconia"]
+    assert row.validated["force_max"] is None
+
+
 def test_a_users_own_material_is_known_from_the_sweep(tmp_path):
     """Its constants are in the page, and errors of its impacts."""
     steel = read_material("steel").variables()

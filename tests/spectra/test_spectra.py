@@ -184,7 +184,10 @@ def test_another_file_is_not_overwritten(tmp_path):
         ("all collision_spectra 10", "it needs `file FILE`"),
         ("all collision_spectra 10 bins 5", "unknown word bins; possible: file, per_decade"),
         ("all collision_spectra 10 file x.csv per_decade -1", "per_decade is -1"),
-        ("all collision_spectra 10 file x.csv per_decade 1001", "per_decade is 1001; it must be a whole number from 1"),
+        (
+            "all collision_spectra 10 file x.csv per_decade 1001",
+            "per_decade is 1001; it must be a whole number from 1",
+        ),
         ("all collision_spectra 10 file no/such/x.csv", "cannot write no/such/x.csv (No such"),
         (
             "all collision_spectra 10 file x.csv\nfix t all collision_spectra 20 file x.csv",

@@ -108,6 +108,7 @@ def calibrate(
     if force_ratio is not None:
         read_number("force_ratio", force_ratio, Declaration("", "-", 0))
         read_number("radius", radius, Declaration("", "m", 0))
+    given_rate = rate_coefficient
     if rate_coefficient is None:
         steel = strength.STEEL.allows(youngs_modulus) and chosen[0] in ("hardness", "leeb")
         rate_coefficient = strength.STEEL_RATE_COEFFICIENT if steel else 0.0
@@ -141,6 +142,11 @@ def calibrate(
         notes.append(
             f"the strength is that at a rate of strain of 1/s; it grows, C = {rate_coefficient:g}"
         )
+    elif chosen[0] in ("hardness", "leeb") and given_rate is None:
+        notes.append(
+            "the strength is taken not to grow with the rate of strain; docs/rate_factor.md has "
+            "published coefficients of other metals than steel: give rate_coefficient"
+        )
     if plastic_modulus and not laws.LAWS[law].hardens:
         notes.append(f"{law} does not know hardening: it takes the yield strength alone")
     pressed = None
@@ -154,7 +160,7 @@ def calibrate(
         found.interval,
         found.source,
         law,
-        _error(contact, found, speeds, plastic_modulus > 0),
+        _error(contact, found, speeds, plastic_modulus > 0, drops),
         strength.yield_speed_of(contact),
         tuple(notes),
         drops if isinstance(drops, DropTest) else None,
@@ -167,6 +173,7 @@ def _error(
     found: strength.Strength,
     speeds: Sequence[float] | None,
     hardening: bool,
+    drops: DropTest | None,
 ) -> ExpectedError:
     """Of the law, over the speeds of use, else of the measurement, else the usual ones."""
     ratio = found.speed_ratio or USUAL_SPEEDS
@@ -178,6 +185,8 @@ def _error(
         ratio = tuple(speed / strength.yield_speed_of(contact) for speed in (read[0], read[-1]))
     elif found.contact is not None:
         contact = found.contact
+    if drops is not None and (drops.ball is not None or drops.plate != RIGID):
+        return ExpectedError("a pair that the finite elements do not have:", ratio)
     fastest = contact.impact(max(ratio[1], 1.0) * strength.yield_speed_of(contact))
     widest = contact.law.follow(contact.radius_eff, [fastest.overlap_max])["contact_radius"][0]
     return expected_error(contact.law.name, ratio, hardening, widest / contact.radius_eff)

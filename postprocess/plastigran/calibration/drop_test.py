@@ -24,12 +24,12 @@ from plastigran.physics.rebound_hardness import GRAVITATIONAL_ACCELERATION, dent
 
 IMPACT = {
     "speed": Declaration("of the impact", "m/s", 1e-4, 1000),
-    "drop_height": Declaration("of the fall", "m", 1e-6, 100),
+    "drop_height": Declaration("of the fall", "m", 1e-6, 10),
 }
 REBOUND = {
     "restitution": Declaration("coefficient of restitution", "-", 0, 1.000001),  # 1 is allowed
     "rebound_speed": Declaration("after the impact", "m/s", 0, 1000),
-    "rebound_height": Declaration("after the impact", "m", 0, 100),
+    "rebound_height": Declaration("after the impact", "m", 0, 10),
 }
 BALL_RADIUS = 5e-3  # where none is given [m]
 SYNONYMS = {"coefficient_of_restitution": "restitution"}
@@ -113,7 +113,8 @@ def read_drop_test(path: str | Path) -> pd.DataFrame:
             path, sep=r"\s*[,;]\s*|\s+", comment="#", engine="python", header=None, dtype=str
         )
     except (UnicodeDecodeError, pd.errors.ParserError, pd.errors.EmptyDataError) as error:
-        raise ValueError(f"{path} is no table of drops: {error}") from None
+        said = "" if isinstance(error, UnicodeDecodeError) else "; numbers have a point, no comma"
+        raise ValueError(f"{path} is no table of drops: {error}{said}") from None
     table = lines.iloc[1:].set_axis([SYNONYMS.get(name, name) for name in lines.iloc[0]], axis=1)
     if unknown := [name for name in table if name not in IMPACT | REBOUND]:
         raise ValueError(f"{path}: {unknown[0]!r} is no column of a drop test; {_columns()}")
@@ -140,7 +141,11 @@ def _one(path: Path, table: pd.DataFrame, choices: dict[str, Declaration]) -> st
 
 
 def _drop(place: str, came: str, back: str, impact: object, rebound: object) -> tuple[float, float]:
-    speed = read_number(place.format(came), impact, IMPACT[came])
+    try:
+        speed = read_number(place.format(came), impact, IMPACT[came])
+    except ValueError as error:
+        hint = "; is it in m?" if came == "drop_height" else ""
+        raise ValueError(f"{error}{hint}") from None
     returned = read_number(place.format(back), rebound, REBOUND[back])
     if came == "drop_height":
         speed = _fall(speed)

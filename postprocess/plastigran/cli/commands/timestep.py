@@ -8,6 +8,7 @@ import sys
 
 from plastigran import materials
 from plastigran.cli.arguments import add_json, add_laws, add_material, positive, print_json
+from plastigran.experiments.central import CentralImpact
 from plastigran.experiments.collide import IMPACTS
 from plastigran.usable_laws import choose_laws
 
@@ -25,13 +26,18 @@ def add_arguments(command: argparse.ArgumentParser) -> None:
     )
     command.add_argument("--speed", type=positive, required=True, help="impact speed, m/s")
     add_material(command, "aluminium_zv02")
+    command.add_argument("--wall", help="of a sphere: a material, default a rigid wall")
     add_json(command)
 
 
 def run(arguments: argparse.Namespace) -> None:
     material, kind = materials.read_material(arguments.material), KINDS[arguments.geometry]
+    if arguments.wall and kind is not CentralImpact:
+        raise ValueError(f"wall is {arguments.wall}; {arguments.geometry} has a rigid one")
+    wall = {"wall": arguments.wall} if arguments.wall else {}
+    case = arguments.speed, material, arguments.radius, arguments.geometry
     steps = {
-        name: kind(name, arguments.speed, material, arguments.radius, arguments.geometry).timestep
+        name: kind(name, *case, **wall).timestep
         for name in choose_laws(arguments.law, kind.shape, [material])
     }
     if arguments.json:

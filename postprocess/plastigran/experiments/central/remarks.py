@@ -20,7 +20,7 @@ VISIBLE = 5e-5
 
 def remarks(runs: Runs) -> list[str]:
     """Sentences: what hits what, and what a reader of the table must know."""
-    said = [_arrangement(runs.cases), dented(runs.cases)]
+    said = [_arrangement(runs.cases), dented(runs.cases), flattened(runs.cases)]
     if (runs.table["speed_ratio"] < 1).all():
         said.insert(
             1,
@@ -43,6 +43,22 @@ def _arrangement(impacts: Iterable[CentralImpact]) -> str:
     if len(radii) > 1 or len(walls) > 1:
         return ""
     return ", ".join(filter(None, (f"spheres of radius {radii.pop():g} m", on_wall(walls.pop()))))
+
+
+def flattened(impacts: Iterable[CentralImpact]) -> str:
+    """Which balls flatten by a law that was told that the flat is dented."""
+    names = dict.fromkeys(
+        f"{title(impact.material.name)} {on_wall(impact.wall_name)}"
+        for impact in impacts
+        if impact.options
+        and impact.law_is_of_indentation
+        and impact.bodies == 1
+        and not impact.wall_yields
+        and impact.speed >= impact.yield_speed()
+    )
+    if not names:
+        return ""
+    return f"{', '.join(names)}: the ball flattens; --options 'yielding flat' is of a dented wall"
 
 
 def dented(impacts: Iterable[CentralImpact]) -> str:

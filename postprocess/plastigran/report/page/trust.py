@@ -39,7 +39,7 @@ class Trust:
         validated: By quantity, rms and largest error against finite elements at like speeds.
         unread: Materials in the way of that: their constants are not at hand.
         beyond: Impacts of which nothing is known: at speeds that the finite elements do not reach,
-            on walls that are dented, by options of the law.
+            on walls of a metal, by options of the law.
         until: Speed from which on the law was beyond its range [m/s].
         range: Its range in words.
     """
@@ -123,9 +123,9 @@ def _named(case: CentralImpact) -> str:
 
 
 def _expected(fastest: CentralImpact, ratios: pd.Series) -> ExpectedError:
-    """Nothing is known of laws with options, nor of walls that are dented: the finite elements are
-    of spheres that flatten, and of the laws as they are by default."""
-    if fastest.options or fastest.wall_yields:
+    """Nothing is known of laws with options, nor of walls of another metal: the finite elements are
+    of spheres on a rigid plane, and of the laws as they are by default."""
+    if fastest.options or fastest.wall:
         return ExpectedError("", (ratios.min(), ratios.max()))
     overlap = fastest.predict().overlap_max
     widest = fastest.contact_law().follow(fastest.radius_eff, [overlap])["contact_radius"][0]
