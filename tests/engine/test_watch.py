@@ -155,10 +155,11 @@ def test_contact_shows_that_the_step_is_too_long(ranks, tmp_path):
     assert "impacts at the present speeds" not in text
     found = re.findall(
         r"too long for the contact of particle 1 with a wall at \(0 0 0.002\d+\), loaded as by an "
-        r"impact at (\S+); .* Recommended: timestep (\S+)",
+        r"impact at ([^:]+): (\S+) times the recommended .* Recommended: timestep (\S+)",
         text,
     )
     assert len(found) == 1
     assert float(found[0][0]) == pytest.approx(speed, rel=0.1)
-    assert float(found[0][1]) == pytest.approx(expected, rel=0.05)
+    assert float(found[0][1]) == pytest.approx(2, rel=0.05)
+    assert float(found[0][2]) == pytest.approx(expected, rel=0.05)
     assert "WARNING" not in run(tmp_path, [(0, 0, GAP)], timestep=0.9 * expected, **changes)

@@ -28,7 +28,7 @@ void RangeWatch::post_run() {
     std::ostringstream text;
     text << model << ": contacts beyond the law's range (" << excess.range
          << ") so far: " << contacts << ", the furthest at " << furthest
-         << " times its largest overlap";
+         << " times the largest overlap that the law is good for";
     error->warning(FLERR, text.str().c_str());
   }
 }
