@@ -225,6 +225,7 @@ def write_material(material: Material, file: Path, remark: str, force: bool = Fa
     Raises:
         ValueError: The path does not end in .in.
         FileExistsError: The file is there, and may not be overwritten.
+        FileNotFoundError: Its folder is not there.
     """
     check_material_file(file, force)
     file.write_text(f"# {remark}\n{material_lines(material)}\n", encoding="utf-8")
@@ -234,6 +235,8 @@ def check_material_file(file: Path, force: bool = False) -> None:
     """Refuse what `write_material` refuses, before the material is known."""
     if file.suffix != ".in":
         raise ValueError(f"{file} is no name of a material's file; it must end in .in")
+    if not file.parent.is_dir():
+        raise FileNotFoundError(f"no folder {file.parent} for {file.name}")
     if file.exists() and not force:
         raise FileExistsError(f"{file} exists; --force overwrites it")
 

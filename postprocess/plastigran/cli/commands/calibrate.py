@@ -28,6 +28,8 @@ plastigran calibrate --young 206e9 --poisson 0.3 --density 7850 --hardness 45HRC
 """
 
 METAL = "metal"  # the word that stands for it as ball or plate
+#: Endings of --figure.
+FIGURES = (".png", ".svg", ".pdf")
 #: Arguments that the function takes as they are.
 PASSED_ON = (
     *("density", "yield_strength", "hardness", "leeb", "plastic_modulus", "rate_coefficient"),
@@ -104,6 +106,8 @@ def run(arguments: argparse.Namespace) -> None:
     _refuse_idle(arguments)
     if output is not None:
         check_material_file(output, arguments.force)
+    if arguments.figure is not None and arguments.figure.suffix not in FIGURES:
+        raise ValueError(f"figure is {arguments.figure}; it must end in {' or '.join(FIGURES)}")
     found = calibrate(
         youngs_modulus=arguments.young,
         poissons_ratio=arguments.poisson,
@@ -161,7 +165,7 @@ def _draw(found: CalibratedMetal, path: Path) -> None:
     from plastigran.calibration.figures import figure  # slow to load
     from plastigran.plot.style import save
 
-    save(figure(found, progress=True), path, (path.suffix or ".png",))
+    save(figure(found, progress=True), path, (path.suffix,))
 
 
 def _print(found: CalibratedMetal, output: Path | None) -> None:
