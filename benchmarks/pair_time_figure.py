@@ -49,10 +49,8 @@ def _draw(ax, table: pd.DataFrame, control: str) -> None:
         rows = table[table["state"] == state].set_index("law").loc[laws]
         spread = [rows["ratio"] - rows["ratio_q25"], rows["ratio_q75"] - rows["ratio"]]
         places = [k + 0.15 - 0.3 * number for k in range(len(laws))]
-        ax.errorbar(
-            rows["ratio"], places, xerr=spread, fmt=MARKERS[number], color=COLOURS[number],
-            capsize=2, label=f"{state} bed",
-        )  # fmt: skip
+        look = {"ls": "", "marker": MARKERS[number], "color": COLOURS[number], "capsize": 2}
+        ax.errorbar(rows["ratio"], places, xerr=spread, **look, label=f"{state} bed")
     ax.axvline(1, color="0.4", linewidth=0.8)
     ax.set_yticks(range(len(laws)), [title(law) for law in laws])
     ax.set_xlim(left=0)

@@ -113,7 +113,8 @@ def errors_figure(table: pd.DataFrame, head: str) -> Figure:
         places = np.arange(len(table))[::-1]
         for name, colour, marker in zip(columns, COLOURS, MARKERS, strict=False):
             said = name.removesuffix(" (%)")
-            axes.plot(table[name], places, marker, color=colour, mfc="none", label=said)
+            look = {"ls": "", "marker": marker, "color": colour, "mfc": "none"}
+            axes.plot(table[name], places, **look, label=said)
         axes.axvline(0, color="0.4", lw=0.8)
         axes.set_yticks(places, [title(name) for name in table["law"]])
         axes.set(xlabel="error (%)", title=head)

@@ -172,7 +172,8 @@ def _curves(axes: Axes, table: pd.DataFrame, angle: float, column: str, scale: f
         axes.plot(
             rows["speed"],
             rows[column] * scale,
-            marker,
+            ls="",
+            marker=marker,
             color=colour,
             mfc="white",
             ms=5,

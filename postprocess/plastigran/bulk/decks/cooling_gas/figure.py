@@ -35,7 +35,8 @@ def cooling_figure(
             axes.plot(
                 points["time"] * 1e3,
                 points["temperature"],
-                marker,
+                ls="",
+                marker=marker,
                 color=colour,
                 mfc="white",
                 label=label,
