@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import json
 import re
 import shutil
 import signal
@@ -17,6 +18,7 @@ import plastigran as pg
 from plastigran.bulk.plan import plan_bulk
 from plastigran.bulk.run import run_bulk
 from plastigran.bulk.template import write_deck
+from plastigran.bulk.vtk import time_of
 from plastigran.cli import main
 from plastigran.engine.log import read_thermo
 from plastigran.engine.process import EngineError
@@ -57,6 +59,23 @@ fix m2 all property/global poissonsRatio peratomtype 0.3
 fix m3 all property/global yieldStrength peratomtype 3.0e8
 fix m4 all property/global coefficientFriction peratomtypepair 1 0.3
 """
+#: Columns of the energy ledger in a log.
+LEDGER = ("v_kinetic", "v_elastic", "v_plastic", "v_friction", "v_viscous", "v_drift")
+
+
+def own_run(folder: Path, log: str) -> Path:
+    """A folder as a finished run of a deck without a class leaves it, with that log."""
+    folder.mkdir()
+    record = {"deck": "mine", "own": True, "values": {}, "settings": {}}
+    (folder / "run.json").write_text(json.dumps(record))
+    (folder / "log.liggghts").write_text(log)
+    (folder / "series.csv").write_text("step\n")
+    return folder
+
+
+def table(columns: str, *rows: str) -> str:
+    """What the engine writes to the log in one run."""
+    return "\n".join((f"Step {columns}", *rows, "Loop time of 1\n"))
 
 
 @pytest.fixture
@@ -90,6 +109,40 @@ def test_a_plain_deck_runs_where_it_lies(plain, tmp_path, monkeypatch, capsys):
     assert sorted(path.name for path in plain.parent.iterdir()) == [
         "meshes", "plain.in", "properties.in",
     ]  # fmt: skip
+
+
+def test_runs_that_count_steps_anew_are_all_kept(plain, tmp_path):
+    """Of the step that ends one run and begins the next there is one line."""
+    text = PLAIN.replace("run 500", "run 200\nreset_timestep 0\nrun 500")
+    plain.write_text(text, encoding="latin-1")
+    series = run_bulk(plain, {}, tmp_path / "run", show=False).series
+    first, last = list(range(0, 1201, 100)), list(range(0, 501, 100))
+    assert series["step"].tolist() == first + last
+    assert series["run"].tolist() == [0] * 11 + [1] * 2 + [2] * 6
+
+
+def test_the_ledger_is_checked_over_every_run(tmp_path):
+    """Here the second, whose steps are those of the first, has lost energy."""
+    ledger = " ".join(LEDGER)
+    log = table(f"Time {ledger}", "0 0 1 0 0 0 0 0", "10 1e-5 0.5 0 0.5 0 0 0")
+    log += table(f"Time {ledger}", "0 0 0.5 0 0.5 0 0 0", "10 1e-5 0.2 0 0.4 0 0 0.4")
+    run = pg.open(own_run(tmp_path / "run", log))
+    assert run.checks["value"].tolist() == pytest.approx([0.4, 0.1])
+    assert not run.passed
+
+
+def test_what_only_the_later_line_of_a_step_has_is_kept(tmp_path):
+    """Between two runs a deck may ask for other columns."""
+    log = table("Atoms", "0 5") + table("Atoms KinEng", "0 6 2", "10 6 3")
+    series = pg.open(own_run(tmp_path / "run", log)).series
+    assert series["atoms"].tolist() == [5, 6] and series["kinetic_energy"].tolist() == [2, 3]
+
+
+def test_frames_of_steps_counted_anew_have_the_later_time(tmp_path):
+    """The engine wrote them over those of the run before."""
+    log = table("Time", "0 0", "10 1", "20 2") + table("Time", "0 2", "10 3")
+    run = pg.open(own_run(tmp_path / "run", log))
+    assert [time_of(run, step) for step in (0, 5, 10, 20)] == [2, 2.5, 3, 2]
 
 
 def test_a_stopped_deck_leaves_nothing_where_it_lies(plain, tmp_path, start_plastigran):

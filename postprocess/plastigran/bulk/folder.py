@@ -15,6 +15,7 @@ from itertools import islice
 from pathlib import Path
 from typing import TextIO
 
+import numpy as np
 import pandas as pd
 
 from plastigran.engine.checkpoints import OF_A_SIGNAL, PATTERN, newest_checkpoint
@@ -126,8 +127,23 @@ def read_series(folder: str | Path) -> pd.DataFrame:
     if len(parts) == 2 and _is_own(folder) and "time" in parts[1]:
         # The engine's time begins anew at a checkpoint, whose line both logs have.
         parts[1]["time"] += parts[0]["time"].iloc[-1] - parts[1]["time"].iloc[0]
-    # The checkpoint's line is the earlier log's: while setting up, meshes know no forces.
-    return pd.concat(parts, ignore_index=True).drop_duplicates("step", ignore_index=True)
+    return _once_a_step(pd.concat(parts, ignore_index=True))
+
+
+def _once_a_step(series: pd.DataFrame) -> pd.DataFrame:
+    """One line of a step where one run ends and the next begins, or goes on from its checkpoint.
+
+    It is the earlier one: while setting up, meshes know no forces. What it lacks, because a deck
+    has asked for other columns since, is the later one's. Steps may be counted anew.
+    """
+    steps = (series["step"] != series["step"].shift()).cumsum()
+    return series.groupby(steps).first().reset_index(drop=True)
+
+
+def rows_up_to(series: pd.DataFrame, step: int) -> pd.DataFrame:
+    """The rows of a series up to the last that a checkpoint of a step comes after."""
+    (reached,) = np.nonzero(series["step"] <= step)
+    return series.iloc[: reached.max(initial=-1) + 1]
 
 
 def _is_own(folder: Path) -> bool:

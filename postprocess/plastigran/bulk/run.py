@@ -14,6 +14,7 @@ from plastigran.bulk.folder import (
     carry_files,
     prepare_folder,
     read_series,
+    rows_up_to,
     write_record,
 )
 from plastigran.bulk.outcome import BulkRun, open_run
@@ -77,8 +78,7 @@ def run_bulk(
     }
     if plan.checkpoint:
         step = step_of(plan.checkpoint)
-        before = read_series(restart)
-        before[before["step"] <= step].to_csv(folder / BEFORE, index=False)
+        rows_up_to(read_series(restart), step).to_csv(folder / BEFORE, index=False)
         carry_files(restart, folder, step)
     write_record(folder, record)  # last: a folder with a record can be gone on from
     left = files_of_signals(plan.working_folder)

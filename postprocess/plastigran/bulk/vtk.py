@@ -50,7 +50,7 @@ def write_vtk(run: BulkRun, folder: str | Path) -> list[Path]:
         files = {}
         for frame in frames:
             if getattr(frame, kind) is not None:
-                files[_time(run, frame.step)] = path = folder / f"{kind}_{frame.step}.vtp"
+                files[time_of(run, frame.step)] = path = folder / f"{kind}_{frame.step}.vtp"
                 write(frame, path)
         if files:
             written.append(folder / f"{kind}.pvd")
@@ -81,8 +81,12 @@ def contact_columns(run: BulkRun, frame: Frame) -> dict[str, np.ndarray]:
     return {"plastic_work": works}
 
 
-def _time(run: BulkRun, step: int) -> float:
-    """Of a step [s]; its number where the log has no time."""
+def time_of(run: BulkRun, step: int) -> float:
+    """Of a step's frame [s]; the step's number where the log has no time.
+
+    Where a deck counts its steps anew, the engine writes the frames of later ones over the earlier.
+    """
     if "time" not in run.series:
         return float(step)
-    return float(np.interp(step, run.series["step"], run.series["time"]))
+    rows = run.series.drop_duplicates("step", keep="last").sort_values("step")
+    return float(np.interp(step, rows["step"], rows["time"]))

@@ -115,9 +115,9 @@ def at_its_end(run: BulkRun) -> bool:
     """Whether a run that went on from another had no step to go."""
     import pandas as pd  # slow to load
 
-    from plastigran.bulk.folder import BEFORE
+    from plastigran.bulk.folder import BEFORE, read_series
 
-    return pd.read_csv(run.folder / BEFORE)["step"].iloc[-1] == run.series["step"].iloc[-1]
+    return len(pd.read_csv(run.folder / BEFORE)) == len(read_series(run.folder))
 
 
 def report(run: BulkRun) -> None:
