@@ -138,6 +138,75 @@ def test_what_only_the_later_line_of_a_step_has_is_kept(tmp_path):
     assert series["atoms"].tolist() == [5, 6] and series["kinetic_energy"].tolist() == [2, 3]
 
 
+@pytest.mark.parametrize("columns", ["", "dt", "time"])
+def test_time_goes_on_where_steps_do_not(columns, plain, tmp_path):
+    """Other time steps, steps counted anew; with a remark, an empty whole part, a variable; by the
+    log's columns or by what the commands say."""
+    runs = """
+    timestep 1e-6   # s
+    run 200
+    timestep ${twice}
+    run 200
+    reset_timestep 0
+    timestep .000003
+    run 200
+    """
+    text = PLAIN.partition("timestep")[0] + "variable twice equal 2e-6\n"
+    text += f"thermo_style custom step {columns} atoms\nthermo 100\n{runs}"
+    plain.write_text(text, encoding="latin-1")
+    series = run_bulk(plain, {}, tmp_path / "run", show=False).series
+    assert_allclose(series["time"], np.array([0, 100, 200, 400, 600, 600, 900, 1200]) * 1e-6)
+
+
+@pytest.mark.parametrize(
+    "unknown",
+    ["", "timestep ${mine}\n", "timestep 1e-6\nfix a all dt/reset 1 1e-9 1e-6 1e-9 units box\n"],
+)
+def test_a_run_whose_time_step_is_unknown_has_no_time(unknown, tmp_path):
+    """Its ledger is checked all the same; a run of no steps takes no time with any step."""
+    ledger = table(" ".join(LEDGER), "0 1 0 0 0 0 0", "10 0.5 0 0.5 0 0 0")
+    run = pg.open(own_run(tmp_path / "unknown", unknown + ledger))
+    assert "time" not in run.series and run.passed and len(run.checks) == 2
+    assert not run.figures and any("log has no time" in note for note in run.notes)
+    known = table("Atoms", "0 1") + "timestep 1e-6\n" + ledger
+    run = pg.open(own_run(tmp_path / "known", known))
+    assert_allclose(run.series["time"], [0, 1e-5])
+    assert run.figures and not run.notes
+
+
+def test_a_time_step_that_varies_within_a_run_gives_no_time(tmp_path):
+    log = table("Dt", "0 1e-6", "10 2e-6", "20 2e-6")
+    assert "time" not in pg.open(own_run(tmp_path / "run", log)).series
+
+
+@pytest.mark.parametrize("known", ["before", "after", "both"])
+def test_time_of_a_run_gone_on_is_known_where_both_logs_have_it(known, tmp_path):
+    log = table("Atoms", "10 5", "20 5")
+    folder = own_run(tmp_path / "run", log if known == "before" else f"timestep 1e-6\n{log}")
+    before = "step,atoms\n10,5\n" if known == "after" else "step,time,atoms\n10,1,5\n"
+    (folder / "before.csv").write_text(before)
+    series = pg.open(folder).series
+    assert series["step"].tolist() == [10, 20]
+    if known == "both":
+        assert_allclose(series["time"], [1, 1 + 1e-5], rtol=1e-9)
+    else:
+        assert "time" not in series
+
+
+def test_a_checkpoint_between_two_lines_of_the_log_has_its_time(tmp_path):
+    log = "timestep 1e-6\n" + table("Atoms", "15 5", "25 5")
+    folder = own_run(tmp_path / "run", log)
+    (folder / "before.csv").write_text("step,time,atoms\n0,0,5\n10,1e-5,5\n")
+    assert_allclose(pg.open(folder).series["time"], [0, 1e-5, 1.5e-5, 2.5e-5])
+
+
+def test_a_log_that_ends_before_its_first_line_has_an_empty_series(tmp_path):
+    folder = own_run(tmp_path / "run", "timestep 1e-6\nStep Atoms\n")
+    assert pg.open(folder).series.empty
+    (folder / "before.csv").write_text("step,time,atoms\n0,0,5\n10,1e-5,5\n")
+    assert pg.open(folder).series["step"].tolist() == [0, 10]
+
+
 def test_frames_of_steps_counted_anew_have_the_later_time(tmp_path):
     """The engine wrote them over those of the run before."""
     log = table("Time", "0 0", "10 1", "20 2") + table("Time", "0 2", "10 3")

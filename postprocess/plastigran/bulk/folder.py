@@ -12,6 +12,7 @@ import re
 import shutil
 import warnings
 from itertools import islice
+from math import nan
 from pathlib import Path
 from typing import TextIO
 
@@ -20,7 +21,7 @@ import pandas as pd
 
 from plastigran.engine.checkpoints import OF_A_SIGNAL, PATTERN, newest_checkpoint
 from plastigran.engine.dumps import DumpError, TruncatedFileWarning
-from plastigran.engine.log import LOG, read_thermo
+from plastigran.engine.log import LOG, read_thermo, said_timesteps
 from plastigran.engine.process import EngineError, engines
 
 RECORD = "run.json"
@@ -47,7 +48,6 @@ OWN_FILES = (
     CHECKS,
 )
 
-_TIMESTEP = re.compile(r"^timestep\s+(\d\S*)\s*$", re.MULTILINE)  # as the engine echoes it
 _DERIVED = re.compile(r"^derived (\w+) = (\S+)\s*$", re.MULTILINE)
 
 
@@ -108,7 +108,7 @@ def read_series(folder: str | Path) -> pd.DataFrame:
     Returns:
         One row a line: `step`, `time` [s] from step 0, then the deck's columns in SI units. Of a
         deck without a class every run is there, by number in `run`, and `time` where the log has
-        it or a `timestep` command of the deck gives it.
+        it or `timestep` commands of the deck give it, on from run to run.
 
     Raises:
         DumpError: There is no log, or it shows nothing yet.
@@ -124,9 +124,9 @@ def read_series(folder: str | Path) -> pd.DataFrame:
     except DumpError:
         if not parts:  # else the run was stopped before its first line
             raise
-    if len(parts) == 2 and _is_own(folder) and "time" in parts[1]:
-        # The engine's time begins anew at a checkpoint, whose line both logs have.
-        parts[1]["time"] += parts[0]["time"].iloc[-1] - parts[1]["time"].iloc[0]
+    parts = [part for part in parts if len(part)] or parts[-1:]
+    if len(parts) == 2 and _is_own(folder):
+        parts = _joined_times(*parts)
     return _once_a_step(pd.concat(parts, ignore_index=True))
 
 
@@ -159,15 +159,56 @@ def _read_thermo(folder: Path) -> pd.DataFrame:
         return read_thermo(folder / LOG)
 
 
+def _joined_times(before: pd.DataFrame, after: pd.DataFrame) -> list[pd.DataFrame]:
+    """A log and the one that goes on from it, the time too; without it where one has none.
+
+    The engine's time begins anew at a checkpoint.
+    """
+    if not ("time" in before and "time" in after):
+        return [series.drop(columns="time", errors="ignore") for series in (before, after)]
+    begins = before["time"].iloc[-1]
+    if len(after) > 1:  # a checkpoint may lie between two lines of the log before
+        steps, times = after["step"].diff().iloc[1], after["time"].diff().iloc[1]
+        begins += max(after["step"].iloc[0] - before["step"].iloc[-1], 0) * times / steps
+    return [before, after.assign(time=after["time"] + (begins - after["time"].iloc[0]))]
+
+
 def _read_own_log(folder: Path) -> pd.DataFrame:
     series = _read_thermo(folder)
-    if "time" not in series:
-        said = _TIMESTEP.findall((folder / LOG).read_text(errors="replace"))
-        if "timestep" in series:
-            series["time"] = series["step"] * series["timestep"]
-        elif said:
-            series["time"] = series["step"] * float(said[-1])
+    time = _summed_time(series, said_timesteps(folder / LOG))
+    if time.notna().all():
+        series["time"] = time
+    else:
+        series = series.drop(columns="time", errors="ignore")
     return series.rename(columns=lambda name: name.removeprefix("v_"))
+
+
+def _summed_time(series: pd.DataFrame, said: list[float]) -> pd.Series:
+    """Time of every line [s], run after run: a run may count its steps anew, and have a time step
+    of its own.
+
+    Args:
+        series: As `read_thermo` gives it.
+        said: Time step of each run [s], for those without a column of it or of the time.
+    """
+    times, end = pd.Series(nan, series.index), None
+    for number, run in series.groupby("run"):
+        time = _time_of_run(run, said[number])
+        times[run.index] = time if end is None else time + (end - time.iloc[0])
+        end = times[run.index[-1]]
+    return times
+
+
+def _time_of_run(run: pd.DataFrame, said: float) -> pd.Series:
+    """Time of a run's lines [s]; nan where it cannot be known."""
+    if "time" in run and run["time"].notna().all():
+        return run["time"]
+    if "timestep" in run and run["timestep"].notna().all():
+        said = run["timestep"].iloc[0] if run["timestep"].nunique() == 1 else nan
+    begins = run["step"].iloc[0]
+    passed = run["step"] - begins
+    began = begins * said if begins else 0.0
+    return began + (passed * said).where(passed > 0, 0.0)
 
 
 def _read_log(folder: Path) -> pd.DataFrame:

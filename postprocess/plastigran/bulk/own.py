@@ -85,8 +85,15 @@ def analyse_own(series: pd.DataFrame) -> Analysis:
     came_in = energy_input(series)
     if not came_in > 0:
         return Analysis(series, notes=["the ledger was not checked: no energy came in"])
-    figure = ledger_figure(series, TAKEN, came_in, LEDGER)
-    notes = []
+    figures, notes = {}, []
+    if "time" in series:
+        figures["ledger"] = ledger_figure(series, TAKEN, came_in, LEDGER)
+    else:
+        notes.append(
+            "the ledger was not drawn: the log has no time; `time` in thermo_style gives it"
+        )
     if not series[["elastic", *DISSIPATED]].any(axis=None):
-        notes = ["no line of the log has energy in contacts, or taken by them: did grains meet?"]
-    return Analysis(series, ledger_checks(series), {"ledger": figure}, notes=notes)
+        notes.append(
+            "no line of the log has energy in contacts, or taken by them: did grains meet?"
+        )
+    return Analysis(series, ledger_checks(series), figures, notes=notes)

@@ -6,6 +6,7 @@ from __future__ import annotations
 import re
 import warnings
 from dataclasses import dataclass
+from math import nan
 from pathlib import Path
 
 import numpy as np
@@ -157,6 +158,33 @@ def read_thermo(path: str | Path) -> pd.DataFrame:
         frames.append(frame)
     table = pd.concat(frames, ignore_index=True)
     return table.astype({"step": np.int64})
+
+
+def said_timesteps(path: str | Path) -> list[float]:
+    """What a log's `timestep` commands say of each of its runs [s], in the order of `read_thermo`.
+
+    It is nan where no command says a number, and where the engine may change the time step itself.
+    """
+    said, changes, found = nan, False, []
+    with open(path, encoding="utf-8", errors="replace") as file:
+        for line in file:
+            words = line.split("#")[0].split()
+            if words[:1] == ["Step"]:
+                found.append(nan if changes else said)
+            elif words[:1] == ["timestep"]:
+                said = _number(words[1:])  # a variable's value is in the line after it
+            elif words[:1] == ["fix"] and words[3:4] == ["dt/reset"]:
+                changes = True
+    return found
+
+
+def _number(words: list[str]) -> float:
+    """The number that a command's words say, nan where they say none or more."""
+    try:
+        (word,) = words
+        return float(word.strip("\"'"))
+    except ValueError:
+        return nan
 
 
 def _distinct(names: list[str]) -> list[str]:
