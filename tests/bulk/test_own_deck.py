@@ -214,6 +214,45 @@ def test_frames_of_steps_counted_anew_have_the_later_time(tmp_path):
     assert [time_of(run, step) for step in (0, 5, 10, 20)] == [2, 2.5, 3, 2]
 
 
+def test_files_of_one_name_are_all_kept(plain, tmp_path):
+    """In their subfolders; the deck's own name among them, and one from elsewhere. What ran is what
+    was given."""
+    folder = plain.parent
+    shared = tmp_path / "shared.in"
+    shared.write_text("variable from_elsewhere index 7\n")
+    parts = {
+        "parts/plain.in": "include geometry/walls.in\n",
+        "geometry/walls.in": "variable of_geometry index 1\n",
+        "physics/walls.in": "variable of_physics index 2\n",
+        "shared.in": "variable shared_here index 3\n",
+    }
+    for name, text in parts.items():
+        (folder / name).parent.mkdir(exist_ok=True)
+        (folder / name).write_text(text)
+    text = "".join(f"include {name}\n" for name in ("parts/plain.in", "physics/walls.in"))
+    text += f"include shared.in\ninclude ../{shared.name}\n{PLAIN}"
+    plain.write_text(text, encoding="latin-1")
+    run = run_bulk(plain, {}, tmp_path / "run", show=False)
+    assert run.series["step"].iloc[-1] == 1500
+    kept = run.folder / "deck"
+    assert (kept / "plain.in").read_bytes() == plain.read_bytes()
+    assert {name: (kept / name).read_text() for name in parts} == parts
+    assert (kept / "shared_2.in").read_text() == shared.read_text()
+
+
+def test_meshes_are_kept_with_the_deck(plain, tmp_path):
+    """Beside the script and by a setting; what a deck writes is not."""
+    written = plain.parent / "written.stl"
+    shutil.copy(plain.parent / "meshes" / "plate.stl", written)
+    text = PLAIN.replace("meshes/plate.stl", "meshes/${mesh}.stl")
+    text = f"variable mesh index plate\n{text}dump walls all mesh/stl 100 written.stl\nrun 0\n"
+    plain.write_text(text, encoding="latin-1")
+    source = plan_bulk(plain, {}, tmp_path / "run").source
+    assert source.copy(tmp_path / "copy") == tmp_path / "copy" / "plain.in"
+    kept = {str(file.relative_to(tmp_path / "copy")) for file in tmp_path.glob("copy/**/*.*")}
+    assert kept == {"plain.in", "properties.in", "meshes/plate.stl"}
+
+
 def test_a_stopped_deck_leaves_nothing_where_it_lies(plain, tmp_path, start_plastigran):
     """The engine's restart file of that moment goes to the results; another run's stays."""
     plain.write_text(PLAIN.replace("run 500", "run 50000000"), encoding="latin-1")

@@ -14,12 +14,10 @@ import pandas as pd
 from plastigran import laws
 from plastigran.bulk.checks import DISSIPATED, LEDGER, TAKEN, energy_input, ledger_checks
 from plastigran.bulk.deck import Analysis
-from plastigran.engine.deck import DeckSource, commands
+from plastigran.engine.deck import MESHES, DeckSource, commands
 from plastigran.engine.process import inputs_folder, misread
 from plastigran.plot.ledger import ledger_figure
 
-#: Endings of files that decks read beside scripts.
-MESHES = (".stl", ".vtk")
 #: Settings by which a deck is told to go on from a restart file.
 GOES_ON = ("start", "checkpoint")
 

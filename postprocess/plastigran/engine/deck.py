@@ -7,16 +7,20 @@ import re
 import shutil
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
+from os.path import normpath
 from pathlib import Path
 
 from plastigran.engine.process import EngineError, inputs_folder
 
 #: Files a deck includes at most: more are taken for one that includes itself.
 MOST_FILES = 200
+#: Endings of files that decks read beside scripts.
+MESHES = (".stl", ".vtk")
 
 _SETTING = re.compile(r'variable\s+(\w+)\s+index\s+(?:"([^"]*)"|(\S+))')
 _VARIABLE = re.compile(r"variable\s+(\w+)")
 _INCLUDE = re.compile(r"include\s+(\S+)")
+_MESH = re.compile(rf"\bfile\s+(\S+(?:{'|'.join(map(re.escape, MESHES))}))(?!\S)", re.IGNORECASE)
 _REFERENCE = re.compile(r"\$\{(\w+)\}")
 
 
@@ -64,7 +68,7 @@ class DeckSource:
 
     Attributes:
         path: The input script.
-        files: The script, its includes and what they read from the inputs, such as meshes.
+        files: The script, its includes, the meshes, and what else they read from the inputs.
         settings: Every setting of them with the value it will have.
         references: Names of the variables they read as ${name} and do not define.
     """
@@ -84,20 +88,32 @@ class DeckSource:
         return _with_values(text, self.settings)
 
     def copy(self, folder: Path) -> Path:
-        """Copy the files into a folder: as they lie in the inputs, others side by side.
+        """Copy the files into a folder: as they lie in the inputs, or below the script's folder;
+        others by their names, with a number where another file has that name.
 
         Returns:
             The copied script; run it with `folder` for its inputs.
         """
-        root = inputs_folder().resolve()
+        copied: dict[Path, Path] = {}
         for file in self.files:
-            inside = file.resolve().is_relative_to(root)
-            target = folder / (file.resolve().relative_to(root) if inside else file.name)
-            target.parent.mkdir(parents=True, exist_ok=True)
-            shutil.copyfile(file, target)
-            if file == self.path:
-                script = target
-        return script
+            target = place = self._place(file)
+            number = 1
+            while copied.setdefault(target, file.resolve()) != file.resolve():
+                number += 1
+                target = place.with_stem(f"{place.stem}_{number}")
+        for target, file in copied.items():
+            (folder / target).parent.mkdir(parents=True, exist_ok=True)
+            shutil.copyfile(file, folder / target)
+        return folder / self._place(self.path)
+
+    def _place(self, file: Path) -> Path:
+        """Where a file lies in a copy, unless another has taken its place."""
+        inputs = inputs_folder().resolve()
+        if file.resolve().is_relative_to(inputs):
+            return file.resolve().relative_to(inputs)
+        if (plain := Path(normpath(file))).is_relative_to(self.path.parent):
+            return plain.relative_to(self.path.parent)
+        return Path(file.name)
 
 
 def _with_values(text: str, settings: Mapping[str, str]) -> str:
@@ -167,7 +183,9 @@ def read_deck(deck: str | Path, values: Mapping[str, object], folder: Path) -> D
                     take_in(path.parent / included, file.name)
             else:
                 named = (word for word in command.split() if "${inputs}" in word)
-                read = (Path(_with_values(word, settings)) for word in named)
+                read = [path.parent / _with_values(word, settings) for word in named]
+                if found := _MESH.search(command):
+                    read.append(path.parent / _with_values(found[1], settings))
                 files.extend(file for file in read if file.is_file())
 
     take_in(path, "")
