@@ -253,6 +253,51 @@ def test_meshes_are_kept_with_the_deck(plain, tmp_path):
     assert kept == {"plain.in", "properties.in", "meshes/plate.stl"}
 
 
+def test_a_deck_called_as_one_of_the_package_is_the_users_own(tmp_path, monkeypatch, capsys):
+    """By its path; its run is opened as such, and the other's is not gone on with."""
+    monkeypatch.chdir(tmp_path)
+    deck = write_deck(Path("hopper"), "thornton", "steel")
+    assert plan_bulk("hopper", {}, "shipped").kind.__name__ == "Hopper"
+    short = ["-v", "duration=0.002", "rows=2", "checkpoints=1"]
+    assert main(["bulk", str(deck), *short]) == 0
+    run = pg.open("results/hopper")
+    assert run.finished and run.deck is None and run.name == "hopper"
+    with pytest.raises(
+        ValueError, match=r"hopper is a run of a deck of one's own, not of .*hopper"
+    ):
+        plan_bulk("hopper", {}, "rest", restart="results/hopper")
+    record = json.loads((run.folder / "run.json").read_text()) | {"own": False}
+    (run.folder / "run.json").write_text(json.dumps(record))
+    with pytest.raises(ValueError, match=r"is a run of the package's hopper, not of .*hopper\.in"):
+        plan_bulk(deck, {}, "rest", restart="results/hopper")
+
+
+@pytest.mark.parametrize(
+    ("file", "name"),
+    [("in.fall", "fall"), ("x.txt", "x"), ("x.IN", "x"), ("fall", "fall"), ("a.0.5.in", "a.0.5")],
+)
+def test_any_file_given_by_its_path_is_a_deck(file, name, plain, monkeypatch):
+    """Beside it or elsewhere, with a dot or without; results/NAME tells it from others."""
+    monkeypatch.chdir(plain.parent)
+    plain.rename(file)
+    for given in (file, f"./{file}", Path(file).absolute()):
+        source = plan_bulk(given, {}, "run").source
+        assert source.path == plain.parent / file and source.name == name
+    assert main(["bulk", f"./{file}"]) == 0
+    assert pg.open(f"results/{name}").finished
+    assert pg.bulk(file, show=False, force=True).folder == plain.parent / "results" / name
+
+
+def test_a_name_of_the_package_is_its_deck_whatever_lies_here(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    Path("hopper").write_text("units si\n")
+    assert plan_bulk("hopper", {}, "run").kind.__name__ == "Hopper"
+    assert plan_bulk("./hopper", {}, "run").kind is None
+    for missing in ("./in.drop", "drop.in", "decks/drop"):
+        with pytest.raises(EngineError, match=f"no input script {missing}"):
+            plan_bulk(missing, {}, "run")
+
+
 def test_a_stopped_deck_leaves_nothing_where_it_lies(plain, tmp_path, start_plastigran):
     """The engine's restart file of that moment goes to the results; another run's stays."""
     plain.write_text(PLAIN.replace("run 500", "run 50000000"), encoding="latin-1")

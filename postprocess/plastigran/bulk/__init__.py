@@ -25,6 +25,7 @@ from types import ModuleType
 from plastigran.bulk.outcome import BulkRun
 from plastigran.bulk.outcome import open_run as open
 from plastigran.bulk.run import run_bulk
+from plastigran.engine.deck import deck_name
 
 
 class _Package(ModuleType):
@@ -43,7 +44,7 @@ class _Package(ModuleType):
         **settings: object,
     ) -> BulkRun:
         """Run a bulk deck; the package's docstring has the arguments."""
-        folder = folder or Path("results") / Path(deck).stem
+        folder = folder or Path("results") / deck_name(deck)
         return run_bulk(deck, settings, folder, ranks, restart, force, show)
 
 

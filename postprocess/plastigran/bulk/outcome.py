@@ -99,7 +99,8 @@ def open_run(folder: str | Path) -> BulkRun:
     """
     folder = Path(folder).resolve()
     record, series = read_record(folder), read_series(folder)
-    kind, finished = deck_class(record["deck"]), (folder / SERIES).exists()
+    kind = None if record.get("own") else deck_class(record["deck"])
+    finished = (folder / SERIES).exists()
     try:
         deck = kind.read(record["settings"] | {"output": folder}) if kind else None
     except ValueError as error:

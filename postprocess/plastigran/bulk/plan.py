@@ -12,7 +12,7 @@ from plastigran.bulk.deck import BulkDeck
 from plastigran.bulk.decks import deck_class
 from plastigran.bulk.folder import read_record, restart_point
 from plastigran.bulk.own import check_goes_on, check_laws, own_places
-from plastigran.engine.deck import DeckSource, find_deck, read_deck
+from plastigran.engine.deck import DeckSource, deck_name, find_deck, is_shipped, read_deck
 from plastigran.engine.process import typed_command
 
 #: Settings that name files and places; they differ between runs and are not compared.
@@ -68,13 +68,13 @@ def plan_bulk(
         raise ValueError(f"output is {values['output']!r}, which is no setting: give --output")
     folder, script = Path(folder).resolve(), find_deck(deck)
     values = {name: str(value) for name, value in values.items()}
+    kind = deck_class(deck_name(script)) if is_shipped(script) else None
     earlier = checkpoint = None
     if restart is not None:
         restart = Path(restart).resolve()
-        earlier = _earlier(restart, folder, script.stem)
+        earlier = _earlier(restart, folder, script, own=kind is None)
         checkpoint = restart_point(restart, earlier)
         values = earlier["values"] | values | {"start": "checkpoint", "checkpoint": str(checkpoint)}
-    kind = deck_class(script.stem)
     if kind and "materials" in values:  # a path as typed here; the engine runs elsewhere
         values["materials"] = str(Path(values["materials"]).resolve())
     if earlier and not kind:
@@ -106,11 +106,15 @@ def check_continued(
             )
 
 
-def _earlier(restart: Path, folder: Path, deck: str) -> dict:
+def _earlier(restart: Path, folder: Path, script: Path, own: bool) -> dict:
     """The record of the run to go on from. Raises ValueError when it is another deck's or ours."""
     record = read_record(restart)
-    if record["deck"] != deck:
-        raise ValueError(f"{restart} is a run of {record['deck']}, not of {deck}")
+    name, was_own = record["deck"], bool(record.get("own"))
+    if name != deck_name(script):
+        raise ValueError(f"{restart} is a run of {name}, not of {deck_name(script)}")
+    if was_own != own:
+        deck = "a deck of one's own" if was_own else f"the package's {name}"
+        raise ValueError(f"{restart} is a run of {deck}, not of {script}")
     if restart == folder:
         raise ValueError(f"{folder} is the run to go on from; choose another --output")
     return record

@@ -3,11 +3,11 @@
 
 from __future__ import annotations
 
+import os
 import re
 import shutil
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
-from os.path import normpath
 from pathlib import Path
 
 from plastigran.engine.process import EngineError, inputs_folder
@@ -80,8 +80,8 @@ class DeckSource:
 
     @property
     def name(self) -> str:
-        """Of the deck: its script's, without the ending."""
-        return self.path.stem
+        """Of the deck, `deck_name` of its script."""
+        return deck_name(self.path)
 
     def resolve(self, text: str) -> str:
         """Words of a command with the settings' values in them."""
@@ -111,7 +111,7 @@ class DeckSource:
         inputs = inputs_folder().resolve()
         if file.resolve().is_relative_to(inputs):
             return file.resolve().relative_to(inputs)
-        if (plain := Path(normpath(file))).is_relative_to(self.path.parent):
+        if (plain := Path(os.path.normpath(file))).is_relative_to(self.path.parent):
             return plain.relative_to(self.path.parent)
         return Path(file.name)
 
@@ -128,19 +128,32 @@ def deck_names() -> list[str]:
         return []
 
 
+def deck_name(deck: str | Path) -> str:
+    """What a deck is called: its script without the ending, `fall` for fall.in and in.fall."""
+    path = Path(deck)
+    return path.name.removeprefix("in.") if re.match(r"in\..", path.name) else path.stem
+
+
+def is_shipped(script: Path) -> bool:
+    """Whether a script, as `find_deck` gives it, is one of `inputs/bulk`."""
+    return script.parent == (inputs_folder() / "bulk").resolve()
+
+
 def find_deck(deck: str | Path) -> Path:
     """A deck of `inputs/bulk` by name, or any input script by its path.
 
     Raises:
         EngineError: There is none; the message lists those of `inputs/bulk`.
     """
-    folder = inputs_folder() / "bulk"
-    path = Path(deck) if Path(deck).suffix == ".in" else folder / f"{deck}.in"
-    if not path.is_file():
-        if path.parent != folder:
-            raise EngineError(f"no input script {path}")
-        raise EngineError(f"no deck {str(deck)!r}; there are {', '.join(deck_names())}")
-    return path.resolve()
+    given = str(deck)
+    shipped = inputs_folder() / "bulk" / f"{given}.in"
+    is_path = os.sep in given or given.endswith(".in")
+    for path in (Path(deck),) if is_path else (shipped, Path(deck)):
+        if path.is_file():
+            return path.resolve()
+    if is_path:
+        raise EngineError(f"no input script {given}")
+    raise EngineError(f"no deck {given!r}; there are {', '.join(deck_names())}")
 
 
 def read_deck(deck: str | Path, values: Mapping[str, object], folder: Path) -> DeckSource:

@@ -14,7 +14,7 @@ from plastigran.cli.arguments import (
     print_json,
 )
 from plastigran.engine.checkpoints import newest_checkpoint
-from plastigran.engine.deck import deck_names
+from plastigran.engine.deck import deck_name, deck_names
 from plastigran.engine.log import LOG, find_warnings, worst
 from plastigran.engine.process import EngineError, EngineStopped
 
@@ -69,7 +69,7 @@ def run(arguments: argparse.Namespace) -> None:
     from plastigran.bulk.plan import plan_bulk  # matplotlib is slow to load
     from plastigran.bulk.run import run_bulk
 
-    name, earlier = Path(arguments.deck).stem, arguments.restart
+    name, earlier = deck_name(arguments.deck), arguments.restart
     if arguments.output is None:
         arguments.output = (
             earlier.with_name(f"{earlier.name}_continued") if earlier else Path("results") / name
