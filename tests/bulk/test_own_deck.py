@@ -342,12 +342,48 @@ def test_the_readmes_deck_does_as_it_says(tmp_path):
 
 
 def test_a_plain_deck_cannot_go_on(plain, tmp_path):
+    """Whatever restart files it has; what it needs is said."""
+    text = PLAIN.replace("run 1000", "restart 500 mine.*\nrun 1000")
+    plain.write_text(text, encoding="latin-1")
     run_bulk(plain, {}, tmp_path / "run", show=False)
+    assert (plain.parent / "mine.500").exists()
+    said = r"plain\.in has no setting 'start' and cannot go on.* `start` .* `checkpoint` .*"
+    said += r"`restart` .* \$\{output\}/checkpoint\.\*\.restart.* `plastigran new-deck`"
+    with pytest.raises(ValueError, match=said):
+        run_bulk(plain, {}, tmp_path / "rest", restart=tmp_path / "run", show=False)
     part = np.array([3.0, 0.1, 0.2])  # of one particle
     file = tmp_path / "run" / "checkpoint.1000.restart"
     file.write_bytes(np.int32(len(part)).tobytes() + part.tobytes())
-    with pytest.raises(ValueError, match=r"plain\.in has no setting 'start' and cannot go on"):
+    with pytest.raises(ValueError, match=said):
         run_bulk(plain, {}, tmp_path / "rest", restart=tmp_path / "run", show=False)
+
+
+def test_a_deck_that_writes_no_checkpoints_is_told_how(plain, tmp_path):
+    """It has the settings, but its restart files are called otherwise."""
+    text = f"variable start index fresh\nvariable checkpoint index none\n{PLAIN}"
+    plain.write_text(text, encoding="latin-1")
+    run_bulk(plain, {}, tmp_path / "run", show=False)
+    said = r"no whole checkpoint .*: .*`restart` .* \$\{output\}/checkpoint\.\*\.restart"
+    with pytest.raises(EngineError, match=said):
+        plan_bulk(plain, {}, tmp_path / "rest", restart=tmp_path / "run")
+
+
+def test_a_deck_stopped_before_its_first_checkpoint_goes_on_from_where_it_began(plain, tmp_path):
+    """From a file that is called as checkpoints are; another's step is not known."""
+    text = f"variable start index fresh\nvariable checkpoint index none\n{PLAIN}"
+    plain.write_text(text, encoding="latin-1")
+    folder = own_run(tmp_path / "run", "LIGGGHTS\n")
+    for name in ("checkpoint.1000.restart", "mine.500"):
+        began = tmp_path / name
+        began.touch()
+        values = {"start": "checkpoint", "checkpoint": str(began)}
+        record = {"deck": "plain", "own": True, "values": values, "settings": values}
+        (folder / "run.json").write_text(json.dumps(record))
+        if name == "mine.500":
+            with pytest.raises(EngineError, match="no whole checkpoint"):
+                plan_bulk(plain, {}, tmp_path / "rest", restart=folder)
+        else:
+            assert plan_bulk(plain, {}, tmp_path / "rest", restart=folder).checkpoint == began
 
 
 def test_an_unknown_setting_is_refused(plain, tmp_path):

@@ -117,6 +117,40 @@ def test_no_checkpoint_is_said(tmp_path):
         newest_checkpoint(tmp_path)
 
 
+def test_a_file_that_is_no_checkpoint_is_left_alone(whole, tmp_path):
+    """Of a name that has no step: it is not gone on from, and force does not remove it."""
+    folder = tmp_path / "run"
+    shutil.copytree(whole, folder)
+    newest = newest_checkpoint(folder)
+    for name in ("checkpoint.old.restart", "checkpoint.999999999.old.restart"):
+        shutil.copy(newest, folder / name)
+    assert newest_checkpoint(folder) == newest
+    run_bulk("cooling_gas", SHORT, folder, force=True, show=False)
+    assert (folder / "checkpoint.old.restart").exists()
+
+
+def test_checkpoints_beyond_the_log_are_named(whole, tmp_path):
+    """The newest whole one; a log that is cut or missing does not reach it."""
+    folder = tmp_path / "run"
+    shutil.copytree(whole, folder)
+    before, last = sorted(folder.glob(PATTERN), key=step_of)[-2:]
+    for file in sorted(folder.glob(PATTERN), key=step_of)[:-2]:
+        file.unlink()
+    last.write_bytes(b"half")
+    log = folder / "log.liggghts"
+    lines = read_series(whole)["step"]
+    text = log.read_text()
+    log.write_text(text[: text.rindex(f"\n{lines[3]:8d} ") + 1])
+    with pytest.raises(EngineError, match=rf"{log} ends at step {lines[2]}.* {before.name}"):
+        newest_checkpoint(folder)
+    log.write_text("LIGGGHTS\n")
+    with pytest.raises(EngineError, match=rf"{log} shows no step.* {before.name}"):
+        newest_checkpoint(folder)
+    log.unlink()
+    with pytest.raises(EngineError, match=rf"{log} is missing.* {before.name}"):
+        newest_checkpoint(folder)
+
+
 @pytest.fixture
 def start(start_plastigran):
     """Starts a long run by the command line and waits for its second checkpoint."""

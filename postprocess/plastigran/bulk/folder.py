@@ -19,7 +19,7 @@ from typing import TextIO
 import numpy as np
 import pandas as pd
 
-from plastigran.engine.checkpoints import OF_A_SIGNAL, PATTERN, newest_checkpoint
+from plastigran.engine.checkpoints import OF_A_SIGNAL, checkpoints, is_numbered, newest_checkpoint
 from plastigran.engine.dumps import DumpError, TruncatedFileWarning
 from plastigran.engine.log import LOG, read_thermo, said_timesteps
 from plastigran.engine.process import EngineError, engines
@@ -33,14 +33,13 @@ CHECKS = "checks.csv"
 DUMP = "grains.dump"
 #: Collision spectra, whose tables the engine adds; it takes those after a checkpoint away itself.
 SPECTRA = "collision_spectra.csv"
-#: Files of a run, which are removed before another overwrites it.
+#: Files of a run, which are removed before another overwrites it, as its checkpoints are.
 OWN_FILES = (
     RECORD,
     f"{RECORD}.new",
     BEFORE,
     LOG,
     "screen.txt",
-    PATTERN,
     f"{OF_A_SIGNAL}_*",
     DUMP,
     SPECTRA,
@@ -94,7 +93,9 @@ def prepare_folder(folder: Path, force: bool) -> None:
             raise ValueError(
                 f"{folder} holds files but no {RECORD}; only runs are overwritten by force"
             )
-        for pattern in OWN_FILES:  # above all checkpoints, which may be newer than ours
+        for file in checkpoints(folder):  # above all: they may be newer than ours
+            file.unlink()
+        for pattern in OWN_FILES:
             for file in folder.glob(pattern):
                 file.unlink()
         for name in ("deck", "figures", "frames"):
@@ -270,6 +271,6 @@ def restart_point(folder: Path, record: dict) -> Path:
         return newest_checkpoint(folder)
     except EngineError:
         began = Path(record["values"].get("checkpoint", "none"))
-        if not began.is_file():
+        if not (began.is_file() and is_numbered(began)):
             raise
         return began

@@ -14,12 +14,19 @@ import pandas as pd
 from plastigran import laws
 from plastigran.bulk.checks import DISSIPATED, LEDGER, TAKEN, energy_input, ledger_checks
 from plastigran.bulk.deck import Analysis
+from plastigran.bulk.folder import restart_point
+from plastigran.engine.checkpoints import PATTERN, checkpoints
 from plastigran.engine.deck import MESHES, DeckSource, commands
-from plastigran.engine.process import inputs_folder, misread
+from plastigran.engine.process import EngineError, inputs_folder, misread
 from plastigran.plot.ledger import ledger_figure
 
 #: Settings by which a deck is told to go on from a restart file.
 GOES_ON = ("start", "checkpoint")
+#: What a deck that goes on has.
+NEEDS = (
+    "it needs settings `start` (fresh or checkpoint) and `checkpoint` (a file), and a `restart` "
+    f"command that writes ${{output}}/{PATTERN}; `plastigran new-deck` writes a deck with them"
+)
 
 _MODEL = re.compile(r"\bgran\s+(?:&\s*)?model\s+(\S+)")
 
@@ -67,13 +74,29 @@ def check_laws(source: DeckSource) -> None:
             warnings.warn(f"{said} A model of your own is taken as it is", stacklevel=2)
 
 
-def check_goes_on(source: DeckSource) -> None:
-    """Raises ValueError when a deck cannot be told to go on from a restart file."""
+def own_restart_point(source: DeckSource, earlier: Path, record: dict) -> Path:
+    """The `restart_point` of a run, for a deck that can be told to go on from it.
+
+    Args:
+        source: The deck.
+        earlier: Folder of the run.
+        record: What its `run.json` says.
+
+    Raises:
+        ValueError: The deck has no settings to be told by.
+        EngineError: There is no such point.
+    """
     if missing := [name for name in GOES_ON if name not in source.settings]:
         raise ValueError(
             f"{source.path.name} has no setting {missing[0]!r} and cannot go on from a checkpoint; "
-            "a deck of `plastigran new-deck` shows how"
+            f"{NEEDS}"
         )
+    try:
+        return restart_point(earlier, record)
+    except EngineError as error:
+        if checkpoints(earlier):
+            raise
+        raise EngineError(f"{error}: {NEEDS}") from None
 
 
 def analyse_own(series: pd.DataFrame) -> Analysis:

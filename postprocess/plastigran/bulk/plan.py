@@ -11,7 +11,7 @@ import attrs
 from plastigran.bulk.deck import BulkDeck
 from plastigran.bulk.decks import deck_class
 from plastigran.bulk.folder import read_record, restart_point
-from plastigran.bulk.own import check_goes_on, check_laws, own_places
+from plastigran.bulk.own import check_laws, own_places, own_restart_point
 from plastigran.engine.deck import DeckSource, deck_name, find_deck, is_shipped, read_deck
 from plastigran.engine.process import typed_command
 
@@ -73,12 +73,13 @@ def plan_bulk(
     if restart is not None:
         restart = Path(restart).resolve()
         earlier = _earlier(restart, folder, script, own=kind is None)
-        checkpoint = restart_point(restart, earlier)
+        if kind:
+            checkpoint = restart_point(restart, earlier)
+        else:
+            checkpoint = own_restart_point(read_deck(script, {}, folder), restart, earlier)
         values = earlier["values"] | values | {"start": "checkpoint", "checkpoint": str(checkpoint)}
     if kind and "materials" in values:  # a path as typed here; the engine runs elsewhere
         values["materials"] = str(Path(values["materials"]).resolve())
-    if earlier and not kind:
-        check_goes_on(read_deck(script, {}, folder))
     source = read_deck(script, values, folder)
     places = {"inputs": folder / "deck"} if kind else own_places(source, folder)
     if not kind:

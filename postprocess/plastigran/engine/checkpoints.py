@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import re
 import shutil
 import warnings
 from contextlib import suppress
@@ -26,6 +27,17 @@ def step_of(checkpoint: Path) -> int:
     return int(checkpoint.name.split(".")[1])
 
 
+def checkpoints(folder: str | Path) -> list[Path]:
+    """The checkpoints of a run by their steps, whole or not; files of other names are left out."""
+    found = [file for file in Path(folder).glob(PATTERN) if is_numbered(file)]
+    return sorted(found, key=step_of)
+
+
+def is_numbered(file: Path) -> bool:
+    """Whether a file is called as the engine calls checkpoints."""
+    return re.fullmatch(PATTERN.replace(".", r"\.").replace("*", r"\d+"), file.name) is not None
+
+
 def newest_checkpoint(folder: str | Path) -> Path:
     """The newest checkpoint of a run that was written to its end.
 
@@ -34,15 +46,23 @@ def newest_checkpoint(folder: str | Path) -> Path:
     a full disk cut is passed over with a warning.
 
     Raises:
-        EngineError: There is none.
+        EngineError: There is none; the message names the newest that the log has not come to, if it
+            looks whole.
     """
-    folder = Path(folder)
-    progress = LogFollower(folder / LOG).read()
-    written = [file for file in folder.glob(PATTERN) if step_of(file) <= progress.step]
-    for checkpoint in sorted(written, key=step_of, reverse=True):
-        if is_whole(checkpoint):
+    log, progress, beyond = Path(folder) / LOG, LogFollower(Path(folder) / LOG).read(), None
+    for checkpoint in reversed(checkpoints(folder)):
+        if step_of(checkpoint) > progress.step:
+            beyond = beyond or (checkpoint if is_whole(checkpoint) else None)
+        elif is_whole(checkpoint):
             return checkpoint
-        warnings.warn(f"{checkpoint} is cut short; an earlier one is looked for", stacklevel=2)
+        else:
+            warnings.warn(f"{checkpoint} is cut short; an earlier one is looked for", stacklevel=2)
+    if beyond:
+        ends = f"ends at step {progress.step}" if progress.run else "shows no step"
+        raise EngineError(
+            f"{log} {ends if log.exists() else 'is missing'} and does not reach the checkpoints in "
+            f"its folder, the newest of which is {beyond.name}; a run goes on where its log does"
+        )
     raise EngineError(f"no whole checkpoint ({PATTERN}) in {folder}; start the deck afresh")
 
 
