@@ -238,6 +238,8 @@ def test_killed_before_its_first_checkpoint_goes_on_from_where_it_began(whole, t
         (["cooling_gass"], "no deck 'cooling_gass'; there are "),
         (["cooling_gas", "-v", "siide=3"], "has no setting 'siide'; it takes law"),
         (["cooling_gas", "--restart", "/nowhere"], "holds no run.json"),
+        (["cooling_gas", "-v", "ledger=ON"], "ledger is 'ON', there are off, on"),
+        (["bed_impact", "-v", "target=Plate"], "target is 'Plate', there are bed, plate"),
     ],
 )
 def test_wrong_words_are_named(line, said, tmp_path, capsys):

@@ -120,6 +120,21 @@ def _with_values(text: str, settings: Mapping[str, str]) -> str:
     return _REFERENCE.sub(lambda m: settings.get(m[1], m[0]), text)
 
 
+def _choice(include: str, settings: Mapping[str, str], deck: Path) -> str:
+    """What the setting that names an include may be, in words; nothing where it names none."""
+    names = [name for name in _REFERENCE.findall(include) if name not in ("inputs", "materials")]
+    if len(names) != 1 or names[0] not in settings:
+        return ""
+    others = {key: value for key, value in settings.items() if key != names[0]}
+    before, after = _with_values(include, others).split(f"${{{names[0]}}}", 1)
+    start = deck.parent / before  # a folder, or the first letters of a name
+    begins = "" if before.endswith("/") else start.name
+    folder = start if before.endswith("/") else start.parent
+    known = (file.name for file in folder.glob(f"{begins}*{after}"))
+    words = sorted(name[len(begins) : len(name) - len(after)] for name in known)
+    return f"; {names[0]} is {settings[names[0]]!r}, there are {', '.join(words)}" if words else ""
+
+
 def deck_names() -> list[str]:
     """Names of the decks of `inputs/bulk`; none where there are no inputs."""
     try:
@@ -178,10 +193,10 @@ def read_deck(deck: str | Path, values: Mapping[str, object], folder: Path) -> D
     references: set[str] = set()
     defined: set[str] = set()
 
-    def take_in(file: Path, included_by: str) -> None:
+    def take_in(file: Path, included_by: str, choice: str = "") -> None:
         """The settings and files of a script and of those it includes, in the engine's order."""
         if not file.is_file():
-            raise EngineError(f"{included_by} includes {file}, which is not there")
+            raise EngineError(f"{included_by} includes {file}, which is not there{choice}")
         if len(files) > MOST_FILES:
             raise EngineError(f"{included_by} includes {file}, and so on: does it include itself?")
         files.append(file)
@@ -193,7 +208,7 @@ def read_deck(deck: str | Path, values: Mapping[str, object], folder: Path) -> D
                 settings.setdefault(name, given.get(name, _with_values(value, settings)))
             elif found := _INCLUDE.match(command):
                 if not _REFERENCE.search(included := _with_values(found[1], settings)):
-                    take_in(path.parent / included, file.name)
+                    take_in(path.parent / included, file.name, _choice(found[1], settings, path))
             else:
                 named = (word for word in command.split() if "${inputs}" in word)
                 read = [path.parent / _with_values(word, settings) for word in named]
