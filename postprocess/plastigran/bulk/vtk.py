@@ -11,7 +11,7 @@ import numpy as np
 from plastigran.bulk.contact_works import plastic_works, read_memories
 from plastigran.bulk.outcome import BulkRun
 from plastigran.engine.dumps import DumpError
-from plastigran.plot.snapshot import Frame, find_frames
+from plastigran.plot.snapshot import Frame, find_frames, whole_frames
 from plastigran.plot.vtk_series import (
     contact_table,
     write_contacts,
@@ -36,7 +36,10 @@ def write_vtk(run: BulkRun, folder: str | Path) -> list[Path]:
 
     Raises:
         SnapshotError: There are no frames, or pyvista is not installed.
-        DumpError: A file is damaged.
+        DumpError: A file of memories is damaged.
+
+    Warns:
+        UserWarning: A frame that cannot be read whole is left out; the message names the file.
     """
     folder, written = Path(folder), []
     folder.mkdir(parents=True, exist_ok=True)
@@ -45,7 +48,7 @@ def write_vtk(run: BulkRun, folder: str | Path) -> list[Path]:
         "contacts": lambda frame, path: write_contacts(frame, path, contact_columns(run, frame)),
         "mesh": write_mesh,
     }
-    frames = find_frames(run.folder)
+    frames = whole_frames(find_frames(run.folder))
     for kind, write in kinds.items():
         files = {}
         for frame in frames:

@@ -3,10 +3,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+from pathlib import Path
+
 import attrs
 import numpy as np
 
-from plastigran.plot.snapshot import Frame, SnapshotError, read_vtk
+from plastigran.plot.snapshot import DamagedFrame, Frame, SnapshotError, read_vtk
 
 
 @attrs.frozen(eq=False)
@@ -18,9 +21,9 @@ class GrainFrame:
         positions: Of the grains' centres [m], (n, 3).
         radii: [m], (n,).
         speed: [m/s], (n,).
-        plastic_work: That each grain has taken [J], (n,); None without an energy ledger.
-        force: The largest between a grain and another that touches it [N], (n,); None where the
-            frame has no contacts.
+        plastic_work: That each grain has taken [J], (n,); None of grains without an energy ledger.
+        force: The largest between a grain and another that touches it [N], (n,); None of grains
+            where the frame has no contacts.
         walls: Corners of the walls' triangles [m], (m, 3, 3).
     """
 
@@ -37,16 +40,19 @@ def read_frame(frame: Frame) -> GrainFrame:
     """Read the VTK files of a step.
 
     Raises:
-        SnapshotError: A file is damaged or lacks a column, or pyvista is not installed.
+        DamagedFrame: A file cannot be read whole.
+        SnapshotError: A file lacks a column, or pyvista is not installed.
     """
-    grains = read_vtk(frame.grains)
+    grains, walls = read_vtk(frame.grains), np.empty((0, 3, 3))
+    if frame.mesh and (mesh := read_vtk(frame.mesh)).n_cells:
+        walls = np.asarray(mesh.points, float)[mesh.regular_faces]
+    if not grains.n_points:  # then the file has no columns
+        none = np.zeros(0)
+        return GrainFrame(frame.step, np.empty((0, 3)), none, none, none, none, walls)
     if missing := {"radius", "v", "id"} - set(grains.point_data):
         raise SnapshotError(f"{frame.grains} has no {', '.join(sorted(missing))}")
     positions = np.asarray(grains.points, float).reshape(-1, 3)
     work = grains.point_data.get("f_plastic_work")
-    walls = np.empty((0, 3, 3))
-    if frame.mesh and (mesh := read_vtk(frame.mesh)).n_cells:
-        walls = np.asarray(mesh.points, float)[mesh.regular_faces]
     return GrainFrame(
         frame.step,
         positions,
@@ -58,15 +64,27 @@ def read_frame(frame: Frame) -> GrainFrame:
     )
 
 
+def read_frames(frames: Iterable[Frame]) -> tuple[list[GrainFrame], list[Path]]:
+    """Frames that can be read whole, and of each other one the file that cannot.
+
+    Raises:
+        SnapshotError: As for `read_frame`.
+    """
+    found, damaged = [], []
+    for frame in frames:
+        try:
+            found.append(read_frame(frame))
+        except DamagedFrame as error:
+            damaged.append(error.path)
+    return found, damaged
+
+
 def _largest_force(frame: Frame, positions: np.ndarray) -> np.ndarray:
     """The largest contact force on each grain; a contact's line ends in the grains' centres."""
     from scipy.spatial import cKDTree
 
-    found = np.zeros(len(positions))
-    with open(frame.contacts, "rb") as file:
-        none = b"\nPOINTS 0 " in file.read(500)  # the reader warns of them
-    if not none and len(positions):
-        lines = read_vtk(frame.contacts)
+    found, lines = np.zeros(len(positions)), read_vtk(frame.contacts)
+    if lines.n_cells:
         force = np.linalg.norm(np.asarray(lines["force"], float).reshape(-1, 3), axis=1)
         ends = np.asarray(lines.points, float).reshape(-1, 3)
         # An end beyond a periodic side is no grain's centre; six digits are written of each.

@@ -16,6 +16,7 @@ from plastigran.plot.snapshot import (
     grain_values,
     read_vtk,
     render,
+    whole_frames,
 )
 from plastigran.progress import ProgressBar
 
@@ -38,6 +39,8 @@ def save_grain_movie(
 ) -> None:
     """Draw frames one after the other, all from one place and with one scale of colours.
 
+    A frame without grains shows walls alone; one that cannot be read whole is left out.
+
     Args:
         frames: What to draw, in order.
         path: The file, .mp4 or .gif.
@@ -47,12 +50,18 @@ def save_grain_movie(
         progress: Show a progress bar.
 
     Raises:
-        SnapshotError: As for `draw`, another kind of file, nothing touches in any frame, or a
-            library is not installed.
+        SnapshotError: As for `draw`, another kind of file, no frame holds grains, nothing touches
+            in any frame, or a library is not installed.
+
+    Warns:
+        UserWarning: A frame is left out; the message names the file.
     """
     path = Path(path)
     if path.suffix not in WRITERS:
         raise SnapshotError(f"{path} is no movie; its name must end in {' or '.join(WRITERS)}")
+    frames = whole_frames(frames)
+    if not any(read_vtk(frame.grains).n_points for frame in frames):
+        raise SnapshotError("no frame holds grains")
     values = [contact_forces(f) if contacts else grain_values(f, colour) for f in frames]
     every = np.concatenate([np.zeros(0), *values])
     low = 0.0 if contacts or colour in FROM_ZERO else every.min(initial=np.inf)
@@ -74,9 +83,11 @@ def _bounds(frames: Sequence[Frame]) -> list[float]:
     boxes = []
     for frame in frames:
         grains = read_vtk(frame.grains)
-        boxes.append(np.reshape(grains.bounds, (3, 2)) + grains["radius"].max() * np.array([-1, 1]))
-        if frame.mesh:
-            boxes.append(np.reshape(read_vtk(frame.mesh).bounds, (3, 2)))
+        if grains.n_points:
+            reach = grains["radius"].max() * np.array([-1, 1])
+            boxes.append(np.reshape(grains.bounds, (3, 2)) + reach)
+        if frame.mesh and (mesh := read_vtk(frame.mesh)).n_points:
+            boxes.append(np.reshape(mesh.bounds, (3, 2)))
     low, high = np.min(boxes, axis=0)[:, 0], np.max(boxes, axis=0)[:, 1]
     return np.stack([low, high], axis=1).ravel().tolist()
 

@@ -7,7 +7,8 @@ Needs pyvista, an optional dependency: `pip install pyvista`.
 from __future__ import annotations
 
 import os
-from collections.abc import Sequence
+import warnings
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -43,6 +44,14 @@ class SnapshotError(ValueError):
     """There is nothing to draw, or nothing to draw with; the message says which."""
 
 
+class DamagedFrame(SnapshotError):
+    """A file of a frame cannot be read whole; the message names it."""
+
+    def __init__(self, path: Path) -> None:
+        super().__init__(f"{path} cannot be read whole: it is cut short or damaged")
+        self.path = path
+
+
 @dataclass(frozen=True)
 class Frame:
     """The VTK files of one step of a run; those it does not have are None.
@@ -58,6 +67,11 @@ class Frame:
     grains: Path
     contacts: Path | None
     mesh: Path | None
+
+    @property
+    def files(self) -> list[Path]:
+        """Those that the step has."""
+        return [path for path in (self.grains, self.contacts, self.mesh) if path]
 
 
 def find_frames(folder: str | Path) -> list[Frame]:
@@ -173,20 +187,73 @@ def load_pyvista():
     return pyvista
 
 
+def whole_frames(frames: Iterable[Frame]) -> list[Frame]:
+    """The frames whose files can all be read whole.
+
+    Raises:
+        SnapshotError: There are none.
+
+    Warns:
+        UserWarning: A frame is left out; the message names the file.
+    """
+    whole = []
+    for frame in frames:
+        try:
+            for path in frame.files:
+                read_vtk(path)
+        except DamagedFrame as error:
+            warnings.warn(f"{error}; the frame of step {frame.step} is left out", stacklevel=2)
+            continue
+        whole.append(frame)
+    if not whole:
+        raise SnapshotError("no frame can be read whole")
+    return whole
+
+
 def read_vtk(path: Path) -> pyvista.DataSet:
-    """A file of a frame. VTK would warn of one without points, which is no fault."""
+    """A file of a frame. VTK would warn of one without points, which is no fault.
+
+    Raises:
+        DamagedFrame: It cannot be read whole.
+    """
     pyvista = load_pyvista()
-    with pyvista.vtk_verbosity("off"):
-        return pyvista.read(path)
+    with open(path, "rb") as file:
+        head = file.read(500)
+        file.seek(max(0, path.stat().st_size - 1))
+        if not file.read().endswith(b"\n"):
+            raise DamagedFrame(path)
+    try:
+        with (
+            pyvista.vtk_verbosity("off"),
+            pyvista.VtkErrorCatcher(raise_errors=True, send_to_logging=False),
+            warnings.catch_warnings(),
+        ):
+            warnings.simplefilter("ignore")
+            found = pyvista.read(path)
+    except (RuntimeError, ValueError, TypeError):
+        raise DamagedFrame(path) from None
+    # VTK does not complain of a file that ends between two of its parts.
+    if not found.n_points:
+        whole = b"\nPOINTS 0 " in head
+    elif path.name.startswith("mesh_"):  # it may have no columns
+        points = found.n_verts if isinstance(found, pyvista.PolyData) else 0
+        whole = found.n_cells > points
+    else:
+        whole = bool(found.array_names)
+    if not whole:
+        raise DamagedFrame(path)
+    return found
 
 
 def grain_values(frame: Frame, colour: str) -> np.ndarray:
-    """What a colour of `COLOURS` shows of each grain, (N,).
+    """What a colour of `COLOURS` shows of each grain, (N,); a frame without grains has no columns.
 
     Raises:
         SnapshotError: The frame does not have it.
     """
     grains = read_vtk(frame.grains)
+    if not grains.n_points:
+        return np.zeros(0)
     columns = {
         "plastic_work": lambda: grains["f_plastic_work"],
         "speed": lambda: np.linalg.norm(grains["v"], axis=1),
@@ -214,7 +281,9 @@ def contact_forces(frame: Frame) -> np.ndarray:
 def _add_grains(plotter: pyvista.Plotter, frame: Frame, colour: str, bar: dict, span: Span) -> None:
     grains = read_vtk(frame.grains)
     values = grain_values(frame, colour)
-    if not span and not len(values):  # a movie may begin before there are any
+    if not len(values):
+        if span:  # a movie may begin before there are any
+            return
         raise SnapshotError(f"{frame.grains} holds no grains")
     scale = colour_scale(*COLOURS[colour], span or values, colour in FROM_ZERO)
     grains[scale.title] = scale.factor * values
@@ -233,11 +302,13 @@ def _add_grains(plotter: pyvista.Plotter, frame: Frame, colour: str, bar: dict, 
 
 def _add_contacts(plotter: pyvista.Plotter, frame: Frame, bar: dict, span: Span) -> None:
     pyvista, force = load_pyvista(), contact_forces(frame)
-    lines = read_vtk(frame.contacts)
+    lines, grains = read_vtk(frame.contacts), read_vtk(frame.grains)
+    if not span and not grains.n_points:
+        raise SnapshotError(f"{frame.grains} holds no grains")
     # A contact through a periodic side would cross the whole box.
     ends = lines.points.reshape(-1, 2, 3)
     lengths = np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1)
-    radius = float(read_vtk(frame.grains)["radius"].max())
+    radius = float(grains["radius"].max()) if grains.n_points else 0.0
     shown = np.flatnonzero((force > 0) & (lengths < 2 * radius))
     if not len(shown):
         if span:  # a movie may begin before anything touches

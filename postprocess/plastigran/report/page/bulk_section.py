@@ -120,7 +120,7 @@ def _movie(
     if step and len(series) and {"step", "time"} <= set(series):  # a deck may count from later on
         begin = round(series["step"].iloc[0] - series["time"].iloc[0] / step)
     try:
-        return pack_movie(chart_name(name, "movie"), folder, step, begin), []
+        return pack_movie(chart_name(name, "movie"), folder, step, begin)
     except (SnapshotError, OSError, ValueError, KeyError) as error:
         return None, [f"The frames cannot be shown: {error}."]
 

@@ -12,12 +12,14 @@ import attrs
 import matplotlib
 import numpy as np
 
-from plastigran.plot.frames import GrainFrame, read_frame
+from plastigran.plot.frames import GrainFrame, read_frames
 from plastigran.plot.snapshot import Frame, SnapshotError, find_frames
 from plastigran.report.page.names import scale
 
 #: Grains in all frames of a run together, at most: 14 bytes each before they are packed.
 MOST = 90_000
+#: Damaged files that a sentence names at most.
+MOST_NAMED = 5
 #: Share of the values that the scale of colours spans: a few grains may be far beyond.
 SPANNED = 99.5
 _DEEPEST = 65535  # of 16 bits
@@ -50,8 +52,10 @@ class Movie:
     caption: str
 
 
-def pack_movie(name: str, folder: Path, timestep: float | None, begin: int = 0) -> Movie | None:
-    """The frames of a run; None where it has none.
+def pack_movie(
+    name: str, folder: Path, timestep: float | None, begin: int = 0
+) -> tuple[Movie | None, list[str]]:
+    """The frames of a run, None where it has none; and a sentence on those that are damaged.
 
     Args:
         name: Of the element of the page.
@@ -60,23 +64,29 @@ def pack_movie(name: str, folder: Path, timestep: float | None, begin: int = 0) 
         begin: The step from which the run's charts count time.
 
     Raises:
-        SnapshotError: A frame is damaged, or pyvista is not installed.
+        SnapshotError: A frame lacks a column, no frame holds grains, or pyvista is not installed.
     """
     try:
         found = find_frames(folder)
     except SnapshotError:
-        return None
-    kept, thin = _fitting(found)
-    whole = [read_frame(frame) for frame in kept]
+        return None, []
+    found, grains, damaged = _without_damaged_ends(found)
+    kept, thin = _fitting(found, grains)
+    whole, others = read_frames(kept)
+    missing = _left_out(damaged + others)
+    if not whole:
+        return None, missing
+    if not any(len(frame.radii) for frame in whole):
+        raise SnapshotError("no frame holds grains")
     frames = [_thinned(frame, thin) for frame in whole]
     left = []
     if len(kept) < len(found):
-        left.append(f"{len(kept)} of {len(found)} frames")
+        left.append(f"{len(whole)} of {len(found)} frames")
     if thin > 1:
         left.append(f"every {thin}th grain")
     said = f" The page holds {' and '.join(left)}." if left else ""
     colours = {key: words for key, (words, _) in COLOURED.items() if _has(frames, key)}
-    return Movie(
+    movie = Movie(
         name,
         _pack(frames, list(colours), timestep, begin),
         len(frames),
@@ -85,18 +95,48 @@ def pack_movie(name: str, folder: Path, timestep: float | None, begin: int = 0) 
         f"{len(whole[-1].radii)} grains in the last frame, to scale. Drag to turn, pinch "
         f"or scroll with Ctrl to come nearer, point at a grain for its values.{said}",
     )
+    return movie, missing
+
+
+def _without_damaged_ends(found: list[Frame]) -> tuple[list[Frame], int, list[Path]]:
+    """Frames from the first to the last that can be read whole, the most grains that either of
+    them holds, and files of the others."""
+    most, damaged = 0, []
+    for end in (-1, 0):
+        while found:
+            whole, unread = read_frames([found[end]])
+            if whole:
+                most = max(most, len(whole[0].radii))
+                break
+            damaged += unread
+            del found[end]
+    return found, most, damaged
+
+
+def _left_out(damaged: list[Path]) -> list[str]:
+    if not damaged:
+        return []
+    names = sorted({path.name for path in damaged}, key=lambda name: (len(name), name))
+    more = len(names) - MOST_NAMED
+    said = ", ".join(names[:MOST_NAMED]) + (f" and {more} more" if more > 0 else "")
+    frames = "A frame is" if len(names) == 1 else f"{len(names)} frames are"
+    return [f"{frames} left out of the view of grains: {said} cannot be read whole."]
 
 
 def _has(frames: list[GrainFrame], name: str) -> bool:
     return all(getattr(frame, name) is not None for frame in frames)
 
 
-def _fitting(found: list[Frame]) -> tuple[list[Frame], int]:
+def _fitting(found: list[Frame], grains: int) -> tuple[list[Frame], int]:
     """Frames as far as they fit into `MOST` grains, the first and last among them; one grain in
-    how many, where a single frame is more than that."""
-    grains = read_frame(found[-1]).radii.size, read_frame(found[0]).radii.size
-    many = max(1, MOST // max(*grains, 1))
-    thin = max(1, -(-max(grains) // MOST))
+    how many, where a single frame is more than that.
+
+    Args:
+        found: Of a run.
+        grains: The most that the first or the last holds.
+    """
+    many = max(1, MOST // max(grains, 1))
+    thin = max(1, -(-grains // MOST))
     if many >= len(found):
         return found, thin
     chosen = np.unique(np.linspace(0, len(found) - 1, many).round().astype(int))
