@@ -13,12 +13,14 @@ from pathlib import Path
 import numpy as np
 import pandas as pd
 import pytest
+from PIL import Image
 
 from plastigran.calibration.expected_errors import errors_table, expected_error
 from plastigran.cli import main
 from plastigran.experiments.central import CentralImpact
 from plastigran.experiments.runs import claim
 from plastigran.materials import read_material, write_material
+from plastigran.plot.style import save, subplots
 from plastigran.report.page.bulk_charts import series_chart
 from plastigran.report.page.collect import collect
 from plastigran.report.page.names import QUANTITIES
@@ -320,6 +322,26 @@ def test_tables_and_materials_are_shown(tmp_path):
     assert ["youngs modulus", "2.1 × 10¹¹", "Pa"] in material.rows
     assert (own.head, own.rows, own.laws) == (["law", "rms"], [["universal", "0.5"]], ["universal"])
     assert "empty.csv cannot be read" in made.missing[0]
+
+
+@pytest.mark.parametrize("ending", [".png", ".svg", ".gif"])
+@pytest.mark.parametrize("share", [0, 0.5])
+def test_a_damaged_picture_is_left_out_and_told(tmp_path, ending, share):
+    figure, axes = subplots(figsize=(2, 2))
+    axes.plot([0, 1])
+    for name in ("broken", "whole"):
+        save(figure, tmp_path / name, (".svg",) if ending == ".svg" else (".png",))
+        if ending == ".gif":
+            Image.open(tmp_path / f"{name}.png").save(tmp_path / f"{name}.gif")
+            (tmp_path / f"{name}.png").unlink()
+    content = (tmp_path / f"broken{ending}").read_bytes()
+    (tmp_path / f"broken{ending}").write_bytes(content[: int(share * len(content))])
+    made = section(tmp_path)
+    assert [picture.name for picture in made.pictures] == ["whole"]
+    assert made.missing == [
+        f"The figure broken is left out: {tmp_path / f'broken{ending}'} is damaged or cut short."
+    ]
+    assert write_report([tmp_path], tmp_path / "report.html").exists()
 
 
 def test_the_command_writes_a_page_and_spares_other_files(tmp_path, capsys):

@@ -7,9 +7,10 @@ import base64
 import re
 from collections.abc import Collection
 from pathlib import Path
+from xml.etree import ElementTree
 
 import attrs
-from PIL import Image
+from PIL import Image, ImageSequence
 
 #: A picture of lines is carried as such up to this size [bytes], else its dots.
 LARGEST_LINES = 120_000
@@ -18,6 +19,14 @@ LARGEST = 500_000
 #: Width over height from which a picture is wide.
 WIDE = 1.7
 _KINDS = {".svg": "image/svg+xml", ".png": "image/png", ".gif": "image/gif"}
+#: What reading a damaged picture raises.
+_DAMAGE = (
+    OSError,
+    SyntaxError,  # of an SVG, too
+    ValueError,
+    IndexError,
+    Image.DecompressionBombError,
+)
 
 
 @attrs.frozen
@@ -54,19 +63,29 @@ def read_pictures(folder: Path, besides: Collection[str] = ()) -> tuple[list[Pic
         if chosen is None:
             left.append(f"The figure {stem} is too large for this page; it is in {folder}.")
             continue
+        try:
+            wide = _is_wide(chosen)
+        except _DAMAGE:
+            left.append(f"The figure {stem} is left out: {chosen} is damaged or cut short.")
+            continue
         content = base64.b64encode(chosen.read_bytes()).decode()
         source = f"data:{_KINDS[chosen.suffix]};base64,{content}"
         name, light = stem.replace("_", " "), chosen.stem != "grains"
-        found.append(Picture(name, source, light, _is_wide(chosen)))
+        found.append(Picture(name, source, light, wide))
     return found, left
 
 
 def _is_wide(file: Path) -> bool:
+    """Whether a picture takes the page's width. It is read whole: errors are of `_DAMAGE`."""
     if file.suffix == ".svg":
-        head = file.read_text(encoding="utf-8", errors="replace")[:4000]
+        content = file.read_bytes()
+        ElementTree.fromstring(content)
+        head = content[:4000].decode(errors="replace")
         sides = re.search(r"viewBox=\"\S+ \S+ (\S+) (\S+)\"", head)
         return bool(sides) and float(sides[1]) > WIDE * float(sides[2])
     with Image.open(file) as image:
+        for frame in ImageSequence.Iterator(image):
+            frame.load()
         return image.width > WIDE * image.height
 
 
