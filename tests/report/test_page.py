@@ -128,6 +128,29 @@ def test_a_damaged_record_is_told(copied, text):
     assert "run.json" in made.missing[0]
 
 
+@pytest.mark.parametrize(
+    "edit",
+    [
+        {"versions": None},
+        {"versions": {"plugin": 3}},
+        {"derived": None},
+        {"derived": [1]},
+        {"settings": {"law": None}},
+        {"restart": 3},
+    ],
+)
+def test_an_edited_record_is_told(copied, edit, capsys):
+    """By a report, and by a run that would go on from it."""
+    record = json.loads((copied / "run.json").read_text())
+    (copied / "run.json").write_text(json.dumps(record | edit))
+    made = section(copied)
+    assert made.verdict == "record damaged"
+    assert f"run.json is damaged: its {next(iter(edit))}" in made.missing[0]
+    line = ["bulk", "hopper", "--restart", str(copied), "--output", str(copied.parent / "more")]
+    assert main([*line, "--dry-run"]) == 1
+    assert "run.json is damaged" in capsys.readouterr().err
+
+
 def test_damaged_frames_are_told(copied):
     frame = next((copied / "frames").glob("grains_[0-9]*.vtk"))
     frame.write_text(frame.read_text().replace("f_plastic_work", "other").replace("radius", "r"))
@@ -225,6 +248,46 @@ def test_a_line_cut_short_is_left_out_and_told(copied_sweep, cut):
     made = section(copied_sweep)
     assert made.verdict == "3 of 9 impacts"
     assert made.missing[0] == "The last line of impacts.csv is cut short and left out."
+
+
+@pytest.mark.parametrize(
+    ("column", "cell"),
+    [("law", ""), ("options", ""), ("speed", "abc"), ("force_max", "nan"), ("radius", '1","2')],
+)
+def test_a_damaged_line_is_left_out_and_told(copied_sweep, column, cell):
+    file = copied_sweep / "impacts.csv"
+    head, *lines = file.read_text().splitlines()
+    cells = lines[3].split(",")
+    cells[head.split(",").index(column)] = cell
+    lines[3] = ",".join(cells)
+    file.write_text("\n".join([head, *lines]) + "\n")
+    made = section(copied_sweep)
+    assert made.verdict == "8 of 9 impacts"
+    assert made.missing[0] == "Line 5 of impacts.csv is damaged and left out."
+    assert len(made.charts) == 4
+
+
+@pytest.mark.parametrize("damage", ["a column is missing", "a speed is zero", "no text"])
+def test_a_damaged_table_is_left_out_and_told(copied_sweep, damage):
+    file = copied_sweep / "impacts.csv"
+    if damage == "no text":
+        file.write_bytes(file.read_bytes()[:600] + b"\xff\xfe")
+    else:
+        table = pd.read_csv(file)
+        changed = table.drop(columns="speed") if "column" in damage else table.assign(speed=-1)
+        changed.to_csv(file, index=False)
+    made = section(copied_sweep)
+    assert any("impacts.csv is damaged and left out" in said for said in made.missing)
+    assert (made.state, made.facts["command"]) == ("unfinished", "plastigran impact")
+
+
+@pytest.mark.parametrize("edit", [{"versions": None}, {"words": 3}, {"versions": {"plugin": 3}}])
+def test_an_edited_study_is_told(copied_sweep, edit):
+    study = json.loads((copied_sweep / "study.json").read_text())
+    (copied_sweep / "study.json").write_text(json.dumps(study | edit))
+    made = section(copied_sweep)
+    assert made.missing == ["study.json is damaged: it is no record of a sweep."]
+    assert len(made.charts) == 4
 
 
 def test_a_damaged_trajectory_is_told(copied_sweep):

@@ -64,6 +64,13 @@ def read_record(folder: str | Path) -> dict:
         isinstance(record.get(name), kind) for name, kind in kinds.items()
     ):
         raise EngineError(f"{path} is not the record of a run: it names no deck and settings")
+    contents = {"values": str, "settings": str, "versions": str, "derived": int | float}
+    for name, kind in contents.items():
+        found = record.get(name, {})
+        if not isinstance(found, dict) or not all(isinstance(v, kind) for v in found.values()):
+            raise EngineError(f"{path} is damaged: its {name} are not those of a run")
+    if not isinstance(record.get("restart"), str | None):
+        raise EngineError(f"{path} is damaged: its restart is no folder")
     return record
 
 

@@ -3,9 +3,11 @@
 
 from __future__ import annotations
 
+import csv
 import json
 from collections.abc import Iterable, Mapping
 from io import StringIO
+from math import isnan
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -19,6 +21,8 @@ if TYPE_CHECKING:
 TABLE = "impacts.csv"
 #: What ran, in a sweep's folder: command, settings, versions.
 STUDY = "study.json"
+#: Columns of a table that are words, in every row that is whole.
+WORDS = ("geometry", "material", "law", "wall", "options")
 
 
 def add_row(path: Path, row: Mapping[str, object]) -> None:
@@ -33,18 +37,53 @@ def add_row(path: Path, row: Mapping[str, object]) -> None:
     draft.replace(path)
 
 
-def read_table(path: Path) -> tuple[pd.DataFrame, bool]:
-    """The rows of a table, and whether its last line is whole; one that is not is left out.
+def read_table(path: Path) -> tuple[pd.DataFrame, list[str]]:
+    """The whole rows of a table, and sentences on those left out.
 
     What the record beside it calls words is read as such: a steel may be named 304.
 
     Raises:
         OSError, ValueError: There is no table, or it is none.
     """
-    whole, end, rest = path.read_text(encoding="utf-8").rpartition("\n")
-    words = dict.fromkeys(read_study(path.parent).get("words", ()), str)
-    table = pd.read_csv(StringIO(whole + end), dtype=words, keep_default_na=False, na_values=[""])
-    return table, not rest
+    whole, _, rest = path.read_text(encoding="utf-8").rpartition("\n")
+    head, *lines = whole.splitlines() or [""]
+    rows = [_cells(line) for line in lines]
+    odd = _odd_rows(_cells(head), rows, read_study(path.parent).get("words", []))
+    left = [f"Line {k + 2} of {path.name} is damaged and left out." for k in odd]
+    if rest:
+        left.append(f"The last line of {path.name} is cut short and left out.")
+    kept = "\n".join([head, *(line for k, line in enumerate(lines) if k not in odd)])
+    words = dict.fromkeys((*WORDS, *read_study(path.parent).get("words", [])), str)
+    table = pd.read_csv(StringIO(kept), dtype=words, keep_default_na=False, na_values=[""])
+    return table, left
+
+
+def _cells(line: str) -> list[str]:
+    try:
+        return next(csv.reader([line]), [])
+    except csv.Error:
+        return []
+
+
+def _odd_rows(head: list[str], rows: list[list[str]], words: list[str]) -> list[int]:
+    """Rows that are not those of a sweep: of another length, or with text for a number."""
+    odd = {k for k, row in enumerate(rows) if len(row) != len(head)}
+    for place, name in enumerate(head):
+        cells = {k: row[place] for k, row in enumerate(rows) if k not in odd}
+        if name in WORDS:
+            odd |= {k for k, cell in cells.items() if not cell}
+        elif name not in words:
+            texts = {k for k, cell in cells.items() if cell and not _is_number(cell)}
+            if 2 * len(texts) < len(cells):  # else a column of texts
+                odd |= texts
+    return sorted(odd)
+
+
+def _is_number(cell: str) -> bool:
+    try:
+        return not isnan(float(cell))
+    except ValueError:
+        return False
 
 
 def read_study(folder: Path) -> dict[str, Any]:
@@ -53,7 +92,15 @@ def read_study(folder: Path) -> dict[str, Any]:
         said = json.loads((folder / STUDY).read_text(encoding="utf-8"))
     except (OSError, ValueError):
         return {}
-    return said if isinstance(said, dict) else {}
+    if not isinstance(said, dict):
+        return {}
+    words, versions = said.get("words", []), said.get("versions", {})
+    texts = [said.get("command", "")]
+    for found, kind in ((words, list), (versions, dict)):
+        if not isinstance(found, kind):
+            return {}
+    texts += [*words, *versions.values()]
+    return said if all(isinstance(text, str) for text in texts) else {}
 
 
 def write_study(

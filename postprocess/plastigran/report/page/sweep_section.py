@@ -39,11 +39,23 @@ def make(results: Results, name: str) -> Section:
         results: Its folder.
         name: Of the element of the page.
     """
-    folder = results.folder
+    study, missing = _read_study(results.folder)
+    table, left = _read_table(results.folder / TABLE)
+    try:
+        return _section(results, name, study, table, missing + left)
+    except (ArithmeticError, AttributeError, LookupError, TypeError, ValueError) as error:
+        if table.empty:
+            raise
+        said = f"{TABLE} is damaged and left out ({type(error).__name__}: {error})."
+        return _section(results, name, study, pd.DataFrame(), [*missing, said])
+
+
+def _section(
+    results: Results, name: str, study: dict, table: pd.DataFrame, missing: list[str]
+) -> Section:
+    """The section of a sweep by its record and table, with sentences on what these lack."""
+    folder, missing = results.folder, list(missing)
     runs = sorted(path for path in folder.glob("runs/*") if path.is_dir())
-    study, missing = _read_study(folder)
-    table, cut = _read_table(folder / TABLE)
-    missing += cut
     if len(table) < len(runs):
         missing.append(
             f"{len(table)} of {len(runs)} impacts have a line in {TABLE}; the others failed, were "
@@ -88,13 +100,13 @@ def make(results: Results, name: str) -> Section:
 
 
 def _read_table(path: Path) -> tuple[pd.DataFrame, list[str]]:
-    """The results table, and a sentence where it is not there or its last line is not whole."""
-    try:
-        table, is_whole = read_table(path)
-    except (OSError, ValueError):
+    """The results table, and sentences where it is not there or not whole."""
+    if not path.is_file() or not path.stat().st_size:
         return pd.DataFrame(), [f"{TABLE} is missing or empty: no impact has finished."]
-    cut = f"The last line of {TABLE} is cut short and left out."
-    return table, [] if is_whole else [cut]
+    try:
+        return read_table(path)
+    except (OSError, ValueError) as error:
+        return pd.DataFrame(), [f"{TABLE} is damaged and left out: {error}."]
 
 
 def _read_study(folder: Path) -> tuple[dict, list[str]]:
