@@ -21,8 +21,6 @@ if TYPE_CHECKING:
 TABLE = "impacts.csv"
 #: What ran, in a sweep's folder: command, settings, versions.
 STUDY = "study.json"
-#: Columns of a table that are words, in every row that is whole.
-WORDS = ("geometry", "material", "law", "wall", "options")
 
 
 def add_row(path: Path, row: Mapping[str, object]) -> None:
@@ -48,13 +46,14 @@ def read_table(path: Path) -> tuple[pd.DataFrame, list[str]]:
     whole, _, rest = path.read_text(encoding="utf-8").rpartition("\n")
     head, *lines = whole.splitlines() or [""]
     rows = [_cells(line) for line in lines]
-    odd = _odd_rows(_cells(head), rows, read_study(path.parent).get("words", []))
+    words = read_study(path.parent).get("words", [])
+    odd = _odd_rows(_cells(head), rows, words)
     left = [f"Line {k + 2} of {path.name} is damaged and left out." for k in odd]
     if rest:
         left.append(f"The last line of {path.name} is cut short and left out.")
     kept = "\n".join([head, *(line for k, line in enumerate(lines) if k not in odd)])
-    words = dict.fromkeys((*WORDS, *read_study(path.parent).get("words", [])), str)
-    table = pd.read_csv(StringIO(kept), dtype=words, keep_default_na=False, na_values=[""])
+    kinds = dict.fromkeys(words, str)
+    table = pd.read_csv(StringIO(kept), dtype=kinds, keep_default_na=False, na_values=[""])
     return table, left
 
 
@@ -66,16 +65,17 @@ def _cells(line: str) -> list[str]:
 
 
 def _odd_rows(head: list[str], rows: list[list[str]], words: list[str]) -> list[int]:
-    """Rows that are not those of a sweep: of another length, or with text for a number."""
+    """Rows that are not those of a sweep: of another length, without one of its words, or with text
+    where most have a number."""
     odd = {k for k, row in enumerate(rows) if len(row) != len(head)}
     for place, name in enumerate(head):
         cells = {k: row[place] for k, row in enumerate(rows) if k not in odd}
-        if name in WORDS:
-            odd |= {k for k, cell in cells.items() if not cell}
-        elif name not in words:
-            texts = {k for k, cell in cells.items() if cell and not _is_number(cell)}
-            if 2 * len(texts) < len(cells):  # else a column of texts
-                odd |= texts
+        filled = {k for k, cell in cells.items() if cell}
+        if name in words:
+            odd |= cells.keys() - filled
+            continue
+        texts = {k for k in filled if not _is_number(cells[k])}
+        odd |= texts if 2 * len(texts) < len(filled) else set()
     return sorted(odd)
 
 
@@ -117,7 +117,7 @@ def write_study(
         "cases": len(cases),
         "by_theory": by_theory,
         "settings": {name: _plain(value) for name, value in settings.items()},
-        "words": sorted({name for row in facts for name in row if isinstance(row[name], str)}),
+        "words": sorted(k for k in facts[0] if all(isinstance(row.get(k), str) for row in facts)),
         "materials": {name: each.variables() for name, each in materials_of(cases).items()},
         "versions": made_with,
     }

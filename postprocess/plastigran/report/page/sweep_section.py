@@ -56,10 +56,11 @@ def _section(
     """The section of a sweep by its record and table, with sentences on what these lack."""
     folder, missing = results.folder, list(missing)
     runs = sorted(path for path in folder.glob("runs/*") if path.is_dir())
-    if len(table) < len(runs):
+    if len(table) < len(runs) and (len(table) or not missing):
+        fate = "run still, or are left out" if missing else "or run still"
         missing.append(
             f"{len(table)} of {len(runs)} impacts have a line in {TABLE}; the others failed, were "
-            "stopped, or run still."
+            f"stopped, {fate}."
         )
     missing += _errors(runs)
     laws = sorted(table["law"].unique()) if "law" in table else []
