@@ -7,7 +7,9 @@ import base64
 import gzip
 import json
 import re
+import resource
 import shutil
+import signal
 from pathlib import Path
 
 import numpy as np
@@ -428,3 +430,24 @@ def test_the_command_writes_a_page_and_spares_other_files(tmp_path, capsys):
     assert "is no folder" in capsys.readouterr().err
     with pytest.raises(ValueError, match=r"must end in \.html"):
         write_report([folder], tmp_path / "page.txt")
+
+
+def test_a_full_disk_leaves_the_earlier_page(tmp_path):
+    """Nothing is left beside it; and a page that is a link stays one."""
+    (tmp_path / "results").mkdir()
+    page = write_report([tmp_path / "results"], tmp_path / "report.html")
+    before = page.read_text()
+    signal_before = signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+    limits = resource.getrlimit(resource.RLIMIT_FSIZE)
+    resource.setrlimit(resource.RLIMIT_FSIZE, (4096, limits[1]))
+    try:
+        with pytest.raises(OSError, match="File too large"):
+            write_report([tmp_path / "results"], page, "Another")
+    finally:
+        resource.setrlimit(resource.RLIMIT_FSIZE, limits)
+        signal.signal(signal.SIGXFSZ, signal_before)
+    assert page.read_text() == before
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["report.html", "results"]
+    (tmp_path / "link.html").symlink_to(page)
+    write_report([tmp_path / "results"], tmp_path / "link.html", "Another")
+    assert (tmp_path / "link.html").is_symlink() and "Another" in page.read_text()

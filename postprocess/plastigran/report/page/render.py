@@ -6,12 +6,14 @@ from __future__ import annotations
 import base64
 import gzip
 import json
+import os
 from collections.abc import Callable, Iterable
 from datetime import datetime
 from functools import cache
 from importlib.metadata import version
 from importlib.resources import files
 from pathlib import Path
+from shutil import copymode
 
 import plotly.offline
 from jinja2 import Environment, PackageLoader, StrictUndefined
@@ -44,7 +46,7 @@ def write_report(
 
     Args:
         folders: Of runs, or folders that hold such.
-        path: The page to write; an earlier report there is overwritten.
+        path: The page to write; an earlier report there is replaced once it is whole.
         title: Headline; by default the folders' names.
         force: Overwrite a file that is no report.
 
@@ -60,8 +62,24 @@ def write_report(
     sections = [make_section(each, f"run-{k}") for k, each in enumerate(found)]
     names = ", ".join(dict.fromkeys(folder.resolve().name for folder in folders))
     path.parent.mkdir(parents=True, exist_ok=True)
-    path.write_text(render(sections, title or f"Results: {names}"), encoding="utf-8")
+    _replace(path, render(sections, title or f"Results: {names}"))
     return path
+
+
+def _replace(path: Path, text: str) -> None:
+    """Write a file whole or not at all: beside its place, from where it is moved there."""
+    path = path.resolve()  # a link stays one
+    draft = path.with_name(f".{path.name}.{os.getpid()}.new")
+    try:
+        with open(draft, "w", encoding="utf-8") as file:
+            file.write(text)
+            file.flush()
+            os.fsync(file.fileno())
+        if path.exists():
+            copymode(path, draft)
+        draft.replace(path)
+    finally:
+        draft.unlink(missing_ok=True)
 
 
 def check_page(path: Path, force: bool = False) -> None:
