@@ -131,6 +131,18 @@ def test_the_ledger_is_checked_over_every_run(tmp_path):
     assert not run.passed
 
 
+def test_the_ledger_is_checked_for_each_simulation_of_a_deck(tmp_path):
+    """`clear` begins another, with nothing lost and a time step of its own."""
+    ledger = " ".join(LEDGER)
+    first = "timestep 1e-6\n" + table(ledger, "0 1 0 0 0 0 0", "10 0.5 0 0.5 0 0 0")
+    second = table(ledger, "10 4 0 0 0 0 0", "20 3 0 1 0 0 0.04")
+    run = pg.open(own_run(tmp_path / "run", f"{first}clear\ntimestep 2e-6\n{second}"))
+    assert run.checks["value"].tolist() == pytest.approx([0.01, 0])
+    assert run.series["simulation"].tolist() == [0, 0, 1, 1]
+    assert_allclose(run.series["time"], np.array([0, 10, 10, 30]) * 1e-6)
+    assert "time" not in pg.open(own_run(tmp_path / "unsaid", f"{first}clear\n{second}")).series
+
+
 def test_what_only_the_later_line_of_a_step_has_is_kept(tmp_path):
     """Between two runs a deck may ask for other columns."""
     log = table("Atoms", "0 5") + table("Atoms KinEng", "0 6 2", "10 6 3")

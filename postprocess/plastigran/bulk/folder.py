@@ -21,7 +21,7 @@ import pandas as pd
 
 from plastigran.engine.checkpoints import OF_A_SIGNAL, checkpoints, is_numbered, newest_checkpoint
 from plastigran.engine.dumps import DumpError, TruncatedFileWarning
-from plastigran.engine.log import LOG, read_thermo, said_timesteps
+from plastigran.engine.log import LOG, read_commands, read_thermo
 from plastigran.engine.process import EngineError, engines
 
 RECORD = "run.json"
@@ -116,7 +116,8 @@ def read_series(folder: str | Path) -> pd.DataFrame:
     Returns:
         One row a line: `step`, `time` [s] from step 0, then the deck's columns in SI units. Of a
         deck without a class every run is there, by number in `run`, and `time` where the log has
-        it or `timestep` commands of the deck give it, on from run to run.
+        it or `timestep` commands of the deck give it, on from run to run. Where the deck has a
+        `clear` command, `simulation` counts what it has begun anew.
 
     Raises:
         DumpError: There is no log, or it shows nothing yet.
@@ -144,7 +145,8 @@ def _once_a_step(series: pd.DataFrame) -> pd.DataFrame:
     It is the earlier one: while setting up, meshes know no forces. What it lacks, because a deck
     has asked for other columns since, is the later one's. Steps may be counted anew.
     """
-    steps = (series["step"] != series["step"].shift()).cumsum()
+    told_by = series[["step", "simulation"] if "simulation" in series else ["step"]]
+    steps = (told_by != told_by.shift()).any(axis="columns").cumsum()
     return series.groupby(steps).first().reset_index(drop=True)
 
 
@@ -183,7 +185,10 @@ def _joined_times(before: pd.DataFrame, after: pd.DataFrame) -> list[pd.DataFram
 
 def _read_own_log(folder: Path) -> pd.DataFrame:
     series = _read_thermo(folder)
-    time = _summed_time(series, said_timesteps(folder / LOG))
+    commands = read_commands(folder / LOG)
+    if commands[-1].simulation:
+        series["simulation"] = [commands[run].simulation for run in series["run"]]
+    time = _summed_time(series, [run.timestep for run in commands])
     if time.notna().all():
         series["time"] = time
     else:

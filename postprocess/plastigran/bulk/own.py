@@ -12,7 +12,7 @@ from pathlib import Path
 import pandas as pd
 
 from plastigran import laws
-from plastigran.bulk.checks import DISSIPATED, LEDGER, TAKEN, energy_input, ledger_checks
+from plastigran.bulk.checks import DISSIPATED, LEDGER, TAKEN, Check, energy_input, ledger_checks
 from plastigran.bulk.deck import Analysis
 from plastigran.bulk.folder import restart_point
 from plastigran.engine.checkpoints import PATTERN, checkpoints
@@ -117,4 +117,13 @@ def analyse_own(series: pd.DataFrame) -> Analysis:
         notes.append(
             "no line of the log has energy in contacts, or taken by them: did grains meet?"
         )
-    return Analysis(series, ledger_checks(series), figures, notes=notes)
+    return Analysis(series, _worst_checks(series), figures, notes=notes)
+
+
+def _worst_checks(series: pd.DataFrame) -> list[Check]:
+    """Checks of the energy ledger, which `clear` begins anew: each where it is worst."""
+    ledgers = [series]
+    if "simulation" in series:
+        ledgers = [ledger for _, ledger in series.groupby("simulation") if energy_input(ledger) > 0]
+    found = zip(*map(ledger_checks, ledgers), strict=True)
+    return [min(checks, key=lambda check: (check.passed, -check.value)) for checks in found]

@@ -160,21 +160,33 @@ def read_thermo(path: str | Path) -> pd.DataFrame:
     return table.astype({"step": np.int64})
 
 
-def said_timesteps(path: str | Path) -> list[float]:
-    """What a log's `timestep` commands say of each of its runs [s], in the order of `read_thermo`.
+@dataclass(frozen=True)
+class RunCommands:
+    """What the commands before a run say of it.
 
-    It is nan where no command says a number, and where the engine may change the time step itself.
+    Attributes:
+        timestep: [s]; nan where none says a number, or the engine may change it itself.
+        simulation: How many `clear` commands came before.
     """
-    said, changes, found = nan, False, []
+
+    timestep: float
+    simulation: int
+
+
+def read_commands(path: str | Path) -> list[RunCommands]:
+    """What a log's commands say of each of its runs, in the order of `read_thermo`."""
+    timestep, changes, simulation, found = nan, False, 0, []
     with open(path, encoding="utf-8", errors="replace") as file:
         for line in file:
             words = line.split("#")[0].split()
             if words[:1] == ["Step"]:
-                found.append(nan if changes else said)
+                found.append(RunCommands(nan if changes else timestep, simulation))
             elif words[:1] == ["timestep"]:
-                said = _number(words[1:])  # a variable's value is in the line after it
+                timestep = _number(words[1:])  # a variable's value is in the line after it
             elif words[:1] == ["fix"] and words[3:4] == ["dt/reset"]:
                 changes = True
+            elif words == ["clear"]:
+                timestep, changes, simulation = nan, False, simulation + 1
     return found
 
 

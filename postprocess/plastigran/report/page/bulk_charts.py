@@ -79,7 +79,7 @@ def series_chart(name: str, series: pd.DataFrame) -> Chart | None:
     views = {}
     for column in series:
         values = pd.to_numeric(series[column], errors="coerce")
-        if column in ("step", "time", "run") or column.endswith(PREDICTED):
+        if column in ("step", "time", "run", "simulation") or column.endswith(PREDICTED):
             continue
         if values.isna().all() or values.nunique() < 2:
             continue
