@@ -17,6 +17,8 @@ import pandas as pd
 import pytest
 from PIL import Image
 
+from plastigran.bulk.run import run_bulk
+from plastigran.bulk.template import write_deck
 from plastigran.calibration.expected_errors import errors_table, expected_error
 from plastigran.cli import main
 from plastigran.experiments.central import CentralImpact
@@ -117,9 +119,45 @@ def test_a_failed_check_is_no_success(copied):
     cells[3] = str(int(cells[3]) - 1)  # of the grains held, one is lost
     log.write_text("".join([*before, " ".join(cells) + "\n", newline]))
     made = section(copied)
-    assert (made.state, made.verdict) == ("failed", f"1 of {len(made.checks)} checks failed")
+    warned = f", {len(made.warnings)} warnings"
+    assert made.verdict == f"1 of {len(made.checks)} checks failed{warned}"
+    assert made.state == "failed"
     failed = [check["name"] for check in made.checks if not check["passed"]]
     assert failed == ["grains neither in the hopper nor counted out"]
+
+
+@pytest.mark.parametrize(("said", "words"), [(["a"], "1 warning"), (["a", "b"], "2 warnings")])
+def test_warnings_are_counted_beside_the_checks(copied, said, words):
+    log = copied / "log.liggghts"
+    text = re.sub(r"^WARNING: .*\n", "", log.read_text(), flags=re.MULTILINE)
+    log.write_text(text)
+    count = len(section(copied).checks)
+    assert section(copied).verdict == f"{count} checks passed"
+    log.write_text(text + "".join(f"WARNING: model thornton: {each}\n" for each in said))
+    made = section(copied)
+    assert (made.state, made.verdict) == ("passed", f"{count} checks passed, {words}")
+    page = write_report([copied], copied.parent / "page.html").read_text()
+    assert page.count(f"{count} checks passed, {words}") == 2  # on the card and in the head
+
+
+def test_a_deck_of_ones_own_says_law_and_time_step(tmp_path):
+    """By its log: this one has no setting `law`, and its time step goes with the radius."""
+    deck = write_deck(tmp_path / "mine", "thornton", "soft_granules")
+    text = re.sub(r"^variable law .*\n", "", deck.read_text(), flags=re.MULTILINE)
+    deck.write_text(text.replace("${law}", "thornton"))
+    settings = {"duration": 0.001, "radius": 0.006, "timestep": 1e-6}
+    settings |= {"frames": 1, "rows": 2, "checkpoints": 1}
+    run_bulk(deck, settings, tmp_path / "run", show=False)
+    made = section(tmp_path / "run")
+    assert made.facts["law"] == "Thornton"
+    assert made.facts["timestep"] == "2 × 10⁻⁶ s"
+    assert made.facts["pair style"] == "gran model thornton tangential history energy_ledger on"
+    head = gzip.decompress(base64.b64decode(made.movie.data)).split(b"\n", 1)[0]
+    assert [frame["said"] for frame in json.loads(head)["frames"]] == ["0 s", "1 ms"]
+    log = tmp_path / "run" / "log.liggghts"
+    log.write_text(re.sub(r"^(pair_style|timestep|units) .*\n", "", log.read_text(), flags=re.M))
+    facts = section(tmp_path / "run").facts
+    assert facts["timestep"] == "2 × 10⁻⁶" and "pair style" not in facts
 
 
 @pytest.mark.parametrize("text", ["{", "[]", '{"deck": 1}'])

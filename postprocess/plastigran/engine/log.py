@@ -32,6 +32,11 @@ _ERROR = re.compile(r"^ERROR(?: on proc \d+)?: .*", re.MULTILINE)
 #: own warnings begin with other words.
 _OURS = r"model |the time step |energy_ledger|pair_style: |fix \S+(?:: | heat/| collision_spectra)"
 _WARNING = re.compile(rf"^WARNING: ((?:{_OURS}).*?)(?: \(\S+:\d+\))?$", re.M)
+#: What the contact models say of themselves before a run.
+_MODEL = re.compile(r"^model (\w+)(?:, wall)?, atom types \d+ and \d+: ", re.M)
+#: The engine echoes a command as it is typed, then with its variables replaced.
+_PAIR_STYLE = re.compile(r"^pair_style\s+([^$\n]+)$", re.M)
+_UNITS = re.compile(r"^units\s+(\w+)\s*$", re.M)
 _NUMBER = re.compile(r"\d[\d.e+-]*")
 
 
@@ -48,6 +53,22 @@ def find_warnings(text: str) -> list[str]:
 def worst(found: list[str]) -> list[str]:
     """Of warnings that differ in their numbers alone, the last: it is the worst."""
     return list({_NUMBER.sub("", warning): warning for warning in found}.values())
+
+
+def find_models(text: str) -> list[str]:
+    """Names of the contact models of this project that a log tells of, each once, in order."""
+    return list(dict.fromkeys(_MODEL.findall(text)))
+
+
+def find_pair_style(text: str) -> str | None:
+    """The words of the last `pair_style` command in a log; None where it echoes none."""
+    found = _PAIR_STYLE.findall(text)
+    return " ".join(found[-1].split()) if found else None
+
+
+def find_units(text: str) -> str | None:
+    """The system of units that a log names; None where it names none."""
+    return next(reversed(_UNITS.findall(text)), None)
 
 
 @dataclass

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from math import isfinite
 from pathlib import Path
 from typing import Any
 
@@ -14,7 +15,17 @@ from plastigran.bulk.outcome import BulkRun, open_run
 from plastigran.bulk.plan import PLACES
 from plastigran.declared import Declaration, declaration
 from plastigran.engine.dumps import DumpError
-from plastigran.engine.log import LOG, LogFollower, find_error, find_warnings, worst
+from plastigran.engine.log import (
+    LOG,
+    LogFollower,
+    find_error,
+    find_models,
+    find_pair_style,
+    find_units,
+    find_warnings,
+    read_commands,
+    worst,
+)
 from plastigran.engine.process import EngineError
 from plastigran.plot.snapshot import SnapshotError
 from plastigran.plot.style import title
@@ -28,6 +39,8 @@ from plastigran.report.page.sections import Section, version_facts
 
 #: Settings that stand in the section's head.
 _HEAD = ("law", "material", "radius", "timestep")
+#: Systems of units whose time is in seconds.
+_SECONDS = ("si", "cgs")
 
 
 def make(results: Results, name: str) -> Section:
@@ -55,10 +68,12 @@ def make(results: Results, name: str) -> Section:
         missing.append(f"The engine stopped: {error.strip()}")
     if run is None or not run.finished:
         missing.append(_progress(folder, log))
-    state, verdict = _verdict(run)
+    warnings = worst(find_warnings(log))
+    state, verdict = _verdict(run, len(warnings))
+    timestep = _timestep(record, folder / LOG)
     series = run.series if run else pd.DataFrame()
     charts = [ledger_chart(name, series), series_chart(name, series)] if run else []
-    movie, said = _movie(folder, name, record, series)
+    movie, said = _movie(folder, name, timestep, series)
     besides = {"ledger"} | ({"grains"} if movie else set())
     pictures, left = read_pictures(folder / "figures", besides)
     settings = record["settings"]
@@ -70,8 +85,8 @@ def make(results: Results, name: str) -> Section:
         state=state,
         verdict=verdict,
         missing=missing + said + left,
-        warnings=worst(find_warnings(log)),
-        facts=_facts(record, run),
+        warnings=warnings,
+        facts=_facts(record, run, _own_facts(log, timestep) if record.get("own") else {}),
         settings=_settings(settings, run.deck if run else None, record["values"]),
         checks=run.checks.to_dict("records") if run else [],
         charts=[chart for chart in charts if chart],
@@ -100,22 +115,34 @@ def _progress(folder: Path, log: str) -> str:
     )
 
 
-def _verdict(run: BulkRun | None) -> tuple[str, str]:
+def _verdict(run: BulkRun | None, warnings: int) -> tuple[str, str]:
+    """The state of a run, and in words: of one that finished with its number of warnings."""
+    warned = f", {warnings} warning{'' if warnings == 1 else 's'}" if warnings else ""
     if run is None or not run.finished:
         return "unfinished", "not finished"
     count = len(run.checks)
     if failed := len(run.analysis.failed):
-        return "failed", f"{failed} of {count} checks failed"
-    return ("passed", f"{count} checks passed") if count else ("done", "finished")
+        return "failed", f"{failed} of {count} checks failed{warned}"
+    if count:
+        return "passed", f"{count} checks passed{warned}"
+    return "done", f"finished{warned}"
+
+
+def _timestep(record: dict[str, Any], log: Path) -> float | None:
+    """The one time step of a run [s]; None where it is not known, or there are several. A deck of
+    the user's own may use a setting of that name for anything: its commands tell."""
+    if record.get("own"):
+        said = {run.timestep for run in read_commands(log)} if log.is_file() else set()
+        return said.pop() if len(said) == 1 and all(map(isfinite, said)) else None
+    try:
+        return float(record["settings"]["timestep"])
+    except (KeyError, ValueError):
+        return None
 
 
 def _movie(
-    folder: Path, name: str, record: dict, series: pd.DataFrame
+    folder: Path, name: str, step: float | None, series: pd.DataFrame
 ) -> tuple[Movie | None, list[str]]:
-    try:
-        step = float(record["settings"]["timestep"])
-    except (KeyError, ValueError):
-        step = None
     begin = 0
     if step and len(series) and {"step", "time"} <= set(series):  # a deck may count from later on
         begin = round(series["step"].iloc[0] - series["time"].iloc[0] / step)
@@ -125,13 +152,28 @@ def _movie(
         return None, [f"The frames cannot be shown: {error}."]
 
 
-def _facts(record: dict[str, Any], run: BulkRun | None) -> dict[str, str]:
+def _own_facts(log: str, timestep: float | None) -> dict[str, str]:
+    """What the log of a deck of the user's own tells of its contacts and its time step."""
+    facts = {}
+    if models := find_models(log):
+        facts["law"] = ", ".join(map(title, models))
+    if timestep is not None:
+        unit = " s" if find_units(log) in _SECONDS else ""
+        facts["timestep"] = number(timestep) + unit
+    if style := find_pair_style(log):
+        facts["pair style"] = style
+    return facts
+
+
+def _facts(record: dict[str, Any], run: BulkRun | None, own: dict[str, str]) -> dict[str, str]:
+    """What ran; `own` are facts that stand for settings of those names."""
     settings, versions = record["settings"], record.get("versions", {})
     units = _declared(run.deck if run else None)
     facts = {"deck": record["deck"]}
     for name in _HEAD:
         if name in settings:
             facts[name.replace("_", " ")] = _with_unit(name, settings[name], units)
+    facts |= own
     facts["ranks"] = str(record.get("ranks", "unknown"))
     if run is not None and "atoms" in run.series and len(run.series):
         grains = run.series["atoms"]  # a deck may insert them, and others may leave
