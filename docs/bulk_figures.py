@@ -14,7 +14,8 @@ from plastigran.bulk.decks.hopper import orifices
 from plastigran.bulk.decks.hopper.figure import orifices_figure
 from plastigran.bulk.outcome import BulkRun
 from plastigran.bulk.run import run_bulk
-from plastigran.plot.snapshot import draw, find_frames
+from plastigran.plot.frame_files import find_frames
+from plastigran.plot.snapshot import draw
 from plastigran.plot.style import save, title
 
 #: Yield strengths of the compacted grains [Pa].

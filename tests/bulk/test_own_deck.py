@@ -22,7 +22,7 @@ from plastigran.bulk.vtk import time_of
 from plastigran.cli import main
 from plastigran.engine.log import read_thermo
 from plastigran.engine.process import EngineError
-from plastigran.plot.snapshot import find_frames
+from plastigran.plot.frame_files import find_frames
 
 PROJECT = Path(__file__).parents[2]
 #: A sphere falls on a plane and a mesh beside the deck; no variable, no dt, long names in the log.

@@ -157,7 +157,7 @@ def test_a_deck_of_ones_own_says_law_and_time_step(tmp_path):
     log = tmp_path / "run" / "log.liggghts"
     log.write_text(re.sub(r"^(pair_style|timestep|units) .*\n", "", log.read_text(), flags=re.M))
     facts = section(tmp_path / "run").facts
-    assert facts["timestep"] == "2 × 10⁻⁶" and "pair style" not in facts
+    assert not {"timestep", "pair style"} & set(facts)
 
 
 @pytest.mark.parametrize("text", ["{", "[]", '{"deck": 1}'])

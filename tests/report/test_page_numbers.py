@@ -12,8 +12,8 @@ import numpy as np
 import pytest
 import pyvista
 
+from plastigran.plot.frame_files import find_frames
 from plastigran.plot.frames import read_frame
-from plastigran.plot.snapshot import find_frames
 from plastigran.report.page.colours import LEAST, luminance, on_dark
 from plastigran.report.page.movie import pack_movie
 from plastigran.report.page.names import number, scale

@@ -15,14 +15,9 @@ from test_vtk import read_run
 
 from plastigran.bulk.vtk import write_vtk
 from plastigran.cli import main
+from plastigran.plot.frame_files import DamagedFrame, SnapshotError, find_frames, read_vtk
 from plastigran.plot.grain_movie import save_grain_movie
-from plastigran.plot.snapshot import (
-    DamagedFrame,
-    SnapshotError,
-    draw,
-    find_frames,
-    read_vtk,
-)
+from plastigran.plot.snapshot import draw
 
 KINDS = ("grains", "contacts", "mesh")
 

@@ -14,7 +14,8 @@ from matplotlib.image import imread
 from pressed_pairs import press_pairs
 
 from plastigran.cli import main
-from plastigran.plot.snapshot import SnapshotError, draw, find_frames
+from plastigran.plot.frame_files import SnapshotError, find_frames
+from plastigran.plot.snapshot import draw
 
 
 @pytest.fixture(scope="module")

@@ -23,8 +23,9 @@ from plastigran.bulk.vtk import write_vtk
 from plastigran.cli import main
 from plastigran.engine.dumps import DumpError
 from plastigran.materials import read_material
+from plastigran.plot.frame_files import find_frames
 from plastigran.plot.grain_movie import save_grain_movie
-from plastigran.plot.snapshot import find_frames, grain_values
+from plastigran.plot.snapshot import grain_values
 
 #: Laws whose memory begins with the largest overlap, and the one whose memory is another.
 LAWS = ("thornton", "universal", "vu_quoc_zhang")

@@ -11,7 +11,7 @@ import numpy as np
 from plastigran.bulk.contact_works import plastic_works, read_memories
 from plastigran.bulk.outcome import BulkRun
 from plastigran.engine.dumps import DumpError
-from plastigran.plot.snapshot import Frame, find_frames, whole_frames
+from plastigran.plot.frame_files import Frame, find_frames, whole_frames
 from plastigran.plot.vtk_series import (
     contact_table,
     write_contacts,

@@ -9,7 +9,7 @@ from pathlib import Path
 import attrs
 import numpy as np
 
-from plastigran.plot.snapshot import DamagedFrame, Frame, SnapshotError, read_vtk
+from plastigran.plot.frame_files import DamagedFrame, Frame, SnapshotError, read_vtk
 
 
 @attrs.frozen(eq=False)

@@ -8,16 +8,8 @@ from pathlib import Path
 
 import numpy as np
 
-from plastigran.plot.snapshot import (
-    FROM_ZERO,
-    Frame,
-    SnapshotError,
-    contact_forces,
-    grain_values,
-    read_vtk,
-    render,
-    whole_frames,
-)
+from plastigran.plot.frame_files import Frame, SnapshotError, read_vtk, whole_frames
+from plastigran.plot.snapshot import FROM_ZERO, contact_forces, grain_values, render
 from plastigran.progress import ProgressBar
 
 #: How each kind of file is written, by imageio's names.

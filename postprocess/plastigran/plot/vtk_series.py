@@ -12,7 +12,7 @@ from xml.etree import ElementTree
 
 import numpy as np
 
-from plastigran.plot.snapshot import Frame, SnapshotError, read_vtk
+from plastigran.plot.frame_files import Frame, SnapshotError, read_vtk
 
 #: Names of a frame's columns in the engine's files, and ours. All in SI units.
 GRAINS = {"v": "velocity", "f_plastic_work": "plastic_work"}

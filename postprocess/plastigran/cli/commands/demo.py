@@ -37,7 +37,8 @@ def run(arguments: argparse.Namespace) -> None:
     """The paper's sphere over four decades of speed; one impact through every geometry; a gas that
     cools by such impacts; a hopper of yielding grains; a page on all of them."""
     from plastigran.bulk.run import run_bulk  # matplotlib and plotly are slow to load
-    from plastigran.plot.snapshot import draw, find_frames
+    from plastigran.plot.frame_files import find_frames
+    from plastigran.plot.snapshot import draw
     from plastigran.report.page import write_report
 
     folder = arguments.output

@@ -7,8 +7,9 @@ import argparse
 from pathlib import Path
 
 from plastigran.cli.arguments import positive, refuse_idle
+from plastigran.plot.frame_files import SnapshotError, find_frames
 from plastigran.plot.grain_movie import save_grain_movie
-from plastigran.plot.snapshot import COLOURS, VIEWS, SnapshotError, draw, find_frames
+from plastigran.plot.snapshot import COLOURS, VIEWS, draw
 
 HELP = "a picture of a bulk run's grains or force chains"
 EXAMPLE = """

@@ -27,7 +27,7 @@ from plastigran.engine.log import (
     worst,
 )
 from plastigran.engine.process import EngineError
-from plastigran.plot.snapshot import SnapshotError
+from plastigran.plot.frame_files import SnapshotError
 from plastigran.plot.style import title
 from plastigran.report.page.bulk_charts import ledger_chart, series_chart
 from plastigran.report.page.charts import chart_name
@@ -39,6 +39,8 @@ from plastigran.report.page.sections import Section, version_facts
 
 #: Settings that stand in the section's head.
 _HEAD = ("law", "material", "radius", "timestep")
+#: Of these, what a deck of the user's own may call otherwise: its log tells.
+_TOLD_BY_LOG = ("law", "timestep")
 #: Systems of units whose time is in seconds.
 _SECONDS = ("si", "cgs")
 
@@ -166,12 +168,12 @@ def _own_facts(log: str, timestep: float | None) -> dict[str, str]:
 
 
 def _facts(record: dict[str, Any], run: BulkRun | None, own: dict[str, str]) -> dict[str, str]:
-    """What ran; `own` are facts that stand for settings of those names."""
+    """What ran; `own` is what the log of a deck of the user's own tells."""
     settings, versions = record["settings"], record.get("versions", {})
     units = _declared(run.deck if run else None)
     facts = {"deck": record["deck"]}
     for name in _HEAD:
-        if name in settings:
+        if name in settings and not (record.get("own") and name in _TOLD_BY_LOG):
             facts[name.replace("_", " ")] = _with_unit(name, settings[name], units)
     facts |= own
     facts["ranks"] = str(record.get("ranks", "unknown"))
