@@ -9,6 +9,7 @@ from math import inf
 
 import attrs
 import numpy as np
+from scipy.stats import linregress
 
 from plastigran import laws
 from plastigran.calibration.drop_test import DropTest
@@ -31,6 +32,7 @@ LEAST_RATIO, LARGEST_RATIO = 1e-6, 0.3  # strengths over Young's modulus that ar
 DENTS = "expected errors are those of spheres that flatten; of balls that dent, docs/validation.md"
 DROP_SCATTER = 0.02  # standard deviation of one restitution, where no other is stated
 LEEB_SCATTER = 0.045 / 1.96  # of a reading, conversions' 95 % being 4.5 %
+CHANCE = 0.01  # of a change with the speed that is none
 LEEB_RANGE = Declaration("rebound hardness", "HL", 100, 1000, closed=True)
 STEEL = Declaration("Young's modulus of steel", "Pa", 1.9e11, 2.2e11)
 STEEL_RATE_COEFFICIENT = 0.014  # of 4340, at 1/s: Johnson & Cook, 7th Int. Symp. Ballistics 1983
@@ -204,13 +206,14 @@ def _inverted(contact, speed, measured, metal, scatter, source) -> Strength:
             f"than the {scatter:.1%} stated: does the law hold there, and do the bodies?",
             stacklevel=2,
         )
-    if found.interval[1] == inf:
-        notes.append("the impacts are nearly elastic: the interval has no upper end")
     if at.pair.yield_strength < found.yield_strength:
         notes.append(
             f"the other body yields first, at {at.pair.yield_strength:.4g} Pa: take the strength "
             "as a lower bound"
         )
+    elif found.interval[1] == inf:
+        notes.append("the impacts are nearly elastic: the interval has no upper end")
+    notes += _trend(speed, measured / restitution(found.yield_strength), scatter)
     ratio = speeds / yield_speed_of(at)
     return Strength(
         found.yield_strength,
@@ -220,6 +223,25 @@ def _inverted(contact, speed, measured, metal, scatter, source) -> Strength:
         at,
         tuple(notes),
     )
+
+
+def _trend(speed: np.ndarray, ratio: np.ndarray, scatter: float) -> list[str]:
+    """A note where measured restitutions over the law's change with the speed, by more than one of
+    them scatters: chance would do so once in a hundred times."""
+    logarithm = np.log(speed)
+    if len(speed) < 4 or np.ptp(logarithm) == 0:
+        return []
+    line = linregress(logarithm, np.log(ratio))
+    if not line.pvalue < CHANCE:
+        return []
+    ends = np.array([logarithm.min(), logarithm.max()])
+    slow, fast = np.expm1(line.intercept + line.slope * ends)
+    if abs(fast - slow) < scatter:
+        return []
+    return [
+        f"the restitutions lie {slow:+.1%} off the law at the slowest impacts and {fast:+.1%} at "
+        "the fastest, which chance hardly does: is the law theirs, and the rate coefficient?"
+    ]
 
 
 def given(yield_strength: float) -> Strength:
