@@ -39,6 +39,7 @@ from plastigran.materials import (
     material_field,
 )
 from plastigran.physics import central
+from plastigran.physics.rebound_hardness import dented_flat
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -140,8 +141,9 @@ class CentralImpact(Experiment):
     @property
     def law_is_of_indentation(self) -> bool:
         """Whether the law, with its options, is of a flat that a hard sphere dents."""
-        chosen = law_options(self.law, self.options).get("yielding")
-        return laws.LAWS[self.law].indentation or chosen == "flat"
+        told = dented_flat(self.law).items()
+        chosen = law_options(self.law, self.options).items()
+        return laws.LAWS[self.law].indentation or (bool(told) and told <= chosen)
 
     @property
     def radius_eff(self) -> float:
