@@ -143,6 +143,37 @@ def test_the_ledger_is_checked_for_each_simulation_of_a_deck(tmp_path):
     assert "time" not in pg.open(own_run(tmp_path / "unsaid", f"{first}clear\n{second}")).series
 
 
+def test_a_run_that_goes_on_after_a_clear_keeps_its_ledger(tmp_path):
+    """What goes on belongs to the last simulation, whose energy it has lost; `run 0` before."""
+    ledger = " ".join(LEDGER)
+    first = table(f"Time {ledger}", "0 0 1 0 0 0 0 0", "10 1e-5 0.5 0 0.5 0 0 0")
+    second = table(f"Time {ledger}", "0 0 2 0 0 0 0 0", "20 2e-5 1 0 1 0 0 0")
+    before = pg.open(own_run(tmp_path / "before", f"{first}clear\n{second}")).series
+    assert before["simulation"].tolist() == [0, 0, 1, 1]
+    log = table(f"Time {ledger}", "20 2e-5 1 0 1 0 0 0")
+    log += table(f"Time {ledger}", "20 2e-5 1 0 1 0 0 0", "40 4e-5 0.1 0 1 0 0 0.9")
+    folder = own_run(tmp_path / "run", log)
+    before.to_csv(folder / "before.csv", index=False)
+    run = pg.open(folder)
+    assert run.checks["value"].tolist() == pytest.approx([0.45, 0])
+    assert not run.passed
+    assert run.series["simulation"].tolist() == [0, 0, 1, 1, 1]
+    assert_allclose(np.diff(run.series["time"].iloc[2:]), 2e-5)
+    assert run.notes == [
+        "the ledger begins anew at each `clear`: all are checked, the last is drawn"
+    ]
+
+
+def test_a_run_that_counted_its_steps_anew_is_not_gone_on_with(tmp_path):
+    """Which checkpoint is the newest cannot be told by its number."""
+    deck = write_deck(tmp_path / "falling", "thornton", "soft_granules")
+    folder = own_run(tmp_path / "run", f"{table('Atoms', '0 5')}reset_timestep 0\n")
+    record = json.loads((folder / "run.json").read_text()) | {"deck": "falling"}
+    (folder / "run.json").write_text(json.dumps(record))
+    with pytest.raises(EngineError, match=r"counts its steps anew .* checkpoint=FILE"):
+        run_bulk(deck, {}, tmp_path / "rest", restart=folder, show=False)
+
+
 def test_what_only_the_later_line_of_a_step_has_is_kept(tmp_path):
     """Between two runs a deck may ask for other columns."""
     log = table("Atoms", "0 5") + table("Atoms KinEng", "0 6 2", "10 6 3")

@@ -99,6 +99,7 @@ def test_lowest_factor_bears_the_bed(law):
     pair = pg.Contact(law, soft, soft, radius=RADIUS, radius_other=RADIUS)
     found = pair.law.follow(RADIUS / 2, [SOUND_OVERLAP * RADIUS])["force"][0]
     assert_allclose(found, force, rtol=1e-3)  # of g
+    assert lowest_factor(1e-9, rest) == pytest.approx(factor)  # a slow impact asks for nothing
     # A load that moves the factor by rest comes first, else the impact does.
     assert lowest_factor(SOUND_OVERLAP * 0.9, rest) == pytest.approx(0.9**2.5)
 

@@ -86,7 +86,7 @@ def test_every_warning_is_told_once_at_its_worst(tmp_path):
         "pair_style: contacts go on with other constants: a is now b (../keeper.cpp:7)",
         "fix wall/gran: particle 3 at (0 0 1) has contacts with triangles (../watch.cpp:9)",
         "fix floor: contacts of thornton begin anew (../keeper.cpp:8)",
-        "Fix wall/gran: the engine's own (../wall.cpp:8)",
+        "fix particletemplate/sphere: the engine's own (../particle.cpp:8)",
     ]
     (tmp_path / "log.liggghts").write_text("".join(f"WARNING: {line}\n" for line in said))
     run = BulkRun("hopper", tmp_path, None, Analysis(pd.DataFrame()))

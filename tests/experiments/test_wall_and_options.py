@@ -129,6 +129,21 @@ def test_names_that_no_material_may_have(name):
         Material(name, **read_material("steel").variables())
 
 
+def test_laws_may_be_any_iterable():
+    names = ["universal", "thornton"]
+    cases = CentralImpact.plan(law=iter(names), speed=0.1, material="steel", radius=0.005)
+    assert [case.law for case in cases] == names
+
+
+def test_options_are_not_left_out_before_a_case_is_judged():
+    """Without them the bodies of this impact would overlap too far."""
+    case = {"law": "universal", "speed": 134.0, "material": "steel", "radius": 0.005}
+    (found,) = CentralImpact.plan(**case, options="yielding flat")
+    assert found.options == "yielding flat"
+    with pytest.raises(ValueError, match="would overlap by"):
+        CentralImpact.plan(**case)
+
+
 def test_several_options_are_a_sweep():
     chosen = ["yielding flat", "yielding sphere"]
     runs = CentralImpact.theory(law=["universal", "thornton"], speed=0.1, options=chosen)

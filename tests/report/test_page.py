@@ -330,7 +330,9 @@ def test_an_edited_study_is_told(copied_sweep, edit):
     study = json.loads((copied_sweep / "study.json").read_text())
     (copied_sweep / "study.json").write_text(json.dumps(study | edit))
     made = section(copied_sweep)
-    assert made.missing == ["study.json is damaged: it is no record of a sweep."]
+    (name,) = edit
+    assert made.missing == [f"study.json is damaged: its {name} is left out."]
+    assert made.tables[0].title == "Constants of the materials"
     assert len(made.charts) == 4
 
 

@@ -160,7 +160,7 @@ void MeshContacts::look_for_ring(int particle, int first) const {
   const int last = overlaps_.size();
   for (int a = first; a < last; ++a)
     for (int b = first; overlaps_[a].carries && b < last; ++b)
-      if (overlaps_[a].surface == overlaps_[b].surface &&
+      if (a != b && overlaps_[a].surface == overlaps_[b].surface &&
           cosine_between(overlaps_[a].to_foot, overlaps_[b].to_foot) < opposite)
         return watch_->note(MeshWatch::ring, place(particle, overlaps_[a], overlaps_[b]));
 }

@@ -25,10 +25,10 @@
 //                respond(radius_eff, overlap, state, overlap_rate = 0), a total law at rate zero
 //   yields = false          no yield: the yield strength is not asked for
 //   hardens = true          the tangent modulus matters
-//   indentation = true      it is of a flat that a hard sphere dents; else of a sphere that
-//   flattens overlap_range()         the largest overlap over R* it is good for overlap_breaks()
-//   overlaps over R* at which the virgin force may jump elastic_stiffness(contact_radius)      of
-//   the elastic contact
+//   indentation = true      of a flat that a hard sphere dents; else a sphere flattens
+//   overlap_range()         the largest overlap over R* it is good for
+//   overlap_breaks()        overlaps over R* at which the virgin force may jump
+//   elastic_stiffness(contact_radius)      of the elastic contact
 //
 // SI units throughout.
 #pragma once

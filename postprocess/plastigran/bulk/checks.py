@@ -59,6 +59,17 @@ def energy_input(series: pd.DataFrame) -> float:
     return float(series[TAKEN].sum(axis="columns").max())
 
 
+def last_simulation(series: pd.DataFrame) -> pd.DataFrame:
+    """The rows since a deck's last `clear` command; all where there is none.
+
+    Args:
+        series: Of a run, with `simulation` where it has several.
+    """
+    if "simulation" not in series:
+        return series
+    return series[series["simulation"] == series["simulation"].iloc[-1]]
+
+
 def dissipated(series: pd.DataFrame) -> pd.Series:
     """What contacts have taken so far, by yielding, friction and viscosity [J].
 

@@ -135,8 +135,10 @@ def read_series(folder: str | Path) -> pd.DataFrame:
             raise
     parts = [part for part in parts if len(part)] or parts[-1:]
     if len(parts) == 2 and _is_own(folder):
-        parts = _joined_times(*parts)
-    return _once_a_step(pd.concat(parts, ignore_index=True))
+        parts = _joined_times(*_joined_simulations(*parts))
+    series = _once_a_step(pd.concat(parts, ignore_index=True))
+    only_one = "simulation" in series and not series["simulation"].any()
+    return series.drop(columns="simulation") if only_one else series
 
 
 def _once_a_step(series: pd.DataFrame) -> pd.DataFrame:
@@ -169,6 +171,13 @@ def _read_thermo(folder: Path) -> pd.DataFrame:
         return read_thermo(folder / LOG)
 
 
+def _joined_simulations(before: pd.DataFrame, after: pd.DataFrame) -> list[pd.DataFrame]:
+    """A log and the one that goes on from it, whose first simulation is the other's last."""
+    before = before.assign(simulation=before.get("simulation", 0))
+    begun = before["simulation"].iloc[-1]
+    return [before, after.assign(simulation=after["simulation"] + begun)]
+
+
 def _joined_times(before: pd.DataFrame, after: pd.DataFrame) -> list[pd.DataFrame]:
     """A log and the one that goes on from it, the time too; without it where one has none.
 
@@ -177,17 +186,18 @@ def _joined_times(before: pd.DataFrame, after: pd.DataFrame) -> list[pd.DataFram
     if not ("time" in before and "time" in after):
         return [series.drop(columns="time", errors="ignore") for series in (before, after)]
     begins = before["time"].iloc[-1]
-    if len(after) > 1:  # a checkpoint may lie between two lines of the log before
-        steps, times = after["step"].diff().iloc[1], after["time"].diff().iloc[1]
-        begins += max(after["step"].iloc[0] - before["step"].iloc[-1], 0) * times / steps
+    gap = after["step"].iloc[0] - before["step"].iloc[-1]
+    steps = after.groupby("run")["step"].diff()
+    if gap > 0 and (steps > 0).any():  # a checkpoint may lie between two lines of the log before
+        line = (steps > 0).idxmax()
+        begins += gap * (after["time"].diff() / steps)[line]
     return [before, after.assign(time=after["time"] + (begins - after["time"].iloc[0]))]
 
 
 def _read_own_log(folder: Path) -> pd.DataFrame:
     series = _read_thermo(folder)
     commands = read_commands(folder / LOG)
-    if commands[-1].simulation:
-        series["simulation"] = [commands[run].simulation for run in series["run"]]
+    series["simulation"] = [commands[run].simulation for run in series["run"]]
     time = _summed_time(series, [run.timestep for run in commands])
     if time.notna().all():
         series["time"] = time

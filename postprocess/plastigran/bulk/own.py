@@ -12,11 +12,20 @@ from pathlib import Path
 import pandas as pd
 
 from plastigran import laws
-from plastigran.bulk.checks import DISSIPATED, LEDGER, TAKEN, Check, energy_input, ledger_checks
+from plastigran.bulk.checks import (
+    DISSIPATED,
+    LEDGER,
+    TAKEN,
+    Check,
+    energy_input,
+    last_simulation,
+    ledger_checks,
+)
 from plastigran.bulk.deck import Analysis
 from plastigran.bulk.folder import restart_point
 from plastigran.engine.checkpoints import PATTERN, checkpoints
 from plastigran.engine.deck import MESHES, DeckSource, commands
+from plastigran.engine.log import LOG
 from plastigran.engine.process import EngineError, inputs_folder, misread
 from plastigran.plot.ledger import ledger_figure
 
@@ -28,6 +37,7 @@ NEEDS = (
     f"command that writes ${{output}}/{PATTERN}; `plastigran new-deck` writes a deck with them"
 )
 
+_COUNTS_ANEW = re.compile(r"^reset_timestep\s", re.MULTILINE)
 _MODEL = re.compile(r"\bgran\s+(?:&\s*)?model\s+(\S+)")
 
 
@@ -91,6 +101,12 @@ def own_restart_point(source: DeckSource, earlier: Path, record: dict) -> Path:
             f"{source.path.name} has no setting {missing[0]!r} and cannot go on from a checkpoint; "
             f"{NEEDS}"
         )
+    log = earlier / LOG
+    if log.is_file() and _COUNTS_ANEW.search(log.read_text(errors="replace")):
+        raise EngineError(
+            f"{log} counts its steps anew (reset_timestep): which checkpoint is the newest cannot "
+            "be told; run the deck with -v start=checkpoint checkpoint=FILE"
+        )
     try:
         return restart_point(earlier, record)
     except EngineError as error:
@@ -103,16 +119,17 @@ def analyse_own(series: pd.DataFrame) -> Analysis:
     """The energy ledger of a run, where its log has the entries of inputs/energy_ledger.in."""
     if not {*TAKEN, "drift"} <= set(series):
         return Analysis(series)
-    came_in = energy_input(series)
-    if not came_in > 0:
+    if not energy_input(series) > 0:
         return Analysis(series, notes=["the ledger was not checked: no energy came in"])
-    figures, notes = {}, []
-    if "time" in series:
-        figures["ledger"] = ledger_figure(series, TAKEN, came_in, LEDGER)
-    else:
+    figures, notes, last = {}, [], last_simulation(series)
+    if "time" not in series:
         notes.append(
             "the ledger was not drawn: the log has no time; `time` in thermo_style gives it"
         )
+    elif energy_input(last) > 0:
+        figures["ledger"] = ledger_figure(last, TAKEN, energy_input(last), LEDGER)
+    if len(last) < len(series):
+        notes.append("the ledger begins anew at each `clear`: all are checked, the last is drawn")
     if not series[["elastic", *DISSIPATED]].any(axis=None):
         notes.append(
             "no line of the log has energy in contacts, or taken by them: did grains meet?"

@@ -185,8 +185,8 @@ def _error(
         ratio = tuple(speed / strength.yield_speed_of(contact) for speed in (read[0], read[-1]))
     elif found.contact is not None:
         contact = found.contact
-    if drops is not None and (drops.ball is not None or drops.plate != RIGID):
-        return ExpectedError("a pair that the finite elements do not have:", ratio)
+        if drops is not None and (drops.ball is not None or drops.plate != RIGID):
+            return ExpectedError.of_another_pair(ratio)
     fastest = contact.impact(max(ratio[1], 1.0) * strength.yield_speed_of(contact))
     widest = contact.law.follow(contact.radius_eff, [fastest.overlap_max])["contact_radius"][0]
     return expected_error(contact.law.name, ratio, hardening, widest / contact.radius_eff)

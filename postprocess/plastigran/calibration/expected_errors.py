@@ -29,6 +29,7 @@ class ExpectedError:
         restitution, restitution_largest: Root of the mean square and largest size of the error in
             the coefficient of restitution.
         force, force_largest: The same of the largest force.
+        reason: Why nothing is known, if it is not that the speeds or the law are not in the table.
     """
 
     kind: str
@@ -37,10 +38,16 @@ class ExpectedError:
     restitution_largest: float | None = None
     force: float | None = None
     force_largest: float | None = None
+    reason: str = ""
+
+    @classmethod
+    def of_another_pair(cls, speed_ratio: tuple[float, float]) -> ExpectedError:
+        """Of bodies that the finite elements do not have: theirs are spheres on a rigid plane."""
+        return cls("", speed_ratio, reason="finite elements are of spheres on a rigid plane")
 
     def __str__(self) -> str:
         ends = " to ".join(dict.fromkeys(f"{end:.3g}" for end in self.speed_ratio))
-        regime = f"{self.kind} contacts, {ends} times the yield speed"
+        regime = f"{self.reason or f'{self.kind} contacts'}, {ends} times the yield speed"
         if self.restitution is None:
             return f"not known ({regime})"
         return (

@@ -127,16 +127,17 @@ def lowest_factor(impact: float, rest: Callable[[float], float] | None = None) -
         impact: Overlap of the fastest impact of the grains as they are, over their radius [-].
         rest: Overlap at rest under a load, over the radius [-], by the factor.
     """
-    lowest = min(1.0, (impact / SOUND_OVERLAP) ** (-1 / TIME_POWER))
+    lowest = (impact / SOUND_OVERLAP) ** (-1 / TIME_POWER)
+    lowest = min(1.0, max(lowest, _FACTOR.lower))
 
     def beyond(logarithm: float) -> float:
         return rest(exp(logarithm)) - SOUND_OVERLAP
 
-    if rest is None or (lowest > 0 and rest(lowest) <= SOUND_OVERLAP):
+    if rest is None or rest(lowest) <= SOUND_OVERLAP:
         return lowest
     if rest(1.0) >= SOUND_OVERLAP:
         return 1.0
-    return exp(brentq(beyond, log(max(lowest, _FACTOR.lower)), 0.0))
+    return exp(brentq(beyond, log(lowest), 0.0))
 
 
 def resting_overlap(material: Material, radius: float, depth: float, law: str = "hertz") -> float:

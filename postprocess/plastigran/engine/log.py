@@ -28,9 +28,9 @@ THERMO_COLUMNS = {
 _RUN = re.compile(r"run\s+(\d+)(\s+upto)?\s*$")
 #: How the engine ends; a deck may print or echo the word as well.
 _ERROR = re.compile(r"^ERROR(?: on proc \d+)?: .*", re.MULTILINE)
-#: What the contact models and the launcher warn of, without the place in the source; the engine's
-#: own warnings begin with other words.
-_OURS = r"model |the time step |energy_ledger|pair_style: |fix \S+(?:: | heat/| collision_spectra)"
+#: What the contact models and the launcher warn of, without the place in the source.
+_OF_CONTACTS = r"(?:pair_style|fix \S+): (?:contacts |the restart file |particle \d+ at )"
+_OURS = rf"model |the time step |energy_ledger|{_OF_CONTACTS}|fix \S+ (?:heat/|collision_spectra)"
 _WARNING = re.compile(rf"^WARNING: ((?:{_OURS}).*?)(?: \(\S+:\d+\))?$", re.M)
 #: What the contact models say of themselves before a run.
 _MODEL = re.compile(r"^model (\w+)(?:, wall)?, atom types \d+ and \d+: ", re.M)

@@ -21,6 +21,10 @@ if TYPE_CHECKING:
 TABLE = "impacts.csv"
 #: What ran, in a sweep's folder: command, settings, versions.
 STUDY = "study.json"
+#: Columns of words, where a record does not say which they are.
+WORDS = ("law", "material", "wall", "options", "geometry")
+#: What a record holds in texts, alone or several.
+_TEXTS = {"command": str, "words": list, "versions": dict}
 
 
 def add_row(path: Path, row: Mapping[str, object]) -> None:
@@ -46,7 +50,7 @@ def read_table(path: Path) -> tuple[pd.DataFrame, list[str]]:
     whole, _, rest = path.read_text(encoding="utf-8").rpartition("\n")
     head, *lines = whole.splitlines() or [""]
     rows = [_cells(line) for line in lines]
-    words = read_study(path.parent).get("words", [])
+    words = read_study(path.parent)[0].get("words", WORDS)
     odd = _odd_rows(_cells(head), rows, words)
     left = [f"Line {k + 2} of {path.name} is damaged and left out." for k in odd]
     if rest:
@@ -86,21 +90,27 @@ def _is_number(cell: str) -> bool:
         return False
 
 
-def read_study(folder: Path) -> dict[str, Any]:
-    """What a sweep has recorded of itself; nothing where there is no record, or a damaged one."""
+def read_study(folder: Path) -> tuple[dict[str, Any], list[str]]:
+    """What a sweep has recorded of itself, as far as it can be read, and sentences on the rest."""
     try:
         said = json.loads((folder / STUDY).read_text(encoding="utf-8"))
-    except (OSError, ValueError):
-        return {}
+    except FileNotFoundError:
+        return {}, []
+    except (OSError, ValueError) as error:
+        return {}, [f"{STUDY} is damaged: {error}."]
     if not isinstance(said, dict):
-        return {}
-    words, versions = said.get("words", []), said.get("versions", {})
-    texts = [said.get("command", "")]
-    for found, kind in ((words, list), (versions, dict)):
-        if not isinstance(found, kind):
-            return {}
-    texts += [*words, *versions.values()]
-    return said if all(isinstance(text, str) for text in texts) else {}
+        return {}, [f"{STUDY} is damaged: it is no record of a sweep."]
+    odd = [name for name, kind in _TEXTS.items() if name in said and not _holds(said[name], kind)]
+    whole = {name: value for name, value in said.items() if name not in odd}
+    return whole, [f"{STUDY} is damaged: its {name} is left out." for name in odd]
+
+
+def _holds(value: object, kind: type) -> bool:
+    """Whether a value is a text, or a list or dict of texts."""
+    if not isinstance(value, kind):
+        return False
+    texts = value.values() if isinstance(value, dict) else [value] if kind is str else value
+    return all(isinstance(text, str) for text in texts)
 
 
 def write_study(

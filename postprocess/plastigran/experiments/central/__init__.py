@@ -238,8 +238,9 @@ class CentralImpact(Experiment):
         Raises:
             ValueError: A case cannot be run, or no law has an option; the message says why.
         """
-        names = several(values.get("law"))
-        chosen = filter(None, several(values.get("options")))
+        values = {name: several(value) for name, value in values.items()}
+        names = values.get("law", [])
+        chosen = filter(None, values.get("options", []))
         takers = {options: having_options(names, options) for options in chosen}
         cases = combinations(values)
         for case in cases:

@@ -6,7 +6,7 @@ from __future__ import annotations
 import pandas as pd
 from plotly.subplots import make_subplots
 
-from plastigran.bulk.checks import LEDGER, TAKEN, energy_input
+from plastigran.bulk.checks import LEDGER, TAKEN, energy_input, last_simulation
 from plastigran.report.page.charts import INK, Chart, chart_name, figure, line
 from plastigran.report.page.names import PREDICTED, scale, words
 
@@ -18,6 +18,7 @@ SMALL = 2e-3
 
 def ledger_chart(name: str, series: pd.DataFrame) -> Chart | None:
     """Energies stacked over time, the ledger's drift below; None of a log without a ledger."""
+    series = last_simulation(series)
     if not {*TAKEN, "drift", "time"} <= set(series) or not (came_in := energy_input(series)) > 0:
         return None
     series = thinned(series)

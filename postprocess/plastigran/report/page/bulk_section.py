@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from functools import partial
 from math import isfinite
 from pathlib import Path
 from typing import Any
@@ -13,6 +15,7 @@ from plastigran.bulk.deck import BulkDeck
 from plastigran.bulk.folder import read_record
 from plastigran.bulk.outcome import BulkRun, open_run
 from plastigran.bulk.plan import PLACES
+from plastigran.bulk.vtk import time_of
 from plastigran.declared import Declaration, declaration
 from plastigran.engine.dumps import DumpError
 from plastigran.engine.log import (
@@ -75,7 +78,7 @@ def make(results: Results, name: str) -> Section:
     timestep = _timestep(record, folder / LOG)
     series = run.series if run else pd.DataFrame()
     charts = [ledger_chart(name, series), series_chart(name, series)] if run else []
-    movie, said = _movie(folder, name, timestep, series)
+    movie, said = _movie(folder, name, timestep, run)
     besides = {"ledger"} | ({"grains"} if movie else set())
     pictures, left = read_pictures(folder / "figures", besides)
     settings = record["settings"]
@@ -143,15 +146,28 @@ def _timestep(record: dict[str, Any], log: Path) -> float | None:
 
 
 def _movie(
-    folder: Path, name: str, step: float | None, series: pd.DataFrame
+    folder: Path, name: str, timestep: float | None, run: BulkRun | None
 ) -> tuple[Movie | None, list[str]]:
-    begin = 0
-    if step and len(series) and {"step", "time"} <= set(series):  # a deck may count from later on
-        begin = round(series["step"].iloc[0] - series["time"].iloc[0] / step)
     try:
-        return pack_movie(chart_name(name, "movie"), folder, step, begin)
+        return pack_movie(chart_name(name, "movie"), folder, _clock(timestep, run))
     except (SnapshotError, OSError, ValueError, KeyError) as error:
         return None, [f"The frames cannot be shown: {error}."]
+
+
+def _clock(timestep: float | None, run: BulkRun | None) -> Callable[[int], float] | None:
+    """The time of a step as the run's charts have it [s]; None where it is not known.
+
+    A deck of the package has one time step, and may count time from a later step than its frames; a
+    deck of the user's own may have several, and its series has every run.
+    """
+    series = run.series if run else pd.DataFrame()
+    timed = len(series) > 0 and {"step", "time"} <= set(series)
+    if timed and run.deck is None:
+        return partial(time_of, run)
+    if timestep is None:
+        return None
+    begin = round(series["step"].iloc[0] - series["time"].iloc[0] / timestep) if timed else 0
+    return lambda step: (step - begin) * timestep
 
 
 def _own_facts(log: str, timestep: float | None) -> dict[str, str]:

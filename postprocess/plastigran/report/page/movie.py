@@ -6,6 +6,7 @@ from __future__ import annotations
 import base64
 import gzip
 import json
+from collections.abc import Callable
 from pathlib import Path
 
 import attrs
@@ -53,15 +54,15 @@ class Movie:
 
 
 def pack_movie(
-    name: str, folder: Path, timestep: float | None, begin: int = 0
+    name: str, folder: Path, clock: Callable[[int], float] | None
 ) -> tuple[Movie | None, list[str]]:
     """The frames of a run, None where it has none; and a sentence on those that are damaged.
 
     Args:
         name: Of the element of the page.
         folder: Of the run.
-        timestep: Of the engine [s]; None where it is not known: steps are shown instead.
-        begin: The step from which the run's charts count time.
+        clock: The time of a step as the run's charts have it [s]; None where it is not known: steps
+            are shown instead.
 
     Raises:
         SnapshotError: A frame lacks a column, no frame holds grains, or pyvista is not installed.
@@ -88,7 +89,7 @@ def pack_movie(
     colours = {key: words for key, (words, _) in COLOURED.items() if _has(frames, key)}
     movie = Movie(
         name,
-        _pack(frames, list(colours), timestep, begin),
+        _pack(frames, list(colours), clock),
         len(frames),
         colours,
         any(len(frame.walls) for frame in frames),
@@ -153,7 +154,9 @@ def _thinned(frame: GrainFrame, every: int) -> GrainFrame:
     )
 
 
-def _pack(frames: list[GrainFrame], colours: list[str], timestep: float | None, begin: int) -> str:
+def _pack(
+    frames: list[GrainFrame], colours: list[str], clock: Callable[[int], float] | None
+) -> str:
     corners = np.concatenate(
         [np.concatenate([f.positions, f.walls.reshape(-1, 3)]) for f in frames]
         or [np.zeros((1, 3))]
@@ -173,7 +176,7 @@ def _pack(frames: list[GrainFrame], colours: list[str], timestep: float | None, 
         walls_before = walls
         heads.append(
             {
-                "said": _said(frame.step, timestep, begin),
+                "said": _said(frame.step, clock),
                 "grains": len(frame.radii),
                 "corners": None if same else len(walls),
             }
@@ -211,10 +214,10 @@ def _colour(name: str, frames: list[GrainFrame], top: float) -> dict:
     }
 
 
-def _said(step: int, timestep: float | None, begin: int) -> str:
-    if timestep is None:
+def _said(step: int, clock: Callable[[int], float] | None) -> str:
+    if clock is None:
         return f"step {step}"
-    moment = (step - begin) * timestep
+    moment = clock(step)
     time = scale("time", [moment])
     return f"{moment * time.factor:.3g} {time.unit}".replace("-", "−")
 

@@ -12,7 +12,7 @@ from plastigran.calibration.expected_errors import errors_table
 from plastigran.engine.log import LOG, find_error
 from plastigran.experiments.central.arrangement import WALLS
 from plastigran.experiments.central.remarks import dented
-from plastigran.experiments.record import STUDY, TABLE, read_study, read_table
+from plastigran.experiments.record import TABLE, read_study, read_table
 from plastigran.experiments.tables import HEADS
 from plastigran.materials import NO_WALL, USUAL, Material
 from plastigran.plot.style import title
@@ -28,6 +28,8 @@ from plastigran.report.page.trust import Trust, trust, validation_chart, verific
 
 #: Laws of a sweep that its head names, at most.
 MOST_NAMED = 3
+#: Columns without which a table of impacts says nothing.
+_OF_AN_IMPACT = ("law", "material", "radius", "speed")
 #: Figures of central impacts, each with the chart that replaces it.
 _CHARTED = {"restitution": "measured", "loops": "loops"}
 
@@ -39,22 +41,10 @@ def make(results: Results, name: str) -> Section:
         results: Its folder.
         name: Of the element of the page.
     """
-    study, missing = _read_study(results.folder)
-    table, left = _read_table(results.folder / TABLE)
-    try:
-        return _section(results, name, study, table, missing + left)
-    except (ArithmeticError, AttributeError, LookupError, TypeError, ValueError) as error:
-        if table.empty:
-            raise
-        said = f"{TABLE} is damaged and left out ({type(error).__name__}: {error})."
-        return _section(results, name, study, pd.DataFrame(), [*missing, said])
-
-
-def _section(
-    results: Results, name: str, study: dict, table: pd.DataFrame, missing: list[str]
-) -> Section:
-    """The section of a sweep by its record and table, with sentences on what these lack."""
-    folder, missing = results.folder, list(missing)
+    folder = results.folder
+    study, missing = read_study(folder)
+    table, left = _read_table(folder / TABLE)
+    missing += left
     runs = sorted(path for path in folder.glob("runs/*") if path.is_dir())
     if len(table) < len(runs) and (len(table) or not missing):
         fate = "run still, or are left out" if missing else "or run still"
@@ -105,16 +95,12 @@ def _read_table(path: Path) -> tuple[pd.DataFrame, list[str]]:
     if not path.is_file() or not path.stat().st_size:
         return pd.DataFrame(), [f"{TABLE} is missing or empty: no impact has finished."]
     try:
-        return read_table(path)
+        table, left = read_table(path)
+        if lost := [name for name in _OF_AN_IMPACT if "geometry" in table and name not in table]:
+            raise ValueError(f"it has no column {lost[0]}")
+        return table, left
     except (OSError, ValueError) as error:
         return pd.DataFrame(), [f"{TABLE} is damaged and left out: {error}."]
-
-
-def _read_study(folder: Path) -> tuple[dict, list[str]]:
-    """What the sweep has recorded of itself, and a sentence where that cannot be read."""
-    study = read_study(folder)
-    damaged = (folder / STUDY).is_file() and not study
-    return study, [f"{STUDY} is damaged: it is no record of a sweep."] if damaged else []
 
 
 def _impacts(count: int) -> str:

@@ -126,7 +126,7 @@ def _expected(fastest: CentralImpact, ratios: pd.Series) -> ExpectedError:
     """Nothing is known of laws with options, nor of walls of another metal: the finite elements are
     of spheres on a rigid plane, and of the laws as they are by default."""
     if fastest.options or fastest.wall:
-        return ExpectedError("", (ratios.min(), ratios.max()))
+        return ExpectedError.of_another_pair((ratios.min(), ratios.max()))
     overlap = fastest.predict().overlap_max
     widest = fastest.contact_law().follow(fastest.radius_eff, [overlap])["contact_radius"][0]
     return expected_error(
