@@ -7,13 +7,13 @@ import attrs
 import numpy as np
 import pandas as pd
 
-from plastigran.experiments.collide import collide
 from plastigran.fem.material.elastic_plastic import ElasticPlastic
 from plastigran.fem.settings import Settings
 from plastigran.fem.sphere.vibrate import vibrate
 from plastigran.fem.sphere.vibration import Vibration
 from plastigran.fem.theory.hertz import HertzSphere
 from plastigran.materials import Material, read_material
+from plastigran.papers.base import thrown
 from plastigran.physics.impact_modes import impact_modes
 from plastigran.report.computing import Computation, compute_all
 
@@ -70,14 +70,14 @@ def compute_impacts(progress: bool, coarse: bool) -> Computed:
     )
     hard, ice = material(HARD), read_material("ice")
     runs = [
-        collide("hertz", speeds, hard, RADIUS).table.assign(youngs_modulus=HARD),
-        collide("hertz", SHOWN[-1][1], material(SOFT), RADIUS).table.assign(youngs_modulus=SOFT),
+        thrown("hertz", speeds, hard, RADIUS).table.assign(youngs_modulus=HARD),
+        thrown("hertz", SHOWN[-1][1], material(SOFT), RADIUS).table.assign(youngs_modulus=SOFT),
     ]
     highest = 1.1 * vibrations[HARD, 5.0].modes["frequency"].max()
     return Computed(
         dict(sorted(vibrations.items(), key=lambda item: (-item[0][0], item[0][1]))),
         pd.concat(runs).set_index(["youngs_modulus", "speed"]),
-        collide("viscoelastic_hertz", ICE_SPEEDS, ice, ICE_RADIUS).table,
+        thrown("viscoelastic_hertz", ICE_SPEEDS, ice, ICE_RADIUS).table,
         impact_modes(HARD, hard.poissons_ratio, hard.density, RADIUS, highest),
     )
 

@@ -9,7 +9,6 @@ import attrs
 from skfem import MeshQuad2
 
 from plastigran import laws
-from plastigran.experiments.collide import collide
 from plastigran.experiments.runs import Runs
 from plastigran.fem.limits import force_of_impact
 from plastigran.fem.material.elastic_plastic import ElasticPlastic
@@ -20,6 +19,7 @@ from plastigran.fem.sphere.results import Pressing, Throw
 from plastigran.fem.sphere.throw import throw
 from plastigran.fem.theory.hertz import HertzSphere
 from plastigran.materials import RIGID, read_material
+from plastigran.papers.base import thrown
 from plastigran.report.computing import Computation, compute_all
 
 RADIUS = 0.1
@@ -101,5 +101,5 @@ def compute_finite_elements_and_runs(progress: bool, coarse: bool) -> Computed:
         fit=found["fit"],
         onset=found["onset"],
         mesh=usual.mesh(SPHERE, force_of_impact(SPHERE, SHOWN)[1], whole=True).build(),
-        runs=collide([*LAWS, "hertz"], ordered, MATERIAL, RADIUS),
+        runs=thrown([*LAWS, "hertz"], ordered, MATERIAL, RADIUS),
     )
