@@ -21,6 +21,7 @@ from pathlib import Path
 import numpy as np
 from bulk_figures import BULK
 from law_figures import draw_law
+from overview_figure import overview_figure
 
 from plastigran import laws
 from plastigran.calibration import DropTest, calibrate
@@ -67,6 +68,11 @@ def draw_fit(folder: Path) -> None:
     fit(["--figures", str(folder)])
 
 
+def draw_overview(folder: Path) -> None:
+    """Draw the first figure of README and docs: some seconds."""
+    save(overview_figure(), folder / "overview", (".png",))
+
+
 def run_command(words: list[str], pages: str, folder: Path) -> None:
     """A report of `plastigran`, whose pages stand beside the folder of figures.
 
@@ -91,7 +97,11 @@ def parts() -> dict[str, Callable[[Path], None]]:
     }
     return (
         {name: partial(draw_law, name) for name in sorted(laws.LAWS)}
-        | {"calibration": draw_calibration, "universal_fit": draw_fit}
+        | {
+            "overview": draw_overview,
+            "calibration": draw_calibration,
+            "universal_fit": draw_fit,
+        }
         | experiments
         | BULK
         | {"validation": partial(run_command, ["validate"], "")}

@@ -14,8 +14,6 @@ from attrs import evolve
 
 import plastigran as pg
 from plastigran import materials
-from plastigran.bulk import BulkRun
-from plastigran.bulk.decks import deck_class
 from plastigran.cli import main
 from plastigran.contact import RangeWarning
 from plastigran.engine.process import PROJECT, engine_path, inputs_folder
@@ -25,22 +23,15 @@ from plastigran.experiments.cylinder import CylinderImpact
 STEEL = pg.material("steel")
 
 
-def test_the_readmes_example_runs(tmp_path):
-    """As written, but for the number of speeds, each of which is an engine per law, and for fewer
-    grains."""
+def test_the_readmes_example_runs():
+    """As printed; LIGGGHTS meets the law as the recommended time step promises."""
     example = re.search(r"```python\n(.*?)```", (PROJECT / "README.md").read_text(), re.DOTALL)[1]
-    assert "geomspace(1e-3, 1, 40)" in example
-    example = example.replace("geomspace(1e-3, 1, 40)", "geomspace(1e-3, 1, 3)")
-    found = {"brief": deck_class("hopper").briefs[""].settings | {"folder": tmp_path / "hopper"}}
-    with pytest.warns(RangeWarning) as warned:  # as its comments say
-        exec(example.replace("ranks=2)", "ranks=2, **brief)"), found)
-        assert found["contact"].restitution(found["speeds"]).shape == (3,)
-    said = [str(each.message).split()[0] for each in warned]
-    assert said == ["overlap", "speed", "outside", "speed"]
-    assert isinstance(found["flow"], BulkRun) and found["flow"].figures
-    table = found["runs"].table
-    assert len(table) == 6
-    # What the recommended time step promises.
+    names = {}
+    exec(example, names)
+    restitution = names["contact"].restitution(np.geomspace(1e-3, 0.5, 40))
+    assert restitution.shape == (40,) and np.all(np.diff(restitution) <= 0)
+    table = names["runs"].table
+    assert len(table) == 4
     assert table["coefficient_of_restitution"].tolist() == pytest.approx(
         table["coefficient_of_restitution_predicted"].tolist(), rel=1e-3
     )
