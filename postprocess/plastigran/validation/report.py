@@ -97,7 +97,12 @@ REPORT = Report(
         "oblique",
         "rod",
     ),
-    pages=("validation.md", "choose_a_law.md"),
+    pages=(
+        "validation_spheres.md",
+        "validation_steel.md",
+        "validation_oblique.md",
+        "choose_a_law.md",
+    ),
     pictures="figures/validation",
     compute=compute,
 )
