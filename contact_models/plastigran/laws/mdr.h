@@ -27,6 +27,7 @@
 #pragma once
 
 #include "plastigran/shared/contact.h"
+#include "plastigran/shared/energy_guard.h"
 #include "plastigran/shared/fitted_sphere.h"
 #include "plastigran/shared/largest_overlap.h"
 #include "plastigran/shared/numerics.h"
@@ -60,7 +61,10 @@ class Mdr : public LargestOverlap {
     virgin_work_ = Tabulated<1>(yield_, [this](double depth) {
                      return std::array{force(depth)};
                    }).integral(2 * stored(0.5 * yield_));
-    if (constants.energy_guard == 1) find_guarded();
+    if (constants.energy_guard == 1)
+      guard_ = EnergyGuard<1>(
+          {yield_}, largest, [this](double depth) { return virgin_work(depth); },
+          [this](double depth) { return published_plastic_work(depth); });
     works_ = Tabulated<2>(yield_, [this](double depth) { return computed_works(depth); });
     loaded_ = Tabulated<3>(yield_, [this](double depth) { return compute(depth); });
   }
@@ -213,30 +217,15 @@ class Mdr : public LargestOverlap {
   }
 
   double guarded_recovery(double depth) const {
-    const double published = recovery(depth);
-    if (depth >= guarded_end_) return published;
-    return std::min(published, (virgin_work(depth) - guarded_work_) / (force(depth) * stored(1)));
-  }
-
-  // Upwards from yield, the work lost first falls; the guard ends where it is made good.
-  void find_guarded() {
-    guarded_work_ = published_plastic_work(yield_);
-    const auto made_good = [this](double depth) {
-      return published_plastic_work(depth) >= guarded_work_;
-    };
-    double low = yield_, high = 1.01 * yield_;
-    if (made_good(high)) return;
-    while (!made_good(high) && high < largest) low = high, high *= 1.01;
-    halve(low, high, made_good);
-    guarded_end_ = high;
+    const double returned = virgin_work(depth) - guard_.least_loss(depth);
+    return std::min(recovery(depth), returned / (force(depth) * stored(1)));
   }
 
   FittedSphere sphere_;
   double strength_;           // sigma_Y/E'
   double correction_;         // (1 - 2 nu)/(2 (1 - nu))
   double yield_ = unlimited;  // overlap over R at yield
-  double guarded_work_ = 0;   // plastic work below guarded_end_, over pi E' R^3
-  double guarded_end_ = 0;    // overlap over R up to which the energy guard acts
+  EnergyGuard<1> guard_;      // of the overlap over R, over pi E' R^3
   Tabulated<3> loaded_;
   Tabulated<1, 9> virgin_work_;  // of the virgin curve, over pi E' R^3
   Tabulated<2> works_;           // it, and what unloading returns

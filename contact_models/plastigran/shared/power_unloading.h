@@ -20,16 +20,15 @@
 //
 //   using KogutEtsion = PowerUnloading<KogutEtsionCurve>;
 //
-// Energy guard. Near yield some published curves return more than was put in, and where one jumps
-// up the work lost so far would shrink. With the guard (the default) the work lost never falls:
-// where it would, the rebound is shortened until the published one has caught up. The stretches of
-// x where that happens are found once per pair of materials.
+// Near yield, and where the force jumps up, some published curves return more than was put in: the
+// energy guard (energy_guard.h; on by default) shortens the rebound.
 #pragma once
 
 #include <algorithm>
 #include <tuple>
 
 #include "plastigran/shared/contact.h"
+#include "plastigran/shared/energy_guard.h"
 #include "plastigran/shared/hertz_contact.h"
 #include "plastigran/shared/largest_overlap.h"
 #include "plastigran/shared/power.h"
@@ -72,7 +71,10 @@ class PowerUnloading : public Curve, public LargestOverlap {
         Tabulated<1>(
             yield, [this](double x) { return std::array{Curve::force(x)}; }, Curve::breaks)
             .integral(0.4 * yield * yield * std::sqrt(yield));
-    if (constants.energy_guard == 1) find_guarded();
+    if (constants.energy_guard == 1)
+      guard_ = Guard(
+          Curve::breaks, 1e3 * Curve::breaks.back(), [this](double x) { return virgin_work(x); },
+          [this](double x) { return published_plastic_work(x); });
     works_ = Tabulated<2>(
         yield, [this](double x) { return computed_works(x); }, Curve::breaks);
     loaded_ = Tabulated<quantities>(
@@ -166,11 +168,6 @@ class PowerUnloading : public Curve, public LargestOverlap {
       return 1.5;
   }
 
-  // A stretch of x on which the work lost stays what it was at its begin.
-  struct Guarded {
-    double begin, end, plastic_work;
-  };
-
   // The power n of unloading after loading to x.
   double exponent_after([[maybe_unused]] double x) const {
     if constexpr (says_exponent<Curve>)
@@ -209,58 +206,15 @@ class PowerUnloading : public Curve, public LargestOverlap {
   }
 
   double guarded_recovery(double x) const {
-    for (const Guarded& stretch : guarded_)
-      if (x >= stretch.begin && x < stretch.end)
-        return std::min(
-            Curve::recovery(x),
-            (exponent_after(x) + 1) * (virgin_work(x) - stretch.plastic_work) / Curve::force(x));
-    return Curve::recovery(x);
+    const double returned = virgin_work(x) - guard_.least_loss(x);
+    return std::min(Curve::recovery(x), (exponent_after(x) + 1) * returned / Curve::force(x));
   }
 
-  // Follow the published loss upwards from yield and note where it lies below what it has been:
-  // from its last maximum, or from the break at which it jumps, to where it is made good. Between
-  // breaks the curves are smooth; steps of 2 % see every dip. A break starts at most one stretch,
-  // the smooth curve from yield on and beyond the last break one more each.
-  void find_guarded() {
-    const double reach = 1e3 * Curve::breaks[Curve::breaks.size() - 1];
-    const auto loss_at = [this](double x) { return published_plastic_work(x); };
-    std::size_t found = 0;
-    double earlier = Curve::breaks[0], previous = earlier, lost = 0;
-    for (double x = next(previous); x < reach && found < guarded_.size();) {
-      const double loss = published_plastic_work(x);
-      if (loss < lost) {
-        const bool jump = x < previous * (1 + 3 * close);
-        const double begin = jump ? previous : golden_section(loss_at, earlier, x, 50);
-        if (!jump) lost = published_plastic_work(begin);
-        do {
-          previous = x;
-          x = next(x);
-        } while (x < reach && published_plastic_work(x) < lost);
-        halve(previous, x, [&](double middle) { return !(loss_at(middle) < lost); });
-        guarded_[found++] = {begin, x, lost};
-        earlier = previous = x;
-      } else {
-        lost = loss;
-        earlier = previous;
-        previous = x;
-      }
-      x = next(x);
-    }
-  }
+  typedef EnergyGuard<std::tuple_size_v<decltype(Curve::breaks)>> Guard;
 
-  // The next point of that walk: 2 % on, but close to both sides of a break in between.
-  double next(double x) const {
-    for (double edge : Curve::breaks)
-      if (x < edge * (1 + close) && 1.02 * x > edge)
-        return x < edge * (1 - close) ? edge * (1 - close) : edge * (1 + close);
-    return 1.02 * x;
-  }
-
-  static constexpr double close = 1e-9;
-
-  double modulus_;        // 4/3 E*
-  double overlap_ratio_;  // overlap_y / R*
-  std::array<Guarded, std::tuple_size_v<decltype(Curve::breaks)> + 2> guarded_{};
+  double modulus_;               // 4/3 E*
+  double overlap_ratio_;         // overlap_y / R*
+  Guard guard_;                  // of x, over F_y overlap_y
   Tabulated<1, 9> virgin_work_;  // of the virgin curve, over F_y overlap_y
   Tabulated<2> works_;           // it, and what unloading returns
   Tabulated<quantities> loaded_;

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+#include <type_traits>
+#include <vector>
+
+#include "all_laws.h"
+#include "plastigran/impact/validate.h"
+
+using namespace plastigran;
+
+namespace {
+template <class Law>
+bool guarded() {
+  for (const auto& option : options_of<Law>)
+    if (std::string_view(option.name) == "energy_guard") return true;
+  return false;
+}
+
+// Constants to test a law with between two bodies: its defaults, each other reading, and for each
+// constant without a default values over its range.
+template <class Law>
+std::vector<typename Law::Parameters> cases([[maybe_unused]] const MaterialPair& pair) {
+  typedef typename Law::Parameters Parameters;
+  std::vector<Parameters> found(1);
+  if constexpr (std::is_base_of_v<Brake2012Curve, Law> || std::is_base_of_v<Brake2015Curve, Law>)
+    // Above the lower limit 2/3 p_y by a factor that comes close to 1.
+    for (double above = 1e-6; above < 10; above *= 8) {
+      found.emplace_back();
+      found.back().indentation_pressure = 2.0 / 3.0 * (1 + above) * pair.yield_pressure;
+    }
+  if constexpr (std::is_same_v<Law, LimStronge> || std::is_same_v<Law, KattaPolycarpou>) {
+    found.clear();
+    for (double thickness = 1e-4; thickness < 1e5; thickness *= 100)
+      found.push_back({1, thickness, 1});
+  }
+  for (const auto& option : options_of<Law>)
+    for (int choice = 1; choice < 3 && option.choices[choice]; ++choice) {
+      Parameters constants = found[0];
+      constants.*option.value = choice;
+      if (std::string_view(option.name) != "energy_guard") found.push_back(constants);
+    }
+  return found;
+}
+
+// The overlap at which a contact of R* = 1 m yields.
+template <class Law>
+double yield_overlap(const Law& law) {
+  double low = 1e-30, high = 1e3;
+  const auto yielded = [&](double overlap) {
+    typename Law::State state;
+    law.respond(1, overlap, state);
+    return state.overlap_max > 0;
+  };
+  for (int i = 0; i < 100; ++i) {
+    const double middle = std::sqrt(low * high);
+    (yielded(middle) ? high : low) = middle;
+  }
+  return high;
+}
+
+// Overlaps over the one at yield: close to it, and over the range where formulas change.
+std::vector<double> overlaps() {
+  std::vector<double> all;
+  for (double beyond = 1e-14; beyond < 1e-3; beyond *= 2) all.push_back(1 + beyond);
+  for (double x = 1.001; x < 1.1; x *= 1.0005) all.push_back(x);
+  for (double x = 1.1; x < 1e4; x *= 1.01) all.push_back(x);
+  return all;
+}
+}  // namespace
+
+// The strengths go up to what a solid can have, a third of the modulus; their steps are small where
+// the dip of a law vanishes. 1e-12: the plastic work is the difference of two works, of which
+// tables keep 3e-14 each.
+TEST_CASE_TEMPLATE("the energy guard lets no plastic work fall", Law, ALL_LAWS) {
+  if constexpr (std::is_same_v<typename Law::State, LargestOverlap::State>) {
+    const std::vector<double> path = overlaps();
+    for (double decade = -6; guarded<Law>() && decade < -0.5; decade += decade < -3 ? 1 : 0.05)
+      for (const double poissons_ratio : {0.0, 0.3, 0.5}) {
+        const double strength = std::pow(10, decade);  // over the modulus
+        const Body body{7e10, poissons_ratio, 7e10 * strength};
+        const MaterialPair pair = combine(body, {1e30, 0.3, 1e30});
+        for (const typename Law::Parameters& constants : cases<Law>(pair)) {
+          if (!validate<Law>(pair, constants).empty()) continue;
+          const Law law(pair, constants);
+          const double overlap_y = yield_overlap(law);
+          double largest = 0, fall = 0;
+          for (const double x : path) {
+            typename Law::State state;
+            const Response response = law.respond(1, x * overlap_y, state);
+            const double taken = response.elastic_energy + response.plastic_work;
+            fall = std::max(fall, (largest - response.plastic_work) / taken);
+            largest = std::max(largest, response.plastic_work);
+          }
+          CAPTURE(strength);
+          CAPTURE(poissons_ratio);
+          REQUIRE(fall <= 1e-12);
+        }
+      }
+  }
+}
