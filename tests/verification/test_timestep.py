@@ -11,6 +11,7 @@ import numpy as np
 import pytest
 
 from plastigran import laws
+from plastigran.materials import RIGID
 from plastigran.usable_laws import laws_for
 
 #: Largest relative error of restitution in 600 random impacts by 24 phases each, where it is more
@@ -27,6 +28,8 @@ STATED = {
     "mdr": 1.1e-3,
 }
 RADIUS, MASS = 0.01, 4 / 3 * pi * 0.01**3 * 2500
+#: K_c P_Y of Vu-Quoc & Zhang, as their law has it.
+GROWTH = 0.00980426
 LAWS = [
     name
     for name in laws_for("sphere")
@@ -74,3 +77,31 @@ def test_restitution_at_the_recommended_step(name):
         found = [restitution(law, speed, step, (k + 0.5) / 24) for k in range(24)]
         worst = max(worst, *(abs(each / exact - 1) for each in found))
     assert worst < STATED.get(name, 1e-3)
+
+
+@pytest.mark.parametrize("strength", [1e-7, 1e-6, 1e-5, 1e-4])
+@pytest.mark.parametrize("speed", [1e-2, 1.0, 100.0])
+def test_step_where_the_rebound_is_short(strength, speed):
+    """Far beyond yield the rebound of Vu-Quoc & Zhang is short, down to 1e-14 of the overlap. By
+    a_e^3 = 3 F R*/(4 E*) and a_e^2 = C R* (overlap - overlap_res) its slope is 2 E* C a_e. 2e-3:
+    the law knows a_e to 3e-14 of the overlap, and the slope is taken between two overlaps that are
+    1e-11 apart or more; closer ones are not used."""
+    body = laws.Body(youngs_modulus=7e10, poissons_ratio=0.3, yield_strength=7e10 * strength)
+    pair = laws.combine(body, RIGID)
+    law = laws.VuQuocZhang(pair)
+    force = law.central_impact(RADIUS, MASS, speed).force_max
+    curvature = 1 + GROWTH * (force / law.yield_force(RADIUS) - 1)
+    elastic_radius = np.cbrt(0.75 * force * RADIUS / pair.youngs_modulus_eff)
+    slope = 2 * pair.youngs_modulus_eff * curvature * elastic_radius
+    expected = 0.1 * sqrt(MASS / slope)
+    assert law.recommended_timestep(RADIUS, MASS, speed) == pytest.approx(expected, rel=2e-3)
+
+
+@pytest.mark.parametrize("name", LAWS)
+def test_step_is_positive(name):
+    """Also for metals far softer and impacts far harder than the law is good for."""
+    for strength in np.geomspace(1e-7, 0.1, 25):
+        body = laws.Body(youngs_modulus=7e10, poissons_ratio=0.3, yield_strength=7e10 * strength)
+        law = laws.LAWS[name](laws.combine(body, RIGID))
+        steps = law.recommended_timestep(RADIUS, MASS, np.geomspace(1e-8, 1e3, 12))
+        assert np.isfinite(steps).all() and (steps > 0).all()

@@ -126,8 +126,12 @@ Response follow_rebound(const Law& law, double radius_eff, ImpactOutcome& impact
   halve(low, high, [&](double middle) { return force(middle) > 0; });
   impact.overlap_res = high < 1e-9 * impact.overlap_max ? 0 : high;
 
+  // A law resolves its force to about 1e-14 of the overlap. A rebound over less than 1e-7 of the
+  // overlap is taken as Hertz's with the same energy.
   const double step = 1e-4 * (impact.overlap_max - impact.overlap_res);
-  impact.stiffness_max = (peak.force - force(impact.overlap_max - step)) / step;
+  impact.stiffness_max = step > 1e-11 * impact.overlap_max
+                             ? (peak.force - force(impact.overlap_max - step)) / step
+                             : 0.6 * peak.force * peak.force / peak.elastic_energy;
   return peak;
 }
 
