@@ -3,13 +3,19 @@
 
 from __future__ import annotations
 
+import pickle
+import resource
+from hashlib import sha256
+
 import attrs
 import numpy as np
+import pandas as pd
 import pytest
 from coarse_sphere import COARSE, METAL, RADIUS
 
-from plastigran.fem.cache import _sources, cached, folder
+from plastigran.fem.cache import CacheWarning, _sources, cached, folder
 from plastigran.fem.sphere.convergence import convergence
+from plastigran.fem.sphere.press import press
 
 
 @pytest.fixture
@@ -80,6 +86,62 @@ def test_broken_file_is_computed_again(counted, damage):
     file.write_bytes(damage(file.read_bytes()))
     assert cached(compute, METAL, RADIUS, [5.0], settings=COARSE) == 5.0
     assert len(calls) == 2
+
+
+def test_a_result_comes_back_whole(tmp_path, monkeypatch):
+    """A real one, with tables and fields; every number to the last digit."""
+    monkeypatch.setenv("PLASTIGRAN_CACHE", str(tmp_path))
+    first, again = (cached(press, METAL, RADIUS, [20.0], settings=COARSE) for _ in range(2))
+    assert again is not first and again.material == first.material
+    for table in ("history", "unloadings"):
+        pd.testing.assert_frame_equal(
+            getattr(again, table), getattr(first, table), check_exact=True
+        )
+    assert len(again.snapshots) == len(first.snapshots) > 0
+    for one, other in zip(first.snapshots, again.snapshots, strict=True):
+        for field in attrs.fields(type(one)):
+            value, kept = getattr(one, field.name), getattr(other, field.name)
+            assert np.array_equal(value, kept, equal_nan=True)
+
+
+def test_a_cache_runs_no_code(counted):
+    """A pickle in the place of a result is computed again and not loaded."""
+    compute, calls = counted
+    cached(compute, METAL, RADIUS, [5.0], settings=COARSE)
+    (file,) = folder().iterdir()
+    content = pickle.dumps(Trap())
+    file.write_bytes(sha256(content).digest() + content)
+    assert cached(compute, METAL, RADIUS, [5.0], settings=COARSE) == 5.0
+    assert len(calls) == 2
+
+
+class Trap:
+    def __reduce__(self):
+        return pytest.fail, ("a cache was unpickled",)
+
+
+def test_a_cache_that_cannot_be_made_loses_no_result(counted, monkeypatch, tmp_path):
+    """The folder's parent is a file: root, too, can write nothing there."""
+    (tmp_path / "file").write_text("")
+    monkeypatch.setenv("PLASTIGRAN_CACHE", str(tmp_path / "file" / "cache"))
+    compute, _ = counted
+    with pytest.warns(
+        CacheWarning, match=r"cannot write .*file/cache/compute_\w+\.result \(Not a dir"
+    ):
+        assert cached(compute, METAL, RADIUS, [5.0], settings=COARSE) == 5.0
+
+
+def test_a_limit_of_file_sizes_loses_no_result(counted):
+    """As a full disk does: what has been written of the file goes."""
+    compute, _ = counted
+    limits = resource.getrlimit(resource.RLIMIT_FSIZE)
+    resource.setrlimit(resource.RLIMIT_FSIZE, (100, limits[1]))
+    try:
+        with pytest.warns(CacheWarning, match=r"cannot write .* \(File too large\)"):
+            assert cached(compute, METAL, RADIUS, [5.0], settings=COARSE) == 5.0
+    finally:
+        resource.setrlimit(resource.RLIMIT_FSIZE, limits)
+    assert not list(folder().iterdir())
 
 
 def test_convergence_compares_with_the_unchanged_settings():

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Results kept on disk by what they were computed from and with.
+"""Results of finite elements, kept on disk.
 
 A result is found again for the same metal, numbers and settings, as long as no file of this package
 and no library has changed. The folder is `$PLASTIGRAN_CACHE`, or `~/.cache/plastigran`.
@@ -8,8 +8,9 @@ and no library has changed. The folder is `$PLASTIGRAN_CACHE`, or `~/.cache/plas
 from __future__ import annotations
 
 import os
-import pickle
+import warnings
 from collections.abc import Callable
+from contextlib import suppress
 from functools import cache
 from hashlib import sha256
 from importlib.metadata import version
@@ -20,11 +21,16 @@ from typing import TypeVar
 import attrs
 import numpy as np
 
+from plastigran.fem.result_file import from_bytes, to_bytes
 from plastigran.fem.settings import Settings
 
 Result = TypeVar("Result")
 DIGEST = 32  # bytes before a result's own
 LIBRARIES = ("numpy", "scipy", "scikit-fem", "pandas")  # pandas: of the files
+
+
+class CacheWarning(UserWarning):
+    """A result could not be kept on disk."""
 
 
 def folder() -> Path:
@@ -39,25 +45,45 @@ def cached(
     progress: bool = False,
     **named: object,
 ) -> Result:
-    """The result of `compute(*arguments, settings, progress, **named)`, from disk where it is
+    """Return the result of `compute(*arguments, settings, progress, **named)`, from disk if it is
     there.
 
-    What a damaged file held is computed again. A result that stopped early is not kept.
+    A damaged file is computed again. A result that stopped early is not kept.
+
+    Warns:
+        CacheWarning: The result could not be kept; the message names the file.
     """
     settings = settings or Settings()
-    path = folder() / f"{compute.__name__}_{_key(compute, arguments, settings, named)}.pickle"
+    path = folder() / f"{compute.__name__}_{_key(compute, arguments, settings, named)}.result"
     try:
-        return pickle.loads(_sound(path.read_bytes()))
-    except Exception:  # a damaged pickle may raise any
+        return from_bytes(_sound(path.read_bytes()))
+    except (OSError, ValueError):  # not there, cannot be read, or damaged
         result = compute(*arguments, settings, progress, **named)
-    if getattr(result, "stopped", ""):
-        return result  # not whole
-    path.parent.mkdir(parents=True, exist_ok=True)
-    content = pickle.dumps(result)
-    with NamedTemporaryFile(dir=path.parent, delete=False) as file:
-        file.write(sha256(content).digest() + content)
-    Path(file.name).replace(path)  # whole or not at all
+    if not getattr(result, "stopped", ""):
+        _keep(to_bytes(result), path)
     return result
+
+
+def _keep(content: bytes, path: Path) -> None:
+    """Write a file, whole or not at all."""
+    temporary = None
+    try:
+        path.parent.mkdir(parents=True, exist_ok=True)
+        with NamedTemporaryFile(dir=path.parent, delete=False) as file:
+            temporary = Path(file.name)
+            file.write(sha256(content).digest() + content)
+        temporary.replace(path)
+    except OSError as error:
+        warnings.warn(
+            f"the result is not kept for later: cannot write {path} ({error.strerror}). To keep "
+            "results, set PLASTIGRAN_CACHE to a folder that can be written",
+            CacheWarning,
+            stacklevel=3,
+        )
+    finally:
+        if temporary:
+            with suppress(OSError):
+                temporary.unlink(missing_ok=True)
 
 
 def _sound(file: bytes) -> bytes:

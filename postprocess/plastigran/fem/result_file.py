@@ -1,0 +1,97 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Results of finite elements as bytes: numpy arrays, and JSON for all else. Reading runs no code of
+the file."""
+
+from __future__ import annotations
+
+import json
+from importlib import import_module
+from io import BytesIO
+from typing import Any
+
+import attrs
+import numpy as np
+import pandas as pd
+
+PACKAGE = "plastigran."
+TREE = "tree"  # name of the JSON text among the arrays
+
+
+def to_bytes(result: object) -> bytes:
+    """Return a result as bytes.
+
+    Args:
+        result: Of numbers, texts, arrays, tables, lists, tuples, dictionaries, and attrs classes of
+            this package that hold such.
+
+    Raises:
+        TypeError: It holds something else.
+    """
+    arrays: dict[str, np.ndarray] = {}
+    tree = json.dumps(_to_tree(result, arrays)).encode()
+    file = BytesIO()
+    np.savez(file, **arrays, **{TREE: np.frombuffer(tree, np.uint8)})
+    return file.getvalue()
+
+
+def from_bytes(content: bytes) -> Any:
+    """Return the result that `to_bytes` has written.
+
+    Raises:
+        ValueError: The content is not of `to_bytes`.
+    """
+    with np.load(BytesIO(content), allow_pickle=False) as arrays:
+        return _from_tree(json.loads(arrays[TREE].tobytes()), arrays)
+
+
+def _to_tree(value: Any, arrays: dict[str, np.ndarray]) -> Any:
+    if value is None or isinstance(value, bool | int | float | str):
+        return value if not isinstance(value, np.generic) else value.item()
+    if isinstance(value, np.generic):
+        return value.item()
+    if isinstance(value, np.ndarray) and value.dtype != object:
+        name = str(len(arrays))
+        arrays[name] = value
+        return {"array": name}
+    if isinstance(value, pd.DataFrame):
+        columns = [
+            [name, list(value[name]) if value[name].dtype == object else value[name].to_numpy()]
+            for name in value
+        ]
+        return {"table": _to_tree(columns, arrays)}
+    if isinstance(value, list | tuple):
+        return {type(value).__name__: [_to_tree(entry, arrays) for entry in value]}
+    if isinstance(value, dict):
+        pairs = [[_to_tree(entry, arrays) for entry in pair] for pair in value.items()]
+        return {"dict": pairs}
+    cls = type(value)
+    if attrs.has(cls) and cls.__module__.startswith(PACKAGE):
+        fields = {
+            field.alias: _to_tree(getattr(value, field.name), arrays) for field in attrs.fields(cls)
+        }
+        return {"class": [cls.__module__, cls.__qualname__], "fields": fields}
+    raise TypeError(f"a result with a {cls.__name__} cannot be kept")
+
+
+def _from_tree(tree: Any, arrays: Any) -> Any:
+    if not isinstance(tree, dict):
+        return tree
+    if "class" in tree:
+        fields = {name: _from_tree(field, arrays) for name, field in tree["fields"].items()}
+        return _attrs_class(*tree["class"])(**fields)
+    ((kind, content),) = tree.items()
+    if kind == "array":
+        return arrays[content]
+    if kind == "table":
+        return pd.DataFrame(dict(_from_tree(content, arrays)))
+    if kind == "dict":
+        return {_from_tree(key, arrays): _from_tree(value, arrays) for key, value in content}
+    entries = [_from_tree(entry, arrays) for entry in content]
+    return tuple(entries) if kind == "tuple" else entries
+
+
+def _attrs_class(module: str, name: str) -> type:
+    cls = getattr(import_module(module), name, None) if module.startswith(PACKAGE) else None
+    if not (isinstance(cls, type) and attrs.has(cls)):
+        raise ValueError(f"{module}.{name} is not an attrs class of this package")
+    return cls
