@@ -23,8 +23,19 @@ int MotionWatch::setmask() {
   return PRE_INITIAL_INTEGRATE | PRE_EXCHANGE | END_OF_STEP;
 }
 
+void MotionWatch::init() { timestep_ = update->dt; }
+
+void MotionWatch::reset_dt() { timestep_ = update->dt; }
+
 // The forces of the start: one step later positions would be lost too.
 void MotionWatch::pre_initial_integrate() {
+  if (update->dt != timestep_) {
+    std::ostringstream text;
+    text << "run ... pre no: timestep is " << update->dt << ", but particles would move by "
+         << timestep_ << ", the timestep of the last setup. Remove `pre no`, or give `timestep "
+         << timestep_ << "` again";
+    error->all(FLERR, text.str().c_str());
+  }
   if (!first_) return;
   first_ = false;
   for (int i = 0; i < atom->nlocal; ++i) {

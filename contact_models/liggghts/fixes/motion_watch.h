@@ -3,7 +3,8 @@
 // Stops a run that has gone wrong, and says which particle, where, and what to try: one whose
 // velocity is no number, one that outruns its contacts, one that leaves the box where particles
 // must not be lost (thermo_modify lost error). Each is found by the rank that has the particle,
-// before the engine's next output, so that no restart file is written of it.
+// before the engine's next output, so that no restart file is written of it. Also stops a run whose
+// time step is not the one with which the integrators were set up.
 #pragma once
 
 #include <string>
@@ -19,6 +20,8 @@ class MotionWatch : public OwnFix {
   static const char* style() { return "plastigran/motion"; }
 
   int setmask() override;
+  void init() override;
+  void reset_dt() override;  // by a fix that changes the time step in a run
   void setup(int) override { first_ = true; }
   void pre_initial_integrate() override;
   void end_of_step() override;
@@ -30,6 +33,7 @@ class MotionWatch : public OwnFix {
   void stop(int i, const std::string& what, const std::string& try_this);
 
   bool first_ = true;
+  double timestep_ = 0;  // with which the integrators were set up
 };
 
 }  // namespace plastigran

@@ -51,7 +51,7 @@ void DissipationHeat::init() {
 
 void DissipationHeat::add(const Contact& contact, const AccountedLoad& on_i, const Load& on_j,
                           const void*) {
-  if (contact.shearupdate) add_plastic_work(contact, on_i.plastic_work);
+  add_plastic_work(contact, on_i.plastic_work);
   const LossyLoad load(contact, on_i, on_j);
   if (contact.is_wall)
     walls_.push_back({contact.i, load, WallPoint(contact, atom->x[contact.i])});

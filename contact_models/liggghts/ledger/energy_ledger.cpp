@@ -63,11 +63,27 @@ void EnergyLedger::setup_pre_exchange() {
   if (ran_) book_changes();
 }
 
-// What a deck has changed since the last run.
+// Books what the deck has changed in the motion of the particles since the last run.
 void EnergyLedger::book_changes() {
   const double now = mechanical_energy();
   inserted_ += now - before_;
   before_ = now;  // commands that write files set up, too, and the next run once more
+}
+
+// Elastic energy and plastic work that the deck's changes since the last run have added to the
+// contacts, known once set-up has computed all forces: other positions, diameters, atom types or
+// constants, particles and walls that came or went. On this rank; only the sum over ranks counts.
+double EnergyLedger::change_of_contacts() const {
+  return ran_ && phase_ == SET_UP ? contact_energy() - contacts_before_ : 0;
+}
+
+// All forces of the set-up are known, walls' too.
+void EnergyLedger::end_set_up() {
+  count_deferred();
+  inserted_ += change_of_contacts();
+  phase_ = BETWEEN_RUNS;
+  summed_ = false;
+  if (!started_) start();
 }
 
 void EnergyLedger::begin_without_set_up() {
@@ -112,12 +128,7 @@ void EnergyLedger::count_deferred() {
 }
 
 void EnergyLedger::add_plastic_work(const Contact& contact, double work, bool has_local_partner) {
-  const double share = share_of(contact, has_local_partner);
-  if (!contact.shearupdate) {
-    unwritten_plastic_work_ += share * work;
-    return;
-  }
-  plastic_work_ += share * work;
+  plastic_work_ += share_of(contact, has_local_partner) * work;
   double* const of_particle = particle_plastic_work_->vector_atom;
   of_particle[contact.i] += contact.is_wall ? work : 0.5 * work;
   if (has_local_partner) of_particle[contact.j] += 0.5 * work;
@@ -141,7 +152,6 @@ void EnergyLedger::add_wall(const Contact& contact, const AccountedLoad& on_i,
 
 void EnergyLedger::begin_pass() {
   by_pairs_ = by_walls_ = Stored();
-  unwritten_plastic_work_ = 0;
   summed_ = false;
   deferred_ = nullptr;
   walls_.clear();
@@ -203,11 +213,11 @@ void EnergyLedger::sum() {
   const double local[ENTRIES] = {kinetic_energy(),
                                  gravitational_energy(),
                                  by_pairs_.elastic + by_walls_.elastic,
-                                 plastic_work_ + unwritten_plastic_work_,
+                                 plastic_work_,
                                  friction_,
                                  viscous_,
                                  wall_work_,
-                                 inserted_,
+                                 inserted_ + change_of_contacts(),
                                  0,
                                  by_pairs_.springs + by_walls_.springs};
   MPI_Allreduce(local, sums_, ENTRIES, MPI_DOUBLE, MPI_SUM, world);

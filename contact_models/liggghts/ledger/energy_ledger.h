@@ -81,6 +81,7 @@ class EnergyLedger : public OwnFix {
   void setup_pre_exchange() override;
 
   void setup_pre_force(int) override {
+    particle_plastic_work_->begin();
     begin_pass();
     phase_ = SET_UP;
   }
@@ -89,7 +90,7 @@ class EnergyLedger : public OwnFix {
   // The sum at the start is taken when all forces of the first set-up are there, walls' too.
   void pre_initial_integrate() override {
     if (phase_ == BETWEEN_RUNS) begin_without_set_up();
-    if (!started_) start();
+    if (phase_ == SET_UP) end_set_up();
     phase_ = STEP;
   }
 
@@ -114,13 +115,12 @@ class EnergyLedger : public OwnFix {
 
   void post_run() override {
     if (phase_ == BETWEEN_RUNS) begin_without_set_up();  // a run of no steps
+    if (phase_ == SET_UP) end_set_up();
     phase_ = BETWEEN_RUNS;
     ran_ = true;
-    if (!started_)
-      start();
-    else if (!summed_)
-      sum();
+    if (!summed_) sum();
     before_ = mechanical_energy();
+    contacts_before_ = contact_energy();
   }
 
   double compute_scalar() override { return compute_vector(DRIFT); }
@@ -162,6 +162,7 @@ class EnergyLedger : public OwnFix {
   void count_deferred();
   void start();
   void book_changes();
+  void end_set_up();
   void begin_without_set_up();  // of a run with `pre no`
   void add_plastic_work(const Contact& contact, double work, bool has_local_partner);
   void add_dashpot(const Contact& contact, double force, bool has_local_partner);
@@ -171,6 +172,8 @@ class EnergyLedger : public OwnFix {
   double kinetic_energy() const;
   double gravitational_energy() const;
   double mechanical_energy() const { return kinetic_energy() + gravitational_energy(); }
+  double contact_energy() const { return by_pairs_.elastic + by_walls_.elastic + plastic_work_; }
+  double change_of_contacts() const;
   void sum();
   bool is_first_before_exchange() const;
   void refuse_what_is_not_counted();
@@ -184,15 +187,15 @@ class EnergyLedger : public OwnFix {
   Stored by_pairs_, by_walls_;          // apart: sums do not depend on which is asked first
   StoredEnergies* deferred_ = nullptr;  // of contacts that are not in these sums yet
   Phase phase_ = BETWEEN_RUNS;
-  double unwritten_plastic_work_ = 0;  // set-up computes forces, and writes no history
   std::vector<WallContact> walls_;
   std::vector<Losses> losses_;    // by local particle
   std::vector<Vector> dashpots_;  // forces, by local particle; of no length where none acted
 
   // Since the ledger was opened, on this rank.
   double plastic_work_ = 0, friction_ = 0, viscous_ = 0, wall_work_ = 0, inserted_ = 0;
-  double before_ = 0;        // kinetic and gravitational energy when the particles were last known
-  bool acts_first_ = false;  // no fix that acts in pre_exchange() stands before this one
+  double before_ = 0;  // kinetic and gravitational energy when the particles were last known
+  double contacts_before_ = 0;  // elastic energy and plastic work at the end of the last run
+  bool acts_first_ = false;     // no fix that acts in pre_exchange() stands before this one
   bool ran_ = false;
 
   double total_ = 0, initial_ = 0;  // over all ranks: now, and at the start

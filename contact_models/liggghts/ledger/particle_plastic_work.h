@@ -4,6 +4,7 @@
 // property of atoms that the ledger writes to. It restarts with the particles.
 #pragma once
 
+#include "atom.h"
 #include "fix_property_atom.h"
 #include "liggghts/fixes/own_fix.h"
 
@@ -18,6 +19,14 @@ class ParticlePlasticWork : public LAMMPS_NS::FixPropertyAtom {
   }
   static const char* id() { return "plastic_work"; }
   static const char* style() { return "property/atom/plastic_work"; }
+
+  // To be called before the first forces: otherwise LIGGGHTS blanks a new fix after the forces of
+  // the pairs in set-up.
+  void begin() {
+    if (!just_created) return;
+    just_created = 0;
+    for (int i = 0; i < atom->nlocal && !recent_restart; ++i) set_arrays(i);
+  }
 
   void pre_delete(bool by_the_deck) override {
     if (by_the_deck) set_up_anew(update, error, Fix::id);

@@ -78,7 +78,7 @@ class ContactWatch : protected LAMMPS_NS::Pointers {
       stop(describe_overlap(atom, contact, contact.deltan / smaller, overlap_limit_));
     if (contact.is_wall && overlap_limit_ <= 1 && contact.deltan + 2 * closing(contact) > smaller)
       stop(describe_passage(atom, contact));
-    if (contact.shearupdate && contact.deltan > pair.range * radius_eff)
+    if (contact.deltan > pair.range * radius_eff)
       note_excess(contact, pair, radius_eff, before, now);
     const double depth = contact.deltan / radius_eff;
     if (depth <= pair.noted) return;

@@ -32,6 +32,7 @@
 #include "liggghts/model/impact_forecast.h"
 #include "liggghts/model/line_settings.h"
 #include "liggghts/model/normal_model_settings.h"
+#include "liggghts/model/periodic_sides.h"
 #include "liggghts/model/rate_memory.h"
 #include "liggghts/model/type_pair.h"
 #include "neighbor.h"
@@ -83,6 +84,10 @@ class ElastoplasticNormalModel : public NormalModelBase {
       fail("it is for cylinders, the discs of a 2D deck (dimension 2); this deck is 3D");
     const std::string unsuitable = owner_.unsuitable_model(is_cylinder);
     if (!unsuitable.empty()) fail(unsuitable);
+    if (!owner_.is_wall() && !owner_.histories().empty()) {
+      const std::string too_short = plastigran::too_short_periodic_side(lmp);
+      if (!too_short.empty()) fail(too_short);
+    }
     const auto keeper = plastigran::own_fix<plastigran::HistoryKeeper>(lmp);
     const std::string owner = owner_.name();
     if (settings_.text().empty())
@@ -166,7 +171,8 @@ class ElastoplasticNormalModel : public NormalModelBase {
       if (accounts)
         accounted(i_forces).take(pair.law, radius_eff, contact.deltan, state_before(contact),
                                  state);
-      if (contact.shearupdate) std::memcpy(history, &state, state_size);
+      // Also in set-up: its forces move the particles, so the contact has reached this overlap.
+      std::memcpy(history, &state, state_size);
     }
 
     // A residual dent carries no force and so no friction, but a tangential spring needs a

@@ -53,7 +53,7 @@ class RateMemory {
     double factor = contact.contact_history[offset_];
     if (factor == 0) {
       factor = rate_factor(pair.bodies, radius_eff, -contact.vn);
-      if (contact.computeflag && contact.shearupdate) contact.contact_history[offset_] = factor;
+      if (contact.computeflag) contact.contact_history[offset_] = factor;
     }
     return pair.strengthened(factor);
   }

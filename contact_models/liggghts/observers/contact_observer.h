@@ -27,7 +27,7 @@ class ContactObserver : public OwnFix {
 
   // What all models of a contact did together. `owner`: the pair style or wall. A contact with a
   // ghost is reported from both sides, on the ranks of the two particles or twice on one.
-  // Set-up reports contacts too, with contact.shearupdate 0 and nothing written to histories.
+  // Set-up reports contacts too, with contact.shearupdate 0.
   virtual void add(const Contact& contact, const AccountedLoad& on_i, const Load& on_j,
                    const void* owner) = 0;
 

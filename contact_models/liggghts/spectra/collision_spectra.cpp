@@ -77,7 +77,11 @@ void CollisionSpectra::add(const Contact& contact, const AccountedLoad& on_i, co
       begun.load = turned ? load.turned() : load;
     place = records_.begin(holder, partner, begun);
   }
-  if (!contact.shearupdate) return;
+  if (!contact.shearupdate) {  // set-up
+    records_.at(holder, place).energy += on_i.plastic_work;
+    energy_ += on_i.plastic_work;
+    return;
+  }
   const bool first = !records_.touch(holder, place);  // else of several triangles of the wall
   go_on(records_.at(holder, place), contact, on_i, load, turned, first);
 }

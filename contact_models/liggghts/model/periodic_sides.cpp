@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "liggghts/model/periodic_sides.h"
+
+#include <mpi.h>
+
+#include <algorithm>
+#include <array>
+#include <sstream>
+#include <vector>
+
+#include "atom.h"
+#include "domain.h"
+#include "fix.h"
+#include "lammps.h"
+#include "modify.h"
+#include "neighbor.h"
+
+namespace plastigran {
+
+namespace {
+
+typedef std::array<double, 2> TwoLargest;
+
+void take(TwoLargest& largest, double diameter) {
+  if (diameter > largest[0])
+    largest = {diameter, largest[0]};
+  else if (diameter > largest[1])
+    largest[1] = diameter;
+}
+
+// The diameters of the two largest particles; 0 where there are fewer.
+TwoLargest largest_diameters(LAMMPS_NS::LAMMPS* engine) {
+  TwoLargest largest{};
+  for (int i = 0; i < engine->atom->nlocal; ++i) take(largest, 2 * engine->atom->radius[i]);
+  int ranks;
+  MPI_Comm_size(engine->world, &ranks);
+  std::vector<TwoLargest> of_ranks(ranks);
+  MPI_Allgather(&largest, 2, MPI_DOUBLE, of_ranks.data(), 2, MPI_DOUBLE, engine->world);
+  largest = {};
+  for (const TwoLargest& of_rank : of_ranks)
+    for (const double diameter : of_rank) take(largest, diameter);
+  for (int k = 0; k < engine->modify->nfix; ++k)
+    for (int type = 1; type <= engine->atom->ntypes; ++type) {
+      const double inserted = 2 * engine->modify->fix[k]->max_rad(type);
+      take(largest, inserted);
+      take(largest, inserted);
+    }
+  return largest;
+}
+
+}  // namespace
+
+std::string too_short_periodic_side(LAMMPS_NS::LAMMPS* engine) {
+  const LAMMPS_NS::Domain* const domain = engine->domain;
+  const TwoLargest diameters = largest_diameters(engine);
+  const double shortest = diameters[0] + diameters[1] + engine->neighbor->skin;
+  for (int axis = 0; axis < domain->dimension; ++axis) {
+    if (!domain->periodicity[axis] || domain->prd[axis] >= shortest || diameters[0] == 0) continue;
+    std::ostringstream text;
+    text
+        << "the periodic side "
+        << "xyz"[axis] << " is " << domain->prd[axis] << " long; it must be at least " << shortest
+        << ", the sum of the two largest particle diameters (" << diameters[0] << " and "
+        << diameters[1] << ") and the neighbor skin (" << engine->neighbor->skin
+        << "). In a shorter box a pair can touch across both ends of the side, and LIGGGHTS stores "
+           "one contact history per pair. Enlarge the box, or reduce the skin";
+    return text.str();
+  }
+  return {};
+}
+
+}  // namespace plastigran

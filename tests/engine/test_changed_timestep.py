@@ -1,0 +1,58 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""The time step of a run is the one with which LIGGGHTS' integrators were set up."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from deck_head import head
+
+from plastigran.engine.dumps import read_dump
+from plastigran.engine.process import EngineStopped, run_deck
+
+DECK = (
+    head("0 1 -0.1 0.1 -0.1 0.1", skin=1e-3)
+    + """
+fix m1 all property/global youngsModulus peratomtype 7.0e10
+fix m2 all property/global poissonsRatio peratomtype 0.3
+fix m3 all property/global yieldStrength peratomtype 1.0e8
+pair_style gran model thornton tangential off
+pair_coeff * *
+create_atoms 1 single 0.1 0 0 units box
+set group all diameter 0.02 density 2700
+velocity all set 1 0 0
+fix integrate all nve/sphere
+dump d all custom 1 ${output}/path.dump id x
+dump_modify d format "%d %.15g"
+timestep 1e-5
+run 1000
+"""
+)
+
+
+def last_position(folder: Path, more: str, ranks: int = 1) -> float:
+    (folder / "deck.in").write_text(DECK + more)
+    run_deck(folder / "deck.in", {}, folder, ranks=ranks)
+    return read_dump(folder / "path.dump")["x"].iloc[-1]
+
+
+@pytest.mark.parametrize("ranks", [1, 2])
+def test_a_time_step_without_a_setup_is_refused(ranks, tmp_path):
+    """Particles would move by the earlier step, and all else would use the new one."""
+    with pytest.raises(EngineStopped) as stopped:
+        last_position(tmp_path, "timestep 1e-6\nrun 1000 pre no", ranks)
+    said = str(stopped.value)
+    assert "run ... pre no: timestep is 1e-06, but particles would move by 1e-05" in said
+    assert "Remove `pre no`" in said
+
+
+def test_a_time_step_with_a_setup_is_taken(tmp_path):
+    """1000 steps of 10 us and 1000 of 1 us at 1 m/s from 0.1 m."""
+    x = last_position(tmp_path, "timestep 1e-6\nrun 1000")
+    assert x == pytest.approx(0.111, rel=1e-12)
+
+
+def test_a_fix_may_change_the_time_step(tmp_path):
+    """`fix dt/reset` tells all integrators; the next part of the run goes on with its step."""
+    last_position(tmp_path, "fix reset all dt/reset 10 1e-6 2e-6 1.0\nrun 100\nrun 100 pre no")

@@ -1,0 +1,55 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""A box in which a pair could touch through two periodic images is refused: LIGGGHTS keeps one
+contact history for each pair of particles."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from deck_head import head
+
+from plastigran.engine.process import EngineStopped, run_deck
+
+MATERIAL = """
+fix m1 all property/global youngsModulus peratomtype 7.0e10
+fix m2 all property/global poissonsRatio peratomtype 0.3
+fix m3 all property/global yieldStrength peratomtype 1.0e8
+"""
+MODEL = "pair_style gran model thornton tangential off\npair_coeff * *\n"
+TWO_SPHERES = """
+create_atoms 1 single 0.01 0 0 units box
+create_atoms 1 single 0.03 0 0 units box
+set group all diameter 0.02 density 2700
+"""
+INSERTED = """
+fix part all particletemplate/sphere 15485867 atom_type 1 density constant 2700 radius constant 0.01
+fix dist all particledistribution/discrete 32452843 1 part 1.0
+region place block 0 0.039 -0.02 0.02 -0.02 0.02 units box
+fix ins all insert/pack seed 86028157 distributiontemplate dist vel constant 0 0 0 &
+  insert_every once overlapcheck yes all_in no particles_in_region 1 region place
+"""
+END = "fix integrate all nve/sphere\ntimestep 1e-8\nrun 5\n"
+
+
+def run(folder: Path, side: float, particles: str = TWO_SPHERES, ranks: int = 1) -> str:
+    box = f"0 {side} -0.05 0.05 -0.05 0.05"
+    start = head(box, skin=1e-4, space="boundary p f f")
+    (folder / "deck.in").write_text(start + MATERIAL + MODEL + particles + END)
+    return run_deck(folder / "deck.in", {}, folder, ranks=ranks)
+
+
+@pytest.mark.parametrize("ranks", [1, 2])
+@pytest.mark.parametrize("particles", [TWO_SPHERES, INSERTED])
+def test_a_short_periodic_side_is_refused(particles, ranks, tmp_path):
+    """Shorter than two diameters of 20 mm and the skin of 0.1 mm, by 0.4 mm."""
+    with pytest.raises(EngineStopped) as stopped:
+        run(tmp_path, 0.0397, particles, ranks)
+    said = str(stopped.value)
+    assert "model thornton: the periodic side x is 0.0397 long; it must be at least 0.0401" in said
+    assert "(0.02 and 0.02) and the neighbor skin (0.0001)" in said and "Enlarge the box" in said
+
+
+@pytest.mark.parametrize("ranks", [1, 2])
+def test_a_longer_periodic_side_runs(ranks, tmp_path):
+    run(tmp_path, 0.0402, ranks=ranks)
