@@ -30,12 +30,14 @@ trap 'rm -rf "$new"' EXIT
 # from a folder, two levels below it, every file is included by its way from there.
 cd "$models"
 for file in $(find plastigran liggghts -name '*.h' ! -path '*/plugin/*') \
-  liggghts/plugin/any_model.h liggghts/plugin/engine_styles.h liggghts/plugin/registered.h; do
+  liggghts/plugin/any_model.h liggghts/plugin/engine_styles.h liggghts/plugin/foreign_histories.h \
+  liggghts/plugin/registered.h; do
   mkdir -p "$new/${file%/*}"
   sed 's|^#include "|&../../|' "$file" >"$new/$file"
 done
 for file in $(find liggghts -name '*.cpp' ! -path '*/plugin/*') in_tree/require_version.cpp \
-  liggghts/plugin/any_model.cpp liggghts/plugin/registration.cpp; do
+  liggghts/plugin/any_model.cpp liggghts/plugin/foreign_histories.cpp \
+  liggghts/plugin/registration.cpp; do
   cp "$file" "$new"
 done
 

@@ -27,6 +27,26 @@ struct FixCreators {
   typedef std::map<std::string, FixCreator>* LAMMPS_NS::Modify::*type;
   friend type reach(FixCreators);
 };
+struct RestartedIds {
+  typedef char** LAMMPS_NS::Modify::*type;
+  friend type reach(RestartedIds);
+};
+struct RestartedStyles {
+  typedef char** LAMMPS_NS::Modify::*type;
+  friend type reach(RestartedStyles);
+};
+struct RestartedStates {
+  typedef char** LAMMPS_NS::Modify::*type;
+  friend type reach(RestartedStates);
+};
+struct RestartedIdsByAtom {
+  typedef char** LAMMPS_NS::Modify::*type;
+  friend type reach(RestartedIdsByAtom);
+};
+struct RestartedStylesByAtom {
+  typedef char** LAMMPS_NS::Modify::*type;
+  friend type reach(RestartedStylesByAtom);
+};
 struct LostFlag {
   typedef int LAMMPS_NS::Thermo::*type;
   friend type reach(LostFlag);
@@ -59,6 +79,11 @@ struct Reach {
 template struct Reach<SettingsByName, &Settings::settings>;
 template struct Reach<NumberValue, &DoubleSetting::current>;
 template struct Reach<FixCreators, &LAMMPS_NS::Modify::fix_map>;
+template struct Reach<RestartedIds, &LAMMPS_NS::Modify::id_restart_global>;
+template struct Reach<RestartedStyles, &LAMMPS_NS::Modify::style_restart_global>;
+template struct Reach<RestartedStates, &LAMMPS_NS::Modify::state_restart_global>;
+template struct Reach<RestartedIdsByAtom, &LAMMPS_NS::Modify::id_restart_peratom>;
+template struct Reach<RestartedStylesByAtom, &LAMMPS_NS::Modify::style_restart_peratom>;
 template struct Reach<LostFlag, &LAMMPS_NS::Thermo::lostflag>;
 template struct Reach<NextRestart, &LAMMPS_NS::Output::next_restart>;
 template struct Reach<VariableName, &LAMMPS_NS::FixPropertyGlobal::variablename>;
@@ -90,6 +115,36 @@ bool is_number(const Setting& setting, double& number) {
 
 void add_fix_style(LAMMPS_NS::Modify* modify, const std::string& style, FixCreator creator) {
   (*(modify->*reach(FixCreators())))[style] = creator;
+}
+
+FixCreator fix_creator(LAMMPS_NS::Modify* modify, const std::string& style) {
+  const auto& creators = *(modify->*reach(FixCreators()));
+  const auto found = creators.find(style);
+  return found == creators.end() ? nullptr : found->second;
+}
+
+const char* restarted_state(LAMMPS_NS::Modify* modify, const std::string& id,
+                            const std::string& style) {
+  for (int k = 0; k < modify->nfix_restart_global; ++k)
+    if ((modify->*reach(RestartedIds()))[k] == id &&
+        (modify->*reach(RestartedStyles()))[k] == style)
+      return (modify->*reach(RestartedStates()))[k];
+  return nullptr;
+}
+
+bool discard_restarted(LAMMPS_NS::Modify* modify, const std::string& id, const std::string& style) {
+  bool any = false;
+  const auto discard = [&](char* restarted_id, const char* restarted_style) {
+    if (restarted_id != id || restarted_style != style) return;
+    restarted_id[0] = '\0';  // an ID that no fix has
+    any = true;
+  };
+  for (int k = 0; k < modify->nfix_restart_global; ++k)
+    discard((modify->*reach(RestartedIds()))[k], (modify->*reach(RestartedStyles()))[k]);
+  for (int k = 0; k < modify->nfix_restart_peratom; ++k)
+    discard((modify->*reach(RestartedIdsByAtom()))[k],
+            (modify->*reach(RestartedStylesByAtom()))[k]);
+  return any;
 }
 
 bool lost_is_error(const LAMMPS_NS::Output* output) {

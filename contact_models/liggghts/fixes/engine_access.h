@@ -40,6 +40,18 @@ bool is_number(const Setting& setting, double& number);
 typedef LAMMPS_NS::Fix* (*FixCreator)(LAMMPS_NS::LAMMPS*, int, char**);
 void add_fix_style(LAMMPS_NS::Modify* modify, const std::string& style, FixCreator creator);
 
+// The creator of a style of fixes; null where there is none.
+FixCreator fix_creator(LAMMPS_NS::Modify* modify, const std::string& style);
+
+// What a restart file holds of a fix for all particles together, until the first run after it; null
+// where it holds nothing.
+const char* restarted_state(LAMMPS_NS::Modify* modify, const std::string& id,
+                            const std::string& style);
+
+// Discards what a restart file holds of a fix, as long as no new fix has taken it. Returns whether
+// there was anything.
+bool discard_restarted(LAMMPS_NS::Modify* modify, const std::string& id, const std::string& style);
+
 // Whether lost particles are an error (thermo_modify lost error).
 bool lost_is_error(const LAMMPS_NS::Output* output);
 

@@ -44,6 +44,10 @@ class HistoryKeeper : public OwnFix {
   // a restart file has of this owner are those of other models. All ranks together.
   void connect(const std::string& owner, const Line& line);
 
+  // The models of an owner's contacts in the restart file that was read, as of `Line`, as long as
+  // no run has begun; empty where they are none of ours.
+  static std::string restarted_models(LAMMPS_NS::LAMMPS* engine, const std::string& owner);
+
   // What a restart file says of an owner's settings; without a word of it, a warning and nothing.
   std::string restarted_settings(const std::string& owner) const;
 
@@ -65,6 +69,7 @@ class HistoryKeeper : public OwnFix {
 
  private:
   typedef std::map<std::string, Line> Lines;
+  static Lines lines_of_file(const char* text);
   static constexpr char pair_owner[] = "pair_style", pair_histories[] = "contacthistory";
 
   // A fix with histories when they were stored.

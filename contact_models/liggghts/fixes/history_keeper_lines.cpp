@@ -109,15 +109,27 @@ void HistoryKeeper::write_restart(FILE* file) {
   fwrite(text.c_str(), 1, size, file);
 }
 
-void HistoryKeeper::restart(char* data) {
-  std::istringstream text(data);
-  for (std::string owner, models, settings, constant; std::getline(text, owner, '\t') &&
-                                                      std::getline(text, models, '\t') &&
-                                                      std::getline(text, settings);) {
-    Line& line = in_file_[owner] = {models, settings, {}, ""};
-    while (text.peek() == '\t' && std::getline(text.ignore(), constant))
+HistoryKeeper::Lines HistoryKeeper::lines_of_file(const char* text) {
+  Lines lines;
+  std::istringstream words(text);
+  for (std::string owner, models, settings, constant; std::getline(words, owner, '\t') &&
+                                                      std::getline(words, models, '\t') &&
+                                                      std::getline(words, settings);) {
+    Line& line = lines[owner] = {models, settings, {}, ""};
+    while (words.peek() == '\t' && std::getline(words.ignore(), constant))
       line.constants += constant + '\n';
   }
+  return lines;
+}
+
+void HistoryKeeper::restart(char* data) { in_file_ = lines_of_file(data); }
+
+std::string HistoryKeeper::restarted_models(LAMMPS_NS::LAMMPS* engine, const std::string& owner) {
+  const char* const text = restarted_state(engine->modify, id(), style());
+  if (!text) return {};
+  const Lines lines = lines_of_file(text);
+  const auto found = lines.find(owner);
+  return found == lines.end() ? std::string() : found->second.models;
 }
 
 }  // namespace plastigran

@@ -12,6 +12,7 @@
 #include "liggghts/model/companions.h"
 #include "liggghts/model/contact_setup.h"
 #include "liggghts/plugin/any_model.h"
+#include "liggghts/plugin/foreign_histories.h"
 #include "liggghts/plugin/registered.h"
 #include "liggghts/spectra/collision_spectra.h"
 
@@ -129,6 +130,7 @@ const bool registered = [] {
 template <>
 RegisteredLaw::Model make_model(LAMMPS_NS::LAMMPS* engine, IContactHistorySetup* setup,
                                 ContactModelBase* contact_model) {
+  discard_foreign_histories(engine);
   add_style<DissipationHeat>(engine->modify);
   add_style<CollisionSpectra>(engine->modify);
   const int64_t hash = static_cast<ContactSetup*>(setup)->hash();

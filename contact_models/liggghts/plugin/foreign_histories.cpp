@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "liggghts/plugin/foreign_histories.h"
+
+#include <cstdio>
+#include <string>
+
+#include "comm.h"
+#include "contact_models.h"
+#include "error.h"
+#include "fix_mesh_surface.h"
+#include "fix_wall_gran.h"
+#include "force.h"
+#include "lammps.h"
+#include "liggghts/fixes/engine_access.h"
+#include "liggghts/fixes/history_keeper.h"
+#include "modify.h"
+#include "pair_gran.h"
+
+namespace plastigran {
+
+using LAMMPS_NS::FixWallGran;
+using LAMMPS_NS::LAMMPS;
+
+namespace {
+
+// Styles of the fixes in which LIGGGHTS stores contact histories of pairs, meshes and primitive
+// walls, and its creators of them.
+struct HistoryStyle {
+  const char* style;
+  FixCreator creator;
+} styles[] = {
+    {"contacthistory", nullptr}, {"contacthistory/mesh", nullptr}, {"property/atom", nullptr}};
+
+template <class Owner>
+bool has_our_law(Owner* owner) {
+#define LAW(name) \
+  if (owner->contact_match("normal", #name)) return true;
+#define COMBINATION(number)
+#include "registered.inc"
+#undef LAW
+#undef COMBINATION
+  return false;
+}
+
+// The pair style or wall whose histories a fix stores.
+struct Owner {
+  std::string name;  // as HistoryKeeper has it; empty: the fix stores something else
+  bool is_ours = false;
+};
+
+Owner wall_of(LAMMPS* engine, const std::string& fix_id, const std::string& style) {
+  for (int k = 0; k < engine->modify->n_fixes_style("wall/gran"); ++k) {
+    const auto wall = dynamic_cast<FixWallGran*>(engine->modify->find_fix_style("wall/gran", k));
+    if (!wall) continue;
+    bool stores = !wall->is_mesh_wall() && fix_id == std::string("history_") + wall->id;
+    if (style == "contacthistory/mesh" && wall->is_mesh_wall())
+      for (int mesh = 0; mesh < wall->n_meshes(); ++mesh)
+        stores = stores || fix_id == std::string("tracker_") + wall->mesh_list()[mesh]->id;
+    if (stores) return {std::string("fix ") + wall->id, has_our_law(wall)};
+  }
+  return {};
+}
+
+Owner owner_of(LAMMPS* engine, const std::string& fix_id, const std::string& style) {
+  if (style != "contacthistory") return wall_of(engine, fix_id, style);
+  const auto pair = static_cast<LAMMPS_NS::PairGran*>(engine->force->pair_match("gran", 0));
+  return pair ? Owner{"pair_style", has_our_law(pair)} : Owner();
+}
+
+void discard_if_foreign(LAMMPS* engine, const std::string& fix_id, const std::string& style) {
+  if (engine->modify->nfix_restart_peratom == 0) return;
+  const Owner owner = owner_of(engine, fix_id, style);
+  const std::string models = HistoryKeeper::restarted_models(engine, owner.name);
+  if (owner.name.empty() || owner.is_ours != models.empty()) return;
+  if (!discard_restarted(engine->modify, fix_id, style) || engine->comm->me != 0) return;
+  if (!owner.is_ours) {
+    engine->error->warning(FLERR, (owner.name + ": the restart file has contacts of `" + models +
+                                   "`, which a model of LIGGGHTS cannot continue. Their residual "
+                                   "overlaps and tangential springs are discarded")
+                                      .c_str());
+    return;
+  }
+  const std::string text =
+      owner.name +
+      ": the restart file has contacts of a model of LIGGGHTS. They begin as first "
+      "contacts, loaded to their present overlap, without tangential springs\n";
+  if (engine->screen) fputs(text.c_str(), engine->screen);
+  if (engine->logfile) fputs(text.c_str(), engine->logfile);
+}
+
+LAMMPS_NS::Fix* make_history(LAMMPS* engine, int count, char** words) {
+  const std::string style = words[2];
+  discard_if_foreign(engine, words[0], style);
+  for (const HistoryStyle& known : styles)
+    if (style == known.style) return known.creator(engine, count, words);
+  return nullptr;
+}
+
+}  // namespace
+
+void discard_foreign_histories(LAMMPS* engine) {
+  for (HistoryStyle& known : styles) {
+    const FixCreator creator = fix_creator(engine->modify, known.style);
+    if (!creator || creator == make_history) continue;
+    known.creator = creator;
+    add_fix_style(engine->modify, known.style, make_history);
+  }
+}
+
+}  // namespace plastigran
