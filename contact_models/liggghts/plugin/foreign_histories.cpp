@@ -48,21 +48,25 @@ struct Owner {
   bool is_ours = false;
 };
 
-Owner wall_of(LAMMPS* engine, const std::string& fix_id, const std::string& style) {
+// LIGGGHTS counts a particle's contacts with a mesh in a fix of its own, which goes with them.
+const std::string mesh_contacts = "n_neighs_mesh_";
+
+Owner wall_of(LAMMPS* engine, const std::string& fix_id) {
   for (int k = 0; k < engine->modify->n_fixes_style("wall/gran"); ++k) {
     const auto wall = dynamic_cast<FixWallGran*>(engine->modify->find_fix_style("wall/gran", k));
     if (!wall) continue;
     bool stores = !wall->is_mesh_wall() && fix_id == std::string("history_") + wall->id;
-    if (style == "contacthistory/mesh" && wall->is_mesh_wall())
-      for (int mesh = 0; mesh < wall->n_meshes(); ++mesh)
-        stores = stores || fix_id == std::string("tracker_") + wall->mesh_list()[mesh]->id;
+    for (int mesh = 0; wall->is_mesh_wall() && mesh < wall->n_meshes(); ++mesh) {
+      const std::string mesh_id = wall->mesh_list()[mesh]->id;
+      stores = stores || fix_id == "tracker_" + mesh_id || fix_id == mesh_contacts + mesh_id;
+    }
     if (stores) return {std::string("fix ") + wall->id, has_our_law(wall)};
   }
   return {};
 }
 
 Owner owner_of(LAMMPS* engine, const std::string& fix_id, const std::string& style) {
-  if (style != "contacthistory") return wall_of(engine, fix_id, style);
+  if (style != "contacthistory") return wall_of(engine, fix_id);
   const auto pair = static_cast<LAMMPS_NS::PairGran*>(engine->force->pair_match("gran", 0));
   return pair ? Owner{"pair_style", has_our_law(pair)} : Owner();
 }
@@ -73,6 +77,7 @@ void discard_if_foreign(LAMMPS* engine, const std::string& fix_id, const std::st
   const std::string models = HistoryKeeper::restarted_models(engine, owner.name);
   if (owner.name.empty() || owner.is_ours != models.empty()) return;
   if (!discard_restarted(engine->modify, fix_id, style) || engine->comm->me != 0) return;
+  if (fix_id.rfind(mesh_contacts, 0) == 0) return;  // the log has the line of the histories
   if (!owner.is_ours) {
     engine->error->warning(FLERR, (owner.name + ": the restart file has contacts of `" + models +
                                    "`, which a model of LIGGGHTS cannot continue. Their residual "

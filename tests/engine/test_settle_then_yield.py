@@ -1,0 +1,102 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""A bed that settled with LIGGGHTS' `hertz` continues with a law, and the reverse: the decks of
+docs/settle_then_yield.md, on planes and meshes, on one rank and on two."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from plastigran.engine.log import read_thermo
+from plastigran.engine.process import PROJECT, run_deck
+
+PAGE = (PROJECT / "docs" / "settle_then_yield.md").read_text()
+SETTLE, CONTINUE = re.findall(r"```\n(.*?)```", PAGE, re.DOTALL)[:2]
+TRIANGLES = """solid floor
+ facet normal 0 0 1
+  outer loop
+   vertex 0.0001 0.0001 0
+   vertex 0.0407 0.0001 0
+   vertex 0.0407 0.0407 0
+  endloop
+ endfacet
+ facet normal 0 0 1
+  outer loop
+   vertex 0.0001 0.0001 0
+   vertex 0.0407 0.0407 0
+   vertex 0.0001 0.0407 0
+  endloop
+ endfacet
+endsolid floor
+"""
+MESH = "fix mesh all mesh/surface file floor.stl type 1\nfix floor"
+LEDGER = f"include {PROJECT}/inputs/energy_ledger.in\nthermo 100\n"
+
+
+def run(folder: Path, deck: str, name: str, ranks: int, wall: str) -> str:
+    """Run a deck of the page in a folder; its log."""
+    if wall == "mesh":
+        deck = re.sub("^fix floor", MESH, deck, flags=re.MULTILINE).replace(
+            "primitive type 1 zplane 0.0", "mesh n_meshes 1 meshes mesh"
+        )
+        (folder / "floor.stl").write_text(TRIANGLES)
+    (folder / f"{name}.in").write_text("variable output index .\nvariable inputs index .\n" + deck)
+    run_deck(folder / f"{name}.in", {}, folder / name, ranks=ranks, working_folder=folder)
+    return (folder / name / "log.liggghts").read_text(errors="replace")
+
+
+@pytest.mark.parametrize("ranks", [1, 2])
+@pytest.mark.parametrize("wall", ["plane", "mesh"])
+def test_a_bed_settled_with_hertz_continues_with_a_law(wall, ranks, tmp_path):
+    """Contacts are loaded to their overlap: they have yielded at once, and the energy is closed.
+
+    1e-5 of the energy: the integrator's error in these 2000 steps; the plastic work at the start
+    alone is 1e-2 of it.
+    """
+    run(tmp_path, SETTLE, "settle", ranks, wall)
+    deck = CONTINUE.replace("fix gravity", LEDGER + "fix gravity", 1)
+    log = run(tmp_path, deck, "continue", ranks, wall)
+    for owner in ("pair_style", "fix floor"):
+        assert f"{owner}: the restart file has contacts of a model of LIGGGHTS. They begin" in log
+    assert "WARNING" not in log
+    table = read_thermo(tmp_path / "continue" / "log.liggghts")
+    assert table["atoms"].iloc[-1] == 48
+    energy = table[["kinetic", "gravity", "elastic", "plastic"]].iloc[0].sum()
+    assert table["plastic"].iloc[0] > 0 and (np.diff(table["plastic"]) >= 0).all()
+    assert table["drift"].abs().max() < 1e-5 * energy
+
+
+@pytest.mark.parametrize("ranks", [1, 2])
+@pytest.mark.parametrize("wall", ["plane", "mesh"])
+def test_a_bed_settled_with_a_law_continues_with_hertz(wall, ranks, tmp_path):
+    strength = "fix m5 all property/global yieldStrength peratomtype 5.0e5\npair_style"
+    settle = SETTLE.replace("model hertz", "model universal").replace("pair_style", strength)
+    run(tmp_path, settle.replace("20000", "2000"), "settle", ranks, wall)
+    deck = CONTINUE.replace("model universal", "model hertz").replace(" energy_ledger on", "")
+    restitution = "fix m4 all property/global coefficientRestitution peratomtypepair 1 0.4\n"
+    deck = deck.replace("fix m1", f"soft_particles yes\nhard_particles yes\n{restitution}fix m1")
+    log = run(tmp_path, deck.replace("fix m5", "#"), "continue", ranks, wall)
+    for owner in ("pair_style", "fix floor"):
+        said = rf"WARNING: {owner}: the restart file has contacts of `model universal.*`, which"
+        assert re.search(said, log)
+
+
+@pytest.mark.parametrize("ranks", [1, 2])
+@pytest.mark.parametrize("wall", ["plane", "mesh"])
+def test_the_models_may_change_within_a_deck(wall, ranks, tmp_path):
+    """The lines of the second deck behind those of the first, with the wall's fix deleted."""
+    second = re.findall(r"^(?:fix m5|pair_style|pair_coeff|fix floor|timestep).*\n", CONTINUE, re.M)
+    lines = "".join(second).replace("fix floor", LEDGER + "fix floor", 1)
+    if wall == "mesh":
+        lines = lines.replace("primitive type 1 zplane 0.0", "mesh n_meshes 1 meshes mesh")
+        lines = lines.replace("fix floor", "fix  floor")  # the mesh is there
+    deck = SETTLE.replace("write_restart", "unfix floor\n" + lines + "run 2000\n#")
+    run(tmp_path, deck, "both", ranks, wall)
+    table = read_thermo(tmp_path / "both" / "log.liggghts")
+    table = table[table["run"] == 1]
+    energy = table[["kinetic", "gravity", "elastic", "plastic"]].iloc[0].sum()
+    assert table["plastic"].iloc[0] > 0
+    assert table["drift"].abs().max() < 1e-5 * energy
