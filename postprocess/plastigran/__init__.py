@@ -12,10 +12,11 @@
     flow = pg.bulk("hopper", law="thornton", ranks=2)    # or pg.open("results/hopper")
     flow.series, flow.checks, flow.figures["hopper"]
 
-Names are loaded when they are first used.
+Names are loaded when they are first used. Type checkers and editors see plain imports.
 """
 
 from importlib import import_module
+from typing import TYPE_CHECKING
 
 _PUBLIC = {
     "RIGID": ("materials", "RIGID"),
@@ -29,16 +30,37 @@ _PUBLIC = {
     "open": ("bulk", "open"),
 }
 
-__all__ = sorted(_PUBLIC)
+__all__ = [
+    "RIGID",
+    "Contact",
+    "bulk",
+    "calibrate",
+    "cite",
+    "collide",
+    "laws",
+    "material",
+    "open",
+]
 
 
-def __getattr__(name: str) -> object:
-    if name not in _PUBLIC:
-        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
-    module, attribute = _PUBLIC[name]
-    found = import_module(f"{__name__}.{module}")
-    globals()[name] = found = found if attribute is None else getattr(found, attribute)
-    return found
+if TYPE_CHECKING:
+    from plastigran import bulk, laws
+    from plastigran.bulk import open
+    from plastigran.calibration import calibrate
+    from plastigran.citation import cite
+    from plastigran.contact import Contact
+    from plastigran.experiments.collide import collide
+    from plastigran.materials import RIGID
+    from plastigran.materials import read_material as material
+else:
+
+    def __getattr__(name: str) -> object:
+        if name not in _PUBLIC:
+            raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+        module, attribute = _PUBLIC[name]
+        found = import_module(f"{__name__}.{module}")
+        globals()[name] = found = found if attribute is None else getattr(found, attribute)
+        return found
 
 
 def __dir__() -> list[str]:

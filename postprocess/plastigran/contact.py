@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import warnings
-from math import inf, pi
+from math import inf, pi, sqrt
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -14,6 +14,7 @@ from numpy.typing import ArrayLike
 from plastigran import laws
 from plastigran.declared import Declaration, read_number
 from plastigran.materials import RIGID, Material, read_material
+from plastigran.physics import central
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -124,6 +125,48 @@ class Contact:
     def overlap_range(self) -> float:
         """Largest overlap that the law is good for [m]; in words `law.range`."""
         return self.law.overlap_range * self.radius_eff
+
+    @property
+    def yield_overlap(self) -> float:
+        """Overlap at which the metal first yields [m]; infinite for a law without yield.
+
+        Spheres: R* (pi p_y/(2 E*))^2, where the largest Hertzian pressure is p_y, the contact yield
+        pressure of the weaker body (Johnson, Contact Mechanics, 1985, sec. 6.1). Cylinders: where
+        the mean pressure is 1.5 sigma_Y (Katta & Polycarpou 2010, J. Tribol. 132). The same for
+        every law of a shape; a law may leave its elastic curve earlier or later.
+
+        Raises:
+            ValueError: A cylinder's contact at yield is too wide for the body's thickness.
+        """
+        return self._yield()[1]
+
+    @property
+    def yield_force(self) -> float:
+        """Force at `yield_overlap` [N]: for spheres pi^3 p_y^3 R*^2/(6 E*^2), for cylinders
+        36 sigma_Y^2 R* L/(pi E*); infinite for a law without yield. Sources and errors as there.
+        """
+        return self._yield()[0]
+
+    @property
+    def yield_speed(self) -> float:
+        """Closing speed of a central impact that just reaches `yield_overlap` [m/s], from
+        1/2 m* v_y^2 = W_y, the elastic work up to there; infinite for a law without yield.
+
+        Source: Thornton 1997, J. Appl. Mech. 64:383, eq. 22: W_y = 2/5 F_y overlap_y for spheres.
+
+        Raises:
+            ValueError: No body has a mass, or as for `yield_overlap`.
+        """
+        return sqrt(2 * self._yield()[2] / self.mass_eff)
+
+    def _yield(self) -> tuple[float, float, float]:
+        """Force [N], overlap [m] and work [J]."""
+        if not self.law.yields:
+            return inf, inf, inf
+        if self.law.shape == "sphere":
+            return central.sphere_yield(self.pair, self.radius_eff)
+        lengths = (self._constants[name] for name in ("cylinder_length", "body_thickness"))
+        return central.line_yield(self.pair, self.radius_eff, *lengths)
 
     def _warn(self, name: str, unit: str, outside: np.ndarray) -> None:
         if outside.size:

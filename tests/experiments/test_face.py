@@ -67,6 +67,45 @@ def test_a_contact_of_cylinders_has_their_mass():
     assert found.overlap_max[0] == pytest.approx(case.predict().overlap_max, rel=1e-12)
 
 
+def test_where_a_contact_of_spheres_yields():
+    """Johnson's closed forms, sec. 6.1, and on the elastic curve of the law."""
+    contact = pg.Contact("thornton", STEEL, "steel", radius=5e-3, radius_other=0.02)
+    pressure, modulus = contact.pair.yield_pressure, contact.pair.youngs_modulus_eff
+    radius = 1 / (1 / 5e-3 + 1 / 0.02)
+    overlap = radius * (np.pi * pressure / (2 * modulus)) ** 2
+    force = np.pi**3 * pressure**3 * radius**2 / (6 * modulus**2)
+    speed = np.sqrt(np.pi**5 / 30 * pressure**5 * radius**3 / (modulus**4 * contact.mass_eff))
+    assert contact.yield_overlap == pytest.approx(overlap, rel=1e-12)
+    assert contact.yield_force == pytest.approx(force, rel=1e-12)
+    assert contact.yield_speed == pytest.approx(speed, rel=1e-12)
+    elastic = contact.path([contact.yield_overlap * (1 - 1e-9)]).iloc[0]
+    assert elastic["plastic_work"] == 0
+    assert elastic["force"] == pytest.approx(contact.yield_force, rel=1e-8)
+    assert contact.restitution(0.999 * contact.yield_speed) == pytest.approx(1, abs=1e-12)
+    assert contact.restitution(1.1 * contact.yield_speed) < 1
+
+
+def test_where_a_contact_of_cylinders_yields():
+    """F_Y = 36 sigma_Y^2 R* L/(pi E*), and on the elastic curve of the law."""
+    lengths = {"cylinder_length": 1e-4, "body_thickness": 1e-4}
+    glass = pg.material("glass_kp10")
+    contact = pg.Contact("lim_stronge", glass, pg.RIGID, radius=1e-5, **lengths)
+    strength, modulus = contact.pair.yield_strength, contact.pair.youngs_modulus_eff
+    force = 36 * strength**2 * 1e-5 * 1e-4 / (np.pi * modulus)
+    assert contact.yield_force == pytest.approx(force, rel=1e-12)
+    elastic = contact.path([contact.yield_overlap * (1 - 1e-9)]).iloc[0]
+    assert elastic["plastic_work"] == 0
+    assert elastic["force"] == pytest.approx(force, rel=1e-8)
+    work = 0.5 * contact.mass_eff * contact.yield_speed**2
+    assert elastic["elastic_energy"] == pytest.approx(work, rel=1e-8)
+
+
+def test_a_law_without_yield_yields_nowhere():
+    contact = pg.Contact("hertz", STEEL, pg.RIGID, radius=5e-3)
+    found = contact.yield_overlap, contact.yield_force, contact.yield_speed
+    assert found == (np.inf, np.inf, np.inf)
+
+
 def test_speeds_of_any_shape():
     contact = pg.Contact("kogut_etsion", STEEL, pg.RIGID, radius=5e-3)
     speeds = np.array([[0.1, 0.2], [0.3, 0.4]])

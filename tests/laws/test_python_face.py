@@ -13,6 +13,7 @@ import numpy as np
 import pandas as pd
 import pytest
 
+import plastigran
 from plastigran import laws
 
 RADIUS, MASS = 0.01, 1e-3
@@ -28,7 +29,7 @@ IMPACT = [
     "damping_max",
     "in_range",
 ]
-STUB = Path(laws.__file__).with_name("laws.pyi")
+STUB = Path(plastigran.__file__).with_name("laws.pyi")
 
 
 @pytest.fixture

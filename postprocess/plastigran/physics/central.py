@@ -136,14 +136,32 @@ def restitution_without_pull(coefficient_of_restitution: ArrayLike) -> np.ndarra
     return e ** (1 - 2 / np.pi * np.arctan(-np.log(e) / np.pi))
 
 
+def sphere_yield(pair: laws.MaterialPair, radius_eff: float) -> tuple[float, float, float]:
+    """Where the Hertzian contact of spheres yields: its largest pressure is p_y.
+
+    a_y = pi p_y R*/(2 E*), overlap_y = a_y^2/R*, F_y = 4/3 E* a_y^3/R*, W_y = 2/5 F_y overlap_y.
+
+    Args:
+        pair: The two bodies' materials.
+        radius_eff: R* [m].
+
+    Returns:
+        Force F_y [N], overlap_y [m] and work W_y [J].
+
+    Source: Johnson, Contact Mechanics (1985), sec. 6.1; Thornton 1997, J. Appl. Mech. 64:383.
+    """
+    overlap = radius_eff * laws.yield_radius_ratio(pair) ** 2
+    force = 4 / 3 * pair.youngs_modulus_eff * sqrt(radius_eff * overlap) * overlap
+    return force, overlap, 0.4 * force * overlap
+
+
 def yield_speed(pair: laws.MaterialPair, radius_eff: float, mass_eff: float) -> float:
     """Closing speed at which a central impact just reaches yield [m/s].
 
     From 1/2 m* v_y^2 = 2/5 F_y overlap_y; Thornton 1997, J. Appl. Mech. 64:383, eq. 22.
     """
-    overlap = radius_eff * laws.yield_radius_ratio(pair) ** 2
-    force = 4 / 3 * pair.youngs_modulus_eff * sqrt(radius_eff * overlap) * overlap
-    return sqrt(0.8 * force * overlap / mass_eff)
+    *_, work = sphere_yield(pair, radius_eff)
+    return sqrt(2 * work / mass_eff)
 
 
 def line_yield(
