@@ -25,6 +25,7 @@
 #include "liggghts/fixes/history_keeper.h"
 #include "liggghts/fixes/motion_watch.h"
 #include "liggghts/fixes/own_fix.h"
+#include "liggghts/fixes/parted_walls.h"
 #include "liggghts/model/accounted_load.h"
 #include "liggghts/model/contact_owner.h"
 #include "liggghts/model/contact_setup.h"
@@ -107,6 +108,7 @@ class ElastoplasticNormalModel : public NormalModelBase {
     if (plastigran::yields<Law>) rates_.connect(deck, pairs_.rate_matters());
     watch_.begin(caller(), settings_.overlap_limit);
     plastigran::own_fix<plastigran::MotionWatch>(lmp);
+    plastigran::own_fix<plastigran::PartedWalls>(lmp);
     const auto taker = dynamic_cast<plastigran::AccountTaker*>(contact_model_);
     accounts_ = taker && taker->takes_accounts;
     if (settings_.viscous_damping) {

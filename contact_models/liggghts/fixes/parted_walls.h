@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+//
+// Ends the contacts of primitive walls. The engine offers a wall's model only the particles within
+// one neighbor skin of the wall. A particle that crosses the skin in one step, or any particle with
+// `neighbor 0.0`, would keep the contact history of its last touch.
+#pragma once
+
+#include "liggghts/fixes/own_fix.h"
+
+namespace plastigran {
+
+class PartedWalls : public OwnFix {
+ public:
+  using OwnFix::OwnFix;
+  static const char* id() { return "plastigran_parted_walls"; }
+  static const char* style() { return "plastigran/parted_walls"; }
+
+  int setmask() override;
+  void pre_neighbor() override;
+};
+
+}  // namespace plastigran
