@@ -148,6 +148,26 @@ def test_restitution_that_nothing_uses_is_said(tmp_path):
     assert said not in damped
 
 
+@pytest.mark.parametrize(
+    ("pairs", "wall", "said"),
+    [
+        ("thornton", "hertz", "pair_style has thornton; fix floor has a model of LIGGGHTS"),
+        ("hertz", "thornton", "pair_style has a model of LIGGGHTS; fix floor has thornton"),
+        ("thornton", "stronge", "pair_style has thornton; fix floor has stronge"),
+    ],
+)
+def test_different_models_of_pairs_and_walls_are_said_once(pairs, wall, said, tmp_path):
+    log = run(
+        tmp_path,
+        model=f"{pairs} tangential off",
+        floor=f"fix floor all wall/gran model {wall} tangential off {FLOOR}",
+        more="hard_particles yes\n" + matrix("coefficientRestitution", "0.9"),
+    )
+    assert log.count(f"lines have different normal models: {said}") == 1
+    # Right only where no line has a model of LIGGGHTS.
+    assert ("coefficientRestitution is not used" in log) == (wall == "stronge")
+
+
 def test_a_refused_combination_names_the_word(tmp_path):
     said = "surface superquadric is not available with this model; possible: default multicontact"
     with pytest.raises(EngineError, match=f"model thornton: {said}"):

@@ -33,6 +33,7 @@
 #include "liggghts/model/impact_forecast.h"
 #include "liggghts/model/line_settings.h"
 #include "liggghts/model/normal_model_settings.h"
+#include "liggghts/model/normal_models.h"
 #include "liggghts/model/periodic_sides.h"
 #include "liggghts/model/rate_memory.h"
 #include "liggghts/model/type_pair.h"
@@ -119,7 +120,12 @@ class ElastoplasticNormalModel : public NormalModelBase {
     // Ask for surfacesClose() just outside contact, where the history is cleared: otherwise a pair
     // that parts and meets again before the next neighbour build would remember its dent.
     neighbor->register_contact_dist_factor(1.01);
-    if (!reported_ && comm->me == 0) report_constants(deck, constants(" (default)"));
+    const plastigran::MixedModels mixed = plastigran::mixed_models(lmp);
+    if (!reported_ && comm->me == 0)
+      report_constants(deck, constants(" (default)"), mixed.has_foreign);
+    if (comm->me == 0 && !mixed.text.empty() && mixed.first == owner)
+      watch_.warn_once("lines have different normal models: " + mixed.text +
+                       ". Use one model in all lines, unless this is intended");
     reported_ = true;
     forecast_impacts(deck);
   }
@@ -227,9 +233,10 @@ class ElastoplasticNormalModel : public NormalModelBase {
   }
 
   // What the model was given and what it assumed: a misspelt optional property shows here.
-  void report_constants(const plastigran::DeckProperties& deck, const std::string& constants) {
+  void report_constants(const plastigran::DeckProperties& deck, const std::string& constants,
+                        bool has_foreign) {
     const std::string text =
-        constants + settings_.describe_unused(caller(), deck, owner_.is_wall());
+        constants + settings_.describe_unused(caller(), deck, owner_.is_wall(), has_foreign);
     if (screen) fputs(text.c_str(), screen);
     if (logfile) fputs(text.c_str(), logfile);
     const bool cohesive = owner_.other_models().find(" cohesion ") != std::string::npos;

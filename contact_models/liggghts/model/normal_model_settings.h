@@ -46,11 +46,12 @@ class NormalModelSettings {
   }
 
   // Lines on what the deck gives and this model does not use; said of pairs, not again of walls.
-  std::string describe_unused(const std::string& caller, const DeckProperties& deck,
-                              bool is_wall) const {
+  // `has_foreign`: another line has a model of LIGGGHTS, which uses the restitution.
+  std::string describe_unused(const std::string& caller, const DeckProperties& deck, bool is_wall,
+                              bool has_foreign) const {
     if (is_wall) return "";
     std::string text;
-    if (!viscous_damping && deck.given("coefficient_restitution"))
+    if (!viscous_damping && !has_foreign && deck.given("coefficient_restitution"))
       text += caller +
               ": coefficientRestitution is not used, restitution follows from the law; "
               "it is the dashpot's, viscous_damping on\n";

@@ -13,6 +13,7 @@
 #include "lammps.h"
 #include "liggghts/fixes/engine_access.h"
 #include "liggghts/fixes/history_keeper.h"
+#include "liggghts/model/normal_models.h"
 #include "modify.h"
 #include "pair_gran.h"
 
@@ -30,17 +31,6 @@ struct HistoryStyle {
   FixCreator creator;
 } styles[] = {
     {"contacthistory", nullptr}, {"contacthistory/mesh", nullptr}, {"property/atom", nullptr}};
-
-template <class Owner>
-bool has_our_law(Owner* owner) {
-#define LAW(name) \
-  if (owner->contact_match("normal", #name)) return true;
-#define COMBINATION(number)
-#include "registered.inc"
-#undef LAW
-#undef COMBINATION
-  return false;
-}
 
 // The pair style or wall whose histories a fix stores.
 struct Owner {
@@ -60,7 +50,7 @@ Owner wall_of(LAMMPS* engine, const std::string& fix_id) {
       const std::string mesh_id = wall->mesh_list()[mesh]->id;
       stores = stores || fix_id == "tracker_" + mesh_id || fix_id == mesh_contacts + mesh_id;
     }
-    if (stores) return {std::string("fix ") + wall->id, has_our_law(wall)};
+    if (stores) return {std::string("fix ") + wall->id, !law_of(wall).empty()};
   }
   return {};
 }
@@ -68,7 +58,7 @@ Owner wall_of(LAMMPS* engine, const std::string& fix_id) {
 Owner owner_of(LAMMPS* engine, const std::string& fix_id, const std::string& style) {
   if (style != "contacthistory") return wall_of(engine, fix_id);
   const auto pair = static_cast<LAMMPS_NS::PairGran*>(engine->force->pair_match("gran", 0));
-  return pair ? Owner{"pair_style", has_our_law(pair)} : Owner();
+  return pair ? Owner{"pair_style", !law_of(pair).empty()} : Owner();
 }
 
 void discard_if_foreign(LAMMPS* engine, const std::string& fix_id, const std::string& style) {
