@@ -109,6 +109,12 @@ class ElastoplasticNormalModel : public NormalModelBase {
     if (plastigran::yields<Law>) rates_.connect(deck, pairs_.rate_matters());
     watch_.begin(caller(), settings_.overlap_limit);
     plastigran::own_fix<plastigran::MotionWatch>(lmp);
+    // Without a pair style of ours the fix would come too late for the first run.
+    if (!(neighbor->skin > 0) && !plastigran::find_own_fix<plastigran::PartedWalls>(lmp) &&
+        owner_.is_wall())
+      fail(
+          "neighbor 0.0 needs an elasto-plastic model in the pair_style line, too: a wall keeps "
+          "the dents of particles that part from it. Use a skin of 10 % of the smallest radius");
     plastigran::own_fix<plastigran::PartedWalls>(lmp);
     const auto taker = dynamic_cast<plastigran::AccountTaker*>(contact_model_);
     accounts_ = taker && taker->takes_accounts;
