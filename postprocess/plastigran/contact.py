@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from plastigran import laws
-from plastigran.declared import Declaration, read_number
+from plastigran.declared import RADIUS, Declaration, read_number
 from plastigran.materials import RIGID, Material, read_material
 from plastigran.physics import central
 
@@ -21,7 +21,6 @@ if TYPE_CHECKING:
 
 Bodylike = Material | laws.Body | str | Path
 
-_RADIUS = Declaration("of a body", "m", lower=0)
 _MASS = Declaration("m*", "kg", lower=0)
 
 
@@ -67,9 +66,9 @@ class Contact:
         if not isinstance(law, str) or law not in laws.LAWS:
             raise ValueError(f"no law {law!r}; there are {', '.join(sorted(laws.LAWS))}")
         self._bodies = [_read_body(name, body) for name, body in (("a", a), ("b", b))]
-        self._radii = [read_number("radius", radius, _RADIUS), inf]
+        self._radii = [read_number("radius", radius, RADIUS), inf]
         if radius_other is not None and radius_other != inf:
-            self._radii[1] = read_number("radius_other", radius_other, _RADIUS)
+            self._radii[1] = read_number("radius_other", radius_other, RADIUS)
         if mass_eff is not None:
             mass_eff = read_number("mass_eff", mass_eff, _MASS)
         self._mass_eff, self._constants = mass_eff, constants

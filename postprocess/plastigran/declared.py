@@ -9,11 +9,16 @@ reads them from the field's metadata, `declaration(cls)`.
 
 from __future__ import annotations
 
+import warnings
 from collections.abc import Sequence
 from math import inf, isfinite
 from typing import Any
 
 import attrs
+
+
+class SizeWarning(UserWarning):
+    """A size is far from those of grains."""
 
 
 @attrs.frozen
@@ -27,6 +32,7 @@ class Declaration:
         closed: Whether the bounds themselves are allowed.
         choices: Of a word.
         kind: What a text is read as: float, int or str.
+        usual: Range outside of which a value is taken, with a warning to check its unit; or None.
     """
 
     meaning: str
@@ -36,6 +42,7 @@ class Declaration:
     closed: bool = False
     choices: tuple[str, ...] = ()
     kind: type = float
+    usual: tuple[float, float] | None = None
 
     def allowed(self) -> str:
         """The range in words."""
@@ -46,10 +53,8 @@ class Declaration:
         if self.upper == inf:
             least = {True: f"{self.lower:g} or more", False: f"above {self.lower:g}"}[self.closed]
             return f"must be {'positive' if least == 'above 0' else least} and finite [{self.unit}]"
-        ends = ("from {:g} to {:g}" if self.closed else "between {:g} and {:g}").format(
-            self.lower, self.upper
-        )
-        return f"must lie {ends} [{self.unit}]"
+        ends = "from {:g} to {:g}" if self.closed else "above {:g} and below {:g}"
+        return f"must lie {ends.format(self.lower, self.upper)} [{self.unit}]"
 
     def allows(self, value: float) -> bool:
         """Whether a value is finite and within the bounds."""
@@ -72,6 +77,15 @@ def number(
     too when that is the default."""
     said = Declaration(meaning, unit, lower, upper, closed)
     return _field(said, _to_float, default)
+
+
+#: The radius of a grain, ball or tip.
+RADIUS = Declaration("radius", "m", 1e-12, 1e6, closed=True, usual=(1e-9, 0.5))
+
+
+def radius_field(meaning: str, default: Any = attrs.NOTHING) -> Any:
+    """Return a field for the radius of a grain, ball or tip [m]."""
+    return _field(attrs.evolve(RADIUS, meaning=meaning), _to_float, default)
 
 
 def whole(meaning: str, lower: int = 0, default: Any = attrs.NOTHING, upper: float = inf) -> Any:
@@ -173,3 +187,10 @@ def _check_range(name: str, value: float, said: Declaration) -> None:
     if not said.allows(value):
         shown = value if isinstance(value, int) else f"{value:g}"
         raise ValueError(f"{name} is {shown}; it {said.allowed()}")
+    if said.usual and not said.usual[0] <= value <= said.usual[1]:
+        warnings.warn(
+            f"{name} is {value:g} m, which is {1e3 * value:g} mm; radii are usually between "
+            f"{said.usual[0]:g} and {said.usual[1]:g} m. Check the unit: radii are in m, not mm",
+            SizeWarning,
+            stacklevel=1,  # the same place for all, so that a text is shown once
+        )

@@ -484,7 +484,7 @@ def test_the_template_runs_keeps_its_ledger_and_goes_on(tmp_path, capsys):
         assert_allclose(rest.series[column], whole.series[column], rtol=1e-9, atol=1e-15)
     line = ["bulk", str(deck), "--restart", str(whole.folder), "--output", str(tmp_path / "more")]
     assert main(line) == 0
-    assert "whole was already at its last step" in capsys.readouterr().out
+    assert "whole has reached its end: nothing was left to compute" in capsys.readouterr().out
 
 
 def test_a_run_without_contacts_says_so(tmp_path):

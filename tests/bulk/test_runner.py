@@ -8,6 +8,7 @@ import shutil
 import signal
 import subprocess
 import sys
+import threading
 import time
 from pathlib import Path
 
@@ -21,6 +22,7 @@ from plastigran.engine.checkpoints import PATTERN, newest_checkpoint, step_of
 from plastigran.engine.log import LogFollower
 from plastigran.engine.process import EngineError, engines
 from plastigran.materials import read_material, write_material
+from plastigran.plot import style
 
 #: Short enough for a test to wait for its end, and with many checkpoints.
 SHORT = {"side": 5, "duration": 24, "rows": 24, "checkpoints": 12, "mixing": 1}
@@ -216,7 +218,7 @@ def test_killed_python_takes_the_engine_along(start, tmp_path):
 def test_going_on_at_the_end_is_said(whole, tmp_path, capsys):
     line = ["bulk", "cooling_gas", "--restart", str(whole), "--output", str(tmp_path / "rest")]
     assert main(line) == 0
-    assert f"{whole} was already at its last step" in capsys.readouterr().out
+    assert f"{whole} has reached its end: nothing was left to compute" in capsys.readouterr().out
 
 
 def test_killed_before_its_first_checkpoint_goes_on_from_where_it_began(whole, tmp_path):
@@ -230,6 +232,36 @@ def test_killed_before_its_first_checkpoint_goes_on_from_where_it_began(whole, t
     run_bulk("cooling_gas", {}, tmp_path / "third", restart=second, show=False)
     expected, found = read_series(whole), read_series(tmp_path / "third")
     assert (found["kinetic_energy"] == expected["kinetic_energy"]).all()
+
+
+def test_a_folder_is_locked_until_figures_are_written(tmp_path, monkeypatch):
+    """Another run that would overwrite it by force is refused, and deletes nothing."""
+    refused = []
+
+    def save(figure, path, *arguments):
+        def run_again():
+            with pytest.raises(ValueError, match="run is in use by another plastigran command"):
+                run_bulk("cooling_gas", SHORT, tmp_path / "run", force=True, show=False)
+            refused.append(path)
+
+        other = threading.Thread(target=run_again)
+        other.start()
+        other.join()
+        return style_save(figure, path, *arguments)
+
+    style_save = style.save
+    monkeypatch.setattr("plastigran.bulk.run.style.save", save)
+    run = run_bulk("cooling_gas", SHORT, tmp_path / "run", show=False)
+    assert len(refused) == len(run.figures) > 0
+    for name in run.figures:
+        assert (tmp_path / "run" / "figures" / f"{name}.png").stat().st_size > 0
+
+
+def test_a_record_nested_too_deeply_is_named(tmp_path, capsys):
+    (tmp_path / "run.json").write_text("[" * 100_000 + "]" * 100_000)
+    line = ["bulk", "cooling_gas", "--restart", str(tmp_path), "--output", str(tmp_path / "rest")]
+    assert main(line) == 1
+    assert "run.json is damaged: it is nested too deeply" in capsys.readouterr().err
 
 
 @pytest.mark.parametrize(

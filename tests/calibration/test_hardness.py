@@ -33,6 +33,9 @@ from plastigran.physics.rebound_hardness import TESTERS, ReboundTester
         ("21HRC", 243),  # between two of the table: E140 itself has 243
         ("200HB", 210.5),  # ISO 18265: 210 HV is 200 HB
         ("285HBW", 300),
+        ("380 HV10", 380),  # ISO 6507-1: with its load
+        ("380HV0.5", 380),
+        ("285 HBW 10/3000", 300),
     ],
 )
 def test_scales_are_converted_as_the_standards_do(given, vickers):

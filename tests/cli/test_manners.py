@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import json
+import resource
 import os
 import pty
 import shlex
@@ -163,6 +164,20 @@ def test_a_range_of_speeds_beside_speeds_is_refused(tmp_path, capsys):
     assert "--speeds is a range's; --speed gives the values" in capsys.readouterr().err
 
 
+def test_a_limit_of_file_sizes_names_the_folder(tmp_path, capsys):
+    """Python's error names no file."""
+    output = tmp_path / "out"
+    line = ["impact", "--law", "thornton", "--theory", "--speed", "1", "--output", str(output)]
+    limits = resource.getrlimit(resource.RLIMIT_FSIZE)
+    resource.setrlimit(resource.RLIMIT_FSIZE, (1000, limits[1]))
+    try:
+        assert main(line) == 1
+    finally:
+        resource.setrlimit(resource.RLIMIT_FSIZE, limits)
+    said = capsys.readouterr().err
+    assert f"cannot write a file in {output}: File too large. Free space there" in said
+
+
 def test_a_file_without_its_ending_is_hinted_at(tmp_path, monkeypatch, capsys):
     (tmp_path / "own.in").write_text("")
     monkeypatch.chdir(tmp_path)
@@ -172,10 +187,12 @@ def test_a_file_without_its_ending_is_hinted_at(tmp_path, monkeypatch, capsys):
 
 def test_a_fault_of_ours_is_a_line_and_with_v_a_trace(monkeypatch, capsys):
     monkeypatch.setattr("plastigran.cli.commands.modes.sphere_modes", lambda *_: 1 / 0)
-    line = ["modes", "--material", "ice", "--radius", "1"]
+    line = ["modes", "--material", "ice", "--radius", "0.1"]
     assert main(line) == 70
     said = capsys.readouterr().err
-    assert said.startswith("plastigran: unexpected ZeroDivisionError: division by zero; add -v")
+    assert said.startswith(
+        "plastigran: internal error, ZeroDivisionError: division by zero. Repeat"
+    )
     assert said.count("\n") == 1
     assert main([*line, "-v"]) == 70
     assert "Traceback" in capsys.readouterr().err

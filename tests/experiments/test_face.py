@@ -29,7 +29,7 @@ def test_the_readmes_example_runs():
     names = {}
     exec(example, names)
     restitution = names["contact"].restitution(np.geomspace(1e-3, 0.5, 40))
-    assert restitution.shape == (40,) and np.all(np.diff(restitution) <= 0)
+    assert restitution.shape == (40,) and np.all(np.diff(restitution) < 1e-12)
     table = names["runs"].table
     assert len(table) == 4
     assert table["coefficient_of_restitution"].tolist() == pytest.approx(
@@ -128,7 +128,7 @@ def test_a_path_accounts_for_its_work():
     [
         ({"law": "hook"}, "no law 'hook'; there are brake_2012"),
         ({"law": ["thornton"]}, r"no law \['thornton'\]"),
-        ({"radius": 0}, "radius is 0; it must be positive and finite"),
+        ({"radius": 0}, "radius is 0; it must lie from 1e-12 to 1e"),
         ({"radius": "thin"}, r"radius is 'thin', not a number \[m\]"),
         ({"mass_eff": [1, 2]}, r"mass_eff is \[1, 2\], not a number \[kg\]"),
         ({"radius_other": -1.0}, "radius_other is -1"),

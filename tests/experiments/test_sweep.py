@@ -51,7 +51,7 @@ def test_a_folder_takes_one_sweep_at_a_time(tmp_path):
         def run(self, folder, *_args, **_keys):
             sweep(impacts(), tmp_path, progress=False, force=True)
 
-    with pytest.raises(ValueError, match=f"{tmp_path}: another sweep runs here"):
+    with pytest.raises(ValueError, match=f"{tmp_path} is in use by another plastigran command"):
         sweep([Another("thornton", 0.2, "aluminium_zv02", 0.1)], tmp_path, progress=False)
 
 

@@ -33,6 +33,12 @@ def test_what_a_deck_changes_between_runs_is_booked(pre, steps, tmp_path):
     assert inserted == 0 and kinetic == pytest.approx(end["kinetic"], rel=1e-6)
 
 
+def test_another_integrator_is_refused(tmp_path):
+    """The ledger sums work as velocity Verlet moves the particles."""
+    with pytest.raises(EngineError, match="run_style respa is not supported.* `run_style verlet`"):
+        ledger("set_types", tmp_path, change="run_style respa 2 2 pair 1")
+
+
 def test_particles_that_go_between_runs_need_a_set_up(tmp_path):
     with pytest.raises(EngineError, match="particles have come or gone since the last run, and"):
         ledger("changed", tmp_path, pre="no", remove=1)

@@ -9,6 +9,7 @@
 #include "liggghts/ledger/energy_ledger.h"
 #include "liggghts/observers/contact_observer.h"
 #include "pair.h"
+#include "update.h"
 
 namespace plastigran {
 
@@ -26,6 +27,11 @@ const char* EnergyLedger::complaint(const EnergyLedger* ledger, bool asked, bool
 }
 
 void EnergyLedger::refuse_what_is_not_counted() {
+  if (std::string(update->integrate_style) != "verlet")
+    error->all(FLERR, ("energy_ledger on: run_style " + std::string(update->integrate_style) +
+                       " is not supported, because work is summed as velocity Verlet moves the "
+                       "particles. Use `run_style verlet`, or remove energy_ledger on")
+                          .c_str());
   const std::string reason = uncountable(lmp);
   if (!reason.empty()) error->all(FLERR, ("energy_ledger on: " + reason).c_str());
 }

@@ -16,7 +16,7 @@ from plastigran.bulk.checks import LEDGER, TAKEN, Check, energy_input, ledger_ch
 from plastigran.bulk.folder import read_derived
 from plastigran.bulk.grains import Grains
 from plastigran.bulk.settings import continuable, text
-from plastigran.declared import declaration, number, require, whole, word
+from plastigran.declared import declaration, number, radius_field, require, whole, word
 from plastigran.materials import Material
 from plastigran.plot.ledger import ledger_figure
 from plastigran.usable_laws import laws_for
@@ -88,7 +88,7 @@ class BulkDeck:
     rate_coefficient: float = number("of the yield strength", "-", 0, 1, closed=True)
     reference_rate: float = number("of strain, at which the yield strength holds", "1/s", 0)
     dissipative_constant: float = number("viscous over elastic constants", "s", 0, closed=True)
-    radius: float = number("of a grain, in the mean", "m", 0)
+    radius: float = radius_field("of a grain, in the mean")
     timestep: float = number("of the engine", "s", 0)
     seed: float = number("another gives other grains")
     frames: int = continuable(whole("VTK files on the way"))

@@ -59,6 +59,8 @@ def read_record(folder: str | Path) -> dict:
         record = json.loads(path.read_text())
     except ValueError as error:
         raise EngineError(f"{path}: {error}") from None
+    except RecursionError:
+        raise EngineError(f"{path} is damaged: it is nested too deeply for a record") from None
     kinds = {"deck": str, "values": dict, "settings": dict}
     if not isinstance(record, dict) or not all(
         isinstance(record.get(name), kind) for name, kind in kinds.items()

@@ -18,8 +18,9 @@ from plastigran.bulk.folder import (
     write_record,
 )
 from plastigran.bulk.outcome import BulkRun, open_run
-from plastigran.bulk.plan import plan_bulk
+from plastigran.bulk.plan import Plan, plan_bulk
 from plastigran.engine.checkpoints import fetch_file_of_signal, files_of_signals, step_of
+from plastigran.engine.folder_lock import lock_folder
 from plastigran.engine.log import LOG
 from plastigran.engine.process import run_deck
 from plastigran.engine.versions import versions
@@ -60,10 +61,15 @@ def run_bulk(
         ValueError: An unknown setting, or one out of range, or `folder` holds results.
     """
     plan = plan_bulk(deck, values, folder, ranks, restart)
-    source, folder, restart = plan.source, plan.folder, plan.earlier
-
     made_with = versions()  # raises where there is no engine, before anything is written
-    prepare_folder(folder, force)
+    with lock_folder(plan.folder):
+        prepare_folder(plan.folder, force)
+        return _run(plan, made_with, show)
+
+
+def _run(plan: Plan, made_with: dict[str, str], show: bool) -> BulkRun:
+    """Run a plan in its folder, analyse the run and write its results."""
+    source, folder, restart = plan.source, plan.folder, plan.earlier
     # The engine reads a script as it goes: run one that nobody edits meanwhile.
     script = source.copy(folder / "deck")
     record = {
@@ -71,7 +77,7 @@ def run_bulk(
         "own": plan.kind is None,
         "values": plan.values,
         "settings": source.settings,
-        "ranks": ranks,
+        "ranks": plan.ranks,
         "restart": str(restart) if restart else None,
         "derived": all_derived(restart) if restart else {},
         "versions": made_with,
@@ -87,7 +93,7 @@ def run_bulk(
             script,
             plan.values | plan.places,
             folder,
-            ranks,
+            plan.ranks,
             timeout=None,
             progress=show,
             working_folder=plan.working_folder,

@@ -22,11 +22,11 @@ from plastigran.calibration.finite_elements import press_sphere
 from plastigran.calibration.hardness import Hardness, read_hardness
 from plastigran.calibration.metal import CalibratedMetal
 from plastigran.contact import Contact
-from plastigran.declared import Declaration, read_number
+from plastigran.declared import RADIUS, Declaration, read_number
 from plastigran.materials import RIGID, Material
 
 FEM_RADIUS = 0.1  # of the sphere of the finite elements [m]
-RADIUS = 1e-2  # of a sphere on a rigid plane [m]; restitution does not depend on it
+SPHERE_RADIUS = 1e-2  # of a sphere on a rigid plane [m]; restitution does not depend on it
 UNITS = {
     "youngs_modulus": (Declaration("", "Pa", 1e6, 2e12), "is it in MPa or GPa?"),
     "density": (Declaration("", "kg/m^3", 10, 3e4), "is it in g/cm^3?"),
@@ -107,7 +107,7 @@ def calibrate(
         read_number("scatter", scatter, Declaration("", "-", 0, 0.5))
     if force_ratio is not None:
         read_number("force_ratio", force_ratio, Declaration("", "-", 0))
-        read_number("radius", radius, Declaration("", "m", 0))
+        read_number("radius", radius, RADIUS)
     given_rate = rate_coefficient
     if rate_coefficient is None:
         steel = strength.STEEL.allows(youngs_modulus) and chosen[0] in ("hardness", "leeb")
@@ -136,7 +136,7 @@ def calibrate(
         found = strength.from_drops(drops, law, metal, scatter)
     _check_strength(found.value, youngs_modulus)
     metal = attrs.evolve(metal, yield_strength=found.value)
-    contact = Contact(law, metal, RIGID, radius=RADIUS)
+    contact = Contact(law, metal, RIGID, radius=SPHERE_RADIUS)
     notes = list(found.notes)
     if rate_coefficient:
         notes.append(

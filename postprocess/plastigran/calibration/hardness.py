@@ -119,14 +119,17 @@ class Hardness:
 
 
 def read_hardness(given: Hardness | float | str) -> Hardness:
-    """A hardness from a number, which is HV, or a text such as "45HRC" or "200 HB".
+    """Return a hardness from a number, which is HV, or a text such as "45HRC" or "200 HB".
+
+    The load behind a scale, as in "380 HV10" or "200 HBW 10/3000", is allowed and not used.
 
     Raises:
         ValueError: It is neither, or out of the scale's range.
     """
     if isinstance(given, Hardness):
         return given
-    found = re.fullmatch(r"\s*([-+.\dE]+?)\s*([A-Z]*)\s*", str(given).upper())
+    number, load = r"([-+.\dE]+?)", r"(?:(?<=HV|HB|BW)\s*[\d.]+(?:/[\d.]+)*)?"
+    found = re.fullmatch(rf"\s*{number}\s*([A-Z]*){load}\s*", str(given).upper())
     try:
         value = float(found[1])
     except (TypeError, ValueError):

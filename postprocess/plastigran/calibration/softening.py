@@ -20,7 +20,7 @@ import pandas as pd
 from scipy.optimize import brentq
 
 from plastigran.contact import Contact
-from plastigran.declared import Declaration, read_number
+from plastigran.declared import RADIUS, Declaration, read_number
 from plastigran.materials import Material
 from plastigran.physics.central import yield_speed
 from plastigran.physics.rebound_hardness import GRAVITATIONAL_ACCELERATION
@@ -158,7 +158,7 @@ def resting_overlap(material: Material, radius: float, depth: float, law: str = 
     Raises:
         ValueError: A number is out of range, or the material lacks a constant of the law.
     """
-    radius = read_number("radius", radius, Declaration("of the grains", "m", 0))
+    radius = read_number("radius", radius, RADIUS)
     depth = read_number("depth", depth, Declaration("of the bed", "m", 0))
     pressure = material.density * FILLING * GRAVITATIONAL_ACCELERATION * depth
     force = 4 * pi * radius**2 * pressure / (COORDINATION * FILLING)

@@ -29,7 +29,10 @@ from plastigran.physics.central import yield_speed
 from plastigran.physics.rebound_hardness import TESTERS, ReboundTester, dented_flat
 
 LEAST_RATIO, LARGEST_RATIO = 1e-6, 0.3  # strengths over Young's modulus that are looked at
-DENTS = "expected errors are those of spheres that flatten; for balls that indent a flat see docs/validation_steel.md"
+DENTS = (
+    "expected errors are those of spheres that flatten; for balls that indent a flat see "
+    "docs/validation_steel.md"
+)
 DROP_SCATTER = 0.02  # standard deviation of one restitution, where no other is stated
 LEEB_SCATTER = 0.045 / 1.96  # of a reading, conversions' 95 % being 4.5 %
 CHANCE = 0.01  # of a change with the speed that is none

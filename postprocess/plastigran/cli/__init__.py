@@ -11,8 +11,10 @@ import traceback
 import warnings
 from collections.abc import Iterator
 from contextlib import contextmanager
+from errno import EDQUOT, EFBIG, ENOSPC
 from importlib import import_module
 from importlib.metadata import version
+from pathlib import Path
 from pkgutil import iter_modules
 
 from plastigran.cli import commands
@@ -27,7 +29,7 @@ EXIT_CODES = {
     0: "all went well",
     1: "a value, a file or the engine was at fault, or a check failed; stderr says which",
     2: "the command line was not understood",
-    70: "a fault of plastigran itself; -v shows where",
+    70: "internal error of plastigran; --verbose shows where",
     130: "stopped by Ctrl-C or SIGTERM; what had finished is kept",
 }
 
@@ -82,7 +84,7 @@ def main(argv: list[str] | None = None) -> int:
         print(f"plastigran: stopped{f'; {left}' if left else ''}", file=sys.stderr)
         return 130
     except Exception as error:
-        return _report(error, arguments.verbose)
+        return _report(error, arguments)
     return 0
 
 
@@ -100,25 +102,33 @@ def _terminate_as_interrupt() -> Iterator[None]:
         signal.signal(signal.SIGTERM, before)
 
 
-def _report(error: Exception, verbose: bool) -> int:
-    """Say what went wrong in a line, before it the trace if asked for; returns the exit code."""
-    if verbose:
+def _report(error: Exception, arguments: argparse.Namespace) -> int:
+    """Print what went wrong in a line, before it the trace if asked for; returns the exit code."""
+    if arguments.verbose:
         traceback.print_exception(error)
     if isinstance(error, EngineError | DumpError | ValueError | OSError):
-        print(f"plastigran: {_said(error)}", file=sys.stderr)
+        print(f"plastigran: {_said(error, arguments)}", file=sys.stderr)
         return 1
-    hint = "please report it" if verbose else "add -v (--verbose) for where, and please report it"
+    verbose = "" if arguments.verbose else "Repeat the command with --verbose and "
     print(
-        f"plastigran: unexpected {type(error).__name__}: {error}; {hint}",
+        f"plastigran: internal error, {type(error).__name__}: {error}. "
+        f"{verbose or 'Please '}report the output",
         file=sys.stderr,
     )
     return 70
 
 
-def _said(error: Exception) -> str:
-    """An error's message; of a file that the system refuses, its name and why."""
+def _said(error: Exception, arguments: argparse.Namespace) -> str:
+    """Return an error's message. If the system refuses a file, it names the file and the reason,
+    or the folder of results where the system does not name the file."""
     if isinstance(error, FileNotFoundError) and error.filename:
         return f"no file {error.filename}"
     if isinstance(error, OSError) and error.filename:
         return f"{error.filename}: {error.strerror}"
+    if isinstance(error, OSError) and error.errno in (EFBIG, ENOSPC, EDQUOT):
+        place = getattr(arguments, "output", None) or Path.cwd()
+        return (
+            f"cannot write a file in {place}: {error.strerror}. Free space there, or raise the "
+            "limit of file sizes (`ulimit -f`)"
+        )
     return str(error)

@@ -24,6 +24,7 @@ from plastigran.cli.arguments import (
     print_json,
 )
 from plastigran.declared import Declaration, declaration
+from plastigran.engine.folder_lock import lock_folder
 from plastigran.engine.process import EngineError, engine_path
 from plastigran.experiments.base import Experiment
 from plastigran.experiments.fields import Flag
@@ -143,8 +144,11 @@ def run(experiment: type[Experiment], arguments: argparse.Namespace) -> None:
             show_study(runs, arguments.output, arguments.json)
     else:
         _need_engine(experiment)
-        runs = experiment.study(arguments.output, arguments.jobs, force=arguments.force, **given)
-        show_study(runs, arguments.output, arguments.json)
+        with lock_folder(arguments.output):  # until figures are written
+            runs = experiment.study(
+                arguments.output, arguments.jobs, force=arguments.force, **given
+            )
+            show_study(runs, arguments.output, arguments.json)
 
 
 def _need_engine(experiment: type[Experiment]) -> None:
@@ -184,7 +188,8 @@ def run_study(
     experiment: type[Experiment], folder: Path, jobs: int | None, force: bool, **settings: Any
 ) -> None:
     """Run a study, print its summary, write its tables and figures into a folder."""
-    show_study(experiment.study(folder, jobs, force=force, **settings), folder)
+    with lock_folder(folder):
+        show_study(experiment.study(folder, jobs, force=force, **settings), folder)
 
 
 def show_study(runs: Runs, folder: Path, json: bool = False) -> None:

@@ -14,6 +14,8 @@ import pandas as pd
 
 from plastigran.engine.dumps import DumpError, TruncatedFileWarning
 
+#: Steps are below this, 2^63.
+LARGEST_STEP = 2.0**63
 #: The log in a run's folder.
 LOG = "log.liggghts"
 
@@ -145,7 +147,7 @@ def read_thermo(path: str | Path) -> pd.DataFrame:
         log's columns, the common ones under the names of `THERMO_COLUMNS`.
 
     Raises:
-        DumpError: The log holds no thermodynamic output.
+        DumpError: The log holds no thermodynamic output, or a line whose step is not a whole number.
     """
     path = Path(path)
     tables, header, rows, whole = [], None, [], True
@@ -178,6 +180,8 @@ def read_thermo(path: str | Path) -> pd.DataFrame:
         frame.insert(0, "run", number)
         frames.append(frame)
     table = pd.concat(frames, ignore_index=True)
+    for step in table["step"][~(table["step"].abs() < LARGEST_STEP) | (table["step"] % 1 != 0)]:
+        raise DumpError(f"{path} is damaged: it has a line of step {step:g}, which no run has")
     return table.astype({"step": np.int64})
 
 

@@ -8,7 +8,6 @@ import shutil
 from collections.abc import Iterable, Iterator, Mapping
 from concurrent.futures import ThreadPoolExecutor, as_completed
 from contextlib import contextmanager
-from fcntl import LOCK_EX, LOCK_NB, flock
 from functools import cached_property
 from importlib.metadata import version
 from pathlib import Path
@@ -17,6 +16,7 @@ from typing import TYPE_CHECKING, Any
 import attrs
 import pandas as pd
 
+from plastigran.engine.folder_lock import lock_folder
 from plastigran.engine.versions import versions
 from plastigran.experiments.record import STUDY, TABLE, add_row, materials_of, write_study
 from plastigran.progress import ProgressBar
@@ -156,18 +156,12 @@ def case_folders(cases: Iterable[Experiment], folder: Path) -> list[Path]:
 
 @contextmanager
 def claim(folder: Path, force: bool) -> Iterator[None]:
-    """A folder that no other sweep writes to, without an earlier one's table, record and runs.
+    """Lock a folder and remove an earlier sweep's table, record and runs from it.
 
     Raises:
-        ValueError: It holds results and `force` is not given, or is that of a sweep that runs.
+        ValueError: It holds results and `force` is not given, or another command writes there.
     """
-    folder.mkdir(parents=True, exist_ok=True)
-    claim = os.open(folder, os.O_RDONLY)
-    try:
-        try:
-            flock(claim, LOCK_EX | LOCK_NB)
-        except BlockingIOError:
-            raise ValueError(f"{folder}: another sweep runs here; choose another") from None
+    with lock_folder(folder):
         if not force and any([*folder.glob(TABLE), *folder.glob("runs/*/*")]):
             raise ValueError(
                 f"{folder} holds results; choose another folder (--output), or overwrite "
@@ -178,8 +172,6 @@ def claim(folder: Path, force: bool) -> Iterator[None]:
         for run in folder.glob("runs/[0-9]*_*"):  # as of `case_folders`
             shutil.rmtree(run)
         yield
-    finally:
-        os.close(claim)
 
 
 def _sweep(

@@ -16,7 +16,7 @@ import numpy as np
 from scipy.integrate import solve_ivp
 
 from plastigran import laws
-from plastigran.declared import number
+from plastigran.declared import number, radius_field
 from plastigran.physics import central
 
 
@@ -54,7 +54,7 @@ class ObliqueImpact:
     """
 
     pair: laws.MaterialPair
-    radius: float = number("radius of the first", "m", 0)
+    radius: float = radius_field("radius of the first")
     mass: float = number("mass of the first", "kg", 0)
     coefficient_of_friction: float = number("coefficient of friction", "-", 0, closed=True)
     coefficient_of_restitution: float = number(

@@ -13,7 +13,7 @@ from math import sqrt
 import attrs
 
 from plastigran import laws
-from plastigran.declared import number
+from plastigran.declared import number, radius_field
 
 GRAVITATIONAL_ACCELERATION = 9.81  # m/s^2
 
@@ -35,7 +35,7 @@ class ReboundTester:
     """
 
     name: str
-    ball_radius: float = number("of the ball", "m", 0)
+    ball_radius: float = radius_field("of the ball")
     mass: float = number("of the body with its ball", "kg", 0)
     speed: float = number("impact speed, read at the sensor", "m/s", 0)
     ball: laws.Body = TUNGSTEN_CARBIDE

@@ -14,7 +14,7 @@ from math import cos, radians, sin
 import attrs
 import pandas as pd
 
-from plastigran.declared import number
+from plastigran.declared import number, radius_field
 
 
 @attrs.frozen
@@ -32,7 +32,7 @@ class Rod:
     )
     length: float = number("length of the rod", "m", 0, default=0.3048)
     mass: float = number("mass of the rod", "kg", 0, default=0.4607)
-    tip_radius: float = number("radius of the spherical tip", "m", 0, default=0.0088)
+    tip_radius: float = radius_field("radius of the spherical tip", default=0.0088)
     gravitational_acceleration: float = number(
         "gravitational acceleration", "m/s^2", 0, closed=True, default=9.81
     )

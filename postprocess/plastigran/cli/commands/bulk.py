@@ -95,8 +95,11 @@ def run(arguments: argparse.Namespace) -> None:
         bulk_run.raise_if_failed()
         return
     if earlier and at_its_end(bulk_run):
-        longer = "; -v with the setting of its end, such as duration, goes on" * (not bulk_run.deck)
-        print(f"{earlier} was already at its last step: nothing was computed{longer}")
+        longer = ". For a longer run, give the setting of its end, such as -v duration=0.6"
+        print(
+            f"{earlier} has reached its end: nothing was left to compute"
+            f"{longer if bulk_run.deck is None else ''}"
+        )
     if bulk_run.deck is None and not bulk_run.checks.size:
         print(f"{name} keeps no energy ledger, or its log has no entries: nothing was checked")
     report(bulk_run)

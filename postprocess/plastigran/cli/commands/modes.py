@@ -7,6 +7,7 @@ import argparse
 
 from plastigran import materials
 from plastigran.cli.arguments import add_json, add_material, positive, positive_integer, print_json
+from plastigran.declared import RADIUS, read_number
 from plastigran.physics.modes import sphere_modes
 
 HELP = "free vibrations of an elastic sphere"
@@ -34,7 +35,7 @@ def run(arguments: argparse.Namespace) -> None:
         material.youngs_modulus,
         material.poissons_ratio,
         material.density,
-        arguments.radius,
+        read_number("radius", arguments.radius, RADIUS),
         range(arguments.degree + 1),
         arguments.overtones,
     )

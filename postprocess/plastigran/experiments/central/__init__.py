@@ -13,7 +13,7 @@ import numpy as np
 import pandas as pd
 
 from plastigran import laws
-from plastigran.declared import number, word
+from plastigran.declared import number, radius_field, word
 from plastigran.experiments.base import Experiment, combinations
 from plastigran.experiments.central.arrangement import run_label
 from plastigran.experiments.central.remarks import remarks
@@ -62,7 +62,7 @@ class CentralImpact(Experiment):
     law: str = law_field()
     speed: float = number("speed of each sphere", "m/s", 0)
     material: Material = material_field("of the spheres")
-    radius: float = number("radius of the spheres", "m", 0)
+    radius: float = radius_field("radius of the spheres")
     geometry: str = word("deck", tuple(GEOMETRIES), default="sphere_wall")
     wall: Material | None = material_field("of the plane: a material, or rigid", None, "_other")
     options: str | None = options_field()

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import attrs
 
-from plastigran.declared import number
+from plastigran.declared import number, radius_field
 from plastigran.fem.limits import SUBSONIC
 from plastigran.fem.material.elastic_plastic import ElasticPlastic
 from plastigran.fem.theory.line import HertzLine
@@ -27,7 +27,7 @@ class CylinderStrike:
     """
 
     material: ElasticPlastic
-    radius: float = number("radius of the cylinder", "m", 0)
+    radius: float = radius_field("radius of the cylinder")
     length: float = number("length of the cylinder", "m", 0)
     mass: float = number("mass of all that moves with the cylinder", "kg", 0)
     speed: float = number("speed towards the body", "m/s", 0)

@@ -9,7 +9,7 @@ from math import atan, gamma, pi, sqrt
 import attrs
 from scipy.optimize import minimize_scalar
 
-from plastigran.declared import number
+from plastigran.declared import radius_field
 from plastigran.fem.material.elastic_plastic import ElasticPlastic
 
 
@@ -24,7 +24,7 @@ class HertzSphere:
     """
 
     material: ElasticPlastic
-    radius: float = number("radius of the sphere", "m", 0)
+    radius: float = radius_field("radius of the sphere")
     plane: ElasticPlastic | None = None
 
     @property

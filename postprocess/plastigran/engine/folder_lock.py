@@ -1,0 +1,44 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""A folder of results that one command at a time writes to."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator
+from contextlib import contextmanager
+from fcntl import LOCK_EX, LOCK_NB, flock
+from pathlib import Path
+from threading import get_ident
+
+_locked: set[tuple[Path, int]] = set()  # with the threads of this process that hold them
+
+
+@contextmanager
+def lock_folder(folder: str | Path) -> Iterator[None]:
+    """Make a folder and lock it for this thread, which may lock it again.
+
+    The lock ends with the process, however that ends.
+
+    Raises:
+        ValueError: Another process or thread has locked it.
+    """
+    folder = Path(folder).resolve()
+    holder = folder, get_ident()
+    if holder in _locked:
+        yield
+        return
+    folder.mkdir(parents=True, exist_ok=True)
+    place = os.open(folder, os.O_RDONLY)
+    try:
+        try:
+            flock(place, LOCK_EX | LOCK_NB)
+        except BlockingIOError:
+            raise ValueError(
+                f"{folder} is in use by another plastigran command. Wait for it to end, or choose "
+                "another --output"
+            ) from None
+        _locked.add(holder)
+        yield
+    finally:
+        _locked.discard(holder)
+        os.close(place)

@@ -1,0 +1,54 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Sizes in another unit than the metre are questioned, and absurd ones refused."""
+
+from __future__ import annotations
+
+import pytest
+
+import plastigran as pg
+from plastigran.cli import main
+from plastigran.declared import SizeWarning
+
+STEEL = "--young 2.1e11 --poisson 0.3 --density 7850 --yield 3e8"
+QUESTIONED = [
+    "timestep --law thornton --material steel --speed 1 --radius 5",
+    "soften --material steel --speedup 8 --speed 1 --radius 5",
+    "modes --material ice --radius 5",
+    "impact --law thornton --theory --material steel --speed 1 --radius 5 --output {folder}",
+]
+REFUSED = [
+    *(line.replace("--radius 5", "--radius 1e300") for line in QUESTIONED),
+    "soften --material steel --speedup 8 --speed 1 --radius 1e-300",
+    f"fem throw {STEEL} --radius 1e300 --speed 0.1",
+]
+
+
+@pytest.mark.filterwarnings("default::plastigran.declared.SizeWarning")
+@pytest.mark.parametrize("line", QUESTIONED, ids=lambda line: line.split()[0])
+def test_a_radius_in_mm_is_questioned_once(line, tmp_path, capsys):
+    assert main(line.format(folder=tmp_path / "out").split()) == 0
+    said = capsys.readouterr().err
+    assert said.count("radius is 5 m, which is 5000 mm; radii are usually between 1e-09 and") == 1
+    assert "Check the unit: radii are in m, not mm" in said
+
+
+@pytest.mark.parametrize("line", REFUSED)
+def test_an_absurd_radius_is_refused(line, tmp_path, capsys):
+    """With the range, and not as an internal error."""
+    try:
+        code = main(line.format(folder=tmp_path / "out").split())
+    except SystemExit as stop:  # by argparse
+        code = stop.code
+    assert code in (1, 2)
+    assert "it must lie from 1e-12 to 1e+06 [m]" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("radius", [3, 1e-10])
+def test_a_radius_in_python_is_questioned(radius):
+    with pytest.warns(SizeWarning, match=rf"radius is {radius:g} m, which is .* mm"):
+        pg.Contact("thornton", pg.material("steel"), pg.RIGID, radius=radius)
+
+
+@pytest.mark.parametrize("radius", [1e-9, 0.5])
+def test_usual_sizes_are_taken(radius):
+    pg.Contact("thornton", pg.material("steel"), pg.RIGID, radius=radius)
