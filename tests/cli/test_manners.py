@@ -4,9 +4,9 @@
 from __future__ import annotations
 
 import json
-import resource
 import os
 import pty
+import resource
 import shlex
 import subprocess
 import sys

@@ -35,7 +35,7 @@ def test_what_a_deck_changes_between_runs_is_booked(pre, steps, tmp_path):
 
 def test_another_integrator_is_refused(tmp_path):
     """The ledger sums work as velocity Verlet moves the particles."""
-    with pytest.raises(EngineError, match="run_style respa is not supported.* `run_style verlet`"):
+    with pytest.raises(EngineError, match="run_style respa is not supported"):
         ledger("set_types", tmp_path, change="run_style respa 2 2 pair 1")
 
 

@@ -147,7 +147,7 @@ def read_thermo(path: str | Path) -> pd.DataFrame:
         log's columns, the common ones under the names of `THERMO_COLUMNS`.
 
     Raises:
-        DumpError: The log holds no thermodynamic output, or a line whose step is not a whole number.
+        DumpError: The log holds no thermodynamic output, or a step that is not a whole number.
     """
     path = Path(path)
     tables, header, rows, whole = [], None, [], True
