@@ -9,6 +9,7 @@ from pathlib import Path
 import pytest
 from deck_head import head
 
+from plastigran.engine.log import find_models
 from plastigran.engine.process import EngineError, run_deck
 
 DECK = (
@@ -166,6 +167,21 @@ def test_different_models_of_pairs_and_walls_are_said_once(pairs, wall, said, tm
     assert log.count(f"lines have different normal models: {said}") == 1
     # Right only where no line has a model of LIGGGHTS.
     assert ("coefficientRestitution is not used" in log) == (wall == "stronge")
+
+
+def test_constants_stand_once_and_name_their_lines(tmp_path):
+    """Two atom types and five walls, one with another law: three lines per law."""
+    walls = [f"fix w{k} all wall/gran model thornton tangential off {FLOOR}" for k in range(4)]
+    walls.append(f"fix other all wall/gran model stronge tangential off {FLOOR}")
+    log = run(tmp_path, floor="\n".join(walls))
+    constants = re.findall(r"^model (\w+), atom types (\d and \d): effective", log, re.M)
+    types = ("1 and 1", "1 and 2", "2 and 2")
+    assert sorted(constants) == sorted(
+        (law, pair) for law in ("stronge", "thornton") for pair in types
+    )
+    lines = re.findall(r"^these constants hold for (.*)$", log, re.M)
+    assert sorted(lines) == ["fix other", "fix w0, fix w1, fix w2, fix w3, pair_style"]
+    assert find_models(log) == ["stronge", "thornton"]
 
 
 def test_a_refused_combination_names_the_word(tmp_path):

@@ -83,6 +83,7 @@ bool HistoryKeeper::goes_on(const Kept& kept, const Line& line, LAMMPS_NS::Fix* 
 
 void HistoryKeeper::setup_pre_exchange() {
   const Lines former = std::exchange(lines_, std::exchange(connected_, {}));
+  report_constants();
   if (!kept_.empty()) give_back_what_is_lost();
   warn_of_other_constants(former);
 }

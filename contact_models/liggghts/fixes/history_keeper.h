@@ -33,6 +33,7 @@ class HistoryKeeper : public OwnFix {
     std::vector<std::string> histories;  // IDs of the engine's fixes that store the memory, if any
     std::string constants;               // of each two atom types a line; empty: no memory
     bool given_anew = false;             // since the last run
+    std::string report;                  // the constants as the log has them; empty: said before
   };
 
   HistoryKeeper(LAMMPS_NS::LAMMPS* engine, int count, char** words);
@@ -84,6 +85,7 @@ class HistoryKeeper : public OwnFix {
   Lines all_lines(const Lines& ours) const;
   bool goes_on(const Kept& kept, const Line& line, LAMMPS_NS::Fix* fix) const;
   void give_back_what_is_lost();
+  void report_constants() const;
   void warn_of_other_constants(const Lines& former) const;
   bool remembers(const std::string& owner) const;
   void hand_back(const std::vector<LAMMPS_NS::Fix*>& fixes);

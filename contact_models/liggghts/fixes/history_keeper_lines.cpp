@@ -4,7 +4,10 @@
 // files.
 #include <mpi.h>
 
+#include <algorithm>
+#include <cstdio>
 #include <sstream>
+#include <utility>
 
 #include "atom.h"
 #include "comm.h"
@@ -39,8 +42,10 @@ std::string first_change(const std::string& before, const std::string& now) {
 void HistoryKeeper::connect(const std::string& owner, const Line& line) {
   Line& connected = connected_[owner];
   const bool given_anew = line.given_anew || connected.given_anew;
+  const std::string report = line.report.empty() ? connected.report : line.report;
   connected = line;
   connected.given_anew = given_anew;
+  connected.report = report;
   const auto found = in_file_.find(owner);
   if (found == in_file_.end()) return;
   const std::string models = found->second.models;
@@ -62,6 +67,32 @@ std::string HistoryKeeper::restarted_settings(const std::string& owner) const {
                                    "which now are the defaults; give the line if it had others")
                               .c_str());
   return {};
+}
+
+// Each line of constants once, and behind those that the same owners have, these owners.
+void HistoryKeeper::report_constants() const {
+  if (comm->me != 0) return;
+  std::vector<std::pair<std::string, std::string>> owners_of;  // of each line, in order
+  for (const auto& [owner, line] : lines_) {
+    std::istringstream report(line.report);
+    for (std::string each; std::getline(report, each);) {
+      const auto found = std::find_if(owners_of.begin(), owners_of.end(),
+                                      [&each](const auto& pair) { return pair.first == each; });
+      if (found == owners_of.end())
+        owners_of.emplace_back(each, owner);
+      else
+        found->second += ", " + owner;
+    }
+  }
+  std::string text;
+  for (std::size_t k = 0; k < owners_of.size(); ++k) {
+    const auto& [line, owners] = owners_of[k];
+    text += line + '\n';
+    if (k + 1 == owners_of.size() || owners_of[k + 1].second != owners)
+      text += "these constants hold for " + owners + '\n';
+  }
+  for (FILE* const file : {screen, logfile})
+    if (file) std::fputs(text.c_str(), file);
 }
 
 // Of contacts that go on. All ranks together.

@@ -98,13 +98,12 @@ class ElastoplasticNormalModel : public NormalModelBase {
     const std::string options = plastigran::options_text<Law>(settings_.choices, " ");
     const plastigran::DeckProperties deck(lmp, caller(), registry.max_type());
     pairs_.build(deck, registry.max_type(), settings_.choices);
-    const auto constants = [&](const char* assumed) {
-      return pairs_.describe(caller() + (owner_.is_wall() ? ", wall" : ""), deck, settings_.choices,
-                             assumed);
-    };
+    const std::string constants =
+        pairs_.describe(caller() + (owner_.is_wall() ? ", wall" : ""), deck, settings_.choices, "");
     keeper->connect(
         owner, {caller() + owner_.other_models() + options, settings_.text(), owner_.histories(),
-                Law::state_names.empty() ? "" : constants(""), !reported_});
+                Law::state_names.empty() ? "" : constants, !reported_,
+                reported_ ? "" : pairs_.describe(caller(), deck, settings_.choices, " (default)")});
     deck.check_friction();
     if (plastigran::yields<Law>) rates_.connect(deck, pairs_.rate_matters());
     watch_.begin(caller(), settings_.overlap_limit);
@@ -127,8 +126,7 @@ class ElastoplasticNormalModel : public NormalModelBase {
     // that parts and meets again before the next neighbour build would remember its dent.
     neighbor->register_contact_dist_factor(1.01);
     const plastigran::MixedModels mixed = plastigran::mixed_models(lmp);
-    if (!reported_ && comm->me == 0)
-      report_constants(deck, constants(" (default)"), mixed.has_foreign);
+    if (!reported_ && comm->me == 0) report_unused(deck, mixed.has_foreign);
     if (comm->me == 0 && !mixed.text.empty() && mixed.first == owner)
       watch_.warn_once("lines have different normal models: " + mixed.text +
                        ". Use one model in all lines, unless this is intended");
@@ -238,11 +236,10 @@ class ElastoplasticNormalModel : public NormalModelBase {
     return static_cast<plastigran::AccountedLoad&>(load);
   }
 
-  // What the model was given and what it assumed: a misspelt optional property shows here.
-  void report_constants(const plastigran::DeckProperties& deck, const std::string& constants,
-                        bool has_foreign) {
+  // What the deck gives and no model uses, or that looks like a slip.
+  void report_unused(const plastigran::DeckProperties& deck, bool has_foreign) {
     const std::string text =
-        constants + settings_.describe_unused(caller(), deck, owner_.is_wall(), has_foreign);
+        settings_.describe_unused(caller(), deck, owner_.is_wall(), has_foreign);
     if (screen) fputs(text.c_str(), screen);
     if (logfile) fputs(text.c_str(), logfile);
     const bool cohesive = owner_.other_models().find(" cohesion ") != std::string::npos;
