@@ -22,6 +22,7 @@ class ProgressBar(tqdm):
     """
 
     def __init__(self, *arguments: Any, shown: bool = True, **named: Any) -> None:
+        self.scope = ""  # of the time to go, such as " in this run"
         self._in_place = sys.stderr.isatty()
         if not self._in_place:
             named |= {"delay": FIRST, "mininterval": EVERY, "miniters": 0}
@@ -63,5 +64,5 @@ class ProgressBar(tqdm):
         words.append(f"{self.format_interval(shown['elapsed'])} so far")
         if self.total and self.n:
             left = shown["elapsed"] * (self.total / self.n - 1)
-            words.append(f"{self.format_interval(max(left, 0.0))} to go")
+            words.append(f"{self.format_interval(max(left, 0.0))} to go{self.scope}")
         return ", ".join(words)

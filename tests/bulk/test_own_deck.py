@@ -17,11 +17,13 @@ from numpy.testing import assert_allclose
 import plastigran as pg
 from plastigran.bulk.plan import plan_bulk
 from plastigran.bulk.run import run_bulk
-from plastigran.bulk.template import write_deck
+from plastigran.bulk.template import SPEED, write_deck
 from plastigran.bulk.vtk import time_of
 from plastigran.cli import main
+from plastigran.contact import Contact
 from plastigran.engine.log import read_thermo
 from plastigran.engine.process import EngineError
+from plastigran.materials import read_material
 from plastigran.plot.frame_files import find_frames
 
 PROJECT = Path(__file__).parents[2]
@@ -485,6 +487,28 @@ def test_the_template_runs_keeps_its_ledger_and_goes_on(tmp_path, capsys):
     line = ["bulk", str(deck), "--restart", str(whole.folder), "--output", str(tmp_path / "more")]
     assert main(line) == 0
     assert "whole has reached its end: nothing was left to compute" in capsys.readouterr().out
+
+
+@pytest.mark.parametrize("radius", [0.001, 0.005])
+def test_the_template_takes_a_radius(radius, tmp_path):
+    """Grains have it, and the step is the one recommended for it."""
+    line = ["new-deck", str(tmp_path / "mine"), "--law", "thornton", "--radius", str(radius)]
+    assert main(line) == 0
+    deck = tmp_path / "mine" / "mine.in"
+    run = run_bulk(
+        deck, {"duration": 0.001, "rows": 1, "checkpoints": 1}, tmp_path / "run", show=False
+    )
+    granules = read_material("soft_granules")
+    contact = Contact("thornton", granules, granules, radius=radius, radius_other=radius)
+    recommended = float(contact.timestep(SPEED))
+    log = (run.folder / "log.liggghts").read_text()
+    (step,) = re.findall(r"^timestep +([\d.e-]+) ", log, re.MULTILINE)[-1:]
+    assert 0.5 * recommended < float(step) <= recommended  # rounded down to one digit
+
+
+def test_a_radius_that_does_not_fit_is_refused(tmp_path):
+    with pytest.raises(ValueError, match=r"radius is 0.05; it must lie from 0.0005 to 0.006"):
+        write_deck(tmp_path / "mine", "thornton", "steel", radius=0.05)
 
 
 def test_a_run_without_contacts_says_so(tmp_path):

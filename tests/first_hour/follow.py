@@ -27,7 +27,7 @@ PAGE = PROJECT / "docs" / "first_hour.md"
 BRIEF = {
     r"^\./run setup$": "true",
     r"--ranks 2": "--ranks 1",
-    r"layers=10 frames=8": "layers=5 frames=2 orifice=8 duration=0.2 rows=48 filling=0.1",
+    r"layers=9 frames=8": "layers=5 frames=2 orifice=8 duration=0.2 rows=48 filling=0.1",
 }
 #: How this machine reaches the network, which the new system needs too.
 NETWORK = ("etc/resolv.conf", "etc/hosts", "etc/pip.conf", "etc/ssl/certs/ca-certificates.crt")
@@ -35,7 +35,7 @@ NETWORK = ("etc/resolv.conf", "etc/hosts", "etc/pip.conf", "etc/ssl/certs/ca-cer
 LEFT = (
     "results/impact/impacts.csv",
     "results/impact/loops.png",
-    "spring.in",
+    "results/spring.in",
     "results/spring/impacts.csv",
     "results/hopper/checks.csv",
     "results/hopper/figures/ledger.png",

@@ -41,6 +41,20 @@ _COUNTS_ANEW = re.compile(r"^reset_timestep\s", re.MULTILINE)
 _MODEL = re.compile(r"\bgran\s+(?:&\s*)?model\s+(\S+)")
 
 
+def planned_steps(source: DeckSource) -> int:
+    """Return the steps of all `run` commands of a deck together; 0 where only LIGGGHTS can tell."""
+    steps = 0
+    for command in commands(source.path):
+        words = source.resolve(command).split()
+        if words[0] in ("include", "if", "jump", "next", "label", "reset_timestep", "read_restart"):
+            return 0
+        if words[0] == "run":
+            if not words[1:] or not words[1].isdigit():
+                return 0
+            steps = int(words[1]) + (0 if "upto" in words else steps)
+    return steps
+
+
 def own_places(source: DeckSource, folder: Path) -> dict[str, object]:
     """Values of `inputs` and `output` for a deck that runs in its own folder; None for one that it
     does not read.

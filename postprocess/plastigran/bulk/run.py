@@ -18,6 +18,7 @@ from plastigran.bulk.folder import (
     write_record,
 )
 from plastigran.bulk.outcome import BulkRun, open_run
+from plastigran.bulk.own import planned_steps
 from plastigran.bulk.plan import Plan, plan_bulk
 from plastigran.engine.checkpoints import fetch_file_of_signal, files_of_signals, step_of
 from plastigran.engine.folder_lock import lock_folder
@@ -97,6 +98,7 @@ def _run(plan: Plan, made_with: dict[str, str], show: bool) -> BulkRun:
             timeout=None,
             progress=show,
             working_folder=plan.working_folder,
+            planned=planned_steps(source) if plan.kind is None else 0,
         )
     finally:
         if (log := folder / LOG).exists():

@@ -8,35 +8,41 @@ from math import floor, log10
 from pathlib import Path
 
 from plastigran.contact import Contact
-from plastigran.engine.deck import index_variables
+from plastigran.declared import Declaration, read_number
 from plastigran.engine.process import inputs_folder, misread
 from plastigran.materials import Material, read_material, write_material
 from plastigran.usable_laws import laws_for
 
 #: Speed of the fastest impact of the template, a fall from its top [m/s], with room to spare.
 SPEED = 2.0
+#: Radii of grains that the template's box has room for [m].
+RADIUS = Declaration("radius", "m", 0.0005, 0.006, closed=True)
 #: Files of the inputs that lie beside the deck.
 PARTS = ("energy_ledger.in", "meshes/plate.stl", "template/fresh.in", "template/checkpoint.in")
 #: Names that they have taken.
 TAKEN = [Path(file).stem for file in PARTS]
 
 
-def write_deck(folder: Path, law: str, material: Material | str | Path) -> Path:
+def write_deck(
+    folder: Path, law: str, material: Material | str | Path, radius: float = 0.003
+) -> Path:
     """Write a folder with a deck, its material, its mesh and the names of the ledger's entries.
 
     Args:
-        folder: To make; the deck is called like it.
-        law: Between grains, and with walls.
-        material: Of both.
+        folder: Folder to make; the deck has its name.
+        law: Law of the contacts of grains with each other and with walls.
+        material: Material of grains and walls.
+        radius: Radius of the grains [m], from 0.0005 to 0.006.
 
     Returns:
         Path of the deck.
 
     Raises:
-        ValueError: No such law for spheres or material, or a name that the folder cannot take.
+        ValueError: No such law for spheres or material, a name that the folder cannot take, or a
+            radius out of range.
         FileExistsError: The folder is there.
     """
-    material = read_material(material)
+    material, radius = read_material(material), read_number("radius", radius, RADIUS)
     for name in (folder.name, material.name):
         if misread(name):
             raise ValueError(f"{name!r} holds white space, % or *, which the engine misreads")
@@ -56,10 +62,10 @@ def write_deck(folder: Path, law: str, material: Material | str | Path) -> Path:
         )
     source = inputs_folder() / "template"
     text = (source / "deck.in").read_text()
-    radius = float(index_variables(source / "deck.in")["radius"])
     contact = Contact(law, material, material, radius=radius, radius_other=radius)
     values = {
         "LAW": law,
+        "RADIUS": f"{radius:g}",
         "MATERIAL": material.name,
         "TIMESTEP": _rounded_down(float(contact.timestep(SPEED))),
         "DECK": folder.name,

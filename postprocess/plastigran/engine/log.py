@@ -28,6 +28,8 @@ THERMO_COLUMNS = {
     "CPU": "cpu_time",
 }
 _RUN = re.compile(r"run\s+(\d+)(\s+upto)?\s*$")
+#: What a deck of several runs prints before the first.
+_PLANNED = re.compile(r"planned steps = (\d+)\s*$")
 #: How the engine ends; a deck may print or echo the word as well.
 _ERROR = re.compile(r"^ERROR(?: on proc \d+)?: .*", re.MULTILINE)
 #: What the contact models and the launcher warn of, without the place in the source.
@@ -83,6 +85,8 @@ class Progress:
         last: Step it will end with.
         step: Step of the newest line.
         timestep: Of the newest line [s]; 0 when the log does not show it.
+        planned: Steps of all runs of the deck together; 0 when the log does not show it.
+        earlier: Steps of the runs that have ended.
     """
 
     run: int = 0
@@ -90,6 +94,8 @@ class Progress:
     last: int = 0
     step: int = 0
     timestep: float = 0.0
+    planned: int = 0
+    earlier: int = 0
 
 
 class LogFollower:
@@ -120,6 +126,8 @@ class LogFollower:
         words = line.split()
         if found := _RUN.match(line):
             self._asked = int(found[1]), bool(found[2])
+        elif found := _PLANNED.match(line):
+            self.progress.planned = int(found[1])
         elif words[:1] == ["Step"]:
             self._columns, self._begun = words, False
         elif line.startswith("Loop time of"):
@@ -128,6 +136,7 @@ class LogFollower:
             step, progress = int(words[0]), self.progress
             if not self._begun:
                 steps, upto = self._asked
+                progress.earlier += progress.step - progress.first
                 progress.run, progress.first = progress.run + 1, step
                 progress.last = steps if upto else step + steps
                 self._begun = True

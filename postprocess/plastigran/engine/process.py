@@ -148,6 +148,7 @@ def run_deck(
     timeout: float | None = 600.0,
     progress: bool = False,
     working_folder: Path | None = None,
+    planned: int = 0,
 ) -> str:
     """Run a deck to its end.
 
@@ -163,6 +164,7 @@ def run_deck(
         progress: Show a progress bar; in a pipe, lines.
         working_folder: Where the engine runs, which relative paths of the deck are from; `folder`
             if None.
+        planned: Steps of all runs of the deck for the progress bar, or 0 if not known.
 
     Returns:
         The log.
@@ -184,7 +186,7 @@ def run_deck(
     log, said = folder / LOG, folder / "screen.txt"
     with (
         open(said, "w") as screen,
-        closing(RunBar(deck.stem, log, progress)) as bar,
+        closing(RunBar(deck.stem, log, progress, planned)) as bar,
     ):
         engine = subprocess.Popen(
             ["setpriv", "--pdeathsig", "TERM", *line],

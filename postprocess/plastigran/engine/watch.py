@@ -16,10 +16,13 @@ class RunBar:
         name: What stands before the bar.
         log: The engine's log, which need not be there yet.
         shown: Show the bar.
+        planned: Steps of all runs of the deck, or 0 where the deck alone may know; then the log may
+            show them (`print "planned steps = N"`), else the bar is of the present run.
     """
 
-    def __init__(self, name: str, log: Path, shown: bool = True) -> None:
+    def __init__(self, name: str, log: Path, shown: bool = True, planned: int = 0) -> None:
         self._follower = LogFollower(log)
+        self._planned = planned
         self._bar = ProgressBar(desc=name, unit="steps", unit_scale=True, shown=shown)
 
     def update(self) -> None:
@@ -34,9 +37,14 @@ class RunBar:
         if now.timestep:
             said.append(f"t = {now.step * now.timestep:.3g} s")
         self._bar.set_postfix_str(", ".join(said), refresh=False)
-        if now.run != before:
+        planned = now.planned or self._planned
+        if planned and before == 0:
+            self._bar.reset(planned)
+        elif not planned and now.run != before:
             self._bar.reset(now.last - now.first)
-        self._bar.update(now.step - now.first - self._bar.n)
+        self._bar.scope = "" if planned else " in this run"
+        done = now.step - now.first + (now.earlier if planned else 0)
+        self._bar.update(done - self._bar.n)
 
     def close(self) -> None:
         """Leave the bar as it is."""

@@ -7,7 +7,7 @@ import argparse
 from pathlib import Path
 
 from plastigran.bulk.template import write_deck
-from plastigran.cli.arguments import add_material
+from plastigran.cli.arguments import add_material, positive
 
 HELP = "write a deck of one's own that runs as it is"
 EXAMPLE = "plastigran new-deck plate --law universal --material steel"
@@ -17,8 +17,11 @@ def add_arguments(command: argparse.ArgumentParser) -> None:
     command.add_argument("name", type=Path, help="folder to make; the deck has its name")
     command.add_argument("--law", default="universal", help="between grains, default universal")
     add_material(command, "soft_granules")
+    command.add_argument(
+        "--radius", type=positive, default=0.003, help="radius of the grains, m, default 0.003"
+    )
 
 
 def run(arguments: argparse.Namespace) -> None:
-    deck = write_deck(arguments.name, arguments.law, arguments.material)
+    deck = write_deck(arguments.name, arguments.law, arguments.material, arguments.radius)
     print(f"written: {deck}\nrun it: plastigran bulk {deck}")
