@@ -515,7 +515,7 @@ def test_a_run_without_contacts_says_so(tmp_path):
     """Its ledger closes on nothing; the grains of the template fall 60 mm first."""
     deck = write_deck(tmp_path / "falling", "thornton", "steel")
     run = run_bulk(deck, {"duration": 0.002}, tmp_path / "run", show=False)
-    assert any("did grains meet?" in note for note in run.notes)
+    assert any("Did grains meet?" in note for note in run.notes)
 
 
 def test_the_template_refuses(tmp_path, capsys):

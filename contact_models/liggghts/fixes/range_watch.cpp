@@ -3,6 +3,7 @@
 
 #include <mpi.h>
 
+#include <cstdio>
 #include <sstream>
 
 #include "comm.h"
@@ -25,6 +26,11 @@ void RangeWatch::post_run() {
     MPI_Reduce(&excess.furthest, &furthest, 1, MPI_DOUBLE, MPI_MAX, 0, world);
     if (comm->me != 0 || contacts == excess.announced) continue;
     excess.announced = contacts;
+    std::ostringstream line;  // for programs
+    line << "plastigran range " << model.substr(model.find(' ') + 1) << " contacts=" << contacts
+         << " furthest=" << furthest << '\n';
+    if (screen) fputs(line.str().c_str(), screen);
+    if (logfile) fputs(line.str().c_str(), logfile);
     std::ostringstream text;
     text << model << ": contacts beyond the law's range (" << excess.range
          << ") so far: " << contacts << ", the furthest at " << furthest

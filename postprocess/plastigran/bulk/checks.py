@@ -6,9 +6,13 @@ from __future__ import annotations
 import attrs
 import pandas as pd
 
+from plastigran.engine.log import find_excess
+
 #: Drift of the energy ledger over the energy that came in: what a run may be off by.
 LEDGER = 1e-3
 
+#: Largest overlap over that of a law's range from which a run counts as failed.
+EXCESS = 10.0
 #: Names of the ledger's checks.
 LEDGER_CHECKS = (
     "drift of the energy ledger, over the energy that came in",
@@ -46,6 +50,24 @@ class Check:
     def passed(self) -> bool:
         """Whether the value is within the limit; nan never is."""
         return bool(self.value <= self.limit)
+
+
+def range_checks(log: str) -> list[Check]:
+    """Return a failed check for each law whose range contacts have left by more than `EXCESS`.
+
+    Args:
+        log: Text of LIGGGHTS' log.
+    """
+    return [
+        Check(
+            f"largest overlap over the range of {law}",
+            furthest,
+            EXCESS,
+            "beyond, the forces follow no fit; check units, softness and time step",
+        )
+        for law, furthest in find_excess(log).items()
+        if furthest > EXCESS
+    ]
 
 
 def energy_input(series: pd.DataFrame) -> float:

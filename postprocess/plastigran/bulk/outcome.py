@@ -10,7 +10,7 @@ import attrs
 import pandas as pd
 from matplotlib.figure import Figure
 
-from plastigran.bulk.checks import Check
+from plastigran.bulk.checks import Check, range_checks
 from plastigran.bulk.deck import Analysis, BulkDeck
 from plastigran.bulk.decks import deck_class
 from plastigran.bulk.folder import RECORD, SERIES, read_record, read_series
@@ -109,6 +109,8 @@ def open_run(folder: str | Path) -> BulkRun:
         analysis = Analysis(series)
         if finished:
             analysis = deck.analyse(series) if deck else analyse_own(series)
+            first = range_checks((folder / LOG).read_text(errors="replace"))
+            analysis = attrs.evolve(analysis, checks=[*first, *analysis.checks])
     except (ArithmeticError, LookupError, OSError, ValueError) as error:
         said = f"{type(error).__name__}: {error}"
         raise DumpError(

@@ -146,8 +146,10 @@ def analyse_own(series: pd.DataFrame) -> Analysis:
         notes.append("the ledger begins anew at each `clear`: all are checked, the last is drawn")
     if not series[["elastic", *DISSIPATED]].any(axis=None):
         notes.append(
-            "no line of the log has energy in contacts, or taken by them: did grains meet?"
+            "the energy balance was not checked: no line of the log has energy in contacts, or "
+            "taken by them. Did grains meet?"
         )
+        return Analysis(series, [], figures, notes=notes)
     return Analysis(series, _worst_checks(series), figures, notes=notes)
 
 

@@ -12,7 +12,7 @@ from typing import Any
 import pandas as pd
 
 from plastigran.bulk.deck import BulkDeck
-from plastigran.bulk.folder import read_record
+from plastigran.bulk.folder import SERIES, read_record
 from plastigran.bulk.outcome import BulkRun, open_run
 from plastigran.bulk.plan import PLACES
 from plastigran.bulk.vtk import time_of
@@ -73,6 +73,8 @@ def make(results: Results, name: str) -> Section:
         missing.append(f"The engine stopped: {error.strip()}")
     if run is None or not run.finished:
         missing.append(_progress(folder, log))
+    elif len((folder / SERIES).read_text(errors="replace").splitlines()) < 2:
+        missing.append(f"{SERIES} is empty; what is shown is read from {LOG}.")
     warnings = worst(find_warnings(log))
     state, verdict = _verdict(run, len(warnings))
     timestep = _timestep(record, folder / LOG)
@@ -90,6 +92,7 @@ def make(results: Results, name: str) -> Section:
         state=state,
         verdict=verdict,
         missing=missing + said + left,
+        notes=[f"{note[0].upper()}{note[1:]}" for note in run.notes] if run else [],
         warnings=warnings,
         facts=_facts(record, run, _own_facts(log, timestep) if record.get("own") else {}),
         settings=_settings(settings, run.deck if run else None, record["values"]),

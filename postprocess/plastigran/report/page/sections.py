@@ -48,6 +48,7 @@ class Section:
         state: "passed", "failed", "unfinished" or "done", the last where nothing is checked.
         verdict: The state in a few words.
         missing: Sentences on what is not there, or went wrong.
+        notes: Sentences on what the deck could not measure or check.
         warnings: Of the engine's models, or of how a law was used.
         facts: What ran, by name.
         settings: Further settings: name, value with unit, meaning.
@@ -67,6 +68,7 @@ class Section:
     state: str
     verdict: str
     missing: list[str] = attrs.field(factory=list)
+    notes: list[str] = attrs.field(factory=list)
     warnings: list[str] = attrs.field(factory=list)
     facts: dict[str, str] = attrs.field(factory=dict)
     settings: list[tuple[str, str, str]] = attrs.field(factory=list)

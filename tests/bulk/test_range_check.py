@@ -1,0 +1,90 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""A run far beyond its law's range says so first: in its summary, its JSON and its report."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import pytest
+
+from plastigran.bulk.checks import EXCESS
+from plastigran.cli import main
+from plastigran.report.page.collect import collect
+from plastigran.report.page.render import make_section, write_report
+
+#: A heavy ball lands on a soft grain on a floor.
+DECK = """
+units si
+atom_style granular
+boundary f f f
+newton off
+communicate single vel yes
+region box block -0.02 0.02 -0.02 0.02 -0.002 0.05 units box
+create_box 1 box
+neighbor 0.001 bin
+neigh_modify delay 0
+fix m1 all property/global youngsModulus peratomtype 5.0e6
+fix m2 all property/global poissonsRatio peratomtype 0.3
+fix m3 all property/global yieldStrength peratomtype 1.0e5
+pair_style gran model universal tangential off energy_ledger on
+pair_coeff * *
+fix floor all wall/gran model universal tangential off primitive type 1 zplane 0.0 energy_ledger on
+create_atoms 1 single 0 0 {low} units box
+create_atoms 1 single 0 0 0.01201 units box
+group ball id 2
+set group all diameter 0.002 density 1500
+set group ball diameter 0.02 density {density}
+velocity ball set 0 0 {velocity}
+fix integrate all nve/sphere
+timestep 5e-7
+thermo 100
+include energy_ledger.in
+run {steps}
+"""
+
+
+def write(folder: Path, **values: float) -> Path:
+    deck = folder / "crush.in"
+    deck.write_text(DECK.format(**{"low": 0.001} | values))
+    ledger = Path(__file__).parents[2] / "inputs" / "energy_ledger.in"
+    (folder / "energy_ledger.in").write_text(ledger.read_text())
+    return deck
+
+
+def test_a_run_far_beyond_the_range_fails(tmp_path, capsys):
+    """The grain is pressed by a third of its radius: 15 times the range, a/R 0.1."""
+    line = ["bulk", str(write(tmp_path, density=8000, velocity=-5, steps=200))]
+    line += ["--output", str(tmp_path / "run")]
+    assert main(line) == 1
+    said = capsys.readouterr()
+    assert said.out.startswith("NO  largest overlap over the range of universal: ")
+    assert "largest overlap over the range of universal" in said.err
+    assert main([*line, "--force", "--json"]) == 1
+    first = json.loads(capsys.readouterr().out)["checks"][0]
+    assert first["name"] == "largest overlap over the range of universal"
+    assert first["value"] > EXCESS == first["limit"] and not first["passed"]
+    section = make_section(collect([tmp_path / "run"])[0], "run-0")
+    assert section.state == "failed" and section.checks[0]["name"] == first["name"]
+    assert any("contacts beyond the law's range" in warning for warning in section.warnings)
+
+
+def test_a_run_without_contacts_is_no_success(tmp_path):
+    """On the page it passes nothing, and the page says why."""
+    deck = write(tmp_path, density=8000, velocity=1, low=0.001005, steps=10)
+    assert main(["bulk", str(deck), "--output", str(tmp_path / "run")]) == 0
+    section = make_section(collect([tmp_path / "run"])[0], "run-0")
+    assert section.state == "done" and not section.checks
+    assert any("Did grains meet?" in line for line in section.notes)
+    page = write_report([tmp_path / "run"], tmp_path / "page.html").read_text()
+    assert "Did grains meet?" in page and "checks passed" not in page
+
+
+@pytest.mark.parametrize("text", ["", "step\n"])
+def test_an_emptied_series_is_named(text, tmp_path):
+    deck = write(tmp_path, density=100, velocity=-0.1, steps=2000)
+    assert main(["bulk", str(deck), "--output", str(tmp_path / "run")]) == 0
+    (tmp_path / "run" / "series.csv").write_text(text)
+    section = make_section(collect([tmp_path / "run"])[0], "run-0")
+    assert any("series.csv is empty" in line for line in section.missing)
+    assert section.checks
