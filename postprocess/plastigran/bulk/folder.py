@@ -19,7 +19,14 @@ from typing import TextIO
 import numpy as np
 import pandas as pd
 
-from plastigran.engine.checkpoints import OF_A_SIGNAL, checkpoints, is_numbered, newest_checkpoint
+from plastigran.engine.checkpoints import (
+    CHECKSUM,
+    OF_A_SIGNAL,
+    PATTERN,
+    checkpoints,
+    is_numbered,
+    newest_checkpoint,
+)
 from plastigran.engine.dumps import DumpError, TruncatedFileWarning
 from plastigran.engine.log import LOG, read_commands, read_thermo
 from plastigran.engine.process import EngineError, engines
@@ -45,6 +52,7 @@ OWN_FILES = (
     SPECTRA,
     SERIES,
     CHECKS,
+    f"{PATTERN}{CHECKSUM}*",
 )
 
 _DERIVED = re.compile(r"^derived (\w+) = (\S+)\s*$", re.MULTILINE)

@@ -12,6 +12,7 @@ from plastigran.bulk.deck import BulkDeck
 from plastigran.bulk.decks import deck_class
 from plastigran.bulk.folder import read_record, restart_point
 from plastigran.bulk.own import check_laws, own_places, own_restart_point
+from plastigran.engine.checkpoints import refuse_damaged
 from plastigran.engine.deck import DeckSource, deck_name, find_deck, is_shipped, read_deck
 from plastigran.engine.process import typed_command
 
@@ -80,6 +81,8 @@ def plan_bulk(
         values = earlier["values"] | values | {"start": "checkpoint", "checkpoint": str(checkpoint)}
     if kind and "materials" in values:  # a path as typed here; the engine runs elsewhere
         values["materials"] = str(Path(values["materials"]).resolve())
+    if "checkpoint" in values:
+        refuse_damaged(Path(values["checkpoint"]))
     source = read_deck(script, values, folder)
     places = {"inputs": folder / "deck"} if kind else own_places(source, folder)
     if not kind:

@@ -20,7 +20,12 @@ from plastigran.bulk.folder import (
 from plastigran.bulk.outcome import BulkRun, open_run
 from plastigran.bulk.own import planned_steps
 from plastigran.bulk.plan import Plan, plan_bulk
-from plastigran.engine.checkpoints import fetch_file_of_signal, files_of_signals, step_of
+from plastigran.engine.checkpoints import (
+    ChecksumWriter,
+    fetch_file_of_signal,
+    files_of_signals,
+    step_of,
+)
 from plastigran.engine.folder_lock import lock_folder
 from plastigran.engine.log import LOG
 from plastigran.engine.process import run_deck
@@ -89,6 +94,7 @@ def _run(plan: Plan, made_with: dict[str, str], show: bool) -> BulkRun:
         carry_files(restart, folder, step)
     write_record(folder, record)  # last: a folder with a record can be gone on from
     left = files_of_signals(plan.working_folder)
+    checksums = ChecksumWriter(folder)
     try:
         run_deck(
             script,
@@ -99,12 +105,14 @@ def _run(plan: Plan, made_with: dict[str, str], show: bool) -> BulkRun:
             progress=show,
             working_folder=plan.working_folder,
             planned=planned_steps(source) if plan.kind is None else 0,
+            meanwhile=checksums.update,
         )
     finally:
         if (log := folder / LOG).exists():
             record["versions"]["engine"] = log.read_text(errors="replace").partition("\n")[0]
             write_record(folder, record)
             fetch_file_of_signal(plan.working_folder, left, folder)
+            checksums.update()
     read_series(folder).to_csv(folder / SERIES, index=False)  # whatever comes of its analysis
     run = open_run(folder)
     write_results(run)

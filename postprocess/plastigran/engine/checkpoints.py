@@ -7,6 +7,7 @@ import re
 import shutil
 import warnings
 from contextlib import suppress
+from hashlib import file_digest
 from pathlib import Path
 
 import numpy as np
@@ -18,6 +19,8 @@ from plastigran.engine.process import EngineError
 PATTERN = "checkpoint.*.restart"
 #: How restart files begin that the engine writes where it runs when a signal stops it.
 OF_A_SIGNAL = "restart_forced_liggghts"
+#: Ending of the files with checksums, which `sha256sum --check` reads.
+CHECKSUM = ".sha256"
 #: Numbers of a file that are looked at together.
 _BLOCK = 1 << 20
 
@@ -43,7 +46,8 @@ def newest_checkpoint(folder: str | Path) -> Path:
 
     The engine writes a step's checkpoint first and its line of the log afterwards, and decks ask
     for checkpoints at steps that have a line: one the log has not come to was cut short. One that
-    a full disk cut is passed over with a warning.
+    a full disk cut, or that differs from its checksum, is passed over with a warning. A killed run
+    may have left a whole one without a checksum.
 
     Raises:
         EngineError: There is none; the message names the newest that the log has not come to, if it
@@ -53,10 +57,12 @@ def newest_checkpoint(folder: str | Path) -> Path:
     for checkpoint in reversed(checkpoints(folder)):
         if step_of(checkpoint) > progress.step:
             beyond = beyond or (checkpoint if is_whole(checkpoint) else None)
-        elif is_whole(checkpoint):
-            return checkpoint
-        else:
+        elif not is_whole(checkpoint):
             warnings.warn(f"{checkpoint} is cut short; an earlier one is looked for", stacklevel=2)
+        elif differs(checkpoint):
+            warnings.warn(f"{_damage(checkpoint)}. An earlier one is looked for", stacklevel=2)
+        else:
+            return checkpoint
     if beyond:
         ends = f"ends at step {progress.step}" if progress.run else "shows no step"
         raise EngineError(
@@ -64,6 +70,58 @@ def newest_checkpoint(folder: str | Path) -> Path:
             f"its folder, the newest of which is {beyond.name}; a run goes on where its log does"
         )
     raise EngineError(f"no whole checkpoint ({PATTERN}) in {folder}; start the deck afresh")
+
+
+class ChecksumWriter:
+    """Writes a checksum beside each checkpoint of a run once the checkpoint is whole.
+
+    Args:
+        folder: Folder of the run.
+    """
+
+    def __init__(self, folder: Path) -> None:
+        self._folder = folder
+        self._log = LogFollower(folder / LOG)
+
+    def update(self) -> None:
+        """Write those that have become due since the last time."""
+        step = self._log.read().step
+        for checkpoint in checkpoints(self._folder):
+            if step_of(checkpoint) > step:  # it may still be written
+                break
+            if not _checksum_of(checkpoint).exists() and is_whole(checkpoint):
+                draft = checkpoint.with_name(f"{checkpoint.name}{CHECKSUM}.new")
+                draft.write_text(f"{_sum(checkpoint)}  {checkpoint.name}\n")
+                draft.replace(_checksum_of(checkpoint))
+
+
+def differs(checkpoint: Path) -> bool:
+    """Return whether a checkpoint has a checksum and differs from it."""
+    file = _checksum_of(checkpoint)
+    return file.exists() and file.read_text(errors="replace").split()[:1] != [_sum(checkpoint)]
+
+
+def refuse_damaged(checkpoint: Path) -> None:
+    """Refuse a checkpoint that differs from its checksum.
+
+    Raises:
+        EngineError: It does.
+    """
+    if checkpoint.is_file() and differs(checkpoint):
+        raise EngineError(f"{_damage(checkpoint)}. Choose another checkpoint, or restore the file")
+
+
+def _damage(checkpoint: Path) -> str:
+    return f"{checkpoint} is damaged: it differs from {_checksum_of(checkpoint).name}"
+
+
+def _checksum_of(checkpoint: Path) -> Path:
+    return checkpoint.with_name(checkpoint.name + CHECKSUM)
+
+
+def _sum(file: Path) -> str:
+    with open(file, "rb") as content:
+        return file_digest(content, "sha256").hexdigest()
 
 
 def files_of_signals(working_folder: Path) -> dict[Path, int]:

@@ -8,7 +8,7 @@ import select
 import shutil
 import signal
 import subprocess
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from contextlib import closing, suppress
 from pathlib import Path
 from shlex import join
@@ -149,6 +149,7 @@ def run_deck(
     progress: bool = False,
     working_folder: Path | None = None,
     planned: int = 0,
+    meanwhile: Callable[[], None] = lambda: None,
 ) -> str:
     """Run a deck to its end.
 
@@ -165,6 +166,7 @@ def run_deck(
         working_folder: Where the engine runs, which relative paths of the deck are from; `folder`
             if None.
         planned: Steps of all runs of the deck for the progress bar, or 0 if not known.
+        meanwhile: Function that is called now and then while the deck runs.
 
     Returns:
         The log.
@@ -198,7 +200,7 @@ def run_deck(
             start_new_session=True,
         )
         try:
-            returncode = _wait(engine, timeout, bar)
+            returncode = _wait(engine, timeout, bar, meanwhile)
         except subprocess.TimeoutExpired:
             raise EngineStopped(f"{deck.name}: stopped after {timeout:g} s") from None
         finally:
@@ -221,7 +223,12 @@ def engines(folder: Path) -> list[int]:
     return found
 
 
-def _wait(engine: subprocess.Popen, timeout: float | None, bar: RunBar) -> int:
+def _wait(
+    engine: subprocess.Popen,
+    timeout: float | None,
+    bar: RunBar,
+    meanwhile: Callable[[], None],
+) -> int:
     """Wait until the engine ends; returns its code.
 
     Raises:
@@ -233,6 +240,7 @@ def _wait(engine: subprocess.Popen, timeout: float | None, bar: RunBar) -> int:
         ended.register(process, select.POLLIN)
         while not ended.poll(1000 * INTERVAL):
             bar.update()
+            meanwhile()
             if timeout is not None and monotonic() - started > timeout:
                 raise subprocess.TimeoutExpired(engine.args, timeout)
     finally:
