@@ -511,6 +511,22 @@ def test_a_radius_that_does_not_fit_is_refused(tmp_path):
         write_deck(tmp_path / "mine", "thornton", "steel", radius=0.05)
 
 
+@pytest.mark.parametrize("ranks", [1, 2])
+def test_spheres_that_overlap_at_the_start_pass_the_checks(ranks, tmp_path):
+    """Beyond yield, with nothing but their overlap to move them: plastic work does not fall."""
+    deck = tmp_path / "overlap.in"
+    deck.write_text(
+        (PROJECT / "tests" / "ledger" / "decks" / "set_types.in")
+        .read_text()
+        .replace("${inputs}", str(PROJECT / "inputs"))
+        .replace("variable inputs     index inputs\n", "")
+        .replace("run             20\n${change}\nrun             20", "run 2000")
+    )
+    run = run_bulk(deck, {}, tmp_path / "run", ranks, show=False)
+    assert run.passed and len(run.checks) == 2
+    assert run.series["plastic"].iloc[0] > 0 and run.series["kinetic"].iloc[-1] > 0
+
+
 def test_a_run_without_contacts_says_so(tmp_path):
     """Its ledger closes on nothing; the grains of the template fall 60 mm first."""
     deck = write_deck(tmp_path / "falling", "thornton", "steel")
