@@ -25,7 +25,7 @@ from plastigran import laws
 
 PROJECT = Path(__file__).resolve().parents[2]
 #: Pages of the top folder that the site has among the others.
-TOP = ("CONTRIBUTING.md", "CHANGELOG.md")
+TOP = ("CONTRIBUTING.md", "CODE_OF_CONDUCT.md", "CHANGELOG.md")
 
 
 def stage(source: Path) -> Path:

@@ -2,7 +2,7 @@
 //
 // The energy ledger: where the energy of the particles is and where it went, as a fix with the
 // fixed ID `energy_ledger`. `energy_ledger on` in the pair_style line adds it, with a second fix
-// that keeps every particle's plastic work (ID `plastic_work`). docs/energy_ledger.md says what is
+// that keeps every particle's plastic work (ID `plastic_work`). docs/energy_balance.md says what is
 // counted.
 //
 // No entry is the remainder of others. Elastic energy and plastic work are state functions of each
