@@ -10,8 +10,9 @@ from pathlib import Path
 import numpy as np
 from events import AXES, CREATED_RADIUS, Event
 from frames import COLUMNS
-from plastigran.laws import hertz_yield_pressure_factor
 from scene import Scene
+
+from plastigran.laws import hertz_yield_pressure_factor
 
 #: How far from a place particles are deleted [m].
 NEAR = 0.13

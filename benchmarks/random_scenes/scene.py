@@ -9,9 +9,9 @@ from math import pi
 
 import numpy as np
 from events import AXES, CREATED_RADIUS, Event, random_events
-from plastigran.laws import Body
 
 from plastigran import laws
+from plastigran.laws import Body
 
 #: Overlap of the heaviest particles, over the smallest radius, beyond which all begin slower. Where
 #: several press on one it is more, and at 1 the plugin stops the run.
