@@ -97,7 +97,7 @@ def test_a_plain_deck_runs_where_it_lies(plain, tmp_path, monkeypatch, capsys):
     timestep command; both runs are kept; results lie in the present folder."""
     monkeypatch.chdir(tmp_path)
     assert main(["bulk", str(plain)]) == 0
-    assert "plain keeps no energy ledger, or its log has no entries" in capsys.readouterr().out
+    assert "nothing was checked: the deck keeps no energy balance" in capsys.readouterr().out
     run = pg.open("results/plain")
     series = run.series
     assert run.deck is None and run.finished

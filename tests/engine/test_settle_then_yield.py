@@ -33,6 +33,7 @@ TRIANGLES = """solid floor
 endsolid floor
 """
 MESH = "fix mesh all mesh/surface file floor.stl type 1\nfix floor"
+INCLUDE = "include inputs/energy_ledger.in   # from the project folder\n"
 LEDGER = f"include {PROJECT}/inputs/energy_ledger.in\nthermo 100\n"
 
 
@@ -57,7 +58,7 @@ def test_a_bed_settled_with_hertz_continues_with_a_law(wall, ranks, tmp_path):
     alone is 1e-2 of it.
     """
     run(tmp_path, SETTLE, "settle", ranks, wall)
-    deck = CONTINUE.replace("fix gravity", LEDGER + "fix gravity", 1)
+    deck = CONTINUE.replace(INCLUDE, LEDGER)
     log = run(tmp_path, deck, "continue", ranks, wall)
     for owner in ("pair_style", "fix floor"):
         assert f"{owner}: the restart file has contacts of a model of LIGGGHTS. They begin" in log
@@ -77,7 +78,7 @@ def test_a_bed_settled_with_a_law_continues_with_hertz(wall, ranks, tmp_path):
     run(tmp_path, settle.replace("20000", "2000"), "settle", ranks, wall)
     deck = CONTINUE.replace("model universal", "model hertz").replace(" energy_ledger on", "")
     restitution = "fix m4 all property/global coefficientRestitution peratomtypepair 1 0.4\n"
-    deck = deck.replace("fix m1", f"soft_particles yes\nhard_particles yes\n{restitution}fix m1")
+    deck = deck.replace("fix m1", f"{restitution}fix m1").replace(INCLUDE, "")
     log = run(tmp_path, deck.replace("fix m5", "#"), "continue", ranks, wall)
     for owner in ("pair_style", "fix floor"):
         said = rf"WARNING: {owner}: the restart file has contacts of `model universal.*`, which"

@@ -33,8 +33,8 @@ BRIEF = {
 NETWORK = ("etc/resolv.conf", "etc/hosts", "etc/pip.conf", "etc/ssl/certs/ca-certificates.crt")
 #: What the page promises, as files left behind.
 LEFT = (
-    "results/impact/impacts.csv",
-    "results/impact/loops.png",
+    "results/two_laws/impacts.csv",
+    "results/two_laws/loops.png",
     "results/spring.in",
     "results/spring/impacts.csv",
     "results/hopper/checks.csv",

@@ -79,6 +79,7 @@ void StepWatch::announce() {
   ratio(impact_.step, "the recommended step for those");
   ratio(stiffest_.step, "that for the stiffest contact");
   std::string line = text.str();
+  if (line.back() == ':') return;  // no particles yet
   line.back() = '\n';
   if (screen) fputs(line.c_str(), screen);
   if (logfile) fputs(line.c_str(), logfile);

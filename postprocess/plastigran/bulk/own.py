@@ -132,7 +132,10 @@ def own_restart_point(source: DeckSource, earlier: Path, record: dict) -> Path:
 def analyse_own(series: pd.DataFrame) -> Analysis:
     """The energy ledger of a run, where its log has the entries of inputs/energy_ledger.in."""
     if not {*TAKEN, "drift"} <= set(series):
-        return Analysis(series)
+        said = (
+            "nothing was checked: the deck keeps no energy balance, or its log has no terms of it"
+        )
+        return Analysis(series, notes=[said])
     if not energy_input(series) > 0:
         return Analysis(series, notes=["the ledger was not checked: no energy came in"])
     figures, notes, last = {}, [], last_simulation(series)

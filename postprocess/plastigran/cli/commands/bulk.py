@@ -100,8 +100,6 @@ def run(arguments: argparse.Namespace) -> None:
             f"{earlier} has reached its end: nothing was left to compute"
             f"{longer if bulk_run.deck is None else ''}"
         )
-    if bulk_run.deck is None and not (bulk_run.checks.size or bulk_run.notes):
-        print(f"{name} keeps no energy ledger, or its log has no entries: nothing was checked")
     report(bulk_run)
     print(f"written: {arguments.output}")
 

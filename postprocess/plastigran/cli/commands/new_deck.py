@@ -18,7 +18,10 @@ def add_arguments(command: argparse.ArgumentParser) -> None:
     command.add_argument("--law", default="universal", help="between grains, default universal")
     add_material(command, "soft_granules")
     command.add_argument(
-        "--radius", type=positive, default=0.003, help="radius of the grains, m, default 0.003"
+        "--radius",
+        type=positive,
+        default=0.003,
+        help="radius of the grains, 0.0005 to 0.006 m, default 0.003",
     )
 
 
