@@ -44,7 +44,7 @@ def test_results_come_by_name_in_the_order_asked_for_and_are_kept(tmp_path):
         name: pytest.approx(name) for name in asked
     }
     assert list(found) == list(asked)
-    assert len(list(tmp_path.glob("press_*.pickle"))) == len(asked)
+    assert len(list(tmp_path.glob("press_*.result"))) == len(asked)
 
 
 def test_one_that_gives_up_is_named():
@@ -54,7 +54,7 @@ def test_one_that_gives_up_is_named():
 
 def tell(settings, progress):
     warnings.warn("the contact is wide", stacklevel=1)
-    return Stopped(stopped="")
+    return 1.0
 
 
 def test_a_warning_is_told_in_one_plain_line(capfd):

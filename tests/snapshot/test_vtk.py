@@ -100,20 +100,6 @@ def test_a_memory_that_is_missing_is_said(damage, tmp_path):
         write_vtk(read_run(folder, "vu_quoc_zhang"), folder / "vtk")
 
 
-def test_a_pair_that_touches_twice_has_two_memories(tmp_path):
-    """Directly, and less deep through a periodic side, with the same grain named first."""
-    folder = press_pairs(tmp_path, contact_history=1, side="p", top=0.00582)
-    write_vtk(read_run(folder, "thornton"), folder / "vtk")
-    contacts = pyvista.read(folder / "vtk" / "contacts_100.vtp")
-    order = np.argsort(contacts["overlap"])
-    assert contacts["overlap"][order] == pytest.approx([8e-5, 1e-4, 1e-4], rel=0.01)
-    shallow, *deep = contacts["plastic_work"][order]
-    assert 0 < shallow < 0.7 * max(deep)
-    # Grains have half of each of their contacts' work.
-    taken = pyvista.read(folder / "vtk" / "grains_100.vtp")["plastic_work"].sum()
-    assert contacts["plastic_work"].sum() == pytest.approx(taken, rel=1e-6)
-
-
 def test_the_command_writes_a_decks_contacts(bulk_run, tmp_path, capsys):
     """Of a run with walls, and frames of which some have no contacts."""
     settings = {**deck_class("hopper").briefs[""].settings, "frames": 2, "contact_history": 1}

@@ -17,6 +17,8 @@ void PartedWalls::pre_neighbor() {
   for (int k = 0; k < modify->nfix; ++k) {
     const auto wall = dynamic_cast<LAMMPS_NS::FixWallGran*>(modify->fix[k]);
     if (!wall || wall->is_mesh_wall() || wall->dnum() == 0) continue;
+    // Its histories also hold the places of surfaces, which LIGGGHTS keeps between contacts.
+    if (wall->contact_match("surface", "multicontact")) continue;
     const int found = modify->find_fix((std::string("history_") + wall->id).c_str());
     if (found < 0) continue;
     double** const histories = modify->fix[found]->array_atom;
