@@ -78,5 +78,8 @@ def test_what_is_swept_is_shown(tmp_path):
     one = runs.table[runs.table["radius"] == 0.1]
     assert "radius" not in format_table(one, list(one))
     legend = runs.figure("restitution").axes[0].legend_
-    assert [text.get_text() for text in legend.texts] == ["Thornton, 0.05 m", "Thornton, 0.1 m"]
+    assert [text.get_text() for text in legend.texts] == [
+        "Thornton, radius 50 mm",
+        "Thornton, radius 100 mm",
+    ]
     assert legend.get_title().get_text() == "points: LIGGGHTS, lines: theory"

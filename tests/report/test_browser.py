@@ -34,7 +34,8 @@ def settle(page: Page) -> None:
 def shown_laws(page: Page, chart: str) -> set[str]:
     return set(
         page.evaluate(
-            "n => document.getElementById(n).data.filter(t => t.visible).map(t => t.meta.law)",
+            "n => document.getElementById(n).data.filter(t => t.visible).map(t => t.meta.law)"
+            ".filter(law => law)",
             chart,
         )
     )

@@ -24,10 +24,10 @@ from plastigran.cli import main
 from plastigran.experiments.central import CentralImpact
 from plastigran.experiments.runs import claim
 from plastigran.materials import read_material, write_material
+from plastigran.plot.quantities import QUANTITIES
 from plastigran.plot.style import save, subplots
 from plastigran.report.page.bulk_charts import series_chart
 from plastigran.report.page.collect import collect
-from plastigran.report.page.names import QUANTITIES
 from plastigran.report.page.render import make_section, write_report
 from plastigran.report.page.sections import Section
 from plastigran.report.page.trust import Trust, trust

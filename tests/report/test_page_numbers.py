@@ -14,9 +14,10 @@ import pyvista
 
 from plastigran.plot.frame_files import find_frames
 from plastigran.plot.frames import read_frame
+from plastigran.plot.quantities import scale
 from plastigran.report.page.colours import LEAST, luminance, on_dark
 from plastigran.report.page.movie import pack_movie
-from plastigran.report.page.names import number, scale
+from plastigran.report.page.names import number
 
 
 def test_frames_are_packed_to_16_bits(hopper):

@@ -236,13 +236,6 @@ def test_the_metal_given_to_the_independent_elements():
 
 
 @pytest.mark.engine
-@pytest.mark.parametrize("law", ["kogut_etsion", "universal"])
-def test_the_cost_beyond_the_range_is_measured(law, tmp_path):
-    """Contacts are within the range and beyond it where they should be; no time is asserted."""
-    assert load("benchmarks/range_cost.py").ratio(law, tmp_path, rounds=1) > 0
-
-
-@pytest.mark.engine
 def test_softened_decks_are_compared(tmp_path, monkeypatch):
     """A drum of a moment: shares of what is dissipated, which sum up to one."""
     script = load("docs/softening.py")

@@ -12,13 +12,13 @@ import pandas as pd
 from matplotlib.figure import Figure
 
 from plastigran import laws
-from plastigran.bulk.checks import LEDGER, TAKEN, Check, energy_input, ledger_checks
+from plastigran.bulk.checks import Check, ledger_checks
 from plastigran.bulk.folder import read_derived
 from plastigran.bulk.grains import Grains
+from plastigran.bulk.ledger_chart import ledger_figure
 from plastigran.bulk.settings import continuable, text
 from plastigran.declared import declaration, number, radius_field, require, whole, word
 from plastigran.materials import Material
-from plastigran.plot.ledger import ledger_figure
 from plastigran.usable_laws import laws_for
 
 
@@ -202,7 +202,7 @@ class BulkDeck:
         """Figure of the energy ledger by its name; none of a run without one."""
         if self.ledger == "off":
             return {}
-        return {"ledger": ledger_figure(series, TAKEN, energy_input(series), LEDGER)}
+        return {"ledger": ledger_figure(series)}
 
 
 @attrs.frozen(kw_only=True)

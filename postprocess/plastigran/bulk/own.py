@@ -14,7 +14,6 @@ import pandas as pd
 from plastigran import laws
 from plastigran.bulk.checks import (
     DISSIPATED,
-    LEDGER,
     TAKEN,
     Check,
     energy_input,
@@ -23,11 +22,11 @@ from plastigran.bulk.checks import (
 )
 from plastigran.bulk.deck import Analysis
 from plastigran.bulk.folder import restart_point
+from plastigran.bulk.ledger_chart import ledger_figure
 from plastigran.engine.checkpoints import PATTERN, checkpoints
 from plastigran.engine.deck import MESHES, DeckSource, commands
 from plastigran.engine.log import LOG
 from plastigran.engine.process import EngineError, inputs_folder, misread
-from plastigran.plot.ledger import ledger_figure
 
 #: Settings by which a deck is told to go on from a restart file.
 GOES_ON = ("start", "checkpoint")
@@ -144,7 +143,7 @@ def analyse_own(series: pd.DataFrame) -> Analysis:
             "the ledger was not drawn: the log has no time; `time` in thermo_style gives it"
         )
     elif energy_input(last) > 0:
-        figures["ledger"] = ledger_figure(last, TAKEN, energy_input(last), LEDGER)
+        figures["ledger"] = ledger_figure(last)
     if len(last) < len(series):
         notes.append("the ledger begins anew at each `clear`: all are checked, the last is drawn")
     if not series[["elastic", *DISSIPATED]].any(axis=None):

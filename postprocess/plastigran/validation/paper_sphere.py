@@ -8,7 +8,7 @@ from math import pi
 import pandas as pd
 
 from plastigran import laws
-from plastigran.experiments.central.figures import finite_elements
+from plastigran.experiments.central.curves import finite_elements
 from plastigran.materials import RIGID, read_material
 from plastigran.validation.laws_on_spheres import yielding_laws
 from plastigran.validation.tables import nearest_first

@@ -257,6 +257,6 @@ class CentralImpact(Experiment):
         from plastigran.experiments.central import figures  # matplotlib is slow to load
 
         return {
-            "restitution": lambda: figures.restitution_figure(runs.outcomes, runs.by_theory),
-            "loops": lambda: figures.loops_figure(runs.outcomes),
+            "restitution": lambda: figures.restitution_figure(runs),
+            "loops": lambda: figures.loops_figure(runs),
         }

@@ -8,7 +8,7 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from plastigran import laws
-from plastigran.experiments.central.figures import finite_elements
+from plastigran.experiments.central.curves import finite_elements
 from plastigran.fem.sphere.results import Pressing, virgin_loading
 from plastigran.papers.zv02.computations import (
     LAWS,

@@ -10,7 +10,7 @@ import pandas as pd
 from scipy.optimize import brentq
 
 from plastigran import laws
-from plastigran.experiments.central.figures import finite_elements
+from plastigran.experiments.central.curves import finite_elements
 from plastigran.fem.sphere.calibration import calibrate
 from plastigran.fem.sphere.results import Pressing, Throw
 from plastigran.papers.zv02.computations import (

@@ -10,7 +10,7 @@ import pandas as pd
 from plastigran.declared import declaration
 from plastigran.experiments.record import STUDY
 from plastigran.materials import Material
-from plastigran.report.page.names import words
+from plastigran.plot.quantities import words
 from plastigran.report.page.sections import Table, cells
 
 

@@ -15,7 +15,7 @@ import numpy as np
 
 from plastigran.plot.frame_files import Frame, SnapshotError, find_frames
 from plastigran.plot.frames import GrainFrame, read_frames
-from plastigran.report.page.names import scale
+from plastigran.plot.quantities import scale
 
 #: Grains in all frames of a run together, at most: 14 bytes each before they are packed.
 MOST = 90_000

@@ -20,12 +20,13 @@ from jinja2 import Environment, PackageLoader, StrictUndefined
 from markupsafe import Markup
 from plotly.utils import PlotlyJSONEncoder
 
+from plastigran.plot.quantities import words
 from plastigran.plot.style import COLOURS, law_number
 from plastigran.plot.style import title as law_title
 from plastigran.report.page import bulk_section, sweep_section, table_section
 from plastigran.report.page.collect import Results, collect
 from plastigran.report.page.colours import on_dark
-from plastigran.report.page.names import number, words
+from plastigran.report.page.names import number
 from plastigran.report.page.sections import Section, nothing
 
 #: By this a page is known to be ours.

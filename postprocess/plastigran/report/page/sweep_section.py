@@ -11,19 +11,20 @@ import pandas as pd
 from plastigran.calibration.expected_errors import errors_table
 from plastigran.engine.log import LOG, find_error
 from plastigran.experiments.central.arrangement import WALLS
+from plastigran.experiments.central.curves import central_case
 from plastigran.experiments.central.remarks import dented
 from plastigran.experiments.record import TABLE, read_study, read_table
 from plastigran.experiments.tables import HEADS
 from plastigran.materials import NO_WALL, USUAL, Material
+from plastigran.plot.quantities import words
 from plastigran.plot.style import title
 from plastigran.report.page.charts import chart_name
 from plastigran.report.page.collect import Results
-from plastigran.report.page.loop_chart import loops_chart
 from plastigran.report.page.materials import constants, recorded
-from plastigran.report.page.names import number, words
+from plastigran.report.page.names import number
 from plastigran.report.page.pictures import read_pictures
 from plastigran.report.page.sections import Section, Table, cells, version_facts
-from plastigran.report.page.sweep_charts import central_case, measured_chart
+from plastigran.report.page.sweep_charts import loops_chart, measured_chart
 from plastigran.report.page.trust import Trust, trust, validation_chart, verification_chart
 
 #: Laws of a sweep that its head names, at most.

@@ -12,21 +12,24 @@ from collections.abc import Mapping
 import attrs
 import numpy as np
 import pandas as pd
+import plotly.graph_objects as go
 
+from plastigran import laws
 from plastigran.calibration.expected_errors import ExpectedError, expected_error
 from plastigran.experiments.central import CentralImpact
 from plastigran.experiments.central.arrangement import WALLS, on_wall
+from plastigran.experiments.central.curves import APART, central_case
 from plastigran.materials import RIGID_WALL, Material
+from plastigran.plot.chart import Curve, Panel
+from plastigran.plot.quantities import PREDICTED, Scale, words
 from plastigran.plot.style import title
-from plastigran.report.page.charts import Chart, chart_name, decades, figure, of_law, points
-from plastigran.report.page.names import PREDICTED, words
-from plastigran.report.page.sweep_charts import APART, central_case, law_range, leaves_range
+from plastigran.report.page.charts import Chart, chart_name, interactive
 
 QUANTITIES = ("coefficient_of_restitution", "force_max")
-#: Limits of the charts' axes of errors, powers of ten of a per cent.
-SPAN = (-4, 2.2)
-_SCALE = "difference (%)"
-_SPEED = "impact speed / yield speed"
+#: Ends of the axes of errors [%].
+SPAN = (1e-4, 160)
+_SPEED = Scale("impact speed / yield speed", "", 1)
+_DIFFERENCE = Scale("difference", "%", 100)
 
 
 @attrs.frozen
@@ -62,14 +65,14 @@ def trust(table: pd.DataFrame, materials: Mapping[str, Material]) -> list[Trust]
     """
     if "law" not in table:
         return []
-    left = leaves_range(table)
+    left = _leaves_range(table)
     return [
         Trust(
             str(law),
             {name: _verified(rows, name) for name in QUANTITIES},
             *_validated(rows, materials),
             left.get(law),
-            law_range(str(law)),
+            _law_range(str(law)),
         )
         for law, rows in table.groupby("law")
     ]
@@ -137,97 +140,87 @@ def _expected(fastest: CentralImpact, ratios: pd.Series) -> ExpectedError:
     )
 
 
+def _leaves_range(table: pd.DataFrame) -> dict[str, float]:
+    """Return the lowest speed [m/s] at which each law was used beyond its range, if it was."""
+    if not {"in_range", "law", "speed"} <= set(table):
+        return {}
+    outside = table[~table["in_range"].astype(bool)]
+    return outside.groupby("law")["speed"].min().to_dict()
+
+
+def _law_range(law: str) -> str:
+    return laws.LAWS[law].range if law in laws.LAWS else ""
+
+
 def verification_chart(name: str, table: pd.DataFrame) -> Chart | None:
-    """Difference of every impact from theory over speed; None where no law has a yield speed."""
+    """Return the chart of differences from theory over speed; None if no law has a yield speed."""
     if "speed_ratio" not in table or table["speed_ratio"].isna().all():
         return None
+    yielding = table.dropna(subset=["speed_ratio"]).sort_values("speed_ratio")
     views = {}
     for quantity in QUANTITIES:
         if f"{quantity}{PREDICTED}" not in table:
             continue
-        made = _empty()
-        for law, rows in table.dropna(subset=["speed_ratio"]).groupby("law"):
-            rows = rows.sort_values("speed_ratio")
-            off = 100 * (rows[quantity] / rows[f"{quantity}{PREDICTED}"] - 1).abs()
-            made.add_trace(
-                points(
-                    rows["speed_ratio"],
-                    off.clip(lower=10 ** SPAN[0]),
-                    title(str(law)),
-                    of_law(str(law)),
-                    f"<b>{title(str(law))}</b><br>v/v<sub>Y</sub> %{{x:.3g}}"
-                    f"<br>run off theory by %{{customdata:.2g}} %<extra></extra>",
-                    mode="lines+markers",
-                    line={"width": 1},
-                    customdata=off,
-                    marker={"size": 6},
-                )
-            )
-        views[words(quantity).capitalize()] = made
+        curves = []
+        for law, rows in yielding.groupby("law"):
+            off = (rows[quantity] / rows[f"{quantity}{PREDICTED}"] - 1).abs()
+            remarks = [
+                f"v/v<sub>Y</sub> {ratio:.3g}<br>run off theory by {100 * each:.2g} %"
+                for ratio, each in zip(rows["speed_ratio"], off, strict=True)
+            ]
+            off = off.clip(lower=SPAN[0] / 100)
+            curves.append(_law_curve(str(law), rows["speed_ratio"], off, remarks))
+        views[words(quantity).capitalize()] = _errors(curves)
     if not views:
         return None
     return Chart(
         chart_name(name, "verification"),
         views,
-        "difference between runs of the engine and the law's own theory, over speed",
-        "Verification: runs of LIGGGHTS against the equations of their law, in per cent. This is "
-        "the code's and the time step's error.",
+        "difference between runs of LIGGGHTS and the law's own theory, over speed",
+        "Verification: difference between runs of LIGGGHTS and the equations of their law. It is "
+        "the error of the code and of the time step.",
         "Quantity",
     )
 
 
 def validation_chart(name: str, table: pd.DataFrame) -> Chart | None:
-    """Errors of laws against finite elements over speed; None where none is known.
+    """Return the chart of errors of laws against finite elements over speed; None without errors.
 
     Args:
-        name: Of the section.
-        table: Of the laws, with the columns of `plastigran.calibration.expected_errors`.
+        name: ID of the section.
+        table: Errors of the laws, columns as of `plastigran.calibration.expected_errors`.
     """
     views = {}
     for quantity in QUANTITIES:
         for kind, rows in table[table["quantity"] == quantity].groupby("kind", sort=False):
-            made = _empty()
-            for law, errors in rows.groupby("law"):
-                errors = errors.sort_values("speed_ratio_from")
+            curves = []
+            for law, errors in rows.sort_values("speed_ratio_from").groupby("law"):
                 middle = np.sqrt(errors["speed_ratio_from"] * errors["speed_ratio_to"])
-                made.add_trace(
-                    points(
-                        middle,
-                        100 * errors["rms"],
-                        title(str(law)),
-                        of_law(str(law)),
-                        f"<b>{title(str(law))}</b><br>v/v<sub>Y</sub> %{{customdata[0]:.3g}} to "
-                        "%{customdata[1]:.3g}<br>law off finite elements by %{y:.2g} % rms, "
-                        "%{customdata[2]:.2g} % at most<extra></extra>",
-                        mode="lines+markers",
-                        line={"width": 1},
-                        marker={"size": 6},
-                        customdata=np.stack(
-                            [
-                                errors["speed_ratio_from"],
-                                errors["speed_ratio_to"],
-                                100 * errors["max"],
-                            ],
-                            axis=1,
-                        ),
-                    )
-                )
-            views[f"{words(quantity).capitalize()}, {kind}"] = made
+                remarks = [
+                    f"v/v<sub>Y</sub> {row.speed_ratio_from:.3g} to {row.speed_ratio_to:.3g}"
+                    f"<br>law off finite elements by {100 * row.rms:.2g} % rms, "
+                    f"{100 * row.max:.2g} % at most"
+                    for row in errors.itertuples()
+                ]
+                curves.append(_law_curve(str(law), middle, errors["rms"], remarks))
+            views[f"{words(quantity).capitalize()}, {kind}"] = _errors(curves)
     if not views:
         return None
     return Chart(
         chart_name(name, "validation"),
         views,
         "error of each law against finite elements of spheres, over speed",
-        "Validation: the law itself against finite elements of spheres of many metals, in per cent "
-        "(root mean square). This is what a law is off, however well it runs.",
+        "Validation: difference between the law and finite elements of spheres of many metals, "
+        "root mean square. It is the error of the law, however accurate the run.",
         "Quantity and metal",
     )
 
 
-def _empty():
-    made = figure(_SPEED, _SCALE)
-    decades(made.update_xaxes)
-    decades(made.update_yaxes)
-    made.update_yaxes(range=SPAN)
-    return made
+def _law_curve(law: str, ratio: pd.Series, error: pd.Series, remarks: list[str]) -> Curve:
+    x, y = ratio.to_numpy(), error.to_numpy()
+    return Curve(x=x, y=y, name=title(law), law=law, look="joined", remarks=remarks)
+
+
+def _errors(curves: list[Curve]) -> go.Figure:
+    panel = Panel(x=_SPEED, y=_DIFFERENCE, curves=curves, logarithmic="xy", y_range=SPAN)
+    return interactive(panel)

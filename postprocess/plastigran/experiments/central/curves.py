@@ -1,0 +1,279 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Data of the charts of a sweep: measured points with lines of theory, and force-overlap loops."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from importlib.resources import files
+
+import numpy as np
+import pandas as pd
+
+from plastigran.experiments.central import GEOMETRIES, CentralImpact
+from plastigran.experiments.central.arrangement import WALLS, on_wall
+from plastigran.materials import NO_WALL, RIGID_WALL, USUAL, Material
+from plastigran.plot.chart import DASHES, Curve, Panel
+from plastigran.plot.quantities import PREDICTED, Scale, scale
+from plastigran.plot.style import title
+
+#: Points of a line of theory, and the factor by which the line extends beyond the measured speeds.
+FINE = 120
+BEYOND = 1.3
+#: Columns that distinguish curves of one law.
+APART = (
+    "material",
+    "wall",
+    "options",
+    "geometry",
+    "radius",
+    "angle",
+    "coefficient_of_friction",
+)
+#: Range of an axis [-] from which it is logarithmic, as a natural logarithm.
+LOGARITHMIC = 3.0
+
+Groups = dict[tuple[str, str], pd.DataFrame]
+
+
+def finite_elements() -> pd.DataFrame:
+    """Read peak force and restitution from the finite elements of Zhang and Vu-Quoc (2002).
+
+    Returns:
+        Columns speed [m/s], force_max [N] and coefficient_of_restitution.
+    """
+    source = files("plastigran") / "data" / "finite_elements_zv02.csv"
+    with source.open() as file:
+        return pd.read_csv(file, comment="#")
+
+
+def measured_panels(
+    table: pd.DataFrame,
+    materials: Mapping[str, Material],
+    quantities: Sequence[str],
+    abscissa: str,
+) -> dict[str, Panel]:
+    """Return a panel for each quantity: measured points and a line of theory for each curve.
+
+    Args:
+        table: Results table of a sweep.
+        materials: As for `central_case`.
+        quantities: Columns on the y axes.
+        abscissa: Column on the x axes.
+
+    Returns:
+        Panels by quantity; none if two rows of a curve have the same abscissa.
+    """
+    groups = curve_groups(table, abscissa)
+    if any(rows[abscissa].duplicated().any() for rows in groups.values()):
+        return {}
+    theory = {key: _theory(rows, abscissa, materials) for key, rows in groups.items()}
+    return {name: _measured(groups, theory, name, abscissa) for name in quantities}
+
+
+def curve_groups(table: pd.DataFrame, abscissa: str) -> Groups:
+    """Return the rows of each curve by its law and by the words that distinguish it."""
+    if abscissa == "geometry" and "wall" in table:  # the geometry already implies the wall
+        table = table.assign(wall=table["wall"].replace(NO_WALL, RIGID_WALL))
+    table = _without_lone_defaults(table)
+    apart = [name for name in varied(table) if name != abscissa]
+    law = table["law"] if "law" in table else pd.Series("", table.index)
+    groups = {}
+    for key, rows in table.groupby([law, *(table[name] for name in apart)], dropna=False):
+        groups[str(key[0]), in_words(apart, key[1:])] = rows.sort_values(abscissa)
+    return groups
+
+
+def line_styles(groups: Groups) -> dict[str, int]:
+    """Return the number in `DASHES` for the words that distinguish curves of one law."""
+    words = dict.fromkeys(others for _, others in groups)
+    return {others: k % len(DASHES) for k, others in enumerate(words)}
+
+
+def varied(table: pd.DataFrame) -> list[str]:
+    """Return the columns of `APART` that have several values."""
+    return [name for name in APART if name in table and table[name].nunique() > 1]
+
+
+def in_words(names: Sequence[str], values: Sequence[object]) -> str:
+    """Return values of a case in words, with units, joined by commas."""
+    return ", ".join(filter(None, map(_in_words, names, values)))
+
+
+def _in_words(name: str, value: object) -> str:
+    if name == "wall":
+        return on_wall(str(value))
+    if isinstance(value, str):
+        return title(value) if name in ("law", "material") else value.replace("_", " ")
+    axis = scale(name, [value])
+    space = "" if axis.unit == "°" else " "
+    shown = f"{value * axis.factor:.3g}{space}{axis.unit}".strip()
+    return shown if name == "speed" else f"{axis.title} {shown}"
+
+
+def _without_lone_defaults(table: pd.DataFrame) -> pd.DataFrame:
+    """Blank the word for default options of laws that have no other options in the table."""
+    if not {"law", "options"} <= set(table):
+        return table
+    lone = table.groupby("law")["options"].transform("nunique") == 1
+    return table.assign(options=table["options"].mask(lone & (table["options"] == USUAL), ""))
+
+
+def _measured(groups: Groups, theory: Groups, quantity: str, abscissa: str) -> Panel:
+    table = pd.concat(groups.values())
+    values = table[abscissa]
+    numeric = values.dtype.kind in "if"
+    y = scale(quantity, table[quantity])
+    logarithmic = ""
+    if numeric and values.min() > 0 and np.ptp(np.log(values)) > LOGARITHMIC:
+        logarithmic = "xy" if y.unit and (table[quantity] > 0).all() else "x"
+    dashes, curves = line_styles(groups), []
+    for (law, others), rows in groups.items():
+        line = theory[law, others]
+        predicted = f"{quantity}{PREDICTED}"
+        named = {
+            "name": ", ".join(filter(None, (title(law), others))),
+            "law": law,
+            "dash": dashes[others],
+        }
+        # Words have no values between them, and a lone point has no line.
+        look = "line" if numeric and len(line) > 1 else "dashes"
+        y_line = line[predicted if predicted in line else quantity]
+        curves += [
+            Curve(x=_abscissae(line[abscissa]), y=y_line, look=look, source="theory", **named),
+            Curve(
+                x=_abscissae(rows[abscissa]),
+                y=rows[quantity],
+                look="points",
+                source="LIGGGHTS",
+                **named,
+            ),
+        ]
+    if abscissa == "speed" and _is_of_paper(table):
+        curves += _paper(quantity)
+    return Panel(
+        x=scale(abscissa, values if numeric else []),
+        y=y,
+        curves=curves,
+        logarithmic=logarithmic,
+        y_range=(0, 1.05) if quantity == "coefficient_of_restitution" else None,
+    )
+
+
+def _abscissae(values: pd.Series) -> np.ndarray:
+    if values.dtype.kind in "if":
+        return values.to_numpy()
+    return values.str.replace("_", " ").to_numpy()
+
+
+def _is_of_paper(table: pd.DataFrame) -> bool:
+    """Return whether all impacts are those of the sphere of Zhang and Vu-Quoc (2002)."""
+    if not {"geometry", "material", "radius", "wall", "options"} <= set(table):
+        return False
+    sphere = (table["material"] == "aluminium_zv02") & (table["radius"] == 0.1)
+    return bool((sphere & table["wall"].isin(WALLS) & table["options"].isin(("", USUAL))).all())
+
+
+def _paper(quantity: str) -> list[Curve]:
+    paper = finite_elements()
+    if quantity not in paper:
+        return []
+    paper = paper[["speed", quantity]].dropna()
+    name = "finite elements (Zhang & Vu-Quoc 2002)"
+    x, y = paper["speed"].to_numpy(), paper[quantity].to_numpy()
+    return [Curve(x=x, y=y, name=name, look="cross", source="finite elements")]
+
+
+def _theory(rows: pd.DataFrame, abscissa: str, materials: Mapping[str, Material]) -> pd.DataFrame:
+    """Return theory at many speeds, or the rows themselves if theory cannot be computed again."""
+    if abscissa != "speed":
+        return rows
+    case = central_case(rows.iloc[-1], materials)
+    if case is None:
+        return rows
+    ends = rows["speed"].min() / BEYOND, rows["speed"].max() * BEYOND
+    speeds = np.unique(np.r_[rows["speed"], np.geomspace(*ends, FINE)])
+    impacts = case.contact_law().central_impact(
+        case.radius_eff, case.mass_eff, speeds * case.bodies
+    )
+    names = ("coefficient_of_restitution", "force_max", "overlap_max", "overlap_res")
+    fine = {f"{name}{PREDICTED}": getattr(impacts, name) for name in names}
+    return pd.DataFrame({"speed": speeds, **fine})
+
+
+def central_case(row: pd.Series, materials: Mapping[str, Material]) -> CentralImpact | None:
+    """Return the impact of a row of a results table.
+
+    Args:
+        row: Row of the table.
+        materials: Materials that the sweep recorded, by name. Others are read by name.
+
+    Returns:
+        The impact. None for a row of another experiment, and for a material that is not available
+        or has other constants than in the sweep.
+    """
+    if row.get("geometry") not in GEOMETRIES:
+        return None
+    wall, options = row.get("wall"), row.get("options")
+    try:
+        case = CentralImpact(
+            law=row["law"],
+            speed=row["speed"],
+            material=materials.get(row["material"], row["material"]),
+            radius=row["radius"],
+            geometry=row["geometry"],
+            wall=None if wall in (*WALLS, None) else materials.get(wall, wall),
+            options=None if options in (USUAL, "") else options,
+        )
+    except ValueError:
+        return None
+    force = row["force_max" + PREDICTED if "force_max" + PREDICTED in row else "force_max"]
+    return case if np.isclose(case.predict().force_max, force, rtol=1e-6) else None
+
+
+def loop_panels(
+    loops: Sequence[tuple[Mapping[str, object], pd.DataFrame]],
+    panel_by: str,
+    curve_by: str,
+    apart: Sequence[str],
+    common_axes: bool,
+) -> dict[str, Panel]:
+    """Return panels of force over overlap.
+
+    Args:
+        loops: Case of each impact, with columns of the results table, and its columns overlap [m]
+            and force [N].
+        panel_by: Column of the cases whose values have separate panels, "law" or "speed".
+        curve_by: Column that names the curves of a panel, "speed" or "law".
+        apart: Further columns whose values have separate panels; see `varied`.
+        common_axes: Whether all panels have the same units.
+
+    Returns:
+        Panels by their title.
+    """
+    table = _without_lone_defaults(pd.DataFrame([dict(case) for case, _ in loops]))
+    names = [panel_by, *apart]
+    keys: dict[tuple, list[int]] = {}
+    for k in table.sort_values(curve_by).index:
+        keys.setdefault(tuple(table.loc[k, names]), []).append(k)
+    axes = _loop_axes([loop for _, loop in loops]) if common_axes else None
+    panels = {}
+    for key in sorted(keys):
+        chosen = [loops[k] for k in keys[key]]
+        x, y = axes or _loop_axes([loop for _, loop in chosen])
+        curves = [
+            Curve(
+                x=loop["overlap"].to_numpy("float32"),
+                y=loop["force"].to_numpy("float32"),
+                name=_in_words(curve_by, case[curve_by]),
+                law=str(case["law"]),
+            )
+            for case, loop in chosen
+        ]
+        panels[in_words(names, key)] = Panel(x=x, y=y, curves=curves)
+    return panels
+
+
+def _loop_axes(loops: Sequence[pd.DataFrame]) -> tuple[Scale, Scale]:
+    together = pd.concat(loops)
+    x, y = scale("overlap_max", together["overlap"]), scale("force_max", together["force"])
+    return Scale("overlap", x.unit, x.factor), Scale("normal force", y.unit, y.factor)

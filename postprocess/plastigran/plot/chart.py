@@ -1,0 +1,70 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""The data of a chart, from which the static figure and the interactive page are both drawn."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import attrs
+import numpy as np
+
+from plastigran.plot.quantities import Scale
+
+#: Colour number of black on a light page and white on a dark one.
+INK = -1
+#: Line styles: the name in plotly, the style in matplotlib and the word in a sentence.
+DASHES = (
+    ("solid", "-", "solid"),
+    ("dash", "--", "dashed"),
+    ("dot", ":", "dotted"),
+    ("dashdot", "-.", "dash-dotted"),
+    ("longdash", (0, (8, 3)), "long-dashed"),
+    ("longdashdot", (0, (8, 3, 2, 3)), "long-dash-dotted"),
+)
+
+
+@attrs.frozen(eq=False, kw_only=True)
+class Curve:
+    """One curve of a chart.
+
+    Attributes:
+        x, y: Values (N,) in SI units; x may also be words.
+        name: Name in the legend; curves of one name share an entry.
+        law: Law that gives the curve its colour; "" for none.
+        colour: Number in `plastigran.plot.style.COLOURS` of a curve without law.
+        look: "line", "points", "joined" (points on a line), "dashes" or "cross" (a mark at each
+            point), or "area" (stacked on the areas before it).
+        dash: Number of the line style in `DASHES`.
+        source: Source of the values, for example "theory".
+        remarks: Text (N,) that an interactive chart shows at each point, instead of x and y.
+    """
+
+    x: np.ndarray
+    y: np.ndarray
+    name: str
+    law: str = ""
+    colour: int = INK
+    look: str = "line"
+    dash: int = 0
+    source: str = ""
+    remarks: Sequence[str] = ()
+
+
+@attrs.frozen(eq=False, kw_only=True)
+class Panel:
+    """Curves on one pair of axes.
+
+    Attributes:
+        x, y: Axes.
+        curves: Curves, in the order of the legend.
+        logarithmic: Names of the logarithmic axes: "", "x", "y" or "xy".
+        y_range: Ends of the y axis in the unit of `y`; None to fit the curves.
+        limits: Values of y that horizontal dotted lines mark, in SI units.
+    """
+
+    x: Scale
+    y: Scale
+    curves: Sequence[Curve]
+    logarithmic: str = ""
+    y_range: tuple[float, float] | None = None
+    limits: Sequence[float] = ()

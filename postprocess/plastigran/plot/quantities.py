@@ -1,0 +1,107 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Names and units of the quantities on axes."""
+
+from __future__ import annotations
+
+import attrs
+
+from plastigran.plot.prefixes import prefix
+
+#: Suffix of the columns that hold predicted values.
+PREDICTED = "_predicted"
+#: Column of a table: its name in words and its SI unit, "" for a pure number.
+QUANTITIES = {
+    "coefficient_of_restitution": ("coefficient of restitution", ""),
+    "force_max": ("largest force", "N"),
+    "overlap_max": ("largest overlap", "m"),
+    "overlap_res": ("residual overlap", "m"),
+    "loading_time": ("loading time", "s"),
+    "contact_time": ("contact time", "s"),
+    "speed": ("impact speed", "m/s"),
+    "speed_ratio": ("impact speed / yield speed", ""),
+    "angle": ("angle", "°"),
+    "coefficient_of_friction": ("coefficient of friction", ""),
+    "speed_along": ("speed along the surface", "m/s"),
+    "spin_after": ("spin after the impact", "rad/s"),
+    "surface_speed": ("speed of the surface", "m/s"),
+    "angular_velocity": ("angular velocity", "rad/s"),
+    "radius": ("radius", "m"),
+    "geometry": ("geometry", ""),
+    "material": ("material", ""),
+    "time": ("time", "s"),
+    "atoms": ("grains", ""),
+    "kinetic_energy": ("kinetic energy of translation", "J"),
+    "kinetic": ("kinetic energy", "J"),
+    "gravity": ("energy of gravity", "J"),
+    "elastic": ("stored in contacts", "J"),
+    "plastic": ("plastic work", "J"),
+    "friction": ("work of friction", "J"),
+    "viscous": ("viscous work", "J"),
+    "wallwork": ("work of walls", "J"),
+    "inserted": ("energy inserted", "J"),
+    "drift": ("drift of the ledger", "J"),
+    "springs": ("stored in friction's springs", "J"),
+    "temperature": ("granular temperature", "m²/s²"),
+    "temperature_error": ("error of the predicted temperature", "m²/s²"),
+    "collisions": ("collisions of a grain", ""),
+    "flow": ("speed of the mean flow", "m/s"),
+    "held": ("grains in the hopper", ""),
+    "counted": ("grains that have left", ""),
+    "packing": ("volume fraction", ""),
+    "mass": ("mass of the grains", "kg"),
+    "x": ("centre of mass, x", "m"),
+    "z": ("centre of mass, z", "m"),
+    "momentum": ("momentum", "kg m/s"),
+    "height": ("height of the punch", "m"),
+    "force": ("force", "N"),
+    "weight_power": ("power of the weight", "W"),
+    "revolutions": ("revolutions", ""),
+}
+#: Units that take no prefix.
+_WHOLE = ("", "°", "m²/s²", "kg m/s", "rad/s", "kg", "m/s")
+
+
+@attrs.frozen
+class Scale:
+    """An axis of a quantity.
+
+    Attributes:
+        title: Name of the quantity.
+        unit: Unit with its prefix; "" for a pure number.
+        factor: Factor from the SI unit to `unit`.
+    """
+
+    title: str
+    unit: str
+    factor: float
+
+    @property
+    def axis(self) -> str:
+        """Title with the unit."""
+        return f"{self.title} ({self.unit})" if self.unit else self.title
+
+
+def words(column: str) -> str:
+    """Return the name of a column in words."""
+    return QUANTITIES.get(column, (column.replace("_", " "), ""))[0]
+
+
+def unit(column: str) -> str | None:
+    """Return the SI unit of a column, "" for a pure number, None for an unknown column."""
+    return QUANTITIES[column][1] if column in QUANTITIES else None
+
+
+def scale(column: str, values: object) -> Scale:
+    """Return the axis of a column, with a prefix that brings its largest value to 1 to 1000.
+
+    Args:
+        column: Name of the column. A column without known unit keeps its numbers.
+        values: Numbers in SI units; infinite values and NaN are ignored.
+    """
+    name, base = words(column), unit(column)
+    if base is None:
+        return Scale(name, "as in the log", 1.0)
+    if base in _WHOLE:
+        return Scale(name, base, 1.0)
+    small, factor = prefix(values)
+    return Scale(name, small + base, factor)
