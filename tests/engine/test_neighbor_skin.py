@@ -10,7 +10,7 @@ import pytest
 from deck_head import head
 
 from plastigran.engine.dumps import read_dump
-from plastigran.engine.process import EngineStopped, run_deck
+from plastigran.engine.process import run_deck
 
 # Spheres that fall on a plane three times and meet each other twice.
 DECK = """
@@ -55,13 +55,3 @@ def test_a_small_skin_changes_no_contact(skin, tmp_path):
     assert np.count_nonzero(np.diff(pressed.astype(int)) == 1) >= 3
     found = trajectory(skin, tmp_path / "small")
     assert (np.abs(found - expected) <= 1e-9 * np.abs(expected).max(axis=0)).all()
-
-
-def test_a_wall_without_a_pair_style_of_ours_needs_a_skin(tmp_path):
-    mixed = DECK.replace("gran model universal", "gran model hertz", 1)
-    restitution = "fix e all property/global coefficientRestitution peratomtypepair 1 0.9\n"
-    deck = tmp_path / "deck.in"
-    bounds = "-0.1 0.2 -0.1 0.1 -0.01 0.1"
-    deck.write_text(head(bounds, 0.0) + "hard_particles yes\n" + restitution + mixed)
-    with pytest.raises(EngineStopped, match=r"neighbor 0\.0 needs .* Use a skin of 10 %"):
-        run_deck(deck, {}, tmp_path)

@@ -25,17 +25,25 @@ set group all diameter 0.02 density 2700
 INSERTED = """
 fix part all particletemplate/sphere 15485867 atom_type 1 density constant 2700 radius constant 0.01
 fix dist all particledistribution/discrete 32452843 1 part 1.0
-region place block 0 0.039 -0.02 0.02 -0.02 0.02 units box
+region place block 0 0.02 0.01 0.04 -0.04 0.04 units box
 fix ins all insert/pack seed 86028157 distributiontemplate dist vel constant 0 0 0 &
-  insert_every once overlapcheck yes all_in no particles_in_region 1 region place
+  insert_every once overlapcheck yes all_in no particles_in_region 2 region place
 """
+SMALL_SPHERE = """
+create_atoms 1 single 0.01 0 0 units box
+set group all diameter 0.004 density 2700
+"""
+INTRUDER = SMALL_SPHERE + INSERTED.replace("particles_in_region 2", "particles_in_region 1")
+NOT_INSERTED = TWO_SPHERES + "".join(INSERTED.replace("0.01\n", "0.02\n").splitlines(True)[:3])
 END = "fix integrate all nve/sphere\ntimestep 1e-8\nrun 5\n"
 
 
-def run(folder: Path, side: float, particles: str = TWO_SPHERES, ranks: int = 1) -> str:
+def run(
+    folder: Path, side: float, particles: str = TWO_SPHERES, ranks: int = 1, more: str = ""
+) -> str:
     box = f"0 {side} -0.05 0.05 -0.05 0.05"
     start = head(box, skin=1e-4, space="boundary p f f")
-    (folder / "deck.in").write_text(start + MATERIAL + MODEL + particles + END)
+    (folder / "deck.in").write_text(start + MATERIAL + MODEL + particles + END + more)
     return run_deck(folder / "deck.in", {}, folder, ranks=ranks)
 
 
@@ -53,3 +61,16 @@ def test_a_short_periodic_side_is_refused(particles, ranks, tmp_path):
 @pytest.mark.parametrize("ranks", [1, 2])
 def test_a_longer_periodic_side_runs(ranks, tmp_path):
     run(tmp_path, 0.0402, ranks=ranks)
+
+
+@pytest.mark.parametrize("runs", [1, 2])
+def test_one_large_sphere_to_be_inserted_is_one(runs, tmp_path):
+    """Among spheres of 4 mm one of 20 mm needs 24.1 mm, before and after it is inserted."""
+    log = run(tmp_path, 0.025, INTRUDER, more="run 5\n" * (runs - 1))
+    assert "inserted 1 particle templates" in log
+    with pytest.raises(EngineStopped, match=r"must be at least 0\.0241"):
+        run(tmp_path, 0.024, INTRUDER)
+
+
+def test_a_size_that_nothing_inserts_does_not_count(tmp_path):
+    run(tmp_path, 0.0402, NOT_INSERTED)

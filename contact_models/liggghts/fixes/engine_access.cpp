@@ -3,7 +3,10 @@
 // Naming a private member in an explicit instantiation is the language's own way in.
 #include "liggghts/fixes/engine_access.h"
 
+#include <limits>
+
 #include "fix.h"
+#include "fix_insert_pack.h"
 #include "fix_property_global.h"
 #include "modify.h"
 #include "output.h"
@@ -59,6 +62,26 @@ struct VariableName {
   typedef char* LAMMPS_NS::FixPropertyGlobal::*type;
   friend type reach(VariableName);
 };
+struct InsertHasTotal {
+  typedef int LAMMPS_NS::FixInsert::*type;
+  friend type reach(InsertHasTotal);
+};
+struct InsertTotal {
+  typedef int LAMMPS_NS::FixInsert::*type;
+  friend type reach(InsertTotal);
+};
+struct InsertDone {
+  typedef int LAMMPS_NS::FixInsert::*type;
+  friend type reach(InsertDone);
+};
+struct InsertEvery {
+  typedef int LAMMPS_NS::FixInsert::*type;
+  friend type reach(InsertEvery);
+};
+struct InsertInRegion {
+  typedef int LAMMPS_NS::FixInsertPack::*type;
+  friend type reach(InsertInRegion);
+};
 struct WallKind {
   typedef PRIMITIVE_WALL_DEFINITIONS::WallType LAMMPS_NS::PrimitiveWall::*type;
   friend type reach(WallKind);
@@ -87,6 +110,11 @@ template struct Reach<RestartedStylesByAtom, &LAMMPS_NS::Modify::style_restart_p
 template struct Reach<LostFlag, &LAMMPS_NS::Thermo::lostflag>;
 template struct Reach<NextRestart, &LAMMPS_NS::Output::next_restart>;
 template struct Reach<VariableName, &LAMMPS_NS::FixPropertyGlobal::variablename>;
+template struct Reach<InsertHasTotal, &LAMMPS_NS::FixInsert::ninsert_exists>;
+template struct Reach<InsertTotal, &LAMMPS_NS::FixInsert::ninsert>;
+template struct Reach<InsertDone, &LAMMPS_NS::FixInsert::ninserted>;
+template struct Reach<InsertEvery, &LAMMPS_NS::FixInsert::insert_every>;
+template struct Reach<InsertInRegion, &LAMMPS_NS::FixInsertPack::ntotal_region>;
 template struct Reach<WallKind, &LAMMPS_NS::PrimitiveWall::wType>;
 template struct Reach<WallNumbers, &LAMMPS_NS::PrimitiveWall::param>;
 template struct Reach<WallNumberCount, &LAMMPS_NS::PrimitiveWall::nParam>;
@@ -158,6 +186,16 @@ LAMMPS_NS::bigint next_restart(const LAMMPS_NS::Output* output) {
 
 std::string variable_name(LAMMPS_NS::FixPropertyGlobal* property) {
   return property->*reach(VariableName());
+}
+
+int particles_to_insert(const LAMMPS_NS::FixInsert* fix) {
+  if (fix->next_reneighbor <= 0) return 0;       // all are inserted
+  const int total = fix->*reach(InsertTotal());  // 0 before the first run where a mass is given
+  if (fix->*reach(InsertHasTotal()) && total > 0) return total - fix->*reach(InsertDone());
+  const auto pack = dynamic_cast<const LAMMPS_NS::FixInsertPack*>(fix);
+  const bool once = fix->*reach(InsertEvery()) == 0;
+  const int in_region = pack ? pack->*reach(InsertInRegion()) : 0;
+  return once && in_region > 0 ? in_region : std::numeric_limits<int>::max();
 }
 
 std::vector<double> geometry(const LAMMPS_NS::PrimitiveWall* wall) {

@@ -15,6 +15,7 @@ class Settings;
 
 namespace LAMMPS_NS {
 class Fix;
+class FixInsert;
 class FixPropertyGlobal;
 class LAMMPS;
 class Modify;
@@ -60,6 +61,9 @@ LAMMPS_NS::bigint next_restart(const LAMMPS_NS::Output* output);
 
 // The name by which models ask for a property/global.
 std::string variable_name(LAMMPS_NS::FixPropertyGlobal* property);
+
+// How many particles a fix insert/... is still to insert; the largest int where it sets no number.
+int particles_to_insert(const LAMMPS_NS::FixInsert* fix);
 
 // What a primitive wall is and where: its kind's number, and its numbers in the deck.
 std::vector<double> geometry(const LAMMPS_NS::PrimitiveWall* wall);

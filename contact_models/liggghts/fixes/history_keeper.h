@@ -41,6 +41,13 @@ class HistoryKeeper : public OwnFix {
   static const char* id() { return "plastigran_history"; }
   static const char* style() { return "plastigran/history"; }
 
+  // The keeper, made when there is none. `restarted` is what restarted_lines() was when the
+  // caller's line was read: LIGGGHTS has discarded it when the first wall is initialised.
+  static HistoryKeeper* of(LAMMPS_NS::LAMMPS* engine, const std::string& restarted);
+
+  // What the restart file that was read holds of all lines, as long as no run has begun.
+  static std::string restarted_lines(LAMMPS_NS::LAMMPS* engine);
+
   // From a model before each run: `owner` is "pair_style" or "fix ID". Stops when the contacts that
   // a restart file has of this owner are those of other models. All ranks together.
   void connect(const std::string& owner, const Line& line);
@@ -70,7 +77,7 @@ class HistoryKeeper : public OwnFix {
 
  private:
   typedef std::map<std::string, Line> Lines;
-  static Lines lines_of_file(const char* text);
+  static Lines lines_of_file(const std::string& text);
   static constexpr char pair_owner[] = "pair_style", pair_histories[] = "contacthistory";
 
   // A fix with histories when they were stored.

@@ -140,7 +140,7 @@ void HistoryKeeper::write_restart(FILE* file) {
   fwrite(text.c_str(), 1, size, file);
 }
 
-HistoryKeeper::Lines HistoryKeeper::lines_of_file(const char* text) {
+HistoryKeeper::Lines HistoryKeeper::lines_of_file(const std::string& text) {
   Lines lines;
   std::istringstream words(text);
   for (std::string owner, models, settings, constant; std::getline(words, owner, '\t') &&
@@ -155,10 +155,20 @@ HistoryKeeper::Lines HistoryKeeper::lines_of_file(const char* text) {
 
 void HistoryKeeper::restart(char* data) { in_file_ = lines_of_file(data); }
 
-std::string HistoryKeeper::restarted_models(LAMMPS_NS::LAMMPS* engine, const std::string& owner) {
+HistoryKeeper* HistoryKeeper::of(LAMMPS_NS::LAMMPS* engine, const std::string& restarted) {
+  if (HistoryKeeper* const keeper = find_own_fix<HistoryKeeper>(engine)) return keeper;
+  HistoryKeeper* const keeper = own_fix<HistoryKeeper>(engine);
+  keeper->in_file_ = lines_of_file(restarted);
+  return keeper;
+}
+
+std::string HistoryKeeper::restarted_lines(LAMMPS_NS::LAMMPS* engine) {
   const char* const text = restarted_state(engine->modify, id(), style());
-  if (!text) return {};
-  const Lines lines = lines_of_file(text);
+  return text ? text : "";
+}
+
+std::string HistoryKeeper::restarted_models(LAMMPS_NS::LAMMPS* engine, const std::string& owner) {
+  const Lines lines = lines_of_file(restarted_lines(engine));
   const auto found = lines.find(owner);
   return found == lines.end() ? std::string() : found->second.models;
 }

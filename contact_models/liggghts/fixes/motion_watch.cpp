@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <sstream>
+#include <utility>
 
 #include "atom.h"
 #include "domain.h"
@@ -23,7 +24,10 @@ int MotionWatch::setmask() {
   return PRE_INITIAL_INTEGRATE | PRE_EXCHANGE | END_OF_STEP;
 }
 
-void MotionWatch::init() { timestep_ = update->dt; }
+void MotionWatch::init() {
+  timestep_ = update->dt;
+  if (std::exchange(list_again_, false)) modify->init();
+}
 
 void MotionWatch::reset_dt() { timestep_ = update->dt; }
 

@@ -3,7 +3,7 @@
 // Stops a run that has gone wrong, and says which particle, where, and what to try: one whose
 // velocity is no number, one that outruns its contacts, one that leaves the box where particles
 // must not be lost (thermo_modify lost error). Each is found by the rank that has the particle,
-// before the engine's next output, so that no restart file is written of it. Also stops a run whose
+// before LIGGGHTS' next output, so that no restart file is written of it. Also stops a run whose
 // time step is not the one with which the integrators were set up.
 #pragma once
 
@@ -19,6 +19,10 @@ class MotionWatch : public OwnFix {
   static const char* id() { return "plastigran_motion"; }
   static const char* style() { return "plastigran/motion"; }
 
+  // To be called where a wall makes the fixes of this package. LIGGGHTS has then listed the fixes
+  // of the run already; it lists them again once all are initialised.
+  void list_fixes_again() { list_again_ = true; }
+
   int setmask() override;
   void init() override;
   void reset_dt() override;  // by a fix that changes the time step in a run
@@ -33,6 +37,7 @@ class MotionWatch : public OwnFix {
   void stop(int i, const std::string& what, const std::string& try_this);
 
   bool first_ = true;
+  bool list_again_ = false;
   double timestep_ = 0;  // with which the integrators were set up
 };
 

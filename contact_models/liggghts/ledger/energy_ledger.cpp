@@ -128,7 +128,12 @@ void EnergyLedger::count_deferred() {
 }
 
 void EnergyLedger::add_plastic_work(const Contact& contact, double work, bool has_local_partner) {
-  plastic_work_ += share_of(contact, has_local_partner) * work;
+  const double share = share_of(contact, has_local_partner) * work;
+  if (update->nsteps == 0) {  // `run 0` writes no history: the next set-up asks again
+    plastic_work_of_run_0_ += share;
+    return;
+  }
+  plastic_work_ += share;
   double* const of_particle = particle_plastic_work_->vector_atom;
   of_particle[contact.i] += contact.is_wall ? work : 0.5 * work;
   if (has_local_partner) of_particle[contact.j] += 0.5 * work;
@@ -152,6 +157,7 @@ void EnergyLedger::add_wall(const Contact& contact, const AccountedLoad& on_i,
 
 void EnergyLedger::begin_pass() {
   by_pairs_ = by_walls_ = Stored();
+  plastic_work_of_run_0_ = 0;
   summed_ = false;
   deferred_ = nullptr;
   walls_.clear();
@@ -213,7 +219,7 @@ void EnergyLedger::sum() {
   const double local[ENTRIES] = {kinetic_energy(),
                                  gravitational_energy(),
                                  by_pairs_.elastic + by_walls_.elastic,
-                                 plastic_work_,
+                                 plastic_work_ + plastic_work_of_run_0_,
                                  friction_,
                                  viscous_,
                                  wall_work_,

@@ -172,7 +172,9 @@ class EnergyLedger : public OwnFix {
   double kinetic_energy() const;
   double gravitational_energy() const;
   double mechanical_energy() const { return kinetic_energy() + gravitational_energy(); }
-  double contact_energy() const { return by_pairs_.elastic + by_walls_.elastic + plastic_work_; }
+  double contact_energy() const {
+    return by_pairs_.elastic + by_walls_.elastic + plastic_work_ + plastic_work_of_run_0_;
+  }
   double change_of_contacts() const;
   void sum();
   bool is_first_before_exchange() const;
@@ -193,6 +195,7 @@ class EnergyLedger : public OwnFix {
 
   // Since the ledger was opened, on this rank.
   double plastic_work_ = 0, friction_ = 0, viscous_ = 0, wall_work_ = 0, inserted_ = 0;
+  double plastic_work_of_run_0_ = 0;  // of the last force computation, not in the sum above
   double before_ = 0;  // kinetic and gravitational energy when the particles were last known
   double contacts_before_ = 0;  // elastic energy and plastic work at the end of the last run
   bool acts_first_ = false;     // no fix that acts in pre_exchange() stands before this one

@@ -59,7 +59,8 @@ class ElastoplasticNormalModel : public NormalModelBase {
         contact_model_(contact_model),
         owner_(plastigran::ContactSetup::owner_of(setup), contact_model->is_wall()),
         rates_(lmp, contact_model->is_wall()),
-        watch_(lmp) {
+        watch_(lmp),
+        restarted_lines_(plastigran::HistoryKeeper::restarted_lines(lmp)) {
     plastigran::refuse_replacement(lmp);
     for (std::size_t k = 0; k < Law::state_names.size(); ++k) {
       const int offset = setup->add_history_value(Law::state_names[k], "0");
@@ -90,7 +91,12 @@ class ElastoplasticNormalModel : public NormalModelBase {
       const std::string too_short = plastigran::too_short_periodic_side(lmp);
       if (!too_short.empty()) fail(too_short);
     }
-    const auto keeper = plastigran::own_fix<plastigran::HistoryKeeper>(lmp);
+    const bool is_late =
+        owner_.is_wall() && !plastigran::find_own_fix<plastigran::MotionWatch>(lmp);
+    const auto motion = plastigran::own_fix<plastigran::MotionWatch>(lmp);
+    if (is_late) motion->list_fixes_again();
+    plastigran::own_fix<plastigran::PartedWalls>(lmp);
+    const auto keeper = plastigran::HistoryKeeper::of(lmp, restarted_lines_);
     const std::string owner = owner_.name();
     if (settings_.text().empty())
       plastigran::restore_settings(lmp, *this, keeper->restarted_settings(owner),
@@ -107,14 +113,6 @@ class ElastoplasticNormalModel : public NormalModelBase {
     deck.check_friction();
     if (plastigran::yields<Law>) rates_.connect(deck, pairs_.rate_matters());
     watch_.begin(caller(), settings_.overlap_limit);
-    plastigran::own_fix<plastigran::MotionWatch>(lmp);
-    // Without a pair style of ours the fix would come too late for the first run.
-    if (!(neighbor->skin > 0) && !plastigran::find_own_fix<plastigran::PartedWalls>(lmp) &&
-        owner_.is_wall())
-      fail(
-          "neighbor 0.0 needs an elasto-plastic model in the pair_style line, too: a wall keeps "
-          "the dents of particles that part from it. Use a skin of 10 % of the smallest radius");
-    plastigran::own_fix<plastigran::PartedWalls>(lmp);
     const auto taker = dynamic_cast<plastigran::AccountTaker*>(contact_model_);
     accounts_ = taker && taker->takes_accounts;
     if (settings_.viscous_damping) {
@@ -171,7 +169,11 @@ class ElastoplasticNormalModel : public NormalModelBase {
     TypePair& at_rest = pairs_(contact.itype, contact.jtype);
     // Particles of these types may have been inserted since the check before the run.
     if (!at_rest.refusal.empty()) watch_.stop(at_rest.refusal);
-    TypePair& pair = rates_.kept() ? rates_.strengthened(contact, at_rest, radius_eff) : at_rest;
+    // `run 0` computes forces and moves nothing: it leaves the history as it is. Otherwise the
+    // set-up writes it too, because its forces move the particles.
+    const bool writes = contact.computeflag && (contact.shearupdate || update->nsteps > 0);
+    TypePair& pair =
+        rates_.kept() ? rates_.strengthened(contact, at_rest, radius_eff, writes) : at_rest;
 
     double* const history = contact.contact_history + history_offset_;
     State state;
@@ -179,12 +181,12 @@ class ElastoplasticNormalModel : public NormalModelBase {
     const plastigran::Response response =
         plastigran::respond(pair.law, radius_eff, contact.deltan, state, -contact.vn);
     if (contact.computeflag) {
-      if (contact.deltan > pair.watched * radius_eff) note(contact, pair, radius_eff, state);
+      if (contact.deltan > pair.watched * radius_eff)
+        note(contact, pair, radius_eff, writes ? state : state_before(contact));
       if (accounts)
         accounted(i_forces).take(pair.law, radius_eff, contact.deltan, state_before(contact),
                                  state);
-      // Also in set-up: its forces move the particles, so the contact has reached this overlap.
-      std::memcpy(history, &state, state_size);
+      if (writes) std::memcpy(history, &state, state_size);
     }
 
     // A residual dent carries no force and so no friction, but a tangential spring needs a
@@ -261,6 +263,7 @@ class ElastoplasticNormalModel : public NormalModelBase {
   plastigran::NormalModelSettings<Law> settings_;
   plastigran::TypePairs<Law> pairs_;
   plastigran::ContactWatch<Law> watch_;
+  const std::string restarted_lines_;  // by HistoryKeeper
   int history_offset_ = 0;
   bool smooth_friction_ = false;
   bool accounts_ = false;       // the loads on particle i are AccountedLoads

@@ -10,8 +10,9 @@
 
 #include "atom.h"
 #include "domain.h"
-#include "fix.h"
+#include "fix_insert.h"
 #include "lammps.h"
+#include "liggghts/fixes/engine_access.h"
 #include "modify.h"
 #include "neighbor.h"
 
@@ -39,12 +40,15 @@ TwoLargest largest_diameters(LAMMPS_NS::LAMMPS* engine) {
   largest = {};
   for (const TwoLargest& of_rank : of_ranks)
     for (const double diameter : of_rank) take(largest, diameter);
-  for (int k = 0; k < engine->modify->nfix; ++k)
-    for (int type = 1; type <= engine->atom->ntypes; ++type) {
-      const double inserted = 2 * engine->modify->fix[k]->max_rad(type);
-      take(largest, inserted);
-      take(largest, inserted);
-    }
+  for (int k = 0; k < engine->modify->nfix; ++k) {
+    const auto insertion = dynamic_cast<LAMMPS_NS::FixInsert*>(engine->modify->fix[k]);
+    if (!insertion) continue;
+    double radius = 0;
+    for (int type = 1; type <= engine->atom->ntypes; ++type)
+      radius = std::max(radius, insertion->max_rad(type));
+    for (int left = std::min(2, particles_to_insert(insertion)); left > 0; --left)
+      take(largest, 2 * radius);
+  }
   return largest;
 }
 

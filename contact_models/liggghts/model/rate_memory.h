@@ -47,13 +47,14 @@ class RateMemory {
   bool kept() const { return offset_ >= 0; }
 
   // The two bodies with their strength at the contact's rate factor; 0 in the history is none yet.
+  // `writes`: the history keeps the factor.
   template <class Law>
   [[gnu::noinline]] TypePair<Law>& strengthened(const Contact& contact, TypePair<Law>& pair,
-                                                double radius_eff) const {
+                                                double radius_eff, bool writes) const {
     double factor = contact.contact_history[offset_];
     if (factor == 0) {
       factor = rate_factor(pair.bodies, radius_eff, -contact.vn);
-      if (contact.computeflag) contact.contact_history[offset_] = factor;
+      if (writes) contact.contact_history[offset_] = factor;
     }
     return pair.strengthened(factor);
   }

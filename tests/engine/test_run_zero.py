@@ -1,0 +1,89 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""`run 0` computes forces and moves nothing: the run behind it is the one there is without it."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pandas as pd
+import pytest
+from deck_head import head
+
+from plastigran.engine.dumps import read_dump
+from plastigran.engine.log import read_thermo
+from plastigran.engine.process import PROJECT, run_deck
+
+DECK = (
+    head("-0.1 0.1 -0.1 0.1 -0.01 0.1", skin=2e-3)
+    + """
+hard_particles  yes
+fix youngs  all property/global youngsModulus peratomtype 7e10
+fix poisson all property/global poissonsRatio peratomtype 0.3
+fix strength all property/global yieldStrength peratomtype 1e8
+fix coefficient all property/global rateCoefficient peratomtype {rate_coefficient}
+fix reference all property/global referenceRate peratomtype 1.0
+fix factors all property/global taylorQuinneyFactor peratomtype 0.9
+fix capacity all property/global thermalCapacity peratomtype 900
+fix conductivity all property/global thermalConductivity peratomtype 0
+create_atoms    1 single 0 0 {height}
+create_atoms    1 single 0 0 {other_height}
+set group all diameter 0.02 density 2700
+pair_style      gran model universal energy_ledger on
+pair_coeff      * *
+fix floor all wall/gran model universal primitive type 1 zplane 0.0 energy_ledger on
+fix temperatures all heat/gran initial_temperature 300
+fix warming all heat/dissipation
+timestep        1e-7
+fix integrate   all nve/sphere
+include ${{inputs}}/energy_ledger.in
+variable warmed equal f_warming
+thermo_style custom step v_kinetic v_elastic v_plastic v_inserted v_drift v_warmed
+thermo_modify format float %.15g
+thermo 10
+dump trajectory all custom 10 trajectory.dump id z vz fz f_Temp
+dump_modify trajectory format "%d %.15g %.15g %.15g %.15g"
+{first}
+{change}
+run             200
+"""
+)
+DEEP = {"height": 0.00999, "other_height": 0.02997}  # overlaps of 10 and 20 um: yielded
+TOUCHING = {"height": 0.01 - 1e-11, "other_height": 0.03 - 3e-11}
+
+
+def run(folder: Path, first: str, **values: object) -> tuple[np.ndarray, pd.DataFrame]:
+    """Of the last run: z, vz, fz and temperature by step and sphere behind the first, where
+    `run 0` already wrote its own, and the printed entries."""
+    folder.mkdir()
+    (folder / "deck.in").write_text(DECK.format(first=first, **values))
+    run_deck(folder / "deck.in", {"inputs": PROJECT / "inputs"}, folder)
+    dump = read_dump(folder / "trajectory.dump").sort_values(["step", "id"])
+    table = read_thermo(folder / "log.liggghts")
+    entries = table[table["run"] == table["run"].max()].reset_index()
+    return dump[["z", "vz", "fz", "Temp"]].to_numpy()[2:], entries
+
+
+@pytest.mark.parametrize(
+    ("change", "values"),
+    [
+        ("", DEEP),
+        ("displace_atoms all move 0 0 1e-5", DEEP),
+        ("set group all vz -0.5", TOUCHING | {"rate_coefficient": 0.1}),
+    ],
+    ids=["nothing", "overlap", "speed"],
+)
+def test_a_run_of_no_steps_changes_nothing(change, values, tmp_path):
+    """Neither what contacts reach nor their rate factor nor their heat, bitwise. The ledger books
+    what the deck changes after `run 0` as energy from outside; its sums have another order."""
+    values = {"rate_coefficient": 0.0, "change": change} | values
+    path, entries = run(tmp_path / "plain", "", **values)
+    path_after, entries_after = run(tmp_path / "after", "run 0", **values)
+    assert np.ptp(path[:, 2]) > 0
+    assert (path_after == path).all()
+    for entry in ("kinetic", "elastic", "plastic", "warmed"):
+        assert (entries_after[entry] == entries[entry]).all()
+    scale = entries[["kinetic", "elastic", "plastic"]].iloc[0].sum()
+    assert (entries_after["drift"] - entries["drift"]).abs().max() < 1e-12 * scale
+    if not change:
+        assert entries["warmed"].iloc[-1] > 0 == entries_after["inserted"].abs().max()

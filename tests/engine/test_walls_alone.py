@@ -1,0 +1,103 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Walls with a law beside pairs with LIGGGHTS' `hertz`: what the plugin does for pairs it does for
+walls alone, in the first run too."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+from deck_head import head
+
+from plastigran.engine.dumps import read_dump
+from plastigran.engine.process import EngineStopped, run_deck
+
+BOX = "-0.1 0.2 -0.1 0.1 -0.01 0.1"
+MATERIAL = """
+neigh_modify    delay 0
+fix youngs  all property/global youngsModulus peratomtype 7e9
+fix poisson all property/global poissonsRatio peratomtype 0.3
+fix strength all property/global yieldStrength peratomtype 1e7
+fix friction all property/global coefficientFriction peratomtypepair 1 0.5
+fix restitution all property/global coefficientRestitution peratomtypepair 1 0.9
+pair_style      gran model hertz tangential history
+pair_coeff      * *
+fix floor all wall/gran model universal tangential history primitive type 1 zplane 0.0
+fix gravity all gravity 200 vector 0 0 -1
+timestep        1e-6
+fix integrate   all nve/sphere
+"""
+SPHERE = """
+create_atoms    1 single 0 0 0.0101
+set group all diameter 0.02 density 2700
+set group all vz -0.2
+set group all vx 0.05
+"""
+DUMP = """
+dump trajectory all custom 10 trajectory.dump id z vx vz fz omegay
+dump_modify trajectory format "%d %.15g %.15g %.15g %.15g %.15g"
+"""
+
+
+def start(skin: float = 2e-3) -> str:
+    return head(BOX, skin) + "hard_particles yes\n"
+
+
+def trajectory(folder: Path, deck: str) -> np.ndarray:
+    """Of the sphere: z, vx, vz, fz, omegay, (step, quantity)."""
+    folder.mkdir()
+    (folder / "deck.in").write_text(deck)
+    run_deck(folder / "deck.in", {}, folder)
+    return read_dump(folder / "trajectory.dump")[["z", "vx", "vz", "fz", "omegay"]].to_numpy()
+
+
+def same(one: np.ndarray, other: np.ndarray) -> bool:
+    """To 1e-9 of the largest of each quantity: sums in another order."""
+    return bool((np.abs(one - other) <= 1e-9 * np.abs(other).max(axis=0)).all())
+
+
+@pytest.mark.parametrize("skin", [0.0, 1e-9])
+def test_a_small_skin_changes_no_contact(skin, tmp_path):
+    """The sphere bounces on the plane at least three times."""
+    decks = {s: start(s) + MATERIAL + SPHERE + DUMP + "run 8000\n" for s in (2e-3, skin)}
+    expected = trajectory(tmp_path / "usual", decks[2e-3])
+    pressed = expected[:, 3] > -1e-9
+    assert np.count_nonzero(np.diff(pressed.astype(int)) == 1) >= 3
+    assert same(trajectory(tmp_path / "small", decks[skin]), expected)
+
+
+def test_a_wall_given_again_keeps_its_contacts(tmp_path):
+    wall = next(line for line in MATERIAL.splitlines() if line.startswith("fix floor"))
+    decks = {
+        again: start() + MATERIAL + SPHERE + DUMP + f"run 540\n{again}run 500\n"
+        for again in ("", f"unfix floor\n{wall}\n")
+    }
+    kept, given_again = (trajectory(tmp_path / str(len(a)), deck) for a, deck in decks.items())
+    assert kept[54, 3] > 0  # in contact
+    assert same(given_again, kept)
+
+
+@pytest.mark.parametrize(
+    ("lines", "said"),
+    [
+        ("run 10\ntimestep 1e-7\nrun 10 pre no\n", "run ... pre no: timestep is 1e-07"),
+        ("set group all vx 30000\nrun 10\n", "moves 3 of its radius in a step"),
+    ],
+)
+def test_the_first_run_is_checked(lines, said, tmp_path):
+    (tmp_path / "deck.in").write_text(start() + MATERIAL + SPHERE + lines)
+    with pytest.raises(EngineStopped, match=said):
+        run_deck(tmp_path / "deck.in", {}, tmp_path)
+
+
+def test_a_restart_with_another_law_on_the_wall_is_refused(tmp_path):
+    (tmp_path / "first.in").write_text(
+        start() + MATERIAL + SPHERE + "run 540\nwrite_restart middle.restart\n"
+    )
+    run_deck(tmp_path / "first.in", {}, tmp_path)
+    create = start().split("region")[0] + "hard_particles yes\nread_restart middle.restart\n"
+    other = MATERIAL.replace("universal", "thornton")
+    (tmp_path / "second.in").write_text(create + other + "run 10\n")
+    with pytest.raises(EngineStopped, match="fix floor: the restart file has contacts of `model u"):
+        run_deck(tmp_path / "second.in", {}, tmp_path)
