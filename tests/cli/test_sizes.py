@@ -43,6 +43,28 @@ def test_an_absurd_radius_is_refused(line, tmp_path, capsys):
     assert "it must lie from 1e-12 to 1e+06 [m]" in capsys.readouterr().err
 
 
+@pytest.mark.parametrize(
+    "line",
+    [
+        "timestep --law thornton --material steel --speed 1e-300",
+        "impact --law thornton --theory --material steel --speed 1e-300 --output {folder}",
+        "impact --law thornton --material steel --speed 1e-300 --output {folder}",
+    ],
+)
+def test_an_absurd_speed_is_refused(line, tmp_path, capsys):
+    try:
+        code = main(line.format(folder=tmp_path / "out").split())
+    except SystemExit as stop:  # by argparse
+        code = stop.code
+    assert code in (1, 2)
+    assert "speed is 1e-300; it must be 1e-09 or more and finite [m/s]" in capsys.readouterr().err
+
+
+def test_a_truth_value_is_no_number():
+    with pytest.raises(ValueError, match=r"radius is True, not a number \[m\]"):
+        pg.Contact("thornton", pg.material("steel"), pg.RIGID, radius=True)
+
+
 @pytest.mark.parametrize("radius", [3, 1e-10])
 def test_a_radius_in_python_is_questioned(radius):
     with pytest.warns(SizeWarning, match=rf"radius is {radius:g} m, which is .* mm"):

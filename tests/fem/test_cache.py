@@ -3,9 +3,11 @@
 
 from __future__ import annotations
 
+import json
 import pickle
 import resource
 from hashlib import sha256
+from io import BytesIO
 
 import attrs
 import numpy as np
@@ -14,6 +16,7 @@ import pytest
 from coarse_sphere import COARSE, METAL, RADIUS
 
 from plastigran.fem.cache import CacheWarning, _sources, cached, folder
+from plastigran.fem.result_file import from_bytes, to_bytes
 from plastigran.fem.sphere.convergence import convergence
 from plastigran.fem.sphere.press import press
 
@@ -102,6 +105,48 @@ def test_a_result_comes_back_whole(tmp_path, monkeypatch):
         for field in attrs.fields(type(one)):
             value, kept = getattr(one, field.name), getattr(other, field.name)
             assert np.array_equal(value, kept, equal_nan=True)
+
+
+def test_a_table_comes_back_with_its_texts_and_its_index():
+    table = pd.DataFrame({"metal": ["steel", "copper"], "force": [1.0, np.nan]}, index=[7, 3])
+    again = from_bytes(to_bytes([table]))[0]
+    pd.testing.assert_frame_equal(again, table, check_exact=True)
+
+
+def crafted(tree: object, **arrays: np.ndarray) -> bytes:
+    file = BytesIO()
+    np.savez(file, tree=np.frombuffer(json.dumps(tree).encode(), np.uint8), **arrays)
+    return file.getvalue()
+
+
+@pytest.mark.parametrize(
+    "content",
+    [
+        b"",
+        b"PK",
+        b"{}",
+        to_bytes([1.0])[:-30],
+        crafted({"array": "none"}),
+        crafted({"table": 3}),
+        crafted({"class": ["plastigran.nothing", "Nothing"], "fields": {}}),
+        crafted({"class": ["plastigran.fem.settings", "Settings"], "fields": {"x": 1}}),
+        crafted({"list": None}),
+        crafted({"one": 1, "two": 2}),
+        crafted(1).replace(b"tree.npy", b"eert.npy"),
+        crafted(0).replace(b"NUMPY", b"YPMUN"),
+    ],
+)
+def test_other_content_is_no_result(content):
+    with pytest.raises(ValueError, match="not a result"):
+        from_bytes(content)
+
+
+def test_a_deep_tree_is_no_result():
+    tree = json.dumps(0).join(['{"list": [' * 100_000, "]}" * 100_000]).encode()
+    file = BytesIO()
+    np.savez(file, tree=np.frombuffer(tree, np.uint8))
+    with pytest.raises(ValueError, match="not a result"):
+        from_bytes(file.getvalue())
 
 
 def test_a_cache_runs_no_code(counted):

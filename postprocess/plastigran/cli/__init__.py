@@ -9,7 +9,7 @@ import sys
 import threading
 import traceback
 import warnings
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from errno import EDQUOT, EFBIG, ENOSPC
 from importlib import import_module
@@ -72,9 +72,7 @@ def main(argv: list[str] | None = None) -> int:
     arguments = parser(*words[:1]).parse_args(words)
     try:
         with _terminate_as_interrupt(), warnings.catch_warnings():
-            warnings.showwarning = lambda said, *_, **__: print(
-                f"plastigran: {said}", file=sys.stderr
-            )
+            warnings.showwarning = _print_once()
             arguments.run(arguments)
     except BrokenPipeError:  # the reader of our output has had enough
         sys.stderr.close()
@@ -86,6 +84,19 @@ def main(argv: list[str] | None = None) -> int:
     except Exception as error:
         return _report(error, arguments)
     return 0
+
+
+def _print_once() -> Callable[..., None]:
+    """Return what shows warnings: each text once. Python's own filters forget what they have shown
+    when a library changes them."""
+    shown = set()
+
+    def show(warning: Warning, *_: object, **__: object) -> None:
+        if (text := str(warning)) not in shown:
+            shown.add(text)
+            print(f"plastigran: {text}", file=sys.stderr)
+
+    return show
 
 
 @contextmanager

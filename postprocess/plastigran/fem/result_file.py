@@ -5,9 +5,11 @@ the file."""
 from __future__ import annotations
 
 import json
+import zlib
 from importlib import import_module
 from io import BytesIO
 from typing import Any
+from zipfile import BadZipFile
 
 import attrs
 import numpy as np
@@ -15,6 +17,18 @@ import pandas as pd
 
 PACKAGE = "plastigran."
 TREE = "tree"  # name of the JSON text among the arrays
+#: What numpy, zip, JSON and the classes raise of other content.
+NOT_A_RESULT = (
+    AttributeError,
+    BadZipFile,
+    EOFError,
+    ImportError,
+    LookupError,
+    RecursionError,
+    TypeError,
+    ValueError,
+    zlib.error,
+)
 
 
 def to_bytes(result: object) -> bytes:
@@ -40,8 +54,11 @@ def from_bytes(content: bytes) -> Any:
     Raises:
         ValueError: The content is not of `to_bytes`.
     """
-    with np.load(BytesIO(content), allow_pickle=False) as arrays:
-        return _from_tree(json.loads(arrays[TREE].tobytes()), arrays)
+    try:
+        with np.load(BytesIO(content), allow_pickle=False) as arrays:
+            return _from_tree(json.loads(arrays[TREE].tobytes()), arrays)
+    except NOT_A_RESULT as error:
+        raise ValueError(f"not a result: {error!r}") from error
 
 
 def _to_tree(value: Any, arrays: dict[str, np.ndarray]) -> Any:
@@ -54,11 +71,8 @@ def _to_tree(value: Any, arrays: dict[str, np.ndarray]) -> Any:
         arrays[name] = value
         return {"array": name}
     if isinstance(value, pd.DataFrame):
-        columns = [
-            [name, list(value[name]) if value[name].dtype == object else value[name].to_numpy()]
-            for name in value
-        ]
-        return {"table": _to_tree(columns, arrays)}
+        columns = [[name, _column(value[name])] for name in value]
+        return {"table": _to_tree([_column(value.index), columns], arrays)}
     if isinstance(value, list | tuple):
         return {type(value).__name__: [_to_tree(entry, arrays) for entry in value]}
     if isinstance(value, dict):
@@ -73,6 +87,14 @@ def _to_tree(value: Any, arrays: dict[str, np.ndarray]) -> Any:
     raise TypeError(f"a result with a {cls.__name__} cannot be kept")
 
 
+def _column(values: pd.Series | pd.Index) -> np.ndarray | list:
+    return (
+        values.to_numpy()
+        if isinstance(values.dtype, np.dtype) and values.dtype != object
+        else list(values)
+    )
+
+
 def _from_tree(tree: Any, arrays: Any) -> Any:
     if not isinstance(tree, dict):
         return tree
@@ -83,7 +105,8 @@ def _from_tree(tree: Any, arrays: Any) -> Any:
     if kind == "array":
         return arrays[content]
     if kind == "table":
-        return pd.DataFrame(dict(_from_tree(content, arrays)))
+        index, columns = _from_tree(content, arrays)
+        return pd.DataFrame(dict(columns), index=index)
     if kind == "dict":
         return {_from_tree(key, arrays): _from_tree(value, arrays) for key, value in content}
     entries = [_from_tree(entry, arrays) for entry in content]

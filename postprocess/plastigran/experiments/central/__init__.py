@@ -13,7 +13,7 @@ import numpy as np
 import pandas as pd
 
 from plastigran import laws
-from plastigran.declared import number, radius_field, word
+from plastigran.declared import radius_field, speed_field, word
 from plastigran.experiments.base import Experiment, combinations
 from plastigran.experiments.central.arrangement import run_label
 from plastigran.experiments.central.remarks import remarks
@@ -60,7 +60,7 @@ class CentralImpact(Experiment):
     """
 
     law: str = law_field()
-    speed: float = number("speed of each sphere", "m/s", 0)
+    speed: float = speed_field("speed of each sphere")
     material: Material = material_field("of the spheres")
     radius: float = radius_field("radius of the spheres")
     geometry: str = word("deck", tuple(GEOMETRIES), default="sphere_wall")

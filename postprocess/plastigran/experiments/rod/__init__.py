@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, ClassVar
 import attrs
 
 from plastigran import laws
-from plastigran.declared import declaration, number, word
+from plastigran.declared import declaration, number, speed_field, word
 from plastigran.experiments.base import Experiment
 from plastigran.experiments.fields import SPHERE_OVERLAP, Flag, check_overlap, law_field
 from plastigran.experiments.rod.measurement import measure_rod
@@ -43,7 +43,7 @@ class RodImpact(Experiment):
     """
 
     law: str = law_field()
-    speed: float = number("impact speed, straight down", "m/s", 0)
+    speed: float = speed_field("impact speed, straight down")
     rod: Rod = attrs.field(factory=Rod)
     tangential: str = word("friction", ("history", "no_history", "off"), default="history")
     material: Material = material_field("of the rod", "steel_gcm15")

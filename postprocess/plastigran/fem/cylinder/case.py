@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import attrs
 
-from plastigran.declared import number, radius_field
+from plastigran.declared import number, radius_field, speed_field
 from plastigran.fem.limits import SUBSONIC
 from plastigran.fem.material.elastic_plastic import ElasticPlastic
 from plastigran.fem.theory.line import HertzLine
@@ -30,7 +30,7 @@ class CylinderStrike:
     radius: float = radius_field("radius of the cylinder")
     length: float = number("length of the cylinder", "m", 0)
     mass: float = number("mass of all that moves with the cylinder", "kg", 0)
-    speed: float = number("speed towards the body", "m/s", 0)
+    speed: float = speed_field("speed towards the body")
     sliding_speed: float = number("speed along the surface", "m/s", 0, closed=True, default=0.0)
     coefficient_of_friction: float = number(
         "coefficient of friction", "-", 0, 1, closed=True, default=0.0
