@@ -91,13 +91,32 @@ def test_the_first_run_is_checked(lines, said, tmp_path):
         run_deck(tmp_path / "deck.in", {}, tmp_path)
 
 
-def test_a_restart_with_another_law_on_the_wall_is_refused(tmp_path):
+@pytest.mark.parametrize("pairs", ["hertz", "universal"])
+@pytest.mark.parametrize(
+    ("models", "others"),
+    [
+        ("universal tangential history", "thornton tangential history"),
+        ("universal tangential history", "universal tangential off"),
+        ("universal tangential history", "universal tangential history rolling_friction epsd2"),
+        ("universal tangential off", "universal tangential no_history rolling_friction epsd"),
+    ],
+)
+def test_a_restart_with_other_models_on_the_wall_is_refused(pairs, models, others, tmp_path):
+    rolling = "fix rolling all property/global coefficientRollingFriction peratomtypepair 1 0.1\n"
+    material = rolling + MATERIAL.replace("gran model hertz", f"gran model {pairs}", 1)
+    first, second = (
+        material.replace("wall/gran model universal tangential history", f"wall/gran model {line}")
+        for line in (models, others)
+    )
     (tmp_path / "first.in").write_text(
-        start() + MATERIAL + SPHERE + "run 540\nwrite_restart middle.restart\n"
+        start() + first + SPHERE + "run 540\nwrite_restart middle.restart\n"
     )
     run_deck(tmp_path / "first.in", {}, tmp_path)
     create = start().split("region")[0] + "hard_particles yes\nread_restart middle.restart\n"
-    other = MATERIAL.replace("universal", "thornton")
-    (tmp_path / "second.in").write_text(create + other + "run 10\n")
-    with pytest.raises(EngineStopped, match="fix floor: the restart file has contacts of `model u"):
+    (tmp_path / "second.in").write_text(create + second + "run 10\n")
+    with pytest.raises(EngineStopped) as stopped:
         run_deck(tmp_path / "second.in", {}, tmp_path)
+    said = str(stopped.value)
+    models, others = (line.replace(" tangential off", "") for line in (models, others))
+    assert f"fix floor: the restart file has contacts of `model {models}" in said
+    assert f"but the line has `model {others}" in said

@@ -56,6 +56,11 @@ class HistoryKeeper : public OwnFix {
   // no run has begun; empty where they are none of ours.
   static std::string restarted_models(LAMMPS_NS::LAMMPS* engine, const std::string& owner);
 
+  // Stops: the restart file has contacts of other models than the owner's line.
+  [[noreturn]] static void refuse_other_models(LAMMPS_NS::LAMMPS* engine, const std::string& owner,
+                                               const std::string& restarted,
+                                               const std::string& models);
+
   // What a restart file says of an owner's settings; without a word of it, a warning and nothing.
   std::string restarted_settings(const std::string& owner) const;
 

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <cstdlib>
 #include <sstream>
 #include <utility>
 
@@ -52,11 +53,17 @@ void HistoryKeeper::connect(const std::string& owner, const Line& line) {
   lines_[owner] = found->second;
   in_file_.erase(found);
   if (models.empty() || models == line.models || line.histories.empty()) return;
-  error->all(FLERR,
-             (owner + ": the restart file has contacts of `" + models + "`, the line is of `" +
-              line.models + "`. Give the line as it was; for contacts that begin anew, `run 0` " +
-              "with that line comes before the other")
-                 .c_str());
+  refuse_other_models(lmp, owner, models, line.models);
+}
+
+void HistoryKeeper::refuse_other_models(LAMMPS_NS::LAMMPS* engine, const std::string& owner,
+                                        const std::string& restarted, const std::string& models) {
+  const std::string text =
+      owner + ": the restart file has contacts of `" + restarted + "`, but the line has `" +
+      models +
+      "`. Give the line as it was. To discard the histories, do `run 0` with that line first";
+  engine->error->all(FLERR, text.c_str());
+  std::abort();  // not reached
 }
 
 std::string HistoryKeeper::restarted_settings(const std::string& owner) const {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "liggghts/plugin/foreign_histories.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <string>
 
@@ -13,6 +14,8 @@
 #include "lammps.h"
 #include "liggghts/fixes/engine_access.h"
 #include "liggghts/fixes/history_keeper.h"
+#include "liggghts/model/companions.h"
+#include "liggghts/model/contact_owner.h"
 #include "liggghts/model/normal_models.h"
 #include "modify.h"
 #include "pair_gran.h"
@@ -34,9 +37,26 @@ struct HistoryStyle {
 
 // The pair style or wall whose histories a fix stores.
 struct Owner {
-  std::string name;  // as HistoryKeeper has it; empty: the fix stores something else
-  bool is_ours = false;
+  std::string name;    // as HistoryKeeper has it; empty: the fix stores something else
+  std::string models;  // of this package, as HistoryKeeper has them without options; or empty
 };
+
+template <class Style>
+std::string models_of(Style* owner, bool is_wall) {
+  const std::string law = law_of(owner);
+  return law.empty() ? "" : "model " + law + ContactOwner(owner, is_wall).other_models();
+}
+
+// Whether models that a restart file names, with options behind them, are these.
+bool are_models(const std::string& restarted, const std::string& models) {
+  if (restarted.compare(0, models.size(), models) != 0) return false;
+  const std::string options = restarted.substr(models.size());
+  if (!options.empty() && options[0] != ' ') return false;
+  return std::none_of(companion_kinds().begin(), companion_kinds().end(),
+                      [&options](const CompanionKind& kind) {
+                        return options.find(std::string(" ") + kind.keyword + ' ') == 0;
+                      });
+}
 
 // LIGGGHTS counts a particle's contacts with a mesh in a fix of its own, which goes with them.
 const std::string mesh_contacts = "n_neighs_mesh_";
@@ -50,7 +70,7 @@ Owner wall_of(LAMMPS* engine, const std::string& fix_id) {
       const std::string mesh_id = wall->mesh_list()[mesh]->id;
       stores = stores || fix_id == "tracker_" + mesh_id || fix_id == mesh_contacts + mesh_id;
     }
-    if (stores) return {std::string("fix ") + wall->id, !law_of(wall).empty()};
+    if (stores) return {std::string("fix ") + wall->id, models_of(wall, true)};
   }
   return {};
 }
@@ -58,17 +78,23 @@ Owner wall_of(LAMMPS* engine, const std::string& fix_id) {
 Owner owner_of(LAMMPS* engine, const std::string& fix_id, const std::string& style) {
   if (style != "contacthistory") return wall_of(engine, fix_id);
   const auto pair = static_cast<LAMMPS_NS::PairGran*>(engine->force->pair_match("gran", 0));
-  return pair ? Owner{"pair_style", !law_of(pair).empty()} : Owner();
+  return pair ? Owner{"pair_style", models_of(pair, false)} : Owner();
 }
 
 void discard_if_foreign(LAMMPS* engine, const std::string& fix_id, const std::string& style) {
   if (engine->modify->nfix_restart_peratom == 0) return;
   const Owner owner = owner_of(engine, fix_id, style);
   const std::string models = HistoryKeeper::restarted_models(engine, owner.name);
-  if (owner.name.empty() || owner.is_ours != models.empty()) return;
+  if (owner.name.empty()) return;
+  if (!owner.models.empty() && !models.empty()) {
+    if (!are_models(models, owner.models))
+      HistoryKeeper::refuse_other_models(engine, owner.name, models, owner.models);
+    return;
+  }
+  if (owner.models.empty() && models.empty()) return;
   if (!discard_restarted(engine->modify, fix_id, style) || engine->comm->me != 0) return;
   if (fix_id.rfind(mesh_contacts, 0) == 0) return;  // the log has the line of the histories
-  if (!owner.is_ours) {
+  if (owner.models.empty()) {
     engine->error->warning(FLERR, (owner.name + ": the restart file has contacts of `" + models +
                                    "`, which a model of LIGGGHTS cannot continue. Their residual "
                                    "overlaps and tangential springs are discarded")
