@@ -14,7 +14,7 @@ DEFAULT_LAW = "universal"
 #: Contact radius over radius from which a contact is wide.
 WIDE = 0.05
 #: Kinds of contacts in the table of errors.
-KINDS = ("perfectly plastic", "hardening", "wide")
+KINDS = ("perfectly plastic", "hardening", "large a/R")
 #: Speeds over the yield speed where none is named.
 USUAL_SPEEDS = (1.0, 300.0)
 
@@ -47,7 +47,7 @@ class ExpectedError:
 
     def __str__(self) -> str:
         ends = " to ".join(dict.fromkeys(f"{end:.3g}" for end in self.speed_ratio))
-        regime = f"{self.reason or f'{self.kind} contacts'}, {ends} times the yield speed"
+        regime = f"{self.reason or self.kind}, {ends} times the yield speed"
         if self.restitution is None:
             return f"not known ({regime})"
         return (

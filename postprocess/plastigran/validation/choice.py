@@ -19,14 +19,14 @@ SPHERE_REGIMES = {
     "v/v_Y 300–1000": (KINDS[0], 300, 1000),
     "hardening, v/v_Y 1–300": (KINDS[1], 1, 300),
     "hardening, beyond v/v_Y 300": (KINDS[1], 300, np.inf),
-    "wide contact, a/R 0.05–0.15": (KINDS[2], 1, np.inf),
+    "large a/R, 0.05–0.15": (KINDS[2], 1, np.inf),
 }
 #: Regimes of the rebound hardness of steel: bounds of v/v_Y.
 INDENTATION = {
-    "a hard ball dents steel, v/v_Y 10–300": (10, 300),
+    "a hard ball on a steel flat, v/v_Y 10–300": (10, 300),
     "peening: v/v_Y 1000 and more": (1000, np.inf),
 }
-RATED = ", with the steel's rate of strain"
+RATED = ", with the steel's strain rate"
 WORDS = {QUANTITIES[0]: "restitution", QUANTITIES[1]: "force"}
 
 

@@ -109,7 +109,7 @@ def comparison(law: str) -> pd.DataFrame:
             "measured": measured,
             FINITE_ELEMENTS: own,
             f"{FINITE_ELEMENTS} off measured (%)": 100 * (own / measured - 1),
-            f"{FINITE_ELEMENTS} off a narrow contact (%)": 100 * (own / narrow - 1),
+            f"{FINITE_ELEMENTS} off small a/R (%)": 100 * (own / narrow - 1),
             f"{law} off {FINITE_ELEMENTS} (%)": 100 * (by_law / own - 1),
         }
     )

@@ -54,7 +54,7 @@ def budget(law: str) -> pd.DataFrame:
     dent = 100 / (1 + dented_steel.comparison(law).iloc[:, -1] / 100) - 100
     rows.append(
         {
-            "source": "a wide dent",
+            "source": "large a/R",
             "change": "law → finite elements",
             "mean (%)": dent.mean(),
             "at 80 HV (%)": np.nan,
