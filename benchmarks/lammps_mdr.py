@@ -59,7 +59,8 @@ set group all d_Ro {held}
 
 def yield_overlap(nu: float, strength: float) -> float:
     """Where the mean Hertz pressure 4 E' sqrt(d/R)/(3 pi) passes sigma_Y (1.75 exp(-4.4 d/R) + 1);
-    1e-12 of it beyond [m]."""
+    1e-12 of it beyond [m].
+    """
     low, high = 0.0, 1.0
     for _ in range(200):
         middle = 0.5 * (low + high)

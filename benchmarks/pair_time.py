@@ -129,7 +129,8 @@ def run_bed(
     shape: str = "sphere",
 ) -> str:
     """Take a law, or a law with the ledger, through the bed's path; returns the log. Leaves the
-    contacts of every so many steps in contacts.dump."""
+    contacts of every so many steps in contacts.dump.
+    """
     variables = bed_variables(contender, state, bed, steps, shape)
     if count_every:
         variables |= {"count": 1, "every": count_every}

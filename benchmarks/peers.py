@@ -89,7 +89,8 @@ CONTENDERS = {
 
 def same_physics(bed: Path, steps: int) -> float:
     """Largest difference of a grain's force between `hertz` and LAMMPS' `hertz/material` at full
-    compression, elastic and undamped, over the root mean square of all forces."""
+    compression, elastic and undamped, over the root mean square of all forces.
+    """
     found = []
     other = CONTENDERS["LAMMPS hertz/material"].law
     for contender in (
@@ -108,7 +109,8 @@ def same_physics(bed: Path, steps: int) -> float:
 
 def times(log: str, folder: Path) -> list[float]:
     """Of both phases together: loop [s of the processor], pair forces [likewise], loop [s of the
-    clock]."""
+    clock].
+    """
     stamps = [int(line.split()[0]) for line in (folder / "processor").read_text().splitlines()]
     loop = np.diff(stamps) / 1e9
     clock = np.array(re.findall(r"^Loop time of (\S+)", log, re.MULTILINE), float)

@@ -87,7 +87,8 @@ def print_cost(table: pd.DataFrame) -> None:
 
 def print_restart(bed: Path, steps: int) -> None:
     """A checkpoint in mid-run, and whether the way on from it ends as the run does, in every
-    digit of every grain's position, velocity and force."""
+    digit of every grain's position, velocity and force.
+    """
     whole, again = WORK / "whole", WORK / "again"
     done = run(bed, LAWS["thornton"] | {"steps": steps, "rest": steps}, whole)
     written = (whole / "bed.restart").stat().st_size

@@ -81,7 +81,8 @@ def copies(grains: float) -> float:
 
 def contacts_factor(grains: float) -> float:
     """Contacts that a cube of so many grains computes over those it would if each contact were
-    computed once: a face has a quarter of a grain's contacts across it for each of its grains."""
+    computed once: a face has a quarter of a grain's contacts across it for each of its grains.
+    """
     return 1 + 1.5 * grains ** (-1 / 3)
 
 
@@ -102,7 +103,8 @@ def step_time(grains: float, ranks: int, costs: Costs, cluster: Cluster) -> dict
 
 def fit(table: pd.DataFrame, law: str = "thornton") -> Costs:
     """From the rounds of `size.py --part cost`: medians, the copies' time from its own row of the
-    engine's table, scaled from the clock to the processor."""
+    engine's table, scaled from the clock to the processor.
+    """
     rows = table[table["law"] == law]
     steps = rows["processor"] / rows["steps"]
     comm = rows["Comm"] / rows["clock"]

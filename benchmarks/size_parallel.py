@@ -23,7 +23,8 @@ LAW = {"law": "thornton"}
 
 def ranks(options: argparse.Namespace) -> None:
     """Strong and weak scaling, by the clock. Two beds of half the size on a rank each, at the same
-    time, cost what the machine takes from two ranks that have nothing to say to each other."""
+    time, cost what the machine takes from two ranks that have nothing to say to each other.
+    """
     grains = options.grains[0]
     along = WIDTHS[grains]
     whole, half = (widen(base(), *copies) for copies in (along, (along[0] // 2, along[1])))

@@ -78,7 +78,8 @@ def elastic_table(
     settings: Settings | None = None,
 ) -> pd.DataFrame:
     """An elastic sphere pressed to each force on a mesh made for it: its force, N, over that of
-    Hertz at the same approach."""
+    Hertz at the same approach.
+    """
     metal = evolve(METAL, hardening=None)
     sphere = HertzSphere(metal, RADIUS)
 

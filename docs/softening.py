@@ -50,7 +50,8 @@ def stiff_material() -> Material:
 
 def measure(run: BulkRun) -> dict[str, float]:
     """What is compared: grains that leave a second or the wall's power [W], and shares of what is
-    dissipated meanwhile."""
+    dissipated meanwhile.
+    """
     series, deck = run.series, run.deck
     if run.name == "hopper":
         out = series["counted"] / series["atoms"].iloc[0]

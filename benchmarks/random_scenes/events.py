@@ -56,7 +56,8 @@ def random_events(
     gap: float,
 ) -> Iterator[Event]:
     """One to four events in a box with corners `low` and `high` [m], of particles that are
-    `positions` and `radius` at the begin and move by some gaps `gap` [m] until the end."""
+    `positions` and `radius` at the begin and move by some gaps `gap` [m] until the end.
+    """
     grid = _grid(random)
     side = np.where([axis in walled for axis in AXES], 1e30, high - low)
     moved = np.zeros(3)
@@ -90,7 +91,8 @@ def _free_place(
 ) -> np.ndarray:
     """Where to create a particle [m]: anywhere, or beside another, and as far from touching those
     of the begin by more than `gap` as twenty tries find. `side`: of the box where it is periodic,
-    else without end."""
+    else without end.
+    """
     beside, best = random.random() < 0.5, (-np.inf, low)
     for _ in range(20):
         place = random.uniform(low, high)

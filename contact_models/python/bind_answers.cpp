@@ -11,9 +11,10 @@ const std::array<AnswerField<Response>, 5> AnswerFields<Response>::all{{
     {"force", &Response::force, nullptr, "Repulsive normal force, never negative [N]."},
     {"contact_radius", &Response::contact_radius, nullptr,
      "Contact radius, of a line contact the half-width [m]."},
-    {"elastic_energy", &Response::elastic_energy, nullptr, "What unloading would give back [J]."},
+    {"elastic_energy", &Response::elastic_energy, nullptr,
+     "Elastic energy, which unloading would release [J]."},
     {"plastic_work", &Response::plastic_work, nullptr,
-     "What it would not, in total since the contact was virgin [J]."},
+     "Energy dissipated by plastic flow since first loading [J]."},
     {"viscous_force", &Response::viscous_force, nullptr,
      "The rate's share of the force, negative while parting [N]."},
 }};

@@ -66,15 +66,15 @@ void bind_extras(nb::class_<LawOf<Law>, AnyLaw>&) {}
 template <class Law>
 void bind_state(nb::class_<LawOf<Law>, AnyLaw>& law) {
   typedef StateOf<Law> State;
-  nb::class_<State, AnyState> state(law, "State",
-                                    "History of one contact of this law: zeros for a virgin one.");
-  state.def(nb::init<>(), "A virgin contact.");
+  nb::class_<State, AnyState> state(
+      law, "State", "History of one contact of this law: zeros before first yield.");
+  state.def(nb::init<>(), "Create the history of a contact before first yield.");
   state.def(
       "copy", [](const State& self) { return State(self); }, "The same history once more.");
   for (std::size_t k = 0; k < Law::state_names.size(); ++k)
     state.def_prop_ro(
         Law::state_names[k], [k](const State& self) { return self.values[k]; },
-        "What the contact has reached; 0 for a virgin one.");
+        "State variable of the contact; 0 before first yield.");
   bind_values(
       state,
       [](const State& self) {

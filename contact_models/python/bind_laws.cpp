@@ -104,8 +104,8 @@ nb::dict follow(const AnyLaw& law, const nb::object& radius_eff, const nb::objec
 
 void bind_laws(nb::module_& module) {
   nb::class_<AnyState>(module, "ContactState",
-                       "History of one contact, made by a law's own `State()`: zeros for a virgin "
-                       "one. Calls that take it move it on.")
+                       "History of one contact, made by a law's own `State()`: zeros "
+                       "before first yield. Calls that take it update it.")
       .def(
           "values",
           [](const AnyState& self) {
@@ -132,7 +132,7 @@ Args:
     radius_eff: R* [m], positive. Numbers or arrays whose shapes broadcast together, as all below.
     overlap: [m].
     state: The contact's history, moved on when it reaches a new extreme; for an array of contacts
-        an array of histories of its shape. None for virgin contacts.
+        an array of histories of its shape. None for first loading.
     overlap_rate: Rate of overlap [m/s], closing positive; matters to a `rate_dependent` law only.
 
 Returns:
@@ -153,9 +153,9 @@ strength at rest; `at_impact` has it at the rate of an impact.
 
 Args:
     radius_eff: R* [m], positive: one, or one for each path, of shape (...).
-    overlap: Path [m], shape (..., N): along the last axis each contact goes on from where it is.
+    overlap: Path [m], shape (..., N): each contact follows the last axis.
     state: History the path begins with, moved along; an array of shape (...) for several paths.
-        None for virgin contacts.
+        None for first loading.
     overlap_rate: Rate of overlap [m/s], closing positive, broadcast with `overlap`; None for zero.
         Matters to a `rate_dependent` law only.
 

@@ -60,7 +60,7 @@ Raises:
       },
       "overlap_ratio"_a, "start"_a,
       nb::sig("def elastic_radius(self, overlap_ratio: float, start: float) -> tuple[float, int]"),
-      R"(Root of the virgin curve and the Newton iterations it took.
+      R"(Root of the first-loading curve and the number of Newton iterations.
 
 Args:
     overlap_ratio: overlap/overlap_Y [-], 1 or more.

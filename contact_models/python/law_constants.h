@@ -120,8 +120,8 @@ std::string constructor_doc() {
   for (const auto& o : options_of<Law>)
     said += std::string("    ") + o.name + ": " + o.meaning + ".\n";
   return said +
-         "\nRaises:\n    ValueError: A constant is missing or out of range, or there is no "
-         "such constant; the message\n        names it, its value and the range.";
+         "\nRaises:\n    ValueError: A constant is missing, unknown or out of range. The message\n "
+         "       names it, its value and the range.";
 }
 
 }  // namespace plastigran

@@ -110,7 +110,8 @@ def build(target: Path) -> int:
 
 def _state(pages: Path) -> str:
     """What every page may depend on: which pages there are, for links to them are settled when a
-    page is read, and the package, which notebooks and references run."""
+    page is read, and the package, which notebooks and references run.
+    """
     names = sorted(str(path.relative_to(pages)) for path in pages.rglob("*.*"))
     digest = sha256()
     for path in [*sorted(Path(plastigran.__file__).parent.rglob("*.py")), Path(laws.__file__)]:

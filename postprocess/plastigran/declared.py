@@ -74,7 +74,8 @@ def number(
     default: Any = attrs.NOTHING,
 ) -> Any:
     """A field for a number between two bounds, which are allowed themselves when `closed`; for None
-    too when that is the default."""
+    too when that is the default.
+    """
     said = Declaration(meaning, unit, lower, upper, closed)
     return _field(said, _to_float, default)
 

@@ -79,7 +79,8 @@ class Material:
 
     def variables(self, suffix: str = "") -> dict[str, float]:
         """The constants as the decks' variables of the same names, those that are given; with a
-        suffix to the names, those that a body beside the particles needs."""
+        suffix to the names, those that a body beside the particles needs.
+        """
         if suffix:
             return {f"{name}{suffix}": getattr(self, name) for name in OF_BODY}
         return attrs.asdict(self, filter=lambda at, value: at.name != "name" and value is not None)
@@ -250,7 +251,8 @@ def material_field(
 ):
     """A field of a case for a material, taken as one, by name or by the path of a file. Where the
     default is None, a rigid body, "rigid" and `RIGID` stand for that, and it goes by keyword only.
-    The deck knows its constants by their names with the suffix."""
+    The deck knows its constants by their names with the suffix.
+    """
     return attrs.field(
         default=default,
         kw_only=default is None,

@@ -152,12 +152,12 @@ def test_loop_of_a_triangle():
     loop = measure_loop(density, [0.0, 0.0, 100.0, 0.0, 0.0])
     assert (loop.touch, loop.peak, loop.released) == pytest.approx((0.502, 0.7, 0.601))
     assert np.isnan(measure_loop(density[:3], [0.0, 0.0, 100.0]).released)
-    with pytest.raises(ValueError, match="the punch meets no grain"):
+    with pytest.raises(ValueError, match="the punch touches no grain"):
         measure_loop(density, np.zeros(5))
 
 
 def test_punch_work_of_a_spring():
-    """k x^2/2, and nothing after the way back."""
+    """K x^2/2, and nothing after the way back."""
     travel = np.concatenate([np.linspace(0, 1, 1001), np.linspace(1, 0, 1001)])
     work = punch_work(-travel, 5 * travel)
     assert work[1000] == pytest.approx(2.5)

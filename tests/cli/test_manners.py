@@ -84,9 +84,9 @@ def test_every_warning_is_told_once_at_its_worst(tmp_path):
         "energy_ledger: an atom was lost (../fix.cpp:1)",
         "model thornton: an overlap of 2e-05 m, step 300 (../pair.cpp:12)",
         "Less insertions than requested (../insert.cpp:3)",
-        "pair_style: contacts go on with other constants: a is now b (../keeper.cpp:7)",
-        "fix wall/gran: particle 3 at (0 0 1) has contacts with triangles (../watch.cpp:9)",
-        "fix floor: contacts of thornton begin anew (../keeper.cpp:8)",
+        "pair_style: contacts continue with other constants: a is now b (../keeper.cpp:7)",
+        "fix wall/gran: particle 3 at (0 0 1) touches mesh triangles (../watch.cpp:9)",
+        "fix floor: contacts start without history (../keeper.cpp:8)",
         "fix particletemplate/sphere: the engine's own (../particle.cpp:8)",
     ]
     (tmp_path / "log.liggghts").write_text("".join(f"WARNING: {line}\n" for line in said))
@@ -94,9 +94,9 @@ def test_every_warning_is_told_once_at_its_worst(tmp_path):
     assert warnings_of(run) == [
         "model thornton: an overlap of 2e-05 m, step 300",
         "energy_ledger: an atom was lost",
-        "pair_style: contacts go on with other constants: a is now b",
-        "fix wall/gran: particle 3 at (0 0 1) has contacts with triangles",
-        "fix floor: contacts of thornton begin anew",
+        "pair_style: contacts continue with other constants: a is now b",
+        "fix wall/gran: particle 3 at (0 0 1) touches mesh triangles",
+        "fix floor: contacts start without history",
     ]
 
 

@@ -107,7 +107,8 @@ def test_a_fine_pipe_is_a_cylinder(tangential, tmp_path):
 @pytest.mark.parametrize("facets", [36, 90, 180, 360])
 def test_no_energy_is_made_in_a_pipe(facets, tmp_path):
     """What is left comes of the step, in which a force keeps its direction: a quarter of the step
-    leaves half at most. The engine's own contacts make energy at any step, in narrow facets."""
+    leaves half at most. The engine's own contacts make energy at any step, in narrow facets.
+    """
     coarse = in_a_pipe(tmp_path / "coarse", facets, tangential="off")
     fine = in_a_pipe(tmp_path / "fine", facets, tangential="off", steps=20000, timestep=2.5e-6)
     assert coarse.drift() < 1e-4
@@ -170,7 +171,8 @@ def test_a_dent_is_remembered_over_a_fold(angle, tmp_path):
 
 def test_a_spring_turns_with_the_surface(tmp_path):
     """A spring that never slips is stretched along the fold and across it, and behind the fold by
-    as much again across. 2e-3: the overlap's rounding is that much of the stiffness."""
+    as much again across. 2e-3: the overlap's rounding is that much of the stiffness.
+    """
     angle, x = 20, over_a_fold(20)[0]
     turn, pace = np.radians(angle), 0.02 / (100 * TIMESTEP)
     motions = [*pressed_and_held(), moved((pace, pace, 0), 90), moved((pace, 0, 0), 10)]
@@ -197,7 +199,8 @@ def pressed_on(folder: Path, triangles: np.ndarray, place: tuple, options: str =
 
 def test_true_edges_keep_their_contacts(tmp_path):
     """In a corner one with each side; in a groove one with each side, or a single one with the
-    nearer where the feature angle is above the fold's. Over an edge that bends away, one."""
+    nearer where the feature angle is above the fold's. Over an edge that bends away, one.
+    """
     depth = RADIUS - 1e-4
     plate = surfaces.folded_plate(0, 0.3)
     alone = pressed_on(tmp_path / "plate", plate, (-0.05, 0.03, depth))
@@ -222,7 +225,8 @@ def test_true_edges_keep_their_contacts(tmp_path):
 @pytest.mark.parametrize("overlap", [0.01, 0.03, 0.08])
 def test_a_groove_of_small_triangles_keeps_both_contacts(angle, overlap, tmp_path):
     """Deep between two sides some triangles of both, with a node in common, are touched at corners
-    that lie in nearly one direction."""
+    that lie in nearly one direction.
+    """
     depth, turn = RADIUS * (1 - overlap), np.radians(angle)
     near = (0.05 * RADIUS, 0.15 * RADIUS, 0.3 * RADIUS)
     groove = surfaces.folded_plate(angle, 0.3, 12, near)
@@ -234,7 +238,8 @@ def test_a_groove_of_small_triangles_keeps_both_contacts(angle, overlap, tmp_pat
 
 def test_two_triangles_with_one_between_out_of_reach_are_one_surface(tmp_path):
     """On a shallow fold, near the node where the triangles that share its edge are narrow: the
-    sphere's two feet are on triangles that share the node alone."""
+    sphere's two feet are on triangles that share the node alone.
+    """
     depth = RADIUS - 1e-4
     alone = pressed_on(tmp_path / "plate", surfaces.folded_plate(0, 0.3), (-0.05, 0.03, depth))
     foot = -depth * np.tan(np.radians(5))
@@ -271,7 +276,7 @@ def test_triangles_that_share_neither_edge_nor_node_are_named(tmp_path):
     whole, halved, thirds = (surfaces.folded_plate(0, 0.3, pieces) for pieces in (1, 2, 3))
     sides = [np.mean(plate[:, :, 0], axis=1) for plate in (halved, thirds)]
     split = np.concatenate([halved[sides[0] < 0], thirds[sides[1] > 0]])
-    place, seam = (-0.001, 0.03, RADIUS - 1e-4), "no edge or node joins them"
+    place, seam = (-0.001, 0.03, RADIUS - 1e-4), "which share no edge or node"
     alone = pressed_on(tmp_path / "whole", whole, place)
     double = pressed_on(tmp_path / "split", split, place)
     assert double[2] > 1.5 * alone[2]
@@ -287,7 +292,8 @@ RESTING |= {"youngs_modulus": 1e7, "yield_strength": 1e5, "coefficient_of_fricti
 
 def test_a_ball_that_leans_on_all_sides_is_named(tmp_path):
     """In a cone one contact does not hold it; with one for each facet, as the warning says, it
-    comes to rest, and nothing is said. 1e-3 of the energy that came in."""
+    comes to rest, and nothing is said. 1e-3 of the energy that came in.
+    """
     wall, moving = mesh(tmp_path, surfaces.cone(36, 0.02, 0.3)), {}
     said = "of one smooth surface, in directions"
     for name, options in (("one", ""), ("each", "feature_angle 5")):
@@ -316,7 +322,8 @@ def in_a_bowl(folder: Path, motion: str, ranks: int = 1, **variables) -> Outcome
 @pytest.mark.parametrize(("ranks", "grid", "rolling"), [(2, "2 1 1", "off"), (4, "2 2 1", "epsd2")])
 def test_a_bowl_is_the_same_on_all_ranks_and_after_a_restart(ranks, grid, rolling, tmp_path):
     """Borders between ranks run through the bottom of the bowl, where the sphere yields and rolls;
-    the restart file is of a moment in contact. 1e-9: sums of forces in another order."""
+    the restart file is of a moment in contact. 1e-9: sums of forces in another order.
+    """
     motion = let_go(300) + f"\nwrite_restart {tmp_path}/middle.restart\nrun 500"
     alone = in_a_bowl(tmp_path / "alone", motion, rolling=rolling)
     assert alone.ledger["elastic"].iloc[3] > 0, "no contact at the restart"

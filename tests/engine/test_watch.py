@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """A run that goes wrong stops and says which particle, where, and what to try; a time step that is
-too long is said before the run, or when a contact shows it."""
+too long is said before the run, or when a contact shows it.
+"""
 
 from __future__ import annotations
 
@@ -59,14 +60,17 @@ def test_force_that_is_no_number(ranks, tmp_path):
     """A grain whose centre lies in the wall, where such overlaps are allowed: no normal."""
     grains = [(0.05, 0.01, 0.05), (0.04, 0.02, 0)]
     said = stopped(tmp_path, grains, ranks=ranks, settings="overlap_limit 2")
-    assert "particle 2 at (0.04 0.02 0) has a force that is no number. Look for particles" in said
+    assert (
+        "particle 2 at (0.04 0.02 0) has a force that is NaN or infinite. Check for particles"
+        in said
+    )
 
 
 def test_velocity_that_is_no_number(tmp_path):
     """A force beyond all bounds half-way: the place is the one of before."""
     more = "variable wild equal 1e300*(step>500)\nfix wild all addforce v_wild 0 0"
     said = stopped(tmp_path, [(0, 0, 0.05)], more=more)
-    assert "particle 1 at (0 0 0.05) has a velocity that is no number" in said
+    assert "particle 1 at (0 0 0.05) has a velocity that is NaN or infinite" in said
 
 
 @pytest.mark.parametrize("ranks", [1, 2])
@@ -145,7 +149,8 @@ def test_contacts_there_are_count_as_a_run_starts(tmp_path):
 @pytest.mark.parametrize("ranks", [1, 2])
 def test_contact_shows_that_the_step_is_too_long(ranks, tmp_path):
     """A grain falls from rest: nothing to warn of before; once it has hit, the law's own step for
-    that speed is recommended. Depths are looked at by tenths: a step longer by at most 5 %."""
+    that speed is recommended. Depths are looked at by tenths: a step longer by at most 5 %.
+    """
     speed = 0.5
     law = laws.Thornton(laws.combine(BODY, BODY))
     expected = law.recommended_timestep(RADIUS, MASS, speed)

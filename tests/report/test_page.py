@@ -100,7 +100,7 @@ def test_a_run_that_has_not_begun_says_so(copied):
     shutil.rmtree(copied / "frames")
     made = section(copied)
     assert made.state == "unfinished"
-    assert any("has not begun" in said for said in made.missing)
+    assert any("has not started" in said for said in made.missing)
     assert made.movie is None
 
 
@@ -218,7 +218,7 @@ def test_a_frame_cut_short_is_left_out_and_named(copied, place, share):
     files[place].write_bytes(content[: int(share * len(content))])
     made = section(copied)
     assert made.missing == [
-        f"A frame is left out of the view of grains: {files[place].name} cannot be read whole."
+        f"A frame is left out of the view of grains: {files[place].name} are incomplete."
     ]
     assert made.movie.frames == len(files) - 1
     assert (made.state, len(made.charts)) == ("passed", 2)
@@ -270,7 +270,7 @@ def test_a_sweep_cut_short_says_what_is_missing(copied_sweep):
         log.write("ERROR: Could not find fix (../x.cpp:1)\n")
     made = section(copied_sweep)
     assert (made.state, made.verdict) == ("unfinished", "4 of 9 impacts")
-    assert "4 of 9 impacts have a line" in made.missing[0]
+    assert "impacts.csv has 4 of 9 impacts." in made.missing[0]
     assert sum(len(view.data) for view in made.charts[1].views.values()) == 4
     assert "runs/0007" in made.missing[1] and "Could not find fix" in made.missing[1]
     (copied_sweep / "impacts.csv").unlink()
@@ -361,7 +361,7 @@ def test_theory_alone_keeps_its_figures_and_is_named(tmp_path):
     made = section(tmp_path)
     assert (made.state, made.verdict) == ("done", "2 impacts by theory")
     assert made.facts["command"] == "plastigran impact"
-    assert "without the engine" in made.facts["made by"]
+    assert "without LIGGGHTS" in made.facts["made by"]
     assert [picture.name for picture in made.pictures] == ["loops", "restitution"]
     assert [chart.name for chart in made.charts] == ["run-0-validation"]
 
@@ -379,7 +379,8 @@ def test_theory_over_a_sweep_leaves_nothing_of_it(copied_sweep):
 
 def test_errors_of_a_law_are_those_of_what_was_swept():
     """None beyond the finite elements, of what does not yield, of an unknown material; of a soft
-    metal those of wide contacts, too."""
+    metal those of wide contacts, too.
+    """
 
     def theory(**settings) -> Trust:
         (found,) = trust(CentralImpact.theory(law=["thornton"], **settings).table, {})
@@ -404,7 +405,7 @@ def test_an_unknown_material_is_told(copied_sweep):
     table = pd.read_csv(copied_sweep / "impacts.csv").assign(material="mine")
     table.to_csv(copied_sweep / "impacts.csv", index=False)
     made = section(copied_sweep)
-    assert any("constants of mine are not at hand" in said for said in made.missing)
+    assert any("constants of mine are not available" in said for said in made.missing)
 
 
 def test_the_chart_of_errors_is_of_the_table_beside_it(tmp_path):
@@ -417,7 +418,7 @@ def test_the_chart_of_errors_is_of_the_table_beside_it(tmp_path):
 def test_columns_read_alike_have_views_of_their_own():
     series = pd.DataFrame({"time": [0, 1], "Temp": [1, 2], "temp": [3, 5], "kinetic": [1, 2]})
     views = series_chart("run-0", series.assign(kinetic_energy=[5, 6])).views
-    assert {*views} == {"Temp", "Temp (temp)", "Kinetic energy", "Kinetic energy of translation"}
+    assert {*views} == {"Temp", "Temp (temp)", "Kinetic energy", "Translational kinetic energy"}
     assert len(QUANTITIES) == len({name for name, _ in QUANTITIES.values()})
 
 
@@ -448,7 +449,8 @@ def test_a_damaged_picture_is_left_out_and_told(tmp_path, ending, share):
     made = section(tmp_path)
     assert [picture.name for picture in made.pictures] == ["whole"]
     assert made.missing == [
-        f"The figure broken is left out: {tmp_path / f'broken{ending}'} is damaged or cut short."
+        f"Figure broken is left out, because {tmp_path / f'broken{ending}'} is cut short or "
+        "damaged."
     ]
     assert write_report([tmp_path], tmp_path / "report.html").exists()
 
@@ -461,13 +463,13 @@ def test_the_command_writes_a_page_and_spares_other_files(tmp_path, capsys):
     assert f"written: {page}" in capsys.readouterr().out
     text = page.read_text()
     assert "<b>" not in text and "&lt;b&gt;results" in text
-    assert "holds nothing that a command of plastigran has written" in text
+    assert "has no results of a plastigran command" in text
     assert main(["report", str(folder)]) == 0  # again
     page.write_text("something else")
     assert main(["report", str(folder)]) == 1
-    assert "is no report; choose another, or add --force" in capsys.readouterr().err
+    assert "is not a report. Choose another name, or add --force" in capsys.readouterr().err
     assert main(["report", str(tmp_path / "none")]) == 1
-    assert "is no folder" in capsys.readouterr().err
+    assert "is not a folder" in capsys.readouterr().err
     with pytest.raises(ValueError, match=r"must end in \.html"):
         write_report([folder], tmp_path / "page.txt")
 

@@ -59,7 +59,7 @@ def test_a_page_is_written_with_its_pictures(tmp_path):
     ("text", "said"),
     [
         ("nothing", "has no <!-- table one -->"),
-        (PAGE + PAGE.replace("one", "two"), "has a place for two, no table of own"),
+        (PAGE + PAGE.replace("one", "two"), "has a place for two, which is not a table of own"),
         (PAGE + PAGE, "two places for one table"),
         (None, "own.md is missing"),
     ],
@@ -73,5 +73,5 @@ def test_a_page_without_the_right_places_is_refused(text, said, tmp_path):
 
 def test_what_is_declared_must_be_made():
     report = attrs.evolve(own_report(), tables=("one", "two"))
-    with pytest.raises(ValueError, match=r"tables of own: \['two'\] do not match"):
+    with pytest.raises(ValueError, match=r"tables of report own are not as declared: \['two'\]"):
         report.run()

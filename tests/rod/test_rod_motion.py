@@ -61,7 +61,8 @@ def test_frozen_geometry(rod, rod_law):
 
 def test_energy_balance(rod_law):
     """Kinetic energy lost = plastic work + work of friction (gravity off). 1e-5: the quadrature of
-    the history's 600 rows."""
+    the history's 600 rows.
+    """
     rod = Rod(gravitational_acceleration=0)
     law = law_of(rod_law)
     found = simulate(rod, law, 2.0)
@@ -80,7 +81,8 @@ def test_energy_balance(rod_law):
 
 def test_measured_run():
     """The paper's velocities before and after are an impulse; it turns the rod at -19.52 rad/s, the
-    paper measured -19.67. Both say e = 0.50 to 0.51, not the 0.43 the paper quotes for 45°."""
+    paper measured -19.67. Both say e = 0.50 to 0.51, not the 0.43 the paper quotes for 45°.
+    """
     run = MeasuredRun()
     assert STEEP.angular_velocity(run.impulse(STEEP)) == pytest.approx(-19.522, abs=1e-3)
     assert run.coefficient_of_restitution(STEEP) == pytest.approx(0.502, abs=1e-3)
@@ -137,7 +139,8 @@ def test_a_rod_that_stays_down_is_said():
 
 def test_reloading_runs_back_to_where_it_left():
     """Below the largest overlap the force is the same on the way out and on the way back, and
-    trial steps beyond it leave no trace."""
+    trial steps beyond it leave no trace.
+    """
     rod = Rod(angle=90)
     body = _Motion(rod, law_of("thornton"), 0.05, None)
     down = [0, -2e-5, 0, 0, -0.05, 0, 0]
@@ -158,7 +161,7 @@ def test_reloading_runs_back_to_where_it_left():
         ({"angle": 91}, "angle is 91"),
         ({"mass": -1}, "mass is -1"),
         ({"coefficient_of_friction": -0.1}, "coefficient_of_friction is -0.1"),
-        ({"tip_radius": 0.2}, "length is 0.3048; it must be more than the tip's diameter"),
+        ({"tip_radius": 0.2}, "length is 0.3048 m; it must exceed the diameter of the tip"),
         ({"angle": 17.2, "coefficient_of_friction": 5}, "would jam the rod"),
     ],
 )
@@ -188,5 +191,5 @@ def test_every_law_of_the_paper_has_numbers():
 
 def test_a_law_that_depends_on_the_rate_is_refused():
     law = laws.ViscoelasticHertz(PAIR, dissipative_constant=1e-5)
-    with pytest.raises(ValueError, match="viscoelastic_hertz depends on the rate of overlap"):
+    with pytest.raises(ValueError, match="viscoelastic_hertz depends on the overlap rate"):
         simulate(STEEP, law, 1.0)

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Frames that hold no grains, as of a deck that inserts them, and frames that cannot be read whole:
-the others are shown."""
+the others are shown.
+"""
 
 from __future__ import annotations
 
@@ -63,7 +64,7 @@ def test_a_movie_begins_before_there_are_grains(run, what, tmp_path, capfd):
 def test_a_picture_of_an_empty_frame_says_that_it_holds_no_grains(run, what, capsys):
     empty(run, 0)
     assert main(["snapshot", str(run), "--step", "0", *what]) == 1
-    assert capsys.readouterr().err.endswith("grains_0.vtk holds no grains\n")
+    assert capsys.readouterr().err.endswith("grains_0.vtk contains no grains\n")
 
 
 def test_a_movie_without_any_grains_is_refused(run, tmp_path):
@@ -84,14 +85,15 @@ def test_an_empty_frame_is_written_for_paraview(run, tmp_path):
 @pytest.mark.parametrize("kind", KINDS)
 def test_a_file_cut_anywhere_is_known(run, kind):
     """Between two of its lines, where VTK itself notices little, and within its last number. What a
-    mesh lacks at its end are numbers of its triangles."""
+    mesh lacks at its end are numbers of its triangles.
+    """
     file = run / "frames" / f"{kind}_100.vtk"
     text = file.read_text()
     needed = text.index("CELL_DATA") if kind == "mesh" else len(text)
     lines = [place + 1 for place, letter in enumerate(text[: needed - 1]) if letter == "\n"]
     for place in (0, *(place for place in lines if place < needed), len(text) - 5):
         file.write_text(text[:place])
-        with pytest.raises(DamagedFrame, match=rf"{kind}_100\.vtk cannot be read whole"):
+        with pytest.raises(DamagedFrame, match=rf"{kind}_100\.vtk is cut short or damaged"):
             read_vtk(file)
     file.write_text(text)
     assert read_vtk(file).n_points
@@ -105,10 +107,10 @@ def test_a_damaged_frame_is_left_out_and_named(run, kind, share, tmp_path, capfd
     movie = tmp_path / "grains.gif"
     assert main(["snapshot", str(run), "--colour", "speed", "--movie", str(movie)]) == 0
     assert len(iio.imread(movie, plugin="pillow")) == 2
-    said = f"{kind}_50.vtk cannot be read whole: it is cut short or damaged; the frame of step 50"
+    said = f"{kind}_50.vtk is cut short or damaged; the frame of step 50"
     written = capfd.readouterr().err
     assert said in written and "ERROR" not in written
-    with pytest.warns(UserWarning, match=f"{kind}_50.vtk cannot be read whole"):
+    with pytest.warns(UserWarning, match=f"{kind}_50.vtk is cut short or damaged"):
         write_vtk(read_run(run, "thornton"), tmp_path / "vtk")
     for each in KINDS:
         listed = pyvista.get_reader(tmp_path / "vtk" / f"{each}.pvd").time_values
@@ -120,7 +122,7 @@ def test_a_picture_of_a_damaged_frame_is_refused(run, share, capfd):
     cut(run / "frames" / "grains_50.vtk", share)
     assert main(["snapshot", str(run), "--step", "50"]) == 1
     (line,) = capfd.readouterr().err.splitlines()
-    assert line.endswith("grains_50.vtk cannot be read whole: it is cut short or damaged")
+    assert line.endswith("grains_50.vtk is cut short or damaged")
     draw(find_frames(run)[-1], run / "other.png", size=(200, 150))
     assert (run / "other.png").exists()
 
@@ -129,7 +131,7 @@ def test_no_whole_frame_is_said(run, tmp_path):
     for step in (0, 50, 100):
         cut(run / "frames" / f"grains_{step}.vtk", 0)
     with (
-        pytest.warns(UserWarning, match="cannot be read whole"),
-        pytest.raises(SnapshotError, match="no frame can be read whole"),
+        pytest.warns(UserWarning, match="is cut short or damaged"),
+        pytest.raises(SnapshotError, match="no frame is complete"),
     ):
         save_grain_movie(find_frames(run), tmp_path / "x.gif", progress=False)

@@ -49,7 +49,8 @@ def vtk(request, tmp_path_factory):
 
 def test_contacts_have_the_plastic_work_that_their_grains_have_taken(vtk):
     """Each grain has half its one contact's work: a sum over all steps, of a contact that has only
-    been loaded. The files have ten digits."""
+    been loaded. The files have ten digits.
+    """
     grains, contacts = (pyvista.read(vtk / f"{kind}_100.vtp") for kind in ("grains", "contacts"))
     work = dict(zip(grains["id"], grains["plastic_work"], strict=True))
     assert contacts.n_cells == 2
@@ -160,6 +161,8 @@ def test_a_movie_has_one_scale(colour, tmp_path, monkeypatch, capsys):
 def test_another_kind_of_movie_is_refused(tmp_path, capsys):
     folder = press_pairs(tmp_path)
     assert main(["snapshot", str(folder), "--movie", "grains.avi"]) == 1
-    assert "grains.avi is no movie; its name must end in .mp4 or .gif" in capsys.readouterr().err
+    assert (
+        "grains.avi cannot be a movie: its name must end in .mp4 or .gif" in capsys.readouterr().err
+    )
     assert main(["snapshot", str(folder), "--rate", "3"]) == 1
     assert "--rate is 3; it needs --movie" in capsys.readouterr().err

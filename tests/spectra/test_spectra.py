@@ -171,7 +171,7 @@ def test_the_last_line_of_a_killed_run_is_dropped_when_it_is_cut(tmp_path):
 
 def test_another_file_is_not_overwritten(tmp_path):
     (tmp_path / "spectra.csv").write_text("my own notes\n")
-    with pytest.raises(EngineError, match=r"spectra\.csv is no table of collision spectra"):
+    with pytest.raises(EngineError, match=r"spectra\.csv is not a table of collision spectra"):
         begin_counting(tmp_path)
     assert (tmp_path / "spectra.csv").read_text() == "my own notes\n"
 

@@ -105,9 +105,11 @@ void HistoryKeeper::give_back_what_is_lost() {
       fixes.back() = fix;
       fix->just_created = 0;  // the engine blanks what a new fix has as a run begins
     } else if (any_remembers(k) && comm->me == 0) {
-      error->warning(FLERR, (kept.owner + ": contacts of `" + kept.models +
-                             "` begin anew, they are now of `" + line->second.models + '`' +
-                             (kept.models == line->second.models ? " elsewhere" : ""))
+      error->warning(FLERR, (kept.owner + ": contacts start without history, because " +
+                             (kept.models == line->second.models
+                                  ? "the wall moved: `" + kept.models + '`'
+                                  : "their models changed from `" + kept.models + "` to `" +
+                                        line->second.models + '`'))
                                 .c_str());
     }
   }

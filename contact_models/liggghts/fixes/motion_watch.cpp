@@ -45,8 +45,8 @@ void MotionWatch::pre_initial_integrate() {
   for (int i = 0; i < atom->nlocal; ++i) {
     const double* const f = atom->f[i];
     if (!std::isfinite(f[0] + f[1] + f[2]))
-      stop(i, "has a force that is no number",
-           "Look for particles that start in the middle of a wall or of one another");
+      stop(i, "has a force that is NaN or infinite",
+           "Check for particles whose center is on a wall or on the center of another particle");
   }
 }
 
@@ -77,8 +77,8 @@ void MotionWatch::pre_exchange() {
 
 void MotionWatch::lost_control(int i, double travel) {
   if (!std::isfinite(travel))
-    stop(i, "has a velocity that is no number",
-         "Look at its last contacts, and for particles in the middle of a wall");
+    stop(i, "has a velocity that is NaN or infinite",
+         "Check its last contacts, and for particles whose center is on a wall");
   std::ostringstream text;
   text << "moves " << travel / atom->radius[i] << " of its radius in a step";
   stop(i, text.str(),

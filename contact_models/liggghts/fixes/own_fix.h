@@ -46,7 +46,7 @@ inline void refuse_replacement(LAMMPS_NS::LAMMPS* engine) {
   LAMMPS_NS::Modify* const modify = engine->modify;
   for (int k = 0; k < modify->nfix; ++k)
     if (!modify->fix[k])
-      engine->error->all(FLERR, "fix wall/gran: the engine cannot replace a wall; unfix it first");
+      engine->error->all(FLERR, "fix wall/gran: LIGGGHTS cannot replace a wall. Use `unfix` first");
 }
 
 // Makes the engine know the class's style.

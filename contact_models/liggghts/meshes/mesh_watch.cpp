@@ -17,16 +17,15 @@ std::string sentence(MeshWatch::Kind kind, const MeshWatch::Place& place) {
   text << "fix wall/gran: particle " << place.particle << " at (" << place.x[0] << ' ' << place.x[1]
        << ' ' << place.x[2] << ')';
   if (kind == MeshWatch::seam)
-    text << " has contacts with triangles " << place.triangles[0] << " and " << place.triangles[1]
-         << " of a mesh at once, in directions " << place.angle
-         << " degrees apart: less than feature_angle, but no edge or node joins them. Its force is "
-            "that of both, and neither remembers the other. Triangles of a smooth surface must "
-            "share edges";
+    text << " touches mesh triangles " << place.triangles[0] << " and " << place.triangles[1]
+         << ", which share no edge or node. Their contact directions differ by " << place.angle
+         << " degrees, less than feature_angle. The contact is counted twice, with separate "
+            "histories. Repair the mesh so that neighboring triangles share edges";
   else
     text << " touches triangles " << place.triangles[0] << " and " << place.triangles[1]
          << " of one smooth surface, in directions " << place.angle
-         << " degrees apart, and has one contact with it: it may never come to rest there. A "
-            "feature_angle below the angle between neighbouring facets gives each its own";
+         << " degrees apart, but has one contact with it. It may never come to rest there. Use a "
+            "feature_angle below the angle between neighboring facets to give each its own contact";
   return text.str();
 }
 

@@ -67,7 +67,7 @@ void CollisionSpectra::open(const std::string& path) {
   std::getline(before, line);
   if (!line.empty() && line + '\n' != heading)
     error->one(FLERR, (std::string("fix ") + id + ' ' + style() + ": the file " + path +
-                       " is no table of collision spectra; it would be overwritten")
+                       " is not a table of collision spectra. Choose another name, to keep it")
                           .c_str());
   while (std::getline(before, line) && !before.eof())  // the last line of a killed run may be cut
     if (std::atoll(line.c_str()) <= update->ntimestep) kept += line + '\n';

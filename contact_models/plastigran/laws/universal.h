@@ -54,7 +54,8 @@ class Universal : public LargestOverlap {
       {"yielding",
        &Parameters::yielding,
        {"sphere", "flat", nullptr},
-       "what flattens or is dented; a flat's wide contact is as a narrow one"},
+       "the body that yields: a sphere that flattens, or a flat; for a flat, the fit for small a/R "
+       "holds at any a/R"},
   }};
 
   // Beyond, strong hardening would make a yielding contact elastic again.

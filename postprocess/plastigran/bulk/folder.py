@@ -273,7 +273,8 @@ def read_derived(folder: str | Path, name: str) -> float:
 
 def carry_files(earlier: Path, folder: Path, last: int) -> None:
     """Copy what the engine adds to: collision spectra of an earlier run, and its whole frames
-    before a step."""
+    before a step.
+    """
     if (earlier / SPECTRA).exists():
         shutil.copy(earlier / SPECTRA, folder)
     if not (earlier / DUMP).exists():

@@ -38,7 +38,8 @@ def figure(metal: CalibratedMetal, progress: bool = False) -> Figure:
 
 def drops_figure(metal: CalibratedMetal) -> Figure:
     """Measured restitution over impact speed, the law at the strength found, and at the ends of its
-    95 % interval a band."""
+    95 % interval a band.
+    """
     drops = metal.drops
     speeds = np.geomspace(drops.speed.min() / 2, drops.speed.max() * 2, 60)
 
@@ -63,7 +64,8 @@ def drops_figure(metal: CalibratedMetal) -> Figure:
 
 def finite_elements_figure(metal: CalibratedMetal, progress: bool = False) -> Figure:
     """The law, and `vu_quoc_zhang` with the fitted constants, against finite elements: force over
-    approach, contact radius over force, restitution over impact speed."""
+    approach, contact radius over force, restitution over impact speed.
+    """
     pressing = metal.pressed.pressing
     released = metal.pressed.unloadings(progress)
     contacts = {

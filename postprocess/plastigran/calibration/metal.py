@@ -55,7 +55,8 @@ class CalibratedMetal:
     @property
     def constants(self) -> dict[str, float]:
         """C_a P_Y/a_Y and K_c P_Y [-] of `vu_quoc_zhang`: fitted to finite elements of this metal
-        where there are such, else the law's own, for perfectly plastic metals up to 41 P_Y."""
+        where there are such, else the law's own, for perfectly plastic metals up to 41 P_Y.
+        """
         if self.pressed is not None:
             return {name: getattr(self.pressed.fitted, name) for name in FITTED}
         own = {row["name"]: row["default"] for row in laws.LAWS["vu_quoc_zhang"].parameters()}

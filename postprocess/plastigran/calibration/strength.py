@@ -230,7 +230,8 @@ def _inverted(contact, speed, measured, metal, scatter, source) -> Strength:
 
 def _trend(speed: np.ndarray, ratio: np.ndarray, scatter: float) -> list[str]:
     """A note where measured restitutions over the law's change with the speed, by more than one of
-    them scatters: chance would do so once in a hundred times."""
+    them scatters: chance would do so once in a hundred times.
+    """
     logarithm = np.log(speed)
     if len(speed) < 4 or np.ptp(logarithm) == 0:
         return []

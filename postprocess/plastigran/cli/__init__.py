@@ -37,7 +37,8 @@ EXIT_CODES = {
 def parser(wanted: str = "") -> argparse.ArgumentParser:
     """A subcommand for each experiment, made from what it says of itself, and for each module of
     `commands`, which brings HELP, EXAMPLE, add_arguments and run; `wanted` alone where that is one
-    of them, for many are slow to load."""
+    of them, for many are slow to load.
+    """
     listed = "\n".join(f"  {code:<4d}{meaning}" for code, meaning in EXIT_CODES.items())
     top = argparse.ArgumentParser(
         prog="plastigran",
@@ -102,7 +103,8 @@ def _print_once() -> Callable[..., None]:
 @contextmanager
 def _terminate_as_interrupt() -> Iterator[None]:
     """A batch system's SIGTERM stops a command as Ctrl-C does; Python takes signals in its main
-    thread alone."""
+    thread alone.
+    """
     if threading.current_thread() is not threading.main_thread():
         yield
         return
@@ -131,7 +133,8 @@ def _report(error: Exception, arguments: argparse.Namespace) -> int:
 
 def _said(error: Exception, arguments: argparse.Namespace) -> str:
     """Return an error's message. If the system refuses a file, it names the file and the reason,
-    or the folder of results where the system does not name the file."""
+    or the folder of results where the system does not name the file.
+    """
     if isinstance(error, FileNotFoundError) and error.filename:
         return f"no file {error.filename}"
     if isinstance(error, OSError) and error.filename:

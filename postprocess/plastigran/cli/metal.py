@@ -20,7 +20,8 @@ def add_metal(
     command: argparse.ArgumentParser, elastic: bool = False, radius: float | None = 0.1
 ) -> None:
     """The metal, the radius and --json; with `elastic`, --elastic may stand for --yield; `radius`
-    is its default, without which it must be given."""
+    is its default, without which it must be given.
+    """
     add_elastic(command, radius)
     strength = command.add_mutually_exclusive_group(required=True)
     strength.add_argument(
@@ -39,7 +40,8 @@ def add_elastic(
     command: argparse.ArgumentParser, radius: float | None = 0.1, density: float | None = 2700.0
 ) -> None:
     """An elastic material, the radius and --json; `radius` and `density` are defaults, without
-    which they must be given."""
+    which they must be given.
+    """
     command.add_argument("--young", type=positive, required=True, help="Young's modulus, Pa")
     command.add_argument("--poisson", type=float, required=True, help="Poisson's ratio")
     said = "density, kg/m3" if density is None else f"density, kg/m3, default {density:g}"

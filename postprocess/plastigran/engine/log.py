@@ -48,7 +48,8 @@ _NUMBER = re.compile(r"\d[\d.e+-]*")
 
 def find_excess(text: str) -> dict[str, float]:
     """Return the largest overlap of each law whose range contacts have left, divided by the largest
-    overlap of the range."""
+    overlap of the range.
+    """
     return {law: float(furthest) for law, furthest in _EXCESS.findall(text)}
 
 

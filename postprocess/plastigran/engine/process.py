@@ -124,7 +124,8 @@ def _command(
 
 def misread(path: str) -> bool:
     """Whether the engine takes a path for more than one: it splits lines at white space, and puts a
-    step or a rank in place of * and %."""
+    step or a rank in place of * and %.
+    """
     return any(letter.isspace() or letter in "*%" for letter in path)
 
 

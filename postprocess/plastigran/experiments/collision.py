@@ -172,7 +172,8 @@ def _residual(overlap, force) -> float:
 
 def _end_of_power(overlap, force) -> tuple[float, Callable]:
     """Where c (overlap - overlap_res)^n through up to three frames vanishes, and that force: with
-    the right n, force^(1/n) is a straight line."""
+    the right n, force^(1/n) is a straight line.
+    """
 
     def slopes(n: float):
         return np.diff(force ** (1 / n)) / np.diff(overlap)
@@ -193,7 +194,8 @@ def _end_of_power(overlap, force) -> tuple[float, Callable]:
 
 def _end_of_bent_power(overlap, force) -> tuple[float, Callable]:
     """The same of c z^3/(1 + g z), z = (overlap - overlap_res)^(1/2), through three frames: with
-    the right residual, z^3/force is a straight line over z. NaN where there is none."""
+    the right residual, z^3/force is a straight line over z. NaN where there is none.
+    """
 
     def line(residual: float):
         z = np.sqrt(overlap - residual)

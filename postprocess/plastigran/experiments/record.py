@@ -70,7 +70,8 @@ def _cells(line: str) -> list[str]:
 
 def _odd_rows(head: list[str], rows: list[list[str]], words: list[str]) -> list[int]:
     """Rows that are not those of a sweep: of another length, without one of its words, or with text
-    where most have a number."""
+    where most have a number.
+    """
     odd = {k for k, row in enumerate(rows) if len(row) != len(head)}
     for place, name in enumerate(head):
         cells = {k: row[place] for k, row in enumerate(rows) if k not in odd}

@@ -64,7 +64,8 @@ def _cell(value: object) -> str:
 
 def format_range(table: pd.DataFrame) -> str:
     """From which speed on a law was used beyond its range, one line a law, and a material if
-    several were thrown."""
+    several were thrown.
+    """
     several = "material" in table and table["material"].nunique() > 1
     outside = table.loc[~table["in_range"]]
     lines = []

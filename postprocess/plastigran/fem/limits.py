@@ -22,7 +22,8 @@ class SmallStrainWarning(UserWarning):
 
 def contact_reach(sphere: HertzSphere, force: float) -> float:
     """Largest contact radius to expect at a force, m: that of a fully plastic contact, or of Hertz
-    where it is the larger one."""
+    where it is the larger one.
+    """
     elastic = sphere.contact_radius(force)
     if force <= sphere.yield_force:
         return elastic

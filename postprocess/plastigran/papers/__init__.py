@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Papers reproduced: one module or package for each, of the paper's short name.
+"""Reproduced papers: one module or package for each, named after the paper.
 
-It defines `PAPER`, a `plastigran.papers.base.Paper`, and its page is docs/papers/NAME.md. Nothing
-else is edited: the command and the tests find it.
+It defines `PAPER`, a `plastigran.papers.base.Paper`; its page is docs/papers/NAME.md. The command
+and
+the tests find it without further changes.
 """
 
 from __future__ import annotations
@@ -14,20 +15,20 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from plastigran.papers.base import Paper
 
-#: Modules here that are no paper.
+#: Modules here that are not papers.
 SHARED = {"base"}
 
 
 def paper_names() -> list[str]:
-    """Short names of the papers that can be reproduced."""
+    """Return the short names of the papers that can be reproduced."""
     return sorted({module.name for module in iter_modules(__path__)} - SHARED)
 
 
 def find_paper(name: str) -> Paper:
-    """A paper by its short name.
+    """Return a paper by its short name.
 
     Raises:
-        ValueError: There is none.
+        ValueError: There is no such paper.
     """
     if name not in paper_names():
         raise ValueError(f"no paper {name!r}; there are {', '.join(paper_names())}")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""What a paper's module gives: a report with the paper it is held against; and its impacts.
+"""A reproduced paper: a report with a citation.
 
     PAPER = Paper(
         name="zv02",
@@ -30,10 +30,12 @@ if TYPE_CHECKING:
 
 @attrs.frozen(kw_only=True)
 class Paper(Report):
-    """A paper that can be reproduced; its page is docs/papers/NAME.md.
+    """Paper that can be reproduced; its page is docs/papers/NAME.md.
 
-    The tables have one row a quantity: `quantity` and `unit`, or what else tells it; then columns
-    of numbers, as far as there are some: `paper`, `finite elements`, a law's name, `LIGGGHTS`.
+    A row of the tables is one quantity: columns `quantity` and `unit`, or other columns that
+    identify
+    it, and then columns of numbers such as `paper`, `finite elements`, the name of a law,
+    `LIGGGHTS`.
 
     Attributes:
         citation: Authors, journal, volume, year, page.
@@ -44,8 +46,10 @@ class Paper(Report):
 
 
 def thrown(*arguments: Any, **fields: Any) -> Runs:
-    """Impacts in the engine, as `collide` has them, and without a word of those beyond the range of
-    their law: a paper's speeds are what they are, and its page says how far off a law is."""
+    """Run impacts in LIGGGHTS as `collide` does, without warnings of the range of a law.
+
+    The speeds are those of the paper, and its page states the error of each law.
+    """
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", RangeWarning)
         return collide(*arguments, **fields)

@@ -38,7 +38,7 @@ LAWS = (
     "thornton",
 )
 MEASURED = MeasuredRun()
-#: What LIGGGHTS is held against the equations of motion in, by what it is called.
+#: Quantities in which LIGGGHTS is compared with the equations of motion, by column name.
 COMPARED = {
     "coefficient_of_restitution": "restitution",
     "angular_velocity": "angular velocity",
@@ -46,13 +46,15 @@ COMPARED = {
     "overlap_res": "permanent deformation",
     "contact_time": "time of contact",
 }
-#: Stronge's law whose rebound is that of the original radius, as the paper seems to read it.
+#: Stronge's law with unloading at the original radius, a possible interpretation of the paper.
 OTHER_STRONGE = "stronge, original radius"
 
 
 def compute(progress: bool, coarse: bool) -> Findings:
-    """Every law at both angles, in LIGGGHTS and by the equations of motion, with the paper's
-    friction: mu F as soon as the tip slides."""
+    """Compute every law at both angles, in LIGGGHTS and by the equations of motion.
+
+    Friction is as in the paper: mu F as soon as the tip slides.
+    """
     speeds = (-MEASURED.velocity_before,) if coarse else PAPER_SPEEDS
     with TemporaryDirectory() as folder:
         runs = RodImpact.study(
@@ -75,7 +77,7 @@ def compute(progress: bool, coarse: bool) -> Findings:
 
 
 def restitution(table: pd.DataFrame) -> pd.DataFrame:
-    """Of the tip's normal velocity, by the equations of motion; the paper's experiments.
+    """Return the restitution of the tip's normal velocity, computed and from the experiments.
 
     Args:
         table: Columns of `RodImpact.row`.
@@ -91,7 +93,7 @@ def restitution(table: pd.DataFrame) -> pd.DataFrame:
 
 
 def measured_run(runs: Runs) -> pd.DataFrame:
-    """The run whose velocities the paper prints: what came of it by law, and by its own impulse."""
+    """Return the run whose velocities the paper prints, by law and by its measured impulse."""
     rod = next(rod for rod in paper_rods() if rod.angle == MEASURED.angle)
     implied = MEASURED.coefficient_of_restitution(rod)
     table = runs.table
@@ -125,13 +127,15 @@ def measured_run(runs: Runs) -> pd.DataFrame:
 
 
 def deformation(table: pd.DataFrame) -> pd.DataFrame:
-    """Permanent deformation by the equations of motion, µm; the paper prints a figure only."""
+    """Return the permanent deformation [µm] by the equations of motion; the paper has only a
+    figure.
+    """
     found = _by_law(table, "overlap_res_predicted")
     return found.assign(**{law: 1e6 * found[law] for law in LAWS})
 
 
 def engine(table: pd.DataFrame) -> pd.DataFrame:
-    """LIGGGHTS against the equations of motion: each law's largest difference over its impacts."""
+    """Return the largest difference between LIGGGHTS and the equations of motion for each law."""
     found = {
         f"{said} (%)": 100 * (table[name] / table[f"{name}_predicted"] - 1).abs()
         for name, said in COMPARED.items()
@@ -140,7 +144,7 @@ def engine(table: pd.DataFrame) -> pd.DataFrame:
 
 
 def _by_law(table: pd.DataFrame, column: str) -> pd.DataFrame:
-    """One row an angle and speed, one column a law."""
+    """Return one row per angle and speed, one column per law."""
     wide = table.pivot(index=["angle", "speed"], columns="law", values=column)
     wide = wide[list(LAWS)].sort_index(level=0, ascending=False, sort_remaining=False)
     named = {"angle": "angle (°)", "speed": "speed (m/s)"}

@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Closed forms and integrations the runs are held against: numpy and scipy only."""
+"""Closed forms and numerical integrations for comparison with runs; numpy and scipy only."""

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Speed over height in a chute flow, and Bagnold's profile fitted to it."""
+"""Velocity profile of a chute flow, and the fit of Bagnold's profile."""
 
 from __future__ import annotations
 
@@ -9,23 +9,23 @@ import numpy as np
 import pandas as pd
 from scipy.stats import linregress
 
-#: Shares of the depth between which the profile is held against Bagnold's: layers at the base slip,
-#: and at the surface grains hop.
+#: Fractions of the depth between which Bagnold's profile is fitted. Layers at the base slip, and
+#: grains at the surface bounce.
 FITTED = (0.15, 0.95)
 
 
 @dataclass(frozen=True)
 class Profile:
-    """Speed over height, and Bagnold's profile v = slip + rate (h^(3/2) - (h - z)^(3/2)) in it.
+    """Velocity profile, and the fit of Bagnold's v = slip + rate (h^(3/2) - (h - z)^(3/2)).
 
     Attributes:
-        table: Columns height [m] above the base, speed [m/s], speed_predicted [m/s] and count, one
-            row a bin.
-        depth: h [m], twice the height of the centre of mass.
+        table: Columns height [m] above the base, speed [m/s], speed_predicted [m/s] and count; one
+            row per bin.
+        depth: Depth h of the flow [m], twice the height of the center of mass.
         slip: Speed at the base [m/s].
-        rate: [m^(-1/2)/s].
-        residual: Root mean square of speed - speed_predicted over the fitted bins, over the speed
-            at the surface [-].
+        rate: Factor of the profile [m^(-1/2)/s].
+        residual: Root mean square of speed - speed_predicted in the fitted bins, divided by the
+            speed at the surface [-].
     """
 
     table: pd.DataFrame
@@ -36,20 +36,20 @@ class Profile:
 
     @property
     def surface_speed(self) -> float:
-        """Of the fitted profile [m/s]."""
+        """Speed of the fitted profile at the surface [m/s]."""
         return self.slip + self.rate * self.depth**1.5
 
 
 def fit_profile(grains: pd.DataFrame, diameter: float) -> Profile:
-    """Mean speed in bins half a grain thick, and Bagnold's profile fitted to it.
+    """Fit Bagnold's profile to the mean speed in bins of half a grain diameter.
 
     Args:
-        grains: Frames of glued and flowing grains: columns id, z, radius [m], vx, vy, vz [m/s].
-        diameter: Of a grain in the mean [m].
+        grains: Frames of fixed and flowing grains: columns id, z, radius [m], vx, vy, vz [m/s].
+        diameter: Mean diameter of the grains [m].
     """
     held = (grains[["vx", "vy", "vz"]] == 0).all(axis="columns")
     base = grains[held]
-    upper = base["z"] > base["z"].median()  # of its two layers
+    upper = base["z"] > base["z"].median()  # the base has two layers
     flow = grains[~held].assign(
         height=lambda row: row["z"] - base.loc[upper, "z"].mean(),
         volume=lambda row: row["radius"] ** 3,

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Discharge of grains through a round orifice: Beverloo's law, and the rate of a run.
 
-Grains leave at W = C rho_b sqrt(g) (D0 - k d)^(5/2), whatever the level above: Beverloo, Leniger &
-van de Velde 1961, Chem. Eng. Sci. 15:260. rho_b is the density of the bed at rest, D0 the orifice's
-diameter, d a grain's. C and k are empirical.
+The discharge rate is W = C rho_b sqrt(g) (D0 - k d)^(5/2), independent of the filling level
+(Beverloo, Leniger & van de Velde 1961, Chem. Eng. Sci. 15:260). rho_b is the density of the bed at
+rest, D0 the orifice diameter, d the grain diameter. C and k are empirical.
 """
 
 from __future__ import annotations
@@ -15,16 +15,17 @@ import numpy as np
 import pandas as pd
 from scipy.optimize import curve_fit
 
-#: What experiments scatter between, spheres and other grains: C and k of Nedderman, Tuzun, Savage &
+#: Ranges of C and k in experiments, for spheres and other grains: Nedderman, Tuzun, Savage &
 #: Houlsby 1982, Chem. Eng. Sci. 37:1597, and Mankoc et al. 2007, Granular Matter 9:407.
 COEFFICIENTS = (0.55, 0.65)
 EMPTY_ANNULI = (1.0, 2.0)
 
-#: Spheres pack no looser; a bed found to was too shallow to measure.
+#: Smallest packing of spheres. A bed with a lower value is too shallow to measure.
 LOOSEST = 0.5
-#: The steady part ends when this share of the grains is out: the level nears the cone.
+#: Fraction of grains after whose discharge the steady part ends, because the level is near the
+#: cone.
 STEADY_SHARE = 0.5
-#: Blocks of equal time the steady part is cut into, for the error of its rate; an even number.
+#: Number of blocks of equal time, even, from which the error of the rate is computed.
 BLOCKS = 10
 
 
@@ -36,45 +37,45 @@ def discharge_rate(
     coefficient: float,
     empty_annulus: float,
 ) -> float:
-    """Beverloo's law [kg/s].
+    """Return the discharge rate by Beverloo's law [kg/s].
 
     Args:
-        orifice: Diameter of the orifice [m].
-        diameter: Of a grain [m].
-        bulk_density: Of the bed at rest [kg/m^3].
-        gravitational_acceleration: [m/s^2].
+        orifice: Orifice diameter [m].
+        diameter: Grain diameter [m].
+        bulk_density: Density of the bed at rest [kg/m^3].
+        gravitational_acceleration: Gravitational acceleration [m/s^2].
         coefficient: C [-].
-        empty_annulus: k [-]; no grain's centre passes within k/2 diameters of the rim.
+        empty_annulus: k [-]; grain centers stay k/2 diameters away from the rim.
 
     Raises:
-        ValueError: The orifice is no wider than k grains.
+        ValueError: The orifice is at most k grain diameters wide.
     """
     effective = orifice - empty_annulus * diameter
     if effective <= 0:
         raise ValueError(
-            f"orifice is {orifice:g} m; Beverloo's law needs more than {empty_annulus:g} grains of "
-            f"{diameter:g} m"
+            f"orifice is {orifice:g} m; Beverloo's law needs more than {empty_annulus:g} grain "
+            f"diameters of {diameter:g} m"
         )
     return coefficient * bulk_density * gravitational_acceleration**0.5 * effective**2.5
 
 
 @dataclass(frozen=True)
 class Discharge:
-    """The steady discharge of a run.
+    """Steady discharge of a run.
 
     Attributes:
-        orifice: Diameter of the orifice [m].
-        diameter: Of a grain [m].
-        bulk_density: Of the bed before the orifice opened [kg/m^3].
-        gravitational_acceleration: [m/s^2].
-        rate: Of discharge [kg/s].
-        rate_error: One standard deviation of it, from its blocks [kg/s].
-        change: Of the rate from the first half of the steady part to the second [kg/s].
-        change_error: One standard deviation of it, from the blocks of each half [kg/s].
-        start: Of the steady part [s].
-        stop: Of the steady part [s].
-        coefficient: C of the law it is held against [-].
-        empty_annulus: k of the law it is held against [-].
+        orifice: Orifice diameter [m].
+        diameter: Grain diameter [m].
+        bulk_density: Density of the bed before the orifice opened [kg/m^3].
+        gravitational_acceleration: Gravitational acceleration [m/s^2].
+        rate: Discharge rate [kg/s].
+        rate_error: Standard deviation of the rate, from its blocks [kg/s].
+        change: Change of the rate from the first to the second half of the steady part [kg/s].
+        change_error: Standard deviation of the change, from the blocks of each half [kg/s].
+        start: Start of the steady part [s].
+        stop: End of the steady part [s].
+        coefficient: C of Beverloo's law for comparison [-].
+        empty_annulus: k of Beverloo's law for comparison [-].
     """
 
     orifice: float
@@ -92,12 +93,12 @@ class Discharge:
 
     @property
     def predicted(self) -> float:
-        """Beverloo's law with its C and k [kg/s]."""
+        """Rate by Beverloo's law with these C and k [kg/s]."""
         return self._rate(self.coefficient, self.empty_annulus)
 
     @property
     def band(self) -> tuple[float, float]:
-        """Least and greatest rate within the scatter of C and k [kg/s]."""
+        """Smallest and largest rate within the scatter of C and k [kg/s]."""
         return (
             self._rate(min(COEFFICIENTS), max(EMPTY_ANNULI)),
             self._rate(max(COEFFICIENTS), min(EMPTY_ANNULI)),
@@ -109,7 +110,9 @@ class Discharge:
 
     @property
     def reduced(self) -> float:
-        """(W/(rho_b sqrt(g)))^(2/5) [m], a straight line over the orifice by Beverloo's law."""
+        """Reduced rate (W/(rho_b sqrt(g)))^(2/5) [m]; linear in the orifice diameter by Beverloo's
+        law.
+        """
         return (self.rate / (self.bulk_density * self.gravitational_acceleration**0.5)) ** 0.4
 
 
@@ -122,24 +125,25 @@ def measure_discharge(
     coefficient: float,
     empty_annulus: float,
 ) -> Discharge | None:
-    """The rate of the steady part of a discharge: a line through the grains out over time.
+    """Measure the rate of the steady part: fit a line to the discharged grains over time.
 
-    The first part is left out, sqrt(2 D0/g), in which a grain falls freely from an orifice's
-    diameter above: until then those that leave were not yet in flow. So is the last, from
-    `STEADY_SHARE` of the grains on, when the level nears the cone.
+    The start is left out for sqrt(2 D0/g), the time of free fall over one orifice diameter, because
+    the flow is not yet developed. The end is left out from `STEADY_SHARE` of the grains, when the
+    level is near the cone.
 
     Args:
-        series: Columns time [s], since the orifice opened, atoms, counted, the grains out, and
-            packing, the share of the bed that is grains, which is taken at the first row.
-        orifice: Diameter of the orifice [m].
-        diameter: Of a grain [m].
-        density: Of a grain [kg/m^3].
-        gravitational_acceleration: [m/s^2].
-        coefficient: C of the law it is held against [-].
-        empty_annulus: k of the law it is held against [-].
+        series: Columns time [s] since the orifice opened, atoms, counted (discharged grains), and
+            packing (volume fraction of the bed; the first row is used).
+        orifice: Orifice diameter [m].
+        diameter: Grain diameter [m].
+        density: Grain density [kg/m^3].
+        gravitational_acceleration: Gravitational acceleration [m/s^2].
+        coefficient: C of Beverloo's law for comparison [-].
+        empty_annulus: k of Beverloo's law for comparison [-].
 
     Returns:
-        None where the run ended before, has not two rows a block, or its bed was too shallow.
+        The discharge. None if the run ended too early, has fewer than two rows per block, or had
+        too shallow a bed.
     """
     grains, out = series["atoms"].iloc[0], series["counted"]
     early = series["time"] < (2 * orifice / gravitational_acceleration) ** 0.5
@@ -171,7 +175,7 @@ def measure_discharge(
 
 @dataclass(frozen=True)
 class Constants:
-    """Beverloo's constants of several orifices, with one standard deviation of the fit [-]."""
+    """Beverloo's constants from several orifices, with standard deviations of the fit [-]."""
 
     coefficient: float
     coefficient_error: float
@@ -180,15 +184,15 @@ class Constants:
 
 
 def fit_constants(discharges: list[Discharge]) -> Constants:
-    """C and k from a line through rate^(2/5) over the orifice.
+    """Fit C and k: a line through rate^(2/5) over the orifice diameter.
 
     Raises:
-        ValueError: Fewer than three orifices, or grains of different sizes.
+        ValueError: There are fewer than three orifices, or grains of different sizes.
     """
     diameters = {discharge.diameter for discharge in discharges}
     orifices = [discharge.orifice for discharge in discharges]
     if len(set(orifices)) < 3 or len(diameters) != 1:
-        raise ValueError("C and k need three orifices or more, with grains of one size")
+        raise ValueError("C and k need three or more orifices, with grains of one size")
     diameter = diameters.pop()
     found, covariance = curve_fit(
         lambda width, coefficient, annulus: coefficient**0.4 * (width - annulus * diameter),

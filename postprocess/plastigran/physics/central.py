@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Closed forms for central impacts, to hold simulations against."""
+"""Closed forms for central impacts, for comparison with simulations."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from plastigran import laws
 def hertz_duration(
     radius_eff: float, mass_eff: float, youngs_modulus_eff: float, speed: ArrayLike
 ) -> np.ndarray:
-    """Duration of an elastic impact [s], 2.868 (m*^2 / (R* E*^2 v))^(1/5).
+    """Return the duration of an elastic impact [s], 2.868 (m*^2 / (R* E*^2 v))^(1/5).
 
     Args:
         radius_eff: R* [m].
@@ -33,9 +33,9 @@ def hertz_duration(
 def hertz_overlap_max(
     radius_eff: float, mass_eff: float, youngs_modulus_eff: float, speed: ArrayLike
 ) -> np.ndarray:
-    """Largest overlap of an elastic impact [m], (15 m* v^2 / (16 E* sqrt(R*)))^(2/5).
+    """Return the largest overlap of an elastic impact [m], (15 m* v^2 / (16 E* sqrt(R*)))^(2/5).
 
-    Arguments and source as for `hertz_duration`.
+    Arguments and source are as for `hertz_duration`.
     """
     work = 16 / 15 * youngs_modulus_eff * sqrt(radius_eff)
     return (mass_eff * np.asarray(speed, dtype=float) ** 2 / work) ** 0.4
@@ -44,7 +44,7 @@ def hertz_overlap_max(
 def hertz_force_max(
     radius_eff: float, mass_eff: float, youngs_modulus_eff: float, speed: ArrayLike
 ) -> np.ndarray:
-    """Largest force of an elastic impact [N], Hertz's at `hertz_overlap_max`."""
+    """Return the largest force of an elastic impact [N], the Hertz force at `hertz_overlap_max`."""
     overlap = hertz_overlap_max(radius_eff, mass_eff, youngs_modulus_eff, speed)
     return hertz_force(radius_eff, youngs_modulus_eff, overlap)
 
@@ -56,10 +56,10 @@ def viscoelastic_number(
     youngs_modulus_eff: float,
     speed: ArrayLike,
 ) -> np.ndarray:
-    """v* = (3/2 A)^(1/2) (rho_k/m*)^(1/5) v^(1/10) [-], rho_k = 4/3 E* sqrt(R*).
+    """Return v* = (3/2 A)^(1/2) (rho_k/m*)^(1/5) v^(1/10) [-], with rho_k = 4/3 E* sqrt(R*).
 
-    All that the restitution of viscoelastic spheres depends on. Falls with the radius like
-    R^(-1/2) for bodies of one material.
+    The restitution of viscoelastic spheres depends only on v*. For bodies of one material, v* is
+    proportional to R^(-1/2).
 
     Args:
         dissipative_constant: A [s].
@@ -76,10 +76,10 @@ def viscoelastic_number(
 
 
 def viscoelastic_restitution(number: ArrayLike) -> np.ndarray:
-    """Coefficient of restitution of viscoelastic spheres over v* [-], any shape.
+    """Return the coefficient of restitution of viscoelastic spheres for v* [-], any shape.
 
-    The Padé form of Müller & Pöschel 2011, Phys. Rev. E 84:021302. It lies above the equation of
-    motion by 6e-8 at v* = 0.1, 0.14 % at 0.6 and 1.2 % at 1.
+    Padé form of Müller & Pöschel 2011, Phys. Rev. E 84:021302. It exceeds the solution of the
+    equation of motion by 6e-8 at v* = 0.1, 0.14 % at 0.6 and 1.2 % at 1.
     """
     x = np.asarray(number, dtype=float)
     above = np.polynomial.Polynomial([1, 0.501086])
@@ -88,19 +88,22 @@ def viscoelastic_restitution(number: ArrayLike) -> np.ndarray:
 
 
 def hertz_force(radius_eff: float, youngs_modulus_eff: float, overlap: ArrayLike) -> np.ndarray:
-    """Force of an elastic contact [N], 4/3 E* R*^(1/2) overlap^(3/2); overlap [m], any shape."""
+    """Return the force of an elastic contact [N], 4/3 E* R*^(1/2) overlap^(3/2).
+
+    The overlap [m] may have any shape.
+    """
     return 4 / 3 * youngs_modulus_eff * sqrt(radius_eff) * np.asarray(overlap, dtype=float) ** 1.5
 
 
 def hertz_history(
     radius_eff: float, mass_eff: float, youngs_modulus_eff: float, speed: float
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Time [s] and overlap [m] through an elastic impact, both (401,).
+    """Return time [s] and overlap [m] during an elastic impact, both (401,).
 
-    With d the overlap over its largest, energy gives dt = (d_max/v) dd / (1 - d^(5/2))^(1/2), whose
+    With d = overlap/d_max, energy conservation gives dt = (d_max/v) dd / (1 - d^(5/2))^(1/2). The
     integral is an incomplete beta function of d^(5/2).
 
-    Args and source: as `hertz_duration`.
+    Arguments and source are as for `hertz_duration`.
     """
     duration = hertz_duration(radius_eff, mass_eff, youngs_modulus_eff, speed)
     overlap_max = hertz_overlap_max(radius_eff, mass_eff, youngs_modulus_eff, speed)
@@ -113,9 +116,10 @@ def hertz_history(
 
 
 def damping_ratio(coefficient_of_restitution: ArrayLike) -> np.ndarray:
-    """Damping ratio of the classic dashpot [-], -ln e / (pi^2 + ln^2 e)^(1/2), any shape.
+    """Return the damping ratio of the classic dashpot [-], -ln e / (pi^2 + ln^2 e)^(1/2), any
+    shape.
 
-    With x = overlap^(5/4) and d tau = overlap^(1/4) dt the damped Hertzian contact is the linear
+    With x = overlap^(5/4) and d tau = overlap^(1/4) dt, the damped Hertzian contact is a linear
     oscillator of this damping ratio (Antypov & Elliott 2011, Europhys. Lett. 94:50004).
     """
     logarithm = np.log(np.asarray(coefficient_of_restitution, dtype=float))
@@ -123,26 +127,27 @@ def damping_ratio(coefficient_of_restitution: ArrayLike) -> np.ndarray:
 
 
 def restitution_without_pull(coefficient_of_restitution: ArrayLike) -> np.ndarray:
-    """Restitution of a damped Hertzian contact that ends when its force vanishes [-], any shape.
+    """Return the restitution of a damped Hertzian contact that ends at zero force [-], any shape.
 
-    The dashpot is set for `coefficient_of_restitution` e, which comes out if it may pull until the
-    overlap is gone. Letting go at zero force gives e^(1 - 2/pi atan(-ln e / pi)).
+    The dashpot is set for `coefficient_of_restitution` e, which results if the contact may attract
+    until the overlap is zero. If the contact ends at zero force, e^(1 - 2/pi atan(-ln e / pi))
+    results.
 
-    In the oscillator of `damping_ratio` sin(a) the force vanishes at the phase pi - 2a, where the
-    speed is exp(-tan(a) (pi - 2a)) of the initial one; e = exp(-pi tan(a)). The linear contact is
-    in Schwager & Pöschel 2007, Granular Matter 9:465.
+    In the oscillator of `damping_ratio` sin(a), the force vanishes at the phase pi - 2a. There the
+    speed is exp(-tan(a) (pi - 2a)) of the initial one, and e = exp(-pi tan(a)). The linear contact
+    is in Schwager & Pöschel 2007, Granular Matter 9:465.
     """
     e = np.asarray(coefficient_of_restitution, dtype=float)
     return e ** (1 - 2 / np.pi * np.arctan(-np.log(e) / np.pi))
 
 
 def sphere_yield(pair: laws.MaterialPair, radius_eff: float) -> tuple[float, float, float]:
-    """Where the Hertzian contact of spheres yields: its largest pressure is p_y.
+    """Return the yield point of the Hertzian contact of spheres: the largest pressure is p_y.
 
     a_y = pi p_y R*/(2 E*), overlap_y = a_y^2/R*, F_y = 4/3 E* a_y^3/R*, W_y = 2/5 F_y overlap_y.
 
     Args:
-        pair: The two bodies' materials.
+        pair: Constants of the two bodies.
         radius_eff: R* [m].
 
     Returns:
@@ -156,7 +161,7 @@ def sphere_yield(pair: laws.MaterialPair, radius_eff: float) -> tuple[float, flo
 
 
 def yield_speed(pair: laws.MaterialPair, radius_eff: float, mass_eff: float) -> float:
-    """Closing speed at which a central impact just reaches yield [m/s].
+    """Return the closing speed at which a central impact just reaches yield [m/s].
 
     From 1/2 m* v_y^2 = 2/5 F_y overlap_y; Thornton 1997, J. Appl. Mech. 64:383, eq. 22.
     """
@@ -167,22 +172,22 @@ def yield_speed(pair: laws.MaterialPair, radius_eff: float, mass_eff: float) -> 
 def line_yield(
     pair: laws.MaterialPair, radius_eff: float, cylinder_length: float, body_thickness: float
 ) -> tuple[float, float, float]:
-    """Where the elastic line contact of a cylinder yields: mean pressure 1.5 sigma_Y.
+    """Return the yield point of the elastic line contact of a cylinder: mean pressure 1.5 sigma_Y.
 
     With E' = pi E* and C = 2 ln(body_thickness/R*) + 2 ln(E'/(6 sigma_Y)) - nu/(1-nu):
     F_Y = 36 sigma_Y^2 R* L/E', overlap_Y = R* (6 sigma_Y/E')^2 C, W_Y = F_Y overlap_Y (2C-1)/(4C).
 
     Args:
-        pair: The two bodies' materials.
+        pair: Constants of the two bodies.
         radius_eff: R* [m].
         cylinder_length: L [m].
-        body_thickness: Of the body that yields [m].
+        body_thickness: Thickness of the body that yields [m].
 
     Returns:
         Force F_Y [N], overlap [m] and work W_Y [J].
 
     Raises:
-        ValueError: The contact is wider at yield than the line contact holds for, C < 2.
+        ValueError: The contact at yield is wider than the line contact allows, C < 2.
 
     Source: Katta & Polycarpou 2010, J. Tribol. 132; Johnson, Contact Mechanics (1985), sec. 5.6.
     """
@@ -191,8 +196,9 @@ def line_yield(
     logarithm = 2 * log(body_thickness / radius_eff) - 2 * log(ratio) - lateral
     if logarithm < 2:
         raise ValueError(
-            f"body_thickness is {body_thickness:g} m; a line contact is less than 0.6 of it wide, "
-            f"and the radius {radius_eff:g} m yields at {2 * ratio * radius_eff:.2g} m"
+            f"body_thickness is {body_thickness:g} m; a line contact must be narrower than 0.6 "
+            f"of it, but with radius {radius_eff:g} m it is {2 * ratio * radius_eff:.2g} m "
+            "wide at yield"
         )
     force = 6 * pair.yield_strength * ratio * radius_eff * cylinder_length
     overlap = radius_eff * ratio**2 * logarithm
@@ -200,7 +206,7 @@ def line_yield(
 
 
 def thornton_restitution(speed_ratio: ArrayLike) -> np.ndarray:
-    """Coefficient of restitution of Thornton's law over v/v_y [-], any shape.
+    """Return the coefficient of restitution of Thornton's law for v/v_y [-], any shape.
 
     Thornton 1997, J. Appl. Mech. 64:383, eq. 25; 1 at and below yield.
     """

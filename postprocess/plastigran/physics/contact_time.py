@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""How long a central impact lasts, from a law's energies."""
+"""Duration of a central impact, from the energies of a law."""
 
 from __future__ import annotations
 
@@ -10,13 +10,13 @@ _NODES, _WEIGHTS = roots_legendre(200)
 
 
 def contact_time(law, radius_eff: float, mass_eff: float, speed: float) -> tuple[float, float]:
-    """Time to the largest overlap and to the end of the contact.
+    """Return the time to the largest overlap and to the end of the contact.
 
-    dt = d(overlap)/speed with 1/2 m* speed^2 the energy left, by Gauss-Legendre quadrature in the
-    square root of the way to the largest overlap, where the speed vanishes.
+    dt = d(overlap)/speed, where 1/2 m* speed^2 is the remaining kinetic energy. Gauss-Legendre
+    quadrature in the square root of the distance to the largest overlap, where the speed is zero.
 
     Args:
-        law: An instance of a class of `plastigran.laws.LAWS` whose force depends on overlap alone.
+        law: Instance of a class of `plastigran.laws.LAWS` whose force depends only on overlap.
         radius_eff: R* [m].
         mass_eff: m* [kg].
         speed: Closing speed [m/s].
@@ -26,7 +26,7 @@ def contact_time(law, radius_eff: float, mass_eff: float, speed: float) -> tuple
     """
     law = law.at_impact(radius_eff, speed)
     impact = law.central_impact(radius_eff, mass_eff, speed)
-    root = 0.5 * (1 - _NODES)  # descending: the overlaps ascend, along the virgin curve
+    root = 0.5 * (1 - _NODES)  # descending, so that overlaps ascend along first loading
 
     def time(start: float, energy) -> float:
         way = impact.overlap_max - start

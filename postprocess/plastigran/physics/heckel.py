@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Measurements on a die compaction: the pressure-density loop, and Heckel's line through it."""
+"""Measurements of a die compaction: the pressure-density loop, and Heckel's line."""
 
 from __future__ import annotations
 
@@ -9,22 +9,22 @@ import numpy as np
 from numpy.typing import ArrayLike
 from scipy.stats import linregress
 
-#: Share of the peak pressure at which grains count as touched and as released. Below it the punch
-#: meets single grains that stand out of the bed.
+#: Fraction of the peak pressure at which contact with the bed begins and ends. At lower pressures
+#: the punch touches single grains that stick out of the bed.
 TOUCH = 0.01
-#: Pressures over the peak's between which Heckel's line is fitted: after rearrangement.
+#: Fractions of the peak pressure between which Heckel's line is fitted, after rearrangement.
 STRAIGHT = (0.3, 0.9)
 
 
 @dataclass(frozen=True)
 class Loop:
-    """What a loop of loading and release shows.
+    """Results of a loop of loading and unloading.
 
     Attributes:
-        touch: Relative density where loading begins [-].
+        touch: Relative density at the start of loading [-].
         peak: Relative density at the highest pressure [-].
-        released: Relative density where the pressure has gone again [-]; nan if it has not.
-        pressure: The highest [Pa].
+        released: Relative density after unloading [-]; NaN if the pressure stays.
+        pressure: Highest pressure [Pa].
     """
 
     touch: float
@@ -34,18 +34,18 @@ class Loop:
 
     @property
     def permanent(self) -> float:
-        """Densification that stays [-]."""
+        """Permanent increase of relative density [-]."""
         return self.released - self.touch
 
     @property
     def spring_back(self) -> float:
-        """Densification that does not stay, over the density at the peak [-]."""
+        """Recovered part of the relative density, divided by its value at the peak [-]."""
         return 1 - self.released / self.peak
 
 
 @dataclass(frozen=True)
 class HeckelLine:
-    """ln(1/(1 - D)) = slope P + intercept.
+    """Heckel's line ln(1/(1 - D)) = slope P + intercept.
 
     Attributes:
         slope: K [1/Pa].
@@ -59,11 +59,11 @@ class HeckelLine:
 
 
 def measure_loop(density: ArrayLike, pressure: ArrayLike) -> Loop:
-    """The loop through one loading and one release.
+    """Measure one loop of loading and unloading.
 
     Args:
-        density: Relative density [-], (n,).
-        pressure: Of the punch [Pa], (n,).
+        density: Relative density (n,) [-].
+        pressure: Pressure of the punch (n,) [Pa].
 
     Raises:
         ValueError: The pressure never rises.
@@ -71,7 +71,9 @@ def measure_loop(density: ArrayLike, pressure: ArrayLike) -> Loop:
     density, pressure = np.asarray(density, dtype=float), np.asarray(pressure, dtype=float)
     top = int(np.argmax(pressure))
     if not pressure[top] > 0:
-        raise ValueError(f"the highest pressure is {pressure[top]:g} Pa; the punch meets no grain")
+        raise ValueError(
+            f"the highest pressure is {pressure[top]:g} Pa; the punch touches no grain"
+        )
     level = TOUCH * pressure[top]
     loading = int(np.argmax(pressure > level))
     gone = np.flatnonzero(pressure[top:] <= level)
@@ -84,21 +86,21 @@ def measure_loop(density: ArrayLike, pressure: ArrayLike) -> Loop:
 
 
 def _between(density: np.ndarray, pressure: np.ndarray, row: int, level: float) -> float:
-    """Density where the pressure passes `level`, between `row` and the one before."""
+    """Return the density at which the pressure crosses `level`, between `row` - 1 and `row`."""
     ends = slice(row - 1, row + 1)
     order = np.argsort(pressure[ends])
     return float(np.interp(level, pressure[ends][order], density[ends][order]))
 
 
 def heckel_line(density: ArrayLike, pressure: ArrayLike) -> HeckelLine:
-    """Heckel's line through the straight part of a loading curve.
+    """Fit Heckel's line to the straight part of a loading curve.
 
     Args:
-        density: Relative density [-], (n,).
-        pressure: Of the punch [Pa], (n,); up to its peak.
+        density: Relative density (n,) [-].
+        pressure: Pressure of the punch (n,) [Pa], up to its peak.
 
-    Source: Heckel 1961, Trans. Metall. Soc. AIME 221:671, who relates the slope to the grains'
-    yield strength by 1/(3 sigma_Y) (ibid. 221:1001).
+    Source: Heckel 1961, Trans. Metall. Soc. AIME 221:671. The slope is 1/(3 sigma_Y) for grains of
+    yield strength sigma_Y (ibid. 221:1001).
     """
     density, pressure = np.asarray(density, dtype=float), np.asarray(pressure, dtype=float)
     top = int(np.argmax(pressure))
@@ -109,11 +111,11 @@ def heckel_line(density: ArrayLike, pressure: ArrayLike) -> HeckelLine:
 
 
 def punch_work(height: ArrayLike, force: ArrayLike) -> np.ndarray:
-    """Work of the punch so far [J], (n,): the integral of force over travel, by trapezia.
+    """Return the accumulated work of the punch (n,) [J], by trapezoidal integration.
 
     Args:
-        height: Of the punch [m], (n,).
-        force: On it, upwards [N], (n,).
+        height: Height of the punch (n,) [m].
+        force: Upward force on the punch (n,) [N].
     """
     height, force = np.asarray(height, dtype=float), np.asarray(force, dtype=float)
     return -np.append(0, np.cumsum((force[1:] + force[:-1]) / 2 * np.diff(height)))

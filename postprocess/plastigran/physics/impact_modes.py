@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The free vibrations of a sphere that an impact along its normal can excite.
+"""Free vibrations of a sphere that a normal impact can excite.
 
-It is symmetric about the normal and pushes along it, so it excites radial and spheroidal modes;
-toroidal ones twist the sphere.
+A normal impact is symmetric about the normal. It excites radial and spheroidal modes, but not
+toroidal ones, which twist the sphere.
 """
 
 from __future__ import annotations
@@ -19,11 +19,11 @@ from plastigran.physics.modes import sphere_modes
 def impact_modes(
     youngs_modulus: float, poissons_ratio: float, density: float, radius: float, highest: float
 ) -> pd.DataFrame:
-    """Radial and spheroidal modes up to a frequency, none left out.
+    """Return all radial and spheroidal modes up to a frequency.
 
     Args:
         youngs_modulus, poissons_ratio, density, radius: As for `sphere_modes`.
-        highest: Frequency [Hz].
+        highest: Highest frequency [Hz].
 
     Returns:
         Rows and columns of `sphere_modes`.
@@ -39,23 +39,23 @@ def impact_modes(
                 break
             overtones += 1
         found.append(modes[modes["frequency"] <= highest])
-        overtones = len(found[-1]) + 1  # of the next degree as many are below `highest`, or fewer
-        # From degree 2 on the gravest mode of a degree rises with it.
+        overtones = len(found[-1]) + 1  # the next degree has at most as many modes below `highest`
+        # From degree 2, the lowest frequency rises with the degree.
         if degree >= 2 and found[-1].empty:
             break
     return pd.concat(found).sort_values("frequency", ignore_index=True)
 
 
 def nearest_modes(frequencies: ArrayLike, modes: pd.DataFrame) -> pd.DataFrame:
-    """The mode next to each of some frequencies.
+    """Return the mode closest to each frequency.
 
     Args:
-        frequencies: (n,) [Hz].
-        modes: Of `impact_modes` or `sphere_modes`.
+        frequencies: Frequencies (n,) [Hz].
+        modes: Modes of `impact_modes` or `sphere_modes`.
 
     Returns:
-        One row a frequency: the columns of `modes`, `found` (that frequency, Hz) and `difference`
-        (of it from the mode's, over the mode's) [-].
+        One row per frequency: the columns of `modes`, `found` (the frequency [Hz]) and `difference`
+        (relative difference from the mode [-]).
     """
     found = np.asarray(frequencies, dtype=float)
     exact = modes["frequency"].to_numpy()

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Mean-field cooling of a granular gas whose restitution depends on the speed of impact.
+"""Mean-field cooling of a granular gas with a restitution that depends on impact speed.
 
-The gas is homogeneous, its velocities Maxwellian, its grains smooth equal spheres that meet two at
-a time. Its granular temperature T is a third of the mean square speed [m^2/s^2]: per unit mass.
+The gas is homogeneous, with Maxwellian velocities and smooth equal spheres in binary collisions.
+Its granular temperature T is a third of the mean square speed [m^2/s^2], per unit mass.
 """
 
 from __future__ import annotations
@@ -17,14 +17,14 @@ from numpy.typing import ArrayLike
 from scipy.integrate import solve_ivp
 from scipy.interpolate import PchipInterpolator
 
-#: Restitution over normal speed of impact [m/s], (N,) to (N,).
+#: Restitution as a function of normal impact speed [m/s], (N,) to (N,).
 Restitution = Callable[[np.ndarray], np.ndarray]
 
-#: Normal speeds of impact over the thermal relative speed 2 T^(1/2) that the mean goes over: beyond
-#: are exp(-49) of all. Equal steps, for the restitution has a kink at yield.
+#: Normal impact speeds of the average, divided by the thermal relative speed 2 T^(1/2). The rest
+#: has a probability of exp(-49). Steps are equal, because restitution has a kink at yield.
 _SPEEDS = np.linspace(0, 7, 2801)[1:]
 
-#: ln T over its start down to which the loss is tabulated; held below.
+#: Smallest tabulated ln(T/T0) of the loss; below it, the loss is constant.
 _DEEPEST = -25.0
 
 #: Highest volume fraction of a fluid of hard spheres (Hoover & Ree 1968, J. Chem. Phys. 49:3609).
@@ -32,7 +32,7 @@ FREEZING = 0.494
 
 
 def contact_value(volume_fraction: ArrayLike) -> np.ndarray:
-    """Pair correlation of hard spheres at contact [-], any shape.
+    """Return the pair correlation of hard spheres at contact [-], any shape.
 
     (1 - phi/2) / (1 - phi)^3; Carnahan & Starling 1969, J. Chem. Phys. 51:635.
     """
@@ -45,13 +45,13 @@ class Gas:
     """Grains of a gas.
 
     Attributes:
-        radius: Of a grain [m].
-        volume_fraction: Share of space the grains fill [-], between 0 and `FREEZING`.
-        restitution: Coefficient of restitution over normal speed of impact.
-        count: Grains, for the statistical error [-].
+        radius: Radius of a grain [m].
+        volume_fraction: Volume fraction of the grains [-], between 0 and `FREEZING`.
+        restitution: Coefficient of restitution as a function of normal impact speed.
+        count: Number of grains, for the statistical error [-].
 
     Raises:
-        ValueError: One of them is out of range.
+        ValueError: A value is out of range.
     """
 
     radius: float
@@ -68,52 +68,59 @@ class Gas:
                 "where hard spheres freeze"
             )
         if self.count < 2:
-            raise ValueError(f"count is {self.count}; a gas takes 2 grains or more")
+            raise ValueError(f"count is {self.count}; a gas needs 2 or more grains")
 
     def collision_rate(self, temperature: ArrayLike) -> np.ndarray:
-        """Impacts a grain has per second, 4 n d^2 chi sqrt(pi T) [1/s]; T [m^2/s^2], any shape.
+        """Return the collisions of a grain per second, 4 n d^2 chi sqrt(pi T) [1/s].
 
-        Chapman & Cowling, The Mathematical Theory of Non-uniform Gases (1970), sec. 5.2 and 16.2.
+        T [m^2/s^2] may have any shape. Chapman & Cowling, The Mathematical Theory of Non-uniform
+        Gases
+        (1970), sec. 5.2 and 16.2.
         """
         number_density = self.volume_fraction / (4 / 3 * pi * self.radius**3)
         rate = 16 * number_density * self.radius**2 * contact_value(self.volume_fraction)
         return rate * np.sqrt(pi * np.asarray(temperature, dtype=float))
 
     def loss(self, temperature: float, power: int = 1) -> float:
-        """Mean over impacts of ((1 - e^2) g^2 / 4T)^power [-], g the normal speed of impact.
+        """Return the mean over impacts of ((1 - e^2) g^2 / 4T)^power [-], with normal impact speed
+        g.
 
-        In impacts of a Maxwellian gas g^2/4T has the probability density exp(-g^2/4T): the flux
-        weighs the relative normal speed, whose variance is 2T.
+        In a Maxwellian gas, g^2/4T of impacts has the probability density exp(-g^2/4T), because the
+        collision flux is weighted with the relative normal speed of variance 2T.
         """
         lost = 1 - self.restitution(2 * temperature**0.5 * _SPEEDS) ** 2
         density = 2 * _SPEEDS * np.exp(-(_SPEEDS**2))
         return float(np.trapezoid(density * (lost * _SPEEDS**2) ** power, _SPEEDS))
 
     def cooling_rate(self, temperature: float) -> float:
-        """-d ln T/dt [1/s]: each of the collision_rate/2 impacts of a grain takes m/4 (1 - e^2) g^2
-        from its share 3/2 m T."""
+        """Return -d ln T/dt [1/s].
+
+        Each of the collision_rate/2 impacts per grain dissipates m/4 (1 - e^2) g^2 of its mean
+        energy
+        3/2 m T.
+        """
         return float(self.collision_rate(temperature)) * self.loss(temperature) / 3
 
 
 def cool(gas: Gas, temperature: float, times: ArrayLike) -> pd.DataFrame:
-    """Temperature of a freely cooling gas.
+    """Return the temperature of a freely cooling gas.
 
-    dT/dt = -cooling_rate T. With a constant e it is Haff's law (`haff`); with a restitution that
-    depends on speed see Brilliantov & Poeschel, Kinetic Theory of Granular Gases (2004), ch. 9,
-    here without their Sonine terms.
+    dT/dt = -cooling_rate T. For constant e this is Haff's law (`haff`). For a restitution that
+    depends on speed see Brilliantov & Poeschel, Kinetic Theory of Granular Gases (2004), ch. 9;
+    their Sonine terms are left out.
 
-    The relative error of one gas of `gas.count` grains is that of the sum of its impacts' losses,
-    taken as independent: var' = -2 d(cooling_rate)/d(ln T) var + collision_rate <(l/(3/2))^2>/2N
-    from zero, l what `loss` takes the mean of. The first term: a gas too hot cools faster.
+    The relative error for `gas.count` grains treats the losses of impacts as independent:
+    var' = -2 d(cooling_rate)/d(ln T) var + collision_rate <(l/(3/2))^2>/2N, starting at zero, where
+    l is the quantity averaged by `loss`. The first term exists because a hotter gas cools faster.
 
     Args:
-        gas: The grains.
-        temperature: At time 0 [m^2/s^2].
-        times: Ascending, (N,) [s].
+        gas: Grains.
+        temperature: Temperature at time 0 [m^2/s^2].
+        times: Ascending times (N,) [s].
 
     Returns:
-        (N, 4): `time` [s], `temperature` [m^2/s^2], `temperature_error` [-], one relative standard
-        deviation, and `collisions`, impacts a grain has had [-].
+        (N, 4): `time` [s], `temperature` [m^2/s^2], `temperature_error` [-] (relative standard
+        deviation) and `collisions` (accumulated per grain) [-].
 
     Raises:
         ValueError: The temperature is not positive.
@@ -156,27 +163,27 @@ def cool(gas: Gas, temperature: float, times: ArrayLike) -> pd.DataFrame:
 
 
 def haff(temperature: float, cooling_rate: float, times: ArrayLike) -> np.ndarray:
-    """Temperature of a gas whose restitution is the same at every speed [m^2/s^2], any shape.
+    """Return the temperature [m^2/s^2] of a gas with constant restitution, any shape.
 
-    T0 / (1 + t/tau)^2 with 2/tau its cooling rate at time 0, (1 - e^2) collision_rate/3; Haff 1983,
-    J. Fluid Mech. 134:401.
+    T0 / (1 + t/tau)^2 with 2/tau = (1 - e^2) collision_rate/3 at time 0; Haff 1983, J. Fluid Mech.
+    134:401.
 
     Args:
         temperature: T0 [m^2/s^2].
         cooling_rate: -d ln T/dt at time 0 [1/s].
-        times: [s], any shape.
+        times: Times [s], any shape.
     """
     return temperature / (1 + 0.5 * cooling_rate * np.asarray(times, dtype=float)) ** 2
 
 
 def law_restitution(law, radius: float, mass: float, speeds: tuple[float, float]) -> Restitution:
-    """Restitution of two equal spheres as a function of speed, tabulated.
+    """Return the tabulated restitution of two equal spheres as a function of speed.
 
     Args:
-        law: Any of `plastigran.laws`.
-        radius: Of a sphere [m].
-        mass: Of a sphere [kg].
-        speeds: Slowest and fastest impact in the table [m/s]; beyond, its ends hold.
+        law: Any law of `plastigran.laws`.
+        radius: Radius of a sphere [m].
+        mass: Mass of a sphere [kg].
+        speeds: Slowest and fastest impact of the table [m/s]; constant beyond.
     """
     speed = np.geomspace(*speeds, 400)
     value = law.central_impact(radius / 2, mass / 2, speed).coefficient_of_restitution

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Free vibrations of a homogeneous elastic sphere: when is a contact law's quasi-static view right?
+"""Free vibrations of a homogeneous elastic sphere, to judge quasi-static contact laws.
 
 Lamb 1882 (Proc. Lond. Math. Soc. s1-13:189); Love, Mathematical Theory of Elasticity (1927), ch.
-XII. Toroidal modes shear the sphere along its surface; spheroidal ones displace the surface,
-those of degree 0 (radial) evenly. With x = k a and y = h a, the radius a times the wave numbers of
-shear and compression at the mode's frequency, y/x = c_t/c_l depends on Poisson's ratio alone.
+XII. Toroidal modes shear the sphere along its surface. Spheroidal modes displace the surface; those
+of degree 0 are radial. x = k a and y = h a are the radius a times the wave numbers of shear and
+compression at the frequency of the mode. y/x = c_t/c_l depends only on Poisson's ratio.
 """
 
 from __future__ import annotations
@@ -18,15 +18,15 @@ import pandas as pd
 from scipy.optimize import brentq
 from scipy.special import spherical_jn
 
-#: Steps of x in which the spheroidal modes are looked for. Modes are some twenty steps apart;
-#: closer ones are told apart by halving.
+#: Step of x of the search for spheroidal modes. Modes are some twenty steps apart; closer ones are
+#: separated by bisection.
 STEP = 0.1
 
 Function = Callable[[float], float]
 
 
 def wave_speed_ratio(poissons_ratio: float) -> float:
-    """Shear over compression wave speed c_t/c_l [-]."""
+    """Return the ratio of shear to compression wave speed c_t/c_l [-]."""
     return sqrt((1 - 2 * poissons_ratio) / (2 * (1 - poissons_ratio)))
 
 
@@ -38,22 +38,22 @@ def sphere_modes(
     degrees: Iterable[int] = range(5),
     overtones: int = 3,
 ) -> pd.DataFrame:
-    """Free vibrations of an elastic sphere, the gravest of each kind and degree.
+    """Return the lowest free vibrations of an elastic sphere for each kind and degree.
 
     Args:
         youngs_modulus: E [Pa].
         poissons_ratio: nu, between -1 and 0.5 [-].
-        density: [kg/m^3].
+        density: Density [kg/m^3].
         radius: a [m].
         degrees: Degrees n of the spherical harmonics; 0 has radial modes only.
-        overtones: Modes of each kind and degree.
+        overtones: Number of modes for each kind and degree.
 
     Returns:
-        One row a mode, by rising frequency: kind (radial, spheroidal, toroidal), degree,
-        overtone (0 the gravest), ka, ha [-], frequency [Hz].
+        One row per mode, sorted by frequency: kind (radial, spheroidal, toroidal), degree,
+        overtone (0 is the lowest), ka, ha [-], frequency [Hz].
 
     Raises:
-        ValueError: A constant is out of its range.
+        ValueError: A constant is out of range.
     """
     for name, value in {
         "youngs_modulus": youngs_modulus,
@@ -90,9 +90,9 @@ def sphere_modes(
 
 
 def bessel_zeros(degree: int, count: int) -> np.ndarray:
-    """The first positive zeros of the spherical Bessel function j_n, (count,).
+    """Return the first positive zeros of the spherical Bessel function j_n, (count,).
 
-    Those of j_0 are multiples of pi, and one of j_n lies between any two neighbours of j_(n-1).
+    The zeros of j_0 are multiples of pi. One zero of j_n lies between two adjacent ones of j_(n-1).
     """
     zeros = pi * np.arange(1, count + degree + 1)
     for n in range(1, degree + 1):
@@ -101,25 +101,29 @@ def bessel_zeros(degree: int, count: int) -> np.ndarray:
 
 
 def roots_between(function: Function, edges: np.ndarray) -> np.ndarray:
-    """The root between each two neighbouring edges, (len(edges) - 1,)."""
+    """Return the root between each two adjacent edges, (len(edges) - 1,)."""
     return np.array([brentq(function, a, b, xtol=1e-14, rtol=1e-15) for a, b in pairwise(edges)])
 
 
 def toroidal(degree: int, x: float) -> float:
-    """No shear stress on the surface: x j_n'(x) - j_n(x); its zeros are the toroidal k a."""
+    """Return x j_n'(x) - j_n(x), the surface shear stress; its zeros are the toroidal k a."""
     return x * spherical_jn(degree, x, derivative=True) - spherical_jn(degree, x)
 
 
 def radial(poissons_ratio: float, y: float) -> float:
-    """No pressure on the surface: y j_0(y) - 4 (c_t/c_l)^2 j_1(y); its zeros are the radial h a."""
+    """Return y j_0(y) - 4 (c_t/c_l)^2 j_1(y), the normal stress on the surface.
+
+    Its zeros are the radial h a.
+    """
     return y * spherical_jn(0, y) - 4 * wave_speed_ratio(poissons_ratio) ** 2 * spherical_jn(1, y)
 
 
 def toroidal_roots(degree: int, count: int) -> np.ndarray:
-    """The first toroidal k a, (count,).
+    """Return the first toroidal k a, (count,).
 
-    x j_n'/j_n falls from n at x = 0 and from +inf to -inf between zeros of j_n, so it is 1 once
-    before each of them. (For n = 1 the first is x = 0, the turning of the whole sphere.)
+    x j_n'/j_n decreases from n at x = 0, and from +inf to -inf between zeros of j_n. It is
+    therefore
+    1 once before each of them. For n = 1 the first one is x = 0, the rotation of the sphere.
     """
     zeros = bessel_zeros(degree, count + 1)
     edges = zeros if degree == 1 else np.concatenate([[1e-3 * degree], zeros[:-1]])
@@ -127,29 +131,30 @@ def toroidal_roots(degree: int, count: int) -> np.ndarray:
 
 
 def radial_roots(poissons_ratio: float, count: int) -> np.ndarray:
-    """The first radial h a, (count,).
+    """Return the first radial h a, (count,).
 
-    y j_0/j_1 falls from 3 at y = 0 and from +inf to -inf between zeros of j_1, so it takes the
-    value 4 (c_t/c_l)^2 < 3 once before each of them.
+    y j_0/j_1 decreases from 3 at y = 0, and from +inf to -inf between zeros of j_1. It is therefore
+    equal to 4 (c_t/c_l)^2 < 3 once before each of them.
     """
     edges = np.concatenate([[1e-6], bessel_zeros(1, count)])
     return roots_between(lambda y: radial(poissons_ratio, y), edges)
 
 
 def surface(degree: int, poissons_ratio: float, x: float) -> tuple[np.ndarray, np.ndarray]:
-    """Displacement and traction on the surface of the two waves a spheroidal mode is made of.
+    """Return displacement and traction on the surface of the two waves of a spheroidal mode.
 
-    Column 0 is the compressional wave grad(j_n(h r) Y), column 1 the shear wave
-    curl curl(r j_n(k r) Y). Row 0 is the component along r, row 1 that along grad Y, times
-    sqrt(n(n+1)), so that displacement^T traction is their work over the surface. Each wave is
-    scaled to a displacement of one; lengths by a, stresses by the shear modulus.
+    Column 0 is the compression wave grad(j_n(h r) Y), column 1 the shear wave
+    curl curl(r j_n(k r) Y). Row 0 is the component along r, row 1 the component along grad Y times
+    sqrt(n(n+1)), so that displacement^T traction is their work on the surface. Each wave is
+    scaled to a displacement of one, lengths by a, and stresses by the shear modulus.
 
     Returns:
         displacement, traction, (2, 2) each.
     """
     square = degree * (degree + 1)
     arguments = np.array([x * wave_speed_ratio(poissons_ratio), x])
-    below, (p, s) = spherical_jn([[degree - 1], [degree]], arguments)  # one call: it is slow
+    # a single call, because it is slow
+    below, (p, s) = spherical_jn([[degree - 1], [degree]], arguments)
     # x j_n'(x) = x j_(n-1)(x) - (n + 1) j_n(x)
     p_slope, s_slope = arguments * below - (degree + 1) * np.array([p, s])
     displacement = np.array([[p_slope, square * s], [p, s + s_slope]])
@@ -166,18 +171,18 @@ def surface(degree: int, poissons_ratio: float, x: float) -> tuple[np.ndarray, n
 
 
 def spheroidal(degree: int, poissons_ratio: float, x: float) -> float:
-    """Determinant of the surface tractions; its zeros are the spheroidal k a."""
+    """Return the determinant of the surface tractions; its zeros are the spheroidal k a."""
     return float(np.linalg.det(surface(degree, poissons_ratio, x)[1]))
 
 
 def spheroidal_roots(degree: int, poissons_ratio: float, count: int) -> np.ndarray:
-    """The first spheroidal k a of degree 1 or more, (count,).
+    """Return the first spheroidal k a of degree 1 or more, (count,).
 
-    The two eigenvalues of the surface's dynamic stiffness, traction over displacement, fall all the
-    way with x, from pole to pole. A mode is where one of them passes zero, so those passed so far
-    are the negative eigenvalues and the poles passed (Wittrick & Williams 1971, Q. J. Mech. Appl.
-    Math. 24:263). An interval with more than one mode is halved until each stands alone between two
-    signs of the determinant.
+    The two eigenvalues of the dynamic stiffness of the surface (traction/displacement) decrease
+    with x from pole to pole. A mode is a zero of one of them. The number of modes below x is the
+    number of negative eigenvalues plus the number of poles (Wittrick & Williams 1971, Q. J. Mech.
+    Appl. Math. 24:263). An interval with several modes is bisected until each one has its own
+    change of sign of the determinant.
     """
 
     def look(x: float) -> tuple[float, int, float, float]:
@@ -189,7 +194,10 @@ def spheroidal_roots(degree: int, poissons_ratio: float, count: int) -> np.ndarr
         return x, negative, angle, float(np.linalg.det(traction))
 
     def passed(a, b) -> int:
-        """Modes between two looks. Angles fall by pi between poles and jump up by pi there."""
+        """Return the number of modes between a and b. Angles decrease by pi between poles and jump
+        up
+        by pi at them.
+        """
         poles = int(np.ceil((b[2] - a[2]) / pi - 1e-9))
         return poles + b[1] - a[1]
 
@@ -201,7 +209,9 @@ def spheroidal_roots(degree: int, poissons_ratio: float, count: int) -> np.ndarr
             if modes == changes_sign:
                 return [(a[0], b[0])] if changes_sign else []
             if b[0] - a[0] < 1e-9:
-                raise ArithmeticError(f"spheroidal modes too close to tell apart at ka = {a[0]:g}")
+                raise ArithmeticError(
+                    f"spheroidal modes near ka = {a[0]:g} are too close to separate"
+                )
         depth = max(depth - 1, 0)
         return isolate(a, middle, depth) + isolate(middle, b, depth)
 

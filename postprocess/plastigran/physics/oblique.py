@@ -1,10 +1,9 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Theory of oblique impacts, to hold simulations against: rigid bodies that slide, and elastic ones
-whose tangential spring sticks and slides.
+"""Theory of oblique impacts: rigid bodies that slide, and elastic bodies that stick and slide.
 
-Everything happens in one plane. The first body comes along -x and meets the second, or a rigid
-plane; y is along the surface. Surface speed is that of the first body's surface at the contact
-relative to the second's, along y.
+The motion is in one plane. The first body moves along -x and touches the second body, or a rigid
+plane; y is along the surface. The surface speed is the speed along y of the first body's surface at
+the contact relative to the second's.
 """
 
 from __future__ import annotations
@@ -22,14 +21,14 @@ from plastigran.physics import central
 
 @attrs.frozen
 class Motion:
-    """How two bodies move along the surface, before or after an impact.
+    """Motion of two bodies along the surface, before or after an impact.
 
     Attributes:
-        normal: Relative speed along the normal, closing before and parting after [m/s].
+        normal: Relative normal speed, closing before and separating after the impact [m/s].
         along: Speed of the first body along y [m/s].
-        spin: Of the first body, positive when its surface at the contact moves along +y [rad/s].
+        spin: Spin of the first body [rad/s], positive if its surface at the contact moves along +y.
         along_other: Speed of the second body along y [m/s].
-        spin_other: Of the second body, positive when its surface moves along +y [rad/s].
+        spin_other: Spin of the second body [rad/s], positive if its surface moves along +y.
     """
 
     normal: float
@@ -41,13 +40,13 @@ class Motion:
 
 @attrs.frozen
 class ObliqueImpact:
-    """Two homogeneous spheres, or one and a rigid plane, about to meet.
+    """Two homogeneous spheres, or a sphere and a rigid plane, before an impact.
 
     Attributes:
-        pair: Their materials.
+        pair: Constants of the two materials.
         before: Motion before the impact.
-        radius_other: Of the second, infinite for a plane [m].
-        mass_other: Of the second, infinite for a plane [kg].
+        radius_other: Radius of the second body, infinite for a plane [m].
+        mass_other: Mass of the second body, infinite for a plane [kg].
 
     Raises:
         ValueError: A field is out of range.
@@ -58,7 +57,7 @@ class ObliqueImpact:
     mass: float = number("mass of the first", "kg", 0)
     coefficient_of_friction: float = number("coefficient of friction", "-", 0, closed=True)
     coefficient_of_restitution: float = number(
-        "restitution that the dashpot is set for", "-", 0, 1, closed=True
+        "restitution for which the dashpot is set", "-", 0, 1, closed=True
     )
     before: Motion
     radius_other: float = attrs.field(default=inf, validator=attrs.validators.gt(0))
@@ -72,27 +71,28 @@ class ObliqueImpact:
 
     @property
     def radius_eff(self) -> float:
-        """R* [m]."""
+        """Effective radius R* [m]."""
         return 1 / (1 / self.radius + 1 / self.radius_other)
 
     @property
     def mass_eff(self) -> float:
-        """m* [kg]."""
+        """Effective mass m* [kg]."""
         return 1 / (1 / self.mass + 1 / self.mass_other)
 
     def surface_speed(self, motion: Motion) -> float:
-        """Relative speed of the surfaces along y for undeformed bodies [m/s]."""
+        """Return the relative speed of the undeformed surfaces along y [m/s]."""
         other = motion.spin_other * self.radius_other if motion.spin_other else 0.0
         return motion.along + motion.spin * self.radius - motion.along_other - other
 
     def restitution(self) -> float:
-        """Restitution along the normal, of a dashpot that never pulls [-]."""
+        """Restitution along the normal, for a dashpot that never attracts [-]."""
         return float(central.restitution_without_pull(self.coefficient_of_restitution))
 
     def slides(self) -> bool:
-        """Whether rigid bodies would slide throughout: |v_s| >= 7/2 mu (1 + e) v_n.
+        """Whether rigid bodies slide throughout the impact: |v_s| >= 7/2 mu (1 + e) v_n.
 
-        Friction then cannot stop the surfaces; it must also outrun the growing reach of the spring.
+        Friction then cannot stop the surfaces. An elastic contact slides throughout only if the
+        surfaces also move faster than the limit of the spring grows.
         """
         least = max(3.5 * (1 + self.restitution()), self.stretch_ratio)
         speed = abs(self.surface_speed(self.before))
@@ -100,14 +100,16 @@ class ObliqueImpact:
 
     @property
     def stretch_ratio(self) -> float:
-        """Longest spring over overlap and mu, without dashpots: F / (k_t overlap) = E*/(6 G*)."""
+        """Longest spring divided by overlap and mu, without dashpots: F / (k_t overlap) = E*/(6
+        G*).
+        """
         return self.pair.youngs_modulus_eff / (6 * self.pair.shear_modulus_eff)
 
     def rigid_sliding(self) -> Motion:
-        """Motion after an impact of rigid bodies that slide throughout.
+        """Return the motion after an impact of rigid bodies that slide throughout.
 
-        The tangential impulse is mu (1 + e) m* v_n against the surface speed, whatever that is: for
-        a sphere on a plane v_t' = v_t - mu (1 + e) v_n and R w' = R w - 5/2 mu (1 + e) v_n.
+        The tangential impulse mu (1 + e) m* v_n opposes the surface speed. For a sphere on a plane,
+        v_t' = v_t - mu (1 + e) v_n and R w' = R w - 5/2 mu (1 + e) v_n.
         Foerster et al. 1994, Phys. Fluids 6:1108; Kharaz et al. 2001, Powder Technol. 120:281.
         """
         before, restitution = self.before, self.restitution()
@@ -124,13 +126,16 @@ class ObliqueImpact:
         )
 
     def spring_slider(self) -> Motion:
-        """Motion after an impact of elastic bodies with a tangential spring and a slider.
+        """Return the motion after an impact of elastic bodies with a tangential spring and a
+        slider.
 
-        The spring is Mindlin's for no slip, k_t = 8 G* a, on the path of the surfaces; it slides at
-        mu F, dashpot included; beside the spring there is no dashpot. This is the model of the
-        engine's `tangential history` with `tangential_damping off`, here as an event-driven
-        differential equation. The partial slip of Maw, Barber & Fawcett (1976, Wear 38:101) is not
-        in it. The arms are the distances to the middle of the overlap, R - overlap/2.
+        The spring has Mindlin's stiffness without slip, k_t = 8 G* a, and follows the surfaces. It
+        slides at mu F, where F includes the dashpot. There is no tangential dashpot. This is the
+        model
+        of LIGGGHTS' `tangential history` with `tangential_damping off`, as an event-driven
+        differential
+        equation. The partial slip of Maw, Barber & Fawcett (1976, Wear 38:101) is not included. The
+        lever arms are the distances to the middle of the overlap, R - overlap/2.
 
         Raises:
             RuntimeError: The impact does not end.
@@ -139,14 +144,14 @@ class ObliqueImpact:
 
 
 class _SpringSlider:
-    """The equations in units of the closing speed, the largest overlap and m*.
+    """Equations in units of the closing speed, the largest overlap and m*.
 
-    State: overlap, its rate, tangential speed of the centres, R w of either body, spring length.
-    With the force F = 5/4 d^(3/2) the oscillator of `central.damping_ratio` has the frequency 5/4,
+    State: overlap, its rate, tangential speed of the centers, R w of each body, spring length.
+    With the force F = 5/4 d^(3/2), the oscillator of `central.damping_ratio` has the frequency 5/4,
     and the tangential stiffness is 5/4 (6 G*/E*) d^(1/2).
     """
 
-    START = 2e-8  # of the largest overlap; the force there is 1e-12 of the peak
+    START = 2e-8  # fraction of the largest overlap; the force there is 1e-12 of the peak
 
     def __init__(self, impact: ObliqueImpact) -> None:
         self.impact = impact
@@ -159,13 +164,13 @@ class _SpringSlider:
         self.stiffness = 1 / impact.stretch_ratio
         self.flat = np.array([overlap / impact.radius, overlap / impact.radius_other])
         self.share = np.array([impact.mass_eff / impact.mass, impact.mass_eff / impact.mass_other])
-        self.sense = 0  # 0 sticks; +1, -1 slides with the spring stretched that way
+        self.sense = 0  # 0: sticks; +1, -1: slides with the spring stretched in this direction
 
     def normal_force(self, overlap: float, rate: float) -> float:
         return 1.25 * overlap**1.5 + 2.5 * self.damping * overlap**0.25 * rate
 
     def reach(self, overlap: float, rate: float) -> float:
-        """Spring length at which it slides, mu F / k_t."""
+        """Return the spring length at which the contact slides, mu F / k_t."""
         force = max(0.0, self.normal_force(overlap, rate))
         return self.friction * force / (1.25 * self.stiffness * sqrt(overlap))
 
@@ -194,7 +199,9 @@ class _SpringSlider:
             return self.normal_force(max(state[0], 1e-30), state[1]) - 1e-12
 
         def changes(_: float, state: np.ndarray) -> float:
-            """Negative when the present way, sticking or sliding, cannot go on."""
+            """Return a value that becomes negative when the contact changes between sticking and
+            sliding.
+            """
             overlap, rate = max(state[0], 1e-30), state[1]
             if self.friction == 0:
                 return 1.0
@@ -218,7 +225,7 @@ class _SpringSlider:
         time, end = 0.0, 20.0
         sticks = abs(state[5]) < self.reach(state[0], state[1])
         self.sense = 0 if sticks else int(np.sign(state[5])) or 1
-        for _ in range(100):  # a handful of changes is usual
+        for _ in range(100):  # a few changes are usual
             part = solve_ivp(
                 self.rates, (time, end), state, "DOP853", events=[released, changes],
                 rtol=1e-10, atol=1e-13,
@@ -229,7 +236,8 @@ class _SpringSlider:
             if part.status != 1:
                 break
             if self.sense:
-                # A hair below the reach, or rounding takes the start of sticking for its end.
+                # Start slightly below the limit, because round-off could otherwise end sticking at
+                # once.
                 state[5] = self.sense * self.reach(state[0], state[1]) * (1 - 1e-9)
                 self.sense = 0
             else:

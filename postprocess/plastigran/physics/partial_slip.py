@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Oblique elastic impacts with partial slip, as of Maw, Barber & Fawcett (1976, Wear 38:101).
+"""Oblique elastic impacts with partial slip (Maw, Barber & Fawcett 1976, Wear 38:101).
 
-The contact sticks in its middle and slips at its edge, and each ring keeps the share of friction it
-was given. Cattaneo's and Mindlin's tangential contact is a superposition of normal contacts: a ring
-that the contact grew by while the overlap went from d to d + dd, holds the force D F'(d) dd and
+The contact sticks in its middle and slips at its edge. Each ring of the contact keeps its share of
+friction. Cattaneo's and Mindlin's tangential contact is a superposition of normal contacts: a ring
+by
+which the contact grew while the overlap changed from d to d + dd holds the force D F'(d) dd. It
 stretches the surfaces by D (E*/4G*) dd, with -mu <= D <= mu (Jaeger 1993, Arch. Appl. Mech. 63:402;
 method of memory diagrams, Aleshin, Bou Matar & Van Den Abeele 2015, Int. J. Solids Struct. 60).
 """
@@ -15,19 +16,19 @@ import attrs
 from plastigran.physics import central
 from plastigran.physics.oblique import Motion, ObliqueImpact
 
-#: Steps of an impact: tangential restitution is then right to 2e-5.
+#: Time steps of an impact; the error of tangential restitution is 2e-5.
 STEPS = 500
 
 
 @attrs.define
 class Rings:
-    """Rings of a contact, from its middle outwards.
+    """Rings of a contact, from its middle outward.
 
     Attributes:
         friction: mu, the largest share D [-].
-        compliance: Tangential over normal, E*/(4 G*) [-].
-        overlap: Up to which the contact has grown.
-        rings: Of each the overlaps it begins and ends at, and its share D.
+        compliance: Tangential compliance / normal compliance, E*/(4 G*) [-].
+        overlap: Largest overlap that the rings cover.
+        rings: Overlaps at which each ring begins and ends, and its share D.
     """
 
     friction: float
@@ -36,13 +37,14 @@ class Rings:
     rings: list[tuple[float, float, float]] = attrs.Factory(list)
 
     def force(self) -> float:
-        """Tangential force over that at which a contact of overlap 1 slides with mu = 1."""
+        """Tangential force divided by the sliding force of a contact of overlap 1 with mu = 1."""
         return sum(share * (end**1.5 - begin**1.5) for begin, end, share in self.rings)
 
     def move(self, overlap: float, shift: float) -> None:
-        """Take the bodies to another overlap, and along the surface by `shift` from where they are.
+        """Move the bodies to another overlap, and by `shift` along the surface.
 
-        Shift and overlap are in one unit; what the rings cannot stretch by, slides.
+        Shift and overlap have the same unit. The part of the shift that the rings cannot take
+        slides.
         """
         wanted = shift
         if overlap > self.overlap:
@@ -57,7 +59,7 @@ class Rings:
             self._slip(wanted)
 
     def _cut(self, overlap: float) -> float:
-        """Forget the rings beyond an overlap; returns the stretch they held."""
+        """Remove the rings beyond an overlap and return their stretch."""
         held = 0.0
         while self.rings and self.rings[-1][1] > overlap:
             begin, end, share = self.rings.pop()
@@ -68,8 +70,9 @@ class Rings:
         return held
 
     def _slip(self, wanted: float) -> None:
-        """Give rings the full share from the edge inwards, until they stretch by `wanted` more or
-        all slide."""
+        """Give rings the full share from the edge inward, until they stretch by `wanted` or all
+        slide.
+        """
         full = self.friction if wanted > 0 else -self.friction
         front = self.overlap
         while self.rings and wanted * full > 0:
@@ -85,32 +88,32 @@ class Rings:
 
 
 def partial_slip(impact: ObliqueImpact, steps: int = STEPS) -> Motion:
-    """Motion after an oblique impact of elastic bodies whose contact slips in part.
+    """Return the motion after an oblique impact of elastic bodies with partial slip.
 
-    The normal motion is that of `ObliqueImpact.spring_slider`, dashpot included; friction is mu
-    times the elastic pressure, whose impulse is the same to first order in the damping.
-
-    Friction's arm is the radius.
+    The normal motion is that of `ObliqueImpact.spring_slider`, including the dashpot. Friction is
+    mu
+    times the elastic pressure; to first order in the damping its impulse is the same. The lever arm
+    of friction is the radius.
 
     Args:
-        impact: Of one sphere on a plane.
-        steps: Time steps.
+        impact: Impact of one sphere on a plane.
+        steps: Number of time steps.
 
     Raises:
-        ValueError: Both bodies move, or there is no friction to compute.
+        ValueError: Both bodies move, or the coefficient of friction is zero.
     """
     if impact.mass_eff != impact.mass or impact.coefficient_of_friction == 0:
-        raise ValueError("partial slip is for a sphere on a plane, with friction")
+        raise ValueError("partial slip needs a sphere on a plane, with friction")
     pair, speed = impact.pair, impact.before.normal
     compliance = pair.youngs_modulus_eff / (4 * pair.shear_modulus_eff)
     rings = Rings(impact.coefficient_of_friction, compliance)
     damping = float(central.damping_ratio(impact.coefficient_of_restitution))
 
-    # In units of the closing speed, the largest overlap and the mass, as `oblique._SpringSlider`.
+    # Units: closing speed, largest overlap and mass, as in `oblique._SpringSlider`.
     def normal_force(overlap: float, rate: float) -> float:
         return 1.25 * overlap**1.5 + 2.5 * damping * overlap**0.25 * rate
 
-    half = 1.5 / steps  # of a step; a contact lasts 2.94
+    half = 1.5 / steps  # length of a step; a contact lasts 2.94
     overlap, rate, friction = 0.0, 1.0, 0.0
     along, turning = impact.before.along / speed, impact.before.spin * impact.radius / speed
     while True:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The equations of motion of a rod's impact, for laws for spheres that depend on overlap alone."""
+"""Equations of motion of a rod's impact, for laws for spheres that depend only on overlap."""
 
 from __future__ import annotations
 
@@ -11,26 +11,27 @@ from scipy.integrate import solve_ivp
 
 from plastigran.physics.rod import Rod, RodOutcome
 
-#: Below this share of the impact speed the tip's slip counts as none.
+#: Fraction of the impact speed below which the slip of the tip counts as zero.
 STICKING_SLIP = 1e-3
 
-#: A spring stretched beyond the limit of friction gives way by this much faster than the overlap
-#: grows.
+#: A spring beyond the limit of friction relaxes this much faster than the overlap grows.
 YIELDING_RATE = 1e3
 
-#: Turning points after which a tip is taken to stay in contact.
+#: Number of turning points after which the tip is assumed to stay in contact.
 TURNS = 6
 
-#: Rows of a history while loading, and as many while unloading.
+#: Number of rows of a history during loading, and during unloading.
 HISTORY_ROWS = 300
 
 
 class _Motion:
-    """Right-hand side of the motion (x, y, turn, velocity_x, velocity_y, angular velocity, spring):
-    displacement and turn of the centre since first touch, and how far friction's spring is
-    stretched.
+    """Right-hand side of the equations of motion.
 
-    `state` is the contact's as of the last turning point; trial steps of a solver work on copies.
+    The variables are (x, y, turn, velocity_x, velocity_y, angular velocity, spring): displacement
+    and
+    rotation of the center since first touch, their rates, and the stretch of the friction spring.
+
+    `state` is the contact history at the last turning point. Trial steps of a solver use copies.
     """
 
     def __init__(self, rod: Rod, law, speed: float, shear_modulus_eff: float | None) -> None:
@@ -46,7 +47,7 @@ class _Motion:
         self.overlap_res = -inf
 
     def arm(self, motion) -> tuple[float, float]:
-        """From the centre to the tip's lowest point."""
+        """Return the vector from the center to the lowest point of the tip."""
         angle = self.lean + motion[2]
         return -self.half * np.cos(angle), -self.rod.tip_radius - self.half * np.sin(angle)
 
@@ -60,7 +61,7 @@ class _Motion:
         return -motion[4] - motion[5] * self.arm(motion)[0]
 
     def left(self, _time, motion) -> float:
-        """Overlap above the residual one."""
+        """Return the overlap minus the residual overlap."""
         return self.overlap(motion) - self.overlap_res
 
     def contact(self, motion, state=None):
@@ -68,7 +69,7 @@ class _Motion:
         return self.law.respond(self.rod.tip_radius, self.overlap(motion), state)
 
     def forces(self, motion) -> tuple[float, float, float]:
-        """Normal force, friction and the rate at which the spring is stretched."""
+        """Return normal force, friction and the rate of the spring's stretch."""
         contact = self.contact(motion)
         slip, limit = self.slip_velocity(motion), self.rod.coefficient_of_friction * contact.force
         if self.spring:
@@ -78,7 +79,7 @@ class _Motion:
             excess = (pull - friction) / stiffness if stiffness > 0 else 0.0
             return contact.force, friction, slip + self.yielding * excess
         arm_x, arm_y = self.arm(motion)
-        # What would keep the slip as it is: v_T' = 0 of F_f (1/m + r_y^2/I) - F_n r_x r_y/I.
+        # Force that keeps the slip constant: v_T' = 0 of F_f (1/m + r_y^2/I) - F_n r_x r_y/I.
         holding = arm_x * arm_y * contact.force / (self.rod.inertia / self.rod.mass + arm_y**2)
         friction = holding - slip / self.sticking * limit
         return contact.force, min(max(friction, -limit), limit), 0.0
@@ -95,7 +96,7 @@ class _Motion:
         ]
 
     def turn_back(self, motion) -> None:
-        """The overlap is the largest so far: move the contact's state on."""
+        """Update the contact history at a largest overlap."""
         self.contact(motion, self.state)
         low, high = 0.0, self.overlap(motion)
         while high - low > 1e-14 * self.overlap(motion):
@@ -121,31 +122,33 @@ class _Motion:
 
 
 def simulate(rod: Rod, law, speed: float, shear_modulus_eff: float | None = None) -> RodOutcome:
-    """Integrate a rod's impact from first touch until the tip lets go.
+    """Integrate a rod's impact from first touch until the tip separates.
 
-    With r = (-x_c, -y_c) from centre to contact, normal force F_n and friction F_f:
+    With r = (-x_c, -y_c) from center to contact, normal force F_n and friction F_f:
     m x'' = F_f, m y'' = F_n - m g, I turn'' = r_x F_n - r_y F_f (Ghaednia, Cermik & Marghitu 2015,
     eqs 1-7, with the two forces along their own axes).
 
-    Without a spring friction is Coulomb's, as in the paper: a tip that slides feels mu F_n against
-    its slip, one that friction can hold is held, and slip below `STICKING_SLIP` of the impact speed
-    is taken back to rest. With a spring it is the engine's `tangential history`: a spring of
-    stiffness 8 G* a, a the law's contact radius, that holds the tip until it pulls with mu F_n.
+    Without a spring, friction is Coulomb's, as in the paper. A sliding tip has mu F_n against its
+    slip. A tip that friction can hold is held. Slip below `STICKING_SLIP` of the impact speed
+    returns
+    to rest. With a spring, friction is LIGGGHTS' `tangential history`: a spring of stiffness 8 G*
+    a,
+    with the contact radius a of the law, holds the tip up to the force mu F_n.
 
     Args:
-        rod: The rod.
-        law: A law between rod and flat, an instance of a class of `plastigran.laws.LAWS`.
-        speed: Straight down, without turning [m/s].
-        shear_modulus_eff: G* of the spring by which the contact gives way along the flat before it
-            slides [Pa]; None for no spring.
+        rod: Rod.
+        law: Law between rod and flat, an instance of a class of `plastigran.laws.LAWS`.
+        speed: Downward speed, without rotation [m/s].
+        shear_modulus_eff: G* of the tangential spring [Pa]; None for no spring.
 
     Raises:
-        ValueError: The law depends on the rate of overlap, which these equations do not follow, the
-            speed is not positive and finite, or the rod's weight keeps the tip down.
+        ValueError: The law depends on the overlap rate, which these equations do not include; the
+            speed is not positive and finite; or the weight of the rod keeps the tip down.
     """
     if law.rate_dependent:
         raise ValueError(
-            f"{law.name} depends on the rate of overlap; the rod's equations of motion do not"
+            f"{law.name} depends on the overlap rate, which the equations of motion of the rod "
+            "do not include"
         )
     if not 0 < speed < inf:
         raise ValueError(f"speed is {speed}; it must be positive and finite")
@@ -183,7 +186,7 @@ def simulate(rod: Rod, law, speed: float, shear_modulus_eff: float | None = None
             body.turn_back(motion)
             force_max = body.contact(motion).force
     else:
-        raise ValueError(f"at {speed:g} m/s the rod's weight keeps its tip in contact")
+        raise ValueError(f"at {speed:g} m/s the weight of the rod keeps its tip in contact")
     return RodOutcome(
         coefficient_of_restitution=-body.closing_velocity(time, motion) / speed,
         angular_velocity=motion[5],

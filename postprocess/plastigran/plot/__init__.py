@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""How figures look, and figures that several rooms share."""
+"""Style of figures, and figures that several packages share."""

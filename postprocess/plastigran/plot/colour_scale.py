@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The scale of a picture's colours: its unit, its ends and the numbers beside it."""
+"""Color scale of a picture: unit, ends and labels."""
 
 from __future__ import annotations
 
@@ -9,19 +9,19 @@ from matplotlib.ticker import MaxNLocator
 
 from plastigran.plot.prefixes import prefix
 
-#: Parts of a scale, at most.
+#: Largest number of intervals between labels.
 PARTS = 5
 
 
 @attrs.frozen
 class ColourScale:
-    """What colours say.
+    """Color scale of a picture.
 
     Attributes:
         title: Quantity and unit.
-        factor: From the SI unit to that of the title.
-        ends: Least and largest value, in the title's unit.
-        labels: Numbers beside it, evenly from end to end.
+        factor: Factor from the SI unit to the unit of the title.
+        ends: Smallest and largest value, in the unit of the title.
+        labels: Number of labels, evenly spaced from end to end.
     """
 
     title: str
@@ -31,18 +31,18 @@ class ColourScale:
 
 
 def colour_scale(words: str, unit: str, values: object, from_zero: bool) -> ColourScale:
-    """A scale that holds some values, with round numbers beside it.
+    """Return a scale that contains some values and has round labels.
 
     Args:
-        words: What the values are.
-        unit: Of SI, without a prefix.
-        values: That are to be shown, one or more.
-        from_zero: Whether the scale begins at nothing, whatever the least value.
+        words: Name of the quantity.
+        unit: SI unit without prefix.
+        values: One or more values to show.
+        from_zero: Whether the scale starts at zero even if the smallest value is larger.
     """
     small, factor = prefix(values)
     low, high = float(np.min(values)) * factor, float(np.max(values)) * factor
     low = min(low, 0.0) if from_zero else low
-    if low == high:  # one colour
+    if low == high:  # a single color
         return ColourScale(f"{words} ({small}{unit})", factor, (low, high), 1)
     marks = MaxNLocator(PARTS, steps=[1, 2, 2.5, 5, 10]).tick_values(low, high)
     ends = float(marks[0]), float(marks[-1])

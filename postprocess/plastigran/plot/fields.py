@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Meshes of quadrilaterals and fields on them, seen on both sides of an axis of symmetry."""
+"""Draw quadrilateral meshes and fields on them, also mirrored at the axis of symmetry."""
 
 from __future__ import annotations
 
@@ -11,12 +11,12 @@ from matplotlib.tri import Triangulation
 
 
 def draw_mesh(axes: Axes, points: np.ndarray, quads: np.ndarray, **style: object) -> None:
-    """Edges of quadrilaterals with nodes in the middles of their sides, which are parabolas.
+    """Draw the edges of quadrilaterals with mid-side nodes; the edges are parabolas.
 
     Args:
-        axes: They are drawn in.
+        axes: Axes to draw in.
         points: Nodes (n, 2), in the units of the axes.
-        quads: Nodes of each (m, 8): four corners, then the middles of the sides that follow each.
+        quads: Nodes of each element (m, 8): four corners, then the four mid-side nodes.
         style: Keywords of matplotlib's LineCollection.
     """
     corners, middles = quads[:, :4], quads[:, 4:]
@@ -38,22 +38,22 @@ def draw_field(
     filled: bool = True,
     **style: object,
 ) -> ContourSet:
-    """A field as contours.
+    """Draw a field as contours.
 
     Args:
-        axes: It is drawn in.
-        vertices: (n, 2), in the units of the axes.
+        axes: Axes to draw in.
+        vertices: Coordinates (n, 2), in the units of the axes.
         quads: Corners of each quadrilateral (m, 4).
-        values: At the vertices (n,).
-        levels: Of the contours, increasing.
-        mirror: Draw it at negative first coordinates, too.
-        filled: Fill between the levels instead of lines on them.
+        values: Values at the vertices (n,).
+        levels: Levels of the contours, increasing.
+        mirror: Whether to repeat the field at negative first coordinates.
+        filled: Whether to fill the space between levels instead of drawing lines.
         style: Keywords of matplotlib's tricontourf or tricontour.
 
     Returns:
-        The contours, for a colour bar.
+        The contours, for a color bar.
     """
-    # Either diagonal of a quadrilateral serves: the fields are smooth over it.
+    # Either diagonal of a quadrilateral works, because the fields are smooth on it.
     triangles = np.concatenate([quads[:, [0, 1, 2]], quads[:, [0, 2, 3]]])
     if mirror:
         count = len(vertices)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The VTK files of a run's frames: which there are, and whether they can be read whole.
+"""VTK files of the frames of a run: find them and check that they are complete.
 
 Needs pyvista, an optional dependency: `pip install pyvista`.
 """
@@ -18,25 +18,25 @@ if TYPE_CHECKING:
 
 
 class SnapshotError(ValueError):
-    """There is nothing to draw, or nothing to draw with; the message says which."""
+    """A picture cannot be drawn, because data or pyvista is missing; the message says which."""
 
 
 class DamagedFrame(SnapshotError):
-    """A file of a frame cannot be read whole; the message names it."""
+    """A file of a frame is incomplete; the message names it."""
 
     def __init__(self, path: Path) -> None:
-        super().__init__(f"{path} cannot be read whole: it is cut short or damaged")
+        super().__init__(f"{path} is cut short or damaged")
         self.path = path
 
 
 @dataclass(frozen=True)
 class Frame:
-    """The VTK files of one step of a run; those it does not have are None.
+    """VTK files of one step of a run; None for files that do not exist.
 
     Attributes:
-        step: Of the engine.
+        step: Time step number.
         grains: Points with radius, velocity and plastic work.
-        contacts: Lines between the centres of grains that touch, with force and overlap.
+        contacts: Lines between the centers of grains in contact, with force and overlap.
         mesh: Triangles of the walls.
     """
 
@@ -47,52 +47,52 @@ class Frame:
 
     @property
     def files(self) -> list[Path]:
-        """Those that the step has."""
+        """Files that exist."""
         return [path for path in (self.grains, self.contacts, self.mesh) if path]
 
 
 def find_frames(folder: str | Path) -> list[Frame]:
-    """The frames of a run, by step.
+    """Return the frames of a run, sorted by step.
 
     Args:
-        folder: Of the run, or its `frames`.
+        folder: Folder of the run, or its folder `frames`.
 
     Raises:
-        SnapshotError: There are none.
+        SnapshotError: The folder has no frames.
     """
     folder = Path(folder)
     if (folder / "frames").is_dir():
         folder = folder / "frames"
 
     def at(kind: str) -> dict[int, Path]:
-        found = folder.glob(f"{kind}_[0-9]*.vtk")  # others are boxes around the grains
+        found = folder.glob(f"{kind}_[0-9]*.vtk")  # other VTK files are bounding boxes
         return {int(path.stem.removeprefix(f"{kind}_")): path for path in found}
 
     grains, contacts, mesh = at("grains"), at("contacts"), at("mesh")
     if not grains:
         raise SnapshotError(
-            f"no frames (grains_STEP.vtk) in {folder}; run the deck with -v frames=10 or so, a "
-            "deck of your own with the dumps that `plastigran new-deck` writes"
+            f"no frames (grains_STEP.vtk) in {folder}. Run the deck with -v frames=10. A deck "
+            "of your own needs the dumps that `plastigran new-deck` writes"
         )
     return [Frame(s, grains[s], contacts.get(s), mesh.get(s)) for s in sorted(grains)]
 
 
 def load_pyvista():
-    """pyvista, told which window to use where there is no screen."""
+    """Import pyvista, configured for machines without a screen."""
     if not os.environ.get("DISPLAY"):
         os.environ.setdefault("VTK_DEFAULT_OPENGL_WINDOW", "vtkEGLRenderWindow")
     try:
         import pyvista
     except ImportError:
-        raise SnapshotError("snapshots need pyvista: pip install pyvista") from None
+        raise SnapshotError("snapshots need pyvista. Run `pip install pyvista`") from None
     return pyvista
 
 
 def whole_frames(frames: Iterable[Frame]) -> list[Frame]:
-    """The frames whose files can all be read whole.
+    """Return the frames whose files are all complete.
 
     Raises:
-        SnapshotError: There are none.
+        SnapshotError: No frame is complete.
 
     Warns:
         UserWarning: A frame is left out; the message names the file.
@@ -107,15 +107,15 @@ def whole_frames(frames: Iterable[Frame]) -> list[Frame]:
             continue
         whole.append(frame)
     if not whole:
-        raise SnapshotError("no frame can be read whole")
+        raise SnapshotError("no frame is complete")
     return whole
 
 
 def read_vtk(path: Path) -> pyvista.DataSet:
-    """A file of a frame. VTK would warn of one without points, which is no fault.
+    """Read a file of a frame. A file without points is valid; the warning of VTK is suppressed.
 
     Raises:
-        DamagedFrame: It cannot be read whole.
+        DamagedFrame: The file is incomplete.
     """
     pyvista = load_pyvista()
     with open(path, "rb") as file:
@@ -133,10 +133,10 @@ def read_vtk(path: Path) -> pyvista.DataSet:
             found = pyvista.read(path)
     except (RuntimeError, ValueError, TypeError):
         raise DamagedFrame(path) from None
-    # VTK does not complain of a file that ends between two of its parts.
+    # VTK does not report a file that ends between two of its parts.
     if not found.n_points:
         whole = b"\nPOINTS 0 " in head
-    elif path.name.startswith("mesh_"):  # it may have no columns
+    elif path.name.startswith("mesh_"):  # a mesh file may have no columns
         points = found.n_verts if isinstance(found, pyvista.PolyData) else 0
         whole = found.n_cells > points
     else:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The numbers in a run's VTK frames: grains with what they carry, and the walls' triangles."""
+"""Data of the VTK frames of a run: grains with their values, and triangles of the walls."""
 
 from __future__ import annotations
 
@@ -17,14 +17,13 @@ class GrainFrame:
     """Grains and walls of one step.
 
     Attributes:
-        step: Of the engine.
-        positions: Of the grains' centres [m], (n, 3).
-        radii: [m], (n,).
-        speed: [m/s], (n,).
-        plastic_work: That each grain has taken [J], (n,); None of grains without an energy ledger.
-        force: The largest between a grain and another that touches it [N], (n,); None of grains
-            where the frame has no contacts.
-        walls: Corners of the walls' triangles [m], (m, 3, 3).
+        step: Time step number.
+        positions: Centers of the grains (n, 3), m.
+        radii: Radii (n,), m.
+        speed: Speeds (n,), m/s.
+        plastic_work: Plastic work of each grain (n,), J; None in a run without energy balance.
+        force: Largest contact force on each grain (n,), N; None in a frame without contacts.
+        walls: Corners of the triangles of the walls (m, 3, 3), m.
     """
 
     step: int
@@ -40,13 +39,13 @@ def read_frame(frame: Frame) -> GrainFrame:
     """Read the VTK files of a step.
 
     Raises:
-        DamagedFrame: A file cannot be read whole.
+        DamagedFrame: A file is incomplete.
         SnapshotError: A file lacks a column, or pyvista is not installed.
     """
     grains, walls = read_vtk(frame.grains), np.empty((0, 3, 3))
     if frame.mesh and (mesh := read_vtk(frame.mesh)).n_cells:
         walls = np.asarray(mesh.points, float)[mesh.regular_faces]
-    if not grains.n_points:  # then the file has no columns
+    if not grains.n_points:  # a file without grains has no columns
         none = np.zeros(0)
         return GrainFrame(frame.step, np.empty((0, 3)), none, none, none, none, walls)
     if missing := {"radius", "v", "id"} - set(grains.point_data):
@@ -65,7 +64,7 @@ def read_frame(frame: Frame) -> GrainFrame:
 
 
 def read_frames(frames: Iterable[Frame]) -> tuple[list[GrainFrame], list[Path]]:
-    """Frames that can be read whole, and of each other one the file that cannot.
+    """Read frames; for an incomplete frame, return the damaged file instead.
 
     Raises:
         SnapshotError: As for `read_frame`.
@@ -80,14 +79,14 @@ def read_frames(frames: Iterable[Frame]) -> tuple[list[GrainFrame], list[Path]]:
 
 
 def _largest_force(frame: Frame, positions: np.ndarray) -> np.ndarray:
-    """The largest contact force on each grain; a contact's line ends in the grains' centres."""
+    """Return the largest contact force on each grain; contact lines end in the grain centers."""
     from scipy.spatial import cKDTree
 
     found, lines = np.zeros(len(positions)), read_vtk(frame.contacts)
     if lines.n_cells:
         force = np.linalg.norm(np.asarray(lines["force"], float).reshape(-1, 3), axis=1)
         ends = np.asarray(lines.points, float).reshape(-1, 3)
-        # An end beyond a periodic side is no grain's centre; six digits are written of each.
+        # A contact through a periodic side ends outside the grains. Coordinates have six digits.
         distance, grain = cKDTree(positions).query(ends)
         at_grain = distance < 1e-4 * np.ptp(positions, axis=0).max()
         np.maximum.at(found, grain[at_grain], np.repeat(force, 2)[at_grain])

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A movie of a run's VTK frames, as MP4 or GIF. Needs pyvista and imageio, for MP4 also av."""
+"""Movie of the VTK frames of a run, as MP4 or GIF. Needs pyvista and imageio, and av for MP4."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from plastigran.plot.frame_files import Frame, SnapshotError, read_vtk, whole_fr
 from plastigran.plot.snapshot import FROM_ZERO, contact_forces, grain_values, render
 from plastigran.progress import ProgressBar
 
-#: How each kind of file is written, by imageio's names.
+#: Options of imageio for each file type.
 WRITERS = {
     ".mp4": {"plugin": "pyav", "codec": "libx264"},
     ".gif": {"plugin": "pillow", "loop": 0},
@@ -29,28 +29,30 @@ def save_grain_movie(
     rate: float = 10.0,
     progress: bool = True,
 ) -> None:
-    """Draw frames one after the other, all from one place and with one scale of colours.
+    """Draw frames into a movie, all with the same view and color scale.
 
-    A frame without grains shows walls alone; one that cannot be read whole is left out.
+    A frame without grains shows only the walls. Incomplete frames are left out.
 
     Args:
-        frames: What to draw, in order.
-        path: The file, .mp4 or .gif.
+        frames: Frames in order.
+        path: Name of the file, ending in .mp4 or .gif.
         colour, contacts, view: As for `plastigran.plot.snapshot.draw`.
         size: Pixels along x and y, even numbers.
-        rate: Frames a second.
-        progress: Show a progress bar.
+        rate: Frames per second.
+        progress: Whether to show a progress bar.
 
     Raises:
-        SnapshotError: As for `draw`, another kind of file, no frame holds grains, nothing touches
-            in any frame, or a library is not installed.
+        SnapshotError: As for `draw`; or the file type is unknown, no frame has grains, no frame has
+            contacts, or a library is not installed.
 
     Warns:
         UserWarning: A frame is left out; the message names the file.
     """
     path = Path(path)
     if path.suffix not in WRITERS:
-        raise SnapshotError(f"{path} is no movie; its name must end in {' or '.join(WRITERS)}")
+        raise SnapshotError(
+            f"{path} cannot be a movie: its name must end in {' or '.join(WRITERS)}"
+        )
     frames = whole_frames(frames)
     if not any(read_vtk(frame.grains).n_points for frame in frames):
         raise SnapshotError("no frame holds grains")
@@ -59,7 +61,7 @@ def save_grain_movie(
     low = 0.0 if contacts or colour in FROM_ZERO else every.min(initial=np.inf)
     span = low, every.max(initial=low)
     if contacts and span == (0, 0):
-        raise SnapshotError("nothing touches in any frame")
+        raise SnapshotError("no frame has contacts")
     iio = _load(path.suffix)
     bounds, pictures = _bounds(frames), []
     for frame in ProgressBar(frames, desc="movie", unit="frames", shown=progress):
@@ -71,7 +73,7 @@ def save_grain_movie(
 
 
 def _bounds(frames: Sequence[Frame]) -> list[float]:
-    """Two ends along x, y and z [m] of all grains of all frames, and of meshes."""
+    """Return the bounds along x, y and z [m] of all grains and meshes of all frames."""
     boxes = []
     for frame in frames:
         grains = read_vtk(frame.grains)
@@ -85,12 +87,12 @@ def _bounds(frames: Sequence[Frame]) -> list[float]:
 
 
 def _load(suffix: str):
-    """imageio, with what the kind of file needs."""
+    """Import imageio, and what it needs for the file type."""
     try:
         import imageio.v3
 
         if suffix == ".mp4":
             import av  # noqa: F401
     except ImportError as error:
-        raise SnapshotError(f"movies need {error.name}: pip install {error.name}") from None
+        raise SnapshotError(f"movies need {error.name}. Run `pip install {error.name}`") from None
     return imageio.v3

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""What figures of flowing grains share: the grains themselves, and powers from works."""
+"""Parts of figures of flowing grains: the grains, and power from work."""
 
 from __future__ import annotations
 
@@ -10,15 +10,15 @@ from matplotlib.collections import EllipseCollection
 
 
 def draw_grains(axes: Axes, grains: pd.DataFrame, colours: str | None = None) -> EllipseCollection:
-    """Grains to scale as seen along y, the near ones over the far ones.
+    """Draw grains to scale as seen along y; near grains cover far ones.
 
     Args:
-        axes: Gets equal scales and no frame.
-        grains: Columns x, y, z, radius [m], and that of the colours.
-        colours: Column whose values they show; grey without one.
+        axes: Axes to draw in; they get equal scales and no frame.
+        grains: Columns x, y, z, radius [m], and the column of the colors.
+        colours: Column that sets the colors; gray without one.
 
     Returns:
-        The discs, for a colour bar.
+        The discs, for a color bar.
     """
     shown = grains.sort_values("y", ascending=False)
     size = 2 * shown["radius"]
@@ -41,15 +41,15 @@ def draw_grains(axes: Axes, grains: pd.DataFrame, colours: str | None = None) ->
 
 
 def mean_power(work: pd.Series, time: pd.Series, window: float) -> pd.Series:
-    """Mean power over a window that moves along [W].
+    """Return the mean power in a moving window [W].
 
     Args:
-        work: So far [J], (n,).
-        time: Evenly spaced [s], (n,).
-        window: To average over, in whole rows, a quarter of them at most [s].
+        work: Accumulated work (n,), J.
+        time: Evenly spaced times (n,), s.
+        window: Length of the window [s]; it is rounded to rows, at most a quarter of them.
 
     Returns:
-        One row a window, (m,), m < n, indexed by the time of its middle [s].
+        One value for each window (m,), m < n, indexed by the time of its middle [s].
     """
     rows = max(1, min(round(window / (time.iloc[1] - time.iloc[0])), len(time) // 4))
     work, time = work.to_numpy(), time.to_numpy()

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A figure drawn anew frame by frame, written as GIF."""
+"""Movie of a figure, drawn frame by frame and written as GIF."""
 
 from __future__ import annotations
 
@@ -13,14 +13,14 @@ from matplotlib.figure import Figure
 
 @attrs.frozen(eq=False)
 class Movie:
-    """What is shown.
+    """Movie of a figure.
 
     Attributes:
-        figure: It is drawn in.
-        frames: How many.
-        draw: Brings the figure to a frame, `draw(number)`.
-        rate: Frames a second.
-        resolution: Pixels an inch.
+        figure: Figure to draw in.
+        frames: Number of frames.
+        draw: Function `draw(number)` that changes the figure to a frame.
+        rate: Frames per second.
+        resolution: Pixels per inch.
     """
 
     figure: Figure
@@ -31,7 +31,7 @@ class Movie:
 
 
 def save_movie(movie: Movie, path: Path) -> Path:
-    """Write a movie as GIF; returns the path."""
+    """Write a movie as GIF and return its path."""
     path.parent.mkdir(parents=True, exist_ok=True)
     writer = PillowWriter(fps=movie.rate)
     with writer.saving(movie.figure, path, movie.resolution):

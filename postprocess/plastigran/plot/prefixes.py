@@ -9,11 +9,12 @@ _PREFIXES = {-12: "p", -9: "n", -6: "µ", -3: "m", 0: "", 3: "k", 6: "M", 9: "G"
 
 
 def prefix(values: object) -> tuple[str, float]:
-    """The prefix with which the largest size of some numbers is between 1 and 1000, as far as there
-    is one from p to G, and the factor from the bare unit to it; none where all are zero.
+    """Return the prefix that brings the largest absolute value to 1 to 1000, and its factor.
+
+    Prefixes range from p to G. If all values are zero, there is no prefix and the factor is 1.
 
     Args:
-        values: Numbers in a unit without prefix; what is not finite does not count.
+        values: Numbers in a unit without prefix; infinite values and NaN are ignored.
     """
     sizes = np.abs(np.asarray(values, float))
     sizes = sizes[np.isfinite(sizes) & (sizes > 0)]

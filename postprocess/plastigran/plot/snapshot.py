@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Pictures of a run's VTK frames: grains, force chains and meshes, drawn without a screen.
+"""Pictures of the VTK frames of a run: grains, force chains and meshes, drawn without a screen.
 
 Needs pyvista, an optional dependency: `pip install pyvista`.
 """
@@ -18,23 +18,23 @@ from plastigran.plot.frame_files import Frame, SnapshotError, load_pyvista, read
 if TYPE_CHECKING:
     import pyvista
 
-#: What grains can be coloured by, with the words and unit beside the scale.
+#: Quantities that can color grains, with name and unit for the scale.
 COLOURS = {
     "plastic_work": ("plastic work", "J"),
     "speed": ("speed", "m/s"),
     "height": ("height", "m"),
     "radius": ("radius", "m"),
 }
-#: Colours whose scale begins at nothing.
+#: Quantities whose scale starts at zero.
 FROM_ZERO = ("plastic_work", "speed")
-#: Directions to look from: the camera's side and what is up.
+#: Views: the side of the camera and the upward direction.
 VIEWS = {
     "front": ((0, -1, 0), (0, 0, 1)),
     "side": ((1, 0, 0), (0, 0, 1)),
     "top": ((0, 0, 1), (0, 1, 0)),
     "corner": ((0.5, -1, 0.45), (0, 0, 1)),
 }
-#: Values at the ends of a scale of colours.
+#: Values at the ends of a color scale.
 Span = tuple[float, float] | None
 
 
@@ -49,15 +49,16 @@ def draw(
     """Draw a frame into a PNG file.
 
     Args:
-        frame: What to draw.
-        path: The file.
-        colour: What colours grains, of `COLOURS`.
-        contacts: Draw force chains instead, tubes whose thickness and colour are the force.
-        view: Where from, of `VIEWS`.
+        frame: Frame to draw.
+        path: Name of the file.
+        colour: Quantity that colors the grains, a key of `COLOURS`.
+        contacts: Whether to draw force chains instead: tubes whose thickness and color show the
+            force.
+        view: Direction of view, a key of `VIEWS`.
         size: Pixels along x and y.
 
     Raises:
-        SnapshotError: An unknown colour or view, no such data, or pyvista is not installed.
+        SnapshotError: The color or view is unknown, data are missing, or pyvista is not installed.
     """
     render(frame, path, colour, contacts, view, size)
 
@@ -72,12 +73,12 @@ def render(
     span: Span = None,
     bounds: Sequence[float] | None = None,
 ) -> np.ndarray:
-    """A picture of a frame; arguments and errors as for `draw`, and those that pictures share.
+    """Draw a frame and return the picture. Other arguments and errors are as for `draw`.
 
     Args:
-        path: Of the file; None for none.
-        span: Values at the ends of the scale, of forces from 0; the frame's own by default.
-        bounds: What to look at, two ends along x, y and z [m]; the frame's own by default.
+        path: Name of the file; None for no file.
+        span: Values at the ends of the color scale; by default those of the frame.
+        bounds: Bounds of the view along x, y and z [m]; by default those of the frame.
 
     Returns:
         (height, width, 3) bytes.
@@ -107,7 +108,7 @@ def render(
     plotter.set_background("white")
     plotter.view_vector(side, viewup=up, bounds=bounds)
     plotter.enable_parallel_projection()
-    plotter.camera.SetWindowCenter(0.15, 0)  # room for the scale
+    plotter.camera.SetWindowCenter(0.15, 0)  # leave room for the scale
     plotter.enable_anti_aliasing("ssaa")
     picture = plotter.screenshot(path and str(path), return_img=True)
     plotter.close()
@@ -115,10 +116,10 @@ def render(
 
 
 def grain_values(frame: Frame, colour: str) -> np.ndarray:
-    """What a colour of `COLOURS` shows of each grain, (N,); a frame without grains has no columns.
+    """Return the values of a quantity of `COLOURS` for each grain (N,); (0,) without grains.
 
     Raises:
-        SnapshotError: The frame does not have it.
+        SnapshotError: The frame has no such values.
     """
     grains = read_vtk(frame.grains)
     if not grains.n_points:
@@ -132,11 +133,11 @@ def grain_values(frame: Frame, colour: str) -> np.ndarray:
     try:
         return np.asarray(columns[colour]())
     except KeyError:
-        raise SnapshotError(f"{frame.grains} has no {colour}; choose another colour") from None
+        raise SnapshotError(f"{frame.grains} has no {colour}. Choose another color") from None
 
 
 def contact_forces(frame: Frame) -> np.ndarray:
-    """Force of each contact [N], (N,).
+    """Return the force of each contact (N,), N.
 
     Raises:
         SnapshotError: The frame has no contacts.
@@ -151,9 +152,9 @@ def _add_grains(plotter: pyvista.Plotter, frame: Frame, colour: str, bar: dict, 
     grains = read_vtk(frame.grains)
     values = grain_values(frame, colour)
     if not len(values):
-        if span:  # a movie may begin before there are any
+        if span:  # the first frames of a movie may have no grains
             return
-        raise SnapshotError(f"{frame.grains} holds no grains")
+        raise SnapshotError(f"{frame.grains} contains no grains")
     scale = colour_scale(*COLOURS[colour], span or values, colour in FROM_ZERO)
     grains[scale.title] = scale.factor * values
     facets = 24 if grains.n_points < 10_000 else 10
@@ -173,23 +174,23 @@ def _add_contacts(plotter: pyvista.Plotter, frame: Frame, bar: dict, span: Span)
     pyvista, force = load_pyvista(), contact_forces(frame)
     lines, grains = read_vtk(frame.contacts), read_vtk(frame.grains)
     if not span and not grains.n_points:
-        raise SnapshotError(f"{frame.grains} holds no grains")
-    # A contact through a periodic side would cross the whole box.
+        raise SnapshotError(f"{frame.grains} contains no grains")
+    # The line of a contact through a periodic side would cross the whole box.
     ends = lines.points.reshape(-1, 2, 3)
     lengths = np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1)
     radius = float(grains["radius"].max()) if grains.n_points else 0.0
     shown = np.flatnonzero((force > 0) & (lengths < 2 * radius))
     if not len(shown):
-        if span:  # a movie may begin before anything touches
+        if span:  # the first frames of a movie may have no contacts
             return
-        raise SnapshotError(f"nothing touches in {frame.contacts}")
+        raise SnapshotError(f"{frame.contacts} contains no contacts")
     largest = span[1] if span else force.max()
     scale = colour_scale("contact force", "N", [0, largest], from_zero=True)
     chains = pyvista.PolyData(
         ends[shown].reshape(-1, 3), lines=np.insert(np.arange(2 * len(shown)), slice(0, None, 2), 2)
     )
     chains[scale.title] = scale.factor * np.repeat(force[shown], 2)
-    # Sections as the forces: the thickest tube is a third as wide as a grain.
+    # The cross section is proportional to the force; the thickest tube is a third of a grain.
     chains["thickness"] = radius / 3 * np.sqrt(np.repeat(force[shown], 2) / largest)
     tubes = chains.tube(scalars="thickness", absolute=True, n_sides=8, capping=True)
     plotter.add_mesh(

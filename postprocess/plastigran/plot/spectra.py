@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Figure of collision spectra: how many impacts there are, by speed, energy and force."""
+"""Figure of collision spectra: number of impacts by speed, energy and force."""
 
 from __future__ import annotations
 
@@ -14,14 +14,14 @@ from plastigran.plot.style import COLOURS, styled, subplots
 
 
 def spectra_figure(spectra: Mapping[str, Mapping[str, pd.DataFrame]]) -> Figure:
-    """Impacts by class, a panel for each quantity, in it a curve for particles and for each wall.
+    """Draw the number of impacts per class: a panel for each quantity, a curve for each partner.
 
-    Impacts whose value is not positive have no place on the logarithmic axes, and those below
-    rounding of the largest, which lost nothing, are left out.
+    Left out are impacts with values that are not positive, which logarithmic axes cannot show, and
+    values below the round-off of the largest, which mean zero loss.
 
     Args:
-        spectra: By the axis' title, then by what the impacts are with: columns lower, upper and
-            count, from the lowest class up.
+        spectra: Axis title, then partner (particles or a wall), to a table with columns lower,
+            upper and count, sorted by class.
     """
     with styled():
         figure, panels = subplots(1, len(spectra), figsize=(10.5, 3.4), sharey=True)
@@ -33,13 +33,13 @@ def spectra_figure(spectra: Mapping[str, Mapping[str, pd.DataFrame]]) -> Figure:
             axes.set_xscale("log")
             axes.set_yscale("log")
             axes.set_xlabel(title)
-        panels[0].set_ylabel("impacts in a class")
+        panels[0].set_ylabel("impacts per class")
         panels[0].legend(loc="upper left", fontsize="small")
     return figure
 
 
 def _draw(axes: Axes, classes: pd.DataFrame, label: str, colour: str) -> None:
-    """A step for each class; classes without impacts are a gap."""
+    """Draw a step for each class; classes without impacts are gaps."""
     if classes.empty:
         axes.plot([], [], color=colour, label=label)
         return
@@ -47,7 +47,7 @@ def _draw(axes: Axes, classes: pd.DataFrame, label: str, colour: str) -> None:
     gap = np.full(len(count), np.nan)
     x = np.stack([lower, upper, upper], axis=1).ravel()
     y = np.stack([count, count, gap], axis=1).ravel()
-    # No gap between classes that touch.
+    # Adjacent classes have no gap between them.
     keep = np.ones(len(x), dtype=bool)
     keep[2::3][:-1] = ~np.isclose(upper[:-1], lower[1:], rtol=1e-6, atol=0)
     axes.plot(x[keep], y[keep], color=colour, label=label)

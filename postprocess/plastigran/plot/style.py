@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""How figures look: style, colours, names, and how they are written."""
+"""Style of figures: settings, colors, names and files."""
 
 from __future__ import annotations
 
@@ -21,8 +21,8 @@ STYLE = {
     "legend.frameon": False,
     "svg.hashsalt": "plastigran",
 }
-# Colours apart for colour-blind eyes (Okabe & Ito, then Tol's muted), one for each law of a shape,
-# and grey; black is for what they are held against. `law_number` has a law's.
+# Colors that color-blind readers can distinguish (Okabe & Ito, then Tol's muted), one for each law
+# of a shape, and gray. Black is for reference data. `law_number` selects the color of a law.
 COLOURS = ["#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#8C564B", "#DC267F"]
 COLOURS += ["#882255", "#999933", "#332288", "#44AA99", "#661100", "#AA4499"]
 COLOURS += ["#117733", "#7F7F7F"]
@@ -30,7 +30,7 @@ MARKERS = [*"osD^vPX<>dp*", (6, 1, 0), (4, 1, 0), "h", "."]
 
 
 def title(name: str) -> str:
-    """A law's or material's name as a person writes it: authors joined by a dash, years apart."""
+    """Return the name of a law or material for titles: "kogut_etsion" gives "Kogut–Etsion"."""
     names = {
         "vu_quoc_zhang": "Vu-Quoc–Zhang",
         "viscoelastic_hertz": "Viscoelastic Hertz",
@@ -42,10 +42,11 @@ def title(name: str) -> str:
 
 
 def law_number(law: str) -> int:
-    """The place of a law's colour and marker in `COLOURS` and `MARKERS`: in every figure the same,
-    apart from those of other laws for its shape of bodies. One that this package does not have is
-    grey."""
-    from plastigran import laws  # compiled: figures without laws do not wait for it
+    """Return the index of a law in `COLOURS` and `MARKERS`, the same in every figure.
+
+    Laws for one shape of bodies have different indices. Unknown laws are gray.
+    """
+    from plastigran import laws  # compiled; figures without laws do not need it
 
     if law not in laws.LAWS:
         return len(COLOURS) - 1
@@ -54,15 +55,15 @@ def law_number(law: str) -> int:
 
 
 def law_colour(law: str) -> str:
-    """A law's colour; see `law_number`."""
+    """Return the color of a law; see `law_number`."""
     return COLOURS[law_number(law)]
 
 
 def styled(changes: Mapping[str, object] | None = None) -> AbstractContextManager[None]:
-    """Context, or decorator of a function, in which figures are made in the style.
+    """Return a context manager, or decorator, that applies the style.
 
     Args:
-        changes: Other values for matplotlib's settings.
+        changes: Further matplotlib settings.
     """
     return matplotlib.rc_context(STYLE | dict(changes or {}))
 
@@ -70,16 +71,16 @@ def styled(changes: Mapping[str, object] | None = None) -> AbstractContextManage
 def subplots(
     rows: int = 1, columns: int = 1, *, figsize: tuple[float, float], **arrangement: object
 ) -> tuple[Figure, Axes | np.ndarray]:
-    """A figure that no window shows, with its axes.
+    """Return a figure without a window, and its axes.
 
     Args:
-        rows: Of axes.
-        columns: Of axes.
+        rows: Rows of axes.
+        columns: Columns of axes.
         figsize: Width and height [inch].
-        **arrangement: Keywords of `matplotlib.figure.Figure.subplots` and of its grid's ratios.
+        **arrangement: Keywords of `matplotlib.figure.Figure.subplots`, such as height_ratios.
 
     Returns:
-        The figure, and one Axes or an array of them as `Figure.subplots` has it.
+        The figure, and one Axes or an array of them.
     """
     figure = Figure(figsize=figsize, layout="constrained")
     return figure, figure.subplots(rows, columns, **arrangement)
@@ -88,7 +89,7 @@ def subplots(
 def subplot_mosaic(
     mosaic: list[list[str]], *, figsize: tuple[float, float]
 ) -> tuple[Figure, dict[str, Axes]]:
-    """A figure that no window shows, with axes named and placed as in `Figure.subplot_mosaic`."""
+    """Return a figure without a window, and its axes by name; see `Figure.subplot_mosaic`."""
     figure = Figure(figsize=figsize, layout="constrained")
     return figure, figure.subplot_mosaic(mosaic)
 
@@ -99,19 +100,19 @@ def save(
     suffixes: tuple[str, ...] = (".png", ".svg"),
     resolution: int = 160,
 ) -> list[Path]:
-    """Write a figure, as PNG and SVG beside each other unless told otherwise; returns the paths.
+    """Write a figure to files and return their paths.
 
     Args:
-        figure: What is written.
-        path: Where, whatever its suffix.
-        suffixes: Of the files.
-        resolution: Of pictures of dots, dots an inch.
+        figure: Figure to write.
+        path: Path of the files; its suffix is ignored.
+        suffixes: Suffixes of the files.
+        resolution: Dots per inch of bitmaps.
     """
     path.parent.mkdir(parents=True, exist_ok=True)
     written = []
     for suffix in suffixes:
         written.append(path.with_suffix(suffix))
         metadata = {"Date": None} if suffix == ".svg" else None
-        with styled():  # its salt makes the same figure the same file
+        with styled():  # its hash salt makes SVG files reproducible
             figure.savefig(written[-1], dpi=resolution, metadata=metadata)
     return written

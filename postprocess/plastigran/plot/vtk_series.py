@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Frames as VTK's XML files, columns named, and a file that lists them by time.
+"""Write frames as XML files of VTK, and a file that lists them by time.
 
-ParaView opens the list (.pvd), OVITO and ParaView the files themselves (.vtp). Needs pyvista.
+ParaView opens the list (.pvd). OVITO and ParaView open the files (.vtp). Needs pyvista.
 """
 
 from __future__ import annotations
@@ -14,14 +14,15 @@ import numpy as np
 
 from plastigran.plot.frame_files import Frame, SnapshotError, read_vtk
 
-#: Names of a frame's columns in the engine's files, and ours. All in SI units.
+#: Column names in the files of LIGGGHTS, and in ours; all in SI units.
 GRAINS = {"v": "velocity", "f_plastic_work": "plastic_work"}
 CONTACTS = {"delta": "overlap"}
 
 
 def contact_table(frame: Frame) -> dict[str, np.ndarray]:
-    """Columns of a frame's contacts, `CONTACTS` among them, each (N,) or (N, 3); and `radius_eff`
-    [m] of each, (N,).
+    """Return the columns of the contacts of a frame, among them `CONTACTS` and `radius_eff` [m].
+
+    Each column is (N,) or (N, 3).
 
     Raises:
         SnapshotError: The frame has no contacts.
@@ -38,8 +39,10 @@ def contact_table(frame: Frame) -> dict[str, np.ndarray]:
 
 
 def write_grains(frame: Frame, path: Path) -> None:
-    """Write the grains of a frame: points with id, type, radius [m], velocity [m/s] and, with an
-    energy ledger, plastic_work [J]."""
+    """Write the grains of a frame: points with id, type, radius [m] and velocity [m/s].
+
+    A run with energy balance adds plastic_work [J].
+    """
     grains = _read(frame.grains, frame)
     for old, new in GRAINS.items():
         if old in grains.point_data:
@@ -48,8 +51,11 @@ def write_grains(frame: Frame, path: Path) -> None:
 
 
 def write_contacts(frame: Frame, path: Path, more: Mapping[str, np.ndarray]) -> None:
-    """Write the contacts of a frame: lines with id1, id2, overlap [m], force, force_normal,
-    force_tangential [N], and further columns, each (N,)."""
+    """Write the contacts of a frame as lines.
+
+    Columns are id1, id2, overlap [m], force, force_normal, force_tangential [N] and those of
+    `more`, each (N,).
+    """
     contacts = _read(frame.contacts, frame)
     for old, new in CONTACTS.items():
         if old in contacts.cell_data:
@@ -60,14 +66,14 @@ def write_contacts(frame: Frame, path: Path, more: Mapping[str, np.ndarray]) -> 
 
 
 def write_mesh(frame: Frame, path: Path) -> None:
-    """Write the walls of a frame: triangles with their ids."""
+    """Write the walls of a frame: triangles with their IDs."""
     _read(frame.mesh, frame).extract_surface(algorithm="dataset_surface").save(
         path, compression=None
     )
 
 
 def write_series(path: Path, files: Mapping[float, Path]) -> None:
-    """Write a ParaView data file that lists files by their time [s]; they lie beside it."""
+    """Write a ParaView data file that lists files in its folder by time [s]."""
     root = ElementTree.Element("VTKFile", type="Collection", version="1.0")
     collection = ElementTree.SubElement(root, "Collection")
     for time, file in sorted(files.items()):

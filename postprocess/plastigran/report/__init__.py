@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Pages made of computed tables and figures: what a report is, and how its pages are written."""
+"""Reports: computed tables and figures, and the pages that show them."""

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""What a report declares, and what computing it gives.
+"""Declaration of a report, and the result of its computation.
 
     REPORT = Report(
         name="impacts",
@@ -10,9 +10,9 @@
         compute=compute,
     )
 
-`compute(progress, coarse)` returns `Findings` with tables and figures of just these names. Its
-finite elements go through `plastigran.report.computing.compute_all`, which keeps them on disk and
-runs one a core; its runs of LIGGGHTS through `plastigran.experiments`.
+`compute(progress, coarse)` returns `Findings` with exactly these tables and figures. Use
+`plastigran.report.computing.compute_all` for finite elements; it keeps results on disk and runs one
+computation per core. Use `plastigran.experiments` for runs of LIGGGHTS.
 """
 
 from __future__ import annotations
@@ -28,19 +28,21 @@ from matplotlib.figure import Figure
 from plastigran.plot.movie import Movie, save_movie
 from plastigran.plot.style import save
 
-RESOLUTION = 100  # dots an inch: a picture of a page stays below 150 kB
+RESOLUTION = 100  # dots per inch; keeps the picture of a page below 150 kB
 
 
 @attrs.frozen(eq=False)
 class Findings:
-    """What came of a report's computation.
+    """Result of the computation of a report.
 
     Attributes:
-        tables: By name. One row a quantity: `quantity` and `unit`, or what else tells it; then
-            columns of numbers, as far as there are some: `paper`, `finite elements`, a law's name,
-            `LIGGGHTS`. A column whose name ends in "(%)" is a difference, see `add_difference`.
-        figures: By name, made in `plastigran.plot.style`.
-        movies: By name.
+        tables: Tables by name. A row is one quantity: columns `quantity` and `unit`, or other
+            columns that identify it, and then columns of numbers such as `paper`, `finite
+            elements`,
+            the name of a law, or `LIGGGHTS`. A column whose name ends in "(%)" is a difference, see
+            `add_difference`.
+        figures: Figures by name, made with `plastigran.plot.style`.
+        movies: Movies by name.
     """
 
     tables: Mapping[str, pd.DataFrame]
@@ -48,7 +50,7 @@ class Findings:
     movies: Mapping[str, Movie] = attrs.field(factory=dict)
 
     def write(self, folder: Path) -> list[Path]:
-        """Write tables as CSV, figures as PNG and movies as GIF; returns the files."""
+        """Write tables as CSV, figures as PNG and movies as GIF; return the files."""
         folder.mkdir(parents=True, exist_ok=True)
         written = []
         for name, table in self.tables.items():
@@ -63,16 +65,16 @@ class Findings:
 
 @attrs.frozen(kw_only=True)
 class Report:
-    """Tables and figures that are computed, and the pages that show them.
+    """Computed tables and figures, and the pages that show them.
 
     Attributes:
-        name: Short, as of its command.
-        title: What it is about.
-        tables, figures, movies: Names of what is made.
+        name: Short name, as in its command.
+        title: Subject of the report.
+        tables, figures, movies: Names of the results.
         data: Names of further tables, which no page shows.
-        pages: Files of a folder of pages; together they have one place for each of `tables`.
-        pictures: Folder of the pages' pictures, seen from that of the pages.
-        compute: Makes it, `compute(progress, coarse)`.
+        pages: Names of the page files; together they have one place for each of `tables`.
+        pictures: Folder of the pictures, relative to the folder of the pages.
+        compute: Function `compute(progress, coarse)` that returns the results.
     """
 
     name: str
@@ -87,7 +89,7 @@ class Report:
 
     @property
     def files(self) -> list[str]:
-        """What `Findings.write` writes."""
+        """Names of the files that `Findings.write` writes."""
         kinds = {".csv": self.tables + self.data, ".png": self.figures, ".gif": self.movies}
         return [name + ending for ending, names in kinds.items() for name in names]
 
@@ -95,26 +97,29 @@ class Report:
         """Compute every table, figure and movie.
 
         Args:
-            progress: Show bars.
-            coarse: Coarse meshes and fewer cases: some seconds for a look or a test, and results
-                that are off by some per cent.
+            progress: Whether to show progress bars.
+            coarse: Use coarse meshes and fewer cases. This takes some seconds; results are off by
+                some
+                per cent.
 
         Raises:
-            ValueError: A computation gave up, or something declared was not made.
-            EngineError: The engine stopped with an error.
+            ValueError: A computation failed, or a declared result is missing.
+            EngineError: LIGGGHTS stopped with an error.
         """
         made = self.compute(progress, coarse)
         promised = {"tables": self.tables + self.data}
         promised |= {"figures": self.figures, "movies": self.movies}
         for kind, declared in promised.items():
             if odd := sorted(set(declared) ^ set(getattr(made, kind))):
-                raise ValueError(f"{kind} of {self.name}: {odd} do not match")
+                raise ValueError(f"{kind} of report {self.name} are not as declared: {odd}")
         return made
 
 
 def add_difference(table: pd.DataFrame, of: str, against: str) -> pd.DataFrame:
-    """The table with a column of differences after the column `of`: how far its numbers are off
-    those of the column `against`, in per cent of the latter; empty where it has none."""
+    """Return the table with a column of differences after column `of`.
+
+    The difference from column `against` is in per cent of the latter; empty where it has no value.
+    """
     position = table.columns.get_loc(of) + 1
     ours, theirs = (table[name].astype(float) for name in (of, against))
     result = table.copy()

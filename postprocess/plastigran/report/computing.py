@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Independent computations by finite elements, side by side and kept on disk."""
+"""Run independent finite-element computations in parallel and keep them on disk."""
 
 from __future__ import annotations
 
@@ -24,13 +24,13 @@ Key = TypeVar("Key", bound=Hashable)
 
 @attrs.frozen
 class Computation:
-    """A call `compute(*arguments, settings, progress)` as `plastigran.fem.cache.cached` takes it.
+    """Call `compute(*arguments, settings, progress)` for `plastigran.fem.cache.cached`.
 
     Attributes:
-        compute: A function of a module, such as `plastigran.fem.sphere.throw.throw`.
-        arguments: Positional.
-        settings: How fine; None for the defaults.
-        named: Further arguments, by name.
+        compute: Function of a module, such as `plastigran.fem.sphere.throw.throw`.
+        arguments: Positional arguments.
+        settings: Resolution; None for the defaults.
+        named: Keyword arguments.
     """
 
     compute: Callable[..., Any]
@@ -39,24 +39,24 @@ class Computation:
     named: Mapping[str, object] = attrs.field(factory=dict)
 
     def run(self) -> Any:
-        """The result, from disk where it was computed before."""
+        """Return the result; read it from disk if it was computed before."""
         return cached(self.compute, *self.arguments, settings=self.settings, **self.named)
 
 
 def compute_all(computations: Mapping[Key, Computation], progress: bool = False) -> dict[Key, Any]:
-    """Results by the computations' names, a process a core.
+    """Return the results by name, computed in one process per core.
 
     Args:
-        computations: By name; the longest first uses the cores best.
-        progress: Show a bar.
+        computations: Computations by name. Put the longest first to use the cores well.
+        progress: Whether to show a bar.
 
     Raises:
-        ValueError: One found no equilibrium, or gave up before its end; the message names it.
+        ValueError: A computation found no equilibrium or stopped early; the message names it.
     """
     found: dict[Key, Any] = {}
     pool = ProcessPoolExecutor(
         os.cpu_count(),
-        mp_context=get_context("spawn"),  # this process may have threads
+        mp_context=get_context("spawn"),  # a fork is unsafe, because this process may have threads
         initializer=_begin,
         initargs=(folder(),),
     )
@@ -79,8 +79,10 @@ def compute_all(computations: Mapping[Key, Computation], progress: bool = False)
 
 
 def _begin(cache: Path) -> None:
-    """Prepare a worker: results go to the folder `cache`, warnings are told as plain lines, and the
-    worker ends with the process that started it, and at once upon Ctrl-C."""
+    """Prepare a worker: set the folder of the cache, and print warnings as plain lines.
+
+    The worker ends with the process that started it, and at once on Ctrl-C.
+    """
     signal.signal(signal.SIGINT, signal.SIG_DFL)
     os.environ["PLASTIGRAN_CACHE"] = str(cache)
     warnings.showwarning = lambda said, *_, **__: print(f"plastigran: {said}", file=sys.stderr)
@@ -88,6 +90,6 @@ def _begin(cache: Path) -> None:
 
 
 def _end_with_parent() -> None:
-    # A killed parent closes no pool, and an idle worker would wait for work for ever.
+    # A killed parent does not close the pool; an idle worker would wait forever.
     parent_process().join()
     os._exit(1)

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The pages of a report, whose tables and pictures the command writes.
+"""Write tables and pictures into the pages of a report.
 
-A table's place is between the lines `<!-- table NAME -->` and `<!-- end -->`.
+A table stands between the lines `<!-- table NAME -->` and `<!-- end -->`.
 """
 
 from __future__ import annotations
@@ -21,33 +21,35 @@ PLACE = re.compile(r"(<!-- table (\w+) -->\n)(.*?)(<!-- end -->)", re.DOTALL)
 
 
 def read_pages(report: Report, folder: Path) -> dict[Path, str]:
-    """The text of a report's pages.
+    """Return the text of the pages of a report.
 
     Args:
-        report: Whose.
-        folder: Of the pages.
+        report: Report.
+        folder: Folder of the pages.
 
     Raises:
-        ValueError: A page is not there, or their places are not those of the report's tables.
+        ValueError: A page is missing, or its places do not match the tables of the report.
     """
     pages = {}
     for path in (folder / name for name in report.pages):
         if not path.is_file():
-            raise ValueError(f"{path} is missing; it must be there before its tables are written")
+            raise ValueError(f"{path} is missing. Create it before you write its tables")
         pages[path] = path.read_text()
     said = " or ".join(str(path) for path in pages)
     found = [place[1] for text in pages.values() for place in PLACE.findall(text)]
     if missing := set(report.tables) - set(found):
         raise ValueError(f"{said} has no <!-- table {min(missing)} --> ... <!-- end -->")
     if unknown := set(found) - set(report.tables):
-        raise ValueError(f"{said} has a place for {min(unknown)}, no table of {report.name}")
+        raise ValueError(
+            f"{said} has a place for {min(unknown)}, which is not a table of {report.name}"
+        )
     if len(found) != len(set(found)):
         raise ValueError(f"{said} has two places for one table")
     return pages
 
 
 def read_tables(text: str) -> dict[str, pd.DataFrame]:
-    """The tables of a page, by name, their cells as text."""
+    """Return the tables of a page by name; cells are text."""
     found = {}
     for _, name, table, _ in PLACE.findall(text):
         head, _, *lines = (
@@ -58,18 +60,18 @@ def read_tables(text: str) -> dict[str, pd.DataFrame]:
 
 
 def fill(text: str, tables: Mapping[str, pd.DataFrame]) -> str:
-    """A page's text with the tables in their places."""
+    """Return the text of a page with the tables in their places."""
     return PLACE.sub(lambda place: place[1] + to_markdown(tables[place[2]]) + place[4], text)
 
 
 def publish(report: Report, made: Findings, written: list[Path], folder: Path) -> list[Path]:
-    """Write tables into a report's pages and copy pictures beside them; returns the files.
+    """Write tables into the pages of a report and copy its pictures; return the files.
 
     Args:
-        report: Whose.
-        made: Its tables are written.
-        written: Files that `made.write` wrote; its pictures are copied.
-        folder: Of the pages; the pictures go to `report.pictures`, seen from there.
+        report: Report.
+        made: Results, with the tables to write.
+        written: Files that `made.write` wrote; pictures are copied.
+        folder: Folder of the pages; pictures go to `report.pictures` relative to it.
 
     Raises:
         ValueError: As for `read_pages`.
@@ -83,7 +85,7 @@ def publish(report: Report, made: Findings, written: list[Path], folder: Path) -
 
 
 def to_markdown(table: pd.DataFrame) -> str:
-    """A table in Markdown: four digits, differences in per cent to a hundredth."""
+    """Return a table in Markdown: four digits, differences in per cent with two decimals."""
     lines = [list(table.columns), ["---"] * len(table.columns)]
     for row in table.itertuples(index=False):
         lines.append([_cell(name, value) for name, value in zip(table.columns, row, strict=True)])

@@ -45,7 +45,8 @@ SETTINGS = Settings(divisions=4, fineness=0.7, growth=1.08, unloading_steps=10)
 
 def table() -> pd.DataFrame:
     """The table as it is kept with the package: HV, HLD, speed_ratio, restitution, force_max [N],
-    contact_radius_over_radius."""
+    contact_radius_over_radius.
+    """
     with (files("plastigran") / "data" / TABLE).open() as file:
         return pd.read_csv(file)
 

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Oblique impacts of alumina on glass, Kharaz, Gorham & Salman 2001: friction and the elasticity of
-the contact along the surface, by theory and by LIGGGHTS."""
+the contact along the surface, by theory and by LIGGGHTS.
+"""
 
 from __future__ import annotations
 
@@ -44,7 +45,8 @@ def measured() -> pd.DataFrame:
 
 def case(angle: float) -> BenchmarkImpact:
     """The impact at an angle from the normal [degrees], as the deck of benchmark 4 has it: alumina
-    on a rigid plane."""
+    on a rigid plane.
+    """
     return BenchmarkImpact("4_incident_angle", "aluminium_oxide", "incident_angle", angle)
 
 

@@ -19,7 +19,8 @@ QUANTITIES = {"force_max": "force", "coefficient_of_restitution": "restitution"}
 
 def compare() -> pd.DataFrame:
     """How far every law is off the paper [%]: peak force at its speeds, and restitution; the law
-    with the least sum comes first."""
+    with the least sum comes first.
+    """
     material = read_material("aluminium_zv02")
     pair = laws.combine(material.body(), RIGID)
     mass = 4 / 3 * pi * RADIUS**3 * material.density

@@ -107,7 +107,8 @@ def summary(rebounds: pd.DataFrame) -> pd.DataFrame:
 
 def single_impacts() -> pd.DataFrame:
     """Every law for the other devices and for alumina: errors of restitution [%], with the measured
-    one in the head of the column. The law with the least sum comes first."""
+    one in the head of the column. The law with the least sum comes first.
+    """
     cases = [
         (f"Leeb {name}, {hardness:g} HV", reading / 1000, TESTERS[name], hardness)
         for name, reading, hardness in SINGLE_READINGS

@@ -35,7 +35,8 @@ def add_arguments(command: argparse.ArgumentParser) -> None:
 
 def run(arguments: argparse.Namespace) -> None:
     """The paper's sphere over four decades of speed; one impact through every geometry; a gas that
-    cools by such impacts; a hopper of yielding grains; a page on all of them."""
+    cools by such impacts; a hopper of yielding grains; a page on all of them.
+    """
     from plastigran.bulk.run import run_bulk  # matplotlib and plotly are slow to load
     from plastigran.plot.frame_files import find_frames
     from plastigran.plot.snapshot import draw

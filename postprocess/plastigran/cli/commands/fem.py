@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """`plastigran fem`: finite elements of a sphere on a plane or a half space, pressed, thrown, or
-thrown and followed while it vibrates, or of a body that a rigid cylinder strikes."""
+thrown and followed while it vibrates, or of a body that a rigid cylinder strikes.
+"""
 
 from __future__ import annotations
 

@@ -40,7 +40,8 @@ def flags(name: str) -> str:
 
 def constants(name: str) -> dict[str, object]:
     """A law's source, what it takes beside the bodies' constants, by the decks' names, and its
-    options."""
+    options.
+    """
     law = laws.LAWS[name]
     named = [{**row, "name": property_name(row["name"])} for row in law.parameters()]
     return {"source": law.source, "constants": named, "options": law.options()}

@@ -162,7 +162,8 @@ class CentralImpact(Experiment):
 
     def contact_law(self, **others: float | str):
         """The law between the two bodies, with its options; `others` are further constants of its
-        own, or other options."""
+        own, or other options.
+        """
         chosen = law_options(self.law, self.options) | others
         return self.material.law(self.law, self.pair, **chosen)
 

@@ -55,7 +55,8 @@ def predict(impact: ObliqueImpact) -> BenchmarkOutcome:
 
 def compare(impact: ObliqueImpact, measured: BenchmarkOutcome) -> dict[str, object]:
     """Columns of the results table: what was measured, `*_predicted` as `predict`, `*_rigid` for
-    rigid bodies that slide."""
+    rigid bodies that slide.
+    """
     found, collision = measured.after, measured.collision
     predicted, rigid = predict(impact), impact.rigid_sliding()
     expected, theory = predicted.after, predicted.collision

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Figures of the benchmark impacts, one a benchmark, in the quantities Chung & Ooi (2011) plot:
-points from the engine, lines from theory."""
+points from the engine, lines from theory.
+"""
 
 from __future__ import annotations
 

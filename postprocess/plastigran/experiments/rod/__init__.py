@@ -113,7 +113,8 @@ class RodImpact(Experiment):
     @property
     def timestep(self) -> float:
         """Half the step recommended for the tip's sphere alone [s], a sixth of the rod's mass: the
-        engine's check of the time step knows no more of the rod than that."""
+        engine's check of the time step knows no more of the rod than that.
+        """
         rod = self.rod
         law = self.contact_law()
         return 0.5 * law.recommended_timestep(rod.tip_radius, rod.tip_mass, self.speed)

@@ -120,7 +120,8 @@ class Body:
 
     def internal_force(self, displacement: np.ndarray, stress: np.ndarray) -> np.ndarray:
         """Nodal forces (size,), N, at displacements (size,), m, of the material's stresses
-        (points, 4), Pa."""
+        (points, 4), Pa.
+        """
         conjugate = self.kinematics.conjugate(self._measured(displacement), stress)
         weighted = conjugate.reshape(*self.volumes.shape, -1) * self.volumes[:, :, None]
         nodal = weighted.reshape(len(self.dofs), 1, -1) @ self._matrices
@@ -128,7 +129,8 @@ class Body:
 
     def stiffness(self, displacement: np.ndarray, response: Response) -> np.ndarray:
         """Element stiffnesses (n_elements, 16, 16), N/m, at displacements (size,), m: only those
-        that differ from the undeformed body's are made anew."""
+        that differ from the undeformed body's are made anew.
+        """
         changed, changed_tangent = self.kinematics.tangent(
             self._measured(displacement), response, self.material.elastic_tangent
         )
@@ -160,7 +162,8 @@ class Body:
 
 def _gradient_matrices(scalar: Basis, hoop: np.ndarray) -> np.ndarray:
     """Displacement gradients (rr, yy, tt, ry, yr) over nodal displacements (n_elements, 4 points,
-    5, 16)."""
+    5, 16).
+    """
     nodes = len(scalar.basis)
     matrices = np.zeros((*hoop.shape, 5, 2 * nodes))
     for node, (shape,) in enumerate(scalar.basis):

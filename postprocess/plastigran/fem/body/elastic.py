@@ -47,7 +47,8 @@ class ElasticBody:
 
     def nearest(self, point: tuple[float, float], vertical: bool) -> int:
         """Where the vertical or radial degree of freedom next to a point (r, y), m, is among those
-        that move."""
+        that move.
+        """
         kind = np.flatnonzero((self.upward == 1) == vertical)
         away = self.body.locations[:, self.free[kind]] - np.array(point)[:, None]
         return int(kind[np.argmin(np.linalg.norm(away, axis=0))])

@@ -54,14 +54,13 @@ class RigidCircle:
         coefficient_of_friction: float = 0.0,
         penalty: float = PENALTY,
     ) -> None:
-        """
-        Args:
-            body: The body, with a boundary `surface`.
-            radius: Of the circle, m.
-            track: No contact is looked for outside of these first coordinates, m.
-            start: First coordinate of the centre, m.
-            coefficient_of_friction: Of Coulomb.
-            penalty: Stiffness over E*/h, h the length of an edge.
+        """Args:
+        body: The body, with a boundary `surface`.
+        radius: Of the circle, m.
+        track: No contact is looked for outside of these first coordinates, m.
+        start: First coordinate of the centre, m.
+        coefficient_of_friction: Of Coulomb.
+        penalty: Stiffness over E*/h, h the length of an edge.
         """
         mesh = body.mesh
         facets = mesh.boundaries["surface"]
@@ -139,7 +138,8 @@ class RigidCircle:
 
     def surface(self, displacement: np.ndarray) -> np.ndarray:
         """(x, y) of the Gauss points at displacements (size,), m, x from the circle's start
-        (n_points, 2), m."""
+        (n_points, 2), m.
+        """
         still = displacement.copy()
         still[self._centre] = 0
         moves = np.einsum("eqid,ed->eqi", self._distance_matrices, still[self.dofs])
@@ -151,7 +151,8 @@ class RigidCircle:
 
     def ends(self, gap: np.ndarray) -> tuple[float, float]:
         """First and last place in contact, m; on an axis the first is its mirror image; zeros where
-        there is no contact."""
+        there is no contact.
+        """
         last = contact_edge(self.places, gap)
         if self.places[0] >= 0:
             return -last, last

@@ -23,10 +23,9 @@ class Edges:
     """
 
     def __init__(self, body: Body, facets: np.ndarray) -> None:
-        """
-        Args:
-            body: The body.
-            facets: Ids of the edges in its mesh.
+        """Args:
+        body: The body.
+        facets: Ids of the edges in its mesh.
         """
         mesh = body.mesh
         facets = facets[np.argsort(mesh.p[0, mesh.facets[:, facets]].mean(axis=0))]
@@ -52,7 +51,8 @@ class Edges:
     def mean(self, values: np.ndarray) -> np.ndarray:
         """Of each edge (n_edges,), of values at the Gauss points (n_points,). Within an edge the
         penalty's pressure sways about its mean by some per cent, for the edge is a parabola and
-        the other body is stiff."""
+        the other body is stiff.
+        """
         areas = self.areas / self.areas.sum(axis=1, keepdims=True)
         return (values.reshape(areas.shape) * areas).sum(axis=1)
 

@@ -24,12 +24,11 @@ class HalfSpace(RigidPlane):
     """
 
     def __init__(self, pair: Pair, radius: float, reach: float, penalty: float = PENALTY) -> None:
-        """
-        Args:
-            pair: Sphere and half space.
-            radius: Of the sphere, m.
-            reach: No contact is looked for beyond this distance from the axis, m.
-            penalty: Stiffness over E*/h, E* that of both bodies.
+        """Args:
+        pair: Sphere and half space.
+        radius: Of the sphere, m.
+        reach: No contact is looked for beyond this distance from the axis, m.
+        penalty: Stiffness over E*/h, E* that of both bodies.
         """
         sphere, block = pair.sphere, pair.block
         modulus = sphere.material.pair_modulus(block.material)
@@ -48,7 +47,8 @@ class HalfSpace(RigidPlane):
 
 def _nodes_under(edges: Edges, radii: np.ndarray, block: Body) -> tuple[np.ndarray, np.ndarray]:
     """Vertical degrees of freedom and shape functions (n, 3) of a straight surface's edges at
-    radii (n,), m."""
+    radii (n,), m.
+    """
     ends = block.locations[0, edges.dofs[:, :2, 0]]
     edge = np.searchsorted(ends.max(axis=1), radii)
     start, end = ends[edge].T

@@ -67,12 +67,11 @@ class RigidPlane:
     """
 
     def __init__(self, body: Body, radius: float, reach: float, penalty: float = PENALTY) -> None:
-        """
-        Args:
-            body: The sphere.
-            radius: Of the sphere, m.
-            reach: No contact is looked for beyond this distance from the axis, m.
-            penalty: Stiffness over E*/h.
+        """Args:
+        body: The sphere.
+        radius: Of the sphere, m.
+        reach: No contact is looked for beyond this distance from the axis, m.
+        penalty: Stiffness over E*/h.
         """
         mesh = body.mesh
         facets = mesh.boundaries["circle"]
@@ -128,6 +127,7 @@ class RigidPlane:
 
     def spread(self, stiffness: np.ndarray) -> np.ndarray:
         """Forces (size,) by edge stiffnesses when the plane rises by one, as when the sphere's edge
-        sinks by one, N/m."""
+        sinks by one, N/m.
+        """
         forces = stiffness[:, :, :EDGE_NODES].sum(axis=2)
         return np.bincount(self.dofs.ravel(), forces.ravel(), minlength=self._size)

@@ -191,7 +191,8 @@ def summary(case: CylinderStrike, log: StrikeLog, stopped: str) -> Strike:
 
 def _end_of_contact(time: np.ndarray, force: np.ndarray) -> float:
     """When the force of the last two steps in contact, drawn on straight, is zero; by the next
-    step at the latest."""
+    step at the latest.
+    """
     last = np.flatnonzero(force > 0)[-1]
     following = time[min(last + 1, len(time) - 1)]
     fall = force[last - 1] - force[last]

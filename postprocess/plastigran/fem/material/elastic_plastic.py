@@ -170,7 +170,8 @@ class ElasticPlastic:
         self, trial: np.ndarray, accumulated: np.ndarray, duration: float
     ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         """Plastic strain steps that bring trial stresses to the flow stress; flow stress and its
-        slope over the step there. Newton, kept between 0 and the largest step."""
+        slope over the step there. Newton, kept between 0 and the largest step.
+        """
         shear = self.shear_modulus
         low, high = np.zeros_like(trial), trial / (3 * shear)
         step = np.zeros_like(trial)

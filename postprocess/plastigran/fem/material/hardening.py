@@ -78,7 +78,8 @@ class TabulatedHardening(Hardening):
 @attrs.frozen
 class RateFactor:
     """The rate factor of Johnson and Cook (1983): 1 + C ln(rate / reference) above the reference
-    rate, 1 below."""
+    rate, 1 below.
+    """
 
     coefficient: float = number("C of Johnson and Cook", "-", 0, closed=True)
     reference_rate: float = number("rate of strain at which the factor is 1", "1/s", 0, default=1.0)

@@ -30,7 +30,8 @@ class Kinematics(Protocol):
 
     def matrices(self, gradients: np.ndarray) -> np.ndarray:
         """Measured quantities over nodal displacements (..., m, 16), of displacement gradients
-        over nodal displacements (..., 5, 16)."""
+        over nodal displacements (..., 5, 16).
+        """
 
     def undeformed(self, elastic_tangent: np.ndarray) -> np.ndarray:
         """Tangent (m, m) of the undeformed body, Pa, of the material's (4, 4)."""
@@ -44,13 +45,15 @@ class Kinematics(Protocol):
 
     def conjugate(self, measured: np.ndarray, stress: np.ndarray) -> np.ndarray:
         """Stress (n, m), Pa, that does work on the measured quantities, of the material's
-        (n, 4)."""
+        (n, 4).
+        """
 
     def tangent(
         self, measured: np.ndarray, response: Response, elastic_tangent: np.ndarray
     ) -> tuple[np.ndarray, np.ndarray]:
         """Points (k,) whose tangent is not that of the undeformed body, and d conjugate stress /
-        d measured there (k, m, m), Pa."""
+        d measured there (k, m, m), Pa.
+        """
 
 
 class SmallStrain(Kinematics):

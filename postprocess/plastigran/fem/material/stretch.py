@@ -20,8 +20,7 @@ class Stretch:
     """
 
     def __init__(self, gradient: np.ndarray) -> None:
-        """
-        Args:
+        """Args:
             gradient: Displacement gradients (n, 5).
 
         Raises:
@@ -66,7 +65,8 @@ class Stretch:
 
     def tangent(self, stress: np.ndarray, material: np.ndarray) -> np.ndarray:
         """Derivatives (n, 5, 5) of the first Piola-Kirchhoff stress, Pa, at stresses (n, 4), Pa,
-        with the material's tangents (n, 4, 4), Pa."""
+        with the material's tangents (n, 4, 4), Pa.
+        """
         slopes = self._slopes()
         result = slopes.swapaxes(1, 2) @ material @ slopes
         turned = self._turn(stress)

@@ -45,7 +45,8 @@ class SphereMesh:
 
     def build(self) -> MeshQuad2:
         """The mesh in (r, y), m: axis r = 0, contact point at the origin, boundaries `axis`,
-        `circle` and, of half a sphere, `equator`."""
+        `circle` and, of half a sphere, `equator`.
+        """
         w, quads = self._quarter_plane()
         corner_points = self._to_sphere(w)
         quads = np.ascontiguousarray(counterclockwise(quads, corner_points).T)
@@ -68,7 +69,7 @@ class SphereMesh:
         return MeshQuad2(coordinates, quadratic.t).with_boundaries(named)
 
     def rings(self) -> np.ndarray:
-        """ln |w| of the rings, from the core to the equator."""
+        """Ln |w| of the rings, from the core to the equator."""
         coarse = pi / (4 * self.divisions) / self.fineness
         fine = max(FINE_REACH * self.reach, self.core)
         start, fine_end = (log(end / (2 * self.radius)) for end in (self.core, fine))
@@ -76,7 +77,8 @@ class SphereMesh:
 
     def _middle(self, first: np.ndarray, second: np.ndarray) -> np.ndarray:
         """Middles of edges: straight in w in the core and in 1/w in the upper half, and at the
-        mean of s and theta between them."""
+        mean of s and theta between them.
+        """
         with np.errstate(invalid="ignore", divide="ignore"):  # w = 0 is in the core
             middle = first * np.sqrt(second / first)
         core = self.core / (2 * self.radius) * (1 - 1e-9)
@@ -87,13 +89,14 @@ class SphereMesh:
         return middle
 
     def _to_sphere(self, w: np.ndarray) -> np.ndarray:
-        """r + iy from w; the mirror image of the formula above, for r >= 0."""
+        """R + iy from w; the mirror image of the formula above, for r >= 0."""
         z = 2j * self.radius * w / (1 + w)
         return np.abs(z.real) + 1j * z.imag
 
     def _quarter_plane(self) -> tuple[np.ndarray, np.ndarray]:
         """Points w and quads (n, 4): a core disc, the rings, and for the upper half of the
-        sphere a disc in 1/w."""
+        sphere a disc in 1/w.
+        """
         disc, disc_quads, rim = quarter_disc(self.divisions)
         angle = np.exp(-1j * np.linspace(0, pi / 2, 2 * self.divisions + 1))
         rings = np.exp(self.rings())
@@ -116,7 +119,8 @@ class SphereMesh:
 
 def graded(start: float, fine_end: float, end: float, fine: float, widest: float) -> np.ndarray:
     """Values from `start` to `end`: `fine` apart up to `fine_end`, then apart by GROWTH more each
-    time, up to `widest`."""
+    time, up to `widest`.
+    """
     count = max(1, round((fine_end - start) / fine))
     values = list(np.linspace(start, fine_end, count + 1))
     step = fine

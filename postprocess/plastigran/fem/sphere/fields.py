@@ -10,7 +10,8 @@ from plastigran.fem.stepping.snapshot import Snapshot
 
 def at_vertices(snapshot: Snapshot, values: np.ndarray) -> np.ndarray:
     """Values (points,) of the Gauss points at the elements' corners (n_vertices,): the mean, over
-    the elements around a corner, of the Gauss point nearest to it. Never beyond the values."""
+    the elements around a corner, of the Gauss point nearest to it. Never beyond the values.
+    """
     quads = snapshot.quads
     points = snapshot.positions.reshape(len(quads), -1, 2)
     corners = snapshot.vertices[quads]

@@ -161,7 +161,8 @@ def _geometric(start: float, end: float, growth: float) -> np.ndarray:
 
 def unloading(history: pd.DataFrame, branch: int) -> dict[str, float]:
     """What one unloading shows. Works are of force over approach; on the way up the virgin curve is
-    taken, whatever was unloaded between."""
+    taken, whatever was unloaded between.
+    """
     force, approach = (history[name].to_numpy() for name in ("force", "approach"))
     branches = history["branch"].to_numpy()
     top = np.flatnonzero(branches < branch)[-1]
@@ -185,7 +186,8 @@ def unloading(history: pd.DataFrame, branch: int) -> dict[str, float]:
 
 def _work(force: np.ndarray, approach: np.ndarray) -> float:
     """Integral of force over approach with Simpson's rule in x = force^(1/3), where an approach is
-    smooth: P d alpha = d(P alpha) - 3 alpha x^2 dx."""
+    smooth: P d alpha = d(P alpha) - 3 alpha x^2 dx.
+    """
     root = np.cbrt(force)
     return float(
         force[-1] * approach[-1] - force[0] * approach[0] - simpson(3 * approach * root**2, x=root)

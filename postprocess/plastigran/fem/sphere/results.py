@@ -95,7 +95,8 @@ class Throw:
     @property
     def nodal_restitution(self) -> float:
         """Restitution by the mean velocity of the elements' corners, each alike, at the end. It
-        holds the vibration left in the sphere, of its finely meshed part most of all."""
+        holds the vibration left in the sphere, of its finely meshed part most of all.
+        """
         return nan if self.stopped else float(self.history["nodal_velocity"].iloc[-1] / self.speed)
 
     def to_dict(self) -> dict:

@@ -121,12 +121,11 @@ class Steps:
     def __init__(
         self, elastic: ElasticBody, plane: SpringPlane, velocity: np.ndarray, timestep: float
     ) -> None:
-        """
-        Args:
-            elastic: The body.
-            plane: Under it.
-            velocity: At the start (size,), m/s; the body is undeformed.
-            timestep: s.
+        """Args:
+        elastic: The body.
+        plane: Under it.
+        velocity: At the start (size,), m/s; the body is undeformed.
+        timestep: s.
         """
         self.elastic, self.plane, self.timestep = elastic, plane, timestep
         self._factor = splu(
@@ -179,7 +178,8 @@ class Steps:
 
     def _touch(self, start: np.ndarray, free: np.ndarray) -> tuple[np.ndarray, float]:
         """Nodal forces of the plane over the step and their sum, where the surface would move by
-        `free` without it."""
+        `free` without it.
+        """
         plane, compliance = self.plane, self._compliance
         change = self._last
         for _ in range(ITERATIONS):

@@ -44,11 +44,10 @@ class Flight:
     """
 
     def __init__(self, equations: Equations, velocity: np.ndarray, timestep: float) -> None:
-        """
-        Args:
-            equations: Balance of forces of a body that just touches.
-            velocity: At the start (size,), m/s.
-            timestep: s.
+        """Args:
+        equations: Balance of forces of a body that just touches.
+        velocity: At the start (size,), m/s.
+        timestep: s.
         """
         self.equations, self.timestep = equations, timestep
         self.now = Motion(0.0, equations.at_rest(), velocity, np.zeros(velocity.size))

@@ -128,7 +128,8 @@ class Equations:
 
     def predict(self, start: Equilibrium, force: float) -> tuple[np.ndarray, float]:
         """Guess for `press` where loading turns into unloading or back: the body elastic and the
-        contact as it is."""
+        contact as it is.
+        """
         change = self._bordered(
             self.body.stiffness(start.displacement, start.response.held()),
             start.touch.stiffness,
@@ -141,7 +142,8 @@ class Equations:
         self, stiffness: np.ndarray, edges: np.ndarray, right: np.ndarray, excess: float
     ) -> tuple[np.ndarray, float]:
         """Changes of displacement and of the plane's height that answer forces `right` and raise
-        the contact's force by `excess`."""
+        the contact's force by `excess`.
+        """
         column = self.contact.spread(edges)
         factor = self._factor([stiffness, edges])
         by_force, by_height = factor.solve(np.column_stack([right, column])).T
@@ -198,7 +200,8 @@ class Equations:
 
     def _step(self, displacement: np.ndarray, change: np.ndarray, balance: Balance, forces: Forces):
         """The displacement that Newton's method tries next, and the balance there: `change` is
-        what the tangent at `balance` asks for."""
+        what the tangent at `balance` asks for.
+        """
         return displacement + change, forces(displacement + change)
 
     def _touch(self, displacement: np.ndarray, start: Equilibrium | None) -> Touch:

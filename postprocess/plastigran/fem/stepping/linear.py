@@ -25,11 +25,10 @@ class SymmetricSystem:
     """
 
     def __init__(self, groups: list[np.ndarray], size: int, fixed: np.ndarray) -> None:
-        """
-        Args:
-            groups: Degrees of freedom of each kind of element, (n_elements, n_dofs) each.
-            size: Number of degrees of freedom.
-            fixed: Those held at zero.
+        """Args:
+        groups: Degrees of freedom of each kind of element, (n_elements, n_dofs) each.
+        size: Number of degrees of freedom.
+        fixed: Those held at zero.
         """
         self._rows = np.concatenate([np.repeat(g, g.shape[1], axis=1).ravel() for g in groups])
         self._columns = np.concatenate([np.tile(g, (1, g.shape[1])).ravel() for g in groups])

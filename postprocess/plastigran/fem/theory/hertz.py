@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """An elastic sphere on a plane or a half space after Hertz (1882): scales of steps and meshes, and
-what coarse results are held against."""
+what coarse results are held against.
+"""
 
 from __future__ import annotations
 
@@ -34,7 +35,7 @@ class HertzSphere:
 
     @property
     def mass(self) -> float:
-        """kg."""
+        """Kg."""
         return self.material.density * 4 / 3 * pi * self.radius**3
 
     def contact_radius(self, force: float) -> float:

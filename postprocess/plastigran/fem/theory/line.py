@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """A rigid circle on an elastic layer in plane strain: scales of steps and meshes, and what coarse
-results are held against (Johnson, Contact Mechanics, 1985, secs. 4.2 and 5.6)."""
+results are held against (Johnson, Contact Mechanics, 1985, secs. 4.2 and 5.6).
+"""
 
 from __future__ import annotations
 

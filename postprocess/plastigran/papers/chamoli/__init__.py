@@ -8,8 +8,8 @@ from plastigran.report.base import Findings
 
 
 def compute(progress: bool, coarse: bool) -> Findings:
-    """Every table and figure."""
-    # What these need is slow to load.
+    """Compute every table and figure."""
+    # Import late, because these modules are slow to load.
     from plastigran.papers.chamoli.computations import compute_impacts
     from plastigran.papers.chamoli.figures import figures
     from plastigran.papers.chamoli.tables import tables

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""What is computed once for all tables and figures."""
+"""Results that several tables and figures share."""
 
 from __future__ import annotations
 
@@ -20,16 +20,17 @@ from plastigran.report.computing import Computation, compute_all
 RADIUS = 0.01
 HARD, SOFT = 9.3e9, 6e6  # Young's moduli, Pa
 SPEEDS = (0.01, 0.03, 0.1, 0.3, 1.0, 3.0, 5.0)
-SHOWN = ((HARD, 0.1), (HARD, 5.0), (SOFT, 5.0))  # whose spectra and curves are shown
-LONG, SHORT = 200.0, 40.0  # flights, over the time a compression wave takes across the sphere
-#: The sphere of ice whose restitution Bridges, Hatzes & Lin (1984) measured: its radius, m, and
-#: speeds within their range, m/s.
+SHOWN = ((HARD, 0.1), (HARD, 5.0), (SOFT, 5.0))  # impacts whose spectra and curves are shown
+# flight times divided by the time of a compression wave through the sphere
+LONG, SHORT = 200.0, 40.0
+#: The sphere of ice whose restitution Bridges, Hatzes & Lin (1984) measured: radius [m] and speeds
+#: within their range [m/s].
 ICE_RADIUS = 0.0275
 ICE_SPEEDS = (2e-4, 1e-3, 5e-3, 2e-2)
-#: Their fit to it: factor and power of the speed in cm/s.
+#: Their fit: factor and power of the speed in cm/s.
 ICE_RESTITUTION = (0.32, -0.234)
-#: What the thesis prints, kHz, by kind, degree and overtone: the radial mode, and as the
-#: oblate-prolate one the first toroidal.
+#: Frequencies of the thesis [kHz] by kind, degree and overtone: the radial mode, and the first
+#: toroidal one, which the thesis takes for the oblate-prolate mode.
 PAPER_MODES = {("radial", 0, 0): 143.67, ("toroidal", 1, 0): 186.49}
 
 Impact = tuple[float, float]  # Young's modulus, Pa, and speed, m/s
@@ -37,13 +38,13 @@ Impact = tuple[float, float]  # Young's modulus, Pa, and speed, m/s
 
 @attrs.frozen
 class Computed:
-    """Results by the impact.
+    """Results by impact.
 
     Attributes:
-        vibrations: By finite elements.
+        vibrations: Finite-element results.
         engine: Rows of LIGGGHTS' own `hertz` by Young's modulus and speed.
         viscoelastic: Rows of `viscoelastic_hertz` in LIGGGHTS.
-        modes: Exact modes that a normal impact can excite, of the hard sphere.
+        modes: Exact modes of the hard sphere that a normal impact can excite.
     """
 
     vibrations: dict[Impact, Vibration]
@@ -53,7 +54,7 @@ class Computed:
 
 
 def compute_impacts(progress: bool, coarse: bool) -> Computed:
-    """Impacts by finite elements and in LIGGGHTS, and the exact modes."""
+    """Compute impacts by finite elements and in LIGGGHTS, and the exact modes."""
     speeds = (0.1, 5.0) if coarse else SPEEDS
     settings = Settings(divisions=4) if coarse else Settings()
     impacts = [*SHOWN, *((HARD, speed) for speed in speeds if (HARD, speed) not in SHOWN)]
@@ -83,12 +84,12 @@ def compute_impacts(progress: bool, coarse: bool) -> Computed:
 
 
 def material(youngs_modulus: float) -> Material:
-    """Ice of another Young's modulus, Pa."""
+    """Return ice with another Young's modulus [Pa]."""
     return attrs.evolve(read_material("ice"), youngs_modulus=youngs_modulus)
 
 
 def sphere(youngs_modulus: float) -> HertzSphere:
-    """The sphere of finite elements, of Young's modulus in Pa."""
+    """Return the finite-element sphere with a Young's modulus [Pa]."""
     ice = material(youngs_modulus)
     return HertzSphere(
         ElasticPlastic(
@@ -106,11 +107,11 @@ def _flight(impact: Impact, coarse: bool) -> float:
 
 @attrs.frozen
 class Oscillation:
-    """How the force of the contact oscillates about a smooth one.
+    """Oscillation of the contact force about a smooth curve.
 
     Attributes:
         time: Middles of the steps of contact (n,), s.
-        share: Force less the smooth one, over the largest force (n,).
+        share: Difference from the smooth force, divided by the largest force (n,).
     """
 
     time: np.ndarray
@@ -118,12 +119,16 @@ class Oscillation:
 
 
 def oscillation(vibration: Vibration) -> Oscillation:
-    """Force less its own best fit by Hertz' times a cubic in (approach/R)^(1/2): the fit takes what
-    a sphere of finite size adds, which depends on the approach alone."""
+    """Return the difference of the force from a smooth fit.
+
+    The fit is Hertz' force times a cubic in (approach/R)^(1/2), which covers the effect of the
+    finite
+    size of the sphere, because that depends only on the approach.
+    """
     hertz = HertzSphere(vibration.material, vibration.radius)
     history = vibration.history
     last = np.flatnonzero(history["force"])[-1]
-    # The force of a step is that of its middle.
+    # The force of a step belongs to its middle.
     middle = history[["time", "approach"]].rolling(2).mean().iloc[1 : last + 1]
     force = history["force"].to_numpy()[1 : last + 1]
     approach = np.maximum(middle["approach"].to_numpy(), 0)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The figures: impact, energies, restitution over speed, and spectra of what is left."""
+"""Figures: impact, energies, restitution over speed, and spectra of the remaining vibration."""
 
 from __future__ import annotations
 
@@ -20,12 +20,12 @@ from plastigran.papers.chamoli.computations import (
 from plastigran.physics.central import hertz_force, hertz_history
 from plastigran.plot.style import COLOURS, styled, subplots
 
-FLIGHT_SHOWN = 1.0  # durations of the contact that are shown after it
+FLIGHT_SHOWN = 1.0  # time after the contact that is shown, in contact durations
 TOROIDAL = PAPER_MODES["toroidal", 1, 0]
 
 
 def figures(computed: Computed) -> dict[str, Figure]:
-    """By name."""
+    """Return the figures by name."""
     return {
         "impact": impact_figure(computed),
         "energies": energies_figure(computed),
@@ -36,7 +36,7 @@ def figures(computed: Computed) -> dict[str, Figure]:
 
 @styled()
 def impact_figure(computed: Computed) -> Figure:
-    """Force, centre of mass and the force's oscillation over time, in Hertz' own units."""
+    """Draw force, center of mass and oscillation of the force over time, in Hertz' units."""
     figure, panels = subplots(1, 3, figsize=(11, 3.6))
     for colour, impact in zip(COLOURS, SHOWN, strict=False):
         found, hertz = computed.vibrations[impact], sphere(impact[0])
@@ -48,7 +48,7 @@ def impact_figure(computed: Computed) -> Figure:
         panels[1].plot(time, history["approach"] / approach, color=colour, label=_label(impact))
         swing = oscillation(found)
         panels[2].plot(swing.time / duration, 100 * swing.share, color=colour)
-    # One curve for all: in these units Hertz' impacts are the same.
+    # One curve is enough: in these units all Hertz impacts are the same.
     speed = SHOWN[0][1]
     hertz = sphere(SHOWN[0][0])
     approach = hertz.approach_max(speed)
@@ -67,7 +67,7 @@ def impact_figure(computed: Computed) -> Figure:
 
 @styled()
 def energies_figure(computed: Computed) -> Figure:
-    """Shares of the impact's energy over time, and what is left in flight."""
+    """Draw shares of the impact energy over time, and the remaining energy in flight."""
     figure, grid = subplots(2, len(SHOWN), figsize=(11, 5.2), sharex=True)
     parts = {
         "kinetic": "kinetic_energy",
@@ -98,11 +98,11 @@ def energies_figure(computed: Computed) -> Figure:
 
 @styled()
 def restitution_figure(computed: Computed) -> Figure:
-    """One less restitution over speed, by momentum and by kinetic energy."""
+    """Draw 1 - e over speed, by momentum and by kinetic energy."""
     figure, axes = subplots(figsize=(5.6, 4))
     hard = {v: found for (modulus, v), found in computed.vibrations.items() if modulus == HARD}
     soft = computed.vibrations[SHOWN[-1]]
-    # Speeds over those of sound, so that both spheres are on one curve.
+    # Speeds are divided by the wave speed, so that both spheres lie on one curve.
     speeds = np.array([*(_mach(found) for found in hard.values()), _mach(soft)])
     found = [*hard.values(), soft]
     by_momentum = [1 - each.coefficient_of_restitution for each in found]
@@ -119,7 +119,7 @@ def restitution_figure(computed: Computed) -> Figure:
 
 @styled()
 def spectrum_figure(computed: Computed) -> Figure:
-    """Spectra in flight after some impacts, with the exact modes."""
+    """Draw spectra in flight after some impacts, with the exact modes."""
     figure, panels = subplots(len(SHOWN), 1, figsize=(7.5, 6), sharex=True)
     highest = 1.04e-3 * computed.vibrations[SHOWN[1]].modes["frequency"].max()
     signals = {"strain energy": "middle_elastic_energy", "top": "top_displacement"}

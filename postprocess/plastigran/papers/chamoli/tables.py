@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The tables: impacts against Hertz, energies, restitution, oscillations and modes."""
+"""Tables: impacts compared with Hertz, energies, restitution, oscillations and modes."""
 
 from __future__ import annotations
 
@@ -29,17 +29,17 @@ from plastigran.physics.modes import sphere_modes
 from plastigran.report.base import add_difference
 
 KHZ, MICRO = 1e-3, 1e6
-NEAR = 0.01  # of a mode's frequency, within which a peak is its own
+NEAR = 0.01  # relative distance within which a peak belongs to a mode
 
 
 def tables(computed: Computed) -> dict[str, pd.DataFrame]:
-    """By name."""
+    """Return the tables by name."""
     kinds = (impacts, energies, restitution, oscillations, modes, viscoelastic)
     return {table.__name__: table(computed) for table in kinds}
 
 
 def impacts(computed: Computed) -> pd.DataFrame:
-    """Largest force and approach and duration against Hertz' closed forms and LIGGGHTS."""
+    """Return largest force, largest approach and duration, by Hertz' closed forms and LIGGGHTS."""
     quantities = {
         "force_max": ("largest force", "N", 1.0),
         "overlap_max": ("largest approach", "µm", MICRO),
@@ -72,7 +72,7 @@ def impacts(computed: Computed) -> pd.DataFrame:
 
 
 def energies(computed: Computed) -> pd.DataFrame:
-    """Shares of the impact's energy, and how far the total strays."""
+    """Return shares of the impact energy, and the error of the total."""
     rows = []
     for impact, found in computed.vibrations.items():
         history = found.history
@@ -96,7 +96,7 @@ def energies(computed: Computed) -> pd.DataFrame:
 
 
 def restitution(computed: Computed) -> pd.DataFrame:
-    """One less restitution, by momentum and by kinetic energy; all of them are close to one."""
+    """Return 1 - e by momentum and by kinetic energy, because all e are close to one."""
     gravest = computed.modes["frequency"].min()
     rows = []
     for impact, found in computed.vibrations.items():
@@ -120,7 +120,7 @@ def restitution(computed: Computed) -> pd.DataFrame:
 
 
 def oscillations(computed: Computed) -> pd.DataFrame:
-    """Of the force within the contact, about a smooth one."""
+    """Return the oscillation of the force about a smooth curve during contact."""
     rows = []
     for impact, found in computed.vibrations.items():
         force = oscillation(found)
@@ -139,8 +139,11 @@ def oscillations(computed: Computed) -> pd.DataFrame:
 
 
 def modes(computed: Computed) -> pd.DataFrame:
-    """Free vibrations: exact, of the mesh, and peaks of the spectra after the fastest impact, with
-    the energy each has after some impacts."""
+    """Return free vibrations: exact, of the mesh, and peaks of the spectra after the fastest
+    impact.
+
+    Further columns are the energies of the modes after some impacts.
+    """
     found = computed.vibrations[HARD, 5.0]
     table = nearest_modes(found.modes["frequency"], computed.modes)
     table = table.rename(columns={"found": "mesh"})
@@ -166,7 +169,7 @@ def modes(computed: Computed) -> pd.DataFrame:
 
 
 def viscoelastic(computed: Computed) -> pd.DataFrame:
-    """Restitution of a viscoelastic ice sphere: measured, closed form, law, LIGGGHTS."""
+    """Return the restitution of a viscoelastic ice sphere: measured, closed form, law, LIGGGHTS."""
     ice, runs = read_material("ice"), computed.viscoelastic
     speeds = runs["speed"].to_numpy()
     factor, power = ICE_RESTITUTION
@@ -197,6 +200,6 @@ def _named(impact: Impact) -> dict[str, float]:
 
 
 def _shares(vibration: Vibration) -> np.ndarray:
-    """Energy in each mode over that of the impact."""
+    """Return the energy of each mode divided by that of the impact."""
     energy = vibration.history["kinetic_energy"].iloc[0]
     return (vibration.modes["energy"] / energy).to_numpy()

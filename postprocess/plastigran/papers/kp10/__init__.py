@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Katta & Polycarpou 2010: a rigid cylinder on glass, finite elements beside both cylinder laws."""
+"""Katta & Polycarpou 2010: a rigid cylinder on glass, by finite elements and two cylinder laws."""
 
 from __future__ import annotations
 
@@ -8,8 +8,8 @@ from plastigran.report.base import Findings
 
 
 def compute(progress: bool, coarse: bool) -> Findings:
-    """Head-on and oblique strikes."""
-    # What these need is slow to load.
+    """Compute head-on and oblique impacts."""
+    # Import late, because these modules are slow to load.
     from plastigran.papers.kp10.computations import compute_finite_elements_and_runs
     from plastigran.papers.kp10.figures import figures
     from plastigran.papers.kp10.tables import tables

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Finite elements and runs of LIGGGHTS of the paper's cylinder."""
+"""Finite elements and LIGGGHTS runs of the paper's cylinder."""
 
 from __future__ import annotations
 
@@ -23,35 +23,39 @@ from plastigran.usable_laws import laws_for
 
 RADIUS = 1e-5
 GLASS = read_material(MATERIAL)
-#: Both bodies' elasticity in one, as in the material file.
+#: Combined elasticity of both bodies, as in the material file.
 BODY = ElasticPlastic(
     youngs_modulus=GLASS.youngs_modulus,
     poissons_ratio=GLASS.poissons_ratio,
     density=GLASS.density,
     hardening=LinearHardening(GLASS.yield_strength),
 )
-#: Glass by itself: with a slider of 388 GPa and Poisson's ratio 0.22 it has the paper's E_r.
+#: Glass alone: with a slider of 388 GPa and Poisson's ratio 0.22 it has the paper's E_r.
 GLASS_ALONE = attrs.evolve(BODY, youngs_modulus=1.001e11)
 FRICTION = 0.15
 SLIDING_SPEED = 10.0
 
-#: Impact speeds [m/s] by length over radius.
+#: Impact speeds [m/s] by length/radius.
 SPEEDS = {10.0: (0.2, 0.4, 0.6, 0.8, 1.0), 100.0: (1.0, 2.0, 3.0, 4.0, 5.0)}
 OBLIQUE_SPEEDS = {10.0: (1.0, 0.6), 100.0: (3.0,)}
-#: The impact whose residual depths the paper gives: length over radius, speed [m/s].
+#: Impact whose residual depths the paper gives: length/radius, speed [m/s].
 SHOWN = (10.0, 1.0)
 LAWS = tuple(laws_for("cylinder"))
 HEAD_ON = Settings(divisions=4, steps_of_contact=120)
-#: An oblique strike takes ten times as long as a head-on one, for all of the track is fine.
+#: An oblique impact takes ten times as long to compute, because its whole track has a fine mesh.
 OBLIQUE = Settings(divisions=3, fineness=0.6, steps_of_contact=40)
 COARSE = Settings(divisions=2, fineness=0.5, steps_of_contact=20)
-KINDS = {"normal": "head-on", "oblique": "oblique"}  # of a key, and how they are shown
+KINDS = {"normal": "head-on", "oblique": "oblique"}  # key and word in tables
 
 
 @attrs.frozen(order=True)
 class Key:
-    """What tells one computation: `body` is "layer", "thick" (no wave comes back), "thin" (half the
-    layer) or "glass" (by itself), `kind` "normal" or "oblique", `mesh` "usual" or "coarse"."""
+    """Identity of one computation.
+
+    `body` is "layer", "thick" (without wave reflection), "thin" (half the layer) or "glass"
+    (alone).
+    `kind` is "normal" or "oblique", `mesh` is "usual" or "coarse".
+    """
 
     length_ratio: float
     speed: float
@@ -60,13 +64,13 @@ class Key:
     mesh: str = "usual"
 
     def settings(self) -> Settings:
-        """How fine."""
+        """Resolution of the computation."""
         if self.mesh == "coarse":
             return COARSE
         return OBLIQUE if self.kind == "oblique" else HEAD_ON
 
     def case(self) -> CylinderStrike:
-        """The strike to be computed."""
+        """Impact to compute."""
         thickness = {"thick": None, "thin": BODY_THICKNESS / 2}.get(self.body, BODY_THICKNESS)
         return CylinderStrike(
             material=GLASS_ALONE if self.body == "glass" else BODY,
@@ -82,11 +86,11 @@ class Key:
 
 @attrs.frozen
 class Computed:
-    """Everything the tables and figures are made of.
+    """Data of the tables and figures.
 
     Attributes:
-        strikes: Of finite elements.
-        runs: Of LIGGGHTS, by length over radius, speed and law; head-on.
+        strikes: Finite-element results.
+        runs: LIGGGHTS results, by length/radius, speed and law; head-on.
     """
 
     strikes: dict[Key, Strike]
@@ -94,7 +98,7 @@ class Computed:
 
 
 def keys(coarse: bool) -> list[Key]:
-    """The computations, the longest first."""
+    """Return the computations, the longest first."""
     shown = [Key(*SHOWN, "oblique"), Key(*SHOWN)]
     if coarse:
         return [*shown, Key(*SHOWN, body="thick")]
@@ -110,7 +114,7 @@ def keys(coarse: bool) -> list[Key]:
 
 
 def compute_finite_elements_and_runs(progress: bool, coarse: bool) -> Computed:
-    """Compute, or find in the cache, what `Computed` holds; arguments as of `Report.run`."""
+    """Compute `Computed`, or read it from the cache; arguments as for `Report.run`."""
     strikes = compute_all(
         {
             key: Computation(strike, (key.case(),), COARSE if coarse else key.settings())

@@ -15,11 +15,11 @@ from plastigran.plot.fields import draw_field
 from plastigran.plot.style import COLOURS, law_colour, styled, subplots, title
 
 MICRO = 1e6
-LEVELS = np.linspace(0, 1, 11)  # of von Mises stress over the flow stress
+LEVELS = np.linspace(0, 1, 11)  # von Mises stress / flow stress
 
 
 def figures(found: Computed) -> dict[str, Figure]:
-    """By name."""
+    """Return the figures by name."""
     return {
         "restitution": restitution_figure(found),
         "depth": depth_figure(found),
@@ -28,7 +28,7 @@ def figures(found: Computed) -> dict[str, Figure]:
 
 
 def restitution_figure(found: Computed) -> Figure:
-    """Restitution over speed, one panel for each length of the cylinder."""
+    """Draw restitution over speed, one panel for each length of the cylinder."""
     ratios = sorted({ratio for ratio, _, _ in found.runs})
     with styled():
         figure, grid = subplots(1, len(ratios), figsize=(4.4 * len(ratios), 3.6), squeeze=False)
@@ -60,7 +60,7 @@ def restitution_figure(found: Computed) -> Figure:
 
 
 def depth_figure(found: Computed) -> Figure:
-    """Depth of the cylinder over time, and the surface that it leaves."""
+    """Draw the depth of the cylinder over time, and the surface afterwards."""
     with styled():
         figure, (over_time, left) = subplots(1, 2, figsize=(9.2, 3.6))
         for (kind, label), colour in zip(KINDS.items(), COLOURS, strict=False):
@@ -80,8 +80,10 @@ def depth_figure(found: Computed) -> Figure:
 
 
 def mises_figure(found: Computed) -> Figure:
-    """Von Mises stress over the flow stress at first yield, at the largest depth and afterwards,
-    head-on and oblique."""
+    """Draw von Mises stress / flow stress at first yield, at the largest depth and afterwards.
+
+    Head-on and oblique.
+    """
     moments = {"yield": "first yield", "deepest": "largest depth", "end": "after it has left"}
     with styled({"axes.grid": False}):
         figure, grid = subplots(3, 2, figsize=(9.2, 6.2), width_ratios=(1, 2.4), sharey=True)
@@ -99,7 +101,7 @@ def mises_figure(found: Computed) -> Figure:
 
 
 def _draw_mises(axes: Axes, struck: Strike, snapshot: Snapshot, mirror: bool) -> object:
-    """Stress, and the edge of the plastic zone as a line."""
+    """Draw the stress, and the edge of the plastic zone as a line."""
     width = 2 * MICRO * struck.history["half_width"].max()
     start = struck.start
     vertices = MICRO * (snapshot.vertices + snapshot.displacement - [start, 0])

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Tables of the cylinder: paper, finite elements and both cylinder laws side by side."""
+"""Tables of the cylinder: paper, finite elements and both cylinder laws."""
 
 from __future__ import annotations
 
@@ -17,10 +17,10 @@ from plastigran.papers.kp10.computations import KINDS, LAWS, SHOWN, Computed, Ke
 from plastigran.report.base import add_difference
 
 MICRO = 1e6
-#: The paper's finite elements at `SHOWN`, sliding along [m].
+#: Residual depth of the paper's finite elements at `SHOWN` with sliding [m].
 OBLIQUE_OVERLAP_RES = 0.19e-6
 OURS = "finite elements"
-#: Of the finite elements and of LIGGGHTS; how it is shown, and the factor to its unit.
+#: Quantities of finite elements and LIGGGHTS: name in tables, and factor to its unit.
 QUANTITIES = {
     ("overlap_max", "overlap_max"): ("largest depth", "µm", MICRO),
     ("residual_depth", "overlap_res"): ("residual depth", "µm", MICRO),
@@ -28,8 +28,8 @@ QUANTITIES = {
     ("contact_time",) * 2: ("contact time", "µs", MICRO),
     ("force_max",) * 2: ("largest force", "N", 1.0),
 }
-#: Residual over largest depth up to which there is no dent. LIGGGHTS' residual is extrapolated from
-#: the last three of some thirty steps, which an elastic contact shows to be good to this.
+#: Largest residual/largest depth that counts as zero. The residual depth of LIGGGHTS is
+#: extrapolated from the last three of some thirty steps; an elastic contact shows this error.
 NO_DENT = 1e-3
 BODIES = {
     "layer": "both bodies' elasticity, 100 µm",
@@ -40,7 +40,7 @@ BODIES = {
 
 
 def tables(found: Computed) -> dict[str, pd.DataFrame]:
-    """By name."""
+    """Return the tables by name."""
     return {
         "comparison": comparison(found),
         "normal": normal(found),
@@ -50,7 +50,7 @@ def tables(found: Computed) -> dict[str, pd.DataFrame]:
 
 
 def comparison(found: Computed) -> pd.DataFrame:
-    """The impact whose residual depths the paper gives, head-on and oblique."""
+    """Return the impact whose residual depths the paper gives, head-on and oblique."""
     straight, oblique = (found.strikes[Key(*SHOWN, kind)] for kind in ("normal", "oblique"))
     by_law = {name: found.runs[*SHOWN, name] for name in LAWS}
 
@@ -59,7 +59,7 @@ def comparison(found: Computed) -> pd.DataFrame:
     ):
         line = {"quantity": quantity, "unit": unit, "paper": paper}
         line[OURS] = factor * getattr(struck, name)
-        # The laws know no sliding.
+        # The laws do not include sliding.
         attribute = {"residual_depth": "overlap_res"}.get(name, name)
         for law, run in by_law.items():
             known = struck is straight
@@ -84,7 +84,7 @@ def comparison(found: Computed) -> pd.DataFrame:
 
 
 def normal(found: Computed) -> pd.DataFrame:
-    """Head-on: finite elements, a body without far side, and what the laws are off."""
+    """Return head-on impacts: finite elements with and without reflection, errors of the laws."""
     rows = []
     for key, struck in sorted(found.strikes.items()):
         if (key.kind, key.body, key.mesh) != ("normal", "layer", "usual"):
@@ -106,14 +106,14 @@ def normal(found: Computed) -> pd.DataFrame:
 
 
 def _shown(outcome: Strike | CollisionOutcome, name: str) -> float:
-    """A result, SI units; a residual depth that is none is zero."""
+    """Return a result in SI units; an insignificant residual depth is zero."""
     value = getattr(outcome, name)
     left = name in ("residual_depth", "overlap_res")
     return 0.0 if left and value < NO_DENT * outcome.overlap_max else value
 
 
 def oblique(found: Computed) -> pd.DataFrame:
-    """Sliding along at 10 m/s beside head-on, of finite elements, once on coarse meshes too."""
+    """Return finite elements with sliding at 10 m/s and head-on, also on coarse meshes."""
     rows = []
     for key, struck in sorted(found.strikes.items()):
         if key.body != "layer" or not _has_oblique(found, key):
@@ -145,16 +145,17 @@ def oblique(found: Computed) -> pd.DataFrame:
 
 
 def surface_yield(struck: Strike) -> pd.Series:
-    """The row of the history where the surface yields first, nan if it never does: the shallowest
-    yielded Gauss point is one of those next to the surface in the elements along it."""
+    """Return the row of the history where the surface yields first, NaN if it does not.
+
+    The surface yields if the shallowest yielded Gauss point is in the first layer of points.
+    """
     top = surface_points(struck.snapshots["end"])
     there = struck.history[struck.history["plastic_top"].isin(-top[:, 1])]
     return there.iloc[0] if len(there) else pd.Series(nan, index=struck.history.columns)
 
 
 def surface_points(snapshot: Snapshot) -> np.ndarray:
-    """(x, y) of the Gauss points next to the surface y = 0, two in each element along it (n, 2),
-    m."""
+    """Return the Gauss points next to the surface y = 0, two per element along it (n, 2), m."""
     along = np.count_nonzero(snapshot.vertices[snapshot.quads, 1] == 0, axis=1) == 2
     points = snapshot.positions.reshape(len(snapshot.quads), -1, 2)[along]
     upper = np.argsort(points[:, :, 1], axis=1)[:, -2:]
@@ -162,7 +163,7 @@ def surface_points(snapshot: Snapshot) -> np.ndarray:
 
 
 def touched_lengths(struck: Strike) -> np.ndarray:
-    """Lengths of the surface's elements that the contact has reached (n,), m."""
+    """Return the lengths of the surface elements that the contact has reached (n,), m."""
     history, vertices = struck.history, struck.snapshots["end"].vertices
     reached = struck.start + history["way"], history["half_width"]
     first, last = (reached[0] - reached[1]).min(), (reached[0] + reached[1]).max()
@@ -175,7 +176,7 @@ def _has_oblique(found: Computed, key: Key) -> bool:
 
 
 def bodies(found: Computed) -> pd.DataFrame:
-    """What the body's modulus and thickness do to the impact the paper gives the dent of."""
+    """Return the influence of modulus and thickness of the body on the impact at `SHOWN`."""
     rows = []
     for name, said in BODIES.items():
         key = Key(*SHOWN, body=name)

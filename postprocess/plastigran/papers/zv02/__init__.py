@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The sphere of Zhang & Vu-Quoc 2002: finite elements, its own contact law and others."""
+"""The sphere of Zhang & Vu-Quoc 2002: finite elements, the law of the paper and others."""
 
 from __future__ import annotations
 
@@ -8,8 +8,9 @@ from plastigran.report.base import Findings
 
 
 def compute(progress: bool, coarse: bool) -> Findings:
-    """Every table, figure and movie."""
-    from plastigran.papers.zv02 import figures, pictures  # what these need is slow to load
+    """Compute every table, figure and movie."""
+    # import late, because these modules are slow to load
+    from plastigran.papers.zv02 import figures, pictures
     from plastigran.papers.zv02.computations import SHOWN, compute_finite_elements_and_runs
     from plastigran.papers.zv02.tables import tables
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Finite elements and runs of LIGGGHTS of the paper's sphere."""
+"""Finite elements and LIGGGHTS runs of the paper's sphere."""
 
 from __future__ import annotations
 
@@ -36,31 +36,32 @@ MASS = 4 / 3 * pi * RADIUS**3 * MATERIAL.density
 
 #: The paper's speeds [m/s], and one between them.
 SPEEDS = (0.20, 0.10, 0.06, 0.02)
-#: Those of its impacts without plastic flow [m/s].
+#: Speeds of the paper's impacts without plastic flow [m/s].
 ELASTIC_SPEEDS = (0.02, 0.10)
-#: The speed that the movie shows.
+#: Speed of the movie [m/s].
 SHOWN = 0.10
-#: Largest forces [N]: just beyond yield, the paper's loads, and that of its impact at 0.20 m/s.
+#: Largest forces [N]: just beyond yield, the paper's loads, and the force of its impact at 0.20
+#: m/s.
 FORCES = (40.0, 100.0, 500.0, 1500.0, 3000.0, 8375.0)
-#: To which the paper fits the constants of its law, 41 P_Y [N].
+#: Force up to which the paper fits the constants of its law, 41 P_Y [N].
 CALIBRATION_FORCE = 1500.0
-#: The paper's laws, and the two nearest to finite elements.
+#: Laws of the paper, and the two closest to finite elements.
 LAWS = ("vu_quoc_zhang", "thornton", "stronge", "kogut_etsion", "jackson_green")
 
 
 @attrs.frozen
 class Computed:
-    """Everything the tables and figures are made of.
+    """Data of the tables and figures.
 
     Attributes:
         throws: Elastic-plastic impacts, by speed.
-        elastic_throws: Elastic ones, by speed.
-        pressing: To each of `FORCES` in turn.
-        elastic_pressing: To the same, without plastic flow.
-        fit: To `CALIBRATION_FORCE` at once.
-        onset: Slowly past the force at yield, on a finer mesh.
-        mesh: Of the impact at `SHOWN`.
-        runs: Of LIGGGHTS, `LAWS` and Hertz' at every speed.
+        elastic_throws: Elastic impacts, by speed.
+        pressing: Quasi-static compression to each of `FORCES`.
+        elastic_pressing: The same without plastic flow.
+        fit: Compression to `CALIBRATION_FORCE` in one stroke.
+        onset: Compression past the yield force in small steps, on a finer mesh.
+        mesh: Mesh of the impact at `SHOWN`.
+        runs: LIGGGHTS runs of `LAWS` and Hertz at every speed.
     """
 
     throws: dict[float, Throw]
@@ -74,11 +75,11 @@ class Computed:
 
 
 def compute_finite_elements_and_runs(progress: bool, coarse: bool) -> Computed:
-    """Compute, or find in the cache, what `Computed` holds; arguments as of `Report.run`."""
+    """Compute `Computed`, or read it from the cache; arguments as for `Report.run`."""
     usual, frames = Settings(), 50
     if coarse:
         usual, frames = Settings(divisions=4, fineness=0.5, growth=1.15, steps_of_contact=80), 12
-    # Two periods of the gravest mode are followed after the contact.
+    # Follow two periods of the fundamental mode after the contact.
     long = attrs.evolve(usual, free_steps=usual.steps_of_contact // 4, frames=frames)
     fine = attrs.evolve(usual, divisions=2 * usual.divisions, growth=1.002, unloading_steps=8)
     speeds = (SHOWN, 0.02) if coarse else SPEEDS

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Curves of the sphere: restitution, collisions over time, loops, contact radius and pressure."""
+"""Curves of the sphere: restitution, impacts over time, loops, contact radius and pressure."""
 
 from __future__ import annotations
 
@@ -21,11 +21,11 @@ from plastigran.papers.zv02.computations import (
 from plastigran.papers.zv02.tables import nodal_swing
 from plastigran.plot.style import COLOURS, law_colour, styled, subplots, title
 
-GREY = "0.45"  # of what does not yield
+GREY = "0.45"  # color of elastic results
 
 
 def restitution_figure(computed: Computed) -> Figure:
-    """Restitution over impact speed: laws as lines, finite elements, LIGGGHTS and the paper."""
+    """Draw restitution over impact speed: laws as lines, finite elements, LIGGGHTS, the paper."""
     speeds = np.geomspace(SPHERE.yield_speed, 1.2 * max(computed.throws), 150)
     with styled():
         figure, axes = subplots(figsize=(7.6, 4.6))
@@ -61,8 +61,10 @@ def restitution_figure(computed: Computed) -> Figure:
 
 
 def collisions_figure(computed: Computed) -> Figure:
-    """Force over time, a panel a speed: finite elements with and without plastic flow, Hertz' and
-    the paper's law in LIGGGHTS."""
+    """Draw force over time, a panel for each speed.
+
+    Finite elements with and without plastic flow, Hertz, and the paper's law in LIGGGHTS.
+    """
     outcomes = {(case.law, case.speed): found for case, found in computed.runs.outcomes.items()}
     with styled():
         speeds = list(computed.throws)
@@ -72,7 +74,7 @@ def collisions_figure(computed: Computed) -> Figure:
         for axes, speed in zip(panels[0], speeds, strict=True):
             for colour, law in ((GREY, "hertz"), (law_colour(LAWS[0]), LAWS[0])):
                 loop = outcomes[law, speed].loop
-                before = loop[loop["force"] == 0].iloc[0]  # it flies at the plane
+                before = loop[loop["force"] == 0].iloc[0]  # the sphere flies toward the plane
                 touch = before["time"] - before["overlap"] / before["speed"]
                 time = 1e6 * (loop["time"] - touch)
                 axes.plot(time, loop["force"] / 1e3, "--", color=colour, label=title(law), lw=1)
@@ -95,7 +97,7 @@ def collisions_figure(computed: Computed) -> Figure:
 
 
 def loops_figure(pressing: Pressing) -> Figure:
-    """Force over approach, pressed to each force and let go: finite elements and laws."""
+    """Draw force over approach with an unloading from each force: finite elements and laws."""
     tops = pressing.unloadings["approach"].to_numpy()
     with styled():
         figure, panels = subplots(1, 2, figsize=(8.6, 3.8), width_ratios=(1, 1))
@@ -122,7 +124,7 @@ def loops_figure(pressing: Pressing) -> Figure:
 
 
 def contact_radius_figure(pressing: Pressing) -> Figure:
-    """Contact radius over force while the sphere is pressed: finite elements, laws and Hertz."""
+    """Draw contact radius over force during loading: finite elements, laws and Hertz."""
     loading = virgin_loading(pressing.history)
     force = loading["force"].to_numpy()
     overlap = np.linspace(0, 1.6 * loading["approach"].max(), 4000)
@@ -149,7 +151,7 @@ def contact_radius_figure(pressing: Pressing) -> Figure:
 
 
 def pressure_figure(pressing: Pressing, elastic: Pressing) -> Figure:
-    """Pressure over distance from the axis at each largest force, plastic and elastic."""
+    """Draw pressure over distance from the axis at each largest force, plastic and elastic."""
     strength = pressing.material.hardening.yield_strength
     forces = pressing.unloadings["force"]
     shades = matplotlib.colormaps["viridis"](np.linspace(0.05, 0.85, len(forces)))

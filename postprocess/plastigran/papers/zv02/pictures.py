@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Pictures of the sphere: its mesh, von Mises stress and plastic zones, and a collision as a
-movie."""
+"""Pictures of the sphere: mesh, von Mises stress and plastic zones, and a movie of an impact."""
 
 from __future__ import annotations
 
@@ -19,17 +18,17 @@ from plastigran.plot.movie import Movie
 from plastigran.plot.style import COLOURS, styled, subplots
 
 MM = 1e3
-#: Plastic strain along the edges drawn: a hundredth of the strain at yield here.
+#: Plastic strain at the edges that are drawn: here a hundredth of the yield strain.
 ZONE_EDGE = 1e-5
-LEVELS = np.linspace(0, 1, 11)  # of von Mises stress over the flow stress
+LEVELS = np.linspace(0, 1, 11)  # von Mises stress / flow stress
 
 
 def mesh_figure(mesh: MeshQuad2, contact_radius: float) -> Figure:
-    """The whole mesh, and the part of it about the contact.
+    """Draw the whole mesh, and its part near the contact.
 
     Args:
-        mesh: In m.
-        contact_radius: The largest one, m.
+        mesh: Mesh in m.
+        contact_radius: Largest contact radius, m.
     """
     with styled({"axes.grid": False}):
         figure, (whole, part) = subplots(1, 2, figsize=(7.2, 3.7), width_ratios=(1, 1.7))
@@ -48,12 +47,13 @@ def mesh_figure(mesh: MeshQuad2, contact_radius: float) -> Figure:
 
 
 def mises_figure(pressing: Pressing, shown: tuple[float, ...]) -> Figure:
-    """Von Mises stress over the flow stress at some largest forces and after each: lengths are
-    those of the contact at that force.
+    """Draw von Mises stress / flow stress at some largest forces and after each unloading.
+
+    Lengths are divided by the contact radius at that force.
 
     Args:
-        pressing: Perfectly plastic.
-        shown: Largest forces, N, of those it was pressed to.
+        pressing: Compression of a perfectly plastic sphere.
+        shown: Largest forces to show, N.
     """
     strength = pressing.material.hardening.yield_strength
     forces = pressing.unloadings["force"].to_numpy()
@@ -79,11 +79,11 @@ def mises_figure(pressing: Pressing, shown: tuple[float, ...]) -> Figure:
 
 
 def _draw_mises(axes: Axes, snapshot: Snapshot, strength: float, scale: float) -> object:
-    """Stress, and the edge of the plastic zone, over the deformed body above its lowest point."""
+    """Draw the stress and the edge of the plastic zone on the deformed body."""
     vertices = snapshot.vertices + snapshot.displacement
     vertices = scale * (vertices - [0, vertices[:, 1].min()])
     stress = at_vertices(snapshot, snapshot.mises) / strength
-    stress = np.minimum(stress, 1 - 1e-9)  # what flows is within the last level
+    stress = np.minimum(stress, 1 - 1e-9)  # points at the flow stress belong to the last level
     contours = draw_field(axes, vertices, snapshot.quads, stress, LEVELS, cmap="viridis")
     yielded = at_vertices(snapshot, snapshot.plastic_strain)
     if yielded.max() > ZONE_EDGE:
@@ -93,7 +93,7 @@ def _draw_mises(axes: Axes, snapshot: Snapshot, strength: float, scale: float) -
 
 
 def plastic_zone_figure(pressing: Pressing) -> Figure:
-    """Edges of what has yielded at each largest force."""
+    """Draw the edges of the plastic zone at each largest force."""
     forces = pressing.unloadings["force"]
     with styled():
         figure, axes = subplots(figsize=(6.4, 4.4))
@@ -115,7 +115,7 @@ def plastic_zone_figure(pressing: Pressing) -> Figure:
 
 
 def collision_movie(throw: Throw) -> Movie:
-    """Von Mises stress about the contact, and force over approach, through a collision."""
+    """Make a movie of von Mises stress near the contact and force over approach in an impact."""
     strength = throw.material.hardening.yield_strength
     history = throw.history
     times = [time for time in throw.snapshots if time < 1.05 * throw.contact_time]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Tables of the sphere: paper, finite elements, laws and LIGGGHTS side by side."""
+"""Tables of the sphere: paper, finite elements, laws and LIGGGHTS."""
 
 from __future__ import annotations
 
@@ -26,18 +26,18 @@ from plastigran.physics.contact_time import contact_time
 from plastigran.report.base import add_difference
 
 FINITE_ELEMENTS, PAPER = "finite elements", "paper"
-#: What the paper prints, beside its impacts in `data/finite_elements_zv02.csv`.
+#: Values that the paper prints, in addition to `data/finite_elements_zv02.csv`.
 PAPER_ELASTIC_FORCE = {0.02: 716.6, 0.10: 4938.0}
 PAPER_YIELD_FORCE = 36.45
 PAPER_YIELD_PRESSURE_FACTOR = 1.613
 PAPER_COEFFICIENTS = {"C_a": 2.33e-7, "K_c": 2.69e-4}
 PAPER_LAW_RESTITUTION = {0.20: 0.4773}
 COMPARED = {"force_max": "force", "coefficient_of_restitution": "restitution"}
-LARGEST_APPROACH = 0.01  # of the radius: more than any law needs for these forces
+LARGEST_APPROACH = 0.01  # fraction of the radius; larger than any law needs for these forces
 
 
 def tables(computed: Computed) -> dict[str, pd.DataFrame]:
-    """All of them by name."""
+    """Return all tables by name."""
     paper = finite_elements().set_index("speed")
     return {
         "onset": onset(computed.onset),
@@ -55,8 +55,11 @@ def tables(computed: Computed) -> dict[str, pd.DataFrame]:
 
 
 def onset(pressing: Pressing) -> pd.DataFrame:
-    """Where and when the sphere yields: the first increment with plastic work, and the point of
-    most plastic strain at the last one."""
+    """Return the load and place of first yield.
+
+    First yield is the first increment with plastic work. The place is the point with the largest
+    plastic strain at the last increment.
+    """
     history = pressing.history
     first = history[history["plastic_work"] > 0].iloc[0]
     strength = pressing.material.hardening.yield_strength
@@ -85,14 +88,14 @@ def onset(pressing: Pressing) -> pd.DataFrame:
 
 
 def _yield_depth() -> float:
-    """Depth of the largest von Mises stress on the axis under Hertz' pressure, over a."""
+    """Return the depth/a of the largest von Mises stress on the axis under Hertz' pressure."""
     z = np.linspace(0.2, 1, 8001)
     poisson = MATERIAL.poissons_ratio
     return float(z[np.argmax(1.5 / (1 + z**2) - (1 + poisson) * (1 - z * np.arctan(1 / z)))])
 
 
 def elastic(computed: Computed) -> pd.DataFrame:
-    """Impacts without plastic flow."""
+    """Return the impacts without plastic flow."""
     rows = []
     for speed, throw in computed.elastic_throws.items():
         hertz = _engine_outcome(computed, "hertz", speed)
@@ -112,14 +115,16 @@ def elastic(computed: Computed) -> pd.DataFrame:
 def impacts(
     computed: Computed, name: str, paper: dict[float, float] | None = None, scale: float = 1.0
 ) -> pd.DataFrame:
-    """One result of the impacts, one row a speed: paper, finite elements, every law by its energy
-    balance, and the paper's law in LIGGGHTS.
+    """Return one quantity of the impacts, one row per speed.
+
+    Columns are the paper, finite elements, every law by its energy balance, and the paper's law in
+    LIGGGHTS.
 
     Args:
-        computed: What is shown.
-        name: Of an attribute that outcomes of all of them have.
-        paper: Its values by speed, as far as there are some.
-        scale: Factor on the SI unit.
+        computed: Data.
+        name: Attribute that all outcomes have.
+        paper: Values of the paper by speed.
+        scale: Factor to the SI unit.
     """
     rows = []
     for speed, throw in computed.throws.items():
@@ -135,8 +140,10 @@ def impacts(
 
 
 def restitution(computed: Computed, paper: dict[float, float]) -> pd.DataFrame:
-    """The same of restitution, with that by the mean velocity of nodes and how it swings while the
-    sphere flies on."""
+    """Return the restitution as `impacts`, with the restitution by the mean velocity of nodes.
+
+    The latter oscillates while the sphere flies.
+    """
     table = impacts(computed, "coefficient_of_restitution", paper)
     swings = [nodal_swing(throw) for throw in computed.throws.values()]
     place = table.columns.get_loc(FINITE_ELEMENTS) + 2
@@ -149,7 +156,7 @@ def restitution(computed: Computed, paper: dict[float, float]) -> pd.DataFrame:
 
 
 def nodal_swing(throw: Throw) -> np.ndarray:
-    """Restitution by the mean velocity of the elements' corners at each step after the contact."""
+    """Return the restitution by the mean velocity of corner nodes at each step after contact."""
     free = throw.history[
         throw.history["time"] > throw.history.loc[throw.history["force"] > 0, "time"].max()
     ]
@@ -157,14 +164,14 @@ def nodal_swing(throw: Throw) -> np.ndarray:
 
 
 def pressed(pressing: Pressing) -> pd.DataFrame:
-    """The sphere pressed slowly and let go: finite elements, and laws as far off them."""
+    """Return the quasi-static compression: finite elements, and errors of laws."""
     said: list[tuple[str, str, str, float]] = [
         ("approach", "µm", "approach", 1e6),
         ("contact radius", "mm", "contact_radius", 1e3),
         ("residual approach", "µm", "residual_approach", 1e6),
         ("√(work back/work)", "-", "coefficient_of_restitution", 1.0),
     ]
-    unloadings = pressing.unloadings.iloc[1:]  # the first one hardly yields
+    unloadings = pressing.unloadings.iloc[1:]  # the first compression hardly yields
     found = {(law, force): press_law(law, force) for law in LAWS for force in unloadings["force"]}
     rows = []
     for quantity, unit, name, scale in said:
@@ -177,7 +184,9 @@ def pressed(pressing: Pressing) -> pd.DataFrame:
 
 
 def press_law(name: str, force: float) -> dict[str, float]:
-    """A law's answer to a press to `force`, N, and back; names as of `Pressing.unloadings`."""
+    """Return a law's response to loading to `force` [N] and unloading; names as in
+    `Pressing.unloadings`.
+    """
     law = laws.LAWS[name](PAIR)
     overlap = brentq(
         lambda reached: law.respond(RADIUS, reached, law.State()).force - force,
@@ -198,7 +207,9 @@ def press_law(name: str, force: float) -> dict[str, float]:
 
 
 def coefficients(pressing: Pressing) -> pd.DataFrame:
-    """Constants of Vu-Quoc and Zhang's law fitted to these finite elements, and the paper's."""
+    """Return the constants of Vu-Quoc and Zhang's law: fitted to these finite elements, and
+    published.
+    """
     fitted = calibrate(pressing)
     rows = [
         ("C_a", "m/N", PAPER_COEFFICIENTS["C_a"], fitted.contact_radius_per_force),
@@ -209,7 +220,9 @@ def coefficients(pressing: Pressing) -> pd.DataFrame:
 
 
 def engine(computed: Computed) -> pd.DataFrame:
-    """LIGGGHTS against the laws' energy balance: largest difference over the speeds."""
+    """Return the largest difference over speeds between LIGGGHTS and the energy balance of the
+    laws.
+    """
     rows = []
     for law in LAWS:
         row: dict[str, object] = {"law": law}
@@ -222,7 +235,7 @@ def engine(computed: Computed) -> pd.DataFrame:
 
 
 def laws_off(computed: Computed) -> pd.DataFrame:
-    """The laws, as LIGGGHTS runs them, against the finite elements at each speed."""
+    """Return the differences between the laws in LIGGGHTS and the finite elements at each speed."""
     rows = []
     for law in LAWS:
         row: dict[str, object] = {"law": law}

@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""One page of HTML for runs of any kind: no network, nothing beside it.
+"""One HTML page for runs of any kind, without network access or other files.
 
-`collect` finds results, the `*_section` modules say what is to be shown of a folder, `*_charts` and
-`movie` make its charts and its view of grains, and `render` writes the page by `templates` with the
+`collect` finds results. The `*_section` modules decide what a page shows of a folder, `*_charts`
+and
+`movie` make its charts and its view of grains. `render` writes the page from `templates`, with the
 styles and scripts of `assets`.
 """
 

@@ -28,7 +28,7 @@ def ledger_chart(name: str, series: pd.DataFrame) -> Chart | None:
         "shares of the energy input, stacked over time, and the error of their sum",
         f"Shares of the energy input, {energy_text(total)}: kinetic energy, energy stored in "
         "contacts, and energy dissipated by yielding, friction and viscosity. The lower panel "
-        f"shows the error of their sum; the dotted lines are its limit, {100 * LEDGER:g} %.",
+        f"shows the error of their sum. Dotted lines are its limit, {100 * LEDGER:g} %.",
         height=460,
     )
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The section of a bulk run, finished or not."""
+"""Section of a bulk run, finished or not."""
 
 from __future__ import annotations
 
@@ -40,20 +40,20 @@ from plastigran.report.page.names import number
 from plastigran.report.page.pictures import read_pictures
 from plastigran.report.page.sections import Section, version_facts
 
-#: Settings that stand in the section's head.
+#: Settings in the head of the section.
 _HEAD = ("law", "material", "radius", "timestep")
-#: Of these, what a deck of the user's own may call otherwise: its log tells.
+#: Settings of these that a user's deck may name differently; they are read from the log.
 _TOLD_BY_LOG = ("law", "timestep")
-#: Systems of units whose time is in seconds.
+#: Unit systems whose time is in seconds.
 _SECONDS = ("si", "cgs")
 
 
 def make(results: Results, name: str) -> Section:
-    """What is to be shown of a run of a bulk deck.
+    """Return the section of a run of a bulk deck.
 
     Args:
-        results: Its folder.
-        name: Of the element of the page.
+        results: Folder of the run.
+        name: ID of the element of the page.
     """
     folder = results.folder
     try:
@@ -70,11 +70,11 @@ def make(results: Results, name: str) -> Section:
     except (EngineError, DumpError) as error:
         missing.append(f"The run cannot be read: {error}.")
     if error := find_error(log):
-        missing.append(f"The engine stopped: {error.strip()}")
+        missing.append(f"LIGGGHTS stopped: {error.strip()}")
     if run is None or not run.finished:
         missing.append(_progress(folder, log))
     elif len((folder / SERIES).read_text(errors="replace").splitlines()) < 2:
-        missing.append(f"{SERIES} is empty; what is shown is read from {LOG}.")
+        missing.append(f"{SERIES} is empty. The page shows data from {LOG} instead.")
     warnings = worst(find_warnings(log))
     state, verdict = _verdict(run, len(warnings))
     timestep = _timestep(record, folder / LOG)
@@ -109,22 +109,22 @@ def _read(file: Path) -> str:
 
 
 def _progress(folder: Path, log: str) -> str:
-    """How far a run came that has not finished."""
+    """Return how far an unfinished run came."""
     if not log:
-        return f"The run has not begun: {LOG} is missing or empty."
+        return f"The run has not started: {LOG} is missing or empty."
     at = LogFollower(folder / LOG).read()
     if not at.last:
         return f"The run has not finished: {LOG} ends before its first step."
     share = (at.step - at.first) / max(at.last - at.first, 1)
     return (
-        f"The run has not finished: {LOG} ends at step {at.step} of {at.last}, {share:.0%} of the "
-        f"deck's run number {at.run}. Figures and checks are made at its end; "
-        "plastigran bulk with --restart goes on from its newest checkpoint."
+        f"The run has not finished: {LOG} ends at step {at.step} of {at.last}, {share:.0%} of "
+        f"the deck's run number {at.run}. Figures and checks are made at the end of a run. Use "
+        "plastigran bulk with --restart to continue it from its newest checkpoint."
     )
 
 
 def _verdict(run: BulkRun | None, warnings: int) -> tuple[str, str]:
-    """The state of a run, and in words: of one that finished with its number of warnings."""
+    """Return the state of a run and the state in words, with the number of warnings."""
     warned = f", {warnings} warning{'' if warnings == 1 else 's'}" if warnings else ""
     if run is None or not run.finished:
         return "unfinished", "not finished"
@@ -137,8 +137,10 @@ def _verdict(run: BulkRun | None, warnings: int) -> tuple[str, str]:
 
 
 def _timestep(record: dict[str, Any], log: Path) -> float | None:
-    """The one time step of a run [s]; None where it is not known, or there are several. A deck of
-    the user's own may use a setting of that name for anything: its commands tell."""
+    """Return the time step of a run [s]; None if it is unknown or changes.
+
+    A user's deck may use the setting of that name for anything; its commands decide.
+    """
     if record.get("own"):
         said = {run.timestep for run in read_commands(log)} if log.is_file() else set()
         return said.pop() if len(said) == 1 and all(map(isfinite, said)) else None
@@ -158,10 +160,11 @@ def _movie(
 
 
 def _clock(timestep: float | None, run: BulkRun | None) -> Callable[[int], float] | None:
-    """The time of a step as the run's charts have it [s]; None where it is not known.
+    """Return a function from step to time as in the charts of the run [s]; None if unknown.
 
-    A deck of the package has one time step, and may count time from a later step than its frames; a
-    deck of the user's own may have several, and its series has every run.
+    A supplied deck has one time step, and its charts may count time from a later step. A user's
+    deck
+    may have several time steps; its series contains every run.
     """
     series = run.series if run else pd.DataFrame()
     timed = len(series) > 0 and {"step", "time"} <= set(series)
@@ -174,7 +177,7 @@ def _clock(timestep: float | None, run: BulkRun | None) -> Callable[[int], float
 
 
 def _own_facts(log: str, timestep: float | None) -> dict[str, str]:
-    """What the log of a deck of the user's own tells of its contacts and its time step."""
+    """Return facts on contacts and time step from the log of a user's deck."""
     facts = {}
     if models := find_models(log):
         facts["law"] = ", ".join(map(title, models))
@@ -187,7 +190,7 @@ def _own_facts(log: str, timestep: float | None) -> dict[str, str]:
 
 
 def _facts(record: dict[str, Any], run: BulkRun | None, own: dict[str, str]) -> dict[str, str]:
-    """What ran; `own` is what the log of a deck of the user's own tells."""
+    """Return the facts of a run; `own` are those of the log of a user's deck."""
     settings, versions = record["settings"], record.get("versions", {})
     units = _declared(run.deck if run else None)
     facts = {"deck": record["deck"]}
@@ -197,14 +200,14 @@ def _facts(record: dict[str, Any], run: BulkRun | None, own: dict[str, str]) -> 
     facts |= own
     facts["ranks"] = str(record.get("ranks", "unknown"))
     if run is not None and "atoms" in run.series and len(run.series):
-        grains = run.series["atoms"]  # a deck may insert them, and others may leave
+        grains = run.series["atoms"]  # their number may change during a run
         first, last, most = grains.iloc[0], grains.iloc[-1], grains.max()
         ends = [number(float(count)) for count in (first, last)]
         facts["grains"] = " to ".join(dict.fromkeys(ends))
         if most > max(first, last):
             facts["grains"] += f", at most {number(float(most))}"
     if record.get("restart"):
-        facts["goes on from"] = Path(record["restart"]).name
+        facts["continues"] = Path(record["restart"]).name
     return facts | version_facts(versions)
 
 
@@ -228,7 +231,7 @@ def _with_unit(name: str, value: str, declared: dict[str, Declaration]) -> str:
 def _settings(
     settings: dict[str, str], deck: BulkDeck | None, given: dict[str, str]
 ) -> list[tuple[str, str, str]]:
-    """Settings with unit and meaning; those that were given another value come first."""
+    """Return settings with unit and meaning; changed settings come first."""
     declared = _declared(deck)
     names = [name for name in settings if name not in PLACES]
     names.sort(key=lambda name: name not in given)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""What folders of results hold: sweeps of impacts, bulk runs, and tables of other commands."""
+"""Find results in folders: sweeps of impacts, bulk runs, and tables of other commands."""
 
 from __future__ import annotations
 
@@ -12,24 +12,24 @@ import attrs
 from plastigran.bulk.folder import RECORD
 from plastigran.experiments.record import STUDY, TABLE
 
-#: Folders down from a given one in which results are looked for.
+#: Largest depth of subfolders that are searched.
 DEPTH = 4
-#: Folders of a run's own files.
+#: Subfolders that belong to a run.
 _INNER = {"runs", "frames", "figures", "deck"}
-#: Kinds of results as a page has them: those that share a switch of laws first.
+#: Order of the kinds on a page. Kinds that share the switch of laws come first.
 ORDER = ("sweep", "tables", "nothing", "bulk")
-#: What the other commands leave.
+#: File types that other commands write.
 _ENDINGS = {".csv", ".png", ".svg", ".gif", ".in"}
 
 
 @attrs.frozen
 class Results:
-    """A folder of results.
+    """Folder of results.
 
     Attributes:
-        kind: "sweep", "bulk" or "tables"; "nothing" where no command has left any.
-        folder: Where they are.
-        name: The folder's, seen from the one that was given.
+        kind: "sweep", "bulk" or "tables"; "nothing" for a folder without results.
+        folder: Path of the folder.
+        name: Path relative to the given folder.
     """
 
     kind: str
@@ -38,15 +38,15 @@ class Results:
 
 
 def collect(folders: Iterable[str | Path]) -> list[Results]:
-    """The results in some folders and the folders in them, by kind, as given, as they were begun.
+    """Return the results in folders and their subfolders, sorted by kind, argument and start time.
 
     Raises:
-        ValueError: A folder is not there, or none was given.
+        ValueError: A folder does not exist, or no folder is given.
     """
     found: dict[Path, Results] = {}
     for given in map(Path, folders):
         if not given.is_dir():
-            raise ValueError(f"{given} is no folder; a report is made of folders of results")
+            raise ValueError(f"{given} is not a folder. A report needs folders of results")
         folder = given.resolve()
         here = sorted(_search(folder, folder), key=_begun) or [
             Results("nothing", folder, folder.name)
@@ -54,7 +54,7 @@ def collect(folders: Iterable[str | Path]) -> list[Results]:
         for each in here:
             found.setdefault(each.folder, each)
     if not found:
-        raise ValueError("no folder was given; a report is made of folders of results")
+        raise ValueError("no folder given. A report needs folders of results")
     names = Counter(each.name for each in found.values())
     told = [
         attrs.evolve(each, name=f"{each.folder.parent.name}/{each.name}")
@@ -66,7 +66,7 @@ def collect(folders: Iterable[str | Path]) -> list[Results]:
 
 
 def kind(folder: Path) -> str | None:
-    """What a folder itself holds; None for nothing that a command has left."""
+    """Return the kind of results that a folder itself contains; None if there are none."""
     if (folder / RECORD).is_file():
         return "bulk"
     if any((folder / name).exists() for name in (TABLE, STUDY, "runs")):
@@ -77,7 +77,7 @@ def kind(folder: Path) -> str | None:
 
 
 def _begun(results: Results) -> tuple[float, str]:
-    """When results were begun, as far as their files tell, and their name."""
+    """Return the start time of results, from their files, and their name."""
     times = [file.stat().st_mtime for file in results.folder.iterdir() if file.is_file()]
     return min(times, default=0.0), results.name
 

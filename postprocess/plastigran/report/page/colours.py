@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Colours of lines on a dark ground."""
+"""Colors of lines on a dark background."""
 
 from __future__ import annotations
 
@@ -7,18 +7,18 @@ import colorsys
 
 from matplotlib.colors import to_hex, to_rgb
 
-#: Least relative luminance of a line on a dark ground: a contrast of 4.5 with the page's.
+#: Smallest relative luminance of a line on a dark background, for a contrast of 4.5.
 LEAST = 0.24
 
 
 def luminance(colour: str) -> float:
-    """Relative luminance of a colour, 0 to 1 (WCAG 2.2)."""
+    """Return the relative luminance of a color, 0 to 1 (WCAG 2.2)."""
     linear = [c / 12.92 if c <= 0.04045 else ((c + 0.055) / 1.055) ** 2.4 for c in to_rgb(colour)]
     return 0.2126 * linear[0] + 0.7152 * linear[1] + 0.0722 * linear[2]
 
 
 def on_dark(colour: str) -> str:
-    """The same hue, light enough for a dark ground; of greys the darkest becomes the lightest."""
+    """Return the same hue, light enough for a dark background. Gray levels are inverted."""
     hue, lightness, saturation = colorsys.rgb_to_hls(*to_rgb(colour))
     if not saturation:
         return to_hex(3 * [0.9 - 0.6 * lightness])

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The materials that a sweep has recorded."""
+"""Materials that a sweep recorded."""
 
 from __future__ import annotations
 
@@ -15,10 +15,10 @@ from plastigran.report.page.sections import Table, cells
 
 
 def recorded(study: dict) -> tuple[dict[str, Material], list[str]]:
-    """The materials of a sweep, by name, and a sentence for each that cannot be read.
+    """Return the materials of a sweep by name, and a sentence for each that cannot be read.
 
     Args:
-        study: What stands in its `study.json`.
+        study: Contents of `study.json`.
     """
     found, odd = {}, []
     said = study.get("materials")
@@ -26,12 +26,12 @@ def recorded(study: dict) -> tuple[dict[str, Material], list[str]]:
         try:
             found[name] = Material(name, **values)
         except (TypeError, ValueError) as error:
-            odd.append(f"{STUDY} has no whole {name}: {error}.")
+            odd.append(f"{STUDY} has incomplete data for material {name}: {error}.")
     return found, odd
 
 
 def constants(materials: Mapping[str, Material]) -> list[Table]:
-    """A table of the materials' constants."""
+    """Return a table of the constants of the materials."""
     if not materials:
         return []
     rows = [{"material": name} | each.variables() for name, each in materials.items()]

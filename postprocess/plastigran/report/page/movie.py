@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The frames of a run, packed for the page's view of grains in three dimensions."""
+"""Pack the frames of a run for the page's three-dimensional view of grains."""
 
 from __future__ import annotations
 
@@ -17,14 +17,14 @@ from plastigran.plot.frame_files import Frame, SnapshotError, find_frames
 from plastigran.plot.frames import GrainFrame, read_frames
 from plastigran.plot.quantities import scale
 
-#: Grains in all frames of a run together, at most: 14 bytes each before they are packed.
+#: Largest total number of grains in all frames; each takes 14 bytes before compression.
 MOST = 90_000
-#: Damaged files that a sentence names at most.
+#: Largest number of damaged files that a sentence names.
 MOST_NAMED = 5
-#: Share of the values that the scale of colours spans: a few grains may be far beyond.
+#: Percentile of the values at the end of the color scale; a few grains may lie far beyond.
 SPANNED = 99.5
-_DEEPEST = 65535  # of 16 bits
-#: What grains are coloured by: attribute of a frame, words, and the unit's column.
+_DEEPEST = 65535  # largest 16-bit number
+#: Quantities that can color grains: attribute of a frame, name, and column of the unit.
 COLOURED = {
     "plastic_work": ("plastic work", "plastic"),
     "force": ("largest contact force", "force"),
@@ -34,15 +34,15 @@ COLOURED = {
 
 @attrs.frozen(eq=False)
 class Movie:
-    """Frames of a run as the page takes them.
+    """Packed frames of a run.
 
     Attributes:
-        name: Of the element of the page.
+        name: ID of the element of the page.
         data: Gzip of a line of JSON and 16-bit numbers, in base64.
-        frames: How many.
-        colours: What grains can be coloured by, in words, by name.
-        walls: Whether there are any.
-        caption: A sentence or two.
+        frames: Number of frames.
+        colours: Words for the quantities that can color grains, by name.
+        walls: Whether there are walls.
+        caption: One or two sentences.
     """
 
     name: str
@@ -56,16 +56,18 @@ class Movie:
 def pack_movie(
     name: str, folder: Path, clock: Callable[[int], float] | None
 ) -> tuple[Movie | None, list[str]]:
-    """The frames of a run, None where it has none; and a sentence on those that are damaged.
+    """Pack the frames of a run.
 
     Args:
-        name: Of the element of the page.
-        folder: Of the run.
-        clock: The time of a step as the run's charts have it [s]; None where it is not known: steps
-            are shown instead.
+        name: ID of the element of the page.
+        folder: Folder of the run.
+        clock: Function from step to time as in the charts [s]; None to show steps instead.
+
+    Returns:
+        The movie, None without frames; and a sentence on damaged frames.
 
     Raises:
-        SnapshotError: A frame lacks a column, no frame holds grains, or pyvista is not installed.
+        SnapshotError: A frame lacks a column, no frame has grains, or pyvista is not installed.
     """
     try:
         found = find_frames(folder)
@@ -93,15 +95,14 @@ def pack_movie(
         len(frames),
         colours,
         any(len(frame.walls) for frame in frames),
-        f"{len(whole[-1].radii)} grains in the last frame, to scale. Drag to turn, pinch "
-        f"or scroll with Ctrl to come nearer, point at a grain for its values.{said}",
+        f"{len(whole[-1].radii)} grains in the last frame, to scale. Drag to rotate, pinch or "
+        f"scroll with Ctrl to zoom, point at a grain for its values.{said}",
     )
     return movie, missing
 
 
 def _without_damaged_ends(found: list[Frame]) -> tuple[list[Frame], int, list[Path]]:
-    """Frames from the first to the last that can be read whole, the most grains that either of
-    them holds, and files of the others."""
+    """Return the complete frames, the largest number of grains at either end, and damaged files."""
     most, damaged = 0, []
     for end in (-1, 0):
         while found:
@@ -121,7 +122,7 @@ def _left_out(damaged: list[Path]) -> list[str]:
     more = len(names) - MOST_NAMED
     said = ", ".join(names[:MOST_NAMED]) + (f" and {more} more" if more > 0 else "")
     frames = "A frame is" if len(names) == 1 else f"{len(names)} frames are"
-    return [f"{frames} left out of the view of grains: {said} cannot be read whole."]
+    return [f"{frames} left out of the view of grains: {said} are incomplete."]
 
 
 def _has(frames: list[GrainFrame], name: str) -> bool:
@@ -129,12 +130,13 @@ def _has(frames: list[GrainFrame], name: str) -> bool:
 
 
 def _fitting(found: list[Frame], grains: int) -> tuple[list[Frame], int]:
-    """Frames as far as they fit into `MOST` grains, the first and last among them; one grain in
-    how many, where a single frame is more than that.
+    """Select frames within `MOST` grains, including the first and last.
+
+    If a single frame has more grains, return the step with which they are thinned.
 
     Args:
-        found: Of a run.
-        grains: The most that the first or the last holds.
+        found: Frames of the run.
+        grains: Larger number of grains of the first and last frame.
     """
     many = max(1, MOST // max(grains, 1))
     thin = max(1, -(-grains // MOST))
@@ -192,7 +194,7 @@ def _pack(
         "colours": [_colour(name, frames, tops[name]) for name in colours],
         "map": _colour_map(),
     }
-    # Numbers begin at an even place.
+    # The numbers must start at an even byte.
     line = json.dumps(head, ensure_ascii=True)
     line += " " * (len(line) % 2 == 0) + "\n"
     numbers = b"".join(part.tobytes() for part in parts)
@@ -200,7 +202,7 @@ def _pack(
 
 
 def _colour(name: str, frames: list[GrainFrame], top: float) -> dict:
-    """What the page needs of a quantity: its name, unit, and the values its colours span."""
+    """Return the name, unit and color range of a quantity for the page."""
     values = np.concatenate([getattr(f, name) for f in frames])
     spanned = float(np.percentile(values, SPANNED)) if values.size else 0.0
     said, column = COLOURED[name]

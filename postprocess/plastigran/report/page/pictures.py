@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Figures that commands have drawn, as a page carries them."""
+"""Figures of earlier commands, packed for a page."""
 
 from __future__ import annotations
 
@@ -12,17 +12,17 @@ from xml.etree import ElementTree
 import attrs
 from PIL import Image, ImageSequence
 
-#: A picture of lines is carried as such up to this size [bytes], else its dots.
+#: Largest SVG file [bytes] that a page contains; for a larger one it takes the bitmap.
 LARGEST_LINES = 120_000
-#: A picture beyond this size is left out [bytes].
+#: Largest picture [bytes] that a page contains.
 LARGEST = 500_000
-#: Width over height from which a picture is wide.
+#: Ratio of width to height from which a picture is wide.
 WIDE = 1.7
 _KINDS = {".svg": "image/svg+xml", ".png": "image/png", ".gif": "image/gif"}
-#: What reading a damaged picture raises.
+#: Exceptions of damaged pictures.
 _DAMAGE = (
     OSError,
-    SyntaxError,  # of an SVG, too
+    SyntaxError,  # damaged SVG, too
     ValueError,
     IndexError,
     Image.DecompressionBombError,
@@ -31,13 +31,13 @@ _DAMAGE = (
 
 @attrs.frozen
 class Picture:
-    """A figure of a section.
+    """Figure of a section.
 
     Attributes:
-        name: The file's, in words.
-        source: Its content, as an address of the page's own.
-        light: Whether its ground is white: the page turns it dark with itself.
-        wide: Whether it takes the page's width.
+        name: Name of the file in words.
+        source: Content as a data URL.
+        light: Whether the background is white; the page darkens it in its dark mode.
+        wide: Whether the figure takes the width of the page.
     """
 
     name: str
@@ -47,11 +47,11 @@ class Picture:
 
 
 def read_pictures(folder: Path, besides: Collection[str] = ()) -> tuple[list[Picture], list[str]]:
-    """The figures in a folder, each once, and sentences on those left out.
+    """Return the figures in a folder, and sentences on those left out.
 
     Args:
-        folder: Of the files.
-        besides: Names without ending of figures that the page shows otherwise.
+        folder: Folder of the files.
+        besides: Names without suffix of figures that the page shows in another form.
     """
     if not folder.is_dir():
         return [], []
@@ -61,12 +61,12 @@ def read_pictures(folder: Path, besides: Collection[str] = ()) -> tuple[list[Pic
         at_hand = {kind: file for kind in _KINDS if (file := folder / (stem + kind)).is_file()}
         chosen = _choose(at_hand)
         if chosen is None:
-            left.append(f"The figure {stem} is too large for this page; it is in {folder}.")
+            left.append(f"Figure {stem} is too large for this page. See {folder}.")
             continue
         try:
             wide = _is_wide(chosen)
         except _DAMAGE:
-            left.append(f"The figure {stem} is left out: {chosen} is damaged or cut short.")
+            left.append(f"Figure {stem} is left out, because {chosen} is cut short or damaged.")
             continue
         content = base64.b64encode(chosen.read_bytes()).decode()
         source = f"data:{_KINDS[chosen.suffix]};base64,{content}"
@@ -76,7 +76,7 @@ def read_pictures(folder: Path, besides: Collection[str] = ()) -> tuple[list[Pic
 
 
 def _is_wide(file: Path) -> bool:
-    """Whether a picture takes the page's width. It is read whole: errors are of `_DAMAGE`."""
+    """Return whether a picture takes the page's width. Read it fully; errors are in `_DAMAGE`."""
     if file.suffix == ".svg":
         content = file.read_bytes()
         ElementTree.fromstring(content)
@@ -90,7 +90,7 @@ def _is_wide(file: Path) -> bool:
 
 
 def _choose(files: dict[str, Path]) -> Path | None:
-    """The file of a figure that a page takes: lines before dots, while they are small."""
+    """Return the file of a figure for the page: a small SVG, otherwise a bitmap."""
     sizes = {kind: file.stat().st_size for kind, file in files.items()}
     if sizes.get(".svg", LARGEST) <= LARGEST_LINES:
         return files[".svg"]

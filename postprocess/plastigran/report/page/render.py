@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Write the page: sections through templates, with styles, scripts and numbers inside."""
+"""Write the page: sections from templates, with styles, scripts and data included."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ from plastigran.report.page.colours import on_dark
 from plastigran.report.page.names import number
 from plastigran.report.page.sections import Section, nothing
 
-#: By this a page is known to be ours.
+#: Text that identifies a page of this program.
 GENERATOR = "plastigran report"
 _MAKERS: dict[str, Callable[[Results, str], Section]] = {
     "bulk": bulk_section.make,
@@ -46,16 +46,16 @@ def write_report(
     """Write one page on the results in some folders.
 
     Args:
-        folders: Of runs, or folders that hold such.
-        path: The page to write; an earlier report there is replaced once it is whole.
-        title: Headline; by default the folders' names.
-        force: Overwrite a file that is no report.
+        folders: Folders of runs, or folders that contain such folders.
+        path: Page to write. An earlier report is replaced when the new one is complete.
+        title: Headline; by default the names of the folders.
+        force: Whether to overwrite a file that is not a report.
 
     Returns:
-        The page.
+        Path of the page.
 
     Raises:
-        ValueError: A folder is not there, or `path` is a file that is no report.
+        ValueError: A folder does not exist, or `path` is a file that is not a report.
     """
     path, folders = Path(path), [Path(folder) for folder in folders]
     check_page(path, force)
@@ -68,8 +68,8 @@ def write_report(
 
 
 def _replace(path: Path, text: str) -> None:
-    """Write a file whole or not at all: beside its place, from where it is moved there."""
-    path = path.resolve()  # a link stays one
+    """Write a file completely or not at all: write a temporary file and move it."""
+    path = path.resolve()  # a symbolic link stays
     draft = path.with_name(f".{path.name}.{os.getpid()}.new")
     try:
         with open(draft, "w", encoding="utf-8") as file:
@@ -84,28 +84,31 @@ def _replace(path: Path, text: str) -> None:
 
 
 def check_page(path: Path, force: bool = False) -> None:
-    """Refuse a path that a report cannot be written to.
+    """Check that a report can be written to `path`.
 
     Raises:
-        ValueError: It does not end in .html, or is a file that is no report, without `force`.
+        ValueError: The name does not end in .html, or the file is not a report and `force` is
+            false.
     """
     if path.suffix != ".html":
-        raise ValueError(f"{path} is no name of a page; it must end in .html")
+        raise ValueError(f"{path} cannot be a page: its name must end in .html")
     if path.exists() and not force:
         if not path.is_file() or GENERATOR not in path.read_text(errors="replace")[:2000]:
-            raise ValueError(f"{path} is there and is no report; choose another, or add --force")
+            raise ValueError(
+                f"{path} exists and is not a report. Choose another name, or add --force"
+            )
 
 
 def make_section(results: Results, name: str) -> Section:
-    """The section of a folder, by what it holds."""
+    """Return the section of a folder of results."""
     return _MAKERS[results.kind](results, name)
 
 
 def render(sections: list[Section], title: str) -> str:
-    """The page as text.
+    """Return the page as text.
 
     Args:
-        sections: In the order they are shown.
+        sections: Sections in the order of the page.
         title: Headline.
     """
     charts = {chart.name: chart.to_json() for section in sections for chart in section.charts}
@@ -130,7 +133,7 @@ def render(sections: list[Section], title: str) -> str:
 
 
 def packed(text: str) -> Markup:
-    """A text as a page carries it: gzip, in base64."""
+    """Pack a text for the page: gzip, in base64."""
     return Markup(base64.b64encode(gzip.compress(text.encode(), 9, mtime=0)).decode())
 
 
@@ -155,7 +158,7 @@ def _environment() -> Environment:
 
 
 def _percent(share: float | None) -> str:
-    """A share in per cent, two digits; a dash for nothing known."""
+    """Return a fraction in per cent, two digits; a dash for None."""
     if share is None:
         return "–"
     value = 100 * share

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Sections of a page: what is shown of a folder of results, whatever state it is in."""
+"""Sections of a page: its view of a folder of results in any state."""
 
 from __future__ import annotations
 
@@ -19,14 +19,14 @@ from plastigran.report.page.trust import Trust
 
 @attrs.frozen(kw_only=True)
 class Table:
-    """A table of a section, its cells as text.
+    """Table of a section; cells are text.
 
     Attributes:
-        title: What it holds.
-        head: Names of its columns.
-        rows: Its cells.
-        laws: The law of each row, where there is one: the page switches the row with it.
-        open: Whether it is shown unfolded.
+        title: Title of the table.
+        head: Names of the columns.
+        rows: Cells.
+        laws: Law of each row, or None; the page shows and hides rows with their law.
+        open: Whether the table is shown unfolded.
     """
 
     title: str
@@ -38,27 +38,27 @@ class Table:
 
 @attrs.frozen(kw_only=True)
 class Section:
-    """What a page shows of a folder.
+    """Part of a page on one folder.
 
     Attributes:
-        kind: As `Results.kind` has it; templates are called by it.
-        name: Of the element of the page.
-        title: Its headline.
-        folder: Where the results are, as given.
-        state: "passed", "failed", "unfinished" or "done", the last where nothing is checked.
-        verdict: The state in a few words.
-        missing: Sentences on what is not there, or went wrong.
+        kind: See `Results.kind`; it selects the template.
+        name: ID of the element of the page.
+        title: Headline.
+        folder: Folder of the results, as given.
+        state: "passed", "failed", "unfinished", or "done" if there are no checks.
+        verdict: State in a few words.
+        missing: Sentences on missing results and failures.
         notes: Sentences on what the deck could not measure or check.
-        warnings: Of the engine's models, or of how a law was used.
-        facts: What ran, by name.
+        warnings: Warnings of LIGGGHTS, or on the use of a law.
+        facts: Facts on the run, by name.
         settings: Further settings: name, value with unit, meaning.
         checks: Rows of `BulkRun.checks`.
-        charts: In the order they are shown.
-        movie: Frames to look at.
-        pictures: Figures that commands have drawn.
-        tables: Numbers.
-        trust: Of each law: verification beside validation.
-        laws: Names of the laws in it.
+        charts: Charts in the order of the page.
+        movie: View of the grains.
+        pictures: Figures of earlier commands.
+        tables: Tables of numbers.
+        trust: Verification and validation of each law.
+        laws: Names of the laws.
     """
 
     kind: str
@@ -82,7 +82,7 @@ class Section:
 
 
 def nothing(results: Results, name: str) -> Section:
-    """The section of a folder that no command has written to."""
+    """Return the section of a folder without results."""
     return Section(
         kind="nothing",
         name=name,
@@ -91,19 +91,19 @@ def nothing(results: Results, name: str) -> Section:
         state="unfinished",
         verdict="no results",
         missing=[
-            "This folder holds nothing that a command of plastigran has written: no run.json of a "
-            "bulk run, no impacts.csv of a sweep, no tables or figures."
+            "This folder has no results of a plastigran command. It contains no run.json of a "
+            "bulk run, no impacts.csv of a sweep, and no tables or figures."
         ],
     )
 
 
 def cells(table: pd.DataFrame, title: str, heads: dict[str, str] | None = None) -> Table:
-    """A table of numbers as text.
+    """Return a table of numbers as text.
 
     Args:
-        table: The numbers.
-        title: What it holds.
-        heads: Names of columns, where they are others.
+        table: Numbers.
+        title: Title of the table.
+        heads: Column titles that differ from the column names.
     """
     rows = [[number(value) for value in row] for row in table.itertuples(index=False)]
     laws = [str(law) for law in table["law"]] if "law" in table else None
@@ -112,7 +112,7 @@ def cells(table: pd.DataFrame, title: str, heads: dict[str, str] | None = None) 
 
 
 def version_facts(versions: dict[str, str]) -> dict[str, str]:
-    """Versions as facts: short, as far as the reader needs them to tell two runs apart."""
+    """Return versions as short facts that distinguish two runs."""
     shown = {}
     for name, said in versions.items():
         if name == "plugin" and " sha256 " in said:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The section of a sweep of impacts, whole or not."""
+"""Section of a sweep of impacts, complete or not."""
 
 from __future__ import annotations
 
@@ -27,20 +27,20 @@ from plastigran.report.page.sections import Section, Table, cells, version_facts
 from plastigran.report.page.sweep_charts import loops_chart, measured_chart
 from plastigran.report.page.trust import Trust, trust, validation_chart, verification_chart
 
-#: Laws of a sweep that its head names, at most.
+#: Largest number of laws that the head names.
 MOST_NAMED = 3
-#: Columns without which a table of impacts says nothing.
+#: Required columns of a table of impacts.
 _OF_AN_IMPACT = ("law", "material", "radius", "speed")
 #: Figures of central impacts, each with the chart that replaces it.
 _CHARTED = {"restitution": "measured", "loops": "loops"}
 
 
 def make(results: Results, name: str) -> Section:
-    """What is to be shown of a sweep.
+    """Return the section of a sweep.
 
     Args:
-        results: Its folder.
-        name: Of the element of the page.
+        results: Folder of the sweep.
+        name: ID of the element of the page.
     """
     folder = results.folder
     study, missing = read_study(folder)
@@ -48,9 +48,9 @@ def make(results: Results, name: str) -> Section:
     missing += left
     runs = sorted(path for path in folder.glob("runs/*") if path.is_dir())
     if len(table) < len(runs) and (len(table) or not missing):
-        fate = "run still, or are left out" if missing else "or run still"
+        fate = "are still running, or are left out" if missing else "or are still running"
         missing.append(
-            f"{len(table)} of {len(runs)} impacts have a line in {TABLE}; the others failed, were "
+            f"{TABLE} has {len(table)} of {len(runs)} impacts. The others failed, were "
             f"stopped, {fate}."
         )
     missing += _errors(runs)
@@ -92,31 +92,31 @@ def make(results: Results, name: str) -> Section:
 
 
 def _read_table(path: Path) -> tuple[pd.DataFrame, list[str]]:
-    """The results table, and sentences where it is not there or not whole."""
+    """Return the results table, and sentences if it is missing or incomplete."""
     if not path.is_file() or not path.stat().st_size:
         return pd.DataFrame(), [f"{TABLE} is missing or empty: no impact has finished."]
     try:
         table, left = read_table(path)
         if lost := [name for name in _OF_AN_IMPACT if "geometry" in table and name not in table]:
-            raise ValueError(f"it has no column {lost[0]}")
+            raise ValueError(f"column {lost[0]} is missing")
         return table, left
     except (OSError, ValueError) as error:
         return pd.DataFrame(), [f"{TABLE} is damaged and left out: {error}."]
 
 
 def _impacts(count: int) -> str:
-    """So many of them, in words."""
+    """Return a number of impacts in words."""
     return f"{count} impact{'' if count == 1 else 's'}"
 
 
 def _rows(table: pd.DataFrame) -> list[Table]:
-    """The table of all impacts."""
+    """Return the table of all impacts."""
     title = f"The {_impacts(len(table))} in numbers"
     return [cells(table, title, _heads(table))] if len(table) else []
 
 
 def _is_unusual(table: pd.DataFrame) -> bool:
-    """Whether all impacts are on walls of metals or by options of their law."""
+    """Return whether all impacts are on metal walls or use options of their law."""
     usual = pd.Series(True, table.index)
     if "wall" in table:
         usual &= table["wall"].isin(WALLS)
@@ -126,26 +126,26 @@ def _is_unusual(table: pd.DataFrame) -> bool:
 
 
 def _errors(runs: list[Path]) -> list[str]:
-    """What the engine said where it stopped, each once."""
+    """Return the error messages of LIGGGHTS, each once."""
     said: dict[str, str] = {}
     for run in runs:
         log = run / LOG
         if log.is_file() and (error := find_error(log.read_text(errors="replace"))):
             said.setdefault(error.strip(), run.name)
-    return [f"The engine stopped in runs/{run}: {error}" for error, run in said.items()]
+    return [f"LIGGGHTS stopped in runs/{run}: {error}" for error, run in said.items()]
 
 
 def _unread(trusted: list[Trust]) -> list[str]:
     names = sorted({name for each in trusted for name in each.unread})
     return [
-        f"The constants of {name} are not at hand: errors against finite elements, which depend on "
-        "its hardening, are not known."
+        f"The constants of {name} are not available. They decide on hardening, so the error "
+        "compared with finite elements is unknown."
         for name in names
     ]
 
 
 def _dented(table: pd.DataFrame, materials: Mapping[str, Material]) -> list[str]:
-    """A sentence where balls dent their wall by laws of balls that flatten."""
+    """Return a sentence if the wall yields, but the law is for a sphere that yields."""
     rows = table[~table["wall"].isin(WALLS)] if "wall" in table else table.iloc[:0]
     cases = (central_case(row, materials) for _, row in rows.iterrows())
     return [sentence] if (sentence := dented(case for case in cases if case)) else []
@@ -154,7 +154,7 @@ def _dented(table: pd.DataFrame, materials: Mapping[str, Material]) -> list[str]
 def _facts(study: dict, table: pd.DataFrame, runs: list[Path]) -> dict[str, str]:
     facts = {"command": f"plastigran {study['command']}"} if study.get("command") else {}
     if study.get("by_theory"):
-        facts["made by"] = "theory alone, without the engine"
+        facts["made by"] = "theory alone, without LIGGGHTS"
     if "law" in table:
         names = [title(str(law)) for law in sorted(table["law"].unique())]
         facts["law"] = ", ".join(names) if len(names) <= MOST_NAMED else f"{len(names)} laws"
@@ -163,7 +163,7 @@ def _facts(study: dict, table: pd.DataFrame, runs: list[Path]) -> dict[str, str]
             continue
         values = table[name].unique()
         if name == "wall" and len(values) > 1:
-            values = [wall for wall in values if wall != NO_WALL]  # of two spheres
+            values = [wall for wall in values if wall != NO_WALL]  # two spheres have no wall
         unit = {"radius": " m", "speed": " m/s", "angle": "°"}.get(name, "")
         if table[name].dtype.kind in "if":
             ends = [number(float(value)) for value in (values.min(), values.max())]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The section of tables and figures that a command has written: validation, papers, a metal."""
+"""Section of tables and figures of other commands: validation, papers, a calibrated metal."""
 
 from __future__ import annotations
 
@@ -16,18 +16,18 @@ from plastigran.report.page.pictures import read_pictures
 from plastigran.report.page.sections import Section, Table, cells
 from plastigran.report.page.trust import validation_chart
 
-#: Rows of a table beyond which it is left in its file.
+#: Largest number of rows of a table on a page.
 LONGEST = 500
-#: The table of errors that `plastigran validate` writes.
+#: Table of errors of `plastigran validate`.
 ERRORS = "errors"
 
 
 def make(results: Results, name: str) -> Section:
-    """What is to be shown of a folder of tables, figures and materials.
+    """Return the section of a folder of tables, figures and materials.
 
     Args:
-        results: The folder.
-        name: Of the element of the page.
+        results: Folder of the results.
+        name: ID of the element of the page.
     """
     folder, missing, tables, laws = results.folder, [], [], []
     charts = []
@@ -41,7 +41,9 @@ def make(results: Results, name: str) -> Section:
             laws = sorted(table["law"].unique())
             charts = [validation_chart(name, table)]
         if len(table) > LONGEST:
-            missing.append(f"{file.name} has {len(table)} rows; it is in {folder}.")
+            missing.append(
+                f"{file.name} has {len(table)} rows, too many for this page. See {folder}."
+            )
             continue
         tables.append(cells(table, file.stem.replace("_", " ").capitalize()))
     materials, damaged = _materials(folder)
@@ -64,13 +66,13 @@ def make(results: Results, name: str) -> Section:
 
 
 def _materials(folder: Path) -> tuple[list[Table], list[str]]:
-    """Materials that a calibration has written: the constants, and where they are from."""
+    """Return tables of the constants of calibrated materials, with their source."""
     found, damaged = [], []
     for file in sorted(folder.glob("*.in")):
         try:
             material = read_material(file)
         except (ValueError, OSError) as error:
-            damaged.append(f"{file.name} is no material: {error}.")
+            damaged.append(f"{file.name} is not a material file: {error}.")
             continue
         said = declaration(Material)
         rows = [

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Verification and validation side by side: how far runs are off the law, and the law off nature.
+"""Verification and validation of the laws of a sweep.
 
-Verification holds a run of the engine against the law's own theory. Validation holds the law
-against finite elements of spheres, by what `plastigran validate` found.
+Verification compares runs of LIGGGHTS with the theory of the law. Validation compares the law with
+finite elements of spheres; its errors are those of `plastigran validate`.
 """
 
 from __future__ import annotations
@@ -34,17 +34,17 @@ _DIFFERENCE = Scale("difference", "%", 100)
 
 @attrs.frozen
 class Trust:
-    """What is known of a law in a sweep; numbers are shares, None where nothing is known.
+    """Known errors of a law in a sweep, as fractions; None where unknown.
 
     Attributes:
-        law: Its name.
-        verified: By quantity, the largest difference of the runs from the law's theory.
-        validated: By quantity, rms and largest error against finite elements at like speeds.
-        unread: Materials in the way of that: their constants are not at hand.
-        beyond: Impacts of which nothing is known: at speeds that the finite elements do not reach,
-            on walls of a metal, by options of the law.
-        until: Speed from which on the law was beyond its range [m/s].
-        range: Its range in words.
+        law: Name of the law.
+        verified: Largest difference between runs and theory, by quantity.
+        validated: Rms and largest error compared with finite elements at these speeds, by quantity.
+        unread: Materials whose constants are not available; they hide the error.
+        beyond: Impacts without known error: faster than the finite elements, on a metal wall, or
+            with options of the law.
+        until: Speed from which the law was beyond its range [m/s].
+        range: Range of the law in words.
     """
 
     law: str
@@ -57,10 +57,10 @@ class Trust:
 
 
 def trust(table: pd.DataFrame, materials: Mapping[str, Material]) -> list[Trust]:
-    """What is known of each law of a table of impacts, a sweep's.
+    """Return the known errors of each law of a sweep.
 
     Args:
-        table: Of the impacts.
+        table: Results table of the sweep.
         materials: As for `central_case`.
     """
     if "law" not in table:
@@ -88,8 +88,10 @@ def _verified(rows: pd.DataFrame, name: str) -> float | None:
 def _validated(
     rows: pd.DataFrame, materials: Mapping[str, Material]
 ) -> tuple[dict[str, tuple[float, float] | None], list[str], list[str]]:
-    """Rms and largest error of a law by quantity, the largest of the bodies that yield; materials
-    that are not at hand, and impacts that nothing is known of."""
+    """Return rms and largest error by quantity, unavailable materials, and unknown impacts.
+
+    The error is the largest of the bodies that yield.
+    """
     unknown = dict.fromkeys(QUANTITIES)
     if not {"speed_ratio", "material", "geometry", "radius"} <= set(rows):
         return unknown, [], []
@@ -120,14 +122,17 @@ def _validated(
 
 
 def _named(case: CentralImpact) -> str:
-    """An impact's material, and the wall and options that are not the usual ones."""
+    """Return the material of an impact, with its wall and options if they are unusual."""
     wall = f" {on_wall(case.wall_name)}" if case.wall else ""
     return f"{title(case.material.name)}{wall}{f', {case.options}' if case.options else ''}"
 
 
 def _expected(fastest: CentralImpact, ratios: pd.Series) -> ExpectedError:
-    """Nothing is known of laws with options, nor of walls of another metal: the finite elements are
-    of spheres on a rigid plane, and of the laws as they are by default."""
+    """Return the expected error of a law for the speeds up to `fastest`.
+
+    There is none for options of a law and for metal walls: the finite elements are of spheres on
+    a rigid plane, for the default laws.
+    """
     if fastest.options or fastest.wall:
         return ExpectedError.of_another_pair((ratios.min(), ratios.max()))
     overlap = fastest.predict().overlap_max
@@ -165,7 +170,7 @@ def verification_chart(name: str, table: pd.DataFrame) -> Chart | None:
         for law, rows in yielding.groupby("law"):
             off = (rows[quantity] / rows[f"{quantity}{PREDICTED}"] - 1).abs()
             remarks = [
-                f"v/v<sub>Y</sub> {ratio:.3g}<br>run off theory by {100 * each:.2g} %"
+                f"v/v<sub>Y</sub> {ratio:.3g}<br>run and theory differ by {100 * each:.2g} %"
                 for ratio, each in zip(rows["speed_ratio"], off, strict=True)
             ]
             off = off.clip(lower=SPAN[0] / 100)
@@ -197,9 +202,9 @@ def validation_chart(name: str, table: pd.DataFrame) -> Chart | None:
             for law, errors in rows.sort_values("speed_ratio_from").groupby("law"):
                 middle = np.sqrt(errors["speed_ratio_from"] * errors["speed_ratio_to"])
                 remarks = [
-                    f"v/v<sub>Y</sub> {row.speed_ratio_from:.3g} to {row.speed_ratio_to:.3g}"
-                    f"<br>law off finite elements by {100 * row.rms:.2g} % rms, "
-                    f"{100 * row.max:.2g} % at most"
+                    f"v/v<sub>Y</sub> {row.speed_ratio_from:.3g} to "
+                    f"{row.speed_ratio_to:.3g}<br>law and finite elements differ by "
+                    f"{100 * row.rms:.2g} % rms, {100 * row.max:.2g} % at most"
                     for row in errors.itertuples()
                 ]
                 curves.append(_law_curve(str(law), middle, errors["rms"], remarks))

@@ -47,7 +47,8 @@ def named(name: str) -> SphereMetal:
 
 def refined() -> pd.DataFrame:
     """Change with finer settings, per cent: mean and largest over the rows of a metal from 3 P_Y on
-    at the same force."""
+    at the same force.
+    """
     found = []
     for name in REFINED:
         usual = compute(named(name))
@@ -65,7 +66,8 @@ def refined() -> pd.DataFrame:
 
 def thrown() -> pd.DataFrame:
     """Restitution and largest force, over that at yield, of spheres thrown, and of the same
-    pressed, between the rows of the table."""
+    pressed, between the rows of the table.
+    """
     found, rows = [], table()
     for name, speed in THROWN:
         metal = named(name)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Compute the table of spheres and write it:
+"""Compute the table of spheres and write it.
 
     python -m plastigran.validation.spheres.compute [metal ...]
 

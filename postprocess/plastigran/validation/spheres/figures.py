@@ -28,7 +28,8 @@ def write(constants: Constants, rows: pd.DataFrame, folder: Path) -> list[Path]:
 def collapse_figure(constants: Constants, rows: pd.DataFrame) -> Figure:
     """Force, contact radius and energy given back over the depth S, beside those of Hertz' contact
     of the same overlap, or of the same force and radius; lines are the forms of a narrow contact
-    without hardening."""
+    without hardening.
+    """
     metals, t = Metals.of(rows), np.sqrt(rows["overlap_ratio"].to_numpy())
     s = depth(constants, metals, t)
     narrow = Metals(np.ones(1), np.zeros(1), np.zeros(1))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Fit the constants of the law `universal` to the table of spheres:
+"""Fit the constants of the law `universal` to the table of spheres.
 
     python -m plastigran.validation.spheres.fit [--figures FOLDER]
 

@@ -141,13 +141,15 @@ def unloading_work(g: np.ndarray) -> np.ndarray:
 
 def work_ratio(work_unloading, force, contact_radius):
     """Energy given back over that of Hertz' contact of the same force and contact radius, 3 F^2/(10
-    E* a); all in yield units."""
+    E* a); all in yield units.
+    """
     return work_unloading * contact_radius / (0.4 * force**2)
 
 
 def virgin_work(constants: Constants, metals: Metals, t: np.ndarray) -> np.ndarray:
     """Work of loading over F_Y overlap_Y up to each t of an increasing grid from 1 on (n,), by
-    Gauss' rule between its points."""
+    Gauss' rule between its points.
+    """
     steps = np.diff(t)
     at = t[:-1, None] + steps[:, None] * NODES
     sums = np.sum(WEIGHTS * 2 * at * peak(constants, metals, at).force, axis=1) * steps

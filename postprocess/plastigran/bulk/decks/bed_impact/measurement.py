@@ -77,7 +77,7 @@ def plastic_work_by_depth(grains: pd.DataFrame, surface: float, diameter: float)
 
 
 def predicted_rebound(law, radius: float, mass: float, speeds: pd.Series) -> np.ndarray:
-    """v e(v) of central impacts on a plate of the same material [m/s], one a speed.
+    """V e(v) of central impacts on a plate of the same material [m/s], one a speed.
 
     Args:
         law: Of `plastigran.laws`, between the two bodies.
