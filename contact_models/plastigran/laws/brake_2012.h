@@ -1,16 +1,19 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// Brake 2012 (Int. J. Solids Struct. 49:3129): Hertz to yield, a fully plastic straight line from
-// where Hertz's mean pressure would reach the indentation pressure P0, and between the two the
-// cubic that meets both in value and slope. The plastic line's constants are from memory of the
-// source.
+// Brake 2012 (Int. J. Solids Struct. 49:3129): Hertz to yield, full plasticity at the indentation
+// pressure P0, and between the two the cubic that has the values and slopes of both ends.
 //
 //   overlap_y = R* (pi p_y/2E*)^2,  a_p = 3 pi P0 R*/(4E*),  alpha = a_p/a_y,  x_p = alpha^2
 //   f = alpha (2x - alpha^2),  a^2 = (2x - alpha^2) a_y^2          x >= x_p
-//   overlap_max - overlap_res = 3 F_max/(4 E* a_max)               the contact area is kept
+//   overlap_max - overlap_res = 3 F_max/(4 E* a_max)
 //
-// Force and slope are continuous. Near yield it returns up to 5 % more speed than it took: the
-// energy guard sees to it. Range: as good as the P0 given; P0 above 2/3 p_y.
+// The constants follow from these conditions (derivation: docs/laws/brake_2012.md). Full plasticity
+// begins where Hertz' mean pressure is P0. From there the contact area grows as the section of an
+// undeformed sphere. Force, radius and their slopes are continuous. Unloading keeps the contact
+// area. Onset, growth and unloading are assumptions of this package.
+//
+// Near yield the rebound returns up to 5 % more speed than the impact had; the energy guard
+// prevents it. Range: as good as the P0 given; P0 above 2/3 p_y.
 #pragma once
 
 #include "plastigran/shared/indentation_pressure.h"
