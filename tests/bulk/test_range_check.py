@@ -9,7 +9,9 @@ from pathlib import Path
 import pytest
 
 from plastigran.bulk.checks import EXCESS
+from plastigran.bulk.run import run_bulk
 from plastigran.cli import main
+from plastigran.engine.log import find_excess
 from plastigran.report.page.collect import collect
 from plastigran.report.page.render import make_section, write_report
 
@@ -58,15 +60,57 @@ def test_a_run_far_beyond_the_range_fails(tmp_path, capsys):
     line += ["--output", str(tmp_path / "run")]
     assert main(line) == 1
     said = capsys.readouterr()
-    assert said.out.startswith("NO  largest overlap over the range of universal: ")
-    assert "largest overlap over the range of universal" in said.err
+    assert said.out.startswith("NO  largest overlap, divided by the largest of universal's range: ")
+    assert "largest overlap, divided by the largest of universal's range" in said.err
     assert main([*line, "--force", "--json"]) == 1
     first = json.loads(capsys.readouterr().out)["checks"][0]
-    assert first["name"] == "largest overlap over the range of universal"
+    assert first["name"] == "largest overlap, divided by the largest of universal's range"
     assert first["value"] > EXCESS == first["limit"] and not first["passed"]
     section = make_section(collect([tmp_path / "run"])[0], "run-0")
     assert section.state == "failed" and section.checks[0]["name"] == first["name"]
     assert any("contacts beyond the law's range" in warning for warning in section.warnings)
+
+
+def test_the_range_is_that_of_all_runs_and_simulations():
+    """Of a deck, and of the runs it continues."""
+    lines = "plastigran range universal contacts=1 furthest={}\n"
+    text = (
+        lines.format(30) + lines.format(1.2) + "plastigran range thornton contacts=2 furthest=3\n"
+    )
+    assert find_excess(text) == {"universal": 30, "thornton": 3}
+
+
+def test_contacts_that_go_deeper_in_a_later_run_count(tmp_path):
+    """The grain is pressed in one run, or passes the range in a first one. 1e-9: digits of the
+    log."""
+    whole, split = (
+        run_bulk(
+            write(tmp_path, density=8000, velocity=-5, steps=steps), {}, tmp_path / name, show=False
+        )
+        for name, steps in (("whole", "250"), ("split", "60\nrun 190"))
+    )
+    assert "plastigran range" in (split.folder / "log.liggghts").read_text().split("run 190")[0]
+    assert whole.checks["value"].iloc[0] > EXCESS
+    assert split.checks["value"].iloc[0] == pytest.approx(whole.checks["value"].iloc[0], rel=1e-9)
+
+
+def test_a_run_that_goes_on_keeps_what_its_start_has_left(tmp_path):
+    deck = write(tmp_path, density=8000, velocity=-5, steps=200)
+    text = deck.read_text()
+    grains = text[text.index("create_atoms") : text.index("fix integrate")]
+    box = text[text.index("region box") : text.index("neighbor ")]
+    (tmp_path / "grains.fresh").write_text(box)
+    (tmp_path / "grains.checkpoint").write_text("read_restart ${checkpoint}\n")
+    (tmp_path / "more.fresh").write_text(grains)
+    (tmp_path / "more.checkpoint").write_text("timestep 5e-7\n")
+    text = text.replace(box, "include grains.${start}\n").replace(grains, "include more.${start}\n")
+    text = text.replace("run 200", "restart 200 ${output}/checkpoint.*.restart\nrun ${steps} upto")
+    start = "variable start index fresh\nvariable checkpoint index none\nvariable steps index 200\n"
+    deck.write_text(start + text)
+    first = run_bulk(deck, {}, tmp_path / "first", show=False)
+    rest = run_bulk(deck, {"steps": 210}, tmp_path / "rest", restart=first.folder, show=False)
+    limit = first.checks["value"].iloc[0]
+    assert limit > EXCESS and rest.checks["value"].iloc[0] >= limit
 
 
 def test_a_run_without_contacts_is_no_success(tmp_path):

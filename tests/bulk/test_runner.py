@@ -12,15 +12,13 @@ import threading
 import time
 from pathlib import Path
 
-import numpy as np
 import pytest
 
 import plastigran as pg
 from plastigran.bulk.folder import read_series
-from plastigran.bulk.plan import plan_bulk
 from plastigran.bulk.run import run_bulk
 from plastigran.cli import main
-from plastigran.engine.checkpoints import PATTERN, checkpoints, newest_checkpoint, step_of
+from plastigran.engine.checkpoints import PATTERN, newest_checkpoint, step_of
 from plastigran.engine.log import LogFollower
 from plastigran.engine.process import EngineError, engines
 from plastigran.materials import read_material, write_material
@@ -260,39 +258,6 @@ def test_a_folder_is_locked_until_figures_are_written(tmp_path, monkeypatch):
     assert len(refused) == len(run.figures) > 0
     for name in run.figures:
         assert (tmp_path / "run" / "figures" / f"{name}.png").stat().st_size > 0
-
-
-@pytest.mark.parametrize("seed", range(12))
-def test_a_flipped_bit_of_a_checkpoint_is_noticed(whole, seed, tmp_path):
-    """Anywhere in the file: an earlier one is taken, and where all are damaged, none."""
-    run = Path(shutil.copytree(whole, tmp_path / "run"))
-    assert not list(run.glob("*.new"))
-    *earlier, newest = checkpoints(run)
-    assert newest_checkpoint(run) == newest
-    place = np.random.default_rng(seed)
-
-    def flip(file: Path) -> None:
-        content = bytearray(file.read_bytes())
-        content[place.integers(len(content))] ^= 1 << place.integers(8)
-        file.write_bytes(content)
-
-    flip(newest)
-    with pytest.warns(UserWarning, match=rf"{newest.name} is damaged: it differs from"):
-        assert newest_checkpoint(run) == earlier[-1]
-    with pytest.raises(EngineError, match=rf"{newest.name} is damaged: .* Choose another"):
-        plan_bulk("cooling_gas", {"start": "checkpoint", "checkpoint": newest}, tmp_path / "rest")
-    for file in earlier:
-        flip(file)
-    with pytest.warns(UserWarning), pytest.raises(EngineError, match="no whole checkpoint"):
-        newest_checkpoint(run)
-
-
-def test_a_checkpoint_has_its_checksum(whole):
-    """As `sha256sum --check` reads them."""
-    sums = sorted(whole.glob(f"{PATTERN}.sha256"))
-    assert len(sums) == len(checkpoints(whole)) > 1
-    done = subprocess.run(["sha256sum", "--check", *(file.name for file in sums)], cwd=whole)
-    assert done.returncode == 0
 
 
 def test_a_record_nested_too_deeply_is_named(tmp_path, capsys):

@@ -54,5 +54,7 @@ def test_a_time_step_with_a_setup_is_taken(tmp_path):
 
 
 def test_a_fix_may_change_the_time_step(tmp_path):
-    """`fix dt/reset` tells all integrators; the next part of the run goes on with its step."""
-    last_position(tmp_path, "fix reset all dt/reset 10 1e-6 2e-6 1.0\nrun 100\nrun 100 pre no")
+    """`fix dt/reset` sets 2 us at the set-up, for all integrators, and the next part of the run
+    goes on with it: 1000 steps of 10 us and 200 of 2 us at 1 m/s from 0.1 m."""
+    x = last_position(tmp_path, "fix reset all dt/reset 10 1e-6 2e-6 1.0\nrun 100\nrun 100 pre no")
+    assert x == pytest.approx(0.1104, rel=1e-12)

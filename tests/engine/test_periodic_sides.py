@@ -72,5 +72,13 @@ def test_one_large_sphere_to_be_inserted_is_one(runs, tmp_path):
         run(tmp_path, 0.024, INTRUDER)
 
 
+@pytest.mark.parametrize("ranks", [1, 2])
+def test_a_box_that_shrinks_in_a_run_is_refused(ranks, tmp_path):
+    """By a fix, from 42 to 38 mm."""
+    shrink = "fix deform all deform 10 x final 0 0.038\nrun 1000\n"
+    with pytest.raises(EngineStopped, match=r"the periodic side x is 0\.040.* must be at least"):
+        run(tmp_path, 0.042, ranks=ranks, more=shrink)
+
+
 def test_a_size_that_nothing_inserts_does_not_count(tmp_path):
     run(tmp_path, 0.0402, NOT_INSERTED)

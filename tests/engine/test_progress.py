@@ -60,8 +60,14 @@ def test_time_left_is_said_to_be_of_the_run_where_no_more_is_known(tmp_path):
         ("variable n index 400\nrun ${n}\nrun 1000 upto # steps\n", 1000),
         ("variable n equal 400\nrun ${n}\n", 0),
         ('run 100\nif "1 > 0" then "run 900"\n', 0),
+        ('variable extra index ""\nrun 100\n${extra}\n', 100),
+        ("include more.in\nrun 100\n", 100),
+        ("include ${where}\nrun 100\n", 0),
+        ("include runs.in\nrun 100\n", 0),
     ],
 )
 def test_steps_of_a_script(script, steps, tmp_path):
     (tmp_path / "own.in").write_text(script)
+    (tmp_path / "more.in").write_text("timestep 1e-6\n")
+    (tmp_path / "runs.in").write_text("run 10\n")
     assert planned_steps(read_deck(tmp_path / "own.in", {}, tmp_path / "out")) == steps

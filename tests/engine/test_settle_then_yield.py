@@ -83,6 +83,9 @@ def test_a_bed_settled_with_a_law_continues_with_hertz(wall, ranks, tmp_path):
     for owner in ("pair_style", "fix floor"):
         said = rf"WARNING: {owner}: the restart file has contacts of `model universal.*`, which"
         assert re.search(said, log)
+    table = read_thermo(tmp_path / "continue" / "log.liggghts")
+    assert table["atoms"].iloc[-1] == 48
+    assert 0 < table["kinetic_energy"].iloc[-1] < 48 * 1.3e-3 * 0.1**2  # 1.3 g below 0.14 m/s
 
 
 @pytest.mark.parametrize("ranks", [1, 2])

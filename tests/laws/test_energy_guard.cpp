@@ -72,11 +72,18 @@ std::vector<double> overlaps() {
 }
 }  // namespace
 
+TEST_CASE("the laws whose fits can lose plastic work are guarded") {
+  REQUIRE(guarded<Mdr>());
+  REQUIRE(guarded<JacksonGreen>());
+  REQUIRE(guarded<Brake2012>());
+}
+
 // The strengths go up to what a solid can have, a third of the modulus; their steps are small where
 // the dip of a law vanishes. 1e-12: the plastic work is the difference of two works, of which
 // tables keep 3e-14 each.
 TEST_CASE_TEMPLATE("the energy guard lets no plastic work fall", Law, ALL_LAWS) {
   if constexpr (std::is_same_v<typename Law::State, LargestOverlap::State>) {
+    int tested = 0;
     const std::vector<double> path = overlaps();
     for (double decade = -6; guarded<Law>() && decade < -0.5; decade += decade < -3 ? 1 : 0.05)
       for (const double poissons_ratio : {0.0, 0.3, 0.5}) {
@@ -85,6 +92,7 @@ TEST_CASE_TEMPLATE("the energy guard lets no plastic work fall", Law, ALL_LAWS) 
         const MaterialPair pair = combine(body, {1e30, 0.3, 1e30});
         for (const typename Law::Parameters& constants : cases<Law>(pair)) {
           if (!validate<Law>(pair, constants).empty()) continue;
+          ++tested;
           const Law law(pair, constants);
           const double overlap_y = yield_overlap(law);
           double largest = 0, fall = 0;
@@ -100,5 +108,6 @@ TEST_CASE_TEMPLATE("the energy guard lets no plastic work fall", Law, ALL_LAWS) 
           REQUIRE(fall <= 1e-12);
         }
       }
+    REQUIRE((tested >= 50 || !guarded<Law>()));
   }
 }

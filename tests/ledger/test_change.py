@@ -4,12 +4,17 @@
 from __future__ import annotations
 
 import re
+from pathlib import Path
 
 import numpy as np
 import pytest
 from ledger_runs import ENTRIES, ledger, plastic_work
 
 from plastigran.engine.process import EngineError
+
+
+def log(folder: Path) -> str:
+    return (folder / "log.liggghts").read_text()
 
 
 @pytest.mark.parametrize("pre", ["yes", "no"])
@@ -103,6 +108,9 @@ def test_what_a_deck_changes_of_contacts_is_booked(change, wall, ranks, tmp_path
     assert change["inserted"] == pytest.approx(change[["kinetic", "elastic", "plastic"]].sum())
     assert change["drift"] == pytest.approx(0, abs=1e-12)
     assert table["drift"].abs().max() < 1e-3 * scale
+    said = re.findall(r"the deck changed the energy of contacts by (\S+) J", log(tmp_path))
+    of_contacts = (change["elastic"] + change["plastic"]) * scale
+    assert [float(number) for number in said] == pytest.approx([of_contacts], rel=1e-4)
 
 
 @pytest.mark.parametrize("ranks", [1, 2])

@@ -77,6 +77,12 @@ def test_python_of_a_page_runs(page, results, tmp_path, monkeypatch):
 
     def bulk(deck, *, orifice=None, **settings):
         assert deck == "hopper"
+        names = {field.name for field in attrs.fields(deck_class("hopper"))} | {
+            "folder",
+            "ranks",
+            "show",
+        }
+        assert settings.keys() <= names
         if orifice is not None:
             return Discharge(recorded, orifice)
         return pg.open("results/hopper")

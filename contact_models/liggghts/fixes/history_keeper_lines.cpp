@@ -15,6 +15,7 @@
 #include "error.h"
 #include "liggghts/fixes/engine_access.h"
 #include "liggghts/fixes/history_keeper.h"
+#include "liggghts/fixes/print.h"
 #include "liggghts/fixes/stored_histories.h"
 #include "modify.h"
 #include "output.h"
@@ -98,8 +99,7 @@ void HistoryKeeper::report_constants() const {
     if (k + 1 == owners_of.size() || owners_of[k + 1].second != owners)
       text += "these constants hold for " + owners + '\n';
   }
-  for (FILE* const file : {screen, logfile})
-    if (file) std::fputs(text.c_str(), file);
+  print(lmp, text);
 }
 
 // Of contacts that go on. All ranks together.

@@ -10,6 +10,7 @@
 #include "error.h"
 #include "liggghts/fixes/describe_particle.h"
 #include "liggghts/fixes/engine_access.h"
+#include "liggghts/model/periodic_sides.h"
 #include "update.h"
 
 namespace plastigran {
@@ -59,7 +60,14 @@ void MotionWatch::end_of_step() {
   }
 }
 
+void MotionWatch::check_periodic_sides(const std::string& model) {
+  model_of_pairs_ = model;
+  const std::string too_short = too_short_periodic_side(lmp);
+  if (!too_short.empty()) error->all(FLERR, (model + ": " + too_short).c_str());
+}
+
 void MotionWatch::pre_exchange() {
+  if (domain->box_change && !model_of_pairs_.empty()) check_periodic_sides(model_of_pairs_);
   if (!lost_is_error(output)) return;
   for (int i = 0; i < atom->nlocal; ++i)
     for (int axis = 0; axis < 3; ++axis) {

@@ -23,6 +23,10 @@ class MotionWatch : public OwnFix {
   // of the run already; it lists them again once all are initialised.
   void list_fixes_again() { list_again_ = true; }
 
+  // From a pair style's model before each run: periodic sides must not be too short, now and while
+  // a fix changes the box. All ranks together.
+  void check_periodic_sides(const std::string& model);
+
   int setmask() override;
   void init() override;
   void reset_dt() override;  // by a fix that changes the time step in a run
@@ -38,7 +42,8 @@ class MotionWatch : public OwnFix {
 
   bool first_ = true;
   bool list_again_ = false;
-  double timestep_ = 0;  // with which the integrators were set up
+  std::string model_of_pairs_;  // whose contacts have histories; or empty
+  double timestep_ = 0;         // with which the integrators were set up
 };
 
 }  // namespace plastigran

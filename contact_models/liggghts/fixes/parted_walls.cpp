@@ -17,14 +17,15 @@ void PartedWalls::pre_neighbor() {
   for (int k = 0; k < modify->nfix; ++k) {
     const auto wall = dynamic_cast<LAMMPS_NS::FixWallGran*>(modify->fix[k]);
     if (!wall || wall->is_mesh_wall() || wall->dnum() == 0) continue;
-    // Its histories also hold the places of surfaces, which LIGGGHTS keeps between contacts.
-    if (wall->contact_match("surface", "multicontact")) continue;
-    const int found = modify->find_fix((std::string("history_") + wall->id).c_str());
-    if (found < 0) continue;
-    double** const histories = modify->fix[found]->array_atom;
+    const auto state = states_.find(std::string("fix ") + wall->id);
+    LAMMPS_NS::Fix* const fix = modify->find_fix_id((std::string("history_") + wall->id).c_str());
+    if (!fix || state == states_.end()) continue;
+    // This model also stores the places of surfaces there, and keeps them between contacts.
+    const bool keeps_surfaces = wall->contact_match("surface", "multicontact");
+    const auto [first, count] = keeps_surfaces ? state->second : std::pair(0, wall->dnum());
     for (int i = 0; i < atom->nlocal; ++i)
       if (!wall->primitiveWall()->isNear(i, neighbor->skin))
-        std::fill_n(histories[i], wall->dnum(), 0.0);
+        std::fill_n(fix->array_atom[i] + first, count, 0.0);
   }
 }
 

@@ -5,6 +5,10 @@
 // `neighbor 0.0`, would keep the contact history of its last touch.
 #pragma once
 
+#include <map>
+#include <string>
+#include <utility>
+
 #include "liggghts/fixes/own_fix.h"
 
 namespace plastigran {
@@ -15,8 +19,16 @@ class PartedWalls : public OwnFix {
   static const char* id() { return "plastigran_parted_walls"; }
   static const char* style() { return "plastigran/parted_walls"; }
 
+  // Where the law's state stands in the history of the contacts of "fix ID".
+  void set_state(const std::string& owner, int offset, int count) {
+    states_[owner] = {offset, count};
+  }
+
   int setmask() override;
   void pre_neighbor() override;
+
+ private:
+  std::map<std::string, std::pair<int, int>> states_;
 };
 
 }  // namespace plastigran

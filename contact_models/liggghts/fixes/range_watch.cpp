@@ -3,12 +3,12 @@
 
 #include <mpi.h>
 
-#include <cstdio>
 #include <sstream>
 
 #include "comm.h"
 #include "error.h"
 #include "liggghts/fixes/own_fix.h"
+#include "liggghts/fixes/print.h"
 
 namespace plastigran {
 
@@ -24,13 +24,16 @@ void RangeWatch::post_run() {
     double contacts, furthest;
     MPI_Reduce(&excess.contacts, &contacts, 1, MPI_DOUBLE, MPI_SUM, 0, world);
     MPI_Reduce(&excess.furthest, &furthest, 1, MPI_DOUBLE, MPI_MAX, 0, world);
-    if (comm->me != 0 || contacts == excess.announced) continue;
+    if (comm->me != 0) continue;
+    const bool more = contacts > excess.announced, further = furthest > excess.announced_furthest;
+    if (!more && !further) continue;
     excess.announced = contacts;
-    std::ostringstream line;  // for programs
+    excess.announced_furthest = furthest;
+    std::ostringstream line;  // read by the Python package
     line << "plastigran range " << model.substr(model.find(' ') + 1) << " contacts=" << contacts
          << " furthest=" << furthest << '\n';
-    if (screen) fputs(line.str().c_str(), screen);
-    if (logfile) fputs(line.str().c_str(), logfile);
+    print(lmp, line.str());
+    if (!more) continue;
     std::ostringstream text;
     text << model << ": contacts beyond the law's range (" << excess.range
          << ") so far: " << contacts << ", the furthest at " << furthest

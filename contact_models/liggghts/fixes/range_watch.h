@@ -17,9 +17,10 @@ class RangeWatch : public OwnFix {
   // Of one model, on this rank.
   struct Excess {
     const char* range = "";
-    double contacts = 0;         // one seen from both sides of a border counts half on each
-    double furthest = 0;         // largest overlap over the range's
-    double announced = 0;        // contacts, over all ranks, when it was last said
+    double contacts = 0;   // one seen from both sides of a border counts half on each
+    double furthest = 0;   // largest overlap over the range's
+    double announced = 0;  // contacts, over all ranks, when the log last had them
+    double announced_furthest = 0;
     double warned_speed = 0;     // of impacts before a run that leave the range [m/s]
     std::set<std::string> said;  // warnings before a run that are given once
   };

@@ -4,11 +4,11 @@
 #include <mpi.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <sstream>
 
 #include "comm.h"
 #include "error.h"
+#include "liggghts/fixes/print.h"
 #include "update.h"
 
 namespace plastigran {
@@ -81,8 +81,7 @@ void StepWatch::announce() {
   std::string line = text.str();
   if (line.back() == ':') return;  // no particles yet
   line.back() = '\n';
-  if (screen) fputs(line.c_str(), screen);
-  if (logfile) fputs(line.c_str(), logfile);
+  print(lmp, line);
 }
 
 void StepWatch::warn(const std::string& text) {

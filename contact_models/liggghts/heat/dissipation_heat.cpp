@@ -9,6 +9,7 @@
 
 #include "atom.h"
 #include "comm.h"
+#include "liggghts/fixes/print.h"
 
 namespace plastigran {
 
@@ -40,9 +41,7 @@ void DissipationHeat::init() {
   flux_ = static_cast<LAMMPS_NS::FixPropertyAtom*>(
       modify->find_fix_property("heatFlux", "property/atom", "scalar", 0, 0, style()));
   if (comm->me == 0 && !described_) {
-    const std::string text = shares_.describe(caller);
-    if (screen) std::fputs(text.c_str(), screen);
-    if (logfile) std::fputs(text.c_str(), logfile);
+    print(lmp, shares_.describe(caller));
     for (const std::string& slip : shares_.misspellings())
       error->warning(FLERR, (caller + ": " + slip).c_str());
   }

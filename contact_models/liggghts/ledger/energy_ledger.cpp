@@ -3,13 +3,17 @@
 
 #include <mpi.h>
 
+#include <cmath>
 #include <cstring>
+#include <sstream>
 #include <utility>
 
 #include "comm.h"
 #include "domain.h"
 #include "error.h"
 #include "fix_gravity.h"
+#include "liggghts/fixes/print.h"
+#include "liggghts/model/deck_units.h"
 #include "modify.h"
 #include "update.h"
 
@@ -77,10 +81,23 @@ double EnergyLedger::change_of_contacts() const {
   return ran_ && phase_ == SET_UP ? contact_energy() - contacts_before_ : 0;
 }
 
+// Where it is more than rounding.
+void EnergyLedger::report_change_of_contacts() const {
+  const double local[] = {change_of_contacts(), contact_energy()};
+  double sums[2];
+  MPI_Allreduce(local, sums, 2, MPI_DOUBLE, MPI_SUM, world);
+  if (comm->me != 0 || std::abs(sums[0]) <= 1e-6 * sums[1]) return;
+  std::ostringstream text;
+  text << "energy_ledger: between the runs the deck changed the energy of contacts by " << sums[0]
+       << ' ' << unit_in_deck(update->unit_style, "J") << " (part of the entry inserted)\n";
+  print(lmp, text.str());
+}
+
 // All forces of the set-up are known, walls' too.
 void EnergyLedger::end_set_up() {
   count_deferred();
   inserted_ += change_of_contacts();
+  report_change_of_contacts();
   phase_ = BETWEEN_RUNS;
   summed_ = false;
   if (!started_) start();

@@ -176,6 +176,7 @@ class EnergyLedger : public OwnFix {
     return by_pairs_.elastic + by_walls_.elastic + plastic_work_ + plastic_work_of_run_0_;
   }
   double change_of_contacts() const;
+  void report_change_of_contacts() const;
   void sum();
   bool is_first_before_exchange() const;
   void refuse_what_is_not_counted();

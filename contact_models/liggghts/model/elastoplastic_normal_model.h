@@ -13,7 +13,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <cstring>
 #include <string>
 
@@ -26,6 +25,7 @@
 #include "liggghts/fixes/motion_watch.h"
 #include "liggghts/fixes/own_fix.h"
 #include "liggghts/fixes/parted_walls.h"
+#include "liggghts/fixes/print.h"
 #include "liggghts/model/accounted_load.h"
 #include "liggghts/model/contact_owner.h"
 #include "liggghts/model/contact_setup.h"
@@ -34,7 +34,6 @@
 #include "liggghts/model/line_settings.h"
 #include "liggghts/model/normal_model_settings.h"
 #include "liggghts/model/normal_models.h"
-#include "liggghts/model/periodic_sides.h"
 #include "liggghts/model/rate_memory.h"
 #include "liggghts/model/type_pair.h"
 #include "neighbor.h"
@@ -87,17 +86,15 @@ class ElastoplasticNormalModel : public NormalModelBase {
       fail("it is for cylinders, the discs of a 2D deck (dimension 2); this deck is 3D");
     const std::string unsuitable = owner_.unsuitable_model(is_cylinder);
     if (!unsuitable.empty()) fail(unsuitable);
-    if (!owner_.is_wall() && !owner_.histories().empty()) {
-      const std::string too_short = plastigran::too_short_periodic_side(lmp);
-      if (!too_short.empty()) fail(too_short);
-    }
     const bool is_late =
         owner_.is_wall() && !plastigran::find_own_fix<plastigran::MotionWatch>(lmp);
     const auto motion = plastigran::own_fix<plastigran::MotionWatch>(lmp);
     if (is_late) motion->list_fixes_again();
-    plastigran::own_fix<plastigran::PartedWalls>(lmp);
+    if (!owner_.is_wall() && !owner_.histories().empty()) motion->check_periodic_sides(caller());
+    const auto parted = plastigran::own_fix<plastigran::PartedWalls>(lmp);
     const auto keeper = plastigran::HistoryKeeper::of(lmp, restarted_lines_);
     const std::string owner = owner_.name();
+    parted->set_state(owner, history_offset_, Law::state_names.size());
     if (settings_.text().empty())
       plastigran::restore_settings(lmp, *this, keeper->restarted_settings(owner),
                                    [this] { postSettings(nullptr, nullptr); });
@@ -240,10 +237,8 @@ class ElastoplasticNormalModel : public NormalModelBase {
 
   // What the deck gives and no model uses, or that looks like a slip.
   void report_unused(const plastigran::DeckProperties& deck, bool has_foreign) {
-    const std::string text =
-        settings_.describe_unused(caller(), deck, owner_.is_wall(), has_foreign);
-    if (screen) fputs(text.c_str(), screen);
-    if (logfile) fputs(text.c_str(), logfile);
+    plastigran::print(lmp,
+                      settings_.describe_unused(caller(), deck, owner_.is_wall(), has_foreign));
     const bool cohesive = owner_.other_models().find(" cohesion ") != std::string::npos;
     for (const std::string& doubt : deck.doubts(pairs_.bodies(), cohesive)) watch_.warn_once(doubt);
     if (neighbor->style == 2)

@@ -2,7 +2,6 @@
 #include "liggghts/plugin/foreign_histories.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <string>
 
 #include "comm.h"
@@ -14,6 +13,7 @@
 #include "lammps.h"
 #include "liggghts/fixes/engine_access.h"
 #include "liggghts/fixes/history_keeper.h"
+#include "liggghts/fixes/print.h"
 #include "liggghts/model/companions.h"
 #include "liggghts/model/contact_owner.h"
 #include "liggghts/model/normal_models.h"
@@ -101,12 +101,9 @@ void discard_if_foreign(LAMMPS* engine, const std::string& fix_id, const std::st
                                       .c_str());
     return;
   }
-  const std::string text =
-      owner.name +
-      ": the restart file has contacts of a model of LIGGGHTS. They begin as first "
-      "contacts, loaded to their present overlap, without tangential springs\n";
-  if (engine->screen) fputs(text.c_str(), engine->screen);
-  if (engine->logfile) fputs(text.c_str(), engine->logfile);
+  print(engine, owner.name +
+                    ": the restart file has contacts of a model of LIGGGHTS. They begin as first "
+                    "contacts, loaded to their present overlap, without tangential springs\n");
 }
 
 LAMMPS_NS::Fix* make_history(LAMMPS* engine, int count, char** words) {

@@ -6,8 +6,6 @@ from __future__ import annotations
 import attrs
 import pandas as pd
 
-from plastigran.engine.log import find_excess
-
 #: Drift of the energy ledger over the energy that came in: what a run may be off by.
 LEDGER = 1e-3
 
@@ -52,20 +50,20 @@ class Check:
         return bool(self.value <= self.limit)
 
 
-def range_checks(log: str) -> list[Check]:
+def range_checks(excess: dict[str, float]) -> list[Check]:
     """Return a failed check for each law whose range contacts have left by more than `EXCESS`.
 
     Args:
-        log: Text of LIGGGHTS' log.
+        excess: For each law, its largest overlap divided by the largest of its range.
     """
     return [
         Check(
-            f"largest overlap over the range of {law}",
+            f"largest overlap, divided by the largest of {law}'s range",
             furthest,
             EXCESS,
-            "beyond, the forces follow no fit; check units, softness and time step",
+            "beyond the range the law's fit does not hold; check units, softness and time step",
         )
-        for law, furthest in find_excess(log).items()
+        for law, furthest in excess.items()
         if furthest > EXCESS
     ]
 

@@ -28,7 +28,7 @@ from plastigran.engine.checkpoints import (
     newest_checkpoint,
 )
 from plastigran.engine.dumps import DumpError, TruncatedFileWarning
-from plastigran.engine.log import LOG, read_commands, read_thermo
+from plastigran.engine.log import LOG, find_excess, read_commands, read_thermo
 from plastigran.engine.process import EngineError, engines
 
 RECORD = "run.json"
@@ -75,6 +75,7 @@ def read_record(folder: str | Path) -> dict:
     ):
         raise EngineError(f"{path} is not the record of a run: it names no deck and settings")
     contents = {"values": str, "settings": str, "versions": str, "derived": int | float}
+    contents["excess"] = int | float
     for name, kind in contents.items():
         found = record.get(name, {})
         if not isinstance(found, dict) or not all(isinstance(v, kind) for v in found.values()):
@@ -261,6 +262,19 @@ def all_derived(folder: str | Path) -> dict[str, float]:
     printed = _DERIVED.findall(log.read_text(errors="replace")) if log.exists() else []
     earlier = read_record(folder).get("derived", {})
     return earlier | {name: float(value) for name, value in printed}
+
+
+def all_excess(folder: str | Path) -> dict[str, float]:
+    """What `find_excess` reads of a run's log, and of those of the runs it continues.
+
+    Raises:
+        EngineError: The folder holds no run.
+    """
+    log = Path(folder) / LOG
+    excess = find_excess(log.read_text(errors="replace")) if log.exists() else {}
+    for law, furthest in read_record(folder).get("excess", {}).items():
+        excess[law] = max(furthest, excess.get(law, 0.0))
+    return excess
 
 
 def read_derived(folder: str | Path, name: str) -> float:

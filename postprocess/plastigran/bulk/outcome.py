@@ -13,7 +13,7 @@ from matplotlib.figure import Figure
 from plastigran.bulk.checks import Check, range_checks
 from plastigran.bulk.deck import Analysis, BulkDeck
 from plastigran.bulk.decks import deck_class
-from plastigran.bulk.folder import RECORD, SERIES, read_record, read_series
+from plastigran.bulk.folder import RECORD, SERIES, all_excess, read_record, read_series
 from plastigran.bulk.own import analyse_own
 from plastigran.engine.dumps import DumpError
 from plastigran.engine.log import LOG
@@ -109,7 +109,7 @@ def open_run(folder: str | Path) -> BulkRun:
         analysis = Analysis(series)
         if finished:
             analysis = deck.analyse(series) if deck else analyse_own(series)
-            first = range_checks((folder / LOG).read_text(errors="replace"))
+            first = range_checks(all_excess(folder))
             analysis = attrs.evolve(analysis, checks=[*first, *analysis.checks])
     except (ArithmeticError, LookupError, OSError, ValueError) as error:
         said = f"{type(error).__name__}: {error}"

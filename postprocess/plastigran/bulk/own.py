@@ -36,22 +36,34 @@ NEEDS = (
     f"command that writes ${{output}}/{PATTERN}; `plastigran new-deck` writes a deck with them"
 )
 
+#: Commands behind which the steps to come cannot be counted here.
+CONTROL = {"if", "jump", "next", "label", "reset_timestep", "read_restart"}
+
 _COUNTS_ANEW = re.compile(r"^reset_timestep\s", re.MULTILINE)
 _MODEL = re.compile(r"\bgran\s+(?:&\s*)?model\s+(\S+)")
 
 
 def planned_steps(source: DeckSource) -> int:
     """Return the steps of all `run` commands of a deck together; 0 where only LIGGGHTS can tell."""
+    included = [file for file in source.files[1:] if file.suffix.lower() not in MESHES]
+    if any(_first_words(source, file) & {"run", *CONTROL} for file in included):
+        return 0
     steps = 0
     for command in commands(source.path):
         words = source.resolve(command).split()
-        if words[0] in ("include", "if", "jump", "next", "label", "reset_timestep", "read_restart"):
+        if words[:1] == ["include"] and "$" in words[-1]:
             return 0
-        if words[0] == "run":
+        if words and words[0] in CONTROL:
+            return 0
+        if words[:1] == ["run"]:
             if not words[1:] or not words[1].isdigit():
                 return 0
             steps = int(words[1]) + (0 if "upto" in words else steps)
     return steps
+
+
+def _first_words(source: DeckSource, file: Path) -> set[str]:
+    return {source.resolve(command).partition(" ")[0] for command in commands(file)}
 
 
 def own_places(source: DeckSource, folder: Path) -> dict[str, object]:

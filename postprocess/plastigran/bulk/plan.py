@@ -81,9 +81,10 @@ def plan_bulk(
         values = earlier["values"] | values | {"start": "checkpoint", "checkpoint": str(checkpoint)}
     if kind and "materials" in values:  # a path as typed here; the engine runs elsewhere
         values["materials"] = str(Path(values["materials"]).resolve())
-    if "checkpoint" in values:
-        refuse_damaged(Path(values["checkpoint"]))
     source = read_deck(script, values, folder)
+    if source.settings.get("start") == "checkpoint":
+        working_folder = folder if kind else source.path.parent
+        refuse_damaged(working_folder / source.settings.get("checkpoint", ""))
     places = {"inputs": folder / "deck"} if kind else own_places(source, folder)
     if not kind:
         check_laws(source)

@@ -11,6 +11,7 @@ from plastigran.bulk.folder import (
     CHECKS,
     SERIES,
     all_derived,
+    all_excess,
     carry_files,
     prepare_folder,
     read_series,
@@ -86,6 +87,7 @@ def _run(plan: Plan, made_with: dict[str, str], show: bool) -> BulkRun:
         "ranks": plan.ranks,
         "restart": str(restart) if restart else None,
         "derived": all_derived(restart) if restart else {},
+        "excess": all_excess(restart) if restart else {},
         "versions": made_with,
     }
     if plan.checkpoint:

@@ -16,7 +16,7 @@ from plastigran.usable_laws import laws_for
 #: Speed of the fastest impact of the template, a fall from its top [m/s], with room to spare.
 SPEED = 2.0
 #: Radii of grains that the template's box has room for [m].
-RADIUS = Declaration("radius", "m", 0.0005, 0.006, closed=True)
+NEW_DECK_RADIUS = Declaration("radius", "m", 0.0005, 0.006, closed=True)
 #: Files of the inputs that lie beside the deck.
 PARTS = ("energy_ledger.in", "meshes/plate.stl", "template/fresh.in", "template/checkpoint.in")
 #: Names that they have taken.
@@ -42,7 +42,7 @@ def write_deck(
             radius out of range.
         FileExistsError: The folder is there.
     """
-    material, radius = read_material(material), read_number("radius", radius, RADIUS)
+    material, radius = read_material(material), read_number("radius", radius, NEW_DECK_RADIUS)
     for name in (folder.name, material.name):
         if misread(name):
             raise ValueError(f"{name!r} holds white space, % or *, which the engine misreads")

@@ -89,7 +89,8 @@ def main(argv: list[str] | None = None) -> int:
 
 def _print_once() -> Callable[..., None]:
     """Return what shows warnings: each text once. Python's own filters forget what they have shown
-    when a library changes them."""
+    when a library changes them.
+    """
     shown = set()
 
     def show(warning: Warning, *_: object, **__: object) -> None:

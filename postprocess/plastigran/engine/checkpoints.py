@@ -82,14 +82,31 @@ class ChecksumWriter:
     def __init__(self, folder: Path) -> None:
         self._folder = folder
         self._log = LogFollower(folder / LOG)
+        self._warned = False
 
     def update(self) -> None:
-        """Write those that have become due since the last time."""
+        """Write those that have become due since the last time.
+
+        Warns:
+            UserWarning: One cannot be written, the first time.
+        """
+        try:
+            self._write()
+        except OSError as error:
+            if not self._warned:
+                warnings.warn(
+                    f"no checksum is written: {error.strerror} ({error.filename}). A damaged "
+                    "checkpoint would not be noticed",
+                    stacklevel=2,
+                )
+            self._warned = True
+
+    def _write(self) -> None:
         step = self._log.read().step
         for checkpoint in checkpoints(self._folder):
             if step_of(checkpoint) > step:  # it may still be written
                 break
-            if not _checksum_of(checkpoint).exists() and is_whole(checkpoint):
+            if _lacks_checksum(checkpoint) and is_whole(checkpoint):
                 draft = checkpoint.with_name(f"{checkpoint.name}{CHECKSUM}.new")
                 draft.write_text(f"{_sum(checkpoint)}  {checkpoint.name}\n")
                 draft.replace(_checksum_of(checkpoint))
@@ -117,6 +134,12 @@ def _damage(checkpoint: Path) -> str:
 
 def _checksum_of(checkpoint: Path) -> Path:
     return checkpoint.with_name(checkpoint.name + CHECKSUM)
+
+
+def _lacks_checksum(checkpoint: Path) -> bool:
+    """Whether there is none, or that of an earlier file: a deck may count its steps anew."""
+    file = _checksum_of(checkpoint)
+    return not file.exists() or file.stat().st_mtime_ns < checkpoint.stat().st_mtime_ns
 
 
 def _sum(file: Path) -> str:

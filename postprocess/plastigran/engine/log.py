@@ -41,7 +41,7 @@ _MODEL = re.compile(r"^model (\w+)(?:, wall)?, atom types \d+ and \d+: ", re.M)
 #: The engine echoes a command as it is typed, then with its variables replaced.
 _PAIR_STYLE = re.compile(r"^pair_style\s+([^$\n]+)$", re.M)
 _UNITS = re.compile(r"^units\s+(\w+)\s*$", re.M)
-#: Written for programs at the end of a run, the last of a law counts.
+#: Written for programs at the end of a run.
 _EXCESS = re.compile(r"^plastigran range (\w+) contacts=\S+ furthest=(\S+)$", re.M)
 _NUMBER = re.compile(r"\d[\d.e+-]*")
 
@@ -50,7 +50,10 @@ def find_excess(text: str) -> dict[str, float]:
     """Return the largest overlap of each law whose range contacts have left, divided by the largest
     overlap of the range.
     """
-    return {law: float(furthest) for law, furthest in _EXCESS.findall(text)}
+    excess: dict[str, float] = {}
+    for law, furthest in _EXCESS.findall(text):
+        excess[law] = max(float(furthest), excess.get(law, 0.0))
+    return excess
 
 
 def find_error(text: str) -> str | None:

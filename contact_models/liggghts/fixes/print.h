@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+//
+// Text for screen and log. To be called on one rank.
+#pragma once
+
+#include <cstdio>
+#include <string>
+
+#include "lammps.h"
+
+namespace plastigran {
+
+inline void print(const LAMMPS_NS::LAMMPS* engine, const std::string& text) {
+  for (FILE* const file : {engine->screen, engine->logfile})
+    if (file) std::fputs(text.c_str(), file);
+}
+
+}  // namespace plastigran
