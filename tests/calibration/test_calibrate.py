@@ -127,7 +127,7 @@ def test_hardening_and_wide_contacts_have_errors_of_their_own():
         for kind in ((False, 0.01), (True, 0.01), (False, 0.1))
     )
     assert hardening.kind == "hardening"
-    assert wide.kind == "perfectly plastic, wide"
+    assert wide.kind == "perfectly plastic, large a/R"
     assert wide.restitution_largest >= plain.restitution_largest
     assert hardening.restitution_largest != plain.restitution_largest
 
@@ -216,7 +216,7 @@ def test_rate_of_strain_takes_its_share_of_the_strength_of_an_impact():
 def test_a_strength_that_may_grow_with_the_rate_is_said():
     """Of a metal that is no steel no coefficient is taken by itself."""
     aluminium = {"youngs_modulus": 6.9e10, "poissons_ratio": 0.33, "density": 2700}
-    said = "taken not to grow with the rate of strain"
+    said = "no dependence on the strain rate is assumed"
     assert any(said in note for note in calibrate(**aluminium, hardness=107).notes)
     for coefficient in (0.0, 0.015):
         found = calibrate(**aluminium, hardness=107, rate_coefficient=coefficient)
@@ -257,7 +257,7 @@ def test_no_error_is_claimed_of_pairs_that_were_not_computed():
 def test_a_steels_conversion_is_said_of_another_metal():
     """Vickers hardness needs none."""
     titanium = {"youngs_modulus": 1.14e11, "poissons_ratio": 0.34, "density": 4430}
-    said = "of steel (table 1 of ASTM E140); of another metal, measure HV"
+    said = "for steel (table 1 of ASTM E140); for another metal, measure HV"
     assert any(said in note for note in calibrate(**titanium, hardness="36HRC").notes)
     assert not any(said in note for note in calibrate(**titanium, hardness="354HV").notes)
     assert not any(said in note for note in calibrate(**STEEL, hardness="36HRC").notes)

@@ -48,7 +48,7 @@ def test_what_is_printed_can_be_pasted(capsys, tmp_path):
     assert main([*STEEL, "--hardness", "45HRC", "--output", str(file)]) == 0
     printed = capsys.readouterr().out
     assert pg.material(file).name == "spring"
-    said, written = printed.split("A material's file:\n")
+    said, written = printed.split("Material file:\n")
     assert file.read_text() == written
     assert f"pair_style gran model {DEFAULT_LAW} tangential history" in said
     for name in ("youngs_modulus", "poissons_ratio", "yield_strength"):
@@ -63,7 +63,9 @@ def test_drops_have_a_figure(capsys, tmp_path, drops):
     assert main(line) == 0
     numbers = json.loads(capsys.readouterr().out)
     assert numbers["law"] == "thornton"
-    assert numbers["source"].startswith("3 drops of the metal on a rigid plate by thornton")
+    assert numbers["source"].startswith(
+        "3 drops of the metal on a rigid plate, from the law thornton"
+    )
     assert figure.read_bytes().startswith(b"\x89PNG")
 
 

@@ -40,7 +40,7 @@ def test_tables_of_a_page_hold(name):
     for table in read_tables((PAGES / f"{name}.md").read_text()).values():
         assert len(table)
         for column in table.columns:
-            named = re.fullmatch(r"(.*) off (.*) \(%\)", column)
+            named = re.fullmatch(r"(.*) vs (.*) \(%\)", column)
             if named is None or not set(named.groups()) <= set(table.columns):
                 continue
             ours, theirs, said = (pd.to_numeric(table[key]) for key in (*named.groups(), column))

@@ -31,8 +31,8 @@ PAGE = "before\n<!-- table one -->\nold\n<!-- end -->\nafter\n"
 
 def test_differences_are_per_cent_of_the_other_and_empty_where_it_is_zero():
     table = own_report().run().tables["one"]
-    assert list(table) == ["paper", "ours", "ours off paper (%)"]
-    assert table["ours off paper (%)"].iloc[0] == pytest.approx(5)
+    assert list(table) == ["paper", "ours", "ours vs paper (%)"]
+    assert table["ours vs paper (%)"].iloc[0] == pytest.approx(5)
     assert to_markdown(table).splitlines()[2:] == ["| 2 | 2.1 | +5.00 |", "| 0 | 3 |  |"]
 
 

@@ -24,9 +24,9 @@ def test_the_nearest_law_has_the_slope_of_the_table_and_its_level_with_the_rate(
 def test_parts_of_the_offset_have_the_sign_of_their_cause(page_table):
     """Stronger steel gives more back; a weaker ball yields more to the same energy."""
     parts = page_table("leeb_offset").set_index(["source", "change"])["mean (%)"].astype(float)
-    assert parts["rate of strain"].item() > 2
-    assert parts["hardness over flow stress", "2.8 → 2.6"] > 0
-    assert parts["hardness over flow stress", "2.8 → 3"] < 0
+    assert parts["strain rate"].item() > 2
+    assert parts["hardness/flow stress", "2.8 → 2.6"] > 0
+    assert parts["hardness/flow stress", "2.8 → 3"] < 0
     assert (
         parts["scatter of a conversion", "HV +10 %"]
         > 0
@@ -55,7 +55,7 @@ def test_finite_elements_of_the_dent_are_within_the_scatter_of_the_table(
 ):
     """5 % in restitution, as the table is trusted; nothing of a law is in them."""
     found = dented_steel.comparison(page_table("leeb")["law"][0])
-    assert found["finite elements off measured (%)"].abs().max() < 5
+    assert found["finite elements vs measured (%)"].abs().max() < 5
     assert_on_page("leeb_finite_elements", found)
 
 

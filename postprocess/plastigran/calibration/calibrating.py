@@ -140,12 +140,13 @@ def calibrate(
     notes = list(found.notes)
     if rate_coefficient:
         notes.append(
-            f"the strength is that at a rate of strain of 1/s; it grows, C = {rate_coefficient:g}"
+            "the strength is for a strain rate of 1/s; the rate coefficient is "
+            f"C = {rate_coefficient:g}"
         )
     elif chosen[0] in ("hardness", "leeb") and given_rate is None:
         notes.append(
-            "the strength is taken not to grow with the rate of strain; docs/rate_factor.md has "
-            "published coefficients of other metals than steel: give rate_coefficient"
+            "no dependence on the strain rate is assumed; docs/rate_factor.md lists published "
+            "coefficients of other metals than steel: give rate_coefficient"
         )
     if plastic_modulus and not laws.LAWS[law].hardens:
         notes.append(f"{law} does not know hardening: it takes the yield strength alone")

@@ -99,7 +99,7 @@ class CalibratedMetal:
                 f"{value:.6g}  # of vu_quoc_zhang"
                 for name, value in self.constants.items()
             ]
-        lines += ["# Friction is not of the metal alone: its value is yours."]
+        lines += ["# Friction is not calibrated: set the coefficient of your pair of materials."]
         friction = "coefficientFriction peratomtypepair 1 0.3"
         lines += [f"fix coefficient_friction all property/global {friction}"]
         return [*lines, f"pair_style gran model {self.law} tangential history"]
@@ -115,8 +115,8 @@ class CalibratedMetal:
             "yield strength": f"{self.yield_strength:.4g} Pa, 95 % {self._interval()} Pa",
             "from": self.source,
             "law": self.law,
-            "its expected error": str(self.expected_error),
-            "yield speed": f"{self.yield_speed:.3g} m/s, of a sphere on a rigid plane",
+            "expected error": str(self.expected_error),
+            "yield speed": f"{self.yield_speed:.3g} m/s for a sphere on a rigid plane",
         } | {f"note {k}": note for k, note in enumerate(self.notes, start=1)}
         return "\n".join(f"{name:20s}{said}" for name, said in lines.items())
 

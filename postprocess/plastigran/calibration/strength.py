@@ -30,7 +30,7 @@ from plastigran.physics.rebound_hardness import TESTERS, ReboundTester, dented_f
 
 LEAST_RATIO, LARGEST_RATIO = 1e-6, 0.3  # strengths over Young's modulus that are looked at
 DENTS = (
-    "expected errors are those of spheres that flatten; for balls that indent a flat see "
+    "the expected errors are for spheres that flatten; for indented flats see "
     "docs/validation_steel.md"
 )
 DROP_SCATTER = 0.02  # standard deviation of one restitution, where no other is stated
@@ -91,9 +91,9 @@ def from_hardness(hardness: Hardness, plastic_modulus: float, youngs_modulus: fl
     notes = [f"the flow stress at {DENT_STRAIN:.0%} strain is {flow:.4g} Pa"] if added else []
     tensile = steel_yield_strength(hardness.vickers)
     if STEEL.allows(youngs_modulus) and 0 < tensile < flow:
-        notes.append(f"a tensile test of a steel that hard yields at some {tensile:.3g} Pa")
+        notes.append(f"a tensile test of steel of this hardness gives about {tensile:.3g} Pa")
     if scale.of_steel and not STEEL.allows(youngs_modulus):
-        notes.append(f"the conversion is of steel ({scale.source}); of another metal, measure HV")
+        notes.append(f"the conversion is for steel ({scale.source}); for another metal, measure HV")
     value = flow - added
     return Strength(value, (max(value - half, 0.0), value + half), source, notes=tuple(notes))
 
@@ -142,7 +142,7 @@ def from_leeb(given: float | str, law: str, metal: Material, scatter: float | No
 
     rate = f" at 1/s (C = {metal.rate_coefficient:g})" if metal.rate_coefficient else ""
     source = (
-        f"{reading:g} HL{tester.name} by {law}'s impact of the tester's ball{rate}, "
+        f"{reading:g} HL{tester.name}, from the law {law}{rate}, "
         f"restitution within {1.96 * scatter:.1%}"
     )
     measured = np.array([tester.restitution(reading)])
@@ -152,7 +152,10 @@ def from_leeb(given: float | str, law: str, metal: Material, scatter: float | No
         table = leeb_table()
         if table["HLD"].min() <= reading <= table["HLD"].max():
             hardness = Hardness(float(np.interp(reading, table["HLD"], table["HV"])))
-            said = f"testers convert it to {hardness.vickers:.0f} HV for steel, a flow stress of "
+            said = (
+                f"for steel, testers convert the reading to {hardness.vickers:.0f} HV, "
+                "a flow stress of "
+            )
             notes = (*found.notes, f"{said}{hardness.flow_stress:.4g} Pa")
             found = attrs.evolve(found, notes=notes)
     return found
@@ -180,7 +183,8 @@ def from_drops(drops: DropTest, law: str, metal: Material, scatter: float | None
 
     count = len(drops.speed)
     source = (
-        f"{count} drop{'s' * (count > 1)} of {drops.ball_said} on {drops.plate_said} by {law}, "
+        f"{count} drop{'s' * (count > 1)} of {drops.ball_said} on {drops.plate_said}, "
+        f"from the law {law}, "
         f"restitution within {1.96 * scatter:.1%}"
     )
     found = _inverted(contact, drops.speed, drops.restitution, metal, scatter, source)

@@ -123,5 +123,5 @@ def add_difference(table: pd.DataFrame, of: str, against: str) -> pd.DataFrame:
     position = table.columns.get_loc(of) + 1
     ours, theirs = (table[name].astype(float) for name in (of, against))
     result = table.copy()
-    result.insert(position, f"{of} off {against} (%)", 100 * (ours / theirs.replace(0, np.nan) - 1))
+    result.insert(position, f"{of} vs {against} (%)", 100 * (ours / theirs.replace(0, np.nan) - 1))
     return result

@@ -109,9 +109,9 @@ def comparison(law: str) -> pd.DataFrame:
             "a/R": found["contact_radius_over_radius"],
             "measured": measured,
             FINITE_ELEMENTS: own,
-            f"{FINITE_ELEMENTS} off measured (%)": 100 * (own / measured - 1),
-            f"{FINITE_ELEMENTS} off small a/R (%)": 100 * (own / narrow - 1),
-            f"{law} off {FINITE_ELEMENTS} (%)": 100 * (by_law / own - 1),
+            f"{FINITE_ELEMENTS} vs measured (%)": 100 * (own / measured - 1),
+            f"{FINITE_ELEMENTS} vs small a/R (%)": 100 * (own / narrow - 1),
+            f"{law} vs {FINITE_ELEMENTS} (%)": 100 * (by_law / own - 1),
         }
     )
 

@@ -104,7 +104,7 @@ def comparison(table: pd.DataFrame, name: str) -> pd.DataFrame:
     found = part[["incident_angle", "value", PARTIAL_SLIP, SPRING, ENGINE]].rename(
         columns={"incident_angle": "incident angle (°)", "value": "measured"}
     )
-    found["measured less partial slip"] = off.round(4)
+    found["measured − partial slip"] = off.round(4)
     if name != "restitution":
         found["as restitution"] = _as_restitution(part, name).round(4)
     return found

@@ -67,13 +67,13 @@ def budget(law: str) -> pd.DataFrame:
 def _changes(law: str, usual: np.ndarray) -> Iterator[tuple[str, str, np.ndarray]]:
     device = TESTERS["D"]
     yield (
-        "rate of strain",
+        "strain rate",
         f"none → C = {RATE['rate_coefficient']:g}",
         rebound(law, **RATE),
     )
     for factor in CONSTRAINT_FACTORS:
         yield (
-            "hardness over flow stress",
+            "hardness/flow stress",
             f"{CONSTRAINT_FACTOR:g} → {factor:g}",
             rebound(law, strength_factor=CONSTRAINT_FACTOR / factor),
         )

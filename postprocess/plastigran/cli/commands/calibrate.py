@@ -174,8 +174,8 @@ def _print(found: CalibratedMetal, output: Path | None) -> None:
         print()
         for name, value in found.pressed.fitted.to_dict().items():
             print(f"{name:28s} {value:.5g}")
-    print("\nLines of a deck:")
+    print("\nLines for a deck:")
     print("\n".join(found.deck_lines()))
     if output is not None:
         print(f"\nwritten: {output}")
-    print(f"\nA material's file:\n# {found.remark}\n{material_lines(found.material)}")
+    print(f"\nMaterial file:\n# {found.remark}\n{material_lines(found.material)}")

@@ -84,12 +84,12 @@ def energies(computed: Computed) -> pd.DataFrame:
             {
                 **_named(impact),
                 "energy (µJ)": MICRO * total.iloc[0],
-                "strain, most in contact": share["elastic_energy"].max(),
-                "kinetic, least in contact": share["kinetic_energy"].min(),
-                "in the penalty, most": share["penalty_energy"].max(),
+                "strain, largest in contact": share["elastic_energy"].max(),
+                "kinetic, smallest in contact": share["kinetic_energy"].min(),
+                "penalty, largest": share["penalty_energy"].max(),
                 "strain, mean in flight": flight["elastic_energy"].mean(),
-                "strain, most in flight": flight["elastic_energy"].max(),
-                "total strays by": (total / total.iloc[0] - 1).abs().max(),
+                "strain, largest in flight": flight["elastic_energy"].max(),
+                "energy error": (total / total.iloc[0] - 1).abs().max(),
             }
         )
     return pd.DataFrame(rows)
@@ -111,7 +111,7 @@ def restitution(computed: Computed) -> pd.DataFrame:
                 "1 − e, kinetic energy": 1 - found.kinetic_restitution,
                 "least": 1 - kinetic.max(),
                 "most": 1 - kinetic.min(),
-                "energy left": found.vibration_energy,
+                "vibration energy": found.vibration_energy,
                 "in twelve modes": _shares(found).sum(),
                 "1 − e, LIGGGHTS": 1 - computed.engine.loc[impact]["coefficient_of_restitution"],
             }
@@ -129,13 +129,13 @@ def oscillations(computed: Computed) -> pd.DataFrame:
         rows.append(
             {
                 **_named(impact),
-                "root mean square over largest force": np.sqrt(np.mean(force.share**2)),
-                "largest over largest force": np.abs(force.share).max(),
-                "gravest mode (kHz)": KHZ * gravest,
+                "rms/largest force": np.sqrt(np.mean(force.share**2)),
+                "peak/largest force": np.abs(force.share).max(),
+                "fundamental mode (kHz)": KHZ * gravest,
                 "strongest (kHz)": KHZ * frequencies[np.argmax(amplitudes)],
             }
         )
-    return add_difference(pd.DataFrame(rows), "strongest (kHz)", "gravest mode (kHz)")
+    return add_difference(pd.DataFrame(rows), "strongest (kHz)", "fundamental mode (kHz)")
 
 
 def modes(computed: Computed) -> pd.DataFrame:

@@ -43,7 +43,7 @@ def restitution_figure(found: Computed) -> Figure:
                 axes.plot([v for v, _ in runs], values, color=law_colour(law), label=title(law))
             marks = {
                 ("normal", "layer"): ("ko", "finite elements, 100 µm"),
-                ("normal", "thick"): ("k^", "no wave comes back"),
+                ("normal", "thick"): ("k^", "no reflected waves"),
                 ("oblique", "layer"): ("kx", "oblique, 100 µm"),
             }
             for (kind, body), (mark, label) in marks.items():

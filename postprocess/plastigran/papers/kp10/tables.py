@@ -32,9 +32,9 @@ QUANTITIES = {
 #: extrapolated from the last three of some thirty steps; an elastic contact shows this error.
 NO_DENT = 1e-3
 BODIES = {
-    "layer": "both bodies' elasticity, 100 µm",
+    "layer": "combined elasticity, 100 µm",
     "thin": "the same, 50 µm",
-    "thick": "the same, no wave comes back",
+    "thick": "the same, no reflected waves",
     "glass": "glass alone, 100 µm",
 }
 
@@ -73,12 +73,12 @@ def comparison(found: Computed) -> pd.DataFrame:
     ):
         rows += [
             row(f"{kind}: residual depth", "µm", depth, "residual_depth", struck),
-            row(f"{kind}: depth as it leaves", "µm", nan, "overlap_res", struck),
+            row(f"{kind}: depth at separation", "µm", nan, "overlap_res", struck),
             row(f"{kind}: largest depth", "µm", nan, "overlap_max", struck),
             row(f"{kind}: restitution", "-", nan, "coefficient_of_restitution", struck, 1.0),
             row(f"{kind}: contact time", "µs", nan, "contact_time", struck),
         ]
-    alike = {"quantity": "largest depth, oblique over head-on", "unit": "-", "paper": 1.0}
+    alike = {"quantity": "largest depth, oblique/head-on", "unit": "-", "paper": 1.0}
     alike[OURS] = oblique.overlap_max / straight.overlap_max
     return add_difference(pd.DataFrame([*rows, alike]), OURS, "paper")
 
@@ -94,7 +94,7 @@ def normal(found: Computed) -> pd.DataFrame:
         for (name, of_run), (quantity, unit, factor) in QUANTITIES.items():
             line = {"length/radius": key.length_ratio, "speed (m/s)": key.speed}
             line |= {"quantity": quantity, "unit": unit}
-            for column, each in ((OURS, struck), ("no wave comes back", thick)):
+            for column, each in ((OURS, struck), ("no reflected waves", thick)):
                 line[column] = factor * _shown(each, name)
             for law, run in runs.items():
                 line[f"LIGGGHTS, {law}"] = factor * _shown(run, of_run)
@@ -131,14 +131,14 @@ def oblique(found: Computed) -> pd.DataFrame:
                 "residual depth (µm)": MICRO * struck.residual_depth,
                 "restitution": struck.coefficient_of_restitution,
                 "contact time (µs)": MICRO * struck.contact_time,
-                "yields from (N)": struck.yield_force,
-                "at depth over half width": struck.yield_point[1],
-                "surface yields from (N)": yielding["force"],
-                "seen at depth (µm)": MICRO * yielding["plastic_top"],
-                "zone's bottom (µm)": MICRO * history["plastic_bottom"].max(),
+                "force at first yield (N)": struck.yield_force,
+                "depth/half width at yield": struck.yield_point[1],
+                "force at surface yield (N)": yielding["force"],
+                "detected at depth (µm)": MICRO * yielding["plastic_top"],
+                "bottom of the zone (µm)": MICRO * history["plastic_bottom"].max(),
                 "largest plastic strain": end.plastic_strain.max(),
-                "its depth (µm)": -MICRO * end.positions[end.plastic_strain.argmax(), 1],
-                "drag over force": abs(history["drag"].sum()) / history["force"].sum(),
+                "depth of that strain (µm)": -MICRO * end.positions[end.plastic_strain.argmax(), 1],
+                "drag/force": abs(history["drag"].sum()) / history["force"].sum(),
             }
         )
     return pd.DataFrame(rows)
@@ -188,7 +188,7 @@ def bodies(found: Computed) -> pd.DataFrame:
                 "body": said,
                 "paper (µm)": MICRO * FINITE_ELEMENTS_OVERLAP_RES,
                 "residual depth (µm)": MICRO * struck.residual_depth,
-                "depth as it leaves (µm)": MICRO * struck.overlap_res,
+                "depth at separation (µm)": MICRO * struck.overlap_res,
                 "largest depth (µm)": MICRO * struck.overlap_max,
                 "largest force (N)": struck.force_max,
                 "restitution": struck.coefficient_of_restitution,

@@ -82,7 +82,7 @@ def onset(pressing: Pressing) -> pd.DataFrame:
     ]
     columns = ["quantity", "unit", PAPER, FINITE_ELEMENTS, "Hertz"]
     table = pd.DataFrame(rows, columns=columns)
-    off_hertz = f"{FINITE_ELEMENTS} off Hertz (%)"
+    off_hertz = f"{FINITE_ELEMENTS} vs Hertz (%)"
     differences = add_difference(table, FINITE_ELEMENTS, "Hertz")[off_hertz]
     return add_difference(table, FINITE_ELEMENTS, PAPER).assign(**{off_hertz: differences})
 
@@ -149,7 +149,7 @@ def restitution(computed: Computed, paper: dict[float, float]) -> pd.DataFrame:
     place = table.columns.get_loc(FINITE_ELEMENTS) + 2
     table.insert(place, "by nodes, mean", [float(np.mean(swing)) for swing in swings])
     said = [f"{swing.min():.3f} to {swing.max():.3f}" for swing in swings]
-    table.insert(place + 1, "by nodes, least and largest", said)
+    table.insert(place + 1, "by nodes, range", said)
     table.insert(table.columns.get_loc(LAWS[0]), "paper's law in the paper",
                  table["speed (m/s)"].map(PAPER_LAW_RESTITUTION))  # fmt: skip
     return table
@@ -169,7 +169,7 @@ def pressed(pressing: Pressing) -> pd.DataFrame:
         ("approach", "µm", "approach", 1e6),
         ("contact radius", "mm", "contact_radius", 1e3),
         ("residual approach", "µm", "residual_approach", 1e6),
-        ("√(work back/work)", "-", "coefficient_of_restitution", 1.0),
+        ("√(recovered work/work)", "-", "coefficient_of_restitution", 1.0),
     ]
     unloadings = pressing.unloadings.iloc[1:]  # the first compression hardly yields
     found = {(law, force): press_law(law, force) for law in LAWS for force in unloadings["force"]}
@@ -229,7 +229,7 @@ def engine(computed: Computed) -> pd.DataFrame:
         for name, said in COMPARED.items():
             ours = {v: getattr(_engine_outcome(computed, law, v), name) for v in computed.throws}
             off = [abs(ours[v] / _law_outcome(law, v, name) - 1) for v in ours]
-            row[f"LIGGGHTS off the law, {said} (%)"] = 100 * max(off)
+            row[f"LIGGGHTS vs the law, {said} (%)"] = 100 * max(off)
         rows.append(row)
     return pd.DataFrame(rows)
 
