@@ -10,7 +10,7 @@ from plastigran.papers.chamoli import PAPER
 
 @pytest.fixture(scope="module")
 def tables(coarse_table):
-    return {name: coarse_table("chamoli", name) for name in PAPER.tables}
+    return {name: coarse_table("chamoli", name) for name in (*PAPER.tables, *PAPER.data)}
 
 
 def test_slow_impact_is_that_of_hertz_in_elements_and_engine(tables):
@@ -19,6 +19,8 @@ def test_slow_impact_is_that_of_hertz_in_elements_and_engine(tables):
     # In per cent. A sphere of finite size is stiffer; the engine's step is the recommended one.
     assert slow["finite elements vs Hertz (%)"].abs().max() < 1
     assert table["LIGGGHTS vs Hertz (%)"].abs().max() < 0.1
+    force = table.loc[table["quantity"] == "largest force", "finite elements vs Hertz (%)"]
+    assert tables["deviations"]["largest force (%)"].to_numpy() == pytest.approx(force)
 
 
 def test_faster_and_softer_impacts_keep_more_vibration(tables):

@@ -155,7 +155,8 @@ PAPER = Paper(
     name="gcm15",
     title="An oblique steel rod on an iron flat",
     citation="H. Ghaednia, O. Cermik & D. B. Marghitu, Int. J. Impact Eng. 86 (2015) 307",
-    tables=("restitution", "measured_run", "deformation", "engine"),
+    tables=("restitution", "measured_run", "engine"),
+    data=("deformation",),
     figures=("outcome", "deformation", "motion"),
     compute=compute,
 )

@@ -22,7 +22,8 @@ PAPER = Paper(
     name="chamoli",
     title="The vibrating elastic sphere",
     citation="Chamoli, master thesis: fast impacts of an elastic sphere by finite elements",
-    tables=("impacts", "energies", "restitution", "oscillations", "modes", "viscoelastic"),
+    tables=("deviations", "energies", "restitution", "oscillations", "modes", "viscoelastic"),
+    data=("impacts",),
     figures=("impact", "energies", "restitution", "spectrum"),
     compute=compute,
 )

@@ -35,7 +35,8 @@ NEAR = 0.01  # relative distance within which a peak belongs to a mode
 def tables(computed: Computed) -> dict[str, pd.DataFrame]:
     """Return the tables by name."""
     kinds = (impacts, energies, restitution, oscillations, modes, viscoelastic)
-    return {table.__name__: table(computed) for table in kinds}
+    found = {table.__name__: table(computed) for table in kinds}
+    return found | {"deviations": deviations(found["impacts"])}
 
 
 def impacts(computed: Computed) -> pd.DataFrame:
@@ -69,6 +70,17 @@ def impacts(computed: Computed) -> pd.DataFrame:
             )
     table = add_difference(pd.DataFrame(rows), "finite elements", "Hertz")
     return add_difference(table, "LIGGGHTS", "Hertz")
+
+
+def deviations(impacts: pd.DataFrame) -> pd.DataFrame:
+    """Return one row per impact: how the finite elements differ from Hertz, in per cent."""
+    difference = "finite elements vs Hertz (%)"
+    rows = []
+    for named, group in impacts.groupby(["E (GPa)", "speed (m/s)", "a/R"], sort=False):
+        by_quantity = group.set_index("quantity")[difference]
+        row = dict(zip(("E (GPa)", "speed (m/s)", "a/R"), named, strict=True))
+        rows.append(row | {f"{name} (%)": value for name, value in by_quantity.items()})
+    return pd.DataFrame(rows)
 
 
 def energies(computed: Computed) -> pd.DataFrame:

@@ -22,7 +22,8 @@ PAPER = Paper(
     name="kp10",
     title="A rigid cylinder on an elastic-plastic body",
     citation="R. R. Katta & A. A. Polycarpou, J. Tribol. 132 (2010) 041402",
-    tables=("comparison", "normal", "oblique", "bodies"),
+    tables=("comparison", "head_on", "oblique", "bodies"),
+    data=("normal",),
     figures=("restitution", "depth", "mises"),
     compute=compute,
 )

@@ -44,6 +44,7 @@ def tables(found: Computed) -> dict[str, pd.DataFrame]:
     return {
         "comparison": comparison(found),
         "normal": normal(found),
+        "head_on": head_on(normal(found)),
         "oblique": oblique(found),
         "bodies": bodies(found),
     }
@@ -103,6 +104,13 @@ def normal(found: Computed) -> pd.DataFrame:
     for law in LAWS:
         table = add_difference(table, f"LIGGGHTS, {law}", OURS)
     return table
+
+
+def head_on(table: pd.DataFrame) -> pd.DataFrame:
+    """Return the rows of table `normal` that the page shows: just beyond yield, and the fastest."""
+    shown = table["speed (m/s)"].isin({0.4, 1.0}) & (table["length/radius"] == 10)
+    shown |= table["speed (m/s)"].isin({2.0, 5.0}) & (table["length/radius"] == 100)
+    return table[shown].reset_index(drop=True)
 
 
 def _shown(outcome: Strike | CollisionOutcome, name: str) -> float:

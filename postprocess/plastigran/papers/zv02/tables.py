@@ -71,14 +71,14 @@ def onset(pressing: Pressing) -> pd.DataFrame:
     rows = [
         ("force at yield", "N", PAPER_YIELD_FORCE, first["force"], SPHERE.yield_force),
         (
-            "largest pressure over yield strength",
+            "largest pressure/yield strength",
             "-",
             PAPER_YIELD_PRESSURE_FACTOR,
             pressure / strength,
             factor,
         ),
-        ("depth over contact radius", "-", np.nan, deepest[1] / radius, depth),
-        ("distance from the axis over contact radius", "-", np.nan, deepest[0] / radius, 0.0),
+        ("depth/contact radius", "-", np.nan, deepest[1] / radius, depth),
+        ("distance from the axis/contact radius", "-", np.nan, deepest[0] / radius, 0.0),
     ]
     columns = ["quantity", "unit", PAPER, FINITE_ELEMENTS, "Hertz"]
     table = pd.DataFrame(rows, columns=columns)
