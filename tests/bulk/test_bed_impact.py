@@ -35,7 +35,7 @@ def test_every_shot_rebounds_as_the_law_says(plate):
     """To 1e-4, a tenth of what the check allows: some hundred steps an impact."""
     assert plate.passed
     checks = plate.checks.set_index("name")
-    assert checks.loc["restitution of a shot against the law's, relative", "value"] < 1e-4
+    assert checks.loc["restitution of a shot compared with the law, relative", "value"] < 1e-4
     shot = measure_shots(read_grains_dump(plate.folder / "grains.dump"), 1e-3, 0)
     # Speeds are spread, and the law's curve bends over them.
     speed = shot["impact_speed"]
@@ -60,7 +60,7 @@ def test_viscous_law(tmp_path):
 def test_another_yield_strength_is_noticed(plate):
     stronger = attrs.evolve(plate.deck, yield_strength=1.1e5)
     failed = stronger.analyse(read_series(plate.folder)).failed
-    assert any("restitution of a shot against the law's" in check.name for check in failed)
+    assert any("restitution of a shot compared with the law" in check.name for check in failed)
 
 
 def test_command_names_the_shot_that_is_late(tmp_path, capsys):

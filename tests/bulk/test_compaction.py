@@ -86,7 +86,7 @@ def test_wrong_force_is_noticed(pressed):
     series = read_series(pressed.folder)
     series["force"] *= 1.01
     (check,) = pressed.deck.analyse(series).failed
-    assert check.name == "work of the punch against its force times travel, relative"
+    assert check.name == "work of the punch compared with force times travel, relative"
 
 
 def test_fast_punch_is_noticed(press):
@@ -100,7 +100,7 @@ def test_punch_that_stays_is_noticed(pressed):
     series = read_series(pressed.folder)
     loaded = series.iloc[: int(series["force"].argmax()) + 2]
     failed = pressed.deck.analyse(loaded).failed
-    assert any("pressure left at the end" in check.name for check in failed)
+    assert any("pressure at the end" in check.name for check in failed)
 
 
 def test_punch_is_where_it_was_after_a_restart(pressed, tmp_path):

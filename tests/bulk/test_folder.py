@@ -66,7 +66,7 @@ def test_frames_up_to_the_checkpoint_are_carried_along(tmp_path):
 def test_results_are_not_overwritten_unless_forced(whole, tmp_path, monkeypatch):
     (tmp_path / "papers" / "figures").mkdir(parents=True)
     with pytest.raises(
-        ValueError, match=r"holds files but no run.json; only runs are overwritten by force"
+        ValueError, match=r"contains files but no run.json, so --force does not overwrite it"
     ):
         run_bulk("cooling_gas", SHORT, tmp_path / "papers", force=True)
     folder = tmp_path / "run"

@@ -61,7 +61,9 @@ def test_another_hopper_is_noticed(change, discharged):
     weight or 1.6 times more: near the edges of its band."""
     other = attrs.evolve(discharged.deck, **change)
     failed = other.analyse(read_series(discharged.folder)).failed
-    assert any("discharge rate beyond Beverloo's law" in check.name for check in failed)
+    assert any(
+        "discharge rate outside the band of Beverloo's law" in check.name for check in failed
+    )
 
 
 def test_a_rate_that_falls_is_noticed(discharged):
@@ -74,7 +76,7 @@ def test_a_rate_that_falls_is_noticed(discharged):
     faster = np.interp(then, time, counted).round()
     changed = series.assign(counted=faster, held=series["atoms"].iloc[0] - faster)
     (check,) = discharged.deck.analyse(changed).failed
-    assert check.name.startswith("change of the rate from half to half")
+    assert check.name.startswith("change of the rate between the halves")
 
 
 def test_unyielding_grains_are_the_engines_hertz(tmp_path):
@@ -110,7 +112,7 @@ def test_restart_without_friction_is_the_same_to_every_digit(tmp_path, brief_run
 
 def test_a_rate_that_was_not_measured_is_said(discharged, brief_run):
     run = brief_run("hopper")
-    assert "the rate of discharge was not measured" in run.notes[0]
+    assert "the discharge rate was not measured" in run.notes[0]
     assert "not all measured" in repr(run) and not run.checks["name"].str.contains("rate").any()
     assert not discharged.notes and "not all" not in repr(discharged)
 
@@ -118,8 +120,8 @@ def test_a_rate_that_was_not_measured_is_said(discharged, brief_run):
 @pytest.mark.parametrize(
     ("change", "said"),
     [
-        ({"orifice": 9}, "orifice is 9; there are hoppers of 5, 6, 7, 8"),
-        ({"layers": 21}, "layers is 21; the barrel takes 20"),
+        ({"orifice": 9}, "orifice is 9; there are meshes for 5, 6, 7, 8"),
+        ({"layers": 21}, "layers is 21; at most 20 fit into the barrel"),
     ],
 )
 def test_impossible_hoppers_are_refused_before_anything_runs(change, said, tmp_path):

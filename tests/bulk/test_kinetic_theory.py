@@ -105,7 +105,7 @@ def test_statistical_error_goes_with_the_number_of_grains():
     [
         ({"radius": -1.0}, "radius is -1.0 m"),
         ({"volume_fraction": 0.6}, "volume_fraction is 0.6; it must lie between 0 and 0.494"),
-        ({"count": 1}, "count is 1; a gas takes 2"),
+        ({"count": 1}, "count is 1; a gas needs 2"),
     ],
 )
 def test_impossible_gases_are_refused(change, said):

@@ -162,7 +162,7 @@ def test_a_run_that_goes_on_after_a_clear_keeps_its_ledger(tmp_path):
     assert run.series["simulation"].tolist() == [0, 0, 1, 1, 1]
     assert_allclose(np.diff(run.series["time"].iloc[2:]), 2e-5)
     assert run.notes == [
-        "the ledger begins anew at each `clear`: all are checked, the last is drawn"
+        "the energy balance restarts at each `clear`. All parts are checked; the last one is drawn"
     ]
 
 
@@ -172,7 +172,7 @@ def test_a_run_that_counted_its_steps_anew_is_not_gone_on_with(tmp_path):
     folder = own_run(tmp_path / "run", f"{table('Atoms', '0 5')}reset_timestep 0\n")
     record = json.loads((folder / "run.json").read_text()) | {"deck": "falling"}
     (folder / "run.json").write_text(json.dumps(record))
-    with pytest.raises(EngineError, match=r"counts its steps anew .* checkpoint=FILE"):
+    with pytest.raises(EngineError, match=r"contains `reset_timestep`.* checkpoint=FILE"):
         run_bulk(deck, {}, tmp_path / "rest", restart=folder, show=False)
 
 
@@ -307,9 +307,7 @@ def test_a_deck_called_as_one_of_the_package_is_the_users_own(tmp_path, monkeypa
     assert main(["bulk", str(deck), *short]) == 0
     run = pg.open("results/hopper")
     assert run.finished and run.deck is None and run.name == "hopper"
-    with pytest.raises(
-        ValueError, match=r"hopper is a run of a deck of one's own, not of .*hopper"
-    ):
+    with pytest.raises(ValueError, match=r"hopper is a run of a user's deck, not of .*hopper"):
         plan_bulk("hopper", {}, "rest", restart="results/hopper")
     record = json.loads((run.folder / "run.json").read_text()) | {"own": False}
     (run.folder / "run.json").write_text(json.dumps(record))
@@ -392,7 +390,7 @@ def test_a_plain_deck_cannot_go_on(plain, tmp_path):
     plain.write_text(text, encoding="latin-1")
     run_bulk(plain, {}, tmp_path / "run", show=False)
     assert (plain.parent / "mine.500").exists()
-    said = r"plain\.in has no setting 'start' and cannot go on.* `start` .* `checkpoint` .*"
+    said = r"plain\.in has no setting 'start', so it cannot continue.* `start` .* `checkpoint` .*"
     said += r"`restart` .* \$\{output\}/checkpoint\.\*\.restart.* `plastigran new-deck`"
     with pytest.raises(ValueError, match=said):
         run_bulk(plain, {}, tmp_path / "rest", restart=tmp_path / "run", show=False)
@@ -432,7 +430,7 @@ def test_a_deck_stopped_before_its_first_checkpoint_goes_on_from_where_it_began(
 
 
 def test_an_unknown_setting_is_refused(plain, tmp_path):
-    said = r"plain\.in has no setting 'radius'; it has none: a setting is a line `variable"
+    said = r"plain\.in has no setting 'radius'; it has none. A setting is a line `variable"
     with pytest.raises(ValueError, match=said):
         run_bulk(plain, {"radius": 1}, tmp_path / "run", show=False)
 
@@ -451,7 +449,7 @@ def test_a_law_misspelt_is_named_before_anything_runs(plain, tmp_path):
     assert not (tmp_path / "run").exists()
     plain.write_text(text.replace("model thornton", "model  thornton2"), encoding="latin-1")
     with pytest.warns(
-        UserWarning, match="model .thornton2.; is it thornton.* of your own is taken"
+        UserWarning, match="model .thornton2.. Possible misspelling of thornton.* is used as it is"
     ):
         plan_bulk(plain, {}, tmp_path / "run")
     for stock in ("hertz/stiffness", "thornton_ning", "${own}"):
@@ -486,7 +484,7 @@ def test_the_template_runs_keeps_its_ledger_and_goes_on(tmp_path, capsys):
         assert_allclose(rest.series[column], whole.series[column], rtol=1e-9, atol=1e-15)
     line = ["bulk", str(deck), "--restart", str(whole.folder), "--output", str(tmp_path / "more")]
     assert main(line) == 0
-    assert "whole has reached its end: nothing was left to compute" in capsys.readouterr().out
+    assert "whole has reached its end: so there was nothing to compute" in capsys.readouterr().out
 
 
 @pytest.mark.parametrize("radius", [0.001, 0.005])
@@ -537,13 +535,13 @@ def test_a_run_without_contacts_says_so(tmp_path):
 def test_the_template_refuses(tmp_path, capsys):
     (tmp_path / "mine").mkdir()
     for line, said in (
-        ([str(tmp_path / "mine")], "mine is there; choose another name"),
-        ([str(tmp_path / "a b")], "'a b' holds white space"),
-        ([str(tmp_path / "a%b")], "'a%b' holds white space, % or *"),
-        ([str(tmp_path / "new"), "--law", "hertz"], "hertz is the engine's own and keeps no"),
+        ([str(tmp_path / "mine")], "mine exists. Choose another name"),
+        ([str(tmp_path / "a b")], "'a b' contains white space"),
+        ([str(tmp_path / "a%b")], "'a%b' contains white space, % or *"),
+        ([str(tmp_path / "new"), "--law", "hertz"], "hertz is LIGGGHTS' own model without"),
         ([str(tmp_path / "fresh")], "'fresh' is the name of another file"),
         ([str(tmp_path / "steel"), "--material", "steel"], "both called 'steel'"),
-        ([str(tmp_path / "new"), "--law", "lim_stronge"], "'lim_stronge' is no law for spheres"),
+        ([str(tmp_path / "new"), "--law", "lim_stronge"], "'lim_stronge' is not a law for spheres"),
     ):
         assert main(["new-deck", *line]) == 1
         assert said in capsys.readouterr().err
@@ -568,5 +566,5 @@ def test_the_template_takes_all_that_the_material_has(tmp_path):
 def test_a_deck_that_includes_itself_is_refused(tmp_path):
     deck = tmp_path / "round.in"
     deck.write_text("include round.in\n")
-    with pytest.raises(EngineError, match="does it include itself"):
+    with pytest.raises(EngineError, match="Check whether a file includes itself"):
         run_bulk(deck, {}, tmp_path / "run", show=False)

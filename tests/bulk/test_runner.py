@@ -103,7 +103,7 @@ def test_checkpoint_on_a_full_disk_is_not_the_newest(whole, ranks, tmp_path):
 def test_going_on_with_another_timestep_is_refused(whole, tmp_path):
     with pytest.raises(
         ValueError,
-        match=r"timestep is 4e-08 and was 8.0e-8; .* may change checkpoints, contact_hist",
+        match=r"timestep is 4e-08, but the run to continue has 8.0e-8.* may change only checkpoints, contact_hist",
     ):
         run_bulk("cooling_gas", {"timestep": 4e-8}, tmp_path / "rest", restart=whole)
     assert not (tmp_path / "rest").exists()
@@ -179,7 +179,7 @@ def test_interrupt_stops_every_rank_and_keeps_what_is_written(start, ranks, sent
     run.send_signal(sent)
     _, said = run.communicate(timeout=60)
     assert run.returncode == 130
-    assert f"stopped; go on from its newest checkpoint with --restart {tmp_path}" in said
+    assert f"stopped; continue from its newest checkpoint with --restart {tmp_path}" in said
     assert not engines(tmp_path / "run")
     assert newest_checkpoint(tmp_path / "run").stat().st_size > 0
     assert read_series(tmp_path / "run")["atoms"].eq(125).all()
@@ -190,8 +190,8 @@ def test_killed_engine_is_said_and_goes_on_from_its_newest_checkpoint(start, tmp
     os.kill(max(engines(tmp_path / "run")), signal.SIGKILL)  # a rank: they start after mpirun
     _, said = run.communicate(timeout=60)
     assert run.returncode == 1 and "cooling_gas.in" in said
-    assert "the engine was ended by SIGKILL" in said
-    assert f"go on from its newest checkpoint with --restart {tmp_path}" in said
+    assert "LIGGGHTS was ended by SIGKILL" in said
+    assert f"continue from its newest checkpoint with --restart {tmp_path}" in said
     assert not engines(tmp_path / "run")
     before = read_series(tmp_path / "run")
     checkpoint = newest_checkpoint(tmp_path / "run")
@@ -221,7 +221,9 @@ def test_killed_python_takes_the_engine_along(start, tmp_path):
 def test_going_on_at_the_end_is_said(whole, tmp_path, capsys):
     line = ["bulk", "cooling_gas", "--restart", str(whole), "--output", str(tmp_path / "rest")]
     assert main(line) == 0
-    assert f"{whole} has reached its end: nothing was left to compute" in capsys.readouterr().out
+    assert (
+        f"{whole} has reached its end: so there was nothing to compute" in capsys.readouterr().out
+    )
 
 
 def test_killed_before_its_first_checkpoint_goes_on_from_where_it_began(whole, tmp_path):
@@ -272,7 +274,7 @@ def test_a_record_nested_too_deeply_is_named(tmp_path, capsys):
     [
         (["cooling_gass"], "no deck 'cooling_gass'; there are "),
         (["cooling_gas", "-v", "siide=3"], "has no setting 'siide'; it takes law"),
-        (["cooling_gas", "--restart", "/nowhere"], "holds no run.json"),
+        (["cooling_gas", "--restart", "/nowhere"], "contains no run.json"),
         (["cooling_gas", "-v", "ledger=ON"], "ledger is 'ON', there are off, on"),
         (["bed_impact", "-v", "target=Plate"], "target is 'Plate', there are bed, plate"),
     ],
@@ -300,7 +302,7 @@ def test_a_setting_without_a_value_is_named(capsys):
 
 
 def test_going_on_in_the_same_folder_is_refused(whole):
-    with pytest.raises(ValueError, match="is the run to go on from"):
+    with pytest.raises(ValueError, match="is the run to continue"):
         run_bulk("cooling_gas", {}, whole, restart=whole, force=True)
     assert newest_checkpoint(whole).exists()
 

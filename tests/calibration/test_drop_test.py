@@ -42,9 +42,9 @@ def test_forms_of_the_file_say_the_same(text, read):
 @pytest.mark.parametrize(
     ("text", "said"),
     [
-        ("speed,cor\n1,0.5\n", "'cor' is no column of a drop test; it has one of speed, drop_hei"),
+        ("speed,cor\n1,0.5\n", "'cor' is not a column of a drop test; use one of speed, drop_hei"),
         ("speed\n1\n", "has none of restitution, rebound_speed, rebound_height"),
-        ("speed,drop_height,restitution\n1,1,0.5\n", "has speed and drop_height; it has one of"),
+        ("speed,drop_height,restitution\n1,1,0.5\n", "has speed and drop_height; use one of"),
         (
             "speed,restitution\n1,0.5\n1,1.2\n",
             "restitution of drop 2 is 1.2; it must lie above 0",
@@ -57,7 +57,7 @@ def test_forms_of_the_file_say_the_same(text, read):
         ),
         ("speed,restitution\n1,half\n", "restitution of drop 1 is 'half', not a number"),
         ("speed,restitution\n1,\n", "restitution of drop 1 is nan; it must lie"),
-        ("", "is no table of drops"),
+        ("", "is not a table of drops"),
     ],
 )
 def test_what_is_no_drop_test_is_refused(text, said, read):
@@ -66,7 +66,7 @@ def test_what_is_no_drop_test_is_refused(text, said, read):
 
 
 def test_a_test_needs_drops_and_the_metal():
-    with pytest.raises(ValueError, match="has no drop"):
+    with pytest.raises(ValueError, match="contains no drop"):
         DropTest([], [])
     with pytest.raises(ValueError, match="ball is steel and the plate is given"):
         DropTest([1.0], [0.5], ball=pg.material("steel"))
@@ -91,8 +91,8 @@ def test_the_metal_stands_where_it_is_asked_about():
 @pytest.mark.parametrize(
     ("text", "said"),
     [
-        ("speed;rebound_speed\n3,5;2,1\n4,5;2,1\n", "is no table of drops"),
-        ("speed,restitution\n1,0.5,0.45\n", "is no table of drops"),
+        ("speed;rebound_speed\n3,5;2,1\n4,5;2,1\n", "is not a table of drops"),
+        ("speed,restitution\n1,0.5,0.45\n", "is not a table of drops"),
         ("speed,restitution,coefficient_of_restitution\n1,0.5,0.6\n", "has a column twice"),
     ],
 )

@@ -85,7 +85,7 @@ def test_elastic_impacts_give_a_lower_bound_only():
 
 
 def test_restitution_out_of_the_law_s_reach_is_refused():
-    with pytest.raises(ValueError, match=r"restitution 0.0001 is below what the law gives"):
+    with pytest.raises(ValueError, match=r"restitution 0.0001 is too low"):
         estimate_strength(thornton, np.full(len(SPEEDS), 1e-4), BOUNDS, 0.02)
 
 

@@ -106,7 +106,7 @@ def test_timestep_of_every_law_says_which_bodies_it_leaves_out(capsys):
     aluminium = read_material("aluminium_zv02")
     assert [row.split()[0] for row in said.out.splitlines()] == laws_for("sphere", [aluminium])
     assert "left out, for the material lacks their constants: viscoelastic_hertz" in said.err
-    assert "left out: laws for cylinders; see --geometry cylinder_wall" in said.err
+    assert "left out: laws for cylinders. Use --geometry cylinder_wall" in said.err
     line = [*line[:-1], "glass_kp10", "--radius", "1e-5", "--geometry", "cylinder_wall"]
     assert main(line) == 0
     assert [row.split()[0] for row in capsys.readouterr().out.splitlines()] == laws_for("cylinder")
@@ -196,7 +196,7 @@ def test_interrupt_stops_and_keeps_what_is_finished(sent, start_plastigran, tmp_
     os.killpg(run.pid, sent)
     _, said = run.communicate(timeout=30)
     assert run.returncode == 130
-    assert "stopped; the runs that finished are in" in said
+    assert "stopped; finished runs are in" in said
     assert 1 <= len(pd.read_csv(table)) < 250
     assert len(list((tmp_path / "runs").iterdir())) < 250
 

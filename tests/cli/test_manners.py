@@ -105,7 +105,7 @@ def test_impact_by_theory_needs_no_engine(tmp_path, monkeypatch, capsys):
     line = ["impact", "--law", "thornton", "universal", "--speed", "0.02", "0.2", "--theory"]
     line += ["--output", str(tmp_path / "out")]
     assert main([*line, "--jobs", "2"]) == 1
-    assert "--jobs is 2; --theory starts no engine" in capsys.readouterr().err
+    assert "--jobs is 2, but --theory starts no LIGGGHTS process" in capsys.readouterr().err
     assert main([*line, "--dry-run"]) == 1
     assert "--theory starts none" in capsys.readouterr().err
     assert main([*line, "--json"]) == 0
@@ -148,7 +148,7 @@ def test_dry_runs_print_what_would_run_and_leave_nothing(tmp_path, capsys):
         (["--yield", "3e8", "--scatter", "0.1"], "--scatter is 0.1; it needs --drop or --leeb"),
         (["--yield", "3e8", "--plate", "rigid"], "--plate is rigid; it needs --drop"),
         (["--yield", "3e8", "--radius", "0.2"], "--radius is 0.2; it needs --fem"),
-        (["--yield", "3e8", "--finite-strain"], "--finite-strain is given; it needs --fem"),
+        (["--yield", "3e8", "--finite-strain"], "--finite-strain needs --fem"),
         (["--yield", "3e8", "--figure", "x.png"], "--figure is x.png; it needs --drop or --fem"),
         (["--yield", "3e8", "--force"], "--force is given; it needs --output"),
     ],
@@ -161,7 +161,7 @@ def test_calibrate_refuses_idle_options(line, said, capsys):
 def test_a_range_of_speeds_beside_speeds_is_refused(tmp_path, capsys):
     line = ["impact", "--speed", "1", "--speeds", "1", "2", "--output", str(tmp_path)]
     assert main(line) == 1
-    assert "--speeds is a range's; --speed gives the values" in capsys.readouterr().err
+    assert "--speeds belongs to a range, but --speed gives the values" in capsys.readouterr().err
 
 
 def test_a_limit_of_file_sizes_names_the_folder(tmp_path, capsys):
@@ -230,8 +230,11 @@ def test_doctor_says_what_lacks(tmp_path, monkeypatch, capsys):
     monkeypatch.setenv("PLASTIGRAN_ENGINE", str(tmp_path / "none"))
     assert main(["doctor"]) == 1
     said = capsys.readouterr()
-    assert f"lacks   engine      no engine at {tmp_path / 'none'}; build it" in said.out
-    assert "engine: not as it should be; laws, timestep" in said.err
+    assert (
+        f"lacks   engine      no engine at {tmp_path / 'none'}. Run `./run setup` to build it"
+        in said.out
+    )
+    assert "failed check: engine. Apply the remedy" in said.err
 
 
 def test_doctor_names_a_library_that_is_missing(monkeypatch):

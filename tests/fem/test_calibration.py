@@ -61,7 +61,7 @@ def test_law_with_the_paper_s_pair_gives_what_elements_give(plastic_pressing):
 def test_range_that_hardly_yields_is_refused():
     pressing = law_pressing(2.33e-7, 2.69e-4)
     short = pressing.history[pressing.history["force"] < 2 * SPHERE.yield_force]
-    with pytest.raises(ValueError, match="needs 3 times the force"):
+    with pytest.raises(ValueError, match="needs at least 3 times the yield force"):
         calibrate(attrs.evolve(pressing, history=short))
 
 
@@ -72,5 +72,5 @@ def test_pressing_on_a_half_space_is_refused():
 
 
 def test_constants_that_the_law_does_not_take_are_refused():
-    with pytest.raises(ValueError, match=r"C_a would be -1e-09; the law takes positive ones"):
+    with pytest.raises(ValueError, match=r"C_a would be -1e-09; the law needs positive values"):
         calibrate(law_pressing(-1e-9, 2.69e-4))

@@ -131,8 +131,8 @@ def test_pressing_that_gives_up_keeps_what_it_has(monkeypatch):
         ([-1.0], "-1 N"),
         ([200.0, 100.0], "100 N after 200 N"),
         ([float("nan")], "nan N"),
-        ([1e12], "of the radius; up to 0.4"),
-        ([1e-15], "of the radius; from 1e-06 on"),
+        ([1e12], "times the radius; the largest is 0.4"),
+        ([1e-15], "times the radius; the smallest is 1e-06"),
     ],
 )
 def test_forces_that_cannot_be_pressed_are_refused(forces, said):
@@ -147,5 +147,5 @@ def test_a_radius_out_of_range_is_refused(radius):
 
 
 def test_wide_contacts_are_warned_of():
-    with pytest.warns(SmallStrainWarning, match="small strain is good to 0.1"):
+    with pytest.warns(SmallStrainWarning, match="small strain is accurate up to 0.1"):
         check_forces(HertzSphere(METAL, RADIUS), [2e5])

@@ -165,10 +165,10 @@ def test_spectrum_tells_frequency_and_amplitude():
             {"material": ElasticPlastic(youngs_modulus=9.3e3, poissons_ratio=0.25, density=900.0)},
             "of sound",
         ),
-        ({"material": METAL}, "only an elastic sphere"),
-        ({"settings": Settings(strain="finite")}, "computed in 'small' strain"),
+        ({"material": METAL}, "only elastic spheres"),
+        ({"settings": Settings(strain="finite")}, "vibrations need 'small' strain"),
         ({"transits": 0.0}, "transits is 0; it must be positive"),
-        ({"speed": 300.0}, "of the radius; up to 0.5 can be computed"),
+        ({"speed": 300.0}, "times the radius; the largest is 0.5"),
     ],
 )
 def test_what_cannot_be_followed_is_refused(changes, said):

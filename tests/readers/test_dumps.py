@@ -88,9 +88,9 @@ def test_fields_may_be_given_for_unlabelled_files(pair_run, tmp_path):
     plain.write_text(text.replace("PAIR pos id force delta", "ENTRIES"))
     labelled = read_contacts(pair_run / "contacts.dump")
     assert read_contacts(plain, "PAIR", "delta force id pos").equals(labelled)
-    with pytest.raises(DumpError, match="names no fields; pass kind and fields"):
+    with pytest.raises(DumpError, match="names no fields. Pass kind and fields"):
         read_contacts(plain)
-    with pytest.raises(DumpError, match="make 10 columns, the file has 13"):
+    with pytest.raises(DumpError, match="give 10 columns, but the file has 13"):
         read_contacts(plain, "PAIR", "pos id delta")
 
 
@@ -128,7 +128,7 @@ def test_truncated_dump_is_read_as_far_as_it_is_whole(pair_run, tmp_path, keep):
     text = (pair_run / "trajectory.dump").read_text()
     cut = tmp_path / "cut.dump"
     cut.write_text(text[: int(keep * len(text))])
-    with pytest.warns(TruncatedFileWarning, match="only the frames before it were read"):
+    with pytest.warns(TruncatedFileWarning, match="Only the frames before it were read"):
         table = read_dump(cut)
     whole = read_dump(pair_run / "trajectory.dump")
     assert 0 < len(table) < len(whole)
@@ -158,7 +158,7 @@ def test_truncated_log(pair_run, tmp_path):
 @pytest.mark.parametrize(
     ("text", "said"),
     [
-        ("", "no whole frame"),
+        ("", "no complete frame"),
         ("id x y\n1 2 3\n", r"line 1: expected 'ITEM: TIMESTEP', found 'id x y'"),
         ("ITEM: TIMESTEP\nnought\n", "unreadable frame header"),
         ("ITEM: TIMESTEP\n0\nITEM: ATOMS id\n", "line 3: expected 'ITEM: NUMBER OF'"),

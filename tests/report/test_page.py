@@ -72,7 +72,7 @@ def test_a_whole_run_says_what_ran_and_what_was_checked(hopper):
     assert made.facts["radius"] == "0.005 m"
     assert "3.8.0" in made.facts["engine"]
     assert {check["name"] for check in made.checks} >= {
-        "plastic work lost, over the energy that came in"
+        "plastic work lost, divided by the energy input"
     }
     assert all(check["reason"] for check in made.checks)
     assert [chart.name for chart in made.charts] == ["run-0-ledger", "run-0-series"]
@@ -185,7 +185,7 @@ def test_an_edited_record_is_told(copied, edit, capsys):
     (copied / "run.json").write_text(json.dumps(record | edit))
     made = section(copied)
     assert made.verdict == "record damaged"
-    assert f"run.json is damaged: its {next(iter(edit))}" in made.missing[0]
+    assert f"run.json is damaged: entry {next(iter(edit))}" in made.missing[0]
     line = ["bulk", "hopper", "--restart", str(copied), "--output", str(copied.parent / "more")]
     assert main([*line, "--dry-run"]) == 1
     assert "run.json is damaged" in capsys.readouterr().err

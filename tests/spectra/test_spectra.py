@@ -148,7 +148,7 @@ def test_every_impact_has_every_quantity(gas):
 def test_another_file_is_named(tmp_path):
     path = tmp_path / "other.csv"
     path.write_text("step,speed\n1,2\n")
-    with pytest.raises(DumpError, match=r"other\.csv: no table of collision spectra"):
+    with pytest.raises(DumpError, match=r"other\.csv is not a table of collision spectra"):
         read_spectra(path)
 
 

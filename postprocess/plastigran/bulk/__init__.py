@@ -1,19 +1,19 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Decks of many grains: run, checked and drawn.
+"""Decks of many grains: run, check and draw them.
 
-The package can be called, `plastigran.bulk("hopper", law="thornton")`: it runs the deck and hands
-over what came of it, a `BulkRun`; errors are those of `run_bulk`.
+Call the package, `plastigran.bulk("hopper", law="thornton")`, to run a deck and get a `BulkRun`.
+Errors are those of `run_bulk`.
 
     plastigran.bulk(deck, *, folder=None, show=True, force=False, ranks=1, restart=None, **settings)
 
 Args:
     deck: Name of a deck of `inputs/bulk`, or path of an input script.
-    folder: Where results go; results/DECK of the present folder without one.
-    show: Show a progress bar.
-    force: Overwrite an earlier run in `folder`.
-    ranks: MPI ranks.
-    restart: Folder of an earlier run to go on from.
-    settings: Of the deck, given another value than the deck's.
+    folder: Folder of the results, by default results/DECK in the current folder.
+    show: Whether to show a progress bar.
+    force: Whether to overwrite an earlier run in `folder`.
+    ranks: Number of MPI ranks.
+    restart: Folder of an earlier run to continue.
+    settings: Settings of the deck to override.
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ from plastigran.engine.deck import deck_name
 
 
 class _Package(ModuleType):
-    """The class of this module: calling the module runs a deck."""
+    """Class of this module; calling the module runs a deck."""
 
     def __call__(
         self,
@@ -43,7 +43,7 @@ class _Package(ModuleType):
         restart: str | Path | None = None,
         **settings: object,
     ) -> BulkRun:
-        """Run a bulk deck; the package's docstring has the arguments."""
+        """Run a bulk deck; see the docstring of the package for the arguments."""
         folder = folder or Path("results") / deck_name(deck)
         return run_bulk(deck, settings, folder, ranks, restart, force, show)
 

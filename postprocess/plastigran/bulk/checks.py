@@ -1,42 +1,42 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Invariants of bulk decks, and those that several share."""
+"""Checks of bulk decks, and checks that several decks share."""
 
 from __future__ import annotations
 
 import attrs
 import pandas as pd
 
-#: Drift of the energy ledger over the energy that came in: what a run may be off by.
+#: Largest balance error as a fraction of the energy input.
 LEDGER = 1e-3
 
-#: Largest overlap over that of a law's range from which a run counts as failed.
+#: Largest overlap / validity range of the law from which a run fails.
 EXCESS = 10.0
-#: Names of the ledger's checks.
+#: Names of the checks of the energy balance.
 LEDGER_CHECKS = (
-    "drift of the energy ledger, over the energy that came in",
-    "plastic work lost, over the energy that came in",
+    "balance error, divided by the energy input",
+    "plastic work lost, divided by the energy input",
 )
-#: Spacing of rows up to which trapezia over them miss next to nothing, in times a grain needs to
-#: move by its size under its weight, sqrt(d/g).
+#: Largest spacing of rows for trapezoidal integration, in units of sqrt(d/g), the time in which a
+#: grain moves by its diameter under its weight.
 FINE_ROWS = 0.25
 
-#: Where energy is or went, as inputs/energy_ledger.in names it: all but gravity's.
+#: Energy terms of inputs/energy_ledger.in, except gravity.
 TAKEN = ["kinetic", "elastic", "plastic", "friction", "viscous"]
-#: What contacts took that nothing gives back.
+#: Dissipated energy terms.
 DISSIPATED = ["plastic", "friction", "viscous"]
-#: Its entries that count what has passed.
+#: Energy terms that accumulate.
 FLOWS = [*DISSIPATED, "wallwork", "inserted", "drift"]
 
 
 @attrs.frozen
 class Check:
-    """An invariant of a deck.
+    """Check of a run.
 
     Attributes:
-        name: What must be small, in words.
-        value: What was found.
-        limit: What it may be at most.
-        reason: Why that much.
+        name: Quantity that must be small, in words.
+        value: Value of the run.
+        limit: Largest allowed value.
+        reason: Reason of the limit.
     """
 
     name: str
@@ -46,7 +46,7 @@ class Check:
 
     @property
     def passed(self) -> bool:
-        """Whether the value is within the limit; nan never is."""
+        """Whether the value is within the limit; NaN is not."""
         return bool(self.value <= self.limit)
 
 
@@ -69,21 +69,21 @@ def range_checks(excess: dict[str, float]) -> list[Check]:
 
 
 def energy_input(series: pd.DataFrame) -> float:
-    """The energy that came in, by gravity, walls, inserted grains and motion at the start [J].
+    """Return the energy input by gravity, walls, inserted grains and initial motion [J].
 
-    It is now motion, stored in contacts, or dissipated: the most there was of them together.
+    It is the largest sum of kinetic, stored and dissipated energy.
 
     Args:
-        series: The entries of inputs/energy_ledger.in [J], one row a line of the log.
+        series: Terms of inputs/energy_ledger.in [J], one row per line of the log.
     """
     return float(series[TAKEN].sum(axis="columns").max())
 
 
 def last_simulation(series: pd.DataFrame) -> pd.DataFrame:
-    """The rows since a deck's last `clear` command; all where there is none.
+    """Return the rows since the last `clear` command; all rows if there is none.
 
     Args:
-        series: Of a run, with `simulation` where it has several.
+        series: Series of a run, with column `simulation` if the deck has `clear`.
     """
     if "simulation" not in series:
         return series
@@ -91,25 +91,25 @@ def last_simulation(series: pd.DataFrame) -> pd.DataFrame:
 
 
 def dissipated(series: pd.DataFrame) -> pd.Series:
-    """What contacts have taken so far, by yielding, friction and viscosity [J].
+    """Return the energy dissipated by yielding, friction and viscosity [J].
 
     Args:
-        series: Those entries of inputs/energy_ledger.in [J].
+        series: These terms of inputs/energy_ledger.in [J].
     """
     return series[DISSIPATED].sum(axis="columns")
 
 
 def since_first(series: pd.DataFrame) -> pd.DataFrame:
-    """The same log with time [s] and what the ledger counts [J] from its first row on."""
+    """Return the series with time [s] and accumulated terms [J] counted from its first row."""
     counted = [*FLOWS, "time"]
     return series.assign(**{name: series[name] - series[name].iloc[0] for name in counted})
 
 
 def ledger_checks(series: pd.DataFrame) -> list[Check]:
-    """The ledger closes, and plastic work only grows.
+    """Check that the energy balance closes, and that plastic work never decreases.
 
     Args:
-        series: The entries of inputs/energy_ledger.in [J], one row a line of the log.
+        series: Terms of inputs/energy_ledger.in [J], one row per line of the log.
     """
     came_in = energy_input(series)
     plastic = series["plastic"]
@@ -118,37 +118,38 @@ def ledger_checks(series: pd.DataFrame) -> list[Check]:
             LEDGER_CHECKS[0],
             series["drift"].abs().max() / came_in,
             LEDGER,
-            "the integrator's error at a sound time step",
+            "the integrator's error at an adequate time step",
         ),
         Check(
             LEDGER_CHECKS[1],
             (plastic.cummax() - plastic).max() / came_in,
             1e-12,
-            "plastic work only grows, to rounding of its sum over ranks",
+            "plastic work never decreases, to round-off of its sum over ranks",
         ),
     ]
 
 
 def trapezia_factor(time: pd.Series, diameter: float, gravitational_acceleration: float) -> float:
-    """How much more trapezia over rows of the log miss than over `FINE_ROWS` [-], 1 at least.
+    """Return the error of trapezoidal integration relative to that with `FINE_ROWS` [-], at least
+    1.
 
-    It grows with the square of the spacing.
+    It is proportional to the square of the spacing.
 
     Args:
-        time: Evenly spaced [s].
-        diameter: Of a grain [m].
-        gravitational_acceleration: [m/s^2].
+        time: Evenly spaced times [s].
+        diameter: Grain diameter [m].
+        gravitational_acceleration: Gravitational acceleration [m/s^2].
     """
     fine = FINE_ROWS * (diameter / gravitational_acceleration) ** 0.5
     return max(1.0, (time.iloc[1] - time.iloc[0]) / fine) ** 2
 
 
 def count_check(series: pd.DataFrame, count: float) -> Check:
-    """No grain is lost or gained.
+    """Check that no grain is lost or gained.
 
     Args:
-        series: Column `atoms`, one row a line of the log.
-        count: Grains there must be.
+        series: Column `atoms`, one row per line of the log.
+        count: Expected number of grains.
     """
     lost = (series["atoms"] - count).abs().max()
-    return Check("grains lost or gained", lost, 0, "walls and periodic sides keep them all")
+    return Check("grains lost or gained", lost, 0, "walls and periodic sides keep all grains")

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Plastic work of every contact between grains, from what each remembers.
+"""Plastic work of every contact between grains, from its contact history.
 
-`contact_history=1` makes a deck's frames tell the first value of each contact's memory. A law's
-answer follows from it and from the overlap: laws are total.
+With `contact_history=1`, the frames of a deck contain the first value of each contact history. The
+plastic work follows from it and the overlap, because the laws are path-explicit.
 """
 
 from __future__ import annotations
@@ -17,12 +17,13 @@ from plastigran import laws
 from plastigran.bulk.grains import Grains
 from plastigran.engine.dumps import read_dump
 
-#: Columns of a frame's file of memories: both grains' ids, 1 through a periodic side, the memory.
+#: Columns of a frame's file of histories: IDs of both grains, 1 for a contact through a periodic
+#: side, first value of the history.
 COLUMNS = ("id1", "id2", "periodic", "memory")
 
 
 def read_memories(file: str | Path) -> pd.DataFrame:
-    """The memories of a frame's contacts: one row each, columns of `COLUMNS`.
+    """Read the histories of the contacts of a frame: one row each, columns of `COLUMNS`.
 
     Raises:
         DumpError: The file is damaged.
@@ -34,17 +35,17 @@ def read_memories(file: str | Path) -> pd.DataFrame:
 def plastic_works(
     grains: Grains, radius_eff: ArrayLike, overlap: ArrayLike, memory: ArrayLike
 ) -> np.ndarray:
-    """Plastic work of contacts between two grains.
+    """Return the plastic work of contacts between two grains.
 
     Args:
-        grains: Their law and material.
-        radius_eff: R* of each contact [m], (N,).
-        overlap: Of each [m], (N,).
-        memory: First value of its history, as the law's `state_names` call it, (N,).
+        grains: Law and material of the grains.
+        radius_eff: R* of each contact (N,), m.
+        overlap: Overlaps (N,), m.
+        memory: First value of each history, see `state_names` of the law, (N,).
 
     Returns:
-        (N,) [J], a contact's whole work; not a number where the yield strength grows with the rate
-        of impact, of which a contact remembers more.
+        Total plastic work of each contact (N,), J. NaN if the yield strength depends on the impact
+        rate, because then one value of the history is not enough.
     """
     law = grains.contact_law()
     radius_eff, overlap, memory = (
@@ -64,7 +65,7 @@ def plastic_works(
 
 
 def _state(law: type[laws.Law], value: float) -> laws.ContactState:
-    """The state of a contact that remembers one number."""
+    """Return the state of a contact from one value of its history."""
     state = law.State.__new__(law.State)
     state.__setstate__(({law.state_names[0]: float(value)},))
     return state

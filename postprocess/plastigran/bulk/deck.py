@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""What a bulk deck is: settings, declared once, and what to check and draw of its runs."""
+"""A bulk deck: its settings, and the checks and figures of its runs."""
 
 from __future__ import annotations
 
@@ -24,12 +24,12 @@ from plastigran.usable_laws import laws_for
 
 @attrs.frozen
 class Analysis:
-    """What a deck makes of a run.
+    """Result of the analysis of a run.
 
     Attributes:
-        series: One row a line of the log, with what is measured and predicted beside it.
-        checks: The deck's invariants.
-        figures: By name.
+        series: One row per line of the log, with measured and predicted quantities.
+        checks: Checks of the deck.
+        figures: Figures by name.
         notes: Sentences on what could not be measured.
     """
 
@@ -40,20 +40,20 @@ class Analysis:
 
     @property
     def failed(self) -> list[Check]:
-        """The checks that have not passed."""
+        """Failed checks."""
         return [check for check in self.checks if not check.passed]
 
 
 @attrs.frozen
 class Brief:
-    """A short run of a deck, by which the conformance suite takes it.
+    """Short run of a deck for the conformance tests.
 
     Attributes:
-        settings: That make the run short.
-        start: Beside them, settings that end it so soon after its first impacts that runs on
-            several ranks agree to 1e-9.
-        restart: Difference that a run gone on from a checkpoint may have, over the largest value of
-            its column [-]: 0 where it goes on to every digit.
+        settings: Settings that make the run short.
+        start: Further settings that end it so soon after the first impacts that runs on several
+            ranks agree to 1e-9.
+        restart: Largest difference of a continued run, divided by the largest value of the column
+            [-]; 0 if it is bitwise identical.
     """
 
     settings: Mapping[str, object]
@@ -63,28 +63,32 @@ class Brief:
 
 @attrs.frozen(kw_only=True)
 class BulkDeck:
-    """Settings of every bulk deck, made from text or numbers; a deck's class adds its own.
+    """Settings of every bulk deck, from text or numbers; the class of a deck adds its own.
 
     Attributes:
-        output: Folder of the run, for what a deck reads beside the log.
+        output: Folder of the run, with files that a deck reads in addition to the log.
 
     Raises:
         ValueError: A setting is out of range; the message names it, its value and what is allowed.
     """
 
-    #: Short runs of the deck, by a label that tells them apart.
+    #: Short runs of the deck, by label.
     briefs: ClassVar[Mapping[str, Brief]] = {}
 
     output: Path = attrs.field(converter=Path)
-    law: str = word("between two grains", laws_for("sphere"))
-    options: str = text("of the model, pairs NAME CHOICE")
+    law: str = word("law between grains", laws_for("sphere"))
+    options: str = text("options of the model, pairs NAME CHOICE")
     material: str = text("a file of inputs/materials")
     youngs_modulus: float = number("of the grains", "Pa", 0)
     poissons_ratio: float = number("of the grains", "-", -1, 0.5, closed=True)
     density: float = number("of a grain", "kg/m^3", 0)
     yield_strength: float = number("of the grains", "Pa", 0)
-    yield_pressure_factor: float = number("contact yield pressure over yield strength; 0: Hertz's")
-    tangent_modulus: float = number("of stress over strain beyond yield", "Pa", 0, closed=True)
+    yield_pressure_factor: float = number(
+        "contact yield pressure / yield strength; 0: value of Hertz and von Mises"
+    )
+    tangent_modulus: float = number(
+        "slope of stress over strain beyond yield", "Pa", 0, closed=True
+    )
     rate_coefficient: float = number("of the yield strength", "-", 0, 1, closed=True)
     reference_rate: float = number("of strain, at which the yield strength holds", "1/s", 0)
     dissipative_constant: float = number("viscous over elastic constants", "s", 0, closed=True)
@@ -93,83 +97,97 @@ class BulkDeck:
     seed: float = number("another gives other grains")
     frames: int = continuable(whole("VTK files on the way"))
     contact_history: int = continuable(
-        whole("1: frames tell what contacts remember, 0: not", upper=1)
+        whole("1: write contact histories to the frames, 0: not", upper=1)
     )
     rows: int = whole("lines of the log", 1)
     checkpoints: int = whole("restart files on the way, a divisor of rows", 1)
-    ledger: str = word("the energy ledger", ("on", "off"))
+    ledger: str = word("energy balance", ("on", "off"))
 
     def __init_subclass__(cls) -> None:
-        """Refuse a setting of a name that the class needs itself, such as `grains`."""
+        """Refuse a setting with a name that the class itself uses, such as `grains`."""
         for name in cls.__annotations__:
             hidden = getattr(super(cls, cls), name, None)
             if isinstance(hidden, property) or callable(hidden):
                 raise TypeError(
-                    f"{cls.__name__}: a setting cannot be called {name}; decks have one"
+                    f"{cls.__name__}: a setting cannot be called {name}, because decks have an "
+                    "attribute of that name"
                 )
 
     def __attrs_post_init__(self) -> None:
         self.check()
 
     def check(self) -> None:
-        """Check what must hold between settings; a deck that adds to it calls this one too.
+        """Check conditions between settings. A deck that adds conditions calls this one, too.
 
-        A checkpoint is made at steps that have a line of the log: `checkpoints` divides `rows`.
+        A checkpoint is written at steps that have a line of the log: `checkpoints` divides `rows`.
 
         Raises:
-            ValueError: It does not hold; the message names the setting.
+            ValueError: A condition is violated; the message names the setting.
         """
         if self.rows % self.checkpoints:
             raise ValueError(f"checkpoints is {self.checkpoints}; it must divide rows, {self.rows}")
         if self.law == "hertz" and self.ledger == "on":
-            raise ValueError("ledger is on; the engine's own hertz keeps none: set ledger=off")
+            raise ValueError(
+                "ledger is on, but LIGGGHTS' own hertz has no energy balance. Set ledger=off"
+            )
         if self.contact_history and not laws.LAWS[self.law].yields:
-            raise ValueError(f"contact_history is {self.contact_history}; {self.law} has none")
-        self.grains.contact_law()  # raises for constants it cannot take
+            raise ValueError(f"contact_history is {self.contact_history}, but {self.law} has none")
+        self.grains.contact_law()  # raises an error for invalid constants
 
     def check_inputs(self) -> None:
-        """Before a run: what the deck reads is there. Raises ValueError for what is not."""
-
-    def analyse(self, series: pd.DataFrame) -> Analysis:
-        """What to make of a run.
-
-        Args:
-            series: The log from step 0, whatever checkpoints the run went on from: `step`, `time`
-                [s], and the deck's columns.
+        """Check before a run that the files that the deck reads exist.
 
         Raises:
-            ValueError: There is nothing to measure in it.
+            ValueError: A file is missing.
+        """
+
+    def analyse(self, series: pd.DataFrame) -> Analysis:
+        """Analyse a run.
+
+        Args:
+            series: Log from step 0, including earlier parts of a continued run: `step`, `time` [s],
+                and
+                the columns of the deck.
+
+        Raises:
+            ValueError: The series contains nothing to measure.
         """
         raise NotImplementedError
 
     @classmethod
     def read(cls, settings: Mapping[str, object]) -> Self:
-        """The deck with the settings of a run, as text or numbers; others are left out.
+        """Return the deck with the settings of a run, as text or numbers; ignore other settings.
 
         Raises:
-            ValueError: One is missing or out of range.
+            ValueError: A setting is missing or out of range.
         """
         names = [field.name for field in attrs.fields(cls)]
         if missing := [name for name in names if name not in settings]:
-            raise ValueError(f"{cls.__name__} declares {missing[0]}; the deck has no such setting")
+            raise ValueError(
+                f"{cls.__name__} declares {missing[0]}, but the deck has no such setting"
+            )
         return cls(**{name: settings[name] for name in names})
 
     @classmethod
     def continuable_settings(cls) -> frozenset[str]:
-        """Names of the settings that a run that goes on may change."""
+        """Return the names of the settings that a continued run may change."""
         return frozenset(f.name for f in attrs.fields(cls) if "continuable" in f.metadata)
 
     @property
     def model_options(self) -> dict[str, str]:
-        """The setting `options` by name. Raises ValueError when they are not pairs."""
+        """Return the setting `options` as a dictionary.
+
+        Raises:
+            ValueError: The setting is not made of pairs.
+        """
         words = self.options.split()
         if len(words) % 2:
-            raise ValueError(f"options is {self.options!r}; it must be pairs, NAME CHOICE")
+            raise ValueError(f"options is {self.options!r}; it must be made of pairs NAME CHOICE")
         return dict(zip(words[::2], words[1::2], strict=True))
 
     @property
     def grains(self) -> Grains:
-        """The grains, with those of the options that are the law's."""
+        """Grains, with the options that belong to the law."""
         material = Material(
             self.material,
             youngs_modulus=self.youngs_modulus,
@@ -187,19 +205,19 @@ class BulkDeck:
         return Grains(self.law, options, material, self.radius)
 
     def derived(self, name: str) -> float:
-        """A number the deck derives from its settings and prints, `print "derived NAME = VALUE"`.
+        """Return a number that the deck derives from its settings, `print "derived NAME = VALUE"`.
 
         Raises:
-            ValueError: The run in `output` has printed none of that name.
+            ValueError: The run in `output` has not printed this name.
         """
         return read_derived(self.output, name)
 
     def ledger_checks(self, series: pd.DataFrame) -> list[Check]:
-        """Checks of the energy ledger; none of a run without one."""
+        """Return the checks of the energy balance; none for a run without it."""
         return ledger_checks(series) if self.ledger == "on" else []
 
     def ledger_figure(self, series: pd.DataFrame) -> dict[str, Figure]:
-        """Figure of the energy ledger by its name; none of a run without one."""
+        """Return the figure of the energy balance by name; none for a run without it."""
         if self.ledger == "off":
             return {}
         return {"ledger": ledger_figure(series)}
@@ -207,40 +225,46 @@ class BulkDeck:
 
 @attrs.frozen(kw_only=True)
 class GranularDeck(BulkDeck):
-    """Settings of decks whose grains rub and have weight: inputs/bulk/parts/friction.in."""
+    """Settings of decks with friction and gravity: inputs/bulk/parts/friction.in."""
 
-    tangential: str = word("friction of sliding", ("off", "no_history", "history"))
+    tangential: str = word("model of sliding friction", ("off", "no_history", "history"))
     coefficient_of_friction: float = number("of sliding", "-", 0, closed=True)
-    rolling_friction: str = word("friction of rolling", ("off", "cdt", "epsd2"))
+    rolling_friction: str = word("model of rolling friction", ("off", "cdt", "epsd2"))
     coefficient_of_rolling_friction: float = number("of rolling", "-", 0, closed=True)
     coefficient_of_restitution: float = number(
-        "of the dashpot of viscous_damping, and of the engine's own hertz", "-", 0.05, 1, True
+        "restitution for the dashpot of viscous_damping, and of LIGGGHTS' own hertz",
+        "-",
+        0.05,
+        1,
+        True,
     )
     gravitational_acceleration: float = number("downwards", "m/s^2", 0)
 
 
 @attrs.frozen(kw_only=True)
 class FlowDeck(GranularDeck):
-    """Settings of decks whose grains, of two sizes, come to flow steadily after `settling`."""
+    """Settings of decks with grains of two sizes whose flow becomes steady after `settling`."""
 
-    #: Rows of the log the steady part has at least: a line goes through them.
+    #: Smallest number of rows of the steady part, for a fit of a line.
     steady_rows: ClassVar[int] = 10
 
-    size_spread: float = number("half of the grains are so much smaller", "-", 0, 0.5, True)
+    size_spread: float = number(
+        "relative reduction of the radius of half of the grains", "-", 0, 0.5, True
+    )
     volume_fraction: float = number("of the lattice", "-", 0, 0.64)
     temperature: float = number("of the grains' velocities at the start", "m^2/s^2", 0)
     duration: float = number("of the run", "s", 0)
     settling: float = number("before the flow is measured", "s", 0, closed=True)
 
     def check(self) -> None:
-        """Check that `duration` goes on after `settling` for `steady_rows` or more."""
+        """Check that `duration` exceeds `settling` by at least `steady_rows` rows."""
         require(self, "settling", upper=self.duration)
         require(self, "rows", lower=self.steady_rows)
         latest = self.duration * (1 - self.steady_rows / self.rows)
         if self.settling > latest * (1 + 1e-12):
             unit = declaration(type(self))["settling"].unit
             raise ValueError(
-                f"settling is {self.settling:g}; it must be {latest:g} [{unit}] or less, so that "
-                f"{self.steady_rows} of {self.rows} rows are left"
+                f"settling is {self.settling:g}; it must be at most {latest:g} [{unit}], so "
+                f"that {self.steady_rows} of {self.rows} rows remain"
             )
         GranularDeck.check(self)

@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The folder of a bulk run: its record, the series of its log, the numbers its deck derived.
+"""Folder of a bulk run: its record, the series of its log, and numbers that its deck derived.
 
-It holds `run.json` (deck, every setting, ranks, versions), `deck/` (the deck as it ran, with its
-includes), the logs, numbered checkpoints, and at the end `series.csv`, `checks.csv` and `figures/`.
+It contains `run.json` (deck, settings, ranks, versions), `deck/` (the deck as it ran, with its
+includes), the logs, numbered checkpoints, and after the run `series.csv`, `checks.csv` and
+`figures/`.
 """
 
 from __future__ import annotations
@@ -32,15 +33,15 @@ from plastigran.engine.log import LOG, find_excess, read_commands, read_thermo
 from plastigran.engine.process import EngineError, engines
 
 RECORD = "run.json"
-#: The log's lines up to the checkpoint a run went on from.
+#: Rows of the earlier run up to the checkpoint from which this run continues.
 BEFORE = "before.csv"
 SERIES = "series.csv"
 CHECKS = "checks.csv"
-#: Frames of the grains, which decks append to.
+#: Frames of the grains, to which decks append.
 DUMP = "grains.dump"
-#: Collision spectra, whose tables the engine adds; it takes those after a checkpoint away itself.
+#: Collision spectra; LIGGGHTS appends tables and removes those after a checkpoint itself.
 SPECTRA = "collision_spectra.csv"
-#: Files of a run, which are removed before another overwrites it, as its checkpoints are.
+#: Files of a run, which are removed together with its checkpoints before it is overwritten.
 OWN_FILES = (
     RECORD,
     f"{RECORD}.new",
@@ -59,10 +60,14 @@ _DERIVED = re.compile(r"^derived (\w+) = (\S+)\s*$", re.MULTILINE)
 
 
 def read_record(folder: str | Path) -> dict:
-    """What `run.json` says. Raises EngineError when there is none, or it is not that of a run."""
+    """Read `run.json`.
+
+    Raises:
+        EngineError: The file is missing, is not valid JSON, or is not the record of a run.
+    """
     path = Path(folder) / RECORD
     if not path.is_file():
-        raise EngineError(f"{folder} holds no {RECORD}; it is not a run of `plastigran bulk`")
+        raise EngineError(f"{folder} contains no {RECORD}; it is not a run of `plastigran bulk`")
     try:
         record = json.loads(path.read_text())
     except ValueError as error:
@@ -79,28 +84,31 @@ def read_record(folder: str | Path) -> dict:
     for name, kind in contents.items():
         found = record.get(name, {})
         if not isinstance(found, dict) or not all(isinstance(v, kind) for v in found.values()):
-            raise EngineError(f"{path} is damaged: its {name} are not those of a run")
+            raise EngineError(f"{path} is damaged: entry {name} is not that of a run")
     if not isinstance(record.get("restart"), str | None):
-        raise EngineError(f"{path} is damaged: its restart is no folder")
+        raise EngineError(f"{path} is damaged: entry restart must be a folder")
     return record
 
 
 def write_record(folder: Path, record: dict) -> None:
-    """Write `run.json`, whole or not at all."""
+    """Write `run.json` completely or not at all."""
     draft = folder / f"{RECORD}.new"
     draft.write_text(json.dumps(record, indent=2) + "\n")
     draft.replace(folder / RECORD)
 
 
 def prepare_folder(folder: Path, force: bool) -> None:
-    """An empty folder for a run; of one that holds a run only that run's own files are removed.
+    """Create the folder of a run, or remove the files of an earlier run from it. Other files stay.
 
     Raises:
-        ValueError: It holds files and `force` is not given, or they are not those of a run, or an
-            engine of this machine is writing there.
+        ValueError: The folder contains files and `force` is not given; the files are not those of a
+            run; or LIGGGHTS is writing there.
     """
     if at_work := engines(folder):
-        raise ValueError(f"{folder} is being written to by the engine (process {at_work[0]})")
+        raise ValueError(
+            f"{folder} is in use by LIGGGHTS (process {at_work[0]}). Wait for the "
+            "run to end, stop it, or choose another --output"
+        )
     if folder.exists() and any(folder.iterdir()):
         if not force:
             raise ValueError(
@@ -109,9 +117,11 @@ def prepare_folder(folder: Path, force: bool) -> None:
             )
         if not (folder / RECORD).is_file():
             raise ValueError(
-                f"{folder} holds files but no {RECORD}; only runs are overwritten by force"
+                f"{folder} contains files but no {RECORD}, so --force does not overwrite it. "
+                "Choose another --output"
             )
-        for file in checkpoints(folder):  # above all: they may be newer than ours
+        # first, because they could be newer than those of this run
+        for file in checkpoints(folder):
             file.unlink()
         for pattern in OWN_FILES:
             for file in folder.glob(pattern):
@@ -122,16 +132,16 @@ def prepare_folder(folder: Path, force: bool) -> None:
 
 
 def read_series(folder: str | Path) -> pd.DataFrame:
-    """The log of a run from step 0 on, whatever checkpoints it went on from.
+    """Read the log of a run from step 0, including the earlier parts of a continued run.
 
     Returns:
-        One row a line: `step`, `time` [s] from step 0, then the deck's columns in SI units. Of a
-        deck without a class every run is there, by number in `run`, and `time` where the log has
-        it or `timestep` commands of the deck give it, on from run to run. Where the deck has a
-        `clear` command, `simulation` counts what it has begun anew.
+        One row per line: `step`, `time` [s] from step 0, then the deck's columns in SI units. For a
+        user's deck, column `run` numbers its runs. `time` is then there if the log has it, or if
+        `timestep` commands give it; it continues over all runs. If the deck has a `clear` command,
+        `simulation` numbers the parts between them.
 
     Raises:
-        DumpError: There is no log, or it shows nothing yet.
+        DumpError: The log is missing or has no rows.
     """
     folder, parts = Path(folder), []
     if (before := folder / BEFORE).exists():
@@ -142,7 +152,7 @@ def read_series(folder: str | Path) -> pd.DataFrame:
     try:
         parts.append(_read_own_log(folder) if _is_own(folder) else _read_log(folder))
     except DumpError:
-        if not parts:  # else the run was stopped before its first line
+        if not parts:  # otherwise the run was stopped before its first line
             raise
     parts = [part for part in parts if len(part)] or parts[-1:]
     if len(parts) == 2 and _is_own(folder):
@@ -153,10 +163,11 @@ def read_series(folder: str | Path) -> pd.DataFrame:
 
 
 def _once_a_step(series: pd.DataFrame) -> pd.DataFrame:
-    """One line of a step where one run ends and the next begins, or goes on from its checkpoint.
+    """Merge consecutive rows of the same step, which occur where one run ends and the next begins.
 
-    It is the earlier one: while setting up, meshes know no forces. What it lacks, because a deck
-    has asked for other columns since, is the later one's. Steps may be counted anew.
+    Use the earlier row, because mesh forces are missing during setup. Take columns that it lacks
+    from
+    the later row. Merge only consecutive rows, because `reset_timestep` may repeat step numbers.
     """
     told_by = series[["step", "simulation"] if "simulation" in series else ["step"]]
     steps = (told_by != told_by.shift()).any(axis="columns").cumsum()
@@ -164,7 +175,7 @@ def _once_a_step(series: pd.DataFrame) -> pd.DataFrame:
 
 
 def rows_up_to(series: pd.DataFrame, step: int) -> pd.DataFrame:
-    """The rows of a series up to the last that a checkpoint of a step comes after."""
+    """Return the rows of a series up to the last one before the checkpoint of a step."""
     (reached,) = np.nonzero(series["step"] <= step)
     return series.iloc[: reached.max(initial=-1) + 1]
 
@@ -177,29 +188,29 @@ def _read_thermo(folder: Path) -> pd.DataFrame:
     if not (folder / LOG).is_file():
         raise DumpError(f"{folder} holds no {LOG}")
     with warnings.catch_warnings():
-        # The run was stopped: its end is known.
+        # The run was stopped, so its log may be cut short.
         warnings.simplefilter("ignore", TruncatedFileWarning)
         return read_thermo(folder / LOG)
 
 
 def _joined_simulations(before: pd.DataFrame, after: pd.DataFrame) -> list[pd.DataFrame]:
-    """A log and the one that goes on from it, whose first simulation is the other's last."""
+    """Join a log and its continuation, whose first simulation is the last one of the log."""
     before = before.assign(simulation=before.get("simulation", 0))
     begun = before["simulation"].iloc[-1]
     return [before, after.assign(simulation=after["simulation"] + begun)]
 
 
 def _joined_times(before: pd.DataFrame, after: pd.DataFrame) -> list[pd.DataFrame]:
-    """A log and the one that goes on from it, the time too; without it where one has none.
+    """Shift the time of a continued log so that it follows the earlier log.
 
-    The engine's time begins anew at a checkpoint.
+    Drop `time` if either log lacks it. LIGGGHTS restarts its clock at a checkpoint.
     """
     if not ("time" in before and "time" in after):
         return [series.drop(columns="time", errors="ignore") for series in (before, after)]
     begins = before["time"].iloc[-1]
     gap = after["step"].iloc[0] - before["step"].iloc[-1]
     steps = after.groupby("run")["step"].diff()
-    if gap > 0 and (steps > 0).any():  # a checkpoint may lie between two lines of the log before
+    if gap > 0 and (steps > 0).any():  # a checkpoint may lie between two lines of the earlier log
         line = (steps > 0).idxmax()
         begins += gap * (after["time"].diff() / steps)[line]
     return [before, after.assign(time=after["time"] + (begins - after["time"].iloc[0]))]
@@ -218,12 +229,13 @@ def _read_own_log(folder: Path) -> pd.DataFrame:
 
 
 def _summed_time(series: pd.DataFrame, said: list[float]) -> pd.Series:
-    """Time of every line [s], run after run: a run may count its steps anew, and have a time step
-    of its own.
+    """Return the time of every line [s], accumulated over the runs.
+
+    A run may restart its step count and have its own time step.
 
     Args:
-        series: As `read_thermo` gives it.
-        said: Time step of each run [s], for those without a column of it or of the time.
+        series: As of `read_thermo`.
+        said: Time step of each run [s], for logs without a column of it or of the time.
     """
     times, end = pd.Series(nan, series.index), None
     for number, run in series.groupby("run"):
@@ -234,7 +246,7 @@ def _summed_time(series: pd.DataFrame, said: list[float]) -> pd.Series:
 
 
 def _time_of_run(run: pd.DataFrame, said: float) -> pd.Series:
-    """Time of a run's lines [s]; nan where it cannot be known."""
+    """Return the time of the lines of a run [s]; NaN if unknown."""
     if "time" in run and run["time"].notna().all():
         return run["time"]
     if "timestep" in run and run["timestep"].notna().all():
@@ -253,10 +265,12 @@ def _read_log(folder: Path) -> pd.DataFrame:
 
 
 def all_derived(folder: str | Path) -> dict[str, float]:
-    """What a run's deck has printed as `derived NAME = VALUE`; a run gone on has its start's too.
+    """Return the values that the deck printed as `derived NAME = VALUE`.
+
+    A continued run includes the values of the earlier run.
 
     Raises:
-        EngineError: The folder holds no run.
+        EngineError: The folder contains no run.
     """
     log = Path(folder) / LOG
     printed = _DERIVED.findall(log.read_text(errors="replace")) if log.exists() else []
@@ -278,16 +292,20 @@ def all_excess(folder: str | Path) -> dict[str, float]:
 
 
 def read_derived(folder: str | Path, name: str) -> float:
-    """One of `all_derived`. Raises ValueError when it was not printed."""
+    """Return one of `all_derived`.
+
+    Raises:
+        ValueError: The deck did not print it.
+    """
     try:
         return all_derived(folder)[name]
     except KeyError:
-        raise ValueError(f"{folder}: its log says no `derived {name} = `") from None
+        raise ValueError(f"{folder}: the log has no line `derived {name} = `") from None
 
 
 def carry_files(earlier: Path, folder: Path, last: int) -> None:
-    """Copy what the engine adds to: collision spectra of an earlier run, and its whole frames
-    before a step.
+    """Copy the files to which LIGGGHTS appends: spectra, and the complete frames before step
+    `last`.
     """
     if (earlier / SPECTRA).exists():
         shutil.copy(earlier / SPECTRA, folder)
@@ -300,7 +318,7 @@ def carry_files(earlier: Path, folder: Path, last: int) -> None:
 
 
 def _next_frame(dump: TextIO) -> list[str]:
-    """Lines of the next frame of a dump: nine of head, then the atoms; none where it is cut."""
+    """Return the lines of the next frame of a dump: nine of head, then atoms; [] if incomplete."""
     head = list(islice(dump, 9))
     if len(head) < 9:
         return []
@@ -309,10 +327,10 @@ def _next_frame(dump: TextIO) -> list[str]:
 
 
 def restart_point(folder: Path, record: dict) -> Path:
-    """The newest whole checkpoint of a run; of one stopped before its first, where it began.
+    """Return the newest complete checkpoint of a run, or the one from which it started.
 
     Raises:
-        EngineError: There is none.
+        EngineError: There is no checkpoint.
     """
     try:
         return newest_checkpoint(folder)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The grains of a bulk deck and the law between them."""
+"""Grains of a bulk deck and the law between them."""
 
 from __future__ import annotations
 
@@ -17,9 +17,9 @@ class Grains:
 
     Attributes:
         law: Name of the law.
-        options: Of the law, by name.
-        material: Of the grains.
-        radius: [m].
+        options: Options of the law, by name.
+        material: Material of the grains.
+        radius: Radius [m].
     """
 
     law: str
@@ -29,12 +29,12 @@ class Grains:
 
     @property
     def mass(self) -> float:
-        """Of a grain [kg]."""
+        """Mass of a grain [kg]."""
         return 4 / 3 * pi * self.radius**3 * self.material.density
 
     @property
     def pair(self) -> laws.MaterialPair:
-        """Two of them."""
+        """Material pair of two grains."""
         return laws.combine(self.material.body(), self.material.body())
 
     @property
@@ -45,5 +45,9 @@ class Grains:
         return central.yield_speed(self.pair, self.radius / 2, self.mass / 2)
 
     def contact_law(self):
-        """The law between two grains. Raises ValueError naming a constant it cannot take."""
+        """Return the law between two grains.
+
+        Raises:
+            ValueError: A constant is invalid; the message names it.
+        """
         return self.material.law(self.law, self.pair, **self.options)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A run of a bulk deck as it is handed over, or read again."""
+"""Result of a run of a bulk deck, new or read from its folder."""
 
 from __future__ import annotations
 
@@ -21,19 +21,19 @@ from plastigran.engine.process import EngineError
 
 
 class CheckError(ValueError):
-    """A deck ran to its end but broke one of its invariants; the message says which."""
+    """A deck ran to its end but failed a check; the message names it."""
 
 
 @attrs.frozen(repr=False)
 class BulkRun:
-    """A run of a bulk deck and what was made of it.
+    """Run of a bulk deck and its analysis.
 
     Attributes:
-        name: Of the deck.
-        folder: Where its files are.
-        deck: Its settings; None for a deck without a class.
-        analysis: What the deck made of it: without checks and figures where it has not finished.
-        finished: Whether the engine came to the end.
+        name: Name of the deck.
+        folder: Folder of its files.
+        deck: Settings; None for a deck without a class.
+        analysis: Analysis of the deck, without checks and figures for an unfinished run.
+        finished: Whether LIGGGHTS reached the end.
     """
 
     name: str
@@ -44,19 +44,19 @@ class BulkRun:
 
     @property
     def series(self) -> pd.DataFrame:
-        """One row a line of the log, with measurement and theory beside it, in SI units."""
+        """One row per line of the log, with measurement and theory, in SI units."""
         return self.analysis.series
 
     @property
     def checks(self) -> pd.DataFrame:
-        """One row a check: its name, value, limit, reason, and whether it passed."""
+        """One row per check: name, value, limit, reason, and whether it passed."""
         columns = [field.name for field in attrs.fields(Check)]
         rows = [[*attrs.astuple(check), check.passed] for check in self.analysis.checks]
         return pd.DataFrame(rows, columns=[*columns, "passed"])
 
     @property
     def figures(self) -> dict[str, Figure]:
-        """The deck's figures by name."""
+        """Figures of the deck by name."""
         return self.analysis.figures
 
     @property
@@ -80,7 +80,11 @@ class BulkRun:
         return f"<run of {self.name} in {self.folder}: {len(self.series)} rows, {state}>"
 
     def raise_if_failed(self) -> Self:
-        """The run itself. Raises CheckError when a check failed; the message names it."""
+        """Return the run itself.
+
+        Raises:
+            CheckError: A check failed; the message names it.
+        """
         if failed := self.analysis.failed:
             said = "; ".join(f"{c.name} {c.value:.3g}, at most {c.limit:.3g}" for c in failed)
             raise CheckError(f"{said} (in {self.folder})")
@@ -88,14 +92,14 @@ class BulkRun:
 
 
 def open_run(folder: str | Path) -> BulkRun:
-    """Read a run of a deck, finished or not, as `run_bulk` hands it over.
+    """Read a run of a deck, finished or not, as `run_bulk` returns it.
 
     Args:
-        folder: Where its results are; it need not be where they were written.
+        folder: Folder of its results; it may have been moved.
 
     Raises:
-        EngineError: The folder holds no run, or its record is damaged.
-        DumpError: The log shows nothing yet, or a file is damaged.
+        EngineError: The folder contains no run, or its record is damaged.
+        DumpError: The log has no rows, or a file is damaged.
     """
     folder = Path(folder).resolve()
     record, series = read_record(folder), read_series(folder)
@@ -114,6 +118,6 @@ def open_run(folder: str | Path) -> BulkRun:
     except (ArithmeticError, LookupError, OSError, ValueError) as error:
         said = f"{type(error).__name__}: {error}"
         raise DumpError(
-            f"{folder}: {LOG} holds no whole run of {record['deck']} ({said})"
+            f"{folder}: {LOG} contains no complete run of {record['deck']} ({said})"
         ) from error
     return BulkRun(record["deck"], folder, deck, analysis, finished)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Input scripts of the user's own, without a class: where they run and what is said of them."""
+"""A user's input scripts, without a class: where they run and how they are checked."""
 
 from __future__ import annotations
 
@@ -28,9 +28,9 @@ from plastigran.engine.deck import MESHES, DeckSource, commands
 from plastigran.engine.log import LOG
 from plastigran.engine.process import EngineError, inputs_folder, misread
 
-#: Settings by which a deck is told to go on from a restart file.
+#: Settings with which a deck continues from a restart file.
 GOES_ON = ("start", "checkpoint")
-#: What a deck that goes on has.
+#: Requirements of a deck that can continue.
 NEEDS = (
     "it needs settings `start` (fresh or checkpoint) and `checkpoint` (a file), and a `restart` "
     f"command that writes ${{output}}/{PATTERN}; `plastigran new-deck` writes a deck with them"
@@ -67,11 +67,11 @@ def _first_words(source: DeckSource, file: Path) -> set[str]:
 
 
 def own_places(source: DeckSource, folder: Path) -> dict[str, object]:
-    """Values of `inputs` and `output` for a deck that runs in its own folder; None for one that it
-    does not read.
+    """Return the values of `inputs` and `output` for a user's deck; None for one that it does not
+    read.
 
     Raises:
-        ValueError: The deck reads ${output}, and the engine would misread its value.
+        ValueError: The deck reads ${output}, and LIGGGHTS would misread its value.
     """
     read = source.references | source.settings.keys()
     output: str | None = None
@@ -81,20 +81,21 @@ def own_places(source: DeckSource, folder: Path) -> dict[str, object]:
             output = os.path.relpath(folder, source.path.parent)
         if misread(output):
             raise ValueError(
-                f"results would go to {output!r}; the engine misreads white space, % and * in what "
-                f"{source.path.name} reads as ${{output}}: choose another folder"
+                f"the folder of results is {output!r}, but {source.path.name} reads it as "
+                f"${{output}}, and LIGGGHTS misreads white space, % and * there. Choose "
+                "another folder"
             )
     return {"inputs": inputs_folder() if "inputs" in read else None, "output": output}
 
 
 def check_laws(source: DeckSource) -> None:
-    """Refuse a contact model whose name is almost a law's.
+    """Refuse a contact model whose name resembles that of a law.
 
     Raises:
-        ValueError: There is one.
+        ValueError: There is such a model.
 
     Warns:
-        UserWarning: There is one that a law's name is part of: a model of the user's own, perhaps.
+        UserWarning: The name of a model contains that of a law; it may be the user's own model.
     """
     for file in source.files:
         if file.suffix.lower() in MESHES:
@@ -103,34 +104,34 @@ def check_laws(source: DeckSource) -> None:
             name = source.resolve(found[1])
             if name in laws.LAWS or not (meant := get_close_matches(name, laws.LAWS, 1, 0.85)):
                 continue
-            said = f"{file.name}: no contact model {name!r}; is it {meant[0]}?"
+            said = f"{file.name}: no contact model {name!r}. Possible misspelling of {meant[0]}"
             if meant[0] not in name:
                 raise ValueError(said)
-            warnings.warn(f"{said} A model of your own is taken as it is", stacklevel=2)
+            warnings.warn(f"{said} It is used as it is, in case it is your own", stacklevel=2)
 
 
 def own_restart_point(source: DeckSource, earlier: Path, record: dict) -> Path:
-    """The `restart_point` of a run, for a deck that can be told to go on from it.
+    """Return the `restart_point` of a run, for a deck that can continue from it.
 
     Args:
-        source: The deck.
+        source: Deck.
         earlier: Folder of the run.
-        record: What its `run.json` says.
+        record: Contents of its `run.json`.
 
     Raises:
-        ValueError: The deck has no settings to be told by.
+        ValueError: The deck lacks the settings for it.
         EngineError: There is no such point.
     """
     if missing := [name for name in GOES_ON if name not in source.settings]:
         raise ValueError(
-            f"{source.path.name} has no setting {missing[0]!r} and cannot go on from a checkpoint; "
-            f"{NEEDS}"
+            f"{source.path.name} has no setting {missing[0]!r}, so it cannot continue from a "
+            f"checkpoint; {NEEDS}"
         )
     log = earlier / LOG
     if log.is_file() and _COUNTS_ANEW.search(log.read_text(errors="replace")):
         raise EngineError(
-            f"{log} counts its steps anew (reset_timestep): which checkpoint is the newest cannot "
-            "be told; run the deck with -v start=checkpoint checkpoint=FILE"
+            f"{log} contains `reset_timestep`, so step numbers do not identify the newest "
+            "checkpoint. Choose one yourself: -v start=checkpoint checkpoint=FILE"
         )
     try:
         return restart_point(earlier, record)
@@ -141,34 +142,40 @@ def own_restart_point(source: DeckSource, earlier: Path, record: dict) -> Path:
 
 
 def analyse_own(series: pd.DataFrame) -> Analysis:
-    """The energy ledger of a run, where its log has the entries of inputs/energy_ledger.in."""
+    """Check the energy balance of a run whose log has the terms of inputs/energy_ledger.in."""
     if not {*TAKEN, "drift"} <= set(series):
         said = (
             "nothing was checked: the deck keeps no energy balance, or its log has no terms of it"
         )
         return Analysis(series, notes=[said])
     if not energy_input(series) > 0:
-        return Analysis(series, notes=["the ledger was not checked: no energy came in"])
+        return Analysis(
+            series, notes=["the energy balance was not checked, because the energy input is zero"]
+        )
     figures, notes, last = {}, [], last_simulation(series)
     if "time" not in series:
         notes.append(
-            "the ledger was not drawn: the log has no time; `time` in thermo_style gives it"
+            "the energy balance was not drawn, because the log has no time. Add `time` to "
+            "thermo_style"
         )
     elif energy_input(last) > 0:
         figures["ledger"] = ledger_figure(last)
     if len(last) < len(series):
-        notes.append("the ledger begins anew at each `clear`: all are checked, the last is drawn")
+        notes.append(
+            "the energy balance restarts at each `clear`. All parts are checked; the "
+            "last one is drawn"
+        )
     if not series[["elastic", *DISSIPATED]].any(axis=None):
         notes.append(
-            "the energy balance was not checked: no line of the log has energy in contacts, or "
-            "taken by them. Did grains meet?"
+            "the energy balance was not checked, because no line of the log has stored or "
+            "dissipated energy of contacts. Did grains meet?"
         )
         return Analysis(series, [], figures, notes=notes)
     return Analysis(series, _worst_checks(series), figures, notes=notes)
 
 
 def _worst_checks(series: pd.DataFrame) -> list[Check]:
-    """Checks of the energy ledger, which `clear` begins anew: each where it is worst."""
+    """Return the checks of the energy balance, each at its worst; `clear` restarts the balance."""
     ledgers = [series]
     if "simulation" in series:
         ledgers = [ledger for _, ledger in series.groupby("simulation") if energy_input(ledger) > 0]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""What is to be run of a bulk deck: checked before anything is written or started."""
+"""Plan of a run of a bulk deck, checked before anything is written or started."""
 
 from __future__ import annotations
 
@@ -16,23 +16,23 @@ from plastigran.engine.checkpoints import refuse_damaged
 from plastigran.engine.deck import DeckSource, deck_name, find_deck, is_shipped, read_deck
 from plastigran.engine.process import typed_command
 
-#: Settings that name files and places; they differ between runs and are not compared.
+#: Settings that name files and folders; they may differ between runs.
 PLACES = frozenset({"start", "checkpoint", "inputs", "output", "materials"})
 
 
 @attrs.frozen
 class Plan:
-    """A run of a bulk deck that could be started.
+    """Run of a bulk deck, ready to start.
 
     Attributes:
-        source: The deck with what it includes.
-        kind: Its class; None for an input script of the user's own.
-        folder: Where results go.
-        ranks: MPI ranks.
-        values: Settings given another value than the deck's.
-        places: Settings that say where things are.
-        earlier: Folder of the run it goes on from, or None.
-        checkpoint: The file it goes on from, or None.
+        source: Deck with its includes.
+        kind: Class of the deck; None for a user's input script.
+        folder: Folder of the results.
+        ranks: Number of MPI ranks.
+        values: Settings that override those of the deck.
+        places: Settings that name files and folders.
+        earlier: Folder of the run to continue, or None.
+        checkpoint: File to continue from, or None.
     """
 
     source: DeckSource
@@ -46,11 +46,11 @@ class Plan:
 
     @property
     def working_folder(self) -> Path:
-        """Where the engine runs, which relative paths of the deck are from."""
+        """Folder in which LIGGGHTS runs; relative paths of the deck start there."""
         return self.folder if self.kind else self.source.path.parent
 
     def command_line(self) -> str:
-        """What could be typed to run the deck itself; a run takes a copy of it."""
+        """Command line that runs the deck itself; a run uses a copy of it."""
         given = self.values | ({} if self.kind else self.places)
         return typed_command(self.source.path, given, self.folder, self.working_folder, self.ranks)
 
@@ -62,11 +62,13 @@ def plan_bulk(
     ranks: int = 1,
     restart: str | Path | None = None,
 ) -> Plan:
-    """What `run_bulk` would start; arguments and errors as there."""
+    """Return what `run_bulk` would start; arguments and errors as there."""
     if not (isinstance(ranks, int) and ranks >= 1):
         raise ValueError(f"ranks is {ranks!r}; it must be 1 or more")
     if "output" in values:
-        raise ValueError(f"output is {values['output']!r}, which is no setting: give --output")
+        raise ValueError(
+            f"output is {values['output']!r}, but output is not a setting. Use --output"
+        )
     folder, script = Path(folder).resolve(), find_deck(deck)
     values = {name: str(value) for name, value in values.items()}
     kind = deck_class(deck_name(script)) if is_shipped(script) else None
@@ -79,7 +81,8 @@ def plan_bulk(
         else:
             checkpoint = own_restart_point(read_deck(script, {}, folder), restart, earlier)
         values = earlier["values"] | values | {"start": "checkpoint", "checkpoint": str(checkpoint)}
-    if kind and "materials" in values:  # a path as typed here; the engine runs elsewhere
+    # the path is relative to the current folder, but LIGGGHTS runs elsewhere
+    if kind and "materials" in values:
         values["materials"] = str(Path(values["materials"]).resolve())
     source = read_deck(script, values, folder)
     if source.settings.get("start") == "checkpoint":
@@ -98,7 +101,7 @@ def plan_bulk(
 def check_continued(
     settings: dict[str, str], earlier: dict[str, str], continuable: frozenset[str]
 ) -> None:
-    """A run that goes on is the same run: grains and course are in the checkpoint.
+    """Check that the settings allow to continue a run: its grains are in the checkpoint.
 
     Raises:
         ValueError: A setting has changed that may not; the message names it.
@@ -106,20 +109,24 @@ def check_continued(
     for name in settings.keys() - continuable - PLACES:
         if settings[name] != earlier.get(name, settings[name]):
             raise ValueError(
-                f"{name} is {settings[name]} and was {earlier[name]}; a run that goes on may "
-                f"change {', '.join(sorted(continuable))} only"
+                f"{name} is {settings[name]}, but the run to continue has {earlier[name]}. A "
+                f"continued run may change only {', '.join(sorted(continuable))}"
             )
 
 
 def _earlier(restart: Path, folder: Path, script: Path, own: bool) -> dict:
-    """The record of the run to go on from. Raises ValueError when it is another deck's or ours."""
+    """Return the record of the run to continue.
+
+    Raises:
+        ValueError: It is a run of another deck, or of a supplied deck instead of a user's.
+    """
     record = read_record(restart)
     name, was_own = record["deck"], bool(record.get("own"))
     if name != deck_name(script):
         raise ValueError(f"{restart} is a run of {name}, not of {deck_name(script)}")
     if was_own != own:
-        deck = "a deck of one's own" if was_own else f"the package's {name}"
+        deck = "a user's deck" if was_own else f"the package's {name}"
         raise ValueError(f"{restart} is a run of {deck}, not of {script}")
     if restart == folder:
-        raise ValueError(f"{folder} is the run to go on from; choose another --output")
+        raise ValueError(f"{folder} is the run to continue. Choose another --output")
     return record

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Run a bulk deck, check its invariants and draw its figures."""
+"""Run a bulk deck, check it and draw its figures."""
 
 from __future__ import annotations
 
@@ -43,32 +43,34 @@ def run_bulk(
     force: bool = False,
     show: bool = True,
 ) -> BulkRun:
-    """Run a deck from its start or from the newest whole checkpoint of an earlier run.
+    """Run a deck from its start or from the newest complete checkpoint of an earlier run.
 
-    An input script without a class is the user's own: it runs in its own folder, from which its
-    relative paths are, is told where results go where it reads ${output}, and goes on from a
-    checkpoint where it has settings `start` and `checkpoint`.
+    A script that is not a supplied deck runs in its own folder, so its relative paths work.
+    Plastigran sets ${output} if the script reads it. The script can continue from a checkpoint if
+    it
+    has the settings `start` and `checkpoint`.
 
     Args:
         deck: Name of a deck of `inputs/bulk`, or path of an input script.
-        values: Settings given another value than the deck's, or with `restart` than the earlier
-            run's.
-        folder: Where results go.
-        ranks: MPI ranks.
+        values: Deck settings to override. With `restart`, they override the settings of the earlier
+            run.
+        folder: Folder of the results.
+        ranks: Number of MPI ranks.
         restart: Folder of the earlier run.
-        force: Overwrite an earlier run in `folder`.
-        show: Show a progress bar.
+        force: Whether to overwrite an earlier run in `folder`.
+        show: Whether to show a progress bar.
 
     Returns:
-        What the deck's class made of it, also written to `folder`, whether its checks passed or
-        not; for a deck without a class its series alone.
+        Series, checks and figures of the run. They are also written to `folder`, even if checks
+        fail.
 
     Raises:
-        EngineError: No such deck, no whole checkpoint, or the engine stopped with an error.
-        ValueError: An unknown setting, or one out of range, or `folder` holds results.
+        EngineError: There is no such deck or no complete checkpoint, or LIGGGHTS stopped with an
+            error.
+        ValueError: A setting is unknown or out of range, or `folder` contains results.
     """
     plan = plan_bulk(deck, values, folder, ranks, restart)
-    made_with = versions()  # raises where there is no engine, before anything is written
+    made_with = versions()  # raises EngineError if LIGGGHTS is missing, before anything is written
     with lock_folder(plan.folder):
         prepare_folder(plan.folder, force)
         return _run(plan, made_with, show)
@@ -77,7 +79,7 @@ def run_bulk(
 def _run(plan: Plan, made_with: dict[str, str], show: bool) -> BulkRun:
     """Run a plan in its folder, analyse the run and write its results."""
     source, folder, restart = plan.source, plan.folder, plan.earlier
-    # The engine reads a script as it goes: run one that nobody edits meanwhile.
+    # Run a copy: LIGGGHTS reads the script while it runs, and the user may edit the original.
     script = source.copy(folder / "deck")
     record = {
         "deck": source.name,
@@ -94,7 +96,8 @@ def _run(plan: Plan, made_with: dict[str, str], show: bool) -> BulkRun:
         step = step_of(plan.checkpoint)
         rows_up_to(read_series(restart), step).to_csv(folder / BEFORE, index=False)
         carry_files(restart, folder, step)
-    write_record(folder, record)  # last: a folder with a record can be gone on from
+    # last: a folder with a record counts as a run that can be continued
+    write_record(folder, record)
     left = files_of_signals(plan.working_folder)
     checksums = ChecksumWriter(folder)
     try:
@@ -115,7 +118,8 @@ def _run(plan: Plan, made_with: dict[str, str], show: bool) -> BulkRun:
             write_record(folder, record)
             fetch_file_of_signal(plan.working_folder, left, folder)
             checksums.update()
-    read_series(folder).to_csv(folder / SERIES, index=False)  # whatever comes of its analysis
+    # before the analysis, which may fail; the file also marks the run as finished
+    read_series(folder).to_csv(folder / SERIES, index=False)
     run = open_run(folder)
     write_results(run)
     return run

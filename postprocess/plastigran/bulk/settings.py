@@ -11,12 +11,12 @@ from plastigran.declared import Declaration
 
 
 def text(meaning: str) -> Any:
-    """A field for a setting that is words."""
+    """Declare a field whose setting is text."""
     return attrs.field(converter=str, metadata={"declaration": Declaration(meaning, kind=str)})
 
 
 def continuable(field: Any) -> Any:
-    """The declared field, of a setting that a run that goes on may change.
+    """Mark a declared field as a setting that a continued run may change.
 
     Steps before the checkpoint and the restored grains must not depend on it.
     """

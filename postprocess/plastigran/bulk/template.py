@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A deck of the user's own, from the template of `inputs/template`."""
+"""Write a user's deck from the template of `inputs/template`."""
 
 from __future__ import annotations
 
@@ -13,24 +13,24 @@ from plastigran.engine.process import inputs_folder, misread
 from plastigran.materials import Material, read_material, write_material
 from plastigran.usable_laws import laws_for
 
-#: Speed of the fastest impact of the template, a fall from its top [m/s], with room to spare.
+#: Upper bound of the impact speed in the template, a fall from its top [m/s].
 SPEED = 2.0
-#: Radii of grains that the template's box has room for [m].
+#: Grain radii for which the box of the template is large enough [m].
 NEW_DECK_RADIUS = Declaration("radius", "m", 0.0005, 0.006, closed=True)
-#: Files of the inputs that lie beside the deck.
+#: Further files of the folder.
 PARTS = ("energy_ledger.in", "meshes/plate.stl", "template/fresh.in", "template/checkpoint.in")
-#: Names that they have taken.
+#: Names that these files use.
 TAKEN = [Path(file).stem for file in PARTS]
 
 
 def write_deck(
     folder: Path, law: str, material: Material | str | Path, radius: float = 0.003
 ) -> Path:
-    """Write a folder with a deck, its material, its mesh and the names of the ledger's entries.
+    """Write a folder with a deck, its material, its mesh and the names of the energy terms.
 
     Args:
-        folder: Folder to make; the deck has its name.
-        law: Law of the contacts of grains with each other and with walls.
+        folder: Folder to create; the deck has its name.
+        law: Law between grains, and between grains and walls.
         material: Material of grains and walls.
         radius: Radius of the grains [m], from 0.0005 to 0.006.
 
@@ -38,27 +38,31 @@ def write_deck(
         Path of the deck.
 
     Raises:
-        ValueError: No such law for spheres or material, a name that the folder cannot take, or a
-            radius out of range.
-        FileExistsError: The folder is there.
+        ValueError: The law for spheres or the material does not exist, the name cannot be used, or
+            the radius is out of range.
+        FileExistsError: The folder exists.
     """
     material, radius = read_material(material), read_number("radius", radius, NEW_DECK_RADIUS)
     for name in (folder.name, material.name):
         if misread(name):
-            raise ValueError(f"{name!r} holds white space, % or *, which the engine misreads")
+            raise ValueError(f"{name!r} contains white space, % or *, which LIGGGHTS misreads")
         if name in TAKEN:
-            raise ValueError(f"{name!r} is the name of another file of the deck's folder")
+            raise ValueError(
+                f"{name!r} is the name of another file in the folder of the deck. "
+                "Choose another name"
+            )
     if folder.name == material.name:
-        raise ValueError(f"deck and material are both called {folder.name!r}; choose another name")
+        raise ValueError(f"deck and material are both called {folder.name!r}. Choose another name")
     fitting = [name for name in laws_for("sphere", [material]) if name != "hertz"]
     if law == "hertz":
         raise ValueError(
-            "hertz is the engine's own and keeps no energy ledger, which the deck has; there are "
-            f"{', '.join(fitting)}"
+            "hertz is LIGGGHTS' own model without energy balance, which the deck needs. "
+            f"Choose one of {', '.join(fitting)}"
         )
     if law not in fitting:
         raise ValueError(
-            f"{law!r} is no law for spheres of {material.name}; there are {', '.join(fitting)}"
+            f"{law!r} is not a law for spheres of {material.name}. Choose one of "
+            f"{', '.join(fitting)}"
         )
     source = inputs_folder() / "template"
     text = (source / "deck.in").read_text()
@@ -73,7 +77,7 @@ def write_deck(
     for word, value in values.items():
         text = text.replace(word, value)
     if folder.exists():
-        raise FileExistsError(f"{folder} is there; choose another name")
+        raise FileExistsError(f"{folder} exists. Choose another name")
     folder.mkdir(parents=True)
     deck = folder / f"{folder.name}.in"
     deck.write_text(text)
@@ -85,6 +89,6 @@ def write_deck(
 
 
 def _rounded_down(step: float) -> str:
-    """A step of one digit, not above the one given."""
+    """Return a step rounded down to one digit."""
     power = floor(log10(step))
     return f"{floor(step / 10.0**power)}.0e{power}"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A bulk run's frames for ParaView and OVITO, with the plastic work of every contact."""
+"""Frames of a bulk run for ParaView and OVITO, with the plastic work of every contact."""
 
 from __future__ import annotations
 
@@ -22,24 +22,26 @@ from plastigran.plot.vtk_series import (
 
 
 def write_vtk(run: BulkRun, folder: str | Path) -> list[Path]:
-    """Write the frames of a run as `grains_STEP.vtp`, `contacts_STEP.vtp` and `mesh_STEP.vtp`, and
-    a list of each by time, `grains.pvd`, `contacts.pvd`, `mesh.pvd`.
+    """Write the frames of a run as VTK files, and a list of each kind by time.
 
-    Contacts have a column `plastic_work` where the run had `contact_history=1`.
+    The files are `grains_STEP.vtp`, `contacts_STEP.vtp` and `mesh_STEP.vtp`; the lists are
+    `grains.pvd`, `contacts.pvd` and `mesh.pvd`. Contacts have a column `plastic_work` if the run
+    had
+    `contact_history=1`.
 
     Args:
-        run: With frames.
-        folder: Where they go; made when missing.
+        run: Run with frames.
+        folder: Folder of the files; created if missing.
 
     Returns:
         The lists.
 
     Raises:
         SnapshotError: There are no frames, or pyvista is not installed.
-        DumpError: A file of memories is damaged.
+        DumpError: A file of contact histories is damaged.
 
     Warns:
-        UserWarning: A frame that cannot be read whole is left out; the message names the file.
+        UserWarning: An incomplete frame is left out; the message names the file.
     """
     folder, written = Path(folder), []
     folder.mkdir(parents=True, exist_ok=True)
@@ -62,19 +64,19 @@ def write_vtk(run: BulkRun, folder: str | Path) -> list[Path]:
 
 
 def contact_columns(run: BulkRun, frame: Frame) -> dict[str, np.ndarray]:
-    """What a run tells of a frame's contacts beside the frame itself: `plastic_work` [J], (N,).
+    """Return further columns of the contacts of a frame: `plastic_work` [J], (N,).
 
     Raises:
-        DumpError: The file of their memories is damaged.
+        DumpError: The file of contact histories is damaged.
     """
     memories = frame.contacts.with_name(f"memories_{frame.step}.dump")
     if run.deck is None or not memories.exists():
         return {}
     contacts, remembered = contact_table(frame), read_memories(memories)
-    # Both files have the engine's contacts in its order: a pair may touch through a side, too.
+    # Both files list contacts in LIGGGHTS' order; a pair may also touch through a periodic side.
     if not all(np.array_equal(contacts[name], remembered[name]) for name in ("id1", "id2")):
-        raise DumpError(f"{memories}: its contacts are not those of {frame.contacts}")
-    near = contacts["overlap"] <= 0  # listed, but apart
+        raise DumpError(f"{memories} and {frame.contacts} list different contacts")
+    near = contacts["overlap"] <= 0  # listed, but separated
     works = plastic_works(
         run.deck.grains,
         contacts["radius_eff"],
@@ -85,9 +87,9 @@ def contact_columns(run: BulkRun, frame: Frame) -> dict[str, np.ndarray]:
 
 
 def time_of(run: BulkRun, step: int) -> float:
-    """Of a step's frame [s]; the step's number where the log has no time.
+    """Return the time of a step's frame [s]; the step number if the log has no time.
 
-    Where a deck counts its steps anew, the engine writes the frames of later ones over the earlier.
+    If a deck restarts its step count, LIGGGHTS overwrites the frames of earlier steps.
     """
     if "time" not in run.series:
         return float(step)

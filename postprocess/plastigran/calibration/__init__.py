@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""From what one can measure, or afford, to the constants of a deck."""
+"""Constants of a deck from measurements, and softened materials."""
 
 from plastigran.calibration.calibrating import calibrate
 from plastigran.calibration.drop_test import DropTest

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""From one measurement of a metal to its constants, a law and lines of a deck."""
+"""Constants of a metal, a law and deck lines from one measurement."""
 
 from __future__ import annotations
 
@@ -25,11 +25,11 @@ from plastigran.contact import Contact
 from plastigran.declared import RADIUS, Declaration, read_number
 from plastigran.materials import RIGID, Material
 
-FEM_RADIUS = 0.1  # of the sphere of the finite elements [m]
-SPHERE_RADIUS = 1e-2  # of a sphere on a rigid plane [m]; restitution does not depend on it
+FEM_RADIUS = 0.1  # radius of the finite-element sphere [m]
+SPHERE_RADIUS = 1e-2  # radius of a sphere on a rigid plane [m]; restitution does not depend on it
 UNITS = {
-    "youngs_modulus": (Declaration("", "Pa", 1e6, 2e12), "is it in MPa or GPa?"),
-    "density": (Declaration("", "kg/m^3", 10, 3e4), "is it in g/cm^3?"),
+    "youngs_modulus": (Declaration("", "Pa", 1e6, 2e12), "Check the unit: Pa, not MPa or GPa"),
+    "density": (Declaration("", "kg/m^3", 10, 3e4), "Check the unit: kg/m^3, not g/cm^3"),
 }
 
 
@@ -53,43 +53,49 @@ def calibrate(
     name: str = "metal",
     progress: bool = False,
 ) -> CalibratedMetal:
-    """Constants of a metal from one of yield strength, hardness, rebound hardness and drops.
+    """Find the constants of a metal from its yield strength, hardness, rebound hardness or drops.
 
     Args:
         youngs_modulus: E [Pa].
         poissons_ratio: nu [-].
-        density: [kg/m^3].
-        yield_strength: sigma_Y [Pa], where it is known.
+        density: Density [kg/m^3].
+        yield_strength: sigma_Y [Pa], if known.
         hardness: HV, or a text such as "45HRC" or "200HB".
         leeb: Reading of a rebound tester: HLD, or a text such as "750HLG".
-        drops: A drop test, or a file of one whose ball is the metal and whose plate is rigid.
+        drops: A drop test, or a file of one with a ball of the metal and a rigid plate.
         plastic_modulus: H, stress over plastic strain [Pa]; 0 for perfectly plastic.
-        rate_coefficient: Share of the strength that a factor e in rate of strain adds [-]; the
-            strength is then that at 1/s. None for that of steel where a steel's hardness or rebound
-            hardness is given, for these are at rates far apart; else for 0.
-        scatter: Standard deviation of one measured restitution [share]; None for 0.02 of drops and
-            what conversions of rebound hardness have.
+        rate_coefficient: Relative increase of yield strength per e-fold increase of strain rate,
+            with
+            the strength given at 1/s. None for the value of steel with a steel's hardness or
+            rebound
+            hardness, which are measured at very different rates, and otherwise for 0.
+        scatter: Relative standard deviation of one measured restitution; None for 0.02 for drops,
+            and
+            for the scatter of conversions of rebound hardness.
         law: Name of the law.
-        speeds: Least and largest speed of what is to be computed [m/s], of a sphere of the metal on
-            a rigid plane; None for those of the measurement, else to 300 times the yield speed.
-        force_ratio: Fit the constants of `vu_quoc_zhang` to finite elements up to this force over
-            that at yield; None for no finite elements.
-        radius: Of the sphere of the finite elements [m].
-        strain: Of the finite elements, small or finite.
-        name: Of the metal.
-        progress: Show a bar for the finite elements.
+        speeds: Slowest and fastest impact speed of the intended simulation [m/s], for a sphere of
+            the
+            metal on a rigid plane; None for those of the measurement, or else up to 300 yield
+            speeds.
+        force_ratio: Largest force / yield force of a finite-element fit of `vu_quoc_zhang`; None
+            for
+            no finite elements.
+        radius: Radius of the finite-element sphere [m].
+        strain: Kinematics of the finite elements, small or finite.
+        name: Name of the metal.
+        progress: Whether to show a bar for the finite elements.
 
     Raises:
-        ValueError: Not exactly one measurement is given; or a value would say nothing beside it, is
-            out of range, looks as in other units, or says nothing of the strength. The message
-            names it and the range.
+        ValueError: There is not exactly one measurement; or a value has no effect, is out of range,
+            seems to have another unit, or does not determine the strength. The message names it and
+            the range.
         OSError: A file cannot be read.
 
     Warns:
         UserWarning: Measurements scatter about the law more than stated.
         SmallStrainWarning: As of `press_sphere`.
 
-    Sources: see `hardness`, `physics.rebound_hardness` and `inversion` for each route.
+    Sources: see `hardness`, `physics.rebound_hardness` and `inversion` for each method.
     """
     measured = {
         "yield_strength": yield_strength, "hardness": hardness, "leeb": leeb, "drops": drops,
@@ -97,7 +103,7 @@ def calibrate(
     chosen = [key for key, value in measured.items() if value is not None]
     if len(chosen) != 1:
         said = " and ".join(chosen) or "none"
-        raise ValueError(f"{said} of {', '.join(measured)} is given; it must be exactly one")
+        raise ValueError(f"{said} of {', '.join(measured)} is given; exactly one is needed")
     finite_elements = {"radius": (radius, FEM_RADIUS), "strain": (strain, "small")}
     _refuse_idle(chosen[0], scatter, {} if force_ratio is not None else finite_elements)
     _check_units(youngs_modulus=youngs_modulus, density=density)
@@ -131,7 +137,7 @@ def calibrate(
         found = strength.from_leeb(leeb, law, metal, scatter)
     else:
         if not isinstance(drops, DropTest | str | Path):
-            raise ValueError(f"drops is {drops!r}; it must be a DropTest or a file of one")
+            raise ValueError(f"drops is {drops!r}; it must be a DropTest or the file of one")
         drops = drops if isinstance(drops, DropTest) else DropTest(**read_drop_test(drops))
         found = strength.from_drops(drops, law, metal, scatter)
     _check_strength(found.value, youngs_modulus)
@@ -149,7 +155,7 @@ def calibrate(
             "coefficients of other metals than steel: give rate_coefficient"
         )
     if plastic_modulus and not laws.LAWS[law].hardens:
-        notes.append(f"{law} does not know hardening: it takes the yield strength alone")
+        notes.append(f"{law} does not include hardening: it uses only the yield strength")
     pressed = None
     if force_ratio is not None:
         pressed = press_sphere(
@@ -176,13 +182,13 @@ def _error(
     hardening: bool,
     drops: DropTest | None,
 ) -> ExpectedError:
-    """Of the law, over the speeds of use, else of the measurement, else the usual ones."""
+    """Return the error of the law for the intended speeds, the measured ones, or usual ones."""
     ratio = found.speed_ratio or USUAL_SPEEDS
     if speeds is not None:
         said = Declaration("", "m/s", 0)
         read = sorted(read_number("speeds", speed, said) for speed in np.ravel(speeds).tolist())
         if not read:
-            raise ValueError("speeds is empty; it must be the least and the largest [m/s]")
+            raise ValueError("speeds is empty; it must be the smallest and the largest [m/s]")
         ratio = tuple(speed / strength.yield_speed_of(contact) for speed in (read[0], read[-1]))
     elif found.contact is not None:
         contact = found.contact
@@ -194,14 +200,23 @@ def _error(
 
 
 def _refuse_idle(measured: str, scatter: float | None, others: dict[str, tuple]) -> None:
-    """Refuse what would say nothing: `scatter` of what does not scatter, and settings of finite
-    elements that are not asked for, given with their defaults. Raises ValueError, which names it.
+    """Refuse values without effect.
+
+    These are `scatter` for a measurement without scatter, and settings of finite elements that are
+    not computed.
+
+    Raises:
+        ValueError: There is such a value; the message names it.
     """
     if scatter is not None and measured not in ("leeb", "drops"):
-        raise ValueError(f"scatter is {scatter!r}; it is for leeb or drops, not for {measured}")
+        raise ValueError(
+            f"scatter is {scatter!r}, but it applies only to leeb or drops, not to {measured}"
+        )
     for name, (value, usual) in others.items():
         if value != usual:
-            raise ValueError(f"{name} is {value!r}; it is for finite elements: give force_ratio")
+            raise ValueError(
+                f"{name} is {value!r}, but it applies only to finite elements. Give force_ratio"
+            )
 
 
 def _check_units(**values: float) -> None:
@@ -225,5 +240,6 @@ def _check_strength(value: float, youngs_modulus: float) -> None:
     if not least < value < largest:
         raise ValueError(
             f"yield_strength is {value:.4g} Pa; with youngs_modulus {youngs_modulus:.4g} Pa it "
-            f"must lie between {least:.3g} and {largest:.3g} Pa; are both in Pa, not MPa or GPa?"
+            f"must lie between {least:.3g} and {largest:.3g} Pa. Check the units: Pa, not MPa "
+            "or GPa"
         )

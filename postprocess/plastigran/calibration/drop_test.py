@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Drop tests: restitution of a ball on a plate at one or more speeds, read from a table.
 
-The file has a line of column names, then one line a drop; columns are parted by commas, semicolons
-or blanks, and # begins a comment. How fast the ball comes is `speed` [m/s] or `drop_height` [m] of
-its lowest point over the plate; what comes back is `restitution` [-], `rebound_speed` [m/s] or
-`rebound_height` [m]. The air's drag is left out.
+The file has a line of column names and then one line per drop. Columns are separated by commas,
+semicolons or blanks; # starts a comment. The impact is `speed` [m/s] or `drop_height` [m] of the
+lowest point of the ball above the plate. The rebound is `restitution` [-], `rebound_speed` [m/s] or
+`rebound_height` [m]. Air drag is neglected.
 """
 
 from __future__ import annotations
@@ -31,7 +31,7 @@ REBOUND = {
     "rebound_speed": Declaration("after the impact", "m/s", 0, 1000),
     "rebound_height": Declaration("after the impact", "m", 0, 10),
 }
-BALL_RADIUS = 5e-3  # where none is given [m]
+BALL_RADIUS = 5e-3  # default radius [m]
 SYNONYMS = {"coefficient_of_restitution": "restitution"}
 
 
@@ -41,18 +41,19 @@ def _floats(values: ArrayLike) -> np.ndarray:
 
 @attrs.frozen
 class DropTest:
-    """Drops of one ball on one plate. None stands for the metal that is asked about.
+    """Drops of one ball on one plate. None stands for the metal to be calibrated.
 
     Attributes:
-        speed: Of each impact [m/s], (N,).
-        restitution: Of each [-], (N,).
-        ball: Its material.
-        plate: Its material, or `RIGID`.
-        radius: Of the ball [m]. Restitution depends on it only where the strength grows with the
-            rate of strain.
+        speed: Impact speeds (N,), m/s.
+        restitution: Coefficients of restitution (N,).
+        ball: Material of the ball.
+        plate: Material of the plate, or `RIGID`.
+        radius: Radius of the ball [m]. Restitution depends on it only if the strength depends on
+            the
+            strain rate.
 
     Raises:
-        ValueError: A speed or restitution is out of range, they are not as many, neither ball nor
+        ValueError: A speed or restitution is out of range, their numbers differ, neither ball nor
             plate is the metal, or there is no drop.
     """
 
@@ -69,55 +70,55 @@ class DropTest:
         if self.speed.shape != self.restitution.shape:
             raise ValueError(
                 f"there are {self.speed.size} speeds and {self.restitution.size} restitutions; "
-                "each drop has one of either"
+                "their numbers must be equal"
             )
         if self.ball is not None and self.plate is not None:
             raise ValueError(
-                f"ball is {self.ball.name} and the plate is given; one of them must be the metal"
+                f"ball is {self.ball.name} and the plate is given, but one of them must be the "
+                "metal"
             )
         if not len(self.speed):
-            raise ValueError("the drop test has no drop")
+            raise ValueError("the drop test contains no drop")
 
     @property
     def ball_said(self) -> str:
-        """The ball in words."""
+        """Ball in words."""
         return "the metal" if self.ball is None else self.ball.name
 
     @property
     def plate_said(self) -> str:
-        """The plate in words."""
+        """Plate in words."""
         if self.plate is None:
             return "the metal"
         return self.plate.name if isinstance(self.plate, Material) else "a rigid plate"
 
     def contact(self, law: str, metal: Material) -> Contact:
-        """Ball and plate with a metal in the place that is asked about."""
+        """Return the contact of ball and plate, with `metal` as the metal to be calibrated."""
         ball, plate = self.ball or metal, self.plate or metal
         dented = dented_flat(law) if self.ball else {}
         return Contact(law, ball, plate, radius=self.radius, **dented)
 
 
 def read_drop_test(path: str | Path) -> pd.DataFrame:
-    """Speeds [m/s] and restitutions [-] of a file: columns `speed` and `restitution`, one row a
-    drop.
+    """Read speeds [m/s] and restitutions [-]: columns `speed` and `restitution`, one row per drop.
 
     Raises:
-        ValueError: A column is missing, unknown or given twice over, or a value is no number or out
-            of range; the message names file, drop, value and range.
+        ValueError: A column is missing, unknown or repeated, or a value is not a number or out of
+            range; the message names file, drop, value and range.
         OSError: The file cannot be read.
     """
     path = Path(path)
     try:
-        # Without a header a line with more fields than the first one is an error.
+        # Without a header, a line with more fields than the first one is an error.
         lines = pd.read_csv(
             path, sep=r"\s*[,;]\s*|\s+", comment="#", engine="python", header=None, dtype=str
         )
     except (UnicodeDecodeError, pd.errors.ParserError, pd.errors.EmptyDataError) as error:
-        said = "" if isinstance(error, UnicodeDecodeError) else "; numbers have a point, no comma"
-        raise ValueError(f"{path} is no table of drops: {error}{said}") from None
+        said = "" if isinstance(error, UnicodeDecodeError) else ". Use a decimal point, not a comma"
+        raise ValueError(f"{path} is not a table of drops: {error}{said}") from None
     table = lines.iloc[1:].set_axis([SYNONYMS.get(name, name) for name in lines.iloc[0]], axis=1)
     if unknown := [name for name in table if name not in IMPACT | REBOUND]:
-        raise ValueError(f"{path}: {unknown[0]!r} is no column of a drop test; {_columns()}")
+        raise ValueError(f"{path}: {unknown[0]!r} is not a column of a drop test; {_columns()}")
     if not table.columns.is_unique:
         raise ValueError(f"{path} has a column twice; {_columns()}")
     came, back = (_one(path, table, choices) for choices in (IMPACT, REBOUND))
@@ -129,7 +130,7 @@ def read_drop_test(path: str | Path) -> pd.DataFrame:
 
 
 def _columns() -> str:
-    return f"it has one of {', '.join(IMPACT)} and one of {', '.join(REBOUND)}"
+    return f"use one of {', '.join(IMPACT)} and one of {', '.join(REBOUND)}"
 
 
 def _one(path: Path, table: pd.DataFrame, choices: dict[str, Declaration]) -> str:
@@ -144,7 +145,7 @@ def _drop(place: str, came: str, back: str, impact: object, rebound: object) -> 
     try:
         speed = read_number(place.format(came), impact, IMPACT[came])
     except ValueError as error:
-        hint = "; is it in m?" if came == "drop_height" else ""
+        hint = ". Check the unit: m" if came == "drop_height" else ""
         raise ValueError(f"{error}{hint}") from None
     returned = read_number(place.format(back), rebound, REBOUND[back])
     if came == "drop_height":
@@ -156,5 +157,5 @@ def _drop(place: str, came: str, back: str, impact: object, rebound: object) -> 
 
 
 def _fall(height: float) -> float:
-    """Speed after a fall [m/s]."""
+    """Return the speed after a fall [m/s]."""
     return float(np.sqrt(2 * GRAVITATIONAL_ACCELERATION * height))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""How far a law is off, by what `plastigran validate` found against finite elements of spheres."""
+"""Expected error of a law, from the results of `plastigran validate` for spheres."""
 
 from __future__ import annotations
 
@@ -9,27 +9,26 @@ from importlib.resources import files
 import attrs
 import pandas as pd
 
-#: The law that is taken unless another is named.
+#: Default law.
 DEFAULT_LAW = "universal"
-#: Contact radius over radius from which a contact is wide.
+#: Smallest a/R of the kind "large a/R".
 WIDE = 0.05
 #: Kinds of contacts in the table of errors.
 KINDS = ("perfectly plastic", "hardening", "large a/R")
-#: Speeds over the yield speed where none is named.
+#: Default speeds, divided by the yield speed.
 USUAL_SPEEDS = (1.0, 300.0)
 
 
 @attrs.frozen
 class ExpectedError:
-    """Errors of a law against finite elements in a regime [share]; None where nothing is known.
+    """Errors of a law compared with finite elements in a regime, as fractions; None if unknown.
 
     Attributes:
-        kind: Of contacts: perfectly plastic or hardening; wide where they become so.
-        speed_ratio: Least and largest speed over the yield speed.
-        restitution, restitution_largest: Root of the mean square and largest size of the error in
-            the coefficient of restitution.
-        force, force_largest: The same of the largest force.
-        reason: Why nothing is known, if it is not that the speeds or the law are not in the table.
+        kind: Kind of contacts: perfectly plastic or hardening, and "large a/R" if it is reached.
+        speed_ratio: Smallest and largest speed / yield speed.
+        restitution, restitution_largest: Rms and largest error of the coefficient of restitution.
+        force, force_largest: Rms and largest error of the largest force.
+        reason: Why the error is unknown, if it is not because speeds or law are not in the table.
     """
 
     kind: str
@@ -42,7 +41,9 @@ class ExpectedError:
 
     @classmethod
     def of_another_pair(cls, speed_ratio: tuple[float, float]) -> ExpectedError:
-        """Of bodies that the finite elements do not have: theirs are spheres on a rigid plane."""
+        """Return an unknown error, for bodies other than the finite-element spheres on a rigid
+        plane.
+        """
         return cls("", speed_ratio, reason="finite elements are of spheres on a rigid plane")
 
     def __str__(self) -> str:
@@ -58,7 +59,7 @@ class ExpectedError:
 
 @cache
 def errors_table() -> pd.DataFrame:
-    """Errors by law, kind of contact and regime of speed, as `plastigran validate` writes them."""
+    """Read the errors by law, kind of contact and speed regime of `plastigran validate`."""
     with (files("plastigran") / "data" / "errors.csv").open() as file:
         return pd.read_csv(file, comment="#")
 
@@ -66,13 +67,13 @@ def errors_table() -> pd.DataFrame:
 def expected_error(
     law: str, speed_ratio: tuple[float, float], hardening: bool, contact_radius_ratio: float
 ) -> ExpectedError:
-    """Errors of a law over a range of speeds: the largest of the regimes that it touches.
+    """Return the errors of a law for a range of speeds: the largest of its regimes.
 
     Args:
         law: Name of the law.
-        speed_ratio: Least and largest speed over the yield speed [-].
+        speed_ratio: Smallest and largest speed / yield speed [-].
         hardening: Whether the metal hardens.
-        contact_radius_ratio: Contact radius over radius at the largest speed [-].
+        contact_radius_ratio: a/R at the largest speed [-].
     """
     plastic, hardens, wide = KINDS
     kinds = [hardens if hardening else plastic]

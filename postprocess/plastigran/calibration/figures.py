@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Figures of a calibration: the law against drops, or against finite elements."""
+"""Figures of a calibration: the law compared with drops or finite elements."""
 
 from __future__ import annotations
 
@@ -20,14 +20,14 @@ from plastigran.plot.style import COLOURS, styled, subplots, title
 
 
 def figure(metal: CalibratedMetal, progress: bool = False) -> Figure:
-    """The law against what the metal was calibrated by: drops, else finite elements.
+    """Draw the law and the data of its calibration: drops, or else finite elements.
 
     Args:
-        metal: As of `calibrate`.
-        progress: Show a bar, where finite elements must be let go from further forces.
+        metal: Result of `calibrate`.
+        progress: Whether to show a bar while further unloadings are computed.
 
     Raises:
-        ValueError: There are neither drops nor finite elements to draw.
+        ValueError: There are neither drops nor finite elements.
     """
     if metal.drops is not None:
         return drops_figure(metal)
@@ -37,9 +37,7 @@ def figure(metal: CalibratedMetal, progress: bool = False) -> Figure:
 
 
 def drops_figure(metal: CalibratedMetal) -> Figure:
-    """Measured restitution over impact speed, the law at the strength found, and at the ends of its
-    95 % interval a band.
-    """
+    """Draw measured restitution over impact speed, with the law and its 95 % band."""
     drops = metal.drops
     speeds = np.geomspace(drops.speed.min() / 2, drops.speed.max() * 2, 60)
 
@@ -57,14 +55,16 @@ def drops_figure(metal: CalibratedMetal) -> Figure:
         label = f"{title(metal.law)}, {metal.yield_strength / 1e6:.4g} MPa"
         axes.plot(speeds, law(metal.yield_strength), color=COLOURS[0], label=label)
         axes.plot(drops.speed, drops.restitution, "o", color="black", mfc="white", label="drops")
-        axes.plot([], [], color=COLOURS[0], alpha=0.2, lw=8, label="95 % of the strength")
+        axes.plot([], [], color=COLOURS[0], alpha=0.2, lw=8, label="95 % interval of the strength")
         _restitution_axes(axes)
     return drawn
 
 
 def finite_elements_figure(metal: CalibratedMetal, progress: bool = False) -> Figure:
-    """The law, and `vu_quoc_zhang` with the fitted constants, against finite elements: force over
-    approach, contact radius over force, restitution over impact speed.
+    """Draw the law, and `vu_quoc_zhang` with fitted constants, with finite elements.
+
+    The panels are force over approach, contact radius over force, and restitution over impact
+    speed.
     """
     pressing = metal.pressed.pressing
     released = metal.pressed.unloadings(progress)
@@ -103,7 +103,7 @@ def finite_elements_figure(metal: CalibratedMetal, progress: bool = False) -> Fi
 
 
 def _path(contact: Contact, pressing: Pressing) -> pd.DataFrame:
-    """The law along the finite elements' path: to their largest force, and back."""
+    """Return the law along the path of the finite elements: loading and unloading."""
     reached = pressing.history["force"].max()
     high = 2 * pressing.history["approach"].max()
     trial = contact.law.follow(contact.radius_eff, np.linspace(0, high, 2000))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A sphere of a metal pressed by finite elements, for the constants of `vu_quoc_zhang`."""
+"""Finite elements of a sphere, for the constants of `vu_quoc_zhang`."""
 
 from __future__ import annotations
 
@@ -17,19 +17,19 @@ from plastigran.fem.sphere.press import press
 from plastigran.fem.sphere.results import Pressing
 from plastigran.fem.theory.hertz import HertzSphere
 
-USUAL_RANGE = 41.0  # largest force over that at yield, as Vu-Quoc and Zhang's own fit
-#: Further unloadings of a figure, over the largest force.
+USUAL_RANGE = 41.0  # largest force / yield force, as in Vu-Quoc and Zhang's own fit
+#: Further unloadings of a figure, as fractions of the largest force.
 SHARES = (0.08, 0.25, 0.5, 1.0)
 
 
 @attrs.frozen
 class PressedSphere:
-    """A sphere on a rigid plane.
+    """Sphere on a rigid plane.
 
     Attributes:
-        pressing: Pressed to the largest force and let go.
+        pressing: Compression to the largest force, and unloading.
         fitted: Constants of `vu_quoc_zhang`.
-        settings: How fine.
+        settings: Resolution.
     """
 
     pressing: Pressing
@@ -37,11 +37,14 @@ class PressedSphere:
     settings: Settings
 
     def unloadings(self, progress: bool = False) -> pd.DataFrame:
-        """Pressed and let go from smaller forces too: a row each, with `speed` [m/s], at which an
-        impact has that largest force, and the columns of `Pressing.unloadings`.
+        """Return unloadings also from smaller forces.
+
+        Each is a row with `speed` [m/s], the speed of an impact with that largest force, and the
+        columns
+        of `Pressing.unloadings`.
 
         Args:
-            progress: Show a bar.
+            progress: Whether to show a bar.
         """
         material, radius = self.pressing.material, self.pressing.radius
         forces = [share * self.fitted.force_max for share in SHARES]
@@ -64,25 +67,25 @@ def press_sphere(
     strain: str = "small",
     progress: bool = False,
 ) -> PressedSphere:
-    """Press a sphere and fit C_a and K_c to it; kept by `plastigran.fem.cache`.
+    """Compress a sphere and fit C_a and K_c; `plastigran.fem.cache` keeps the result.
 
     Args:
         youngs_modulus: E [Pa].
         poissons_ratio: nu [-].
-        density: [kg/m^3].
+        density: Density [kg/m^3].
         yield_strength: sigma_Y [Pa].
         plastic_modulus: H, stress over plastic strain [Pa].
-        force_ratio: Largest force over that at yield.
-        radius: Of the sphere [m]; the constants do not depend on it.
-        strain: small or finite; for contacts wider than a tenth of the radius.
-        progress: Show a bar.
+        force_ratio: Largest force / yield force.
+        radius: Radius of the sphere [m]; the constants do not depend on it.
+        strain: "small", or "finite" for a/R above 0.1.
+        progress: Whether to show a bar.
 
     Raises:
-        ValueError: A number is out of range, the force too small for a fit or too large for the
-            mesh, or the computation cannot begin.
+        ValueError: A number is out of range, the force is too small for a fit or too large for the
+            mesh, or the computation cannot start.
 
     Warns:
-        SmallStrainWarning: The contact is too wide for small strain.
+        SmallStrainWarning: a/R is too large for small strain.
     """
     metal = ElasticPlastic(
         youngs_modulus=youngs_modulus,

@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Strength from hardness: conversions between scales, and flow stress from Vickers hardness.
 
-Vickers hardness is the force in kgf over the slanted area of the pyramid's dent in mm^2. Over the
-projected area, sin 68 deg = 0.9272 of it, the force gives the mean pressure H; a dent that is fully
-plastic has H = 2.8 times the flow stress at about 8 % strain (Tabor, The Hardness of Metals, 1951).
+Vickers hardness is the force in kgf divided by the sloping area of the indentation in mm^2. The
+projected area is sin 68 deg = 0.9272 of it and gives the mean pressure H. A fully plastic
+indentation
+has H = 2.8 times the flow stress at about 8 % strain (Tabor, The Hardness of Metals, 1951).
 
 Conversions between scales hold for steel that is not austenitic. Scatters are 95 % half-widths.
 """
@@ -22,9 +23,9 @@ from numpy.typing import ArrayLike
 
 from plastigran.declared import Declaration, read_number
 
-CONSTRAINT_FACTOR = 2.8  # mean pressure of a dent over flow stress
+CONSTRAINT_FACTOR = 2.8  # mean pressure of an indentation / flow stress
 CONSTRAINT_SCATTER = 0.07  # 2.6 to 3.0
-DENT_STRAIN = 0.08  # at which the flow stress is the one of the dent
+DENT_STRAIN = 0.08  # strain of the flow stress of an indentation
 READING_SCATTER = 0.03  # permissible error of a tester, ISO 6507-2
 
 #: Rockwell C and Vickers hardness of steel, ASTM E140-12b, table 1.
@@ -37,13 +38,13 @@ ROCKWELL_C_VICKERS = (
 
 @attrs.frozen
 class Scale:
-    """A scale of hardness.
+    """Scale of hardness.
 
     Attributes:
-        range: Of its numbers.
-        scatter: Of the conversion into HV.
-        source: Of the conversion.
-        of_steel: Whether the conversion is of steel alone.
+        range: Range of its numbers.
+        scatter: Scatter of the conversion into HV.
+        source: Source of the conversion.
+        of_steel: Whether the conversion holds for steel only.
     """
 
     name: str
@@ -53,7 +54,7 @@ class Scale:
     of_steel: bool = False
 
     def vickers(self, value: float) -> float:
-        """The number in HV."""
+        """Return the hardness in HV."""
         if self.name == "HB":
             return value / 0.95
         if self.name == "HRC":
@@ -71,7 +72,7 @@ SCALES = {
         Scale("HV", _range("HV", 5, 2000), 0.0, "the scale itself"),
         # ISO 18265, table A.1; ASTM E140 has HB = HV below 240 and agrees within 1.5 % above.
         Scale("HB", _range("HB", 76, 618), 0.05, "HB = 0.95 HV, ISO 18265", True),
-        # Makers' manuals convert 41.5 and 54.5 HRC to HV that are 4 % off it.
+        # Makers' manuals convert 41.5 and 54.5 HRC to HV with a difference of 4 %.
         Scale("HRC", _range("HRC", 20, 68), 0.05, "table 1 of ASTM E140", True),
     )
 }
@@ -79,14 +80,14 @@ SCALES = {
 
 @attrs.frozen
 class Hardness:
-    """A measured hardness.
+    """Measured hardness.
 
     Attributes:
-        value: On its scale.
+        value: Number on the scale.
         scale: HV, HB or HRC.
 
     Raises:
-        ValueError: There is no such scale, or the number is out of its range.
+        ValueError: The scale is unknown, or the number is out of its range.
     """
 
     value: float
@@ -101,17 +102,19 @@ class Hardness:
 
     @property
     def vickers(self) -> float:
-        """In HV."""
+        """Hardness in HV."""
         return SCALES[self.scale].vickers(self.value)
 
     @property
     def scatter(self) -> float:
-        """95 % half-width of the flow stress [share]: of reading, conversion and constraint."""
+        """Relative 95 % half-width of the flow stress, from reading, conversion and constraint
+        factor.
+        """
         return hypot(READING_SCATTER, SCALES[self.scale].scatter, CONSTRAINT_SCATTER)
 
     @property
     def flow_stress(self) -> float:
-        """At about 8 % strain [Pa]."""
+        """Flow stress at about 8 % strain [Pa]."""
         return flow_stress(self.vickers)
 
     def __str__(self) -> str:
@@ -121,10 +124,10 @@ class Hardness:
 def read_hardness(given: Hardness | float | str) -> Hardness:
     """Return a hardness from a number, which is HV, or a text such as "45HRC" or "200 HB".
 
-    The load behind a scale, as in "380 HV10" or "200 HBW 10/3000", is allowed and not used.
+    The load after a scale, as in "380 HV10" or "200 HBW 10/3000", is accepted and ignored.
 
     Raises:
-        ValueError: It is neither, or out of the scale's range.
+        ValueError: The value is neither, or out of the range of the scale.
     """
     if isinstance(given, Hardness):
         return given
@@ -135,25 +138,26 @@ def read_hardness(given: Hardness | float | str) -> Hardness:
     except (TypeError, ValueError):
         raise ValueError(
             f"hardness is {given!r}; it must be a number and a scale of {', '.join(SCALES)}, "
-            "as 45HRC"
+            "for example 45HRC"
         ) from None
     return Hardness(value, {"": "HV", "HBW": "HB"}.get(found[2], found[2]))
 
 
 def indentation_pressure(vickers: ArrayLike) -> np.ndarray:
-    """Mean pressure H [Pa] of a Vickers dent over its projected area; `vickers` [HV], any shape."""
+    """Return the mean pressure H [Pa] on the projected area; `vickers` [HV] may have any shape."""
     return 9.807e6 * np.asarray(vickers, dtype=float) / 0.9272
 
 
 def flow_stress(vickers: ArrayLike) -> np.ndarray:
-    """Flow stress [Pa] at about 8 % strain, H/2.8; `vickers` [HV], any shape."""
+    """Return the flow stress [Pa] at about 8 % strain, H/2.8; `vickers` [HV] may have any shape."""
     return indentation_pressure(vickers) / CONSTRAINT_FACTOR
 
 
 def steel_yield_strength(vickers: ArrayLike) -> np.ndarray:
-    """Yield strength of a tensile test [Pa] of hypoeutectoid steels; `vickers` [HV], any shape.
+    """Return the tensile yield strength [Pa] of hypoeutectoid steels; `vickers` [HV] may have any
+    shape.
 
-    A line fitted to 150 steels of 300 to 1700 MPa, below the flow stress under a contact.
+    A line fitted to 150 steels of 300 to 1700 MPa. It is below the flow stress under a contact.
     Source: Pavlina & Van Tyne 2008, J. Mater. Eng. Perform. 17:888.
     """
     return 1e6 * (2.876 * np.asarray(vickers, dtype=float) - 90.7)
@@ -161,6 +165,6 @@ def steel_yield_strength(vickers: ArrayLike) -> np.ndarray:
 
 @cache
 def leeb_table() -> pd.DataFrame:
-    """Leeb hardness HLD against Vickers hardness HV of steel, (59,) rows; see the file's head."""
+    """Return Leeb hardness HLD and Vickers hardness HV of steel, (59,) rows; see the file's head."""
     with (files("plastigran") / "data" / "leeb_d_steel.csv").open() as file:
         return pd.read_csv(file, comment="#")

@@ -1,12 +1,14 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The yield strength with which a law gives measured restitutions, and how sure it is.
+"""Yield strength with which a law reproduces measured restitutions, and its uncertainty.
 
-A measured restitution is the law's times a factor whose logarithm is normal. The strength is the
-one of least squares in the logarithm; its 95 % interval holds every strength whose sum of squares
-exceeds the least one by no more than chance allows: profile likelihood, which needs no straight
-line and may be open where the impacts are nearly elastic. Chance is the wider of two: the scatter
-stated for one measurement, taken as known (normal), and the scatter that the measurements show
-about the law (Student's t with one degree of freedom less than measurements).
+A measured restitution is the law's times a log-normal factor. The strength has the least squares of
+the logarithm. Its 95 % interval contains every strength whose sum of squares exceeds the least one
+only by chance (profile likelihood). This needs no linearization; the interval may be open if the
+impacts are nearly elastic. The larger of two scatters is used: the stated scatter of one
+measurement
+(normal distribution), and the scatter of the measurements about the law (Student's t with one
+degree
+of freedom less than measurements).
 """
 
 from __future__ import annotations
@@ -20,22 +22,23 @@ from scipy import stats
 from scipy.optimize import brentq, minimize_scalar
 
 CONFIDENCE = 0.95
-GRID = 48  # strengths at which the misfit is first looked at
-ELASTIC = 1 - 1e-6  # restitution of an impact that does not yield
+GRID = 48  # number of strengths for the first search
+ELASTIC = 1 - 1e-6  # restitution from which an impact counts as elastic
 
 
 class TooElastic(ValueError):
-    """The impacts hardly yield: only a lower bound of the strength can be said."""
+    """The impacts hardly yield, so there is only a lower bound of the strength."""
 
 
 @attrs.frozen
 class Estimate:
-    """A strength from measurements.
+    """Strength from measurements.
 
     Attributes:
-        yield_strength: Of least squares [Pa].
-        interval: 95 % [Pa]; its upper end may be infinite.
-        residual_scatter: Standard deviation of the measurements about the law [share]; nan of one.
+        yield_strength: Least-squares value [Pa].
+        interval: 95 % interval [Pa]; its upper end may be infinite.
+        residual_scatter: Relative standard deviation of the measurements about the law; NaN for
+            one.
     """
 
     yield_strength: float
@@ -52,15 +55,16 @@ def estimate_strength(
     """Fit the yield strength to measured restitutions.
 
     Args:
-        restitution: What the law gives of each impact [-], (N,), at a yield strength [Pa].
-        measured: Coefficients of restitution [-], (N,), above 0 and at most 1.
-        bounds: Least and largest strength to look at [Pa].
-        scatter: Standard deviation of one measurement [share].
+        restitution: Function from yield strength [Pa] to the law's restitution of each impact (N,).
+        measured: Coefficients of restitution (N,), above 0 and at most 1.
+        bounds: Smallest and largest strength of the search [Pa].
+        scatter: Relative standard deviation of one measurement.
 
     Raises:
         TooElastic: No impact yields at the best strength; the message has the lower bound.
-        ValueError: Some restitution is below what the law gives at the least strength, or the
-            restitution does not depend on the strength.
+        ValueError: A restitution is below that at the smallest strength, or the restitution does
+            not
+            depend on the strength.
     """
     measured = np.asarray(measured, dtype=float)
     target = np.log(measured)
@@ -74,8 +78,9 @@ def estimate_strength(
     lowest = int(np.argmin(values))
     if lowest == 0:
         raise ValueError(
-            f"restitution {measured.min():g} is below what the law gives down to a yield strength "
-            f"of {bounds[0]:.3g} Pa; is it of these bodies, and are its units right?"
+            f"restitution {measured.min():g} is too low: the law does not reach it even at the "
+            f"lowest yield strength tried, {bounds[0]:.3g} Pa. Check the materials of ball and "
+            "plate and the units of the data"
         )
     around = grid[max(lowest - 1, 0)], grid[min(lowest + 1, GRID - 1)]
     best = minimize_scalar(misfit, bounds=around, method="bounded", options={"xatol": 1e-7})
@@ -95,13 +100,13 @@ def estimate_strength(
     )
     if lower is None:
         raise ValueError(
-            f"the law's restitution hardly depends on the yield strength here (restitution "
-            f"{measured.min():g} to {measured.max():g}); another law or other speeds can tell more"
+            "the law's restitution hardly depends on the yield strength here (restitution "
+            f"{measured.min():g} to {measured.max():g}). Use another law or other speeds"
         )
     if np.all(restitution(exp(at)) > ELASTIC):
         raise TooElastic(
-            f"restitution {measured.max():g} is too elastic, it says only a lower bound: the yield "
-            f"strength is above {exp(lower):.4g} Pa (95 %)"
+            f"restitution {measured.max():g} is almost elastic and gives only a lower bound: "
+            f"the yield strength is above {exp(lower):.4g} Pa (95 %)"
         )
     interval = exp(lower), inf if upper is None else exp(upper)
     residual = sqrt(least / (count - 1)) if count > 1 else float("nan")
@@ -109,7 +114,7 @@ def estimate_strength(
 
 
 def _crossing(excess: Callable[[float], float], start: float, grid: np.ndarray) -> float | None:
-    """Where the excess first turns positive along a grid away from the start; None if nowhere."""
+    """Return where the excess first becomes positive along a grid; None if nowhere."""
     inside = start
     for outside in grid:
         if excess(outside) > 0:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A metal as the laws take it, from what was measured of it, and how sure that is."""
+"""A calibrated metal: constants for the laws, and their uncertainty."""
 
 from __future__ import annotations
 
@@ -14,27 +14,27 @@ from plastigran.calibration.finite_elements import PressedSphere
 from plastigran.engine.deck import property_name
 from plastigran.materials import Material
 
-#: Constants of `vu_quoc_zhang`, fitted by finite elements.
+#: Constants of `vu_quoc_zhang` that finite elements determine.
 FITTED = ("contact_radius_coefficient", "curvature_coefficient")
-#: Constants of a body that a deck names only where they are not zero.
+#: Constants of a body that a deck contains only if they are not zero.
 OPTIONAL = ("tangent_modulus", "rate_coefficient")
 
 
 @attrs.frozen
 class CalibratedMetal:
-    """What `calibrate` found.
+    """Result of `calibrate`.
 
     Attributes:
-        material: The metal, as `plastigran.Contact` takes it.
-        yield_strength_interval: 95 % [Pa]; both ends are the value itself where it was given, the
-            upper one infinite where the measurement says no more than a lower bound.
-        source: What strength and interval come from.
-        law: The law to take.
-        expected_error: How far that law is off.
-        yield_speed: Of a sphere of the metal that hits a rigid plane [m/s].
-        notes: What else is to be known, a sentence each.
-        drops: The drop test, where that was it.
-        pressed: The finite elements, where they were asked for.
+        material: Metal for `plastigran.Contact`.
+        yield_strength_interval: 95 % interval [Pa]; both ends are the value itself if it was given,
+            and the upper end is infinite if the measurement gives only a lower bound.
+        source: Source of strength and interval.
+        law: Law to use.
+        expected_error: Expected error of that law.
+        yield_speed: Yield speed of a sphere of the metal on a rigid plane [m/s].
+        notes: Remarks for the user, one sentence each.
+        drops: Drop test, if it was the measurement.
+        pressed: Finite elements, if they were requested.
     """
 
     material: Material
@@ -54,8 +54,10 @@ class CalibratedMetal:
 
     @property
     def constants(self) -> dict[str, float]:
-        """C_a P_Y/a_Y and K_c P_Y [-] of `vu_quoc_zhang`: fitted to finite elements of this metal
-        where there are such, else the law's own, for perfectly plastic metals up to 41 P_Y.
+        """C_a P_Y/a_Y and K_c P_Y [-] of `vu_quoc_zhang`.
+
+        They are fitted to finite elements of this metal if available; otherwise the law's own, for
+        perfectly plastic metals up to 41 P_Y.
         """
         if self.pressed is not None:
             return {name: getattr(self.pressed.fitted, name) for name in FITTED}
@@ -63,7 +65,7 @@ class CalibratedMetal:
         return {name: own[name] for name in FITTED}
 
     def to_dict(self) -> dict:
-        """All numbers, SI; None for an end of the interval that is not known."""
+        """Return all numbers in SI units; None for an unknown end of the interval."""
         error = self.expected_error
         found = {
             "yield_strength": self.yield_strength,
@@ -85,7 +87,7 @@ class CalibratedMetal:
         return found | self.constants
 
     def deck_lines(self) -> list[str]:
-        """Lines of a deck whose type 1 is the metal."""
+        """Return the lines of a deck in which atom type 1 is the metal."""
         names = ["youngs_modulus", "poissons_ratio", "yield_strength"]
         names += [name for name in OPTIONAL if getattr(self.material, name)]
         lines = [
@@ -106,11 +108,11 @@ class CalibratedMetal:
 
     @property
     def remark(self) -> str:
-        """Where the strength is from, for the head of a material's file."""
+        """Return the source of the strength, for the head of a material file."""
         return f"Yield strength from {self.source}; 95 % {self._interval()} Pa."
 
     def __str__(self) -> str:
-        """What a person reads first."""
+        """Return a summary for people."""
         lines = {
             "yield strength": f"{self.yield_strength:.4g} Pa, 95 % {self._interval()} Pa",
             "from": self.source,

@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A softer material with the same restitution, so that a deck affords its time step.
+"""A softer material with the same restitution, which allows a longer time step.
 
-Let Young's modulus become s E. An impact at speed v depends on v over the yield speed
-v_Y ~ (p_Y^5 / (E*^4 rho))^(1/2) and on nu alone, for laws without any other number in them. With
-the yield strength multiplied by s^(4/5), at the same nu and rho, v_Y stays, and with it the
-restitution at every speed. Durations grow as s^(-2/5) and so do time step, overlap and, as
-s^(-1/5), contact radius over radius; forces fall as s^(2/5). Constants of a law keep it exact as
-`POWERS` says.
+Let Young's modulus become s E. For laws without other constants, an impact at speed v depends only
+on
+nu and v / v_Y, with the yield speed v_Y ~ (p_Y^5 / (E*^4 rho))^(1/2). If the yield strength is
+multiplied by s^(4/5), at the same nu and rho, v_Y and the restitution at every speed are unchanged.
+Durations, time step and overlap grow as s^(-2/5), and contact radius / radius as s^(-1/5). Forces
+decrease as s^(2/5). Constants of a law are scaled by `POWERS`.
 """
 
 from __future__ import annotations
@@ -26,37 +26,37 @@ from plastigran.physics.central import yield_speed
 from plastigran.physics.rebound_hardness import GRAVITATIONAL_ACCELERATION
 from plastigran.usable_laws import laws_for
 
-#: Power of s by which each constant of a material is multiplied; the others stay.
+#: Power of s by which each constant of a material is multiplied; other constants stay.
 POWERS = {
     "youngs_modulus": 1.0,
     "yield_strength": 0.8,
-    "tangent_modulus": 1.0,  # times a strain ~ a/R, it stays in step with the strength
-    "dissipative_constant": -0.4,  # a time, in step with the duration
+    "tangent_modulus": 1.0,  # times a strain ~ a/R, it scales like the strength
+    "dissipative_constant": -0.4,  # a time, it scales like the duration
 }
 #: Power of s by which durations, overlaps and time steps are multiplied.
 TIME_POWER = -0.4
-#: Overlap over the radius up to which grains count as hard: one percent of the diameter.
+#: Largest overlap / radius at which grains count as hard: one per cent of the diameter.
 SOUND_OVERLAP = 0.02
-#: Yield speeds between which laws are compared before and after.
+#: Speeds / yield speed at which laws are compared.
 SPEED_RATIOS = np.geomspace(1, 1000, 61)
-#: A law is exact whose restitution stays within rounding.
+#: Largest change of restitution of an exact law.
 EXACT = 1e-9
-#: Contacts per grain and share of the volume filled, of a random packing.
+#: Contacts per grain and volume fraction of a random packing.
 COORDINATION, FILLING = 6, 0.6
 
-_MODULUS = Declaration("of what is softened", "Pa", 1e4, 2e12)
-_FACTOR = Declaration("modulus after over before", lower=1e-12, upper=1, closed=True)
+_MODULUS = Declaration("original modulus", "Pa", 1e4, 2e12)
+_FACTOR = Declaration("softened / original modulus", lower=1e-12, upper=1, closed=True)
 
 
 def soften(material: Material, factor: float) -> Material:
-    """The material with `factor` times its Young's modulus and the restitution it had.
+    """Return the material with `factor` times its Young's modulus and the same restitution.
 
     Args:
-        material: As it is.
-        factor: s, modulus after over before [-], at most 1.
+        material: Original material.
+        factor: s, softened / original modulus [-], at most 1.
 
     Raises:
-        ValueError: The factor or the modulus is no number or out of range.
+        ValueError: The factor or the modulus is not a number or out of range.
     """
     factor = read_number("factor", factor, _FACTOR)
     read_number("youngs_modulus", material.youngs_modulus, _MODULUS)
@@ -71,21 +71,22 @@ def soften(material: Material, factor: float) -> Material:
 def comparison(
     material: Material, factor: float, radius: float, speed: float, laws: Iterable[str] = ()
 ) -> pd.DataFrame:
-    """Impacts of two equal spheres before and after softening, a row for each law.
+    """Compare impacts of two equal spheres before and after softening, a row for each law.
 
     Args:
-        material: Before.
+        material: Original material.
         factor: s [-].
-        radius: Of the spheres [m].
+        radius: Radius of the spheres [m].
         speed: Closing speed [m/s].
-        laws: Names; those for spheres that the material has the constants for when empty.
+        laws: Names of laws; by default those for spheres whose constants the material has.
 
     Returns:
         Columns law; coefficient_of_restitution and coefficient_of_restitution_softened [-], at
-        `speed`; restitution_change [-], the largest from 1 to 1000 yield speeds, 0 of an exact law;
+        `speed`; restitution_change [-], the largest from 1 to 1000 yield speeds, 0 for an exact
+        law;
         timestep and timestep_softened [s], recommended at `speed`; overlap and overlap_softened,
-        largest at `speed`, over the radius [-]; in_range and in_range_softened, whether that impact
-        is within the law's range.
+        the largest at `speed` / radius [-]; in_range and in_range_softened, whether that impact is
+        within the range of the law.
 
     Raises:
         ValueError: A number is out of range, or the material lacks a constant of a law.
@@ -121,11 +122,11 @@ def _restitution(contact: Contact) -> np.ndarray:
 
 
 def lowest_factor(impact: float, rest: Callable[[float], float] | None = None) -> float:
-    """The factor at which the first of two overlaps reaches SOUND_OVERLAP.
+    """Return the factor at which the first of two overlaps reaches SOUND_OVERLAP.
 
     Args:
-        impact: Overlap of the fastest impact of the grains as they are, over their radius [-].
-        rest: Overlap at rest under a load, over the radius [-], by the factor.
+        impact: Overlap / radius of the fastest impact of the original grains [-].
+        rest: Function from factor to overlap / radius at rest under a load [-].
     """
     lowest = (impact / SOUND_OVERLAP) ** (-1 / TIME_POWER)
     lowest = min(1.0, max(lowest, _FACTOR.lower))
@@ -141,19 +142,19 @@ def lowest_factor(impact: float, rest: Callable[[float], float] | None = None) -
 
 
 def resting_overlap(material: Material, radius: float, depth: float, law: str = "hertz") -> float:
-    """Overlap of grains at rest under a bed of the same, over the radius [-].
+    """Return the overlap / radius of grains at rest under a bed of the same grains [-].
 
     A contact carries F = 4 pi R^2 p/(Z phi) of the pressure p = rho phi g h (Rumpf 1958, Chem. Ing.
     Tech. 30:144), Z = 6 and phi = 0.6.
 
     Args:
-        material: Of the grains.
+        material: Material of the grains.
         radius: R [m].
-        depth: h, of the bed above them [m].
-        law: Of the contact, which is loaded for the first time.
+        depth: Depth h of the bed above them [m].
+        law: Law of the contact, in first loading.
 
     Returns:
-        At most 1: a contact that cannot carry the load.
+        At most 1, for a contact that cannot carry the load.
 
     Raises:
         ValueError: A number is out of range, or the material lacks a constant of the law.

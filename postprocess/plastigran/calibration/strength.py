@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Yield strength from what was measured: hardness, a rebound tester's reading, or drops."""
+"""Yield strength from a measurement: hardness, reading of a rebound tester, or drops."""
 
 from __future__ import annotations
 
@@ -28,30 +28,31 @@ from plastigran.materials import Material
 from plastigran.physics.central import yield_speed
 from plastigran.physics.rebound_hardness import TESTERS, ReboundTester, dented_flat
 
-LEAST_RATIO, LARGEST_RATIO = 1e-6, 0.3  # strengths over Young's modulus that are looked at
+LEAST_RATIO, LARGEST_RATIO = 1e-6, 0.3  # search range of yield strength / Young's modulus
 DENTS = (
     "the expected errors are for spheres that flatten; for indented flats see "
     "docs/validation_steel.md"
 )
-DROP_SCATTER = 0.02  # standard deviation of one restitution, where no other is stated
-LEEB_SCATTER = 0.045 / 1.96  # of a reading, conversions' 95 % being 4.5 %
-CHANCE = 0.01  # of a change with the speed that is none
+DROP_SCATTER = 0.02  # default standard deviation of one restitution
+# relative standard deviation of a Leeb restitution; conversions are within 4.5 % (95 %)
+LEEB_SCATTER = 0.045 / 1.96
+CHANCE = 0.01  # significance level of a trend with speed
 LEEB_RANGE = Declaration("rebound hardness", "HL", 100, 1000, closed=True)
 STEEL = Declaration("Young's modulus of steel", "Pa", 1.9e11, 2.2e11)
-STEEL_RATE_COEFFICIENT = 0.014  # of 4340, at 1/s: Johnson & Cook, 7th Int. Symp. Ballistics 1983
+STEEL_RATE_COEFFICIENT = 0.014  # for 4340 at 1/s: Johnson & Cook, 7th Int. Symp. Ballistics 1983
 
 
 @attrs.frozen
 class Strength:
-    """A yield strength and what it rests on.
+    """Yield strength and its source.
 
     Attributes:
-        value: sigma_Y [Pa].
-        interval: 95 % [Pa].
-        source: In words.
-        speed_ratio: Speeds of the measurement over the yield speed [-]; None where nothing moved.
-        contact: Of the measurement, at that strength; None where there was none.
-        notes: Sentences.
+        value: Yield strength [Pa].
+        interval: 95 % confidence interval [Pa].
+        source: Method and data, one phrase.
+        speed_ratio: Speeds of the measurement / yield speed [-]; None without impacts.
+        contact: Contact of the measurement, with that strength; None without one.
+        notes: Remarks for the user, one sentence each.
     """
 
     value: float
@@ -63,23 +64,25 @@ class Strength:
 
 
 def from_hardness(hardness: Hardness, plastic_modulus: float, youngs_modulus: float) -> Strength:
-    """H/2.8, the flow stress at 8 % strain, less what hardening adds until then.
+    """Return the yield strength for a hardness.
+
+    It is the flow stress H/2.8 at 8 % strain minus the hardening up to that strain.
 
     Args:
-        hardness: Of the metal.
+        hardness: Hardness of the metal.
         plastic_modulus: H_p, stress over plastic strain [Pa].
-        youngs_modulus: E [Pa], by which a steel is known.
+        youngs_modulus: E [Pa], which identifies steel.
 
     Raises:
-        ValueError: Hardening alone would give more than the flow stress.
+        ValueError: Hardening alone exceeds the flow stress.
     """
     flow = float(hardness.flow_stress)
     added = DENT_STRAIN * plastic_modulus
     if not added < flow:
         raise ValueError(
-            f"the plastic modulus is {plastic_modulus:g} Pa; with {hardness} it must be below "
-            f"{flow / DENT_STRAIN:.3g} Pa, for at {DENT_STRAIN:.0%} strain the flow stress is "
-            f"{flow:.4g} Pa"
+            f"plastic_modulus is {plastic_modulus:g} Pa; for {hardness} it must be below "
+            f"{flow / DENT_STRAIN:.3g} Pa. The flow stress at {DENT_STRAIN:.0%} strain is "
+            f"{flow:.4g} Pa, and hardening alone would exceed it"
         )
     half = hardness.scatter * flow
     scale = SCALES[hardness.scale]
@@ -99,29 +102,29 @@ def from_hardness(hardness: Hardness, plastic_modulus: float, youngs_modulus: fl
 
 
 def read_leeb(given: float | str) -> tuple[ReboundTester, float]:
-    """Device and reading from a number, which is HLD, or a text such as "750HLG".
+    """Return device and reading from a number, which is HLD, or a text such as "750HLG".
 
     Raises:
-        ValueError: It is neither, or out of range.
+        ValueError: The value is neither, or out of range.
     """
     found = re.fullmatch(r"\s*([-+.\dE]+?)\s*(?:HL([A-Z]*))?\s*", str(given).upper())
     device = (found and found[2]) or "D"
     if found is None or device not in TESTERS:
         raise ValueError(
             f"leeb is {given!r}; it must be a number and a device of "
-            f"{', '.join('HL' + name for name in TESTERS)}, as 540HLD"
+            f"{', '.join('HL' + name for name in TESTERS)}, for example 540HLD"
         )
     return TESTERS[device], read_number("leeb", found[1], LEEB_RANGE)
 
 
 def from_leeb(given: float | str, law: str, metal: Material, scatter: float | None) -> Strength:
-    """The strength with which a law gives a rebound tester's reading.
+    """Return the yield strength at which `law` reproduces the reading of a rebound tester.
 
     Args:
-        given: The reading, as of `read_leeb`.
+        given: Reading, see `read_leeb`.
         law: Name of the law.
-        metal: Of the sample; its strength is not used.
-        scatter: Standard deviation of the restitution [share]; None for that of conversions.
+        metal: Material of the sample; its strength is not used.
+        scatter: Relative standard deviation of the restitution; None for that of conversions.
 
     Raises:
         ValueError: As of `read_leeb` and `estimate_strength`.
@@ -162,13 +165,13 @@ def from_leeb(given: float | str, law: str, metal: Material, scatter: float | No
 
 
 def from_drops(drops: DropTest, law: str, metal: Material, scatter: float | None) -> Strength:
-    """The strength with which a law gives the restitutions of a drop test.
+    """Return the yield strength at which `law` reproduces the restitutions of a drop test.
 
     Args:
-        drops: The test.
+        drops: Drop test.
         law: Name of the law.
-        metal: Of ball or plate; its strength is not used.
-        scatter: Standard deviation of one restitution [share]; None for `DROP_SCATTER`.
+        metal: Material of ball or plate; its strength is not used.
+        scatter: Relative standard deviation of one restitution; None for `DROP_SCATTER`.
 
     Raises:
         ValueError: As of `estimate_strength`.
@@ -194,7 +197,7 @@ def from_drops(drops: DropTest, law: str, metal: Material, scatter: float | None
 
 
 def _inverted(contact, speed, measured, metal, scatter, source) -> Strength:
-    """The strength of a contact whose impacts were measured."""
+    """Find the yield strength at which `contact` reproduces the measured restitutions."""
     speeds, place = np.unique(speed, return_inverse=True)
 
     def restitution(strength: float) -> np.ndarray:
@@ -209,14 +212,15 @@ def _inverted(contact, speed, measured, metal, scatter, source) -> Strength:
     notes = [str(warning.message) for warning in said]
     if found.residual_scatter > 3 * scatter:
         warnings.warn(
-            f"the restitutions scatter by {found.residual_scatter:.1%} about {at.law.name}, more "
-            f"than the {scatter:.1%} stated: does the law hold there, and do the bodies?",
+            f"the restitutions scatter by {found.residual_scatter:.1%} about the law "
+            f"{at.law.name}; the stated scatter is {scatter:.1%}. Check the range of the law "
+            "and the materials of ball and plate, or raise scatter",
             stacklevel=2,
         )
     if at.pair.yield_strength < found.yield_strength:
         notes.append(
-            f"the other body yields first, at {at.pair.yield_strength:.4g} Pa: take the strength "
-            "as a lower bound"
+            f"the other body yields first, at {at.pair.yield_strength:.4g} Pa. The strength is "
+            "a lower bound"
         )
     elif found.interval[1] == inf:
         notes.append("the impacts are nearly elastic: the interval has no upper end")
@@ -233,8 +237,9 @@ def _inverted(contact, speed, measured, metal, scatter, source) -> Strength:
 
 
 def _trend(speed: np.ndarray, ratio: np.ndarray, scatter: float) -> list[str]:
-    """A note where measured restitutions over the law's change with the speed, by more than one of
-    them scatters: chance would do so once in a hundred times.
+    """Return a note if the ratio of measured to predicted restitution has a trend with speed.
+
+    The trend must be significant (p < 0.01) and larger than the scatter of one measurement.
     """
     logarithm = np.log(speed)
     if len(speed) < 4 or np.ptp(logarithm) == 0:
@@ -247,29 +252,32 @@ def _trend(speed: np.ndarray, ratio: np.ndarray, scatter: float) -> list[str]:
     if abs(fast - slow) < scatter:
         return []
     return [
-        f"the restitutions lie {slow:+.1%} off the law at the slowest impacts and {fast:+.1%} at "
-        "the fastest, which chance hardly does: is the law theirs, and the rate coefficient?"
+        f"the deviation from the law depends on speed: {slow:+.1%} at the slowest and "
+        f"{fast:+.1%} at the fastest impact (p < 0.01). Try another law or another "
+        "rate_coefficient"
     ]
 
 
 def given(yield_strength: float) -> Strength:
-    """A strength that is known."""
+    """Return a strength that is known."""
     return Strength(yield_strength, (yield_strength, yield_strength), "as given")
 
 
 def yield_speed_of(contact: Contact) -> float:
-    """Closing speed at which the contact reaches yield [m/s]."""
+    """Return the closing speed at which the contact reaches yield [m/s]."""
     return yield_speed(contact.pair, contact.radius_eff, contact.mass_eff)
 
 
 def check_law(law: str) -> None:
-    """Refuse a law that has no yield strength to find.
+    """Check that `law` describes spheres that yield.
 
     Raises:
-        ValueError: There is no such law, or it is not for spheres that yield.
+        ValueError: The law does not exist, or is not for spheres that yield.
     """
     known = sorted(
         name for name, kind in laws.LAWS.items() if kind.shape == "sphere" and kind.yields
     )
     if law not in known:
-        raise ValueError(f"law is {law!r}; laws of spheres that yield are {', '.join(known)}")
+        raise ValueError(
+            f"law is {law!r}; it must be one of the laws for spheres that yield: {', '.join(known)}"
+        )

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The command `plastigran`: thin faces over functions a notebook can call."""
+"""The command `plastigran`: command lines for functions that a notebook can call."""
 
 from __future__ import annotations
 
@@ -24,20 +24,21 @@ from plastigran.engine.dumps import DumpError
 from plastigran.engine.process import EngineError
 from plastigran.experiments import find_experiments
 
-#: What the command's exit codes mean.
+#: Exit codes of the command.
 EXIT_CODES = {
-    0: "all went well",
-    1: "a value, a file or the engine was at fault, or a check failed; stderr says which",
-    2: "the command line was not understood",
-    70: "internal error of plastigran; --verbose shows where",
-    130: "stopped by Ctrl-C or SIGTERM; what had finished is kept",
+    0: "success",
+    1: "error in a value, a file or LIGGGHTS, or a failed check; see stderr",
+    2: "invalid command line",
+    70: "internal error of plastigran; --verbose shows the trace",
+    130: "stopped by Ctrl-C or SIGTERM; finished results are kept",
 }
 
 
 def parser(wanted: str = "") -> argparse.ArgumentParser:
-    """A subcommand for each experiment, made from what it says of itself, and for each module of
-    `commands`, which brings HELP, EXAMPLE, add_arguments and run; `wanted` alone where that is one
-    of them, for many are slow to load.
+    """Return the parser, with a subcommand for each experiment and each module of `commands`.
+
+    A module provides HELP, EXAMPLE, add_arguments and run. With `wanted`, only that subcommand is
+    added, because many modules are slow to load.
     """
     listed = "\n".join(f"  {code:<4d}{meaning}" for code, meaning in EXIT_CODES.items())
     top = argparse.ArgumentParser(
@@ -68,18 +69,18 @@ def parser(wanted: str = "") -> argparse.ArgumentParser:
 
 
 def main(argv: list[str] | None = None) -> int:
-    """Entry point; returns one of `EXIT_CODES`. An error is one line on stderr."""
+    """Run the command; return one of `EXIT_CODES`. An error is one line on stderr."""
     words = sys.argv[1:] if argv is None else argv
     arguments = parser(*words[:1]).parse_args(words)
     try:
         with _terminate_as_interrupt(), warnings.catch_warnings():
             warnings.showwarning = _print_once()
             arguments.run(arguments)
-    except BrokenPipeError:  # the reader of our output has had enough
+    except BrokenPipeError:  # the reader of the output has closed it
         sys.stderr.close()
-    except KeyboardInterrupt as stop:  # a command may say itself what is left
+    except KeyboardInterrupt as stop:  # a command may state which results are left
         output = getattr(arguments, "output", None)
-        left = str(stop) or (output and f"the runs that finished are in {output}")
+        left = str(stop) or (output and f"finished runs are in {output}")
         print(f"plastigran: stopped{f'; {left}' if left else ''}", file=sys.stderr)
         return 130
     except Exception as error:
@@ -103,8 +104,9 @@ def _print_once() -> Callable[..., None]:
 
 @contextmanager
 def _terminate_as_interrupt() -> Iterator[None]:
-    """A batch system's SIGTERM stops a command as Ctrl-C does; Python takes signals in its main
-    thread alone.
+    """Stop a command on SIGTERM of a batch system as on Ctrl-C.
+
+    Python handles signals only in its main thread.
     """
     if threading.current_thread() is not threading.main_thread():
         yield
@@ -117,7 +119,7 @@ def _terminate_as_interrupt() -> Iterator[None]:
 
 
 def _report(error: Exception, arguments: argparse.Namespace) -> int:
-    """Print what went wrong in a line, before it the trace if asked for; returns the exit code."""
+    """Print the error in one line, after the trace if requested; return the exit code."""
     if arguments.verbose:
         traceback.print_exception(error)
     if isinstance(error, EngineError | DumpError | ValueError | OSError):

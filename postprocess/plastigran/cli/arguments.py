@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Arguments several subcommands take, and what they mean."""
+"""Arguments that several subcommands take."""
 
 from __future__ import annotations
 
@@ -13,22 +13,22 @@ from plastigran import materials
 
 
 class Subparsers:
-    """What makes subcommands, all with an example in their help and --verbose.
+    """Adds subcommands, each with an example in its help and --verbose.
 
     Args:
-        made_by: What `ArgumentParser.add_subparsers` has made.
+        made_by: Result of `ArgumentParser.add_subparsers`.
     """
 
     def __init__(self, made_by: Any) -> None:
         self._made_by = made_by
 
     def add(self, name: str, said: str, example: str = "") -> argparse.ArgumentParser:
-        """A subcommand.
+        """Add a subcommand.
 
         Args:
-            name: Of it.
-            said: What it does, in a line.
-            example: A command line or several.
+            name: Name of the subcommand.
+            said: Purpose in one line.
+            example: One or several command lines.
         """
         lines = "".join(f"\n  {line}" for line in example.strip().splitlines())
         command = self._made_by.add_parser(
@@ -43,27 +43,31 @@ class Subparsers:
 
 
 def add_verbose(command: argparse.ArgumentParser, default: Any = argparse.SUPPRESS) -> None:
-    """--verbose, which all commands take; -v is a variable of a deck where there are decks."""
+    """Add --verbose. It has no short form, because -v sets a variable of a deck."""
     short = () if command.prog.endswith(" bulk") else ("-v",)
     command.add_argument(
-        *short, "--verbose", action="store_true", default=default, help="trace of an error"
+        *short,
+        "--verbose",
+        action="store_true",
+        default=default,
+        help="print the trace of an error",
     )
 
 
 def add_json(command: argparse.ArgumentParser) -> None:
-    """--json, in place of the tables that are printed."""
-    command.add_argument("--json", action="store_true", help="all numbers, as JSON")
+    """Add --json, which replaces the printed tables."""
+    command.add_argument("--json", action="store_true", help="print all numbers as JSON")
 
 
 def add_dry_run(command: argparse.ArgumentParser) -> None:
-    """--dry-run, of commands that start the engine."""
+    """Add --dry-run, for commands that start LIGGGHTS."""
     command.add_argument(
-        "--dry-run", action="store_true", help="print command lines and folders, start nothing"
+        "--dry-run", action="store_true", help="print command lines and folders, but start nothing"
     )
 
 
 def print_json(numbers: Any) -> None:
-    """Print numbers, with null where one is not known or not finite."""
+    """Print numbers as JSON, with null for unknown and infinite values."""
 
     def known(value: object) -> object:
         if isinstance(value, dict):
@@ -76,12 +80,12 @@ def print_json(numbers: Any) -> None:
 
 
 def refuse_idle(arguments: argparse.Namespace, needed: str, **idle: object) -> None:
-    """Refuse flags that say nothing without another one.
+    """Refuse flags that have no effect without another one.
 
     Args:
-        arguments: What was given.
-        needed: The other flag, in words.
-        **idle: By name of the argument, its default.
+        arguments: Parsed arguments.
+        needed: Name of the other flag.
+        **idle: Argument name to its default.
 
     Raises:
         ValueError: One of them was given; the message names it.
@@ -99,7 +103,11 @@ def _shown(value: object) -> str:
 
 
 def positive(text: str) -> float:
-    """A positive, finite number. Raises ArgumentTypeError, which argparse prints, for another."""
+    """Return a positive, finite number.
+
+    Raises:
+        ArgumentTypeError: The text is not such a number; argparse prints the message.
+    """
     try:
         value = float(text)
     except ValueError:
@@ -110,7 +118,11 @@ def positive(text: str) -> float:
 
 
 def positive_integer(text: str) -> int:
-    """A whole number from 1. Raises ArgumentTypeError, which argparse prints, for another."""
+    """Return a whole number from 1.
+
+    Raises:
+        ArgumentTypeError: The text is not such a number; argparse prints the message.
+    """
     try:
         value = int(text)
     except ValueError:
@@ -121,23 +133,23 @@ def positive_integer(text: str) -> int:
 
 
 def known_materials() -> str:
-    """A sentence for the help of a flag that takes a material."""
-    return f"a name or the path of a file; there are {', '.join(materials.names())}"
+    """Return the help text of a flag for a material."""
+    return f"name or file of a material, one of {', '.join(materials.names())}"
 
 
 def add_laws(command: argparse.ArgumentParser, bodies: str) -> None:
-    """`--law`: those named, or all for some bodies, as `usable_laws.choose_laws` takes them."""
+    """Add `--law`: names of laws, or all laws for some bodies."""
     command.add_argument(
         "--law",
         nargs="+",
         default=["all"],
         metavar="LAW",
-        help=f"laws, or all (default) for {bodies} that the material has the constants for",
+        help=f"names of laws, default all for {bodies} whose constants the material defines",
     )
 
 
 def add_material(command: argparse.ArgumentParser, default: str | None = None) -> None:
-    """The material of a body; without a default it must be given."""
+    """Add the material of a body; without a default it is required."""
     usual = f"default {default}, " if default else ""
     command.add_argument(
         "--material", default=default, required=not default, help=usual + known_materials()
@@ -145,12 +157,16 @@ def add_material(command: argparse.ArgumentParser, default: str | None = None) -
 
 
 def add_jobs(command: argparse.ArgumentParser) -> None:
-    """How many engines run at a time."""
-    command.add_argument("--jobs", type=positive_integer, help="engines at a time, default: cores")
+    """Add the number of LIGGGHTS processes that run at a time."""
+    command.add_argument(
+        "--jobs",
+        type=positive_integer,
+        help="LIGGGHTS processes at a time, default number of cores",
+    )
 
 
 def add_output(command: argparse.ArgumentParser, default: str) -> None:
-    """Where results go, and --force to overwrite earlier ones there."""
+    """Add the folder of results, and --force to overwrite earlier ones."""
     command.add_argument(
         "--output", type=Path, default=Path(default), help=f"folder of results, default {default}"
     )

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Arguments of `plastigran fem cylinder`, and its strike."""
+"""Arguments of `plastigran fem cylinder`, and its impact."""
 
 from __future__ import annotations
 
@@ -12,25 +12,25 @@ from plastigran.fem.cylinder.strike import strike
 
 
 def add_cylinder(command: argparse.ArgumentParser) -> None:
-    """The body's metal, the cylinder and its motion."""
+    """Add the material of the body, the cylinder and its motion."""
     add_metal(command, elastic=True, radius=None)
-    command.add_argument("--length", type=positive, required=True, help="of the cylinder, m")
+    command.add_argument("--length", type=positive, required=True, help="length of the cylinder, m")
     command.add_argument(
-        "--mass", type=positive, required=True, help="of all that moves with the cylinder, kg"
+        "--mass", type=positive, required=True, help="mass that moves with the cylinder, kg"
     )
-    command.add_argument("--speed", type=positive, required=True, help="towards the body, m/s")
+    command.add_argument("--speed", type=positive, required=True, help="speed toward the body, m/s")
     command.add_argument("--sliding-speed", type=float, default=0.0, help="along it, m/s")
     command.add_argument("--coefficient-of-friction", type=float, default=0.0, help="default 0")
     add_strain(command)
     command.add_argument(
         "--thickness",
         type=positive,
-        help="of the body, m; default: so thick that no wave comes back from its far side",
+        help="thickness of the body, m; by default no wave returns from its far side",
     )
 
 
 def cylinder(arguments: argparse.Namespace) -> dict:
-    """Numbers of the strike that arguments of `add_cylinder` describe."""
+    """Return the results of the impact that the arguments describe."""
     names = (
         "radius",
         "length",
@@ -45,7 +45,7 @@ def cylinder(arguments: argparse.Namespace) -> dict:
     force = case.line.impact_force(case.mass, case.speed)
     if case.material.hardening is not None and force <= case.line.yield_force:
         say(
-            f"{case.speed:g} m/s does not reach yield: the contact bears {force:.4g} N and "
-            f"yields at {case.line.yield_force:.4g} N"
+            f"speed {case.speed:g} m/s is too low for yield: the contact force is "
+            f"{case.line.yield_force:.4g} N at yield, but reaches only {force:.4g} N"
         )
     return computed(strike, case, strain=arguments.strain).to_dict()

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The command of an experiment, made from what the experiment says of itself."""
+"""Command of an experiment, made from the declarations of the experiment."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ from plastigran.experiments.runs import Runs, case_folders, claim
 
 
 def add_command(subcommands: Subparsers, experiment: type[Experiment]) -> None:
-    """Add an experiment's command, with a flag for each setting of its study."""
+    """Add the command of an experiment, with a flag for each setting of its study."""
     needed = [_word(name, flag) for name, flag in experiment.all_flags().items() if _needed(flag)]
     words = [f"plastigran {experiment.command}", *(f"--{word} {word.upper()}" for word in needed)]
     example = experiment.example or " ".join(words)
@@ -46,7 +46,7 @@ def add_command(subcommands: Subparsers, experiment: type[Experiment]) -> None:
     add_dry_run(command)
     if experiment.has_theory:
         command.add_argument(
-            "--theory", action="store_true", help="by theory alone: no engine is needed or started"
+            "--theory", action="store_true", help="use theory alone, without LIGGGHTS"
         )
     command.set_defaults(run=partial(run, experiment))
 
@@ -80,10 +80,15 @@ def _add_flag(command: argparse.ArgumentParser, name: str, flag: Flag, said: Dec
             nargs=2,
             type=positive,
             metavar=("LOW", "HIGH"),
-            help=f"range of them when --{word} is not given, default {low:g} {high:g}",
+            help=(
+                f"lowest and highest {word} of the sweep if --{word} is not given, default "
+                f"{low:g} {high:g}"
+            ),
         )
         command.add_argument(
-            "--points", type=positive_integer, help=f"how many of them, default {count}"
+            "--points",
+            type=positive_integer,
+            help=f"number of values in the sweep, default {count}",
         )
 
 
@@ -100,7 +105,7 @@ def _usual(flag: Flag) -> str:
 
 
 def _reader(word: str, said: Declaration) -> Callable[[str], Any]:
-    """Reads a flag's value and checks it against what is declared."""
+    """Return a function that reads the value of a flag and checks it against its declaration."""
 
     def read(text: str) -> Any:
         try:
@@ -119,16 +124,19 @@ def run(experiment: type[Experiment], arguments: argparse.Namespace) -> None:
     """Run the study, print its summary, write its tables and figures.
 
     Raises:
-        ValueError: A value out of range, a range of values beside the values themselves, or engines
-            at a time where none is started.
+        ValueError: A value is out of range, a range is given together with values, or --jobs is
+            given
+            with --theory.
     """
     theory = getattr(arguments, "theory", False)
     if theory and arguments.jobs:
-        raise ValueError(f"--jobs is {arguments.jobs}; --theory starts no engine")
+        raise ValueError(f"--jobs is {arguments.jobs}, but --theory starts no LIGGGHTS process")
     if theory and arguments.dry_run:
-        raise ValueError("--dry-run prints what the engine would be given; --theory starts none")
+        raise ValueError("--dry-run prints the input of LIGGGHTS, but --theory starts none")
     if arguments.json and arguments.dry_run:
-        raise ValueError("--json is of results; --dry-run has none")
+        raise ValueError(
+            "--json cannot be used with --dry-run, which produces no results. Remove one of them"
+        )
     flags = experiment.all_flags()
     given = {name: getattr(arguments, name) for name in flags}
     for name, flag in flags.items():
@@ -152,32 +160,41 @@ def run(experiment: type[Experiment], arguments: argparse.Namespace) -> None:
 
 
 def _need_engine(experiment: type[Experiment]) -> None:
-    """Raises EngineError where there is no engine, with another way where there is one."""
+    """Check that LIGGGHTS can run.
+
+    Raises:
+        EngineError: It cannot; the message names an alternative if there is one.
+    """
     try:
         engine_path()
     except EngineError as error:
-        way = "; --theory needs none" if experiment.has_theory else ""
+        way = ". Use --theory to compute without LIGGGHTS" if experiment.has_theory else ""
         raise EngineError(f"{error}{way}") from None
 
 
 def _spanned(
     word: str, flag: Flag, given: list[float] | None, arguments: argparse.Namespace
 ) -> Any:
-    """The values of a flag that may be given as a range instead."""
+    """Return the values of a flag that may be given as a range."""
     ends, points = getattr(arguments, f"{word}s"), arguments.points
     if given is not None:
         for name, value in ((f"{word}s", ends), ("points", points)):
             if value is not None:
-                raise ValueError(f"--{name} is a range's; --{word} gives the values themselves")
+                raise ValueError(
+                    f"--{name} belongs to a range, but --{word} gives the values. "
+                    "Remove one of them"
+                )
         return given
     low, high, count = flag.span
     if points == 1 and ends and ends[0] != ends[1]:
-        raise ValueError(f"--points is 1; --{word}s {ends[0]:g} {ends[1]:g} has two ends")
+        raise ValueError(
+            f"--points is 1, but the range --{word}s {ends[0]:g} {ends[1]:g} has two ends"
+        )
     return np.geomspace(*(ends or (low, high)), points or count)
 
 
 def plan_study(experiment: type[Experiment], folder: Path, **settings: Any) -> None:
-    """Print the command line of every case and its folder, and start nothing."""
+    """Print the command line of every case and its folder; start nothing."""
     cases = experiment.cases(**experiment.study_settings(**settings))
     for case, place in zip(cases, case_folders(cases, folder.resolve()), strict=True):
         print(case.command_line(place))

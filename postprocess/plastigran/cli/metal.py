@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Arguments of commands that compute a sphere or a struck body by finite elements."""
+"""Arguments of finite-element commands of a sphere or a body hit by a cylinder."""
 
 from __future__ import annotations
 
@@ -19,8 +19,9 @@ from plastigran.fem.settings import Settings
 def add_metal(
     command: argparse.ArgumentParser, elastic: bool = False, radius: float | None = 0.1
 ) -> None:
-    """The metal, the radius and --json; with `elastic`, --elastic may stand for --yield; `radius`
-    is its default, without which it must be given.
+    """Add the metal, the radius and --json.
+
+    With `elastic`, --elastic may replace --yield. Without a default `radius`, the flag is required.
     """
     add_elastic(command, radius)
     strength = command.add_mutually_exclusive_group(required=True)
@@ -39,8 +40,9 @@ def add_metal(
 def add_elastic(
     command: argparse.ArgumentParser, radius: float | None = 0.1, density: float | None = 2700.0
 ) -> None:
-    """An elastic material, the radius and --json; `radius` and `density` are defaults, without
-    which they must be given.
+    """Add an elastic material, the radius and --json.
+
+    Without a default `radius` or `density`, the flag is required.
     """
     command.add_argument("--young", type=positive, required=True, help="Young's modulus, Pa")
     command.add_argument("--poisson", type=float, required=True, help="Poisson's ratio")
@@ -56,34 +58,34 @@ def add_elastic(
 
 
 def add_strain(command: argparse.ArgumentParser) -> None:
-    """--finite-strain."""
+    """Add --finite-strain."""
     command.add_argument(
         "--finite-strain",
         action="store_const",
         const="finite",
         default="small",
         dest="strain",
-        help="for contacts wider than a tenth of the radius; takes longer",
+        help="use finite strain, for a/R above 0.1; takes longer",
     )
 
 
 def add_plane(command: argparse.ArgumentParser) -> None:
-    """The metal of a half space under the sphere, which is rigid without."""
+    """Add the metal of a half space under the sphere; without it the plane is rigid."""
     for name, kind, said in (
-        ("young", positive, "Young's modulus, Pa, of a half space; without it the plane is rigid"),
-        ("poisson", float, "its Poisson's ratio, default that of the sphere"),
-        ("density", positive, "kg/m3, default that of the sphere"),
-        ("yield", positive, "its yield strength, Pa; without it the half space does not yield"),
-        ("hardening", float, "its plastic modulus, Pa, default 0"),
+        ("young", positive, "Young's modulus of a half space, Pa; default: rigid plane"),
+        ("poisson", float, "Poisson's ratio of the half space, default that of the sphere"),
+        ("density", positive, "density of the half space, kg/m3, default that of the sphere"),
+        ("yield", positive, "yield strength of the half space, Pa; default: elastic"),
+        ("hardening", float, "plastic modulus of the half space, Pa, default 0"),
     ):
         command.add_argument(f"--plane-{name}", type=kind, help=said)
 
 
 def plane(arguments: argparse.Namespace) -> ElasticPlastic | None:
-    """The metal of `add_plane`'s arguments; None where the plane is rigid.
+    """Return the metal of the half space; None for a rigid plane.
 
     Raises:
-        ValueError: A number out of range, or numbers of a half space without Young's modulus.
+        ValueError: A number is out of range, or --plane-young is missing.
     """
     given = {
         name: getattr(arguments, f"plane_{name}", None)
@@ -112,10 +114,10 @@ def plane(arguments: argparse.Namespace) -> ElasticPlastic | None:
 
 
 def metal(arguments: argparse.Namespace) -> ElasticPlastic:
-    """The metal of `add_metal`'s or `add_elastic`'s arguments.
+    """Return the metal of the arguments of `add_metal` or `add_elastic`.
 
     Raises:
-        ValueError: A number out of range, or a plastic modulus of a metal that does not yield.
+        ValueError: A number is out of range, or the metal has a plastic modulus without yield.
     """
     hardening, modulus = None, getattr(arguments, "hardening", None)
     if getattr(arguments, "yield_strength", None) is not None:
@@ -131,17 +133,18 @@ def metal(arguments: argparse.Namespace) -> ElasticPlastic:
 
 
 def computed(compute: Callable, *arguments: object, strain: str = "small", **named: object):
-    """Result of a computation, from the cache if it is there; warnings, and why it stopped early,
-    go to stderr.
+    """Return the result of a computation, from the cache if possible.
+
+    Warnings and the reason of an early end go to stderr.
 
     Args:
-        compute: The function, which takes settings and progress after its arguments.
-        arguments: Its own.
+        compute: Function that takes settings and progress after its arguments.
+        arguments: Its arguments.
         strain: "small" or "finite".
-        named: Its own by name, after settings and progress.
+        named: Its keyword arguments, after settings and progress.
 
     Raises:
-        ValueError: It cannot begin.
+        ValueError: The computation cannot start.
     """
     with warnings.catch_warnings(record=True) as said:
         warnings.simplefilter("always", SmallStrainWarning)
@@ -162,5 +165,5 @@ def computed(compute: Callable, *arguments: object, strain: str = "small", **nam
 
 
 def say(line: str) -> None:
-    """Tell the user, on stderr, what no result holds."""
+    """Print a line on stderr that belongs to no result."""
     print(f"plastigran: {line}", file=sys.stderr)

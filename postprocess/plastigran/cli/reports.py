@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""What the subcommands that make reports share."""
+"""Parts of subcommands that make reports."""
 
 from __future__ import annotations
 
@@ -11,12 +11,12 @@ from plastigran.report.base import Findings, Report
 
 
 def add_report_arguments(command: argparse.ArgumentParser, results: str, pages: str) -> None:
-    """Where results go, and the pages.
+    """Add arguments for the folder of results and the pages.
 
     Args:
-        command: Takes the arguments.
-        results: The default folder of results, in words.
-        pages: The project's own folder of pages.
+        command: Parser of the command.
+        results: Default folder of results, in words.
+        pages: Folder of the pages in the project.
     """
     command.add_argument("--output", type=Path, metavar="DIR", help=f"default {results}")
     command.add_argument("--force", action="store_true", help="overwrite results")
@@ -24,26 +24,27 @@ def add_report_arguments(command: argparse.ArgumentParser, results: str, pages: 
         "--docs",
         type=Path,
         metavar="FOLDER",
-        help=f"write tables and pictures into this folder's pages, too; {pages} is the project's "
-        "own",
+        help="also write tables and pictures into the pages of this folder; the project has "
+        f"{pages}",
     )
     command.add_argument(
-        "--coarse", action="store_true", help="a quick look: results are off by some per cent"
+        "--coarse", action="store_true", help="take a quick look; results are off by some per cent"
     )
     add_json(command)
 
 
 def run_report(report: Report, head: str, arguments: argparse.Namespace) -> Findings:
-    """Make a report: print its tables, write them and its figures, and its pages if asked to.
+    """Make a report: print its tables, write its tables and figures, and update its pages.
 
     Args:
-        report: Which.
-        head: Printed above the tables.
-        arguments: Those of `add_report_arguments`.
+        report: Report.
+        head: Text above the tables.
+        arguments: Arguments of `add_report_arguments`.
 
     Raises:
-        ValueError: Results are there, the pages cannot take the tables, or as for `Report.run`.
-        EngineError: The engine stopped with an error.
+        ValueError: The folder contains results, the pages do not match the tables, or as for
+            `Report.run`.
+        EngineError: LIGGGHTS stopped with an error.
     """
     # matplotlib is slow to load
     from plastigran.report.pages import publish, read_pages, to_markdown
@@ -56,7 +57,7 @@ def run_report(report: Report, head: str, arguments: argparse.Namespace) -> Find
         )
     if arguments.docs:
         if arguments.coarse:
-            raise ValueError("--docs takes whole results, not --coarse ones")
+            raise ValueError("--docs needs complete results. Remove --coarse")
         read_pages(report, arguments.docs)
     folder.mkdir(parents=True, exist_ok=True)
     made = report.run(True, arguments.coarse)

@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The engine: how it is run, watched and read."""
+"""Run LIGGGHTS, follow its progress and read its output."""

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Restart files of a run: numbered ones, which of them are whole, and that of a signal."""
+"""Restart files of a run: numbered ones, which of them are complete, and those of a signal."""
 
 from __future__ import annotations
 
@@ -15,65 +15,72 @@ import numpy as np
 from plastigran.engine.log import LOG, LogFollower
 from plastigran.engine.process import EngineError
 
-#: What decks give to the engine's `restart` command.
+#: File pattern that decks give to the `restart` command.
 PATTERN = "checkpoint.*.restart"
-#: How restart files begin that the engine writes where it runs when a signal stops it.
+#: Start of the name of restart files that LIGGGHTS writes when a signal stops it.
 OF_A_SIGNAL = "restart_forced_liggghts"
-#: Ending of the files with checksums, which `sha256sum --check` reads.
+#: Suffix of the checksum files, which `sha256sum --check` reads.
 CHECKSUM = ".sha256"
-#: Numbers of a file that are looked at together.
+#: Number of values of a file that are read together.
 _BLOCK = 1 << 20
 
 
 def step_of(checkpoint: Path) -> int:
-    """The step in a checkpoint's name. Raises ValueError when there is none."""
+    """Return the step in the name of a checkpoint.
+
+    Raises:
+        ValueError: The name contains no step.
+    """
     return int(checkpoint.name.split(".")[1])
 
 
 def checkpoints(folder: str | Path) -> list[Path]:
-    """The checkpoints of a run by their steps, whole or not; files of other names are left out."""
+    """Return the checkpoints of a run sorted by step, complete or not; ignore other names."""
     found = [file for file in Path(folder).glob(PATTERN) if is_numbered(file)]
     return sorted(found, key=step_of)
 
 
 def is_numbered(file: Path) -> bool:
-    """Whether a file is called as the engine calls checkpoints."""
+    """Return whether a file is named like a checkpoint of LIGGGHTS."""
     return re.fullmatch(PATTERN.replace(".", r"\.").replace("*", r"\d+"), file.name) is not None
 
 
 def newest_checkpoint(folder: str | Path) -> Path:
-    """The newest checkpoint of a run that was written to its end.
+    """Return the newest complete checkpoint of a run.
 
-    The engine writes a step's checkpoint first and its line of the log afterwards, and decks ask
-    for checkpoints at steps that have a line: one the log has not come to was cut short. One that
-    a full disk cut, or that differs from its checksum, is passed over with a warning. A killed run
-    may have left a whole one without a checksum.
+    LIGGGHTS writes the checkpoint of a step before the line of the log, and decks write checkpoints
+    at
+    steps that have a line. A checkpoint beyond the last line may therefore be incomplete.
+    Checkpoints
+    that a full disk cut short, or that differ from their checksum, are skipped with a warning. A
+    killed
+    run may have left a complete checkpoint without a checksum.
 
     Raises:
-        EngineError: There is none; the message names the newest that the log has not come to, if it
-            looks whole.
+        EngineError: There is none; the message names the newest one beyond the log.
     """
     log, progress, beyond = Path(folder) / LOG, LogFollower(Path(folder) / LOG).read(), None
     for checkpoint in reversed(checkpoints(folder)):
         if step_of(checkpoint) > progress.step:
             beyond = beyond or (checkpoint if is_whole(checkpoint) else None)
         elif not is_whole(checkpoint):
-            warnings.warn(f"{checkpoint} is cut short; an earlier one is looked for", stacklevel=2)
+            warnings.warn(f"{checkpoint} is cut short. Using an earlier one", stacklevel=2)
         elif differs(checkpoint):
-            warnings.warn(f"{_damage(checkpoint)}. An earlier one is looked for", stacklevel=2)
+            warnings.warn(f"{_damage(checkpoint)}. Using an earlier one", stacklevel=2)
         else:
             return checkpoint
     if beyond:
         ends = f"ends at step {progress.step}" if progress.run else "shows no step"
         raise EngineError(
-            f"{log} {ends if log.exists() else 'is missing'} and does not reach the checkpoints in "
-            f"its folder, the newest of which is {beyond.name}; a run goes on where its log does"
+            f"no usable checkpoint: {log} {ends if log.exists() else 'is missing'}, before the "
+            f"newest checkpoint, {beyond.name}. Restore the complete log, or start the run "
+            "again"
         )
-    raise EngineError(f"no whole checkpoint ({PATTERN}) in {folder}; start the deck afresh")
+    raise EngineError(f"no whole checkpoint ({PATTERN}) in {folder}. Start the run again")
 
 
 class ChecksumWriter:
-    """Writes a checksum beside each checkpoint of a run once the checkpoint is whole.
+    """Writes a checksum for each checkpoint of a run when the checkpoint is complete.
 
     Args:
         folder: Folder of the run.
@@ -85,10 +92,10 @@ class ChecksumWriter:
         self._warned = False
 
     def update(self) -> None:
-        """Write those that have become due since the last time.
+        """Write the checksums that are due.
 
         Warns:
-            UserWarning: One cannot be written, the first time.
+            UserWarning: A checksum cannot be written; once per run.
         """
         try:
             self._write()
@@ -122,7 +129,7 @@ def refuse_damaged(checkpoint: Path) -> None:
     """Refuse a checkpoint that differs from its checksum.
 
     Raises:
-        EngineError: It does.
+        EngineError: The checkpoint differs.
     """
     if checkpoint.is_file() and differs(checkpoint):
         raise EngineError(f"{_damage(checkpoint)}. Choose another checkpoint, or restore the file")
@@ -148,24 +155,24 @@ def _sum(file: Path) -> str:
 
 
 def files_of_signals(working_folder: Path) -> dict[Path, int]:
-    """The files of `OF_A_SIGNAL` in a folder, with the time of each."""
+    """Return the restart files of signals in a folder, with their times."""
     found = {}
     for file in working_folder.glob(f"{OF_A_SIGNAL}_*"):
-        with suppress(FileNotFoundError):  # another run has fetched it
+        with suppress(FileNotFoundError):  # another run has moved it
             found[file] = file.stat().st_mtime_ns
     return found
 
 
 def fetch_file_of_signal(working_folder: Path, before: dict[Path, int], folder: Path) -> None:
-    """Move the restart file that a signal has made a run leave, if there is one, to its results.
+    """Move the restart file of a signal, if there is one, to the results of its run.
 
-    It is of the run's last step and was not there before. Other runs in that folder may leave
-    others.
+    The file belongs to the last step of the run and did not exist before. Other runs in that folder
+    may leave other files.
 
     Args:
-        working_folder: Where the engine ran.
-        before: What `files_of_signals` found as the run began.
-        folder: Of the run's results.
+        working_folder: Folder in which LIGGGHTS ran.
+        before: Result of `files_of_signals` before the run.
+        folder: Folder of the results.
     """
     step = LogFollower(folder / LOG).read().step
     for file, time in files_of_signals(working_folder).items():
@@ -175,12 +182,13 @@ def fetch_file_of_signal(working_folder: Path, before: dict[Path, int], folder: 
 
 
 def is_whole(checkpoint: Path) -> bool:
-    """Whether a file ends as the engine's restart files do.
+    """Return whether a restart file is complete.
 
-    Each rank's part is the number of its values, four bytes, and the values, eight bytes each. They
-    are those of one particle after the other, the first of which is how many a particle has. A rank
-    without particles has the number 0 alone. The last part with particles is looked for: a file
-    that ends, to the byte, with the part of an earlier rank passes.
+    Each rank writes the number of its values (four bytes) and the values (eight bytes each). The
+    values
+    are those of one particle after the other; the first is their number for the particle. A rank
+    without particles writes only the number 0. The function looks for the last part with particles.
+    A file that ends exactly with the part of an earlier rank passes the test.
     """
     size = checkpoint.stat().st_size
     if size < 4:
@@ -192,7 +200,7 @@ def is_whole(checkpoint: Path) -> bool:
         counts = numbers[first : first + _BLOCK].astype(np.int64)
         begins = size % 4 + 4 * (first + 1 + np.arange(len(counts)))
         ends = begins + 8 * counts
-        # What follows the last part with particles are zeros.
+        # After the last part with particles there are only zeros.
         for k in np.flatnonzero((counts > 0) & (ends <= size) & (ends >= size - 4 * zeros)):
             if _holds_particles(content[begins[k] : ends[k]].view("<f8", np.ndarray)):
                 return True
@@ -200,7 +208,7 @@ def is_whole(checkpoint: Path) -> bool:
 
 
 def _zeros_at_the_end(numbers: np.ndarray) -> int:
-    """How many of the numbers (n,) are 0 after the last that is not."""
+    """Return how many of the numbers (n,) are 0 at the end."""
     for end in range(len(numbers), 0, -_BLOCK):
         if (found := np.flatnonzero(numbers[max(0, end - _BLOCK) : end])).size:
             return len(numbers) - max(0, end - _BLOCK) - int(found[-1]) - 1
@@ -208,7 +216,7 @@ def _zeros_at_the_end(numbers: np.ndarray) -> int:
 
 
 def _holds_particles(values: np.ndarray) -> bool:
-    """Whether values (n,) are those of whole particles, each led by the number of its own."""
+    """Return whether values (n,) are complete particles, each led by its number of values."""
     at = 0
     while at < len(values):
         count = values[at]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Read dumps of pair and wall contacts, whole or frame by frame."""
+"""Read dumps of pair and wall contacts, completely or frame by frame."""
 
 from __future__ import annotations
 
@@ -11,8 +11,8 @@ import pandas as pd
 
 from plastigran.engine.dumps import BATCH, DumpError, read_tables, split_frames
 
-# Columns of `compute pair/gran/local` and `compute wall/gran/local` by field, in the order in
-# which the engine writes them, whatever the order in the input script.
+# Columns of `compute pair/gran/local` and `compute wall/gran/local` by field, in the order of
+# LIGGGHTS, which does not depend on the input script.
 PAIR_COLUMNS = {
     "pos": ("x_i", "y_i", "z_i", "x_j", "y_j", "z_j"),
     "vel": ("vx_i", "vy_i", "vz_i", "vx_j", "vy_j", "vz_j"),
@@ -23,7 +23,7 @@ PAIR_COLUMNS = {
     "torque": ("tx", "ty", "tz"),
     "torque_normal": ("tnx", "tny", "tnz"),
     "torque_tangential": ("ttx", "tty", "ttz"),
-    "history": None,  # as many as the model keeps
+    "history": None,  # number of columns depends on the model
     "contactArea": ("contact_area",),
     "delta": ("overlap",),
     "contactPoint": ("contact_x", "contact_y", "contact_z"),
@@ -38,18 +38,18 @@ WALL_COLUMNS = PAIR_COLUMNS | {
 
 
 def contact_columns(kind: str, fields: list[str], total: int) -> list[str]:
-    """Names of a local dump's columns from the compute's fields.
+    """Return the column names of a local dump from the fields of the compute.
 
     Args:
         kind: "PAIR" or "WALL".
         fields: Fields of `compute pair/gran/local` or `wall/gran/local`, in any order.
-        total: Number of columns; what the other fields leave is the contact history's.
+        total: Number of columns; those without field belong to the contact history.
 
     Returns:
         `total` names.
 
     Raises:
-        DumpError: Unknown field, or a total that does not fit.
+        DumpError: A field is unknown, or the total does not match.
     """
     table = {"PAIR": PAIR_COLUMNS, "WALL": WALL_COLUMNS}[kind]
     unknown = [field for field in fields if field not in table]
@@ -66,7 +66,7 @@ def contact_columns(kind: str, fields: list[str], total: int) -> list[str]:
             names += columns
     if len(names) != total:
         raise DumpError(
-            f"fields {' '.join(fields)} make {len(names)} columns, the file has {total}"
+            f"fields {' '.join(fields)} give {len(names)} columns, but the file has {total}"
         )
     return names
 
@@ -77,17 +77,17 @@ def read_contacts(
     """Read a `dump local` file of a `compute pair/gran/local` or `wall/gran/local`.
 
     Args:
-        path: The file. Its label says kind and fields (`dump_modify ID label "PAIR pos id ..."`).
+        path: File. Its label gives kind and fields (`dump_modify ID label "PAIR pos id ..."`).
         kind: "PAIR" or "WALL", for a file without such a label.
-        fields: The compute's fields, e.g. "pos id force delta", for a file without such a label.
-        touching: Drop the near neighbours without overlap and force that the engine lists too.
+        fields: Fields of the compute, e.g. "pos id force delta", for a file without such a label.
+        touching: Drop near neighbors without overlap and force, which LIGGGHTS lists, too.
 
     Returns:
         One row per contact and frame: `step`, then columns named as in `PAIR_COLUMNS` and
         `WALL_COLUMNS`.
 
     Raises:
-        DumpError: The file is not a local dump, or its columns do not fit the fields.
+        DumpError: The file is not a local dump, or its columns do not match the fields.
     """
     ((label, _, table),) = read_tables(path, None)
     return _contacts(path, label, table, kind, fields, touching)
@@ -96,16 +96,16 @@ def read_contacts(
 def read_contact_frames(
     path: str | Path, kind: str | None = None, fields: str | None = None, touching: bool = True
 ) -> Iterator[pd.DataFrame]:
-    """Read a dump of contacts frame by frame; the file may be larger than memory.
+    """Read a dump of contacts frame by frame; the file may be larger than the memory.
 
     Args:
-        path: The file.
+        path: File.
         kind: As for `read_contacts`.
         fields: As for `read_contacts`.
         touching: As for `read_contacts`.
 
     Yields:
-        Each frame as `read_contacts` gives it.
+        Each frame as `read_contacts` returns it.
 
     Raises:
         DumpError: As for `read_contacts`.
@@ -126,7 +126,7 @@ def _contacts(
     words = label.split()
     if kind is None or fields is None:
         if not words or words[0] not in ("PAIR", "WALL"):
-            raise DumpError(f"{path}: label {label!r} names no fields; pass kind and fields")
+            raise DumpError(f"{path}: label {label!r} names no fields. Pass kind and fields")
         kind, fields = words[0], " ".join(words[1:])
     try:
         names = contact_columns(kind, fields.split(), table.shape[1] - 1)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A deck as it will run: the files it includes and the values of its settings."""
+"""A deck as it will run: its included files and the values of its settings."""
 
 from __future__ import annotations
 
@@ -12,9 +12,9 @@ from pathlib import Path
 
 from plastigran.engine.process import EngineError, inputs_folder
 
-#: Files a deck includes at most: more are taken for one that includes itself.
+#: Largest number of files of a deck; more mean that a file includes itself.
 MOST_FILES = 200
-#: Endings of files that decks read beside scripts.
+#: Suffixes of other files that decks read.
 MESHES = (".stl", ".vtk")
 
 _SETTING = re.compile(r'variable\s+(\w+)\s+index\s+(?:"([^"]*)"|(\S+))')
@@ -25,20 +25,20 @@ _REFERENCE = re.compile(r"\$\{(\w+)\}")
 
 
 def property_name(field: str) -> str:
-    """What decks call a constant of the laws: yieldStrength for yield_strength."""
+    """Return the name of a law constant in decks: yieldStrength for yield_strength."""
     first, *others = field.split("_")
     return first + "".join(word.capitalize() for word in others)
 
 
 def commands(script: Path) -> Iterator[str]:
-    """A script's commands, without empty lines and comments, which may be in any encoding."""
+    """Return the commands of a script without empty lines and comments."""
     for line in script.read_text(encoding="utf-8", errors="replace").splitlines():
         if command := line.split("#")[0].strip():
             yield command
 
 
 def index_variable(command: str) -> tuple[str, str] | None:
-    """Name and value of a `variable NAME index VALUE` command, None for another command."""
+    """Return name and value of a `variable NAME index VALUE` command; None for others."""
     if found := _SETTING.match(command):
         name, quoted, plain = found.groups()
         return name, quoted or plain or ""
@@ -46,31 +46,31 @@ def index_variable(command: str) -> tuple[str, str] | None:
 
 
 def index_variables(deck: str | Path) -> dict[str, str]:
-    """What a script's own `variable NAME index VALUE` lines say, as text.
+    """Return the values of a script's own `variable NAME index VALUE` lines, as text.
 
     Args:
         deck: Path of the input script.
     """
     values: dict[str, str] = {}
     for name, value in index_lines(deck):
-        values.setdefault(name, value)  # the engine keeps the first too
+        values.setdefault(name, value)  # LIGGGHTS keeps the first value, too
     return values
 
 
 def index_lines(deck: str | Path) -> list[tuple[str, str]]:
-    """Names and values of a script's own `variable NAME index VALUE` lines, one after the other."""
+    """Return names and values of a script's own `variable NAME index VALUE` lines, in order."""
     return list(filter(None, map(index_variable, commands(Path(deck)))))
 
 
 @dataclass(frozen=True)
 class DeckSource:
-    """A deck with what it includes.
+    """Deck with its included files.
 
     Attributes:
-        path: The input script.
-        files: The script, its includes, the meshes, and what else they read from the inputs.
-        settings: Every setting of them with the value it will have.
-        references: Names of the variables they read as ${name} and do not define.
+        path: Input script.
+        files: Script, includes, meshes, and other files that they read from the inputs.
+        settings: All settings with their values.
+        references: Names of variables that are read as ${name} but not defined.
     """
 
     path: Path
@@ -80,19 +80,19 @@ class DeckSource:
 
     @property
     def name(self) -> str:
-        """Of the deck, `deck_name` of its script."""
+        """Name of the deck, see `deck_name`."""
         return deck_name(self.path)
 
     def resolve(self, text: str) -> str:
-        """Words of a command with the settings' values in them."""
+        """Return a command with the values of settings inserted."""
         return _with_values(text, self.settings)
 
     def copy(self, folder: Path) -> Path:
-        """Copy the files into a folder: as they lie in the inputs, or below the script's folder;
-        others by their names, with a number where another file has that name.
+        """Copy the files into a folder and return the copied script.
 
-        Returns:
-            The copied script; run it with `folder` for its inputs.
+        Files keep their place in the inputs or below the folder of the script. Other files are
+        copied by
+        name, with a number if the name is taken. Run the copy with `folder` as its inputs.
         """
         copied: dict[Path, Path] = {}
         for file in self.files:
@@ -107,7 +107,7 @@ class DeckSource:
         return folder / self._place(self.path)
 
     def _place(self, file: Path) -> Path:
-        """Where a file lies in a copy, unless another has taken its place."""
+        """Return the place of a file in a copy, unless it is taken."""
         inputs = inputs_folder().resolve()
         if file.resolve().is_relative_to(inputs):
             return file.resolve().relative_to(inputs)
@@ -121,7 +121,7 @@ def _with_values(text: str, settings: Mapping[str, str]) -> str:
 
 
 def _choice(include: str, settings: Mapping[str, str], deck: Path) -> str:
-    """What the setting that names an include may be, in words; nothing where it names none."""
+    """Return the possible values of a setting that names an include, in words; else ""."""
     names = [name for name in _REFERENCE.findall(include) if name not in ("inputs", "materials")]
     if len(names) != 1 or names[0] not in settings:
         return ""
@@ -132,11 +132,15 @@ def _choice(include: str, settings: Mapping[str, str], deck: Path) -> str:
     folder = start if before.endswith("/") else start.parent
     known = (file.name for file in folder.glob(f"{begins}*{after}"))
     words = sorted(name[len(begins) : len(name) - len(after)] for name in known)
-    return f"; {names[0]} is {settings[names[0]]!r}, there are {', '.join(words)}" if words else ""
+    return (
+        f"; {names[0]} is {settings[names[0]]!r}, possible values are {', '.join(words)}"
+        if words
+        else ""
+    )
 
 
 def deck_names() -> list[str]:
-    """Names of the decks of `inputs/bulk`; none where there are no inputs."""
+    """Return the names of the decks of `inputs/bulk`."""
     try:
         return sorted(file.stem for file in (inputs_folder() / "bulk").glob("*.in"))
     except EngineError:
@@ -144,21 +148,21 @@ def deck_names() -> list[str]:
 
 
 def deck_name(deck: str | Path) -> str:
-    """What a deck is called: its script without the ending, `fall` for fall.in and in.fall."""
+    """Return the name of a deck: `fall` for fall.in and in.fall."""
     path = Path(deck)
     return path.name.removeprefix("in.") if re.match(r"in\..", path.name) else path.stem
 
 
 def is_shipped(script: Path) -> bool:
-    """Whether a script, as `find_deck` gives it, is one of `inputs/bulk`."""
+    """Return whether a script of `find_deck` is one of `inputs/bulk`."""
     return script.parent == (inputs_folder() / "bulk").resolve()
 
 
 def find_deck(deck: str | Path) -> Path:
-    """A deck of `inputs/bulk` by name, or any input script by its path.
+    """Return a deck of `inputs/bulk` by name, or an input script by its path.
 
     Raises:
-        EngineError: There is none; the message lists those of `inputs/bulk`.
+        EngineError: There is no such deck; the message lists those of `inputs/bulk`.
     """
     given = str(deck)
     shipped = inputs_folder() / "bulk" / f"{given}.in"
@@ -172,18 +176,18 @@ def find_deck(deck: str | Path) -> Path:
 
 
 def read_deck(deck: str | Path, values: Mapping[str, object], folder: Path) -> DeckSource:
-    """Read a deck with its includes as the engine will, from the deck's own folder.
+    """Read a deck with its includes as LIGGGHTS will, from the folder of the deck.
 
-    Includes whose names hold variables that are no settings are left to the engine.
+    Includes whose names contain variables that are not settings are not read.
 
     Args:
-        deck: Name or path, as `find_deck` takes it.
-        values: Settings given another value than the deck's.
-        folder: Where results will go, the deck's `output`.
+        deck: Name or path, see `find_deck`.
+        values: Settings to override.
+        folder: Folder of the results, the deck's `output`.
 
     Raises:
         EngineError: A file is missing.
-        ValueError: A value for a setting the deck does not have.
+        ValueError: A value is given for a setting that the deck does not have.
     """
     path = find_deck(deck)
     given = {"inputs": str(inputs_folder()), "output": str(folder)}
@@ -194,11 +198,13 @@ def read_deck(deck: str | Path, values: Mapping[str, object], folder: Path) -> D
     defined: set[str] = set()
 
     def take_in(file: Path, included_by: str, choice: str = "") -> None:
-        """The settings and files of a script and of those it includes, in the engine's order."""
+        """Collect the settings and files of a script and its includes, in the order of LIGGGHTS."""
         if not file.is_file():
-            raise EngineError(f"{included_by} includes {file}, which is not there{choice}")
+            raise EngineError(f"{included_by} includes {file}, which does not exist{choice}")
         if len(files) > MOST_FILES:
-            raise EngineError(f"{included_by} includes {file}, and so on: does it include itself?")
+            raise EngineError(
+                f"{included_by} includes {file}, and so on. Check whether a file includes itself"
+            )
         files.append(file)
         for command in commands(file):
             references.update(_REFERENCE.findall(command))
@@ -219,7 +225,7 @@ def read_deck(deck: str | Path, values: Mapping[str, object], folder: Path) -> D
     take_in(path, "")
     references -= defined
     if unknown := sorted(set(given) - set(settings) - references - {"inputs", "output"}):
-        none = "has none: a setting is a line `variable NAME index VALUE`"
+        none = "has none. A setting is a line `variable NAME index VALUE`"
         known = f"takes {' '.join(settings)}" if settings else none
         raise ValueError(f"{path.name} has no setting {unknown[0]!r}; it {known}")
     return DeckSource(path, files, settings, frozenset(references))

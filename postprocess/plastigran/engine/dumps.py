@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Read the dumps LIGGGHTS writes, whole or frame by frame.
+"""Read dumps of LIGGGHTS, completely or frame by frame.
 
-Every reader returns a pandas DataFrame in SI units with one row per item and time step, whose
-columns carry the names the file gives them. A file cut short by a full disk or a killed run is
-read as far as it is whole, and the cut is reported as a `TruncatedFileWarning`.
+Every reader returns a pandas DataFrame in SI units with one row per item and time step. Columns
+have
+the names of the file. A file that was cut short by a full disk or a killed run is read as far as it
+is complete, with a `TruncatedFileWarning`.
 """
 
 from __future__ import annotations
@@ -17,16 +18,16 @@ from pathlib import Path
 import numpy as np
 import pandas as pd
 
-#: Rows read at once from a file that is read frame by frame.
+#: Number of rows that are read together.
 BATCH = 100_000
 
 
 class DumpError(ValueError):
-    """A file that is not what it should be; the message names file, line and what was found."""
+    """A file has the wrong content; the message names file, line and what was found."""
 
 
 class TruncatedFileWarning(UserWarning):
-    """A file that ends in the middle of a frame or row; the whole part was read."""
+    """A file ends in the middle of a frame or row; the complete part was read."""
 
 
 @dataclass
@@ -38,12 +39,12 @@ class _Frame:
 
 
 def _frames(path: Path) -> Iterator[_Frame]:
-    """Scan a dump frame by frame: the one place that knows the header's form."""
+    """Scan a dump frame by frame. Only this function depends on the header format."""
     with open(path, encoding="ascii", errors="replace") as file:
         lines = enumerate(file, start=1)
 
         def take(expected: str | None = None) -> str:
-            number, line = next(lines)  # StopIteration: the file ends here
+            number, line = next(lines)  # StopIteration: end of the file
             if not line.endswith("\n"):
                 raise StopIteration
             if expected and not line.startswith(expected):
@@ -82,7 +83,7 @@ def _frames(path: Path) -> Iterator[_Frame]:
         except StopIteration:
             where = "its header" if step is None else f"the frame of step {step}"
             warnings.warn(
-                f"{path} ends within {where}; only the frames before it were read",
+                f"{path} ends within {where}. Only the frames before it were read",
                 TruncatedFileWarning,
                 stacklevel=4,
             )
@@ -93,17 +94,19 @@ def _frames(path: Path) -> Iterator[_Frame]:
 
 
 def _is_column(header: list[str], k: int) -> bool:
-    """Atom dumps have the label ATOMS; local dumps any words before their c_ID[k] columns."""
+    """Return whether an item is a column. Local dumps may have any words before their columns
+    c_ID[k].
+    """
     return header[0] == "ATOMS" or header[k].startswith(("c_", "f_", "v_"))
 
 
 def read_tables(
     path: str | Path, rows: int | None
 ) -> Iterator[tuple[str, list[int], pd.DataFrame]]:
-    """Read whole frames, together at least so many rows, or all of them.
+    """Read complete frames with at least `rows` rows in total, or all of them.
 
     Yields:
-        The dump's label, the number of rows of each frame, and the table of the frames.
+        Label of the dump, number of rows of each frame, and table of the frames.
     """
     label, columns = "", []
     steps, counts, text = [], [], []
@@ -118,7 +121,7 @@ def read_tables(
             yield label, counts, _table(path, columns, steps, counts, text)
             steps, counts, text = [], [], []
     if not columns:
-        raise DumpError(f"{path}: no whole frame")
+        raise DumpError(f"{path}: no complete frame")
     if steps:
         yield label, counts, _table(path, columns, steps, counts, text)
 
@@ -126,10 +129,10 @@ def read_tables(
 def _table(
     path: str | Path, columns: list[str], steps: list[int], counts: list[int], text: list[str]
 ) -> pd.DataFrame:
-    """The rows of some frames with the step of each.
+    """Return the rows of some frames with the step of each.
 
     Raises:
-        DumpError: Ragged rows.
+        DumpError: Rows have different lengths.
     """
     try:
         table = pd.read_csv(
@@ -157,27 +160,28 @@ def read_dump(path: str | Path) -> pd.DataFrame:
     """Read a `dump custom` file.
 
     Args:
-        path: The file.
+        path: File.
 
     Returns:
-        One row per atom and frame, (N_frames * N_atoms, 1 + N_columns): `step`, then the dump's
-        columns under their own names; computes, fixes and variables lose their `c_`, `f_`, `v_`.
+        One row per atom and frame, (N_frames * N_atoms, 1 + N_columns): `step`, then the columns of
+        the dump; computes, fixes and variables lose their `c_`, `f_`, `v_`.
 
     Raises:
-        DumpError: The file is not a dump or has ragged rows.
+        DumpError: The file is not a dump, or its rows have different lengths.
     """
     ((_, _, table),) = read_tables(path, None)
     return table.rename(columns=_without_prefix)
 
 
 def read_frames(path: str | Path) -> Iterator[pd.DataFrame]:
-    """Read a `dump custom` file frame by frame; the file may be larger than memory.
+    """Read a `dump custom` file frame by frame; the file may be larger than the memory.
 
     Args:
-        path: The file.
+        path: File.
 
     Yields:
-        Each frame as `read_dump` gives it, (N_atoms, 1 + N_columns); a column may hold integers in
+        Each frame as `read_dump` returns it, (N_atoms, 1 + N_columns); a column may have integers
+        in
         one frame and floats in another.
 
     Raises:
@@ -188,7 +192,7 @@ def read_frames(path: str | Path) -> Iterator[pd.DataFrame]:
 
 
 def split_frames(table: pd.DataFrame, counts: list[int]) -> Iterator[pd.DataFrame]:
-    """The table of some frames as one table per frame, given the number of rows of each."""
+    """Return the table of some frames as one table per frame, given the number of rows of each."""
     ends = np.cumsum(counts)
     for first, end in zip(ends - counts, ends, strict=True):
         yield table.iloc[first:end].reset_index(drop=True)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A folder of results that one command at a time writes to."""
+"""Lock of a folder of results for one command at a time."""
 
 from __future__ import annotations
 
@@ -10,17 +10,17 @@ from fcntl import LOCK_EX, LOCK_NB, flock
 from pathlib import Path
 from threading import get_ident
 
-_locked: set[tuple[Path, int]] = set()  # with the threads of this process that hold them
+_locked: set[tuple[Path, int]] = set()  # with the IDs of the threads of this process that hold them
 
 
 @contextmanager
 def lock_folder(folder: str | Path) -> Iterator[None]:
-    """Make a folder and lock it for this thread, which may lock it again.
+    """Create a folder and lock it for this thread, which may lock it again.
 
-    The lock ends with the process, however that ends.
+    The lock ends with the process.
 
     Raises:
-        ValueError: Another process or thread has locked it.
+        ValueError: Another process or thread has locked the folder.
     """
     folder = Path(folder).resolve()
     holder = folder, get_ident()

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The engine's log: how far a run is, its thermodynamic output, and the error that ended it."""
+"""Read the log of LIGGGHTS: progress, thermodynamic output, and errors."""
 
 from __future__ import annotations
 
@@ -14,9 +14,9 @@ import pandas as pd
 
 from plastigran.engine.dumps import DumpError, TruncatedFileWarning
 
-#: Steps are below this, 2^63.
+#: Upper bound of steps, 2^63.
 LARGEST_STEP = 2.0**63
-#: The log in a run's folder.
+#: Name of the log in the folder of a run.
 LOG = "log.liggghts"
 
 THERMO_COLUMNS = {
@@ -28,28 +28,26 @@ THERMO_COLUMNS = {
     "CPU": "cpu_time",
 }
 _RUN = re.compile(r"run\s+(\d+)(\s+upto)?\s*$")
-#: What a deck of several runs prints before the first.
+#: Line of a deck with several runs, printed before the first.
 _PLANNED = re.compile(r"planned steps = (\d+)\s*$")
-#: How the engine ends; a deck may print or echo the word as well.
+#: Error line of LIGGGHTS. A deck may also print or echo the word.
 _ERROR = re.compile(r"^ERROR(?: on proc \d+)?: .*", re.MULTILINE)
-#: What the contact models and the launcher warn of, without the place in the source.
+#: Starts of the warnings of contact models and launcher, without the place in the source.
 _OF_CONTACTS = r"(?:pair_style|fix \S+): (?:contacts |the restart file |particle \d+ at )"
 _OURS = rf"model |the time step |energy_ledger|{_OF_CONTACTS}|fix \S+ (?:heat/|collision_spectra)"
 _WARNING = re.compile(rf"^WARNING: ((?:{_OURS}).*?)(?: \(\S+:\d+\))?$", re.M)
-#: What the contact models say of themselves before a run.
+#: Line of a contact model before a run.
 _MODEL = re.compile(r"^model (\w+)(?:, wall)?, atom types \d+ and \d+: ", re.M)
-#: The engine echoes a command as it is typed, then with its variables replaced.
+#: LIGGGHTS echoes a command as typed, then with the values of its variables.
 _PAIR_STYLE = re.compile(r"^pair_style\s+([^$\n]+)$", re.M)
 _UNITS = re.compile(r"^units\s+(\w+)\s*$", re.M)
-#: Written for programs at the end of a run.
+#: Machine-readable line at the end of a run.
 _EXCESS = re.compile(r"^plastigran range (\w+) contacts=\S+ furthest=(\S+)$", re.M)
 _NUMBER = re.compile(r"\d[\d.e+-]*")
 
 
 def find_excess(text: str) -> dict[str, float]:
-    """Return the largest overlap of each law whose range contacts have left, divided by the largest
-    overlap of the range.
-    """
+    """Return the largest overlap / validity range of each law whose range was exceeded."""
     excess: dict[str, float] = {}
     for law, furthest in _EXCESS.findall(text):
         excess[law] = max(float(furthest), excess.get(law, 0.0))
@@ -57,48 +55,48 @@ def find_excess(text: str) -> dict[str, float]:
 
 
 def find_error(text: str) -> str | None:
-    """The last error line that the engine wrote to a log or screen; None when there is none."""
+    """Return the last error line of a log or screen; None without error."""
     return next(reversed(_ERROR.findall(text)), None)
 
 
 def find_warnings(text: str) -> list[str]:
-    """What contact models and launcher warned of in a log or screen, each once, in order."""
+    """Return the warnings of contact models and launcher in a log, each once, in order."""
     return list(dict.fromkeys(_WARNING.findall(text)))
 
 
 def worst(found: list[str]) -> list[str]:
-    """Of warnings that differ in their numbers alone, the last: it is the worst."""
+    """Return the last of warnings that differ only in numbers, because it is the worst."""
     return list({_NUMBER.sub("", warning): warning for warning in found}.values())
 
 
 def find_models(text: str) -> list[str]:
-    """Names of the contact models of this project that a log tells of, each once, in order."""
+    """Return the names of this project's contact models in a log, each once, in order."""
     return list(dict.fromkeys(_MODEL.findall(text)))
 
 
 def find_pair_style(text: str) -> str | None:
-    """The words of the last `pair_style` command in a log; None where it echoes none."""
+    """Return the arguments of the last `pair_style` command in a log; None without one."""
     found = _PAIR_STYLE.findall(text)
     return " ".join(found[-1].split()) if found else None
 
 
 def find_units(text: str) -> str | None:
-    """The system of units that a log names; None where it names none."""
+    """Return the unit system in a log; None without one."""
     return next(reversed(_UNITS.findall(text)), None)
 
 
 @dataclass
 class Progress:
-    """How far a run is, by its log.
+    """Progress of a run from its log.
 
     Attributes:
-        run: Number of the present `run` command, from 1; 0 before the first.
-        first: Step it began with.
-        last: Step it will end with.
+        run: Number of the current `run` command, from 1; 0 before the first.
+        first: First step of this command.
+        last: Last step of this command.
         step: Step of the newest line.
-        timestep: Of the newest line [s]; 0 when the log does not show it.
-        planned: Steps of all runs of the deck together; 0 when the log does not show it.
-        earlier: Steps of the runs that have ended.
+        timestep: Time step of the newest line [s]; 0 if the log does not show it.
+        planned: Total steps of all runs of the deck; 0 if the log does not show it.
+        earlier: Steps of completed runs.
     """
 
     run: int = 0
@@ -111,18 +109,18 @@ class Progress:
 
 
 class LogFollower:
-    """Reads a growing log, each line once and only when it is whole."""
+    """Reads a growing log; each line once and only when it is complete."""
 
     def __init__(self, log: Path) -> None:
         self.log = log
         self.progress = Progress()
         self._offset = 0
-        self._asked: tuple[int, bool] = (0, False)  # steps of the `run` command, upto
+        self._asked: tuple[int, bool] = (0, False)  # steps of the `run` command, whether upto
         self._columns: list[str] = []
         self._begun = False
 
     def read(self) -> Progress:
-        """Take in what the log has gained."""
+        """Read the new lines of the log."""
         if not self.log.exists():
             return self.progress
         with open(self.log, "rb") as file:
@@ -161,14 +159,15 @@ def read_thermo(path: str | Path) -> pd.DataFrame:
     """Read the thermodynamic output of a log file.
 
     Args:
-        path: The log.
+        path: Log file.
 
     Returns:
         One row per output line: `run` (0, 1, … in the order of the `run` commands), then the
-        log's columns, the common ones under the names of `THERMO_COLUMNS`.
+            columns
+        of the log, with common ones renamed by `THERMO_COLUMNS`.
 
     Raises:
-        DumpError: The log holds no thermodynamic output, or a step that is not a whole number.
+        DumpError: The log has no thermodynamic output, or a step is not a whole number.
     """
     path = Path(path)
     tables, header, rows, whole = [], None, [], True
@@ -202,17 +201,17 @@ def read_thermo(path: str | Path) -> pd.DataFrame:
         frames.append(frame)
     table = pd.concat(frames, ignore_index=True)
     for step in table["step"][~(table["step"].abs() < LARGEST_STEP) | (table["step"] % 1 != 0)]:
-        raise DumpError(f"{path} is damaged: it has a line of step {step:g}, which no run has")
+        raise DumpError(f"{path} is damaged: a line has step {step:g}, which is too large")
     return table.astype({"step": np.int64})
 
 
 @dataclass(frozen=True)
 class RunCommands:
-    """What the commands before a run say of it.
+    """Effect of the commands before a run.
 
     Attributes:
-        timestep: [s]; nan where none says a number, or the engine may change it itself.
-        simulation: How many `clear` commands came before.
+        timestep: Time step [s]; NaN if unknown, or if LIGGGHTS may change it.
+        simulation: Number of earlier `clear` commands.
     """
 
     timestep: float
@@ -220,7 +219,7 @@ class RunCommands:
 
 
 def read_commands(path: str | Path) -> list[RunCommands]:
-    """What a log's commands say of each of its runs, in the order of `read_thermo`."""
+    """Return the effect of commands on each run of a log, in the order of `read_thermo`."""
     timestep, changes, simulation, found = nan, False, 0, []
     with open(path, encoding="utf-8", errors="replace") as file:
         for line in file:
@@ -228,7 +227,7 @@ def read_commands(path: str | Path) -> list[RunCommands]:
             if words[:1] == ["Step"]:
                 found.append(RunCommands(nan if changes else timestep, simulation))
             elif words[:1] == ["timestep"]:
-                timestep = _number(words[1:])  # a variable's value is in the line after it
+                timestep = _number(words[1:])  # the value of the variable is in the next line
             elif words[:1] == ["fix"] and words[3:4] == ["dt/reset"]:
                 changes = True
             elif words == ["clear"]:
@@ -237,7 +236,7 @@ def read_commands(path: str | Path) -> list[RunCommands]:
 
 
 def _number(words: list[str]) -> float:
-    """The number that a command's words say, nan where they say none or more."""
+    """Return the only number in the words of a command; NaN if there is none or several."""
     try:
         (word,) = words
         return float(word.strip("\"'"))
@@ -246,7 +245,7 @@ def _number(words: list[str]) -> float:
 
 
 def _distinct(names: list[str]) -> list[str]:
-    """Names of columns; the engine cuts long ones, and those that then are alike get a number."""
+    """Return distinct column names; LIGGGHTS truncates long ones, and equal ones get a number."""
     seen: dict[str, int] = {}
     columns = []
     for name in (THERMO_COLUMNS.get(name, name) for name in names):

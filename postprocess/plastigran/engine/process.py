@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Find, start and stop the engine: `liggghts-plastigran` on one rank or under mpirun."""
+"""Find, start and stop LIGGGHTS: `liggghts-plastigran` on one rank or with mpirun."""
 
 from __future__ import annotations
 
@@ -19,36 +19,36 @@ from plastigran.engine.watch import RunBar
 
 PROJECT = Path(__file__).resolve().parents[3]
 
-#: Seconds an engine has to finish its step and close its files when asked to stop.
+#: Seconds that LIGGGHTS has to finish its step and close its files after a request to stop.
 GRACE = 10.0
-#: Seconds between looks at the log and the clock.
+#: Seconds between checks of the log and the clock.
 INTERVAL = 0.2
 
 
 class EngineError(RuntimeError):
-    """The engine is missing or stopped with an error; the message holds what it said."""
+    """LIGGGHTS is missing or stopped with an error; the message contains its output."""
 
 
 class EngineStopped(EngineError):
-    """The engine began and ended with an error, or was ended."""
+    """LIGGGHTS started and ended with an error, or was stopped."""
 
 
 def own_inputs() -> Path:
-    """Folder of the project's input scripts, or of the copy an installed package carries."""
+    """Return the folder of the project's input scripts, or of the copy in an installed package."""
     folder = PROJECT / "inputs"
     return folder if folder.is_dir() else Path(__file__).resolve().parents[1] / "inputs"
 
 
 def inputs_folder() -> Path:
-    """Folder of the input scripts: $PLASTIGRAN_INPUTS, or `own_inputs()`."""
+    """Return the folder of the input scripts: $PLASTIGRAN_INPUTS, or `own_inputs()`."""
     folder = Path(os.environ.get("PLASTIGRAN_INPUTS", own_inputs())).absolute()
     if not (folder / "collision").is_dir():
-        raise EngineError(f"no input scripts in {folder}; set PLASTIGRAN_INPUTS to their folder")
+        raise EngineError(f"no input scripts in {folder}. Set PLASTIGRAN_INPUTS to their folder")
     return folder
 
 
 def engine_path() -> Path:
-    """The launcher: $PLASTIGRAN_ENGINE, the project's build, or the first on PATH."""
+    """Return the launcher: $PLASTIGRAN_ENGINE, the project's build, or the first on PATH."""
     if named := os.environ.get("PLASTIGRAN_ENGINE"):
         candidates = [Path(named).absolute()]
     else:
@@ -60,23 +60,23 @@ def engine_path() -> Path:
             return path
     if named or (PROJECT / "run").is_file():
         raise EngineError(
-            f"no engine at {candidates[0]}; build it (./run setup) or set PLASTIGRAN_ENGINE"
+            f"no engine at {candidates[0]}. Run `./run setup` to build it, or set PLASTIGRAN_ENGINE"
         )
     raise EngineError(
-        "no engine: liggghts-plastigran is not on PATH; build it in the project's source tree "
-        "(./run setup) and set PLASTIGRAN_ENGINE to its build/liggghts-plastigran"
+        "no engine: liggghts-plastigran is not on PATH. Run `./run setup` in the project's "
+        "source tree and set PLASTIGRAN_ENGINE to its build/liggghts-plastigran"
     )
 
 
 def command(
     deck: str | Path, variables: Mapping[str, object], folder: Path, ranks: int = 1
 ) -> list[str]:
-    """Command line that runs a deck with its results in `folder`, from where it is to be run.
+    """Return the command line that runs a deck with its results in `folder`.
 
-    A file or folder whose path the engine would misread is reached through a link in `folder`, made
-    here. A variable whose value is None is not given.
+    A path that LIGGGHTS would misread is replaced by a link in `folder`, which is created here.
+    Variables with the value None are left out.
 
-    Never add `-screen none`: the engine's mesh reader then writes to a null file and crashes.
+    Do not add `-screen none`: the mesh reader of LIGGGHTS then writes to a null file and crashes.
     """
     line, links = _command(deck, variables, folder, ranks)
     for link, target in links.items():
@@ -92,7 +92,7 @@ def typed_command(
     working_folder: Path,
     ranks: int = 1,
 ) -> str:
-    """What could be typed in place of `command`, folders and links included; nothing is made."""
+    """Return shell commands equivalent to `command`, with folders and links; create nothing."""
     line, links = _command(deck, variables, folder, ranks)
     steps = [["mkdir", "-p", folder]]
     steps += [["ln", "-sfn", target, link] for link, target in links.items()]
@@ -103,7 +103,7 @@ def typed_command(
 def _command(
     deck: str | Path, variables: Mapping[str, object], folder: Path, ranks: int
 ) -> tuple[list[str], dict[Path, Path]]:
-    """The words of a command line, and the links that it needs with what they lead to."""
+    """Return the words of a command line, and the links that it needs with their targets."""
     line = [str(engine_path()), "-in", str(deck), "-log", str(folder / LOG)]
     settings = {"inputs": inputs_folder(), "output": folder, **variables}
     links = {}
@@ -123,17 +123,19 @@ def _command(
 
 
 def misread(path: str) -> bool:
-    """Whether the engine takes a path for more than one: it splits lines at white space, and puts a
-    step or a rank in place of * and %.
+    """Return whether LIGGGHTS misreads a path.
+
+    It splits lines at white space, and replaces * and % by a step and a rank.
     """
     return any(letter.isspace() or letter in "*%" for letter in path)
 
 
 def environment() -> dict[str, str]:
-    """The environment for mpirun: Open MPI refuses root without being told twice.
+    """Return the environment for mpirun, with the permission to run as root.
 
-    Ranks that outnumber the cores rest while they wait. With OMPI_MCA_mpi_yield_when_idle=1 all do:
-    best beside other work, while ranks that have the machine to themselves are faster awake.
+    Ranks that outnumber the cores yield while they wait. OMPI_MCA_mpi_yield_when_idle=1 makes all
+    ranks
+    yield. This is best on a busy machine; on an idle machine ranks are faster without it.
     """
     extra = {}
     if os.geteuid() == 0:
@@ -154,28 +156,29 @@ def run_deck(
 ) -> str:
     """Run a deck to its end.
 
-    The engine never outlives this function: an error, Ctrl-C or the time-out stops it with all its
-    ranks, and it is told to stop when Python is killed. What it has written stays.
+    LIGGGHTS never outlives this function: an error, Ctrl-C or the time-out stops it with all its
+    ranks,
+    and it is asked to stop if Python is killed. Files written so far stay.
 
     Args:
         deck: Path of the input script, absolute or relative to `inputs_folder()`.
         variables: Values for the deck's `variable ... index` settings.
-        folder: Where results go; made when missing.
-        ranks: MPI ranks.
+        folder: Folder of the results; created if missing.
+        ranks: Number of MPI ranks.
         timeout: Seconds before the run is stopped; None for no limit.
-        progress: Show a progress bar; in a pipe, lines.
-        working_folder: Where the engine runs, which relative paths of the deck are from; `folder`
-            if None.
-        planned: Steps of all runs of the deck for the progress bar, or 0 if not known.
-        meanwhile: Function that is called now and then while the deck runs.
+        progress: Whether to show a progress bar; in a pipe, lines.
+        working_folder: Folder in which LIGGGHTS runs, where relative paths of the deck start;
+            `folder` if None.
+        planned: Total steps of all runs of the deck for the progress bar, or 0 if unknown.
+        meanwhile: Function that is called now and then during the run.
 
     Returns:
         The log.
 
     Raises:
-        EngineError: There is no such deck or no engine.
-        EngineStopped: The engine ended with an error or took too long. The error is quoted, with
-            warnings of contact models that came before it: two, and the last.
+        EngineError: The deck or LIGGGHTS is missing.
+        EngineStopped: LIGGGHTS ended with an error or took too long. The message quotes the error
+            and earlier warnings of contact models: the first two, and the last.
     """
     folder = Path(folder).resolve()
     folder.mkdir(parents=True, exist_ok=True)
@@ -183,9 +186,9 @@ def run_deck(
     if not deck.is_file():
         raise EngineError(f"no deck {deck}")
     line = command(deck, variables, folder, ranks)
-    # The screen goes to a file: on a pipe, a helper process of MPI that outlives an interrupted
-    # engine would keep us waiting. In a session of its own the engine does not get the terminal's
-    # Ctrl-C: it is stopped from here, once.
+    # Write the screen output to a file: with a pipe, a helper process of MPI that outlives LIGGGHTS
+    # would block this process. Start a session of its own, so that the terminal's Ctrl-C reaches
+    # LIGGGHTS only once, from here.
     log, said = folder / LOG, folder / "screen.txt"
     with (
         open(said, "w") as screen,
@@ -208,17 +211,17 @@ def run_deck(
             _stop(engine, folder)
     text = log.read_text(errors="replace") if log.exists() else ""
     if returncode:
-        whole = text[: text.rfind("\n") + 1]  # an engine that stops may leave half a line
+        whole = text[: text.rfind("\n") + 1]  # LIGGGHTS may stop in the middle of a line
         reason = _reason(returncode, whole + said.read_text(errors="replace"))
         raise EngineStopped(f"{deck.name}: {reason} (log: {log if text else said})")
     return text
 
 
 def engines(folder: Path) -> list[int]:
-    """Process ids of mpirun and the engines at work for a folder, on this machine."""
+    """Return the process IDs of mpirun and LIGGGHTS that work for a folder on this machine."""
     log, found = str(folder / LOG).encode(), []
     for process in Path("/proc").glob("[0-9]*"):
-        with suppress(OSError):  # it has ended
+        with suppress(OSError):  # the process has ended
             if log in (process / "cmdline").read_bytes().split(b"\0"):
                 found.append(int(process.name))
     return found
@@ -230,7 +233,7 @@ def _wait(
     bar: RunBar,
     meanwhile: Callable[[], None],
 ) -> int:
-    """Wait until the engine ends; returns its code.
+    """Wait until LIGGGHTS ends and return its exit code.
 
     Raises:
         subprocess.TimeoutExpired: It has not ended in time.
@@ -251,7 +254,7 @@ def _wait(
 
 
 def _stop(engine: subprocess.Popen, folder: Path) -> None:
-    """Ask an engine, or mpirun and through it every rank, to stop; kill them after `GRACE`."""
+    """Ask LIGGGHTS or mpirun, and thus every rank, to stop; kill them after `GRACE`."""
     if engine.poll() is not None:
         return
     engine.terminate()
@@ -268,13 +271,14 @@ def _stop(engine: subprocess.Popen, folder: Path) -> None:
 
 
 def _reason(returncode: int, said: str) -> str:
-    """Why a run ended, from its code and what it wrote to log and screen, warnings included."""
+    """Return why a run ended, from its exit code, log and screen output, including warnings."""
     if error := find_error(said):
-        # What looks like a slip is said first, before any step; the last is of the moment.
+        # The first warnings, before any step, often show the cause; the last is the latest.
         found = worst(find_warnings(said))
         warned = [*found[:2], *found[2:][-1:]]
         return f"{error}; it had warned: {'; '.join(warned)}" if warned else error
-    killer = -returncode if returncode < 0 else returncode - 128  # as mpirun reports a rank's
+    # as mpirun reports the signal of a rank
+    killer = -returncode if returncode < 0 else returncode - 128
     if killer in set(signal.Signals):
-        return f"the engine was ended by {signal.Signals(killer).name}"
+        return f"LIGGGHTS was ended by {signal.Signals(killer).name}"
     return (said.strip().splitlines() or ["no output"])[-1]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Versions of what a run is made with, for its record."""
+"""Versions of the software of a run, for its record."""
 
 from __future__ import annotations
 
@@ -10,10 +10,10 @@ from plastigran.engine.process import engine_path
 
 
 def versions() -> dict[str, str]:
-    """Of this package, and file and SHA-256 of the plugin beside the engine.
+    """Return the version of this package, and file and SHA-256 of the plugin.
 
     Raises:
-        EngineError: There is no engine.
+        EngineError: LIGGGHTS is missing.
     """
     plugin = engine_path().parent / "libplastigran.so"
     if not plugin.exists():

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Show how far a run of the engine is."""
+"""Progress bar of a LIGGGHTS run."""
 
 from __future__ import annotations
 
@@ -10,14 +10,14 @@ from plastigran.progress import ProgressBar
 
 
 class RunBar:
-    """A bar on standard error that follows a run's log.
+    """Progress bar on standard error that follows the log of a run.
 
     Args:
-        name: What stands before the bar.
-        log: The engine's log, which need not be there yet.
-        shown: Show the bar.
-        planned: Steps of all runs of the deck, or 0 where the deck alone may know; then the log may
-            show them (`print "planned steps = N"`), else the bar is of the present run.
+        name: Text before the bar.
+        log: Log of LIGGGHTS; it may be created later.
+        shown: Whether to show the bar.
+        planned: Total steps of all runs of the deck, or 0 if unknown. The log may then show them
+            (`print "planned steps = N"`); otherwise the bar covers the current run.
     """
 
     def __init__(self, name: str, log: Path, shown: bool = True, planned: int = 0) -> None:
@@ -26,7 +26,7 @@ class RunBar:
         self._bar = ProgressBar(desc=name, unit="steps", unit_scale=True, shown=shown)
 
     def update(self) -> None:
-        """Take in what the log has gained."""
+        """Read the new lines of the log."""
         if self._bar.disable:
             return
         before = self._follower.progress.run

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Results of finite elements, kept on disk.
+"""Keep finite-element results on disk.
 
-A result is found again for the same metal, numbers and settings, as long as no file of this package
-and no library has changed. The folder is `$PLASTIGRAN_CACHE`, or `~/.cache/plastigran`.
+A result is valid for the same material, numbers and settings until a file of this package or a
+library changes. The folder is `$PLASTIGRAN_CACHE`, or `~/.cache/plastigran`.
 """
 
 from __future__ import annotations
@@ -25,16 +25,17 @@ from plastigran.fem.result_file import from_bytes, to_bytes
 from plastigran.fem.settings import Settings
 
 Result = TypeVar("Result")
-DIGEST = 32  # bytes before a result's own
-LIBRARIES = ("numpy", "scipy", "scikit-fem", "pandas")  # pandas: of the files
+DIGEST = 32  # bytes of the checksum at the start of a file
+# libraries whose versions matter; pandas, because of the file format
+LIBRARIES = ("numpy", "scipy", "scikit-fem", "pandas")
 
 
 class CacheWarning(UserWarning):
-    """A result could not be kept on disk."""
+    """A result could not be written to disk."""
 
 
 def folder() -> Path:
-    """Where results are kept."""
+    """Return the folder of the results."""
     return Path(os.environ.get("PLASTIGRAN_CACHE") or Path.home() / ".cache" / "plastigran")
 
 
@@ -45,8 +46,8 @@ def cached(
     progress: bool = False,
     **named: object,
 ) -> Result:
-    """Return the result of `compute(*arguments, settings, progress, **named)`, from disk if it is
-    there.
+    """Return the result of `compute(*arguments, settings, progress, **named)`, from disk if
+    possible.
 
     A damaged file is computed again. A result that stopped early is not kept.
 
@@ -57,7 +58,7 @@ def cached(
     path = folder() / f"{compute.__name__}_{_key(compute, arguments, settings, named)}.result"
     try:
         return from_bytes(_sound(path.read_bytes()))
-    except (OSError, ValueError):  # not there, cannot be read, or damaged
+    except (OSError, ValueError):  # missing, unreadable or damaged
         result = compute(*arguments, settings, progress, **named)
     if not getattr(result, "stopped", ""):
         _keep(to_bytes(result), path)
@@ -65,7 +66,7 @@ def cached(
 
 
 def _keep(content: bytes, path: Path) -> None:
-    """Write a file, whole or not at all."""
+    """Write a file completely or not at all."""
     temporary = None
     try:
         path.parent.mkdir(parents=True, exist_ok=True)
@@ -87,10 +88,10 @@ def _keep(content: bytes, path: Path) -> None:
 
 
 def _sound(file: bytes) -> bytes:
-    """What follows a digest.
+    """Return the content after the checksum.
 
     Raises:
-        ValueError: It is not what was digested.
+        ValueError: The checksum is wrong.
     """
     digest, content = file[:DIGEST], file[DIGEST:]
     if sha256(content).digest() != digest:
@@ -110,12 +111,12 @@ def _key(
 
 
 def _plain(value: object) -> object:
-    """A value whose repr tells all of it."""
+    """Return a value whose repr is complete."""
     if attrs.has(type(value)):
         return type(value).__qualname__, {
             field.name: _plain(getattr(value, field.name)) for field in attrs.fields(type(value))
         }
-    if isinstance(value, np.ndarray):  # its repr leaves out what is between
+    if isinstance(value, np.ndarray):  # the repr of a long array is abbreviated
         return value.dtype.str, value.shape, sha256(value.tobytes()).hexdigest()
     if isinstance(value, list | tuple):
         return [_plain(entry) for entry in value]
@@ -124,7 +125,7 @@ def _plain(value: object) -> object:
 
 @cache
 def _sources() -> str:
-    """Digest of this package's code and of the libraries' versions."""
+    """Return a digest of the code of this package and the versions of libraries."""
     digest = sha256(repr([(name, version(name)) for name in LIBRARIES]).encode())
     for path in sorted(Path(__file__).parent.rglob("*.py")):
         digest.update(path.read_bytes())

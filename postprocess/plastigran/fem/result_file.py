@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Results of finite elements as bytes: numpy arrays, and JSON for all else. Reading runs no code of
-the file.
+"""Finite-element results as bytes: numpy arrays, and JSON for the rest.
+
+Reading a file does not execute code from it.
 """
 
 from __future__ import annotations

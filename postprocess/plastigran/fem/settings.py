@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""How fine a computation is."""
+"""Resolution of a computation."""
 
 from __future__ import annotations
 
@@ -12,34 +12,34 @@ from plastigran.fem.mesh.block import HalfBlock
 from plastigran.fem.mesh.sphere import SphereMesh
 from plastigran.fem.theory.hertz import HertzSphere
 
-CORE_OVER_YIELD = 1.2  # radius of the fine core over the contact radius at which the sphere yields
-CORE_OVER_REACH = 0.5  # and at most this times the largest contact radius
+CORE_OVER_YIELD = 1.2  # core radius / contact radius at yield
+CORE_OVER_REACH = 0.5  # largest core radius / largest contact radius
 
 
 @attrs.frozen(kw_only=True)
 class Settings:
     """Mesh, steps and penalty.
 
-    The defaults serve forces within some tenths of a per cent; `convergence` shows it.
+    With the defaults, forces are accurate to some tenths of a per cent; see `convergence`.
     """
 
     divisions: int = whole("elements over a quarter of the angle about the contact", 2, default=6)
     fineness: float = number("factor on the number of rings of elements", "-", 0.1, 10, default=1.0)
-    growth: float = number("force of an increment over the last one's", "-", 1, 2, default=1.05)
+    growth: float = number("ratio of consecutive force increments", "-", 1, 2, default=1.05)
     unloading_steps: int = whole("increments of an unloading", 4, default=24)
-    steps_of_contact: int = whole("time steps over Hertz' duration", 20, default=250)
+    steps_of_contact: int = whole("time steps during Hertz' duration", 20, default=250)
     free_steps: int = whole("time steps followed after the contact", 1, default=5)
-    frames: int = whole("fields kept over Hertz' duration of a throw", default=0)
-    penalty: float = number("stiffness of the plane over E*/h", "-", 1, 1e5, default=PENALTY)
-    strain: str = word("how strains follow from displacements", KINEMATICS, default="small")
+    frames: int = whole("fields kept during Hertz' duration", default=0)
+    penalty: float = number("stiffness of the plane divided by E*/h", "-", 1, 1e5, default=PENALTY)
+    strain: str = word("kinematics, small or finite strain", KINEMATICS, default="small")
 
     @property
     def kinematics(self) -> Kinematics:
-        """How strains follow from displacements."""
+        """Relation of strains and displacements."""
         return KINEMATICS[self.strain]()
 
     def mesh(self, sphere: HertzSphere, reach: float, whole: bool) -> SphereMesh:
-        """The mesh for contacts up to the radius `reach`, m."""
+        """Return the mesh for contact radii up to `reach`, m."""
         return SphereMesh(
             radius=sphere.radius,
             core=_core(sphere, reach),
@@ -50,7 +50,7 @@ class Settings:
         )
 
     def block(self, sphere: HertzSphere, reach: float, size: float) -> HalfBlock:
-        """The mesh of the half space under the sphere, down to `size`, m."""
+        """Return the mesh of the half space under the sphere, of radius `size`, m."""
         return HalfBlock(
             core=_core(sphere, reach),
             reach=reach,
@@ -61,7 +61,7 @@ class Settings:
 
 
 def _core(sphere: HertzSphere, reach: float) -> float:
-    """Radius inside which elements are equally fine, m."""
+    """Return the radius inside which elements have equal size, m."""
     core = CORE_OVER_REACH * reach
     if sphere.yielding is None:
         return core

@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""What the contact laws are held against, and how far off they are."""
+"""Reference data for the contact laws, and the errors of the laws."""

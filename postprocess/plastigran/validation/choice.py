@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""What the errors say about the choice of a law, by regime."""
+"""Errors of the laws by regime, to choose a law."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ import pandas as pd
 from plastigran.calibration.expected_errors import KINDS
 from plastigran.validation.laws_on_spheres import QUANTITIES
 
-#: Regimes of the table of spheres: name, kind of metal, bounds of v/v_Y.
+#: Regimes of the spheres: name, kind of contact, bounds of v/v_Y.
 SPHERE_REGIMES = {
     "just beyond yield, v/v_Y 1–10": (KINDS[0], 1, 10),
     "v/v_Y 10–100": (KINDS[0], 10, 100),
@@ -33,7 +33,7 @@ WORDS = {QUANTITIES[0]: "restitution", QUANTITIES[1]: "force"}
 def _errors(
     compared: pd.DataFrame, rebounds: pd.DataFrame, rated: pd.DataFrame | None = None
 ) -> Mapping[tuple[str, str], pd.DataFrame]:
-    """Columns law and error of each regime and quantity."""
+    """Return columns law and error for each regime and quantity."""
     parts = {}
     for regime, (kind, least, most) in SPHERE_REGIMES.items():
         chosen = compared["speed_ratio"].between(least, most) & (compared["kind"] == kind)
@@ -50,16 +50,16 @@ def _errors(
 
 
 def by_regime(compared: pd.DataFrame, rebounds: pd.DataFrame, rated: pd.DataFrame) -> pd.DataFrame:
-    """The laws in order of their error, regime by regime: the three best and the last.
+    """Return the three best laws and the last one for each regime.
 
     Args:
         compared: As of `laws_on_spheres.compare`.
         rebounds: As of `steel.rebounds`.
-        rated: The same with the rate of strain.
+        rated: The same with the strain rate.
 
     Returns:
-        A row for each regime and quantity; each law with the root of its mean square error and its
-        largest error [%].
+        A row for each regime and quantity. Each law has its root mean square error and its largest
+        error [%].
     """
     rows = []
     for (regime, word), part in _errors(compared, rebounds, rated).items():
@@ -72,8 +72,9 @@ def by_regime(compared: pd.DataFrame, rebounds: pd.DataFrame, rated: pd.DataFram
 
 
 def by_law(compared: pd.DataFrame, rebounds: pd.DataFrame, word: str) -> pd.DataFrame:
-    """Root of the mean square error of a quantity [%], laws down, regimes across; the law with the
-    least mean comes first.
+    """Return the root mean square error of a quantity [%], laws as rows and regimes as columns.
+
+    The law with the smallest mean comes first.
 
     Args:
         compared, rebounds: As for `by_regime`.
@@ -89,7 +90,7 @@ def by_law(compared: pd.DataFrame, rebounds: pd.DataFrame, word: str) -> pd.Data
 
 
 def _sizes(part: pd.DataFrame) -> pd.DataFrame:
-    """Errors of the laws [%], the least first: index law, columns rms and max."""
+    """Return the errors of the laws [%], smallest first: index law, columns rms and max."""
     groups = 100 * part.set_index("law")["error"]
     found = pd.DataFrame(
         {
@@ -97,7 +98,7 @@ def _sizes(part: pd.DataFrame) -> pd.DataFrame:
             "max": groups.abs().groupby("law").max(),
         }
     )
-    # Laws that differ by rounding stand in the order of their names.
+    # Laws that differ only by round-off are sorted by name.
     return found.sort_values("rms", key=lambda sizes: sizes.round(6), kind="stable")
 
 
@@ -106,5 +107,5 @@ def _cell(row: pd.Series) -> str:
 
 
 def _digits(error: float) -> float:
-    """Two digits of an error, whole per cents from ten."""
+    """Return an error with two digits; from ten, without decimals."""
     return round(error) if error >= 10 else float(f"{error:.2g}")

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Rebound hardness of steel by finite elements: the elastic ball of device D dents a half space.
+"""Rebound hardness of steel by finite elements: the elastic ball of device D on a half space.
 
     python -m plastigran.validation.dented_steel
 
 computes what is not in the cache and writes the table, `plastigran/data/finite_elements_leeb.csv`.
-The steel is perfectly plastic, its strength H/2.8, and small strain is taken also where a/R is
-larger than the 0.1 to which it is good.
+The steel is perfectly plastic, with strength H/2.8. Small strain is used even if a/R exceeds 0.1,
+up to which it is accurate.
 """
 
 from __future__ import annotations
@@ -35,24 +35,27 @@ from plastigran.validation.steel import POISSONS_RATIO, YOUNGS_MODULUS, speed_ra
 
 FINITE_ELEMENTS = "finite elements"
 TABLE = "finite_elements_leeb.csv"
-#: Hardnesses of the table, HV; of softer steel, a/R above 0.2, small strain finds no equilibrium.
+#: Hardnesses of the table, HV. For softer steel, a/R exceeds 0.2 and small strain does not
+#: converge.
 HARDNESSES = (211, 304, 550, 940)
-#: Largest forces over that of a rigid ball at the pressure H throughout; the impact's lies between.
+#: Largest forces divided by that of a rigid ball at constant pressure H; the impact lies between.
 SHARES = (0.65, 0.85, 1.1)
-#: Restitution of a finer mesh, at 550 HV, is 0.4 % larger.
+#: A finer mesh gives 0.4 % more restitution at 550 HV.
 SETTINGS = Settings(divisions=4, fineness=0.7, growth=1.08, unloading_steps=10)
 
 
 def table() -> pd.DataFrame:
-    """The table as it is kept with the package: HV, HLD, speed_ratio, restitution, force_max [N],
-    contact_radius_over_radius.
+    """Read the table of the package.
+
+    Returns:
+        Columns HV, HLD, speed_ratio, restitution, force_max [N], contact_radius_over_radius.
     """
     with (files("plastigran") / "data" / TABLE).open() as file:
         return pd.read_csv(file)
 
 
 def computation(hardness: float) -> Computation:
-    """The ball pressed on steel of a hardness, HV."""
+    """Return the computation of the ball on steel of a hardness, HV."""
     tester, strength = TESTERS["D"], float(flow_stress(hardness))
     ball = ElasticPlastic(
         youngs_modulus=tester.ball.youngs_modulus, poissons_ratio=tester.ball.poissons_ratio
@@ -62,7 +65,7 @@ def computation(hardness: float) -> Computation:
         poissons_ratio=POISSONS_RATIO,
         hardening=LinearHardening(strength),
     )
-    # pi a^2 H over the way a^2/2R takes the work F^2/(4 pi R H).
+    # The force pi a^2 H over the depth a^2/2R does the work F^2/(4 pi R H).
     pressure = float(indentation_pressure(hardness))
     guess = 2 * sqrt(pi * tester.ball_radius * pressure * _energy(tester))
     forces = tuple(share * guess for share in SHARES)
@@ -70,7 +73,7 @@ def computation(hardness: float) -> Computation:
 
 
 def row(hardness: float, pressing: Pressing) -> dict[str, float]:
-    """What the impact of device D does, between the releases of a pressing."""
+    """Return the impact of device D, interpolated between the unloadings."""
     tester, found = TESTERS["D"], pressing.unloadings
     share = np.log(found["work_loading"] / _energy(tester))
 
@@ -89,10 +92,10 @@ def row(hardness: float, pressing: Pressing) -> dict[str, float]:
 
 
 def comparison(law: str) -> pd.DataFrame:
-    """The finite elements' restitution beside that of the tester's table and of a narrow contact.
+    """Compare restitution by finite elements with that of the tester's table and at small a/R.
 
     Args:
-        law: Name of a law that is held against them, too.
+        law: Name of a law that is compared, too.
 
     Returns:
         A row for each hardness of `table`; differences in per cent.
@@ -117,10 +120,11 @@ def comparison(law: str) -> pd.DataFrame:
 
 
 def narrow_restitution(ratios: np.ndarray) -> np.ndarray:
-    """Restitution of narrow contacts of perfectly plastic spheres at some v/v_Y.
+    """Return the restitution of perfectly plastic spheres at small a/R, for some v/v_Y.
 
-    From the softest metal of the table of spheres, a/R below 0.025; beyond it, the power of speed
-    of its fastest impacts.
+    The values are those of the softest metal of the table of spheres, with a/R below 0.025. Beyond
+    its
+    range, the power law of its fastest impacts is continued.
     """
     rows = spheres()
     rows = rows[kind(rows) == KINDS[0]].sort_values("speed_ratio")

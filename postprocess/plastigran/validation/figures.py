@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Figures of the validation page."""
+"""Figures of the validation pages."""
 
 from __future__ import annotations
 
@@ -14,15 +14,15 @@ from plastigran.calibration.expected_errors import KINDS
 from plastigran.plot.style import COLOURS, MARKERS, law_colour, styled, subplots, title
 from plastigran.validation import oblique
 
-COLUMNS = 5  # of panels
-#: Half the height of a panel of errors [%]; what is beyond stands at its edge.
+COLUMNS = 5  # columns of panels
+#: Half the height of a panel of errors [%]; larger errors are drawn at its edge.
 REACH = 40
-#: Incident angles [degrees] of the lines of theory.
+#: Incident angles [degrees] of the theoretical lines.
 FINE_ANGLES = np.linspace(1, 86, 52)
 
 
 def spheres_figure(compared: pd.DataFrame, quantity: str) -> Figure:
-    """Error over v/v_Y, a panel a law.
+    """Draw the error over v/v_Y, a panel for each law.
 
     Args:
         compared: As of `laws_on_spheres.compare`.
@@ -44,12 +44,12 @@ def spheres_figure(compared: pd.DataFrame, quantity: str) -> Figure:
             axes.set(xscale="log", ylim=(-1.05 * REACH, 1.05 * REACH), title=title(name))
         panels[0].legend(fontsize=7)
         figure.supxlabel("$v/v_Y$", fontsize=9)
-        figure.supylabel("law over finite elements, less 1 (%)", fontsize=9)
+        figure.supylabel("law / finite elements − 1 (%)", fontsize=9)
     return figure
 
 
 def rebound_figure(rebounds: pd.DataFrame) -> Figure:
-    """Restitution of steel over its Vickers hardness, and each law's error.
+    """Draw the restitution of steel over its Vickers hardness, and the error of each law.
 
     Args:
         rebounds: As of `steel.rebounds`.
@@ -63,7 +63,9 @@ def rebound_figure(rebounds: pd.DataFrame) -> Figure:
         table = part.assign(measured=part["HLD"] / 1000)
         left.plot(table["HV"], table["measured"], "ko", ms=3, label="Leeb D")
         share = np.where(table["HLD"] >= 450, 5.0, 9.0)
-        right.fill_between(table["HV"], -share, share, color="0.9", label="trust of the table")
+        right.fill_between(
+            table["HV"], -share, share, color="0.9", label="uncertainty of the table"
+        )
         right.axhline(0, color="0.3", lw=0.8)
         for axes in (left, right):
             axes.set(xscale="log", xlabel="Vickers hardness (HV)")
@@ -76,11 +78,11 @@ def rebound_figure(rebounds: pd.DataFrame) -> Figure:
 
 
 def budget_figure(parts: pd.DataFrame, law: str, mean: float) -> Figure:
-    """What the offset of a law from the rebound hardness of steel may be made of.
+    """Draw the possible causes of the mean error of a law on the rebound hardness of steel.
 
     Args:
         parts: As of `offset.budget`.
-        law: Whose.
+        law: Name of the law.
         mean: Its mean error [%].
     """
     with styled():
@@ -90,7 +92,7 @@ def budget_figure(parts: pd.DataFrame, law: str, mean: float) -> Figure:
         axes.barh(places, parts["mean (%)"], color=COLOURS[0], height=0.6, label="mean")
         reach = {"color": "0.2", "lw": 1.5, "label": "80 to 940 HV"}
         axes.hlines(places, ends.min(axis=1), ends.max(axis=1), **reach)
-        axes.axvline(-mean, color=COLOURS[1], ls="--", label="would close the mean")
+        axes.axvline(-mean, color=COLOURS[1], ls="--", label="needed to remove the mean error")
         axes.axvline(0, color="0.4", lw=0.8)
         said = [f"{row['source']}, {row['change']}" for row in parts.to_dict("records")]
         axes.set_yticks(places, said)
@@ -101,11 +103,11 @@ def budget_figure(parts: pd.DataFrame, law: str, mean: float) -> Figure:
 
 
 def errors_figure(table: pd.DataFrame, head: str) -> Figure:
-    """Errors of the laws as points, a row a law.
+    """Draw the errors of the laws as points, a row for each law.
 
     Args:
         table: Column law, and columns of errors whose names end in "(%)".
-        head: Of the figure.
+        head: Title of the figure.
     """
     columns = [name for name in table.columns if name.endswith("(%)")]
     with styled():
@@ -123,7 +125,7 @@ def errors_figure(table: pd.DataFrame, head: str) -> Figure:
 
 
 def oblique_figure(computed: pd.DataFrame) -> Figure:
-    """The oblique impacts: measured, and computed each way.
+    """Draw oblique impacts: measured, and computed by each method.
 
     Args:
         computed: As of `oblique.computed`.

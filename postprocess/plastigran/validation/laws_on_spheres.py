@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Every law against the finite elements of spheres, by kind of metal and regime of speed."""
+"""Errors of every law compared with finite elements of spheres, by kind and speed."""
 
 from __future__ import annotations
 
@@ -18,28 +18,29 @@ from plastigran.validation.spheres.metals import PLANE_MODULUS, RADIUS, SphereMe
 from plastigran.validation.spheres.regimes import SPEED_RATIOS, kind
 from plastigran.validation.tables import root_mean_square
 
-#: Bounds of the regimes of speed, v/v_Y.
+#: Bounds of the speed regimes, v/v_Y.
 REGIMES = (*SPEED_RATIOS, 1000)
-MASS = 1.0  # of a sphere [kg]; ratios do not depend on it
-#: What is compared, by column of the table of errors.
+MASS = 1.0  # mass of a sphere [kg]; ratios do not depend on it
+#: Compared quantities, by column of the table of errors.
 QUANTITIES = ("coefficient_of_restitution", "force_max")
 
 
 def yielding_laws() -> list[str]:
-    """Names of the laws for spheres that yield."""
+    """Return the names of the laws for spheres that yield."""
     return [name for name in laws_for("sphere") if laws.LAWS[name].yields]
 
 
 def compare(names: Iterable[str] | None = None, rows: pd.DataFrame | None = None) -> pd.DataFrame:
-    """Laws against each row of the table of spheres.
+    """Compare laws with each row of the table of spheres.
 
     Args:
-        names: Of laws; None for all that yield.
-        rows: Of the table of spheres, or None for all of it.
+        names: Names of laws; None for all that yield.
+        rows: Rows of the table of spheres, or None for all.
 
     Returns:
-        A row for each law and row of the table: law, metal, set, kind, speed_ratio, and
-        `QUANTITIES`, each the law's over that of the finite elements less 1 [-].
+        A row for each law and row of the table: law, metal, set, kind, speed_ratio and
+            `QUANTITIES`,
+        each as law / finite elements - 1 [-].
     """
     rows = table() if rows is None else rows
     rows = rows[rows["speed_ratio"] > 1].assign(kind=kind)
@@ -62,15 +63,15 @@ def compare(names: Iterable[str] | None = None, rows: pd.DataFrame | None = None
 
 
 def errors(compared: pd.DataFrame) -> pd.DataFrame:
-    """Errors by law, kind of metal and regime of speed.
+    """Return the errors by law, kind of contact and speed regime.
 
     Args:
         compared: As of `compare`.
 
     Returns:
         Columns law, kind, speed_ratio_from and speed_ratio_to (the regime), quantity (one of
-        `QUANTITIES`), rms and max: root of the mean square and largest size of the relative error
-        [-], cases: how many. A regime without cases has no row.
+        `QUANTITIES`), rms and max (relative errors [-]), and cases (their number). A regime without
+        cases has no row.
     """
     regime = pd.cut(compared["speed_ratio"], REGIMES, labels=False)
     kinds = pd.Categorical(compared["kind"], KINDS, ordered=True)

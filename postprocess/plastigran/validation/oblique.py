@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Oblique impacts of alumina on glass, Kharaz, Gorham & Salman 2001: friction and the elasticity of
-the contact along the surface, by theory and by LIGGGHTS.
+"""Oblique impacts of alumina on glass (Kharaz, Gorham & Salman 2001), by theory and by LIGGGHTS.
+
+They test friction and the tangential elasticity of the contact.
 """
 
 from __future__ import annotations
@@ -22,13 +23,13 @@ from plastigran.physics.oblique import Motion, ObliqueImpact
 from plastigran.physics.partial_slip import partial_slip
 
 GLASS = laws.Body(70e9, 0.25)
-#: The quantities by name: how they are called, and what a theory should be within.
+#: Quantities by name: words for each, and the expected accuracy of a theory.
 QUANTITIES = {
     "restitution": ("tangential restitution", 0.02),
     "spin": ("spin (rad/s)", 10.0),
     "rebound_angle": ("rebound angle (°)", 1.0),
 }
-#: The ways they are computed.
+#: Methods of computation.
 PARTIAL_SLIP, SPRING, ENGINE = "partial slip", "spring and slider", "LIGGGHTS"
 THEORIES: dict[str, Callable[[ObliqueImpact], Motion]] = {
     PARTIAL_SLIP: partial_slip,
@@ -38,42 +39,43 @@ THEORIES: dict[str, Callable[[ObliqueImpact], Motion]] = {
 
 @cache
 def measured() -> pd.DataFrame:
-    """The measurements: columns incident_angle [degrees], quantity, value; see the file's head."""
+    """Return the measurements: columns incident_angle [degrees], quantity, value."""
     with (files("plastigran") / "data" / "oblique_kharaz_2001.csv").open() as file:
         return pd.read_csv(file, comment="#")
 
 
 def case(angle: float) -> BenchmarkImpact:
-    """The impact at an angle from the normal [degrees], as the deck of benchmark 4 has it: alumina
-    on a rigid plane.
+    """Return the impact at an angle from the normal [degrees] for the deck of benchmark 4.
+
+    That deck has alumina on a rigid plane.
     """
     return BenchmarkImpact("4_incident_angle", "aluminium_oxide", "incident_angle", angle)
 
 
 def impact(angle: float) -> ObliqueImpact:
-    """The impact at an angle [degrees], on glass."""
+    """Return the impact at an angle [degrees] on glass."""
     found = case(angle)
     return attrs.evolve(found.impact(), pair=laws.combine(found.sphere.body(), GLASS))
 
 
 def quantity(name: str, before: ObliqueImpact, after: Motion) -> float:
-    """One of `QUANTITIES` of an impact."""
+    """Return one of `QUANTITIES` of an impact."""
     if name == "restitution":
         return after.along / before.before.along
     return -after.spin if name == "spin" else degrees(atan2(after.along, after.normal))
 
 
 def computed(engine: Iterable[float] | None = None) -> pd.DataFrame:
-    """The measurements beside what is computed.
+    """Return the measurements with computed values.
 
     Args:
-        engine: Incident angles [degrees] that LIGGGHTS runs; None for all.
+        engine: Incident angles [degrees] for LIGGGHTS; None for all.
 
     Returns:
-        As `measured`, with a column for each way of computing; nan where LIGGGHTS does not run.
+        As `measured`, with a column for each method; NaN at angles without a LIGGGHTS run.
 
     Raises:
-        EngineError: The engine stopped with an error.
+        EngineError: LIGGGHTS stopped with an error.
     """
     table = measured()
     asked = table["incident_angle"] if engine is None else list(engine)
@@ -92,12 +94,13 @@ def _value(angle: float, name: str, after: Motion | None) -> float:
 
 
 def comparison(table: pd.DataFrame, name: str) -> pd.DataFrame:
-    """One of `QUANTITIES` over the incident angle: measured, computed, and what is measured less
-    what partial slip has, also as tangential restitution.
+    """Return one of `QUANTITIES` over the incident angle: measured, computed, and difference.
+
+    The difference is from partial slip, also given as tangential restitution.
 
     Args:
         table: As of `computed`.
-        name: Of the quantity.
+        name: Name of the quantity.
     """
     part = table[table["quantity"] == name].reset_index(drop=True)
     off = part["value"] - part[PARTIAL_SLIP]
@@ -111,23 +114,23 @@ def comparison(table: pd.DataFrame, name: str) -> pd.DataFrame:
 
 
 def _as_restitution(part: pd.DataFrame, name: str) -> pd.Series:
-    """The difference between measurement and partial slip in terms of tangential restitution.
+    """Return the difference between measurement and partial slip as tangential restitution.
 
-    About the point of contact the angular momentum stays: 2/5 R w = v_t - v_t'. The tangent of the
-    rebound angle is v_t' over the speed along the normal.
+    The angular momentum about the contact point is constant: 2/5 R w = v_t - v_t'. The tangent of
+    the rebound angle is v_t' / normal speed.
     """
     angles = part["incident_angle"]
     if name == "spin":
         arm = [0.4 * impact(a).radius / impact(a).before.along for a in angles]
         return -(part["value"] - part[PARTIAL_SLIP]) * arm
     tangents = [np.tan(np.radians(part[column])) for column in ("value", PARTIAL_SLIP)]
-    # Near the normal an angle does not tell it.
+    # Near the normal, the angle does not determine it.
     share = [impact(a).restitution() / np.tan(radians(a)) if a > 1 else np.nan for a in angles]
     return (tangents[0] - tangents[1]) * share
 
 
 def summary(table: pd.DataFrame) -> pd.DataFrame:
-    """How far off the measurements each way of computing is.
+    """Return the error of each method of computation.
 
     Args:
         table: As of `computed`.

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""What the offset between a law and the rebound hardness of steel is made of."""
+"""Possible causes of the mean error of a law on the rebound hardness of steel."""
 
 from __future__ import annotations
 
@@ -17,26 +17,26 @@ from plastigran.validation import dented_steel
 from plastigran.validation.steel import rebound
 from plastigran.validation.tables import root_mean_square
 
-#: Of steel 4340, by Johnson & Cook, with its rate [1/s].
+#: Constants of steel 4340 by Johnson & Cook, with the reference rate [1/s].
 RATE = {"rate_coefficient": STEEL_RATE_COEFFICIENT, "reference_rate": 1.0}
-#: What else is not known of the testers and of steel.
-MASS, SPEED = 5.5e-3, 2.00  # makers' tables; ISO 16859 has 5.45 g, and 2.05 m/s
+#: Further uncertainties of the testers and of steel.
+MASS, SPEED = 5.5e-3, 2.00  # from makers' tables; ISO 16859 has 5.45 g and 2.05 m/s
 BALL_MODULI = (600e9, 650e9)
 CONSTRAINT_FACTORS = (2.6, 3.0)
-CONVERSION_SCATTER = 0.1  # of HV
+CONVERSION_SCATTER = 0.1  # relative, in HV
 SENSOR_HEIGHT = 1e-3
 
 
 def budget(law: str) -> pd.DataFrame:
-    """What each unknown changes a law's restitution by [%].
+    """Return the change of a law's restitution [%] for each uncertainty.
 
     Args:
-        law: Its name.
+        law: Name of the law.
 
     Returns:
-        A row for each: source, change (from what to what), and the change of restitution: its mean
-        over the hardnesses of `leeb_table`, and at the softest and the hardest; of the dent, over
-        those of `dented_steel.table`.
+        A row for each uncertainty: source, change (from value to value), mean change of restitution
+        over the hardnesses of `leeb_table`, and the change at the softest and the hardest. For the
+        large a/R, the hardnesses are those of `dented_steel.table`.
     """
     usual = rebound(law)
     rows = []
@@ -109,7 +109,7 @@ def _changes(law: str, usual: np.ndarray) -> Iterator[tuple[str, str, np.ndarray
 
 
 def with_rate(rebounds: pd.DataFrame, rated: pd.DataFrame) -> pd.DataFrame:
-    """Every law's mean error and its root of the mean square [%], without and with the rate.
+    """Return the mean and rms error of every law [%], without and with the strain rate.
 
     Args:
         rebounds, rated: As of `plastigran.validation.steel.rebounds`, the second with `RATE`.

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The finite elements that Zhang & Vu-Quoc 2002 print of their sphere, and every law."""
+"""Every law compared with the finite elements that Zhang & Vu-Quoc (2002) print."""
 
 from __future__ import annotations
 
@@ -18,8 +18,9 @@ QUANTITIES = {"force_max": "force", "coefficient_of_restitution": "restitution"}
 
 
 def compare() -> pd.DataFrame:
-    """How far every law is off the paper [%]: peak force at its speeds, and restitution; the law
-    with the least sum comes first.
+    """Return the error of every law [%] in peak force and restitution at the paper's speeds.
+
+    The law with the smallest sum comes first.
     """
     material = read_material("aluminium_zv02")
     pair = laws.combine(material.body(), RIGID)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The validation: every table and figure, and the pages that show them."""
+"""The validation report: tables, figures and pages."""
 
 from __future__ import annotations
 
@@ -19,14 +19,14 @@ from plastigran.validation import (
     steel,
 )
 
-#: Incident angles that LIGGGHTS runs for a quick look [degrees], one for each quantity.
+#: Incident angles of LIGGGHTS runs for a quick look [degrees], one for each quantity.
 FEW_ANGLES = (20.01, 21.25, 20.57)
-#: The errors by law and regime that other rooms read.
+#: Errors by law and regime, which other packages read.
 ERRORS = Path(plastigran.__file__).parent / "data" / "errors.csv"
 
 
 def compute(progress: bool, coarse: bool) -> Findings:
-    """Every table and figure; a coarse one runs LIGGGHTS at a few angles only."""
+    """Compute every table and figure; `coarse` runs LIGGGHTS at a few angles only."""
     compared = laws_on_spheres.compare()
     rebounds, rated = steel.rebounds(), steel.rebounds(**offset.RATE)
     leeb = steel.summary(rebounds)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The oblique rod of Ghaednia, Cermik & Marghitu 2015 by its equations of motion, for every law."""
+"""The oblique rod of Ghaednia, Cermik & Marghitu (2015): equations of motion for all laws."""
 
 from __future__ import annotations
 
@@ -23,14 +23,14 @@ MEASURED = MeasuredRun()
 
 
 def impacts(names: Iterable[str] | None = None) -> pd.DataFrame:
-    """Restitution of the tip by law.
+    """Return the restitution of the tip for each law.
 
     Args:
-        names: Of laws; None for all that yield.
+        names: Names of laws; None for all that yield.
 
     Returns:
         Columns law, angle [degrees], speed [m/s], restitution, angular_velocity [rad/s] and
-        measured, the restitution that the paper's experiments show at any speed.
+        measured, the restitution of the experiments, which does not depend on speed.
     """
     rows = []
     for name in yielding_laws() if names is None else names:
@@ -52,8 +52,10 @@ def impacts(names: Iterable[str] | None = None) -> pd.DataFrame:
 
 
 def summary(impacts: pd.DataFrame) -> pd.DataFrame:
-    """Errors of each law [%]: of restitution over the speeds at either angle, and of the run whose
-    velocities the paper prints. The law with the least of the four comes first.
+    """Return the errors of each law [%].
+
+    They are the errors of restitution at either angle, and of the run whose velocities the paper
+    prints. The law with the smallest of the four comes first.
 
     Args:
         impacts: As of `impacts`.

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Impacts on flats of steel of known hardness: rebound testers, and a sphere of alumina.
+"""Impacts on steel flats of known hardness: rebound testers, and a sphere of alumina.
 
-The strength of a flat is its flow stress by hardness, H/2.8 (`plastigran.calibration.hardness`);
-nothing else is put in.
+The strength of a flat is its flow stress from hardness, H/2.8 (`plastigran.calibration.hardness`).
+No other constant is fitted.
 """
 
 from __future__ import annotations
@@ -19,38 +19,38 @@ from plastigran.physics.rebound_hardness import TESTERS, ReboundTester, dented_f
 from plastigran.validation.laws_on_spheres import yielding_laws
 from plastigran.validation.tables import nearest_first, root_mean_square
 
-#: Steel that does not yield; its strength is its hardness'.
+#: Elastic constants of steel; its strength follows from hardness.
 YOUNGS_MODULUS, POISSONS_RATIO = 206e9, 0.3
-#: Readings of device D that are trusted to 5 % in restitution; softer ones to 8 to 10 %.
+#: Readings of device D with 5 % uncertainty in restitution; for softer steel it is 8 to 10 %.
 TRUSTED = (450, 890)
-#: Single readings of other devices: device, reading, HV. 70 HRC lies beyond the table of ASTM E140
-#: and is read as 1015 to 1080 HV, which is 2.5 % in restitution.
+#: Single readings of other devices: device, reading, HV. 70 HRC is beyond the table of ASTM E140;
+#: it is taken as 1015 to 1080 HV, an uncertainty of 2.5 % in restitution.
 SINGLE_READINGS = (("G", 750, 675.0), ("C", 960, 1050.0))
-#: Diameters of craters of device D [m] by HV, to their order of magnitude.
+#: Approximate crater diameters of device D [m] by HV.
 CRATERS = {300.0: 0.54e-3, 800.0: 0.35e-3}
-#: Spheres of alumina of 3 mm on flats at 10 m/s: restitution by HV, from the abstract of a paper.
+#: Alumina spheres of 3 mm on flats at 10 m/s: restitution by HV, from the abstract of a paper.
 ALUMINA = laws.Body(380e9, 0.23)
 ALUMINA_DENSITY, ALUMINA_RADIUS, ALUMINA_SPEED = 3900.0, 1.5e-3, 10.0
 ALUMINA_RESTITUTION = {300.0: 0.63, 700.0: 0.86}
 
 
 def steel(strength: float, **others: float) -> laws.Body:
-    """Steel of a yield strength [Pa], with further constants of `laws.Body`."""
+    """Return steel of a yield strength [Pa], with further constants of `laws.Body`."""
     return laws.Body(YOUNGS_MODULUS, POISSONS_RATIO, strength, **others)
 
 
 def speed_ratio(tester: ReboundTester, strength: float) -> float:
-    """v/v_Y of a tester on steel of a strength [Pa], by Hertz and von Mises."""
+    """Return v/v_Y of a tester on steel of a strength [Pa], by Hertz and von Mises."""
     pair = tester.pair(steel(strength))
     return tester.speed / yield_speed(pair, tester.ball_radius, tester.mass)
 
 
 def rebound(law: str, tester: ReboundTester = TESTERS["D"], **steel_constants: float) -> np.ndarray:
-    """Restitution [-] that a law has for each hardness of `leeb_table`, (59,).
+    """Return the restitution [-] of a law for each hardness of `leeb_table`, (59,).
 
     Args:
-        law: Its name.
-        tester: What is thrown.
+        law: Name of the law.
+        tester: Impact body.
         steel_constants: Further constants of the steel; `strength_factor` multiplies its strength.
     """
     factor = steel_constants.pop("strength_factor", 1.0)
@@ -63,13 +63,13 @@ def _restitution(law: str, tester: ReboundTester, strength: float, constants: di
 
 
 def rebounds(**steel_constants: float) -> pd.DataFrame:
-    """Every law on the steel of `leeb_table`.
+    """Compare every law with the steel of `leeb_table`.
 
     Args:
         steel_constants: As of `rebound`.
 
     Returns:
-        Columns HV, HLD, speed_ratio, law, restitution and error (relative to the table's).
+        Columns HV, HLD, speed_ratio, law, restitution and error (relative to the table).
     """
     table = leeb_table()
     ratio = [speed_ratio(TESTERS["D"], strength) for strength in flow_stress(table["HV"])]
@@ -82,7 +82,7 @@ def rebounds(**steel_constants: float) -> pd.DataFrame:
 
 
 def summary(rebounds: pd.DataFrame) -> pd.DataFrame:
-    """Errors of each law [%], the law with the least root of the mean square first.
+    """Return the errors of each law [%], the law with the smallest rms first.
 
     Args:
         rebounds: As of `rebounds`.
@@ -106,8 +106,9 @@ def summary(rebounds: pd.DataFrame) -> pd.DataFrame:
 
 
 def single_impacts() -> pd.DataFrame:
-    """Every law for the other devices and for alumina: errors of restitution [%], with the measured
-    one in the head of the column. The law with the least sum comes first.
+    """Return the errors of restitution [%] of every law for the other devices and for alumina.
+
+    The head of a column contains the measured value. The law with the smallest sum comes first.
     """
     cases = [
         (f"Leeb {name}, {hardness:g} HV", reading / 1000, TESTERS[name], hardness)
@@ -130,7 +131,7 @@ def single_impacts() -> pd.DataFrame:
 
 
 def craters() -> pd.DataFrame:
-    """Every law's largest contact under device D: diameter [mm] beside that of the crater."""
+    """Return the largest contact diameter [mm] of every law under device D, with the crater's."""
     heads = {
         hardness: f"{hardness:g} HV: about {1e3 * measured:.2f} mm"
         for hardness, measured in CRATERS.items()
@@ -145,7 +146,7 @@ def craters() -> pd.DataFrame:
 
 
 def contact_radius(law: str, strength: float) -> float:
-    """Largest contact radius under device D on steel of a strength [Pa], m."""
+    """Return the largest contact radius [m] under device D on steel of a strength [Pa]."""
     tester, sample = TESTERS["D"], steel(strength)
     overlap = tester.impact(law, sample).overlap_max
     found = laws.LAWS[law](tester.pair(sample), **dented_flat(law))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""How far off a law is, in one line at the head of its page of docs/laws."""
+"""Error of a law in one line, at the head of its page of docs/laws."""
 
 from __future__ import annotations
 
@@ -11,21 +11,21 @@ import pandas as pd
 
 from plastigran.calibration.expected_errors import KINDS
 
-#: Upper ends of the regimes that a line tells apart, in yield speeds.
+#: Upper bounds of the regimes of the line, in yield speeds.
 UPPER_ENDS = (10, 100, 300, 1000)
 WORDS = {"coefficient_of_restitution": "restitution", "force_max": "force"}
 LINE = re.compile(r"^\| \*\*How far off\*\* \| .* \|$", re.MULTILINE)
 
 
 def how_far_off(law: str, table: pd.DataFrame) -> str:
-    """Errors of a law for perfectly plastic spheres, by regime of speed.
+    """Return the errors of a law for perfectly plastic spheres, by speed regime.
 
     Args:
-        law: A name of the table of errors.
+        law: Name in the table of errors.
         table: As of `plastigran.calibration.expected_errors.errors_table`.
 
     Returns:
-        Roots of the mean square error in restitution and largest force [%].
+        Root mean square errors of restitution and largest force [%].
     """
     rows = table[(table["law"] == law) & (table["kind"] == KINDS[0])]
     parts = []
@@ -46,7 +46,7 @@ def how_far_off(law: str, table: pd.DataFrame) -> str:
 
 
 def summarised(page: str, law: str, table: pd.DataFrame) -> str:
-    """The text of a law's page with its line as the table of errors has it.
+    """Return the text of a law's page with its line from the table of errors.
 
     Raises:
         ValueError: The page has no such line.
@@ -57,10 +57,10 @@ def summarised(page: str, law: str, table: pd.DataFrame) -> str:
 
 
 def write_summaries(folder: Path, table: pd.DataFrame) -> list[Path]:
-    """Write the line into the page of every law of the table of errors; returns the pages.
+    """Write the line into the page of every law of the table of errors; return the pages.
 
     Args:
-        folder: Of the laws' pages.
+        folder: Folder of the law pages.
         table: As for `how_far_off`.
 
     Raises:

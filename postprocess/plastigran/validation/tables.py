@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Small things that the tables of the validation share."""
+"""Helpers of several validation tables."""
 
 from __future__ import annotations
 
@@ -8,15 +8,15 @@ import pandas as pd
 
 
 def root_mean_square(values: pd.Series | np.ndarray) -> float:
-    """Of some numbers."""
+    """Return the root mean square of numbers."""
     return float(np.sqrt(np.mean(np.square(values))))
 
 
 def nearest_first(rows: list[dict[str, object]]) -> pd.DataFrame:
-    """A table of errors in the order of their sum, regardless of sign.
+    """Return a table of errors sorted by the sum of their absolute values.
 
     Args:
-        rows: Each with its `law` and errors by further names.
+        rows: Rows with `law` and errors under further names.
     """
     table = pd.DataFrame(rows)
     order = table.drop(columns="law").abs().sum(axis="columns").sort_values().index

@@ -51,11 +51,11 @@ def test_impossible_values_are_refused_by_name(case, field):
     ("change", "said"),
     [
         ({"law": "lim_stronge"}, "law is 'lim_stronge'; it must be brake_2012, "),
-        ({"law": "hertz"}, "ledger is on; the engine's own hertz keeps none"),
+        ({"law": "hertz"}, "ledger is on, but LIGGGHTS' own hertz has no energy balance"),
         ({"rows": 20, "checkpoints": 3}, "checkpoints is 3; it must divide rows, 20"),
-        ({"options": "viscous"}, "options is 'viscous'; it must be pairs"),
+        ({"options": "viscous"}, "options is 'viscous'; it must be made of pairs"),
         ({"law": "viscoelastic_hertz"}, "gives no dissipative_constant"),
-        ({"material": "cheese"}, "includes .*cheese.in, which is not there"),
+        ({"material": "cheese"}, "includes .*cheese.in, which does not exist"),
         ({"colour": "red"}, "has no setting 'colour'; it takes "),
     ],
 )
@@ -73,7 +73,7 @@ def test_every_law_is_taken(case, sphere_law):
 def test_a_setting_that_a_deck_lacks_is_said(case):
     settings = case.settings()
     del settings["radius"]
-    with pytest.raises(ValueError, match="declares radius; the deck has no such setting"):
+    with pytest.raises(ValueError, match="declares radius, but the deck has no such setting"):
         case.kind.read(settings)
 
 

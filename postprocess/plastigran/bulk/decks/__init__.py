@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""One module or package for each bulk deck that is checked and drawn, of the deck's name.
+"""Bulk decks with checks and figures: one module or package for each, named after the deck.
 
-It defines one class, a `plastigran.bulk.deck.BulkDeck`. In a package the class is in `__init__.py`,
-what it measures in `measurement.py`, as far as that is not in `plastigran.physics`, and its figure
-in `figure.py`.
+It defines one class, a `plastigran.bulk.deck.BulkDeck`. In a package, the class is in
+`__init__.py`,
+its measurements in `measurement.py` (if they are not in `plastigran.physics`), and its figure in
+`figure.py`.
 """
 
 from __future__ import annotations
@@ -15,15 +16,15 @@ from plastigran.bulk.deck import BulkDeck
 
 
 def deck_names() -> list[str]:
-    """Names of the decks that have a class."""
+    """Return the names of the decks that have a class."""
     return sorted(module.name for module in iter_modules(__path__))
 
 
 def deck_class(name: str) -> type[BulkDeck] | None:
-    """The class of a deck; None for a deck without one, which just runs.
+    """Return the class of a deck; None for a deck without one, which only runs.
 
     Raises:
-        TypeError: Its module defines no such class, or several.
+        TypeError: The module does not define exactly one class.
     """
     if name not in deck_names():
         return None

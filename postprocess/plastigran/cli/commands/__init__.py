@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The subcommands of `plastigran`, one module each, found by name."""
+"""Subcommands of `plastigran`, one module each, found by name."""

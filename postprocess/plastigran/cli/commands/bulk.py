@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""`plastigran bulk`: a deck of many grains, run, checked and drawn."""
+"""`plastigran bulk`: run, check and draw a deck of many grains."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ from plastigran.engine.process import EngineError, EngineStopped
 if TYPE_CHECKING:
     from plastigran.bulk.outcome import BulkRun
 
-HELP = "run a bulk deck, check its invariants, draw its figures"
+HELP = "run a bulk deck, check it and draw its figures"
 EXAMPLE = """
 plastigran bulk hopper --ranks 2 -v law=kogut_etsion frames=10 --output results/hopper
 plastigran bulk hopper --restart results/hopper
@@ -38,9 +38,11 @@ def setting(text: str) -> tuple[str, str]:
 def add_arguments(command: argparse.ArgumentParser) -> None:
     command.add_argument(
         "deck",
-        help=f"path of an input script, or name of a deck; there are {', '.join(deck_names())}",
+        help=f"path of an input script, or name of a deck: {', '.join(deck_names())}",
     )
-    command.add_argument("--ranks", type=positive_integer, default=1, help="MPI ranks, default 1")
+    command.add_argument(
+        "--ranks", type=positive_integer, default=1, help="number of MPI ranks, default 1"
+    )
     command.add_argument(
         "-v",
         "--variable",
@@ -50,10 +52,13 @@ def add_arguments(command: argparse.ArgumentParser) -> None:
         action="extend",
         default=[],
         metavar="name=value",
-        help="another value for a setting of the deck",
+        help="value of a setting of the deck",
     )
     command.add_argument(
-        "--restart", type=Path, metavar="DIR", help="go on from the newest checkpoint in DIR"
+        "--restart",
+        type=Path,
+        metavar="DIR",
+        help="continue the run in DIR from its newest complete checkpoint",
     )
     command.add_argument(
         "--output",
@@ -76,11 +81,13 @@ def run(arguments: argparse.Namespace) -> None:
         )
     what = (arguments.deck, dict(arguments.settings), arguments.output, arguments.ranks, earlier)
     if arguments.json and arguments.dry_run:
-        raise ValueError("--json is of results; --dry-run has none")
+        raise ValueError(
+            "--json cannot be used with --dry-run, which produces no results. Remove one of them"
+        )
     if arguments.dry_run:
         plan = plan_bulk(*what)
         print(plan.command_line())
-        print(f"results would be in {plan.folder}; nothing was started")
+        print(f"results would be written to {plan.folder}; nothing was started")
         return
     try:
         bulk_run = run_bulk(*what, arguments.force)
@@ -95,10 +102,10 @@ def run(arguments: argparse.Namespace) -> None:
         bulk_run.raise_if_failed()
         return
     if earlier and at_its_end(bulk_run):
-        longer = ". For a longer run, give the setting of its end, such as -v duration=0.6"
+        longer = ". For a longer run, set its end, for example -v duration=0.6"
         print(
-            f"{earlier} has reached its end: nothing was left to compute"
-            f"{longer if bulk_run.deck is None else ''}"
+            f"{earlier} has reached its end, so there was nothing to "
+            f"compute{longer if bulk_run.deck is None else ''}"
         )
     report(bulk_run)
     print(f"written: {arguments.output}")
@@ -108,12 +115,12 @@ def how_to_go_on(folder: Path) -> str:
     try:
         newest_checkpoint(folder)
     except EngineError:
-        return "it has left no checkpoint to go on from"
-    return f"go on from its newest checkpoint with --restart {folder}"
+        return "it has no checkpoint to continue from"
+    return f"continue from its newest checkpoint with --restart {folder}"
 
 
 def at_its_end(run: BulkRun) -> bool:
-    """Whether a run that went on from another had no step to go."""
+    """Return whether a continued run had no step left."""
     import pandas as pd  # slow to load
 
     from plastigran.bulk.folder import BEFORE, read_series
@@ -122,7 +129,7 @@ def at_its_end(run: BulkRun) -> bool:
 
 
 def report(run: BulkRun) -> None:
-    """Print every check of a run, what was not measured, and what the models warned of.
+    """Print every check of a run, its notes, and warnings of the models.
 
     Raises:
         CheckError: A check failed.
@@ -135,10 +142,10 @@ def report(run: BulkRun) -> None:
     for note in run.notes:
         print(f"--  {note}")
     for warning in warnings_of(run):
-        print(f"the engine warned: {warning}")
+        print(f"LIGGGHTS warned: {warning}")
     run.raise_if_failed()
 
 
 def warnings_of(run: BulkRun) -> list[str]:
-    """What contact models and launcher warned of, the worst of those alike."""
+    """Return the warnings of contact models and launcher, the worst of similar ones."""
     return worst(find_warnings((run.folder / LOG).read_text(errors="replace")))

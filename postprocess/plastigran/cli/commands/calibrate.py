@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""`plastigran calibrate`: what a deck takes of a metal, from what was measured of it."""
+"""`plastigran calibrate`: constants of a metal for a deck, from a measurement."""
 
 from __future__ import annotations
 
@@ -27,10 +27,10 @@ EXAMPLE = """
 plastigran calibrate --young 206e9 --poisson 0.3 --density 7850 --hardness 45HRC --output spring.in
 """
 
-METAL = "metal"  # the word that stands for it as ball or plate
-#: Endings of --figure.
+METAL = "metal"  # word for the metal itself as ball or plate
+#: Allowed suffixes of --figure.
 FIGURES = (".png", ".svg", ".pdf")
-#: Arguments that the function takes as they are.
+#: Arguments that are passed on unchanged.
 PASSED_ON = (
     *("density", "yield_strength", "hardness", "leeb", "plastic_modulus", "rate_coefficient"),
     *("scatter", "law", "speeds", "radius", "strain"),
@@ -42,10 +42,14 @@ def add_arguments(command: argparse.ArgumentParser) -> None:
     measured.add_argument(
         "--yield", type=positive, dest="yield_strength", help="yield strength, Pa"
     )
-    measured.add_argument("--hardness", help="HV, or with its scale, as 45HRC or 200HB")
-    measured.add_argument("--leeb", help="rebound hardness HLD, or with its device, as 750HLG")
     measured.add_argument(
-        "--drop", type=Path, metavar="FILE", help="table of drops: docs/calibrate.md"
+        "--hardness", help="hardness, HV or with its scale, for example 45HRC or 200HB"
+    )
+    measured.add_argument(
+        "--leeb", help="rebound hardness, HLD or with its device, for example 750HLG"
+    )
+    measured.add_argument(
+        "--drop", type=Path, metavar="FILE", help="table of drops, see docs/calibrate.md"
     )
     add_elastic(command, FEM_RADIUS, density=None)
     command.add_argument(
@@ -57,23 +61,31 @@ def add_arguments(command: argparse.ArgumentParser) -> None:
     )
     command.add_argument("--ball", help="material of the ball of --drop, default the metal itself")
     command.add_argument(
-        "--plate", help="of the plate of --drop: rigid (default under the metal), metal, a material"
+        "--plate",
+        help=(
+            "material of the plate of --drop: rigid (default for a ball of the "
+            "metal), metal, or a material"
+        ),
     )
     command.add_argument(
         "--ball-radius",
         type=positive,
-        help=f"of --drop, m, default {BALL_RADIUS:g}; it matters with --rate-coefficient only",
+        help=(
+            f"radius of the ball of --drop, m, default {BALL_RADIUS:g}; it matters only with "
+            "--rate-coefficient"
+        ),
     )
     command.add_argument(
         "--rate-coefficient",
         type=float,
-        help="share of the strength, then that at 1/s, that a factor e in rate of strain adds; "
-        f"default {STEEL_RATE_COEFFICIENT:g} with a steel's --hardness or --leeb, else 0",
+        help="relative increase of yield strength per e-fold increase of strain rate, with "
+        f"the strength given at 1/s; default {STEEL_RATE_COEFFICIENT:g} for steel with "
+        "--hardness or --leeb, else 0",
     )
     command.add_argument(
         "--scatter",
         type=positive,
-        help="standard deviation of one measured restitution as a share, default 0.02 of drops",
+        help="relative standard deviation of one measured restitution, default 0.02 for drops",
     )
     command.add_argument("--law", default=DEFAULT_LAW, help=f"default {DEFAULT_LAW}")
     command.add_argument(
@@ -81,7 +93,10 @@ def add_arguments(command: argparse.ArgumentParser) -> None:
         nargs=2,
         type=positive,
         metavar=("SLOWEST", "FASTEST"),
-        help="m/s, of what is to be computed: the law's error is that between them",
+        help=(
+            "slowest and fastest impact speed of the intended simulation, m/s; the error of "
+            "the law is reported for this range"
+        ),
     )
     command.add_argument(
         "--fem", action="store_true", help="fit vu_quoc_zhang to finite elements of the metal"
@@ -91,13 +106,19 @@ def add_arguments(command: argparse.ArgumentParser) -> None:
         type=positive,
         dest="force_ratio",
         metavar="PMAX/PY",
-        help=f"largest force of the fit over the force at yield, default {USUAL_RANGE:g}; is --fem",
+        help=(
+            "largest force of the finite-element fit as a multiple of the yield force, "
+            f"default {USUAL_RANGE:g}; implies --fem"
+        ),
     )
     add_strain(command)
     command.add_argument("--output", type=Path, metavar="FILE.in", help="material file to write")
     command.add_argument("--force", action="store_true", help="overwrite that file")
     command.add_argument(
-        "--figure", type=Path, metavar="FILE.png", help="law against drops or finite elements"
+        "--figure",
+        type=Path,
+        metavar="FILE.png",
+        help="figure of the law with drops or finite elements",
     )
 
 
@@ -128,7 +149,11 @@ def run(arguments: argparse.Namespace) -> None:
 
 
 def _refuse_idle(arguments: argparse.Namespace) -> None:
-    """Refuse flags that would say nothing. Raises ValueError, which names one."""
+    """Refuse flags that have no effect.
+
+    Raises:
+        ValueError: There is such a flag; the message names it.
+    """
     finite_elements = _finite_elements(arguments)
     if arguments.output is None:
         refuse_idle(arguments, "--output", force=False)
@@ -141,11 +166,11 @@ def _refuse_idle(arguments: argparse.Namespace) -> None:
     if not finite_elements:
         refuse_idle(arguments, "--fem", radius=FEM_RADIUS)
         if arguments.strain == "finite":
-            raise ValueError("--finite-strain is given; it needs --fem")
+            raise ValueError("--finite-strain needs --fem")
 
 
 def _finite_elements(arguments: argparse.Namespace) -> float | None:
-    """Largest force over that at yield; None for none."""
+    """Return the largest force as a multiple of the yield force; None without finite elements."""
     usual = USUAL_RANGE if arguments.fem else None
     return usual if arguments.force_ratio is None else arguments.force_ratio
 

@@ -7,7 +7,7 @@ import argparse
 
 from plastigran.citation import cite, subjects
 
-HELP = "BibTeX of the software and of the sources of the laws used"
+HELP = "print BibTeX of the software and of the sources of laws"
 EXAMPLE = "plastigran cite kogut_etsion thornton >laws.bib"
 
 
@@ -16,7 +16,7 @@ def add_arguments(command: argparse.ArgumentParser) -> None:
         "law",
         nargs="*",
         metavar="LAW",
-        help="names of laws, `rate_factor`, or all; without any the software alone",
+        help="names of laws, `rate_factor`, or all; by default only the software",
     )
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""`plastigran completion`: what a shell completes after `plastigran`."""
+"""`plastigran completion`: command-line completion for a shell."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from pathlib import Path
 
 import shtab
 
-HELP = "print what makes a shell complete commands, flags, their choices and files"
+HELP = "print a script that completes commands, flags, choices and files in a shell"
 EXAMPLE = """
 plastigran completion bash >~/.local/share/bash-completion/completions/plastigran
 plastigran completion zsh >~/.zfunc/_plastigran
@@ -16,11 +16,11 @@ plastigran completion zsh >~/.zfunc/_plastigran
 
 
 def add_arguments(command: argparse.ArgumentParser) -> None:
-    command.add_argument("shell", choices=shtab.SUPPORTED_SHELLS, help="the shell it is for")
+    command.add_argument("shell", choices=shtab.SUPPORTED_SHELLS, help="name of the shell")
 
 
 def run(arguments: argparse.Namespace) -> None:
-    from plastigran.cli import parser  # it holds this command
+    from plastigran.cli import parser  # it contains this command
 
     top = parser()
     _complete_files(top)
@@ -28,7 +28,7 @@ def run(arguments: argparse.Namespace) -> None:
 
 
 def _complete_files(command: argparse.ArgumentParser) -> None:
-    """Let arguments that are paths be completed as such, in a command and those below it."""
+    """Complete path arguments as files, in a command and its subcommands."""
     for action in command._actions:
         if isinstance(action, argparse._SubParsersAction):
             for below in action.choices.values():

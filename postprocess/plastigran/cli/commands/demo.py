@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""`plastigran demo`: the tour."""
+"""`plastigran demo`: a tour."""
 
 from __future__ import annotations
 
@@ -14,12 +14,12 @@ from plastigran.experiments.runs import sweep
 from plastigran.materials import read_material
 from plastigran.usable_laws import laws_for
 
-HELP = "the tour: collisions, a gas that cools and a hopper, with figures and a report"
+HELP = "run a tour: collisions, a cooling gas and a hopper, with figures and a report"
 EXAMPLE = "plastigran demo --output results/demo"
 
-#: Settings of the hopper. Where its soft grains land they overlap by up to a quarter of their
-#: effective radius: of the laws near finite elements `jackson_green` alone goes as far. At these
-#: speeds, up to 27 times that of first yield, its restitution is off by 4 % (docs/validation.md).
+#: Settings of the hopper. Its soft grains overlap by up to a quarter of the effective radius at
+#: landing; of the accurate laws, only `jackson_green` covers such overlaps. At these speeds, up to
+#: 27 yield speeds, the error of its restitution is 4 % (docs/validation.md).
 HOPPER = {"law": "jackson_green", "layers": "10", "frames": "20"}
 
 
@@ -28,14 +28,17 @@ def add_arguments(command: argparse.ArgumentParser) -> None:
         "--output",
         type=Path,
         default=Path("results/demo"),
-        help="folder of results, which are overwritten, default results/demo",
+        help="folder of results, default results/demo; earlier results there are overwritten",
     )
     add_jobs(command)
 
 
 def run(arguments: argparse.Namespace) -> None:
-    """The paper's sphere over four decades of speed; one impact through every geometry; a gas that
-    cools by such impacts; a hopper of yielding grains; a page on all of them.
+    """Run the tour.
+
+    It has the paper's sphere over four decades of speed, one impact in every geometry, a gas that
+    cools
+    by such impacts, a hopper of yielding grains, and a page on all of them.
     """
     from plastigran.bulk.run import run_bulk  # matplotlib and plotly are slow to load
     from plastigran.plot.frame_files import find_frames
@@ -45,7 +48,7 @@ def run(arguments: argparse.Namespace) -> None:
     folder = arguments.output
     jobs, names = arguments.jobs, laws_for("sphere", [read_material("aluminium_zv02")])
     run_study(CentralImpact, folder / "speeds", jobs, True, law=names, speed=PAPER_SPEEDS)
-    print("A law is shown beyond its range, too, for the laws to be compared.")
+    print("Laws are shown beyond their range, too, so that they can be compared.")
     print("\nThe same impact, 0.1 m/s, as a pair, on a primitive wall and on a mesh:")
     through = CentralImpact.plan(
         geometry=GEOMETRIES, law=names, speed=0.1, material="aluminium_zv02", radius=0.1
@@ -56,7 +59,7 @@ def run(arguments: argparse.Namespace) -> None:
     print("\nA freely cooling gas of 512 grains, on two ranks:")
     gas = folder / "cooling_gas"
     report(run_bulk("cooling_gas", {"side": "8", "frames": "16"}, gas, ranks=2, force=True))
-    print("\nHalf of 2080 yielding grains run out of a hopper, on two ranks:")
+    print("'\nHalf of 2080 yielding grains flow out of a hopper, on two ranks:'")
     hopper = folder / "hopper"
     report(run_bulk("hopper", HOPPER, hopper, ranks=2, force=True))
     picture = hopper / "figures" / "grains.png"
@@ -70,5 +73,5 @@ def run(arguments: argparse.Namespace) -> None:
         picture,
     ]
     page = write_report([folder], folder / "report.html", "The demo")
-    print("\nAll of it on one page, to open in a browser:\n  " + str(page))
+    print("'\nAll results on one page, to open in a browser:\n  '" + str(page))
     print("\nFigures:\n" + "\n".join(f"  {figure}" for figure in figures))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""`plastigran doctor`: is all there that runs need, and does it work?"""
+"""`plastigran doctor`: check the installation."""
 
 from __future__ import annotations
 
@@ -22,24 +22,25 @@ from plastigran.engine.log import LOG
 from plastigran.engine.process import EngineError, engine_path, inputs_folder
 from plastigran.experiments.central import CentralImpact
 
-HELP = "look whether all is there that runs need, and let a sphere fall"
+HELP = "check the installation, with a falling sphere"
 EXAMPLE = "plastigran doctor"
 
-#: Restitution of the engine over theory's is this near 1: what the recommended time step is for.
+#: Largest relative difference of restitution between LIGGGHTS and theory at the recommended time
+#: step.
 TOLERANCE = 1e-3
-#: Packages that some commands need, and which.
+#: Packages that some commands need, and these commands.
 OPTIONAL = {"pyvista": "snapshot", "imageio": "snapshot --movie", "av": "snapshot --movie FILE.mp4"}
 
 
 @attrs.frozen
 class Finding:
-    """What was looked at.
+    """Result of one check of the installation.
 
     Attributes:
-        name: Of it.
-        state: "ok", "lacks", or "without" for what one can do without.
+        name: Subject of the check.
+        state: "ok", "lacks", or "without" for an optional part.
         said: What was found.
-        remedy: What to do, where something lacks.
+        remedy: What to do if something is missing.
     """
 
     name: str
@@ -49,7 +50,7 @@ class Finding:
 
 
 class Lacking(Exception):
-    """Something is not there or does not work: what, and what to do."""
+    """Something is missing or does not work, with a remedy."""
 
 
 def add_arguments(command: argparse.ArgumentParser) -> None:
@@ -57,10 +58,10 @@ def add_arguments(command: argparse.ArgumentParser) -> None:
 
 
 def run(arguments: argparse.Namespace) -> None:
-    """Print what was found, a line each.
+    """Print the findings, one line each.
 
     Raises:
-        EngineError: Something lacks that runs in the engine need.
+        EngineError: Something is missing that runs of LIGGGHTS need.
     """
     found = []
     for finding in examine():
@@ -72,13 +73,13 @@ def run(arguments: argparse.Namespace) -> None:
         print_json([attrs.asdict(finding) for finding in found])
     if lacking := [finding.name for finding in found if finding.state == "lacks"]:
         raise EngineError(
-            f"{', '.join(lacking)}: not as it should be; laws, timestep, soften, calibrate, fem "
-            "and impact --theory work without an engine"
+            f"failed check: {', '.join(lacking)}. Apply the remedy printed above. The commands "
+            "laws, timestep, soften, calibrate, fem and impact --theory do not need LIGGGHTS"
         )
 
 
 def examine() -> Iterator[Finding]:
-    """Look at one thing after the other; of the engine no further than it is sound."""
+    """Yield one finding after the other; stop at the first fault of LIGGGHTS."""
     said = f"{version('plastigran')}, Python {platform.python_version()}, {os.cpu_count()} cores"
     yield Finding("plastigran", "ok", said)
     yield libraries()
@@ -98,12 +99,12 @@ def examine() -> Iterator[Finding]:
         try:
             yield Finding(name, "ok", version(name))
         except PackageNotFoundError:
-            remedy = f"plastigran {command} needs it: pip install {name}"
+            remedy = f"needed by plastigran {command}. Run `pip install {name}`"
             yield Finding(name, "without", "is not installed", remedy)
 
 
 def libraries() -> Finding:
-    """The Python packages that ours asks for, but for those of an extra."""
+    """Check the required Python packages."""
     found, missing = [], []
     for line in requires("plastigran") or ():
         name = re.split(r"[^\w.-]", line)[0]
@@ -123,7 +124,7 @@ def _inputs() -> str:
     try:
         return str(inputs_folder())
     except EngineError as error:
-        raise Lacking(str(error), "unset PLASTIGRAN_INPUTS for the package's own") from None
+        raise Lacking(str(error), "unset PLASTIGRAN_INPUTS to use those of the package") from None
 
 
 def _engine() -> str:
@@ -131,12 +132,12 @@ def _engine() -> str:
         return str(engine_path())
     except EngineError as error:
         raise Lacking(
-            str(error), "docs/engine.md says how LIGGGHTS and the plugin are had"
+            str(error), "see docs/install.md for how to install LIGGGHTS and the plugin"
         ) from None
 
 
 def _plugin() -> str:
-    """The plugin, as the loader finds it for the launcher."""
+    """Find the plugin as the loader finds it for the launcher."""
     done = subprocess.run(["ldd", engine_path()], capture_output=True, text=True, check=False)
     needed = dict(line.strip().partition(" => ")[::2] for line in done.stdout.splitlines())
     if missing := [name for name, place in needed.items() if place.startswith("not found")]:
@@ -145,8 +146,8 @@ def _plugin() -> str:
             "install liggghts and openmpi-bin, or build again with ./run setup",
         )
     plugin = next((place for name, place in needed.items() if name == "libplastigran.so"), None)
-    if plugin is None:  # an engine with the laws in its source tree
-        return "none: the laws are the engine's own"
+    if plugin is None:  # LIGGGHTS with the laws in its source tree
+        return "none: the laws are part of LIGGGHTS"
     return str(Path(plugin.split(" (")[0]).resolve())
 
 
@@ -162,10 +163,10 @@ def _mpi() -> str:
 
 
 def _collide(ranks: int) -> str:
-    """An impact of a sphere on a plane, held against theory.
+    """Run an impact of a sphere on a plane and compare it with theory.
 
     Raises:
-        Lacking: It does not run, or another restitution comes out.
+        Lacking: It does not run, or its restitution differs.
     """
     case = CentralImpact("thornton", 0.1, "steel", 5e-3)
     expected, began = case.predict().coefficient_of_restitution, monotonic()
@@ -173,12 +174,12 @@ def _collide(ranks: int) -> str:
         try:
             found = case.run(folder, ranks=ranks).coefficient_of_restitution
         except (EngineError, ValueError) as error:
-            raise Lacking(str(error), "a library of another version? build again") from None
+            raise Lacking(str(error), "if a library has another version, build again") from None
         head = (Path(folder) / LOG).read_text(errors="replace").partition("\n")[0]
     if abs(found / expected - 1) > TOLERANCE:
         raise Lacking(
             f"restitution {found:.5f}, by theory {expected:.5f}",
-            "the plugin is not that of this package; build again",
+            "the plugin differs from this package; build again",
         )
     engine = head.removeprefix("LIGGGHTS (Version ").split(",")[0]
     return (

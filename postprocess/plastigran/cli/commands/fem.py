@@ -1,6 +1,9 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""`plastigran fem`: finite elements of a sphere on a plane or a half space, pressed, thrown, or
-thrown and followed while it vibrates, or of a body that a rigid cylinder strikes.
+"""`plastigran fem`: finite elements of a sphere or a cylinder.
+
+A sphere on a plane or a half space is compressed, hits it, or hits it and vibrates. A rigid
+cylinder
+hits a body.
 """
 
 from __future__ import annotations
@@ -29,18 +32,18 @@ from plastigran.fem.sphere.vibration import SIGNALS, Vibration
 from plastigran.fem.theory.hertz import HertzSphere
 from plastigran.physics.impact_modes import impact_modes, nearest_modes
 
-HELP = "a sphere on a plane, or a rigid cylinder on a body, by finite elements"
+HELP = "compute a sphere on a plane, or a rigid cylinder on a body, by finite elements"
 EXAMPLE = """
 plastigran fem throw --young 2.1e11 --poisson 0.3 --density 7850 --yield 3e8 --radius 0.01 \\
     --speed 0.1
 plastigran fem press --help
 """
 
-#: Units of what is printed, or what tells ratios apart.
+#: Units of printed numbers; for ratios, the reference.
 UNITS = {
     "force": "N",
     "force_max": "N",
-    "force_ratio": "of the force at yield",
+    "force_ratio": "times the yield force",
     "yield_force": "N",
     "radius": "m",
     "approach": "m",
@@ -54,26 +57,26 @@ UNITS = {
     "work_unloading": "J",
     "speed": "m/s",
     "timestep": "s",
-    "kinetic_restitution": "by kinetic energy, half the vibration in it",
-    "nodal_restitution": "by the mean velocity of the corners, with the vibration",
-    "vibration_energy": "of the energy of the impact",
+    "kinetic_restitution": "by kinetic energy, with half the vibration",
+    "nodal_restitution": "by the mean velocity of corner nodes, with the vibration",
+    "vibration_energy": "fraction of the impact energy",
     "contact_time": "s",
-    "coefficient_of_restitution": "by momentum: of the centre of mass",
+    "coefficient_of_restitution": "by momentum, of the center of mass",
 }
 
-#: Units of columns of tables.
+#: Units of table columns.
 COLUMNS = {"frequency": "Hz", "found": "Hz", "energy": "J"}
 
 
 def add_arguments(command: argparse.ArgumentParser) -> None:
-    """One command for each kind of computation."""
+    """Add a command for each kind of computation."""
     kinds = Subparsers(
         command.add_subparsers(dest="kind", required=True, metavar="press|throw|vibrate|cylinder")
     )
     steel = "--young 2.1e11 --poisson 0.3 --density 7850"
     slow = kinds.add(
         "press",
-        "press the sphere slowly, and let it go",
+        "quasi-static compression and unloading of the sphere",
         f"plastigran fem press {steel} --yield 3e8 --radius 0.01 --force-ratio 10 40",
     )
     add_metal(slow, elastic=True)
@@ -82,11 +85,11 @@ def add_arguments(command: argparse.ArgumentParser) -> None:
         type=positive,
         nargs="+",
         required=True,
-        help="largest forces over the force at yield, increasing",
+        help="largest forces as multiples of the yield force, increasing",
     )
     fast = kinds.add(
         "throw",
-        "throw the sphere at the plane",
+        "impact of the sphere on the plane",
         f"plastigran fem throw {steel} --yield 3e8 --radius 0.01 --speed 0.1",
     )
     add_metal(fast, elastic=True)
@@ -97,14 +100,14 @@ def add_arguments(command: argparse.ArgumentParser) -> None:
     add_cylinder(
         kinds.add(
             "cylinder",
-            "let a rigid cylinder strike a body",
+            "impact of a rigid cylinder on a body",
             f"plastigran fem cylinder {steel} --yield 3e8 --radius 1e-5 --length 1e-4 \\\n"
             "    --mass 1.6e-6 --speed 0.5",
         )
     )
     ringing = kinds.add(
         "vibrate",
-        "throw an elastic sphere, and follow its vibration",
+        "impact of an elastic sphere, with its vibration",
         f"plastigran fem vibrate {steel} --radius 0.01 --speed 0.5",
     )
     add_elastic(ringing)
@@ -113,8 +116,8 @@ def add_arguments(command: argparse.ArgumentParser) -> None:
         "--transits",
         type=positive,
         default=TRANSITS,
-        help="length of the flight over the time a compression wave takes across the sphere, "
-        f"default {TRANSITS:g}",
+        help="duration of the flight divided by the time in which a compression wave crosses "
+        f"the sphere, default {TRANSITS:g}",
     )
 
 
@@ -122,7 +125,7 @@ def run(arguments: argparse.Namespace) -> None:
     """Compute, and print the numbers with their units, or all of them as JSON.
 
     Raises:
-        ValueError: An argument out of range, or a first increment that does not converge.
+        ValueError: An argument is out of range, or the first increment does not converge.
     """
     if arguments.kind == "cylinder":
         numbers = cylinder(arguments)
@@ -150,14 +153,14 @@ def run(arguments: argparse.Namespace) -> None:
 
 def _press(sphere: HertzSphere, arguments: argparse.Namespace) -> dict:
     if sphere.yielding is None:
-        raise ValueError("neither body yields; --force-ratio is over the force at yield")
+        raise ValueError("neither body yields, but --force-ratio is a multiple of the yield force")
     ratios = arguments.force_ratio
     for before, ratio in pairwise(ratios):
         if ratio <= before:
             raise ValueError(f"force-ratio {ratio:g} follows {before:g}; they must increase")
     forces = [ratio * sphere.yield_force for ratio in ratios]
     if ratios[-1] <= 1:
-        say(f"{forces[-1]:.4g} N does not reach yield, which begins at {sphere.yield_force:.4g} N")
+        say(f"{forces[-1]:.4g} N is below the yield force, {sphere.yield_force:.4g} N")
     case = (sphere.material, sphere.radius, forces)
     numbers = computed(press, *case, strain=arguments.strain, plane=sphere.plane).to_dict()
     for row in numbers["unloadings"]:
@@ -167,10 +170,7 @@ def _press(sphere: HertzSphere, arguments: argparse.Namespace) -> dict:
 
 def _throw(sphere: HertzSphere, arguments: argparse.Namespace) -> dict:
     if sphere.yielding and arguments.speed <= sphere.yield_speed:
-        say(
-            f"{arguments.speed:g} m/s does not reach yield, which begins at "
-            f"{sphere.yield_speed:.4g} m/s"
-        )
+        say(f"{arguments.speed:g} m/s is below the yield speed, {sphere.yield_speed:.4g} m/s")
     case = (sphere.material, sphere.radius, arguments.speed)
     return computed(throw, *case, strain=arguments.strain, plane=sphere.plane).to_dict()
 

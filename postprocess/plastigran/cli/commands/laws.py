@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""`plastigran laws`: which laws there are."""
+"""`plastigran laws`: list of the laws."""
 
 from __future__ import annotations
 
@@ -24,11 +24,11 @@ def add_arguments(command: argparse.ArgumentParser) -> None:
 
 
 def flags(name: str) -> str:
-    """What sets a law apart in use, in words."""
+    """Return what distinguishes the use of a law, in words."""
     law = laws.LAWS[name]
     options = {option["name"] for option in law.options()}
     said = {
-        "the engine's own": name == "hertz",
+        "LIGGGHTS' own": name == "hertz",
         "no yield": not law.yields,
         "hardens": law.hardens,
         "indentation": law.indentation,
@@ -39,9 +39,7 @@ def flags(name: str) -> str:
 
 
 def constants(name: str) -> dict[str, object]:
-    """A law's source, what it takes beside the bodies' constants, by the decks' names, and its
-    options.
-    """
+    """Print the source of a law, its constants by their names in decks, and its options."""
     law = laws.LAWS[name]
     named = [{**row, "name": property_name(row["name"])} for row in law.parameters()]
     return {"source": law.source, "constants": named, "options": law.options()}
@@ -68,9 +66,9 @@ def run(arguments: argparse.Namespace) -> None:
         table[column] = table[column].str.ljust(width)
     print(table.to_string(index=False, justify="left"))
     print(
-        "\nAll take youngsModulus [Pa], poissonsRatio [-] and, where there is yield, yieldStrength "
-        "[Pa] and\nyieldPressureFactor [-] (0: Hertz-von Mises) of each body; those that harden "
-        "tangentModulus [Pa]; further:"
+        "'\nEvery law needs youngsModulus [Pa] and poissonsRatio [-] of each body. A law with "
+        "yield also needs\nyieldStrength [Pa] and yieldPressureFactor [-] (0: Hertz-von "
+        "Mises). A law with hardening needs\ntangentModulus [Pa]. Further constants:'"
     )
     for name in names:
         law = laws.LAWS[name]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""`plastigran modes`: how an elastic sphere rings."""
+"""`plastigran modes`: free vibrations of an elastic sphere."""
 
 from __future__ import annotations
 
@@ -10,13 +10,13 @@ from plastigran.cli.arguments import add_json, add_material, positive, positive_
 from plastigran.declared import RADIUS, read_number
 from plastigran.physics.modes import sphere_modes
 
-HELP = "free vibrations of an elastic sphere"
+HELP = "compute free vibrations of an elastic sphere"
 EXAMPLE = "plastigran modes --material ice --radius 0.01"
 
 
 def add_arguments(command: argparse.ArgumentParser) -> None:
     add_material(command)
-    command.add_argument("--radius", type=positive, required=True, help="of the sphere, m")
+    command.add_argument("--radius", type=positive, required=True, help="radius of the sphere, m")
     command.add_argument(
         "--degree", type=positive_integer, default=4, help="highest degree, default 4"
     )
@@ -24,7 +24,7 @@ def add_arguments(command: argparse.ArgumentParser) -> None:
         "--overtones",
         type=positive_integer,
         default=3,
-        help="modes of each kind and degree, default 3",
+        help="number of modes of each kind and degree, default 3",
     )
     add_json(command)
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""`plastigran new-deck`: a deck of one's own to begin with."""
+"""`plastigran new-deck`: write a new deck."""
 
 from __future__ import annotations
 
@@ -9,13 +9,13 @@ from pathlib import Path
 from plastigran.bulk.template import write_deck
 from plastigran.cli.arguments import add_material, positive
 
-HELP = "write a deck of one's own that runs as it is"
+HELP = "write a new deck that runs without changes"
 EXAMPLE = "plastigran new-deck plate --law universal --material steel"
 
 
 def add_arguments(command: argparse.ArgumentParser) -> None:
-    command.add_argument("name", type=Path, help="folder to make; the deck has its name")
-    command.add_argument("--law", default="universal", help="between grains, default universal")
+    command.add_argument("name", type=Path, help="folder to create; the deck has its name")
+    command.add_argument("--law", default="universal", help="law between grains, default universal")
     add_material(command, "soft_granules")
     command.add_argument(
         "--radius",

@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""`plastigran report`: one page of HTML for runs of any kind."""
+"""`plastigran report`: one HTML page for runs of any kind."""
 
 from __future__ import annotations
 
 import argparse
 from pathlib import Path
 
-HELP = "one page of HTML for results: charts, checks, grains in 3D; opens without network"
+HELP = "write one HTML page on results: charts, checks, grains in 3D; it needs no network"
 EXAMPLE = "plastigran report results/demo --title 'Steel shot'"
 
 
@@ -16,16 +16,18 @@ def add_arguments(command: argparse.ArgumentParser) -> None:
         type=Path,
         nargs="+",
         metavar="DIR",
-        help="folder of a run, finished or not, or of several: results/demo",
+        help="folder of one or several runs, finished or not, for example results/demo",
     )
     command.add_argument(
         "--output",
         type=Path,
         metavar="FILE.html",
-        help="the page, default DIR/report.html, of several folders results/report.html",
+        help="name of the page, default DIR/report.html, for several folders results/report.html",
     )
-    command.add_argument("--title", default="", help="headline, default the folders' names")
-    command.add_argument("--force", action="store_true", help="overwrite a file that is no report")
+    command.add_argument("--title", default="", help="headline, default the names of the folders")
+    command.add_argument(
+        "--force", action="store_true", help="overwrite a file that is not a report"
+    )
 
 
 def run(arguments: argparse.Namespace) -> None:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""`plastigran reproduce`: the tables and figures of a paper beside what is computed here."""
+"""`plastigran reproduce`: tables and figures of a paper, compared with results of this package."""
 
 from __future__ import annotations
 
@@ -8,12 +8,14 @@ import argparse
 from plastigran.cli.reports import add_report_arguments, run_report
 from plastigran.papers import find_paper, paper_names
 
-HELP = "tables and figures of a paper, beside finite elements, laws and LIGGGHTS"
+HELP = "reproduce tables and figures of a paper by finite elements, laws and LIGGGHTS"
 EXAMPLE = "plastigran reproduce zv02 --coarse"
 
 
 def add_arguments(command: argparse.ArgumentParser) -> None:
-    command.add_argument("paper", choices=paper_names(), help="a page each in docs/papers")
+    command.add_argument(
+        "paper", choices=paper_names(), help="name of the paper; each has a page in docs/papers"
+    )
     add_report_arguments(command, "results/PAPER", "docs/papers")
 
 

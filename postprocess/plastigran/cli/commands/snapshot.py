@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""`plastigran snapshot`: a picture of a bulk run's grains or force chains."""
+"""`plastigran snapshot`: a picture of grains or force chains of a bulk run."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from plastigran.plot.frame_files import SnapshotError, find_frames
 from plastigran.plot.grain_movie import save_grain_movie
 from plastigran.plot.snapshot import COLOURS, VIEWS, draw
 
-HELP = "a picture of a bulk run's grains or force chains"
+HELP = "draw a picture of grains or force chains of a bulk run"
 EXAMPLE = """
 plastigran bulk hopper -v frames=20 --output results/frames
 plastigran snapshot results/frames --colour speed --view front
@@ -20,16 +20,24 @@ plastigran snapshot results/frames --movie hopper.mp4
 
 
 def add_arguments(command: argparse.ArgumentParser) -> None:
-    command.add_argument("folder", type=Path, help="of a run with frames (-v frames=10)")
+    command.add_argument("folder", type=Path, help="folder of a run with frames (-v frames=10)")
     what = command.add_mutually_exclusive_group()
-    what.add_argument("--step", type=int, help="of the engine; default: the last frame")
-    what.add_argument("--movie", type=Path, metavar="FILE", help="all frames, as .mp4 or .gif")
-    command.add_argument("--rate", type=positive, help="frames a second of --movie, default 10")
-    command.add_argument("--contacts", action="store_true", help="force chains instead of grains")
-    command.add_argument("--colour", choices=list(COLOURS), help="of grains, default plastic_work")
+    what.add_argument("--step", type=int, help="time step number, default the last frame")
+    what.add_argument(
+        "--movie", type=Path, metavar="FILE", help="movie of all frames, .mp4 or .gif"
+    )
+    command.add_argument("--rate", type=positive, help="frames per second of --movie, default 10")
+    command.add_argument(
+        "--contacts", action="store_true", help="draw force chains instead of grains"
+    )
+    command.add_argument(
+        "--colour",
+        choices=list(COLOURS),
+        help="quantity that colors the grains, default plastic_work",
+    )
     command.add_argument("--view", choices=list(VIEWS), default="corner", help="default corner")
     command.add_argument(
-        "--output", type=Path, help="the picture, default FOLDER/figures/NAME_VIEW_STEP.png"
+        "--output", type=Path, help="name of the picture, default FOLDER/figures/NAME_VIEW_STEP.png"
     )
 
 

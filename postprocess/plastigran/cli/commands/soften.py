@@ -25,20 +25,28 @@ from plastigran.cli.arguments import (
 )
 from plastigran.usable_laws import choose_laws
 
-HELP = "a softer material of the same restitution, for longer time steps"
+HELP = "compute a softer material of the same restitution, for longer time steps"
 EXAMPLE = "plastigran soften --material steel --speedup 10 --radius 0.005 --speed 1"
 
 
 def add_arguments(command: argparse.ArgumentParser) -> None:
     add_material(command)
     how = command.add_mutually_exclusive_group(required=True)
-    how.add_argument("--factor", type=positive, help="of Young's modulus, at most 1")
-    how.add_argument("--speedup", type=positive, help="of the run, in place of the factor")
-    command.add_argument("--radius", type=positive, required=True, help="of the grains, m")
-    command.add_argument(
-        "--speed", type=positive, required=True, help="of the fastest impacts of the run, m/s"
+    how.add_argument(
+        "--factor",
+        type=positive,
+        help="ratio of the softened to the original Young's modulus, at most 1",
     )
-    command.add_argument("--depth", type=positive, help="of a bed at rest, m")
+    how.add_argument("--speedup", type=positive, help="speedup of the run, instead of the factor")
+    command.add_argument("--radius", type=positive, required=True, help="radius of the grains, m")
+    command.add_argument(
+        "--speed", type=positive, required=True, help="speed of the fastest impacts of the run, m/s"
+    )
+    command.add_argument(
+        "--depth",
+        type=positive,
+        help=("depth of a bed at rest, m; also checks the overlap under its weight"),
+    )
     add_laws(command, "spheres")
     command.add_argument("--output", type=Path, help="material file to write, NAME.in")
     command.add_argument("--force", action="store_true", help="overwrite that file")
@@ -74,7 +82,9 @@ def run(arguments: argparse.Namespace) -> None:
         "laws": table.to_dict("records"),
     }
     if arguments.output:
-        remark = f"{material.name} with {factor:g} times its Young's modulus and its restitution."
+        remark = (
+            f"{material.name} with {factor:g} times its Young's modulus and the same restitution."
+        )
         materials.write_material(softened, arguments.output, remark, force=arguments.force)
     if arguments.json:
         print_json(numbers)
@@ -83,15 +93,15 @@ def run(arguments: argparse.Namespace) -> None:
     if arguments.output:
         print(f"\nwritten: {arguments.output}")
     print(
-        f"\nTime steps are {growth:.4g} times as long. Overlaps over the radius:\n"
+        f"'\nTime steps are {growth:.4g} times as long. Overlaps divided by the radius:\n'"
         + "\n".join(
             f"  {kind:8s} {before:.2g} -> {after:.2g}" for kind, (before, after) in overlaps.items()
         )
     )
-    verdict = "sound" if factor >= lowest else "TOO SOFT: grains do not count as hard"
+    verdict = "sound" if factor >= lowest else "TOO SOFT: the grains do not behave as hard"
     print(
-        f"  {verdict}; {SOUND_OVERLAP:g} of the radius, by the law below that yields most, is "
-        f"reached at the factor {lowest:.4g}"
+        f"  {verdict}. With the law below that has the largest overlap, {SOUND_OVERLAP:g} of "
+        f"the radius is reached at the factor {lowest:.4g}"
     )
     print(
         "\nlaw                    restitution      softened  largest change  step, s  softened, s"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""`plastigran timestep`: how long a step may be."""
+"""`plastigran timestep`: recommended time step."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from plastigran.experiments.central import CentralImpact
 from plastigran.experiments.collide import IMPACTS
 from plastigran.usable_laws import choose_laws
 
-HELP = "recommended time step of an impact"
+HELP = "print the recommended time step of an impact"
 EXAMPLE = "plastigran timestep --law universal --material steel --radius 0.005 --speed 0.5"
 
 KINDS = {geometry: kind for kind in IMPACTS.values() for geometry in kind.geometries}
@@ -20,20 +20,25 @@ KINDS = {geometry: kind for kind in IMPACTS.values() for geometry in kind.geomet
 
 def add_arguments(command: argparse.ArgumentParser) -> None:
     add_laws(command, "these bodies")
-    command.add_argument("--radius", type=positive, default=0.1, help="of the body, m, default 0.1")
     command.add_argument(
-        "--geometry", choices=list(KINDS), default="sphere_wall", help="default sphere_wall"
+        "--radius", type=positive, default=0.1, help="radius of the body, m, default 0.1"
+    )
+    command.add_argument(
+        "--geometry",
+        choices=list(KINDS),
+        default="sphere_wall",
+        help="geometry of the contact, default sphere_wall",
     )
     command.add_argument("--speed", type=positive, required=True, help="impact speed, m/s")
     add_material(command, "aluminium_zv02")
-    command.add_argument("--wall", help="of a sphere: a material, default a rigid wall")
+    command.add_argument("--wall", help="wall of a sphere: a material, default a rigid wall")
     add_json(command)
 
 
 def run(arguments: argparse.Namespace) -> None:
     material, kind = materials.read_material(arguments.material), KINDS[arguments.geometry]
     if arguments.wall and kind is not CentralImpact:
-        raise ValueError(f"wall is {arguments.wall}; {arguments.geometry} has a rigid one")
+        raise ValueError(f"wall is {arguments.wall}, but {arguments.geometry} has a rigid one")
     wall = {"wall": arguments.wall} if arguments.wall else {}
     case = arguments.speed, material, arguments.radius, arguments.geometry
     steps = {
@@ -48,4 +53,4 @@ def run(arguments: argparse.Namespace) -> None:
     for shape, other in IMPACTS.items():
         if "all" in arguments.law and shape != kind.shape:
             known = ", ".join(other.geometries)
-            print(f"left out: laws for {shape}s; see --geometry {known}", file=sys.stderr)
+            print(f"left out: laws for {shape}s. Use --geometry {known}", file=sys.stderr)

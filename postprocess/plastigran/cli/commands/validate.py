@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""`plastigran validate`: every law against finite elements, papers and experiments."""
+"""`plastigran validate`: every law compared with finite elements, papers and experiments."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ import argparse
 
 from plastigran.cli.reports import add_report_arguments, run_report
 
-HELP = "how far every law is off finite elements, papers and experiments, nothing fitted"
+HELP = "compute the error of every law from finite elements, papers and experiments, without fits"
 EXAMPLE = "plastigran validate --coarse"
 
 
@@ -20,7 +20,7 @@ def run(arguments: argparse.Namespace) -> None:
     from plastigran.validation.summary import write_summaries
 
     made = run_report(REPORT, REPORT.title, arguments)
-    if arguments.docs:  # the package's own copy goes with its pages
+    if arguments.docs:  # the copy in the package belongs to its pages
         made.tables["errors"].to_csv(ERRORS, index=False)
         pages = write_summaries(arguments.docs / "laws", made.tables["errors"])
         if not arguments.json:

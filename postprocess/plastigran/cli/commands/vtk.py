@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""`plastigran vtk`: a bulk run's frames for ParaView and OVITO."""
+"""`plastigran vtk`: frames of a bulk run for ParaView and OVITO."""
 
 from __future__ import annotations
 
 import argparse
 from pathlib import Path
 
-HELP = "frames of a bulk run for ParaView and OVITO, with each contact's plastic work"
+HELP = "write frames of a bulk run for ParaView and OVITO, with each contact's plastic work"
 EXAMPLE = """
 plastigran bulk hopper -v frames=20 contact_history=1 --output results/frames
 plastigran vtk results/frames
@@ -14,7 +14,7 @@ plastigran vtk results/frames
 
 
 def add_arguments(command: argparse.ArgumentParser) -> None:
-    command.add_argument("folder", type=Path, help="of a run with frames (-v frames=10)")
+    command.add_argument("folder", type=Path, help="folder of a run with frames (-v frames=10)")
     command.add_argument("--output", type=Path, help="folder of the files, default FOLDER/vtk")
 
 

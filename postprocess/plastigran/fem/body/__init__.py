@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Bodies in eight-node elements: strains, forces, stiffness and mass."""
+"""Bodies of eight-node elements: strains, forces, stiffness and mass."""

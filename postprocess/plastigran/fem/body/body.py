@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A body in eight-node elements: strains, forces, stiffness and mass.
+"""A body of eight-node elements: strains, forces, stiffness and mass.
 
-scikit-fem gives mesh, shape functions, numbering and the mass matrix. Strains and stiffness are
-batched matrix products over the elements, four Gauss points each.
+scikit-fem provides mesh, shape functions, numbering and the mass matrix. Strains and stiffness are
+batched matrix products over the elements, with four Gauss points each.
 """
 
 from __future__ import annotations
@@ -15,30 +15,31 @@ from plastigran.fem.body.section import Axisymmetric, Section
 from plastigran.fem.material.elastic_plastic import ElasticPlastic, Response, State
 from plastigran.fem.material.kinematics import Kinematics, SmallStrain
 
-STIFFNESS_ORDER = 3  # two by two Gauss points: no locking when plastic flow keeps the volume
-MASS_ORDER = 5  # three by three: with two by two the mass matrix would be singular
-HELD = {"axis": "u^1", "equator": "u^2", "base": ["u^1", "u^2"]}  # on each boundary that is there
+STIFFNESS_ORDER = 3  # 2 x 2 Gauss points: no locking when plastic flow conserves volume
+MASS_ORDER = 5  # 3 x 3: with 2 x 2 the mass matrix would be singular
+# fixed directions on each boundary of the mesh
+HELD = {"axis": "u^1", "equator": "u^2", "base": ["u^1", "u^2"]}
 
 
 class Body:
-    """Mesh and metal of one body.
+    """Mesh and material of one body.
 
     Attributes:
-        mesh: In (r, y), m.
-        material: The metal.
-        section: What the mesh stands for, out of its plane.
-        kinematics: How strains follow from displacements.
+        mesh: Mesh in (r, y), m.
+        material: Material.
+        section: Extent of the mesh out of its plane.
+        kinematics: Relation of strains and displacements.
         dofs: Degrees of freedom of each element (n_elements, 16), r and y of each node in turn.
         size: Number of degrees of freedom.
-        vertex_dofs: Degrees of freedom of the elements' corners, r and y (n_vertices, 2).
-        positions: Of the Gauss points (n_elements, 4, 2), m.
-        volumes: Of the Gauss points, over the section (n_elements, 4), m3.
-        elastic_stiffness: Of each element (n_elements, 16, 16), N/m.
-        mass_matrices: Of each element (n_elements, 16, 16), kg.
-        mass_matrix: Consistent, kg.
-        mass: kg.
+        vertex_dofs: Degrees of freedom of the corner nodes, r and y (n_vertices, 2).
+        positions: Positions of the Gauss points (n_elements, 4, 2), m.
+        volumes: Volumes of the Gauss points, including the section (n_elements, 4), m3.
+        elastic_stiffness: Stiffness matrix of each element (n_elements, 16, 16), N/m.
+        mass_matrices: Mass matrix of each element (n_elements, 16, 16), kg.
+        mass_matrix: Consistent mass matrix, kg.
+        mass: Mass, kg.
         upward: One at each vertical degree of freedom.
-        held: Degrees of freedom that do not move.
+        held: Fixed degrees of freedom.
     """
 
     def __init__(
@@ -63,7 +64,7 @@ class Body:
         radius = np.asarray(radius)
         self.volumes = np.ascontiguousarray(section.thickness(radius) * vector.dx)
         gradients = _gradient_matrices(scalar, section.hoop(radius))
-        # What forces are conjugate to over nodal displacements (n_elements, 4 points * m, 16).
+        # Quantities conjugate to the forces, per nodal displacement (n_elements, 4 points * m, 16).
         self._matrices = kinematics.matrices(gradients).reshape(len(self.dofs), -1, 16)
         self._undeformed = kinematics.undeformed(material.elastic_tangent)
         self.elastic_stiffness = self._stiffness(
@@ -82,7 +83,7 @@ class Body:
         self.held = self._held(vector)
 
     def _held(self, basis: Basis) -> np.ndarray:
-        """Degrees of freedom that HELD names on the boundaries of the mesh."""
+        """Return the degrees of freedom that HELD fixes on the boundaries of the mesh."""
         named = HELD.keys() & self.mesh.boundaries.keys()
         return np.concatenate([basis.get_dofs(name).all(HELD[name]) for name in sorted(named)])
 
@@ -93,7 +94,7 @@ class Body:
 
     @property
     def vertices(self) -> np.ndarray:
-        """(r, y) of the elements' corners, undeformed (n_vertices, 2), m."""
+        """Positions (r, y) of the corner nodes, undeformed (n_vertices, 2), m."""
         return self.mesh.p[:, : self.mesh.nvertices].T
 
     @property
@@ -102,8 +103,9 @@ class Body:
         return self.mesh.t[:4].T
 
     def respond(self, displacement: np.ndarray, state: State, duration: float = np.inf) -> Response:
-        """What the material answers after an increment to displacements (size,), m, that lasts
-        `duration` seconds.
+        """Return the material response after an increment to displacements (size,), m.
+
+        `duration` is the length of the increment, s.
 
         Raises:
             InvertedError: The displacements turn an element inside out.
@@ -111,16 +113,16 @@ class Body:
         return self.material.respond(self.strain(displacement), state, duration)
 
     def strain(self, displacement: np.ndarray) -> np.ndarray:
-        """(points, 4) at displacements (size,), m.
+        """Return the strains (points, 4) for displacements (size,), m.
 
         Raises:
-            InvertedError: They turn an element inside out.
+            InvertedError: The displacements turn an element inside out.
         """
         return self.kinematics.strain(self._measured(displacement))
 
     def internal_force(self, displacement: np.ndarray, stress: np.ndarray) -> np.ndarray:
-        """Nodal forces (size,), N, at displacements (size,), m, of the material's stresses
-        (points, 4), Pa.
+        """Return nodal forces (size,), N, for displacements (size,), m, and stresses (points, 4),
+        Pa.
         """
         conjugate = self.kinematics.conjugate(self._measured(displacement), stress)
         weighted = conjugate.reshape(*self.volumes.shape, -1) * self.volumes[:, :, None]
@@ -128,8 +130,10 @@ class Body:
         return np.bincount(self.dofs.ravel(), nodal.ravel(), minlength=self.size)
 
     def stiffness(self, displacement: np.ndarray, response: Response) -> np.ndarray:
-        """Element stiffnesses (n_elements, 16, 16), N/m, at displacements (size,), m: only those
-        that differ from the undeformed body's are made anew.
+        """Return element stiffness matrices (n_elements, 16, 16), N/m, for displacements (size,),
+        m.
+
+        Only matrices that differ from those of the undeformed body are computed.
         """
         changed, changed_tangent = self.kinematics.tangent(
             self._measured(displacement), response, self.material.elastic_tangent
@@ -145,7 +149,7 @@ class Body:
         return result
 
     def elastic_energy(self, displacement: np.ndarray, response: Response) -> float:
-        """J."""
+        """Return the elastic energy, J."""
         elastic = self.strain(displacement) - response.state.plastic_strain
         return float(np.sum(response.stress * elastic, axis=1) @ self.volumes.ravel() / 2)
 
@@ -161,8 +165,9 @@ class Body:
 
 
 def _gradient_matrices(scalar: Basis, hoop: np.ndarray) -> np.ndarray:
-    """Displacement gradients (rr, yy, tt, ry, yr) over nodal displacements (n_elements, 4 points,
-    5, 16).
+    """Return displacement gradients (rr, yy, tt, ry, yr) per nodal displacement.
+
+    The shape is (n_elements, 4 points, 5, 16).
     """
     nodes = len(scalar.basis)
     matrices = np.zeros((*hoop.shape, 5, 2 * nodes))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""An elastic body: one stiffness and one mass matrix for all time, and its free vibrations."""
+"""An elastic body: constant stiffness and mass matrices, and its free vibrations."""
 
 from __future__ import annotations
 
@@ -11,17 +11,17 @@ from scipy.sparse.linalg import eigsh
 
 from plastigran.fem.body.body import Body
 
-RIGID = 1e-6  # of the highest eigenvalue found: below it the body moves as a whole
+RIGID = 1e-6  # fraction of the highest eigenvalue; smaller ones are rigid-body motions
 
 
 class ElasticBody:
-    """Stiffness and mass of a body over the degrees of freedom that can move.
+    """Stiffness and mass of a body for the degrees of freedom that are not fixed.
 
     Attributes:
-        body: The body.
-        free: Its degrees of freedom that move (size,).
-        stiffness: (size, size), N/m.
-        mass_matrix: (size, size), kg.
+        body: Body.
+        free: Degrees of freedom that are not fixed (size,).
+        stiffness: Stiffness matrix (size, size), N/m.
+        mass_matrix: Mass matrix (size, size), kg.
         upward: One at each vertical degree of freedom (size,).
     """
 
@@ -42,32 +42,32 @@ class ElasticBody:
         return whole[self.free][:, self.free].tocsr()
 
     def places(self, dofs: np.ndarray) -> np.ndarray:
-        """Where degrees of freedom of the body are among those that move."""
+        """Return the indices of degrees of freedom of the body among the free ones."""
         return np.searchsorted(self.free, dofs)
 
     def nearest(self, point: tuple[float, float], vertical: bool) -> int:
-        """Where the vertical or radial degree of freedom next to a point (r, y), m, is among those
-        that move.
+        """Return the index of the vertical or radial degree of freedom closest to a point (r, y),
+        m.
         """
         kind = np.flatnonzero((self.upward == 1) == vertical)
         away = self.body.locations[:, self.free[kind]] - np.array(point)[:, None]
         return int(kind[np.argmin(np.linalg.norm(away, axis=0))])
 
     def vibrations(self, count: int) -> tuple[np.ndarray, np.ndarray]:
-        """The gravest free vibrations, without the motion as a whole.
+        """Return the lowest free vibrations, without rigid-body motions.
 
         Args:
-            count: How many.
+            count: Number of vibrations.
 
         Returns:
-            Frequencies (count,), Hz, rising; shapes (size, count) of unit modal mass.
+            Increasing frequencies (count,), Hz; shapes (size, count) with unit modal mass.
         """
         scale = self.stiffness.diagonal().sum() / self.mass_matrix.diagonal().sum()
         squares, shapes = eigsh(
             self.stiffness,
-            k=count + 1,  # and the motion along the axis
+            k=count + 1,  # and the rigid motion along the axis
             M=self.mass_matrix,
-            sigma=-1e-8 * scale,  # the stiffness itself is singular
+            sigma=-1e-8 * scale,  # the stiffness matrix itself is singular
         )
         order = np.argsort(squares)
         elastic = order[squares[order] > RIGID * squares.max()][:count]
@@ -80,7 +80,7 @@ class ElasticBody:
         displacement: np.ndarray,
         velocity: np.ndarray,
     ) -> np.ndarray:
-        """Energy of each free vibration (count,), J, in a displacement and a velocity (size,)."""
+        """Return the energy of each vibration (count,), J, in a displacement and velocity."""
         amplitude = shapes.T @ (self.mass_matrix @ displacement)
         rate = shapes.T @ (self.mass_matrix @ velocity)
         return (rate**2 + (2 * pi * frequencies * amplitude) ** 2) / 2

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Two bodies whose equations are solved as those of one: a sphere, and what it stands on."""
+"""Two bodies in one system of equations: a sphere and the body below it."""
 
 from __future__ import annotations
 
@@ -11,14 +11,14 @@ from plastigran.fem.material.elastic_plastic import Response, State
 
 
 class Pair:
-    """A sphere and the body under it, as `Equations` ask of one body.
+    """Sphere and the body below it, with the interface of one body for `Equations`.
 
-    Degrees of freedom, elements and Gauss points of the sphere come first. `upward`, `mass` and so
-    the motion of the centre of mass are the sphere's; energies are those of both.
+    Degrees of freedom, elements and Gauss points of the sphere come first. `upward`, `mass` and the
+    motion of the center of mass are those of the sphere. Energies are those of both bodies.
 
     Attributes:
-        sphere: The upper body.
-        block: The lower one.
+        sphere: Upper body.
+        block: Lower body.
         dofs, size, vertex_dofs, vertices, quads, positions, volumes, mass_matrices, mass_matrix,
         mass, upward, held: As of `Body`.
     """
@@ -75,7 +75,7 @@ class Pair:
         )
 
     def elastic_energy(self, displacement: np.ndarray, response: Response) -> float:
-        """J."""
+        """Return the elastic energy, J."""
         above, below = np.split(displacement, [self.sphere.size])
         upper, lower = self._answers(response)
         return self.sphere.elastic_energy(above, upper) + self.block.elastic_energy(below, lower)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Out of the plane of a mesh: a ring about the axis, or a slab of some thickness."""
+"""Extent of a mesh out of its plane: a ring about the axis, or a slab."""
 
 from __future__ import annotations
 
@@ -13,18 +13,18 @@ from plastigran.declared import number
 
 
 class Section(Protocol):
-    """What a plane mesh stands for."""
+    """Extent of a plane mesh out of its plane."""
 
     def thickness(self, first: np.ndarray) -> np.ndarray:
-        """Out of the plane, m, at first coordinates, m."""
+        """Return the thickness out of the plane, m, at first coordinates, m."""
 
     def hoop(self, first: np.ndarray) -> np.ndarray:
-        """Strain out of the plane over the first displacement, 1/m."""
+        """Return the strain out of the plane per first displacement, 1/m."""
 
 
 @attrs.frozen
 class Axisymmetric(Section):
-    """The whole ring about the axis where the first coordinate is zero."""
+    """Full ring about the axis, where the first coordinate is zero."""
 
     def thickness(self, first: np.ndarray) -> np.ndarray:
         return 2 * pi * first
@@ -35,7 +35,7 @@ class Axisymmetric(Section):
 
 @attrs.frozen
 class PlaneStrain(Section):
-    """A slab that does not strain out of its plane."""
+    """Slab without strain out of its plane."""
 
     length: float = number("length out of the plane", "m", 0)
 

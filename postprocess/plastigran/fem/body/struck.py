@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A body that a rigid one strikes: one system of equations for both."""
+"""A body that is hit by a rigid one, in one system of equations."""
 
 from __future__ import annotations
 
@@ -14,11 +14,11 @@ from plastigran.fem.material.kinematics import Kinematics
 
 
 class StruckBody(Body):
-    """A body, and the place of a circle's centre as two more degrees of freedom after its own.
+    """Body, and the center of a circle as two further degrees of freedom.
 
     Attributes:
-        centre: Degrees of freedom of the centre (2,).
-        centre_mass: kg.
+        centre: Degrees of freedom of the center (2,).
+        centre_mass: Mass of the circle, kg.
     """
 
     def __init__(

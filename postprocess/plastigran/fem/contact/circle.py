@@ -1,11 +1,13 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A rigid circle on the surface of a body, with Coulomb friction: a penalty at the Gauss points.
+"""A rigid circle on the surface of a body, with Coulomb friction: penalty at the Gauss points.
 
-The circle's centre is two more degrees of freedom after those of the body; it does not turn. With d
-from the centre to a point of the surface where it is now, its normal n = d/|d| and the gap
-g = |d| - R, the surface bears the pressure p = k <-g> along n. Along the tangent t it bears the
-traction of the last equilibrium less k times its slip since, but mu p at most: the return of
-elastic stick to the cone of friction (Wriggers, Computational Contact Mechanics, 2006, sec. 5.2).
+The center of the circle adds two degrees of freedom; the circle does not rotate. d is the vector
+from
+the center to a point of the deformed surface, n = d/|d| the normal and g = |d| - R the gap. The
+surface has the pressure p = k <-g> along n. Along the tangent t it has the traction of the last
+equilibrium minus k times the slip since then, at most mu p: a return of elastic stick to the cone
+of
+friction (Wriggers, Computational Contact Mechanics, 2006, sec. 5.2).
 """
 
 from __future__ import annotations
@@ -20,12 +22,12 @@ from plastigran.fem.contact.plane import PENALTY, Touch
 
 @attrs.frozen
 class Rub(Touch):
-    """Contact with a circle; `force` is that on the circle, upward.
+    """Contact with a circle; `force` is the upward force on the circle.
 
     Attributes:
         drag: Force on the circle along the surface, N.
-        shear: Traction on the body along the tangent at the Gauss points (n_edges, n_points), Pa.
-        distance: From the circle's centre to them (n_edges, n_points, 2), m.
+        shear: Tangential traction on the body at the Gauss points (n_edges, n_points), Pa.
+        distance: Vectors from the center of the circle to them (n_edges, n_points, 2), m.
         dissipated: Work of friction since the last equilibrium, J.
     """
 
@@ -36,13 +38,14 @@ class Rub(Touch):
 
 
 class RigidCircle:
-    """A circle over the surface y = 0 of a body, that it touches while nothing has moved.
+    """Circle above the surface y = 0 of a body; it touches the undeformed surface.
 
     Attributes:
-        dofs: Of each edge, x and y of its three nodes and of the centre (n_edges, 8).
+        dofs: Degrees of freedom of each edge, x and y of its three nodes and of the center
+            (n_edges, 8).
         places: First coordinate of the Gauss points, increasing (n_points,), m.
-        start: First coordinate of the centre while nothing has moved, m.
-        longest_edge: m.
+        start: Initial first coordinate of the center, m.
+        longest_edge: Length of the longest edge, m.
     """
 
     def __init__(
@@ -54,13 +57,15 @@ class RigidCircle:
         coefficient_of_friction: float = 0.0,
         penalty: float = PENALTY,
     ) -> None:
-        """Args:
-        body: The body, with a boundary `surface`.
-        radius: Of the circle, m.
-        track: No contact is looked for outside of these first coordinates, m.
-        start: First coordinate of the centre, m.
-        coefficient_of_friction: Of Coulomb.
-        penalty: Stiffness over E*/h, h the length of an edge.
+        """Place the circle.
+
+        Args:
+            body: Body, with a boundary `surface`.
+            radius: Radius of the circle, m.
+            track: Range of first coordinates in which contact is possible, m.
+            start: Initial first coordinate of the center, m.
+            coefficient_of_friction: Coulomb coefficient of friction.
+            penalty: Stiffness divided by E*/h, where h is the length of an edge.
         """
         mesh = body.mesh
         facets = mesh.boundaries["surface"]
@@ -78,14 +83,14 @@ class RigidCircle:
         self._areas = edges.areas
         self._stiffness = penalty * body.material.plane_modulus / edges.lengths[:, None]
         self._radius, self._friction = radius, coefficient_of_friction
-        # The halves on both sides of an axis drag the circle against each other.
+        # The drag of the halves on both sides of an axis cancels.
         self._whole = np.array([0.0 if "axis" in mesh.boundaries else 1.0, 1.0])
         self.places = edges.first.ravel()
         self.start = start
         self.longest_edge = edges.lengths.max()
 
     def touch(self, displacement: np.ndarray, last: Rub | None = None) -> Rub:
-        """Contact at displacements (size,), m, after the equilibrium `last`."""
+        """Return the contact at displacements (size,), m, after the equilibrium `last`."""
         moves = displacement[self.dofs]
         distance = self._start + np.einsum("eqid,ed->eqi", self._distance_matrices, moves)
         length = np.linalg.norm(distance, axis=2)
@@ -104,7 +109,7 @@ class RigidCircle:
         nodal = np.bincount(self.dofs.ravel(), nodal.ravel(), minlength=self._size)
         drag, force = nodal[self._centre] * self._whole
 
-        # Changes of pressure and shear with the distance, and of traction with these.
+        # Derivatives of pressure and shear by distance, and of traction by these.
         by_distance = -closed[:, :, None] * normal
         turned = 1 - np.einsum("eqi,eqi->eq", normal, moved) / length
         sticks = np.abs(trial) < limit
@@ -137,8 +142,9 @@ class RigidCircle:
         )
 
     def surface(self, displacement: np.ndarray) -> np.ndarray:
-        """(x, y) of the Gauss points at displacements (size,), m, x from the circle's start
-        (n_points, 2), m.
+        """Return (x, y) of the Gauss points at displacements (size,), m, as (n_points, 2), m.
+
+        x is measured from the start of the circle.
         """
         still = displacement.copy()
         still[self._centre] = 0
@@ -146,12 +152,13 @@ class RigidCircle:
         return (self._start + moves + np.array([0, self._radius])).reshape(-1, 2)
 
     def profile(self, touch: Rub) -> tuple[np.ndarray, np.ndarray]:
-        """Mean first coordinate and mean pressure of each edge."""
+        """Return the mean first coordinate and mean pressure of each edge."""
         return self._edges.mean(self.places), self._edges.mean(touch.pressure)
 
     def ends(self, gap: np.ndarray) -> tuple[float, float]:
-        """First and last place in contact, m; on an axis the first is its mirror image; zeros where
-        there is no contact.
+        """Return the first and last coordinate in contact, m; zeros without contact.
+
+        At an axis of symmetry, the first is the mirror image of the last.
         """
         last = contact_edge(self.places, gap)
         if self.places[0] >= 0:

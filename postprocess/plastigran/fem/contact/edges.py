@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Edges of a body's surface, with the Gauss points where contact is looked for."""
+"""Edges of the surface of a body, with the Gauss points of the contact."""
 
 from __future__ import annotations
 
@@ -8,24 +8,26 @@ from skfem import ElementQuadS2, ElementVector, FacetBasis
 
 from plastigran.fem.body.body import Body
 
-EDGE_ORDER = 5  # three Gauss points on an edge: fewer make the force waver as edges open
+EDGE_ORDER = 5  # three Gauss points per edge; with fewer, the force oscillates when edges open
 
 
 class Edges:
-    """Edges in the order of the first coordinate, and so are the Gauss points on each.
+    """Edges and their Gauss points, sorted by first coordinate.
 
     Attributes:
-        dofs: Of the three nodes of each edge, both directions (n_edges, 3, 2).
-        shapes: Of the three nodes at the Gauss points (n_edges, n_points, 3).
+        dofs: Degrees of freedom of the three nodes of each edge, both directions (n_edges, 3, 2).
+        shapes: Shape functions of the three nodes at the Gauss points (n_edges, n_points, 3).
         first: First coordinate of the Gauss points (n_edges, n_points), m.
-        areas: Of the Gauss points, projected on the horizontal (n_edges, n_points), m2.
-        lengths: Of the edges (n_edges,), m.
+        areas: Areas of the Gauss points, projected on the horizontal (n_edges, n_points), m2.
+        lengths: Lengths of the edges (n_edges,), m.
     """
 
     def __init__(self, body: Body, facets: np.ndarray) -> None:
-        """Args:
-        body: The body.
-        facets: Ids of the edges in its mesh.
+        """Collect the edges.
+
+        Args:
+            body: Body.
+            facets: IDs of the edges in its mesh.
         """
         mesh = body.mesh
         facets = facets[np.argsort(mesh.p[0, mesh.facets[:, facets]].mean(axis=0))]
@@ -49,21 +51,26 @@ class Edges:
         self.lengths = basis.dx.sum(axis=1)
 
     def mean(self, values: np.ndarray) -> np.ndarray:
-        """Of each edge (n_edges,), of values at the Gauss points (n_points,). Within an edge the
-        penalty's pressure sways about its mean by some per cent, for the edge is a parabola and
-        the other body is stiff.
+        """Return the mean on each edge (n_edges,) of values at the Gauss points (n_points,).
+
+        Within an edge, the penalty pressure oscillates by some per cent about its mean, because the
+        edge
+        is a parabola and the other body is stiff.
         """
         areas = self.areas / self.areas.sum(axis=1, keepdims=True)
         return (values.reshape(areas.shape) * areas).sum(axis=1)
 
 
 def contact_edge(places: np.ndarray, gap: np.ndarray) -> float:
-    """Where the gap opens: past a contact's edge it grows as (r - a)^(3/2), so its power 2/3
-    through the first two open points is drawn back to zero.
+    """Return where the gap opens, m.
+
+    Outside the contact, the gap grows as (r - a)^(3/2). Its power 2/3 is extrapolated linearly to
+    zero
+    from the first two open points.
 
     Args:
-        places: Of the Gauss points, increasing from within the contact to outside (n_points,), m.
-        gap: There (n_points,), m.
+        places: Coordinates of the Gauss points, from inside to outside (n_points,), m.
+        gap: Gap at these points (n_points,), m.
     """
     closed = np.flatnonzero(gap < 0)
     if closed.size == 0:

@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The surface of a half space under a sphere: the same penalty as a rigid plane's, at the Gauss
-points of the sphere's edges, each against the place of the surface at the same radius.
+"""Surface of a half space under a sphere, with the same penalty as a rigid plane.
 
-Sliding is small: a point faces the one it lies over while nothing has moved.
+Each Gauss point of the sphere's edges faces the surface point with the same radius in the
+undeformed
+state. Sliding must be small.
 """
 
 from __future__ import annotations
@@ -16,19 +17,21 @@ from plastigran.fem.contact.plane import PENALTY, RigidPlane
 
 
 class HalfSpace(RigidPlane):
-    """The surface of the lower body of a pair. Its height is that of the base, far below.
+    """Surface of the lower body of a pair. Its height is that of the base, far below.
 
     Attributes:
-        dofs: Of each Gauss point, the vertical degrees of freedom of the sphere's edge and of the
-            surface's (n_points, 6).
+        dofs: Vertical degrees of freedom of the sphere's edge and of the surface, for each Gauss
+            point (n_points, 6).
     """
 
     def __init__(self, pair: Pair, radius: float, reach: float, penalty: float = PENALTY) -> None:
-        """Args:
-        pair: Sphere and half space.
-        radius: Of the sphere, m.
-        reach: No contact is looked for beyond this distance from the axis, m.
-        penalty: Stiffness over E*/h, E* that of both bodies.
+        """Pair the Gauss points of the sphere with the surface.
+
+        Args:
+            pair: Sphere and half space.
+            radius: Radius of the sphere, m.
+            reach: Largest distance from the axis at which contact is possible, m.
+            penalty: Stiffness divided by E*/h, with E* of both bodies.
         """
         sphere, block = pair.sphere, pair.block
         modulus = sphere.material.pair_modulus(block.material)
@@ -46,8 +49,9 @@ class HalfSpace(RigidPlane):
 
 
 def _nodes_under(edges: Edges, radii: np.ndarray, block: Body) -> tuple[np.ndarray, np.ndarray]:
-    """Vertical degrees of freedom and shape functions (n, 3) of a straight surface's edges at
-    radii (n,), m.
+    """Return vertical degrees of freedom and shape functions (n, 3) of a straight surface.
+
+    The points are at radii (n,), m.
     """
     ends = block.locations[0, edges.dofs[:, :2, 0]]
     edge = np.searchsorted(ends.max(axis=1), radii)

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A rigid frictionless plane under a sphere: a penalty at the Gauss points of the surface's edges.
+"""A rigid frictionless plane under a sphere: penalty at the Gauss points of the surface.
 
-The undeformed surface is the exact circle, not its elements: the gap at radius r is
-R - sqrt(R^2 - r^2) + u_y - h over a plane of height h. Pressures act on the horizontal projection
+The undeformed surface is the exact circle, not the elements: the gap at radius r is
+R - sqrt(R^2 - r^2) + u_y - h for a plane at height h. Pressures act on the horizontal projection
 of the surface.
 """
 
@@ -14,21 +14,21 @@ import numpy as np
 from plastigran.fem.body.body import Body
 from plastigran.fem.contact.edges import Edges, contact_edge
 
-EDGE_NODES = 3  # nodes of the sphere's edge; in `dofs` they come first, a half space's follow
-PENALTY = 50.0  # stiffness over E*/h, h the length of the edge
+EDGE_NODES = 3  # nodes of the sphere's edge come first in `dofs`; those of a half space follow
+PENALTY = 50.0  # stiffness divided by E*/h, where h is the length of the edge
 
 
 @attrs.frozen
 class Touch:
-    """Contact at one displacement.
+    """Contact state at one displacement.
 
     Attributes:
-        force: Upward on the body, N.
+        force: Upward force on the body, N.
         nodal: Forces on the degrees of freedom (size,), N.
-        stiffness: Of each edge (n_edges, 3, 3), N/m.
-        gap: At the Gauss points from the axis outward (n_points,), m.
-        pressure: There, over the undeformed area (n_points,), Pa.
-        stored: Energy in the penalty, J.
+        stiffness: Stiffness matrix of each edge (n_edges, 3, 3), N/m.
+        gap: Gap at the Gauss points from the axis outward (n_points,), m.
+        pressure: Pressure there, per undeformed area (n_points,), Pa.
+        stored: Energy of the penalty, J.
     """
 
     force: float
@@ -41,12 +41,12 @@ class Touch:
 
 @attrs.frozen
 class PlaneTouch(Touch):
-    """Contact with a plane.
+    """Contact state with a plane.
 
     Attributes:
-        radii: Distances of the Gauss points from the axis (n_points,), m; the undeformed ones in
-            small strain.
-        widening: Area of each edge over the undeformed one (n_edges,); 1 in small strain.
+        radii: Distances of the Gauss points from the axis (n_points,), m; undeformed in small
+            strain.
+        widening: Deformed / undeformed area of each edge (n_edges,); 1 in small strain.
     """
 
     radii: np.ndarray
@@ -54,24 +54,26 @@ class PlaneTouch(Touch):
 
     @property
     def contact_radius(self) -> float:
-        """Where the gap opens, m."""
+        """Radius at which the gap opens, m."""
         return contact_edge(self.radii, self.gap)
 
 
 class RigidPlane:
-    """The plane under the lower half of a sphere.
+    """Plane under the lower half of a sphere.
 
     Attributes:
         dofs: Vertical degrees of freedom of each edge (n_edges, 3).
-        radii: Distances of the undeformed Gauss points from the axis, increasing (n_points,), m.
+        radii: Undeformed distances of the Gauss points from the axis, increasing (n_points,), m.
     """
 
     def __init__(self, body: Body, radius: float, reach: float, penalty: float = PENALTY) -> None:
-        """Args:
-        body: The sphere.
-        radius: Of the sphere, m.
-        reach: No contact is looked for beyond this distance from the axis, m.
-        penalty: Stiffness over E*/h.
+        """Collect the edges that may touch.
+
+        Args:
+            body: Sphere.
+            radius: Radius of the sphere, m.
+            reach: Largest distance from the axis at which contact is possible, m.
+            penalty: Stiffness divided by E*/h.
         """
         mesh = body.mesh
         facets = mesh.boundaries["circle"]
@@ -90,7 +92,7 @@ class RigidPlane:
         self._follows = body.kinematics.follows
 
     def touch(self, displacement: np.ndarray, height: float) -> PlaneTouch:
-        """Contact at displacements (size,), m, over a plane at `height`, m."""
+        """Return the contact state at displacements (size,), m, for a plane at `height`, m."""
         moved = (self._shapes @ displacement[self.dofs][:, :, None])[:, :, 0]
         gap = self._heights + moved - height
         pressure = self._stiffness * np.maximum(-gap, 0)
@@ -112,7 +114,7 @@ class RigidPlane:
         )
 
     def _place(self, displacement: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """Radii of the Gauss points, and areas of the edges over the undeformed ones."""
+        """Return radii of the Gauss points, and deformed / undeformed areas of the edges."""
         if not self._follows:
             return self.radii, np.ones(len(self._edges.lengths))
         outward = (self._shapes @ displacement[self._radial][:, :, None]).ravel()
@@ -121,13 +123,11 @@ class RigidPlane:
         return self.radii + outward, area / undeformed
 
     def profile(self, touch: PlaneTouch) -> tuple[np.ndarray, np.ndarray]:
-        """Mean radius and mean pressure of each edge."""
+        """Return the mean radius and mean pressure of each edge."""
         mean = self._edges.mean
         return mean(touch.radii), mean(touch.pressure) / touch.widening
 
     def spread(self, stiffness: np.ndarray) -> np.ndarray:
-        """Forces (size,) by edge stiffnesses when the plane rises by one, as when the sphere's edge
-        sinks by one, N/m.
-        """
+        """Return the forces (size,) for a unit rise of the plane from edge stiffnesses, N/m."""
         forces = stiffness[:, :, :EDGE_NODES].sum(axis=2)
         return np.bincount(self.dofs.ravel(), forces.ravel(), minlength=self._size)

@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A rigid cylinder that strikes a body in plane strain."""
+"""A rigid cylinder that hits a body in plane strain."""

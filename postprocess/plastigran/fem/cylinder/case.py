@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""What a strike of a rigid cylinder on a body is, and its scales."""
+"""Impact of a rigid cylinder on a body, and its scales."""
 
 from __future__ import annotations
 
@@ -11,32 +11,32 @@ from plastigran.fem.material.elastic_plastic import ElasticPlastic
 from plastigran.fem.theory.line import HertzLine
 
 LARGEST = 0.6  # half width over radius of the circle beyond which nothing here is meant
-PLASTIC_PRESSURE = 2.0  # least mean pressure over the flow stress of a contact as wide as reckoned
-MARGIN = 1.2  # on the thickness from which no wave comes back
+PLASTIC_PRESSURE = 2.0  # smallest mean pressure / flow stress of the estimated contact
+MARGIN = 1.2  # factor on the thickness beyond which no wave returns in time
 
 
 @attrs.frozen(kw_only=True)
 class CylinderStrike:
-    """One strike.
+    """Impact of a rigid cylinder.
 
     Attributes:
-        material: Of the body; the cylinder is rigid.
+        material: Material of the body; the cylinder is rigid.
 
     Raises:
-        ValueError: A field is out of range, or the contact becomes too wide.
+        ValueError: A field is out of range, or the contact becomes too large.
     """
 
     material: ElasticPlastic
     radius: float = radius_field("radius of the cylinder")
     length: float = number("length of the cylinder", "m", 0)
-    mass: float = number("mass of all that moves with the cylinder", "kg", 0)
+    mass: float = number("mass that moves with the cylinder", "kg", 0)
     speed: float = speed_field("speed towards the body")
     sliding_speed: float = number("speed along the surface", "m/s", 0, closed=True, default=0.0)
     coefficient_of_friction: float = number(
         "coefficient of friction", "-", 0, 1, closed=True, default=0.0
     )
     thickness: float | None = number(
-        "thickness of the body, without which no wave comes back from its far side",
+        "thickness of the body; by default no wave returns from its far side",
         "m",
         0,
         default=None,
@@ -47,21 +47,21 @@ class CylinderStrike:
         for name in ("speed", "sliding_speed"):
             if getattr(self, name) > SUBSONIC * sound:
                 raise ValueError(
-                    f"{name} is {getattr(self, name):g} m/s; it must be below {SUBSONIC:g} of the "
-                    f"speed of sound in the body, {sound:.4g} m/s (are the units Pa and "
-                    "kg/m3?)"
+                    f"{name} is {getattr(self, name):g} m/s; it must be below {SUBSONIC:g} of "
+                    f"the speed of sound in the body, {sound:.4g} m/s. Check the units: Pa, "
+                    "kg/m3"
                 )
         ratio = self.reach / self.radius
         if ratio > LARGEST or self.reach > self.line.thickness / 4:
             raise ValueError(
-                f"speed is {self.speed:g} m/s, which makes a contact of half width "
-                f"{self.reach:.3g} m; up to {LARGEST:g} of the radius {self.radius:g} m and a "
-                f"quarter of the thickness {self.line.thickness:g} m can be computed"
+                f"speed is {self.speed:g} m/s, which gives a contact of half width "
+                f"{self.reach:.3g} m. The limit is {LARGEST:g} of the radius {self.radius:g} m "
+                f"and a quarter of the thickness {self.line.thickness:g} m"
             )
 
     @property
     def line(self) -> HertzLine:
-        """The elastic contact."""
+        """Elastic contact."""
         if self.thickness is not None:
             return self._line(self.thickness)
         thickness = 10 * self.radius
@@ -77,7 +77,7 @@ class CylinderStrike:
 
     @property
     def reach(self) -> float:
-        """Largest half width to expect, m: of the elastic contact, or of a plastic one."""
+        """Largest expected half width, m: that of the elastic contact, or of a plastic one."""
         line = self.line
         force = line.impact_force(self.mass, self.speed)
         if force <= line.yield_force:
@@ -87,5 +87,5 @@ class CylinderStrike:
 
     @property
     def oblique(self) -> bool:
-        """Whether the cylinder slides along the body: there is no symmetry then."""
+        """Whether the cylinder slides along the body; then there is no symmetry."""
         return self.sliding_speed > 0

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A rigid cylinder strikes an elastic-plastic body in plane strain, head-on or sliding along.
+"""Impact of a rigid cylinder on an elastic-plastic body in plane strain, head-on or sliding.
 
-Implicit dynamics of the body and of the cylinder, as a sphere is thrown. The body is half a disc
-whose arc is held. Its radius is the thickness to which Johnson's approach of a line contact refers
-(Contact Mechanics, 1985, sec. 5.6), or such that no wave comes back from the arc while they touch.
+Implicit dynamics of body and cylinder, as for the sphere. The body is half a disc with a fixed arc.
+Its radius is the thickness in Johnson's approach of a line contact (Contact Mechanics, 1985,
+sec. 5.6), or so large that no wave returns from the arc during the contact.
 """
 
 from __future__ import annotations
@@ -25,15 +25,15 @@ from plastigran.fem.stepping.flight import Flight
 from plastigran.fem.stepping.increment import Balance, Equations, Equilibrium, Forces, NoConvergence
 from plastigran.progress import ProgressBar
 
-SHARES = (1.0, 0.5, 0.25, 0.1)  # of a change by Newton's method
-LONGEST = 4.0  # elastic durations after which a strike that has not ended is given up
-# Of an element, what the cylinder slides in a step at most: Newton finds no way farther.
+SHARES = (1.0, 0.5, 0.25, 0.1)  # fractions of a Newton change
+LONGEST = 4.0  # number of elastic contact durations after which an impact is stopped
+# Largest sliding distance in a step, in elements; Newton's method fails for larger ones.
 STRIDE = 0.3
-TRACK_MARGIN = 1.2  # on the way during an elastic contact
+TRACK_MARGIN = 1.2  # factor on the sliding distance during an elastic contact
 
 
 class StrikeEquations(Equations):
-    """Balance of forces of a body and of the circle on it."""
+    """Balance of forces of a body and a circle on it."""
 
     body: StruckBody
     contact: RigidCircle
@@ -45,17 +45,19 @@ class StrikeEquations(Equations):
         self, displacement: np.ndarray, balance: Balance, factor: float
     ) -> list[np.ndarray]:
         elements, edges = super()._matrices(displacement, balance, factor)
-        edges = edges.copy()  # they are the contact's, without the mass of the circle
+        edges = edges.copy()  # contact matrices, without the mass of the circle
         edges[0, -2:, -2:] += factor * self.body.centre_mass * np.identity(2)
         return [elements, edges]
 
     def _step(self, displacement: np.ndarray, change: np.ndarray, balance: Balance, forces: Forces):
-        """The largest of some shares of the change that brings the forces closer to balance: points
-        come in contact and begin to flow as the circle slides on. The least share is taken
-        whatever it brings.
+        """Return the largest of some fractions of the change that improves the balance of forces.
+
+        Points come into contact and start to flow as the circle slides. The smallest fraction is
+        taken
+        even without improvement.
 
         Raises:
-            NoConvergence: Even the least share turns an element inside out.
+            NoConvergence: Even the smallest fraction turns an element inside out.
         """
         before = np.linalg.norm(balance.residual)
         for share in SHARES:
@@ -72,7 +74,7 @@ class StrikeEquations(Equations):
 
 
 def equations(case: CylinderStrike, settings: Settings) -> StrikeEquations:
-    """Mesh, body and circle of a strike."""
+    """Return the equations of an impact: mesh, body and circle."""
     reach, line = case.reach, case.line
     if not case.oblique:
         core = reach / 2
@@ -85,7 +87,7 @@ def equations(case: CylinderStrike, settings: Settings) -> StrikeEquations:
             divisions=settings.divisions,
             fineness=settings.fineness,
         )
-        section = PlaneStrain(2 * case.length)  # the half stands for the whole
+        section = PlaneStrain(2 * case.length)  # half of the body represents the whole
         track, start = (0.0, 2 * reach), 0.0
     else:
         way = TRACK_MARGIN * case.sliding_speed * line.duration(case.mass, case.speed)
@@ -108,22 +110,22 @@ def equations(case: CylinderStrike, settings: Settings) -> StrikeEquations:
 def strike(
     case: CylinderStrike, settings: Settings | None = None, progress: bool = False
 ) -> Strike:
-    """Let a cylinder strike a body and follow it until it has left.
+    """Compute the impact of a cylinder until it has separated.
 
     Args:
-        case: The strike.
-        settings: How fine: as of a throw, `steps_of_contact` over the elastic duration.
-        progress: Show a bar.
+        case: Impact.
+        settings: Resolution, as for the sphere; `steps_of_contact` refers to the elastic duration.
+        progress: Whether to show a bar.
 
     Raises:
-        NoConvergence: The first step does not converge even after halving. A later one ends the
-            strike, which keeps what it has and says so in `stopped`.
+        NoConvergence: The first step does not converge even after halving. A later failure ends the
+            computation; the result so far is returned, with the reason in `stopped`.
     """
     settings = settings or Settings()
     if settings.strain == "small" and case.reach > SMALL_STRAIN * case.radius:
         warnings.warn(
-            f"a speed of {case.speed:g} m/s makes a contact of half width about "
-            f"{case.reach / case.radius:.2g} of the radius; small strain is good to "
+            f"speed {case.speed:g} m/s gives a contact half width of about "
+            f"{case.reach / case.radius:.2g} times the radius; small strain is accurate up to "
             f"{SMALL_STRAIN:g}",
             SmallStrainWarning,
             stacklevel=2,

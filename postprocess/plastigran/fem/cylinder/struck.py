@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""What is read from a strike of a cylinder."""
+"""Results of the impact of a cylinder."""
 
 from __future__ import annotations
 
@@ -20,31 +20,30 @@ from plastigran.fem.stepping.snapshot import YIELDED, Snapshot, energies, snapsh
 
 @attrs.frozen
 class Strike:
-    """A cylinder that struck a body.
+    """Impact of a cylinder on a body.
 
     Attributes:
-        case: What was computed.
-        history: One row for each step: time s, force N (on the cylinder, upward), drag N (on the
-            cylinder, along its way), approach m (of its lowest point below the surface), way m
+        case: Input.
+        history: One row per step: time s, force N (upward on the cylinder), drag N (on the
+            cylinder, along its motion), approach m (of its lowest point below the surface), way m
             (along the surface), velocity m/s (upward), sliding_velocity m/s, half_width m (of the
             contact), plastic_top m and plastic_bottom m (depths of the first and last yielded
-            point; nan before yield), energies J, friction_work J.
-        coefficient_of_restitution: Speed away from the body over that towards it.
-        force_max: N.
+            point; NaN before yield), energies J, friction_work J.
+        coefficient_of_restitution: Separation speed / approach speed.
+        force_max: Largest force, N.
         overlap_max: Largest approach, m.
-        overlap_res: Approach when contact ends, m.
-        residual_depth: Of the deepest point of the surface when the body has come to rest, m.
-        contact_time: s.
-        yield_force: Force at which a point has first yielded, N; nan if none has.
-        yield_point: Of that point (x from the circle's lowest point, depth) over the half width
-            then (2,).
-        surface: (x, y) of the surface at rest after the strike (n_points, 2), m; x from where the
-            cylinder touched first.
-        start: Where the cylinder touched first, in the mesh's first coordinate, m.
-        snapshots: By name: `yield` at first yield if there is one, `deepest`, `end` when contact
-            has ended.
-        stopped: Why it ended before its end, where restitution and residual are not known; empty
-            if it did not.
+        overlap_res: Approach at the end of contact, m.
+        residual_depth: Depth of the deepest point of the surface at rest, m.
+        contact_time: Duration of the contact, s.
+        yield_force: Force at first yield, N; NaN without yield.
+        yield_point: Point of first yield (x from the circle's lowest point, depth), divided by the
+            half width (2,).
+        surface: (x, y) of the surface at rest after the impact (n_points, 2), m; x from first
+            touch.
+        start: First coordinate of first touch in the mesh, m.
+        snapshots: Fields by name: `yield` (at first yield, if any), `deepest`, `end` (of contact).
+        stopped: Reason of an early end, with unknown restitution and residual depth; otherwise
+            empty.
     """
 
     case: CylinderStrike
@@ -63,7 +62,7 @@ class Strike:
     stopped: str = ""
 
     def to_dict(self) -> dict:
-        """Numbers only, for a file."""
+        """Return numbers only, for a file."""
         names = (
             "coefficient_of_restitution",
             "force_max",
@@ -84,11 +83,11 @@ class Strike:
 
 
 class StrikeLog:
-    """Rows and fields of a strike as it goes on.
+    """History and fields of an impact during its computation.
 
     Attributes:
-        rows: Of the history.
-        free: Steps without contact, now.
+        rows: Rows of the history.
+        free: Number of latest steps without contact.
     """
 
     def __init__(self, flight: Flight) -> None:
@@ -103,7 +102,7 @@ class StrikeLog:
         self.note()
 
     def note(self) -> None:
-        """Take down the last step."""
+        """Record the last step."""
         state = self.flight.now.state
         row = self._row(state)
         if self.yield_point is None and state.response.state.accumulated.any():
@@ -145,17 +144,17 @@ class StrikeLog:
         return np.array([place[0] - under, -place[1]]) / row["half_width"]
 
     def fields(self) -> dict[str, Snapshot]:
-        """Of the moments that are kept."""
+        """Return the fields to keep."""
         return {
             name: snapshot(self.body, self.circle, state) for name, state in self._states.items()
         }
 
     def surface_at_rest(self) -> np.ndarray:
-        """(x, y) of the track's surface (n_points, 2), m, when the body has come to rest.
+        """Return (x, y) of the track's surface (n_points, 2), m, when the body is at rest.
 
-        Waves die away elastically: one linear solution, with the stiffness of the undeformed body,
-        takes back the forces of the last stresses. In finite strain this is an approximation, and
-        whether a point yields again is not looked at.
+        Waves decay elastically: one linear solution with the undeformed stiffness removes the
+        forces of
+        the last stresses. In finite strain this is an approximation. Further yielding is ignored.
         """
         body, state = self.body, self.flight.now.state
         fixed = np.concatenate([body.held, body.centre])
@@ -165,7 +164,7 @@ class StrikeLog:
 
 
 def summary(case: CylinderStrike, log: StrikeLog, stopped: str) -> Strike:
-    """The outcome of a strike that has ended, or stopped."""
+    """Return the outcome of an impact that has ended or stopped."""
     history = pd.DataFrame(log.rows)
     force, time, approach = (history[name].to_numpy() for name in ("force", "time", "approach"))
     end = _end_of_contact(time, force)
@@ -190,8 +189,9 @@ def summary(case: CylinderStrike, log: StrikeLog, stopped: str) -> Strike:
 
 
 def _end_of_contact(time: np.ndarray, force: np.ndarray) -> float:
-    """When the force of the last two steps in contact, drawn on straight, is zero; by the next
-    step at the latest.
+    """Return the time at which the force reaches zero, s.
+
+    The force of the last two steps in contact is extrapolated linearly, at most to the next step.
     """
     last = np.flatnonzero(force > 0)[-1]
     following = time[min(last + 1, len(time) - 1)]

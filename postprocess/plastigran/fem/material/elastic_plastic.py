@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Small-strain plasticity of von Mises with isotropic hardening, integrated by radial return.
+"""Small-strain von Mises plasticity with isotropic hardening, integrated by radial return.
 
-Strains and stresses are columns (rr, yy, tt, ry) with the engineering shear strain: t is the
-circumferential direction of a body of revolution. The return is backward Euler and its tangent the
-consistent one (Simo and Hughes, Computational Inelasticity, 1998, box 3.2).
+Strains and stresses are columns (rr, yy, tt, ry) with engineering shear strain; t is the
+circumferential direction. The return is backward Euler with its consistent tangent (Simo and
+Hughes,
+Computational Inelasticity, 1998, box 3.2).
 """
 
 from __future__ import annotations
@@ -17,25 +18,25 @@ from plastigran.declared import number
 from plastigran.fem.material.hardening import Hardening, RateFactor
 
 IDENTITY = np.array([1.0, 1.0, 1.0, 0.0])
-# Deviator of a strain with engineering shear, as a stress-like column.
+# Deviator of a strain with engineering shear, as a column like stress.
 DEVIATOR = np.diag([1.0, 1.0, 1.0, 0.5]) - np.outer(IDENTITY, IDENTITY) / 3
 TWICE_SHEAR = np.array([1.0, 1.0, 1.0, 2.0])
 RETURN_ITERATIONS = 50
-RETURN_TOLERANCE = 1e-13  # of the trial stress
+RETURN_TOLERANCE = 1e-13  # fraction of the trial stress
 
 
 class NoReturnError(ArithmeticError):
-    """No plastic strain was found that brings a stress to the flow stress."""
+    """The radial return found no plastic strain for the stress."""
 
 
 @attrs.frozen
 class State:
-    """What a material point remembers.
+    """State of material points.
 
     Attributes:
-        plastic_strain: (n, 4).
+        plastic_strain: Plastic strain (n, 4).
         accumulated: Accumulated plastic strain (n,).
-        work: Plastic work done per volume (n,), J/m3.
+        work: Plastic work per volume (n,), J/m3.
     """
 
     plastic_strain: np.ndarray
@@ -44,16 +45,16 @@ class State:
 
     @classmethod
     def virgin(cls, points: int) -> State:
-        """Of points that never flowed."""
+        """Return the state of points that have not yielded."""
         return cls(np.zeros((points, 4)), np.zeros(points), np.zeros(points))
 
     def between(self, start: int, end: int | None) -> State:
-        """Of the points from `start` to before `end`."""
+        """Return the state of the points from `start` to before `end`."""
         here = slice(start, end)
         return State(self.plastic_strain[here], self.accumulated[here], self.work[here])
 
     def joined(self, other: State) -> State:
-        """Of these points and, after them, the other's."""
+        """Return the state of these points followed by the other's."""
         return State(
             np.concatenate([self.plastic_strain, other.plastic_strain]),
             np.concatenate([self.accumulated, other.accumulated]),
@@ -63,13 +64,13 @@ class State:
 
 @attrs.frozen
 class Response:
-    """Answer to a strain.
+    """Material response to a strain.
 
     Attributes:
-        stress: (n, 4), Pa.
-        state: After the increment.
-        flowing: Points that flow (k,), as indices.
-        tangent: d stress / d strain of those that flow (k, 4, 4), Pa.
+        stress: Stress (n, 4), Pa.
+        state: State after the increment.
+        flowing: Indices of the points that flow (k,).
+        tangent: d stress / d strain of these points (k, 4, 4), Pa.
     """
 
     stress: np.ndarray
@@ -78,13 +79,13 @@ class Response:
     tangent: np.ndarray
 
     def held(self) -> Response:
-        """The same with no point flowing, as where loading turns."""
+        """Return the response without flow, for a load reversal."""
         return attrs.evolve(self, flowing=self.flowing[:0], tangent=self.tangent[:0])
 
 
 @attrs.frozen(kw_only=True)
 class ElasticPlastic:
-    """An isotropic metal. Without hardening it is elastic."""
+    """Isotropic metal; elastic without hardening law."""
 
     youngs_modulus: float = number("Young's modulus", "Pa", 0)
     poissons_ratio: float = number("Poisson's ratio", "-", -1, 0.5)
@@ -94,38 +95,38 @@ class ElasticPlastic:
 
     @property
     def shear_modulus(self) -> float:
-        """G, Pa."""
+        """Shear modulus G, Pa."""
         return self.youngs_modulus / (2 * (1 + self.poissons_ratio))
 
     @property
     def plane_modulus(self) -> float:
-        """E/(1 - nu^2), Pa."""
+        """Plane-strain modulus E/(1 - nu^2), Pa."""
         return self.youngs_modulus / (1 - self.poissons_ratio**2)
 
     @property
     def wave_speed(self) -> float:
-        """Of compression waves, m/s."""
+        """Speed of compression waves, m/s."""
         return sqrt((self.bulk_modulus + 4 / 3 * self.shear_modulus) / self.density)
 
     def pair_modulus(self, other: ElasticPlastic | None) -> float:
-        """E* of this and another metal, or of this and a rigid body, Pa."""
+        """Return E* of this and another metal, or of this and a rigid body, Pa."""
         if other is None:
             return self.plane_modulus
         return 1 / (1 / self.plane_modulus + 1 / other.plane_modulus)
 
     @property
     def bulk_modulus(self) -> float:
-        """K, Pa."""
+        """Bulk modulus K, Pa."""
         return self.youngs_modulus / (3 * (1 - 2 * self.poissons_ratio))
 
     @property
     def elastic_tangent(self) -> np.ndarray:
-        """(4, 4), Pa."""
+        """Elastic tangent (4, 4), Pa."""
         volumetric = self.bulk_modulus * np.outer(IDENTITY, IDENTITY)
         return volumetric + 2 * self.shear_modulus * DEVIATOR
 
     def respond(self, strain: np.ndarray, state: State, duration: float = np.inf) -> Response:
-        """Stress after an increment to `strain` (n, 4) that lasts `duration` seconds."""
+        """Return the response after an increment to `strain` (n, 4) of `duration` seconds."""
         stress = (strain - state.plastic_strain) @ self.elastic_tangent
         if self.hardening is None:
             return Response(stress, state, np.empty(0, int), np.empty((0, 4, 4)))
@@ -137,7 +138,7 @@ class ElasticPlastic:
             return Response(stress, state, flowing, np.empty((0, 4, 4)))
         trial = mises[flowing]
         step, flow, slope = self._flow(trial, state.accumulated[flowing], duration)
-        direction = deviator[flowing] / trial[:, None]  # times 3/2 the direction of flow
+        direction = deviator[flowing] / trial[:, None]  # 3/2 times the direction of flow
         stress[flowing] -= (3 * self.shear_modulus * step)[:, None] * direction
         plastic_strain, accumulated, work = (
             state.plastic_strain.copy(),
@@ -169,8 +170,9 @@ class ElasticPlastic:
     def _flow(
         self, trial: np.ndarray, accumulated: np.ndarray, duration: float
     ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        """Plastic strain steps that bring trial stresses to the flow stress; flow stress and its
-        slope over the step there. Newton, kept between 0 and the largest step.
+        """Return the plastic strain steps for trial stresses, the flow stress, and its slope.
+
+        Newton's method, bounded by 0 and the largest step.
         """
         shear = self.shear_modulus
         low, high = np.zeros_like(trial), trial / (3 * shear)
@@ -183,7 +185,7 @@ class ElasticPlastic:
             low, high = np.where(excess > 0, step, low), np.where(excess > 0, high, step)
             newton = step + excess / (3 * shear + slope)
             step = np.where((newton >= low) & (newton <= high), newton, (low + high) / 2)
-        raise NoReturnError("the return to the yield surface does not converge")
+        raise NoReturnError("the radial return to the yield surface does not converge")
 
     def _flow_stress(
         self, accumulated: np.ndarray, step: np.ndarray, duration: float

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Flow stress over accumulated plastic strain, and its factor for the rate of strain."""
+"""Flow stress as a function of accumulated plastic strain, and its rate factor."""
 
 from __future__ import annotations
 
@@ -12,22 +12,22 @@ from plastigran.declared import number
 
 
 class Hardening(Protocol):
-    """What a metal's flow stress is."""
+    """Flow stress of a metal."""
 
     def flow_stress(self, strain: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """Flow stress at accumulated plastic strains.
+        """Return the flow stress.
 
         Args:
             strain: Accumulated plastic strains (n,).
 
         Returns:
-            Flow stresses (n,), Pa, and their slopes over the strain (n,), Pa.
+            Flow stresses (n,), Pa, and their derivatives by strain (n,), Pa.
         """
 
 
 @attrs.frozen
 class LinearHardening(Hardening):
-    """sigma = sigma_Y + H eps_p; perfectly plastic for H = 0."""
+    """Linear hardening sigma = sigma_Y + H eps_p; perfectly plastic for H = 0."""
 
     yield_strength: float = number("uniaxial yield stress", "Pa", 0)
     modulus: float = number("plastic modulus d sigma / d eps_p", "Pa", 0, closed=True, default=0.0)
@@ -46,11 +46,11 @@ def _increasing(instance: TabulatedHardening, field: attrs.Attribute, value: tup
 
 @attrs.frozen
 class TabulatedHardening(Hardening):
-    """Flow stress linear between the points of a table, constant beyond its last.
+    """Flow stress that is linear between the points of a table, and constant beyond.
 
     Attributes:
-        strains: Accumulated plastic strains, from 0 on.
-        stresses: Flow stresses there, Pa; the first is the yield stress.
+        strains: Accumulated plastic strains, starting at 0.
+        stresses: Flow stresses, Pa; the first is the yield stress.
     """
 
     strains: tuple[float, ...] = attrs.field(converter=tuple, validator=_increasing)
@@ -58,13 +58,15 @@ class TabulatedHardening(Hardening):
 
     def __attrs_post_init__(self) -> None:
         if len(self.strains) != len(self.stresses) or self.strains[0] != 0:
-            raise ValueError("a table of hardening has as many stresses as strains, from strain 0")
+            raise ValueError(
+                "a hardening table needs as many stresses as strains, and must start at strain 0"
+            )
         if self.stresses[0] <= 0:
-            raise ValueError(f"stresses begins with {self.stresses[0]:g} Pa; it must be positive")
+            raise ValueError(f"stresses starts with {self.stresses[0]:g} Pa; it must be positive")
 
     @property
     def yield_strength(self) -> float:
-        """Flow stress where plastic strain begins, Pa."""
+        """Flow stress at zero plastic strain, Pa."""
         return self.stresses[0]
 
     def flow_stress(self, strain: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
@@ -77,15 +79,16 @@ class TabulatedHardening(Hardening):
 
 @attrs.frozen
 class RateFactor:
-    """The rate factor of Johnson and Cook (1983): 1 + C ln(rate / reference) above the reference
-    rate, 1 below.
+    """Rate factor of Johnson and Cook (1983).
+
+    It is 1 + C ln(rate / reference) above the reference rate, and 1 below.
     """
 
     coefficient: float = number("C of Johnson and Cook", "-", 0, closed=True)
-    reference_rate: float = number("rate of strain at which the factor is 1", "1/s", 0, default=1.0)
+    reference_rate: float = number("strain rate at which the factor is 1", "1/s", 0, default=1.0)
 
     def factor(self, rate: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """The factor and its derivative with respect to the rate, s."""
+        """Return the factor and its derivative by the rate, s."""
         above = rate > self.reference_rate
         safe = np.where(above, rate, self.reference_rate)
         factor = 1 + self.coefficient * np.log(safe / self.reference_rate)

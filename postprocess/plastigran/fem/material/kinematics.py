@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""How strains follow from displacements: small strain, or finite strain in logarithms.
+"""Relation of strains and displacements: small strain, or finite logarithmic strain.
 
-Displacement gradients are columns (rr, yy, tt, ry, yr), ry the slope of the first displacement
-along the second coordinate. A material is asked at strains (rr, yy, tt, ry) with the engineering
-shear strain, whatever the kinematics.
+Displacement gradients are columns (rr, yy, tt, ry, yr); ry is the derivative of the first
+displacement by the second coordinate. The material model always uses strains (rr, yy, tt, ry) with
+engineering shear strain.
 """
 
 from __future__ import annotations
@@ -15,12 +15,14 @@ import numpy as np
 from plastigran.fem.material.elastic_plastic import Response
 from plastigran.fem.material.stretch import Stretch
 
-# Small strain over displacement gradient.
+# Small strain per displacement gradient.
 SYMMETRIC = np.array([[1.0, 0, 0, 0, 0], [0, 1.0, 0, 0, 0], [0, 0, 1.0, 0, 0], [0, 0, 0, 1.0, 1.0]])
 
 
 class Kinematics(Protocol):
-    """From displacement gradients to what the material is asked, and back to forces.
+    """Conversion from displacement gradients to strains, and from stresses to forces.
+
+    A "measure" is the quantity that strains are computed from.
 
     Attributes:
         follows: Whether the area and place of a surface follow its displacement.
@@ -29,35 +31,35 @@ class Kinematics(Protocol):
     follows: bool
 
     def matrices(self, gradients: np.ndarray) -> np.ndarray:
-        """Measured quantities over nodal displacements (..., m, 16), of displacement gradients
-        over nodal displacements (..., 5, 16).
+        """Return measures per nodal displacement (..., m, 16).
+
+        The argument is the displacement gradients per nodal displacement (..., 5, 16).
         """
 
     def undeformed(self, elastic_tangent: np.ndarray) -> np.ndarray:
-        """Tangent (m, m) of the undeformed body, Pa, of the material's (4, 4)."""
+        """Return the tangent (m, m) of the undeformed body, Pa, from the elastic tangent (4, 4)."""
 
     def strain(self, measured: np.ndarray) -> np.ndarray:
-        """Strain (n, 4) of measured quantities (n, m).
+        """Return strains (n, 4) for measures (n, m).
 
         Raises:
-            InvertedError: There is none.
+            InvertedError: The material is turned inside out.
         """
 
     def conjugate(self, measured: np.ndarray, stress: np.ndarray) -> np.ndarray:
-        """Stress (n, m), Pa, that does work on the measured quantities, of the material's
-        (n, 4).
-        """
+        """Return the stresses (n, m), Pa, conjugate to the measures, from stresses (n, 4)."""
 
     def tangent(
         self, measured: np.ndarray, response: Response, elastic_tangent: np.ndarray
     ) -> tuple[np.ndarray, np.ndarray]:
-        """Points (k,) whose tangent is not that of the undeformed body, and d conjugate stress /
-        d measured there (k, m, m), Pa.
+        """Return points (k,) whose tangent has changed, and their tangents (k, m, m), Pa.
+
+        The tangent is d conjugate stress / d measure.
         """
 
 
 class SmallStrain(Kinematics):
-    """Strain is the symmetric part of the displacement gradient; the shape does not change."""
+    """Small strain: the symmetric displacement gradient; the shape does not change."""
 
     follows = False
 
@@ -82,12 +84,14 @@ class SmallStrain(Kinematics):
 
 
 class FiniteStrain(Kinematics):
-    """Strain is E = 1/2 ln C, additive in its elastic and plastic part, C = F^T F the stretch
-    squared, F the displacement gradient and one.
+    """Logarithmic strain E = 1/2 ln C, additive in its elastic and plastic part.
 
-    The material's stress T does work on E; the first Piola-Kirchhoff stress is T : dE/dF (Miehe,
-    Apel and Lambrecht, Comput. Methods Appl. Mech. Eng. 191 (2002) 5383). Derivatives of E are
-    divided differences of the logarithm at the eigenvalues of C, in its eigenvectors.
+    C = F^T F, with F the displacement gradient plus one. The stress T of the material is conjugate
+    to
+    E. The first Piola-Kirchhoff stress is T : dE/dF (Miehe, Apel and Lambrecht, Comput. Methods
+    Appl.
+    Mech. Eng. 191 (2002) 5383). Derivatives of E are divided differences of the logarithm at the
+    eigenvalues of C, in the basis of its eigenvectors.
     """
 
     follows = True

@@ -5,8 +5,8 @@ from __future__ import annotations
 
 import numpy as np
 
-IN_PLANE = np.array([0, 1, 3, 4])  # of displacement gradients (rr, yy, tt, ry, yr)
-SERIES_BELOW = 1e-2  # relative difference of two eigenvalues under which a series is summed
+IN_PLANE = np.array([0, 1, 3, 4])  # columns of displacement gradients (rr, yy, tt, ry, yr)
+SERIES_BELOW = 1e-2  # relative difference of two eigenvalues below which a series is used
 
 
 class InvertedError(ArithmeticError):
@@ -14,24 +14,26 @@ class InvertedError(ArithmeticError):
 
 
 class Stretch:
-    """Stretches at n points, and derivatives of their logarithm with respect to F.
+    """Stretches at n points, and derivatives of their logarithm by F.
 
-    Indices in einsum: n points, g and h components of F in the plane, a, b and k eigenvectors.
+    Indices in einsum: n points; g and h components of F in the plane; a, b and k eigenvectors.
     """
 
     def __init__(self, gradient: np.ndarray) -> None:
-        """Args:
+        """Compute eigenvalues and eigenvectors of C.
+
+        Args:
             gradient: Displacement gradients (n, 5).
 
         Raises:
-            InvertedError: F has a determinant that is not positive.
+            InvertedError: The determinant of F is not positive.
         """
         radial, axial, self._hoop, upper, lower = gradient.T
         determinant = (1 + radial) * (1 + axial) - upper * lower
         if not (np.all(determinant > 0) and np.all(self._hoop > -1)):
-            raise InvertedError("an element turns inside out")
+            raise InvertedError("the displacements turn an element inside out")
         deformation = np.stack([1 + radial, upper, lower, 1 + axial], axis=-1).reshape(-1, 2, 2)
-        # C - 1, without the rounding of C near one.
+        # C - 1, computed without round-off of C near one.
         first = 2 * radial + radial**2 + lower**2
         second = 2 * axial + axial**2 + upper**2
         mixed = upper + lower + radial * upper + axial * lower
@@ -40,9 +42,9 @@ class Stretch:
         cosine, sine = np.cos(angle), np.sin(angle)
         self._vectors = np.stack([cosine, -sine, sine, cosine], axis=-1).reshape(-1, 2, 2)
         spread = np.hypot(half, mixed)
-        self._squares = np.stack([mean + spread, mean - spread], axis=-1)  # less one
+        self._squares = np.stack([mean + spread, mean - spread], axis=-1)  # minus one
         self._difference = 2 * spread
-        # dC in the eigenvectors over each component of dF, in the order rr, yy, ry, yr.
+        # dC in the basis of eigenvectors, for each component of dF, in the order rr, yy, ry, yr.
         turned = deformation @ self._vectors
         product = np.einsum("nia,njb->nijab", turned, self._vectors)
         product = product + product.swapaxes(3, 4)
@@ -57,15 +59,16 @@ class Stretch:
         )
 
     def conjugate(self, stress: np.ndarray) -> np.ndarray:
-        """First Piola-Kirchhoff stresses (n, 5), Pa, of stresses (n, 4)."""
+        """Return first Piola-Kirchhoff stresses (n, 5), Pa, from stresses (n, 4)."""
         weighted = self._turn(stress) * self._first()
         return self._columns(
             np.einsum("nab,ngab->ng", weighted, self._changes), stress[:, 2] / (1 + self._hoop)
         )
 
     def tangent(self, stress: np.ndarray, material: np.ndarray) -> np.ndarray:
-        """Derivatives (n, 5, 5) of the first Piola-Kirchhoff stress, Pa, at stresses (n, 4), Pa,
-        with the material's tangents (n, 4, 4), Pa.
+        """Return derivatives (n, 5, 5) of the first Piola-Kirchhoff stress, Pa.
+
+        The arguments are stresses (n, 4), Pa, and tangents of the material (n, 4, 4), Pa.
         """
         slopes = self._slopes()
         result = slopes.swapaxes(1, 2) @ material @ slopes
@@ -77,7 +80,7 @@ class Stretch:
             "nia,nab,njb->nij", self._vectors, 2 * turned * self._first(), self._vectors
         )
         plane = curved + curved.swapaxes(1, 2)
-        # dF^T dF' : S, of components of the same row of F: rr with ry, yy with yr.
+        # dF^T dF' : S for components in the same row of F: rr with ry, yy with yr.
         for columns in np.array([[0, 2], [3, 1]]):
             plane[:, columns[:, None], columns] += piola
         result[:, IN_PLANE[:, None], IN_PLANE] += plane
@@ -95,11 +98,11 @@ class Stretch:
         return result
 
     def _columns(self, plane: np.ndarray, hoop: np.ndarray | float) -> np.ndarray:
-        """Components in the plane (n, 4) and the one out of it as columns (n, 5)."""
+        """Return components in the plane (n, 4) and out of it as columns (n, 5)."""
         return np.insert(plane, 2, hoop, axis=1)
 
     def _turn(self, stress: np.ndarray) -> np.ndarray:
-        """Stresses in the plane (n, 2, 2), in the eigenvectors."""
+        """Return stresses in the plane (n, 2, 2), in the basis of eigenvectors."""
         tensor = stress[:, [0, 3, 3, 1]].reshape(-1, 2, 2)
         return self._vectors.swapaxes(1, 2) @ tensor @ self._vectors
 
@@ -125,7 +128,7 @@ class Stretch:
 
 
 def _second_difference(twice: np.ndarray, once: np.ndarray) -> np.ndarray:
-    """f[x, x, y] of f = 1/2 ln, by its series where x and y are close."""
+    """Return f[x, x, y] of f = 1/2 ln, by its series if x and y are close."""
     ratio = (twice - once) / once
     near = np.abs(ratio) < SERIES_BELOW
     safe = np.where(near, 1.0, ratio)

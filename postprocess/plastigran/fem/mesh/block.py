@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Meshes of a half space under a contact, y = 0 its surface and y < 0 inside.
+"""Meshes of a half space under a contact, with surface y = 0.
 
-Both are graded about the contact, so that a body a thousand times wider costs a few rings more. Its
-far side, `base`, is an arc that does not move.
+They are graded toward the contact, so a thousand times larger body needs only a few more rings. The
+far boundary, `base`, is a fixed arc.
 """
 
 from __future__ import annotations
@@ -23,19 +23,19 @@ from plastigran.fem.mesh.sphere import (
     strip_quads,
 )
 
-WIDEST_RING = 0.4  # of a track's block, in s: far from the track elements are long
+WIDEST_RING = 0.4  # largest ring in s of a track's block; elements far from the track are long
 
 
 @attrs.frozen(kw_only=True)
 class HalfBlock:
-    """Half of a half space that is pressed on its axis: rings about the contact point.
+    """Half of a half space with a load on its axis: rings about the contact point.
 
     Raises:
-        ValueError: A size that is not positive, or rings that do not end outside the contact.
+        ValueError: A size is not positive, or the rings end inside the contact.
     """
 
-    core: float = number("radius inside which elements are equally fine", "m", 0)
-    reach: float = number("largest contact radius the mesh is made for", "m", 0)
+    core: float = number("radius inside which elements have equal size", "m", 0)
+    reach: float = number("largest contact radius of the mesh", "m", 0)
     size: float = number("radius of the base", "m", 0)
     divisions: int = whole("elements across the core", 2, default=6)
     fineness: float = number("factor on the number of rings", "-", 0.1, 10, default=1.0)
@@ -45,11 +45,11 @@ class HalfBlock:
 
     @property
     def _fine(self) -> float:
-        """Where the fine rings end, m."""
+        """End of the fine rings, m."""
         return max(FINE_REACH * self.reach, self.core)
 
     def build(self) -> MeshQuad2:
-        """The mesh in (x, y), m, x >= 0, with boundaries `axis`, `surface` and `base`."""
+        """Return the mesh in (x, y), m, x >= 0, with boundaries `axis`, `surface` and `base`."""
         disc, disc_quads, rim = quarter_disc(self.divisions)
         angle = np.exp(-1j * np.linspace(0, pi / 2, 2 * self.divisions + 1))
         ends = (log(length / self.core) for length in (self.core, self._fine, self.size))
@@ -63,18 +63,19 @@ class HalfBlock:
 
 @attrs.frozen(kw_only=True)
 class TrackBlock:
-    """A half space on which a contact slides along: rings of ellipses about its track.
+    """Half space with a sliding contact: elliptic rings about its track.
 
-    With z = c cosh(s + i theta) the ring s = 0 is the track, -c < x < c on the surface, and far out
-    the rings are circles.
+    With z = c cosh(s + i theta), the ring s = 0 is the track -c < x < c on the surface. Far away
+    the
+    rings are circles.
 
     Raises:
-        ValueError: A size that is not positive, or rings that end within the fine zone.
+        ValueError: A size is not positive, or the rings end within the fine zone.
     """
 
-    half_length: float = number("half the length of the track", "m", 0)
-    element: float = number("length of an element in the middle of the track", "m", 0)
-    depth: float = number("depth down to which elements are equally fine", "m", 0)
+    half_length: float = number("half length of the track", "m", 0)
+    element: float = number("element length in the middle of the track", "m", 0)
+    depth: float = number("depth to which elements have equal size", "m", 0)
     size: float = number("radius of the base", "m", 0)
 
     def __attrs_post_init__(self) -> None:
@@ -82,7 +83,7 @@ class TrackBlock:
         require(self, "element", lower=0, upper=self.half_length)
 
     def build(self) -> MeshQuad2:
-        """The mesh in (x, y), m, with boundaries `surface` and `base`."""
+        """Return the mesh in (x, y), m, with boundaries `surface` and `base`."""
         angles = np.linspace(0, pi, round(pi * self.half_length / self.element) + 1)
         ends = (0.0, *(asinh(depth / self.half_length) for depth in (self.depth, self.size)))
         rings = graded(*ends, angles[1] - angles[0], WIDEST_RING)
@@ -92,7 +93,7 @@ class TrackBlock:
 
 
 def _mesh(points: np.ndarray, quads: np.ndarray) -> MeshQuad2:
-    """Straight-sided elements between points x + iy, with the names of their boundaries."""
+    """Return straight-sided elements between points x + iy, with named boundaries."""
     size = np.abs(points).max()
     coordinates = np.array([points.real, points.imag])
     coordinates[np.abs(coordinates) < 1e-12 * size] = 0.0

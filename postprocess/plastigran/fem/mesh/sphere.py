@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Meshes of eight-node quadrilaterals, graded conformally towards the contact.
+"""Meshes of eight-node quadrilaterals, graded conformally toward the contact.
 
-A half disc of radius R whose lowest point is the origin is the image of a quarter plane under
+A half disc of radius R with its lowest point at the origin is the image of a quarter plane under
 z = 2iR w/(1 + w), w = exp(s - i theta), 0 <= theta <= pi/2. The axis is theta = 0, the circle is
-theta = pi/2, the equator is |w| = 1, and close to the contact a = 2R |w|. Rings of equal |w| whose
-distance in s is the distance in theta give nearly square elements of any size, so one mesh resolves
-a contact that is a thousandth of the radius without a transition.
+theta = pi/2, the equator is |w| = 1, and near the contact a = 2R |w|. Rings of equal |w| with equal
+steps in s and theta give nearly square elements of any size. One mesh therefore resolves a contact
+of a thousandth of the radius without a transition.
 """
 
 from __future__ import annotations
@@ -16,24 +16,24 @@ import attrs
 import numpy as np
 from skfem import MeshQuad, MeshQuad2
 
-FINE_RATIO = 3.0  # how much finer the rings are in s than in theta where the contact's edge passes
-FINE_REACH = 1.3  # the fine rings end at this times the largest contact radius
-GROWTH = 1.25  # of the distance between rings, from the fine zone outward
+FINE_RATIO = 3.0  # ratio of step in theta to step in s of the rings at the contact edge
+FINE_REACH = 1.3  # end of the fine rings, in largest contact radii
+GROWTH = 1.25  # growth of the ring distance outside the fine zone
 
 
 @attrs.frozen(kw_only=True)
 class SphereMesh:
-    """What is asked of the mesh of a sphere.
+    """Specification of the mesh of a sphere.
 
     Attributes:
-        radius: Of the sphere, m.
-        core: Radius about the contact point inside which elements are equally fine, m.
-        reach: Largest contact radius the mesh is made for, m.
+        radius: Radius of the sphere, m.
+        core: Radius about the contact point inside which elements have equal size, m.
+        reach: Largest contact radius of the mesh, m.
         divisions: Elements over a quarter of the angle about the contact point. The contact has
             about `divisions` elements across `core`, and 2 `divisions` lie between the axis and
             the circle.
         fineness: Factor on the number of rings.
-        whole: The whole sphere; else its lower half, which ends at the equator.
+        whole: Whether to mesh the whole sphere instead of its lower half.
     """
 
     radius: float
@@ -44,8 +44,9 @@ class SphereMesh:
     whole: bool = True
 
     def build(self) -> MeshQuad2:
-        """The mesh in (r, y), m: axis r = 0, contact point at the origin, boundaries `axis`,
-        `circle` and, of half a sphere, `equator`.
+        """Return the mesh in (r, y), m, with axis r = 0 and the contact point at the origin.
+
+        Boundaries are `axis`, `circle` and, for half a sphere, `equator`.
         """
         w, quads = self._quarter_plane()
         corner_points = self._to_sphere(w)
@@ -55,7 +56,7 @@ class SphereMesh:
         first, second = linear.facets
         facet_middle = self._middle(w[first], w[second])
         facet_points = self._to_sphere(facet_middle)
-        # The centre as the eight-node element has it, so that element is isoparametric.
+        # The center that the eight-node element interpolates, so that the element is isoparametric.
         centre = facet_points[linear.t2f].sum(axis=0) / 2 - corner_points[linear.t].sum(axis=0) / 4
         points = np.concatenate([corner_points, facet_points, centre])
         on_axis = np.abs(facet_middle.imag) < 1e-12 * np.abs(facet_middle)
@@ -69,15 +70,18 @@ class SphereMesh:
         return MeshQuad2(coordinates, quadratic.t).with_boundaries(named)
 
     def rings(self) -> np.ndarray:
-        """Ln |w| of the rings, from the core to the equator."""
+        """Return ln |w| of the rings, from the core to the equator."""
         coarse = pi / (4 * self.divisions) / self.fineness
         fine = max(FINE_REACH * self.reach, self.core)
         start, fine_end = (log(end / (2 * self.radius)) for end in (self.core, fine))
         return graded(start, fine_end, 0.0, coarse / FINE_RATIO, 2 * coarse)
 
     def _middle(self, first: np.ndarray, second: np.ndarray) -> np.ndarray:
-        """Middles of edges: straight in w in the core and in 1/w in the upper half, and at the
-        mean of s and theta between them.
+        """Return midpoints of edges.
+
+        They are straight in w in the core, straight in 1/w in the upper half, and at the mean of s
+        and
+        theta in between.
         """
         with np.errstate(invalid="ignore", divide="ignore"):  # w = 0 is in the core
             middle = first * np.sqrt(second / first)
@@ -89,13 +93,14 @@ class SphereMesh:
         return middle
 
     def _to_sphere(self, w: np.ndarray) -> np.ndarray:
-        """R + iy from w; the mirror image of the formula above, for r >= 0."""
+        """Return R + iy for w, the mirror image of the formula above, with r >= 0."""
         z = 2j * self.radius * w / (1 + w)
         return np.abs(z.real) + 1j * z.imag
 
     def _quarter_plane(self) -> tuple[np.ndarray, np.ndarray]:
-        """Points w and quads (n, 4): a core disc, the rings, and for the upper half of the
-        sphere a disc in 1/w.
+        """Return points w and quads (n, 4).
+
+        They are a disc (core), the rings, and a disc in 1/w for the upper half of the sphere.
         """
         disc, disc_quads, rim = quarter_disc(self.divisions)
         angle = np.exp(-1j * np.linspace(0, pi / 2, 2 * self.divisions + 1))
@@ -111,15 +116,16 @@ class SphereMesh:
         upper_ids[rim] = ring_ids[-1]
         inner = upper_ids < 0
         upper_ids[inner] = sum(map(len, points)) + np.arange(inner.sum())
-        # 1/w near 0 is the top of the sphere; exactly there w is infinite, so stay a hair off.
+        # 1/w = 0 is the top of the sphere. w is infinite there, so use a tiny value.
         points.append(1 / np.where(disc[inner] == 0, 1e-14, disc[inner]))
         quads.append(upper_ids[disc_quads])
         return np.concatenate(points), np.concatenate(quads)
 
 
 def graded(start: float, fine_end: float, end: float, fine: float, widest: float) -> np.ndarray:
-    """Values from `start` to `end`: `fine` apart up to `fine_end`, then apart by GROWTH more each
-    time, up to `widest`.
+    """Return values from `start` to `end` with spacing `fine` up to `fine_end`.
+
+    Beyond it, the spacing grows by the factor GROWTH, up to `widest`.
     """
     count = max(1, round((fine_end - start) / fine))
     values = list(np.linspace(start, fine_end, count + 1))
@@ -133,14 +139,14 @@ def graded(start: float, fine_end: float, end: float, fine: float, widest: float
 
 
 def quarter_disc(divisions: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """A unit quarter disc of quads: a bulged square in a collar of rings.
+    """Return a unit quarter disc of quads: a curved square inside rings.
 
     Args:
-        divisions: Along a side of the square; twice that along the circle.
+        divisions: Elements along a side of the square; the circle has twice as many.
 
     Returns:
-        Points x + iy (n,), quads (m, 4), and the ids of the points on the circle from the real to
-        the imaginary axis (2 divisions + 1,).
+        Points x + iy (n,), quads (m, 4), and IDs of the points on the circle from the real to the
+        imaginary axis (2 divisions + 1,).
     """
     side = np.linspace(0, 1, divisions + 1)
     x, y = np.meshgrid(side, side, indexing="ij")
@@ -162,14 +168,14 @@ def quarter_disc(divisions: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
 
 
 def strip_quads(ids: np.ndarray) -> np.ndarray:
-    """Quads (m, 4) between the rows of a grid of point ids."""
+    """Return quads (m, 4) between the rows of a grid of point IDs."""
     return np.stack([ids[:-1, :-1], ids[1:, :-1], ids[1:, 1:], ids[:-1, 1:]], axis=-1).reshape(
         -1, 4
     )
 
 
 def counterclockwise(quads: np.ndarray, points: np.ndarray) -> np.ndarray:
-    """The quads with their corners in counterclockwise order."""
+    """Return the quads with counterclockwise corners."""
     corner = points[quads]
     diagonals = (corner[:, 2] - corner[:, 0]).conj() * (corner[:, 3] - corner[:, 1])
     return np.where((diagonals.imag < 0)[:, None], quads[:, ::-1], quads)

@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A sphere on a plane or a half space: pressed, thrown, or left to vibrate."""
+"""A sphere on a plane or a half space: quasi-static compression, impact, vibration."""

@@ -11,26 +11,29 @@ from plastigran.fem.settings import Settings
 from plastigran.fem.stepping.increment import Equations
 from plastigran.fem.theory.hertz import HertzSphere
 
-BASE_OVER_REACH = 2000.0  # a held base at D leaves 0.4 a/D of the approach out
-BASE_OVER_WAY = 0.6  # of a compression wave within Hertz' duration: it comes back too late
+BASE_OVER_REACH = 2000.0  # a fixed base at D reduces the approach by the fraction 0.4 a/D
+# base / path of a compression wave during Hertz' duration: reflections return too late
+BASE_OVER_WAY = 0.6
 
 
 def pressed(sphere: HertzSphere, reach: float, settings: Settings) -> Equations:
-    """Half of a sphere, held at its equator.
+    """Return half a sphere, fixed at its equator, on a plane or half space.
 
     Args:
-        sphere: The sphere, and the plane.
-        reach: Largest contact radius to expect, m.
-        settings: How fine.
+        sphere: Sphere and plane.
+        reach: Largest expected contact radius, m.
+        settings: Resolution.
 
     Raises:
-        ValueError: Finite strain on a half space.
+        ValueError: Finite strain is not supported on a half space.
     """
     return _assemble(sphere, reach, settings, BASE_OVER_REACH * reach, whole=False)
 
 
 def thrown(sphere: HertzSphere, reach: float, speed: float, settings: Settings) -> Equations:
-    """A whole sphere, that meets the plane with `speed`, m/s; the rest as of `pressed`."""
+    """Return a whole sphere that hits the plane with `speed`, m/s; other arguments as for
+    `pressed`.
+    """
     size = 0.0
     if sphere.plane is not None:
         size = BASE_OVER_WAY * sphere.plane.wave_speed * sphere.duration(speed)
@@ -42,8 +45,8 @@ def _assemble(
 ) -> Equations:
     if sphere.plane is not None and settings.strain != "small":
         raise ValueError(
-            f"strain is {settings.strain}; on a half space it must be small, for there the "
-            "surfaces may not slide far"
+            f"strain is {settings.strain}; on a half space it must be small, because sliding "
+            "between the surfaces must be small"
         )
     mesh = settings.mesh(sphere, reach, whole).build()
     body = Body(mesh, sphere.material, kinematics=settings.kinematics)

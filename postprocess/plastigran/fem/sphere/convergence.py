@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""How much of a result is due to mesh, steps and penalty."""
+"""Influence of mesh, steps and penalty on a result."""
 
 from __future__ import annotations
 
@@ -32,16 +32,16 @@ def convergence(
     variations: Mapping[str, Sequence[float]],
     settings: Settings | None = None,
 ) -> pd.DataFrame:
-    """A measure with one setting changed at a time.
+    """Return a measure with one setting changed at a time.
 
     Args:
-        measure: Numbers of one computation.
-        variations: Values of each setting that is changed.
-        settings: All others.
+        measure: Function that returns numbers of one computation.
+        variations: Values of each setting to change.
+        settings: All other settings.
 
     Returns:
-        One row for each computation, the unchanged one first: `changed`, `value`, the measured
-        numbers, and their difference from the first row in per cent as `<name>_change`.
+        One row per computation, first the unchanged one: `changed`, `value`, the measured numbers,
+        and their difference from the first row in per cent as `<name>_change`.
     """
     settings = settings or Settings()
     reference = measure(settings)
@@ -57,7 +57,7 @@ def convergence(
 
 
 def press_measure(*arguments: object) -> Callable[[Settings], dict[str, float]]:
-    """What `press(*arguments)` shows of its last unloading."""
+    """Return a function that measures the last unloading of `press(*arguments)`."""
     names = ("approach", "contact_radius", "residual_approach", "coefficient_of_restitution")
 
     def measure(settings: Settings) -> dict[str, float]:
@@ -68,7 +68,7 @@ def press_measure(*arguments: object) -> Callable[[Settings], dict[str, float]]:
 
 
 def throw_measure(*arguments: object) -> Callable[[Settings], dict[str, float]]:
-    """What `throw(*arguments)` shows."""
+    """Return a function that measures `throw(*arguments)`."""
     names = ("force_max", "overlap_max", "contact_time", "coefficient_of_restitution")
 
     def measure(settings: Settings) -> dict[str, float]:

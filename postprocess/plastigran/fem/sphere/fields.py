@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Fields of a snapshot as they are drawn."""
+"""Fields of a snapshot for figures."""
 
 from __future__ import annotations
 
@@ -9,8 +9,10 @@ from plastigran.fem.stepping.snapshot import Snapshot
 
 
 def at_vertices(snapshot: Snapshot, values: np.ndarray) -> np.ndarray:
-    """Values (points,) of the Gauss points at the elements' corners (n_vertices,): the mean, over
-    the elements around a corner, of the Gauss point nearest to it. Never beyond the values.
+    """Return values (points,) of the Gauss points at the element corners (n_vertices,).
+
+    Each corner has the mean of the closest Gauss points of its elements, so no value is
+    extrapolated.
     """
     quads = snapshot.quads
     points = snapshot.positions.reshape(len(quads), -1, 2)

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A sphere pressed on a rigid plane or a half space and let go, slowly.
+"""Quasi-static compression and unloading of a sphere on a rigid plane or a half space.
 
-The lower half of the sphere is held at its equator, which does not move vertically: half of a
-sphere between two planes. The approach is the plane's way towards the equator.
+The lower half of the sphere is fixed vertically at its equator, like half of a sphere between two
+planes. The approach is the motion of the plane toward the equator.
 """
 
 from __future__ import annotations
@@ -23,14 +23,14 @@ from plastigran.fem.stepping.snapshot import energies, snapshot
 from plastigran.fem.theory.hertz import HertzSphere
 from plastigran.progress import ProgressBar
 
-ELASTIC_GROWTH = 1.4  # of increments below yield, where the path does not matter
-FIRST_FORCE = 0.3  # over the force at yield, or the largest force of an elastic sphere / 100
-LEAST_FORCE = 1e-5  # of the largest one: where an unloading ends
-CUTS = 6  # how often an increment is halved before it is given up
+ELASTIC_GROWTH = 1.4  # growth of increments below yield, where the path does not matter
+FIRST_FORCE = 0.3  # first force / yield force; for an elastic sphere / 100th of the largest force
+LEAST_FORCE = 1e-5  # fraction of the largest force at which an unloading ends
+CUTS = 6  # how often an increment is halved before the computation stops
 
 
 class Path:
-    """Increments of force on a held sphere, each a row of the history."""
+    """Force increments on a supported sphere, each a row of the history."""
 
     def __init__(self, equations: Equations, sphere: HertzSphere) -> None:
         self.equations, self.sphere = equations, sphere
@@ -39,7 +39,7 @@ class Path:
         self._before: Equilibrium | None = None
 
     def go(self, forces: Sequence[float], branch: int, bar: ProgressBar) -> None:
-        """Increments to each force in turn; the first one turns the direction of loading."""
+        """Apply each force in turn; the first one is a load reversal."""
         self._before = None
         for force in forces:
             self._increment(force)
@@ -63,7 +63,7 @@ class Path:
         self._before, self.now = self.now, found
 
     def _guess(self, force: float) -> tuple[np.ndarray, float]:
-        """Extrapolation of the last increment, or the elastic answer where there is none."""
+        """Return the extrapolation of the last increment, or the elastic response."""
         now, before = self.now, self._before
         if now.touch.force == 0:
             return now.displacement, self.sphere.approach(force)
@@ -71,7 +71,7 @@ class Path:
             return self.equations.predict(now, force)
         last, this, next_ = (
             f ** (2 / 3) for f in (before.touch.force, now.touch.force, force)
-        )  # an elastic contact moves as the power 2/3 of the force
+        )  # the approach of an elastic contact is proportional to the power 2/3 of the force
         share = (next_ - this) / (this - last)
         step = share * (now.displacement - before.displacement)
         return now.displacement + step, now.height + share * (now.height - before.height)
@@ -94,21 +94,21 @@ def press(
     progress: bool = False,
     plane: ElasticPlastic | None = None,
 ) -> Pressing:
-    """Press a sphere to each of some forces in turn, letting it go after each.
+    """Load a sphere to each force in turn, and unload it after each.
 
     Args:
-        material: The metal.
-        radius: Of the sphere, m.
+        material: Material of the sphere.
+        radius: Radius of the sphere, m.
         forces: Largest forces, N, increasing.
-        settings: How fine.
-        progress: Show a bar.
-        plane: Metal of the half space it is pressed on; rigid if None.
+        settings: Resolution.
+        progress: Whether to show a bar.
+        plane: Material of the half space; None for a rigid plane.
 
     Raises:
-        ValueError: A force that is not positive, not larger than the one before, or too large
-            for the mesh; finite strain on a half space.
-        NoConvergence: The first increment has no equilibrium even after halving. A later one ends
-            the pressing, which keeps what it has and says so in `stopped`.
+        ValueError: A force is not positive, does not exceed the one before, or is too large for the
+            mesh; or finite strain is chosen for a half space.
+        NoConvergence: The first increment has no equilibrium even after halving. A later failure
+            ends the computation; the result so far is returned, with the reason in `stopped`.
     """
     settings = settings or Settings()
     sphere = HertzSphere(material, radius, plane)
@@ -136,14 +136,14 @@ def press(
 def loading_ladders(
     sphere: HertzSphere, forces: Sequence[float], settings: Settings
 ) -> list[np.ndarray]:
-    """Forces of the increments: up to each largest force and down again, in turn."""
+    """Return the forces of the increments: up to each largest force and down again."""
     yield_force = min(sphere.yield_force, forces[-1])
     least = min(FIRST_FORCE * yield_force, forces[0] / 100)
     elastic = _geometric(least, yield_force, ELASTIC_GROWTH)
     growth = settings.growth if sphere.yield_force < forces[-1] else ELASTIC_GROWTH
     virgin = np.concatenate([elastic, _geometric(yield_force, forces[-1], growth)[1:]])
     virgin = np.unique(np.concatenate([virgin, forces]))
-    # Cubes: equal steps of the contact radius.
+    # Cubes give equal steps of the contact radius.
     down = np.maximum(np.linspace(1, 0, settings.unloading_steps + 1)[1:] ** 3, LEAST_FORCE)
     ladders, reached = [], 0.0
     for force in forces:
@@ -160,8 +160,10 @@ def _geometric(start: float, end: float, growth: float) -> np.ndarray:
 
 
 def unloading(history: pd.DataFrame, branch: int) -> dict[str, float]:
-    """What one unloading shows. Works are of force over approach; on the way up the virgin curve is
-    taken, whatever was unloaded between.
+    """Return the results of one unloading.
+
+    Works are integrals of force over approach. Loading work follows first loading, without the
+    earlier unloadings.
     """
     force, approach = (history[name].to_numpy() for name in ("force", "approach"))
     branches = history["branch"].to_numpy()
@@ -169,7 +171,7 @@ def unloading(history: pd.DataFrame, branch: int) -> dict[str, float]:
     up = virgin_loading(history.iloc[: top + 1])[["force", "approach"]].to_numpy().T
     down = np.append(top, np.flatnonzero(branches == branch))
     work_loading = 0.4 * up[0, 0] * up[1, 0] + _work(*up)
-    # The last increment is nearly free: what is left comes back as from an elastic sphere.
+    # The last increment is almost free: the remainder recovers like an elastic sphere.
     last = down[-1]
     tail = (force[last] / force[top]) ** (2 / 3) * (approach[top] - approach[last])
     work_unloading = -_work(force[down], approach[down])
@@ -185,8 +187,10 @@ def unloading(history: pd.DataFrame, branch: int) -> dict[str, float]:
 
 
 def _work(force: np.ndarray, approach: np.ndarray) -> float:
-    """Integral of force over approach with Simpson's rule in x = force^(1/3), where an approach is
-    smooth: P d alpha = d(P alpha) - 3 alpha x^2 dx.
+    """Return the integral of force over approach.
+
+    Simpson's rule in x = force^(1/3), in which the approach is smooth:
+    P d alpha = d(P alpha) - 3 alpha x^2 dx.
     """
     root = np.cbrt(force)
     return float(

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""What comes of pressing or throwing a sphere."""
+"""Results of a compression or an impact of a sphere."""
 
 from __future__ import annotations
 
@@ -11,23 +11,24 @@ import pandas as pd
 from plastigran.fem.material.elastic_plastic import ElasticPlastic
 from plastigran.fem.stepping.snapshot import Snapshot
 
-ROUNDING = 1e-6  # of a force, beyond what Newton's method leaves
+ROUNDING = 1e-6  # fraction of a force, above the error of Newton's method
 
 
 @attrs.frozen
 class Pressing:
-    """A sphere pressed on a plane or a half space and let go, once for each largest force.
+    """Compression of a sphere on a plane or a half space, with an unloading from each largest
+    force.
 
     Attributes:
-        material: The metal.
-        radius: m.
-        history: One row for each increment: force N, approach m, contact_radius m, energies J,
-            and `branch`, 2k while it is pressed to the k-th force and 2k + 1 while it is let go.
-        unloadings: One row for each largest force: force, approach, contact_radius,
-            residual_approach, work_loading, work_unloading, coefficient_of_restitution.
-        snapshots: At each largest force and after each unloading.
-        stopped: Why it ended before its end; empty if it did not.
-        plane: Metal of the half space; rigid if None.
+        material: Material of the sphere.
+        radius: Radius of the sphere, m.
+        history: One row per increment: force N, approach m, contact_radius m, energies J, and
+            `branch`, 2k for loading to the k-th force and 2k + 1 for unloading.
+        unloadings: One row per largest force: force, approach, contact_radius, residual_approach,
+            work_loading, work_unloading, coefficient_of_restitution.
+        snapshots: Fields at each largest force and after each unloading.
+        stopped: Reason of an early end; otherwise empty.
+        plane: Material of the half space; None for a rigid plane.
     """
 
     material: ElasticPlastic
@@ -39,7 +40,7 @@ class Pressing:
     plane: ElasticPlastic | None = None
 
     def to_dict(self) -> dict:
-        """Numbers only, for a file."""
+        """Return numbers only, for a file."""
         return {
             "radius": self.radius,
             "stopped": self.stopped,
@@ -49,7 +50,7 @@ class Pressing:
 
 
 def virgin_loading(history: pd.DataFrame) -> pd.DataFrame:
-    """Rows of a pressing's history whose force had not been reached before, but for rounding."""
+    """Return the rows of a history whose force exceeds all earlier forces, to round-off."""
     loading = history[history["branch"] % 2 == 0]
     reached = loading["force"].cummax().shift(fill_value=0)
     return loading[loading["force"] > (1 + ROUNDING) * reached]
@@ -57,25 +58,25 @@ def virgin_loading(history: pd.DataFrame) -> pd.DataFrame:
 
 @attrs.frozen
 class Throw:
-    """A sphere thrown at a plane or a half space.
+    """Impact of a sphere on a plane or a half space.
 
     Attributes:
-        material: The metal.
-        radius: m.
-        speed: m/s.
-        history: One row for each step: time s, force N, approach m (of the centre of mass),
-            velocity m/s (of the centre of mass, upward), nodal_velocity m/s (mean of the elements'
-            corners, upward), contact_radius m, energies J.
-        coefficient_of_restitution: Momentum after over before.
-        force_max: N.
+        material: Material of the sphere.
+        radius: Radius of the sphere, m.
+        speed: Impact speed, m/s.
+        history: One row per step: time s, force N, approach m (of the center of mass), velocity m/s
+            (of the center of mass, upward), nodal_velocity m/s (mean of the corner nodes, upward),
+            contact_radius m, energies J.
+        coefficient_of_restitution: Momentum after / before.
+        force_max: Largest force, N.
         overlap_max: Largest approach, m.
-        overlap_res: Approach when contact ends, m.
-        contact_time: s.
-        snapshot: When contact has ended.
-        snapshots: By time, s; `Settings.frames` of them over Hertz' duration.
-        stopped: Why it ended before its end, where restitution and residual are not known; empty
-            if it did not.
-        plane: Metal of the half space; rigid if None.
+        overlap_res: Approach at the end of contact, m.
+        contact_time: Duration of the contact, s.
+        snapshot: Fields at the end of contact.
+        snapshots: Fields by time, s; `Settings.frames` of them during Hertz' duration.
+        stopped: Reason of an early end, with unknown restitution and residual approach; otherwise
+            empty.
+        plane: Material of the half space; None for a rigid plane.
     """
 
     material: ElasticPlastic
@@ -94,13 +95,14 @@ class Throw:
 
     @property
     def nodal_restitution(self) -> float:
-        """Restitution by the mean velocity of the elements' corners, each alike, at the end. It
-        holds the vibration left in the sphere, of its finely meshed part most of all.
+        """Restitution by the mean velocity of all corner nodes at the end.
+
+        It includes the vibration of the sphere, mostly of its finely meshed part.
         """
         return nan if self.stopped else float(self.history["nodal_velocity"].iloc[-1] / self.speed)
 
     def to_dict(self) -> dict:
-        """Numbers only, for a file."""
+        """Return numbers only, for a file."""
         names = (
             "radius",
             "speed",

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Spectra of evenly sampled signals, and the frequencies of their peaks."""
+"""Spectra of evenly sampled signals, and frequencies of their peaks."""
 
 from __future__ import annotations
 
@@ -7,19 +7,19 @@ import numpy as np
 from scipy.signal import find_peaks
 from scipy.signal.windows import blackmanharris
 
-PADDING = 8  # zeros, so that a peak is resolved by points; the signal's length sets what it shows
-LOBE = 4  # half the width of one frequency's peak over 1/duration, with this window
+PADDING = 8  # factor of zero padding; it interpolates the peaks, but does not add resolution
+LOBE = 4  # half width of a peak times duration, with this window
 
 
 def spectrum(values: np.ndarray, timestep: float) -> tuple[np.ndarray, np.ndarray]:
-    """Amplitudes of the sinusoids in a signal whose mean is taken off.
+    """Return the amplitudes of the sinusoids in a signal minus its mean.
 
     The Blackman-Harris window keeps one sinusoid below 3e-5 of its amplitude beyond LOBE/duration
     (Harris 1978, Proc. IEEE 66:51).
 
     Args:
-        values: At equal times (n,).
-        timestep: Between them, s.
+        values: Values at equal time steps (n,).
+        timestep: Time step, s.
 
     Returns:
         Frequencies, Hz, and amplitudes in the unit of the values, (4 n + 1,) each.
@@ -34,15 +34,15 @@ def spectrum(values: np.ndarray, timestep: float) -> tuple[np.ndarray, np.ndarra
 def peaks(
     frequencies: np.ndarray, amplitudes: np.ndarray, least: float = 0.01
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Peaks of a spectrum, at the top of a parabola through three logarithms.
+    """Return the peaks of a spectrum, from parabolas through three logarithms.
 
     Args:
-        frequencies: Evenly spaced (n,), Hz.
-        amplitudes: There (n,).
-        least: Smallest peak over the largest amplitude.
+        frequencies: Evenly spaced frequencies (n,), Hz.
+        amplitudes: Amplitudes (n,).
+        least: Smallest peak / largest amplitude.
 
     Returns:
-        Frequencies, Hz, rising, and amplitudes, (n_peaks,) each.
+        Increasing frequencies, Hz, and amplitudes, (n_peaks,) each.
     """
     least = least * amplitudes.max()
     found, _ = find_peaks(amplitudes, height=least, prominence=least)

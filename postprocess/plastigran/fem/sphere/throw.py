@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A sphere thrown at a rigid plane or a half space: implicit dynamics by the trapezoidal rule.
+"""Impact of a sphere on a rigid plane or a half space: implicit dynamics, trapezoidal rule.
 
-The sphere starts at its speed, just touching.
+The sphere starts at its impact speed, just touching.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ from plastigran.fem.stepping.snapshot import Snapshot, energies, snapshot
 from plastigran.fem.theory.hertz import HertzSphere
 from plastigran.progress import ProgressBar
 
-LONGEST = 10.0  # Hertz' durations after which an impact that has not ended is given up
+LONGEST = 10.0  # number of Hertz' durations after which an impact is stopped
 
 
 def throw(
@@ -33,22 +33,22 @@ def throw(
     progress: bool = False,
     plane: ElasticPlastic | None = None,
 ) -> Throw:
-    """Throw a sphere at a rigid plane and follow it until it has left.
+    """Compute the impact of a sphere on a plane until it has separated.
 
     Args:
-        material: The metal.
-        radius: Of the sphere, m.
-        speed: Towards the plane, m/s.
-        settings: How fine.
-        progress: Show a bar.
-        plane: Metal of the half space it meets, down to where no wave comes back within the
-            contact; rigid if None.
+        material: Material of the sphere.
+        radius: Radius of the sphere, m.
+        speed: Impact speed, m/s.
+        settings: Resolution.
+        progress: Whether to show a bar.
+        plane: Material of the half space, so deep that no wave returns during contact; None for a
+            rigid plane.
 
     Raises:
-        ValueError: A speed that is not positive, or too large for the mesh; finite strain on a
-            half space.
-        NoConvergence: The first step does not converge even after halving. A later one ends the
-            impact, which keeps what it has and says so in `stopped`.
+        ValueError: The speed is not positive or too large for the mesh, or finite strain is chosen
+            for a half space.
+        NoConvergence: The first step does not converge even after halving. A later failure ends the
+            computation; the result so far is returned, with the reason in `stopped`.
     """
     settings = settings or Settings()
     sphere = HertzSphere(material, radius, plane)
@@ -82,7 +82,7 @@ def throw(
 def _row(flight: Flight) -> dict[str, float]:
     body, now = flight.equations.body, flight.now
     corners = body.vertex_dofs[:, 1]
-    corners = corners[body.upward[corners] > 0]  # not those of a half space
+    corners = corners[body.upward[corners] > 0]  # without those of the half space
     momentum = body.mass_matrix @ now.velocity
     return {
         "time": now.time,
@@ -127,7 +127,7 @@ def _summary(
 
 
 def end_of_contact(time: np.ndarray, force: np.ndarray) -> float:
-    """When the force reaches zero, within the last step: its power 2/3 falls linearly."""
+    """Return the time of zero force, s: its power 2/3 is extrapolated linearly in the last step."""
     if len(force) < 3:
         return float(time[-1])
     before, last = force[-3] ** (2 / 3), force[-2] ** (2 / 3)

@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""An elastic sphere thrown at a rigid plane and followed while it vibrates in flight.
+"""Impact of an elastic sphere on a rigid plane, and its vibration in flight.
 
-Energy is conserved to rounding, so that the vibration an impact leaves, 1e-6 to 1e-2 of its energy,
-is told from what the steps would lose.
+Energy is conserved to round-off, so the vibration after an impact, 1e-6 to 1e-2 of the energy, is
+not
+hidden by errors of the time steps.
 """
 
 from __future__ import annotations
@@ -27,8 +28,8 @@ from plastigran.progress import ProgressBar
 
 STEPS_OF_TRANSIT = 40  # time steps while a compression wave crosses the sphere
 TRANSITS = 200.0
-WIDEST = 0.5  # a/R up to which an elastic impact is computed
-MODES = 12  # free vibrations looked for
+WIDEST = 0.5  # largest a/R of an elastic impact
+MODES = 12  # number of free vibrations computed
 
 
 def vibrate(
@@ -39,31 +40,30 @@ def vibrate(
     settings: Settings | None = None,
     progress: bool = False,
 ) -> Vibration:
-    """Throw an elastic sphere at a rigid plane and follow its vibration in flight.
+    """Compute the impact of an elastic sphere on a rigid plane, and its vibration in flight.
 
     Args:
-        material: Without hardening.
-        radius: Of the sphere, m.
-        speed: Towards the plane, m/s.
-        transits: Length of the flight over the time 2 R/c_l a compression wave takes across the
-            sphere. Two frequencies are told apart where they differ by 8 c_l/(2 R transits).
-        settings: How fine.
-        progress: Show a bar.
+        material: Material without hardening law.
+        radius: Radius of the sphere, m.
+        speed: Impact speed, m/s.
+        transits: Duration of the flight / 2 R/c_l, the time in which a compression wave crosses the
+            sphere. Frequencies are resolved if they differ by 8 c_l/(2 R transits).
+        settings: Resolution.
+        progress: Whether to show a bar.
 
     Raises:
-        ValueError: A metal that yields; a speed that is not positive, or so large that small
-            strain does not hold; finite strain; transits that are not positive.
-        NoConvergence: The first step does not converge. A later one ends the computation, which
-            keeps what it has and says so in `stopped`.
+        ValueError: The metal yields; the speed is not positive or too large for small strain;
+            finite
+            strain is chosen; or transits is not positive.
+        NoConvergence: The first step does not converge. A later failure ends the computation; the
+            result so far is returned, with the reason in `stopped`.
     """
     settings = settings or Settings()
     sphere = HertzSphere(material, radius)
     if material.hardening is not None:
-        raise ValueError("material has a hardening law; only an elastic sphere is followed")
+        raise ValueError("material has a hardening law, but only elastic spheres are supported")
     if settings.strain != "small":
-        raise ValueError(
-            f"strain is {settings.strain!r}; vibrations are computed in 'small' strain"
-        )
+        raise ValueError(f"strain is {settings.strain!r}; vibrations need 'small' strain")
     if not 0 < transits < inf:
         raise ValueError(f"transits is {transits:g}; it must be positive and finite")
     check_speed(sphere, speed, WIDEST)
@@ -96,7 +96,7 @@ def vibrate(
 
 
 class _Watch:
-    """Reads a row of the history after each step."""
+    """Records a row of the history after each step."""
 
     def __init__(self, steps: Steps, radius: float) -> None:
         self.steps, self._before = steps, steps.now
@@ -148,7 +148,7 @@ def _summary(
     kinetic = history["kinetic_energy"].iloc[0]
     last = history.iloc[-1]
     internal = last["kinetic_energy"] - last["centre_kinetic_energy"] + last["elastic_energy"]
-    # The force of a step is that of its middle.
+    # The force of a step belongs to its middle.
     end = end_of_contact(time[: touching[-1] + 2], force[: touching[-1] + 2]) - steps.timestep / 2
     return Vibration(
         material=material,

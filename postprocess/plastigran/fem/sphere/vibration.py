@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""What comes of throwing an elastic sphere: the impact and the vibration it leaves.
+"""Results of the impact of an elastic sphere: the impact and the vibration after it.
 
-The strain energy of a free body is a sum over its vibrations, each of which adds twice its own
-frequency and no other: cross terms vanish, for vibrations are orthogonal in the stiffness.
+The strain energy of a free body is a sum over its vibrations, because they are orthogonal in the
+stiffness. Each contributes twice its own frequency and no other.
 """
 
 from __future__ import annotations
@@ -16,37 +16,36 @@ import pandas as pd
 from plastigran.fem.material.elastic_plastic import ElasticPlastic
 from plastigran.fem.sphere.spectrum import peaks, spectrum
 
-LEAST_PEAK = 0.01  # over the largest
+LEAST_PEAK = 0.01  # smallest / largest amplitude
 SIGNALS = ("middle_elastic_energy", "top_displacement", "equator_displacement")
 
 
 @attrs.frozen
 class Vibration:
-    """An elastic sphere thrown at a plane, and its vibration afterwards.
+    """Impact of an elastic sphere on a plane, and its vibration afterwards.
 
     Attributes:
-        material: The metal.
-        radius: m.
-        speed: m/s.
-        timestep: s.
-        history: One row for each step: time s, force N (mean over the step that ends there),
-            approach m and velocity m/s (of the centre of mass, upward), contact_radius m,
-            kinetic_energy, centre_kinetic_energy, elastic_energy, penalty_energy J,
-            middle_elastic_energy J (of the mean displacement of the step, where vibrations that
-            the steps do not resolve are filtered out),
+        material: Material of the sphere.
+        radius: Radius of the sphere, m.
+        speed: Impact speed, m/s.
+        timestep: Time step, s.
+        history: One row per step: time s, force N (mean over the step that ends there), approach m
+            and velocity m/s (of the center of mass, upward), contact_radius m, kinetic_energy,
+            centre_kinetic_energy, elastic_energy, penalty_energy J, middle_elastic_energy J (of the
+            mean displacement of the step, which filters vibrations that the steps do not resolve),
             top_displacement and equator_displacement m (of the pole far from the plane, upward,
-            and of the equator, outward, in the frame of the centre of mass).
-        modes: One row for each of the gravest free vibrations of the mesh: frequency Hz, energy J
-            in it at the end, and contact_displacement kg^-1/2, its shape of unit modal mass at the
-            point of contact, along the normal.
-        coefficient_of_restitution: Momentum after over before.
-        kinetic_restitution: Square root of total kinetic energy after, the mean over the flight,
-            over that before. It counts half the vibration's energy as rebound.
-        force_max: N.
+            and of the equator, outward, relative to the center of mass).
+        modes: One row for each of the lowest free vibrations of the mesh: frequency Hz, energy J at
+            the end, and contact_displacement kg^-1/2, its normal displacement at the contact point
+            for unit modal mass.
+        coefficient_of_restitution: Momentum after / before.
+        kinetic_restitution: Square root of the total kinetic energy after (mean over the flight) /
+            before. It counts half of the vibration energy as rebound.
+        force_max: Largest force, N.
         overlap_max: Largest approach, m.
-        contact_time: s.
-        vibration_energy: Left in the sphere over the energy of the impact.
-        stopped: Why it ended before its end; empty if it did not.
+        contact_time: Duration of the contact, s.
+        vibration_energy: Vibration energy / impact energy.
+        stopped: Reason of an early end; otherwise empty.
     """
 
     material: ElasticPlastic
@@ -65,28 +64,28 @@ class Vibration:
 
     @property
     def flight(self) -> pd.DataFrame:
-        """The rows of the history after the last one with a force."""
+        """Rows of the history after the last one with a force."""
         last = np.flatnonzero(self.history["force"])[-1]
         return self.history.iloc[last + 1 :]
 
     def spectrum(self, signal: str) -> tuple[np.ndarray, np.ndarray]:
-        """Frequencies, Hz, and amplitudes of a column of the history in flight."""
+        """Return frequencies, Hz, and amplitudes of a column of the history in flight."""
         return spectrum(self.flight[signal].to_numpy(), self.timestep)
 
     def peaks(self, signal: str, least: float = LEAST_PEAK) -> pd.DataFrame:
-        """Frequencies of vibration that a column of the history shows in flight, up to the highest
-        of `modes`.
+        """Return vibration frequencies in a column of the history in flight, up to the highest
+        mode.
 
-        The midpoint rule makes of a frequency f the lower one f' with tan(pi f' dt) = pi f dt; f is
-        what is given.
+        The midpoint rule changes a frequency f to f' with tan(pi f' dt) = pi f dt. The result is f.
 
         Args:
-            signal: The column. Energies show twice a vibration's frequency; what is given here is
-                the vibration's own.
-            least: Smallest amplitude over the largest.
+            signal: Column. Energies have twice the frequency of a vibration; the result is the
+                frequency
+                of the vibration.
+            least: Smallest / largest amplitude.
 
         Returns:
-            frequency, Hz, and amplitude in the column's unit.
+            frequency, Hz, and amplitude in the unit of the column.
         """
         found, amplitudes = peaks(*self.spectrum(signal), least)
         if signal.endswith("energy"):
@@ -96,7 +95,7 @@ class Vibration:
         return table[table["frequency"] < 1.01 * self.modes["frequency"].max()]
 
     def to_dict(self) -> dict:
-        """Numbers only, for a file."""
+        """Return numbers only, for a file."""
         names = (
             "radius",
             "speed",

@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Increments and time steps, and what is read from where they end."""
+"""Load increments and time steps, and snapshots of their results."""

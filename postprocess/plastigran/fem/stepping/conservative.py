@@ -1,16 +1,16 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""An elastic body on a rigid plane, in steps that conserve energy.
+"""An elastic body on a rigid plane, in time steps that conserve energy.
 
-Implicit midpoint rule: with v the velocity and f the force of the plane,
+Implicit midpoint rule: with velocity v and force f of the plane,
 
     u1 - u0 = dt (v0 + v1)/2,    M (v1 - v0)/dt + K (u0 + u1)/2 = f(g0, g1).
 
-The penalty's energy V(g) = k <-g>^2/2 at each Gauss point of the surface acts through its discrete
-gradient -(V(g1) - V(g0))/(g1 - g0) (Gonzalez 2000, Comput. Methods Appl. Mech. Engrg. 190:1763),
-so that the sum of kinetic, elastic and penalty energy is the same after the step, whatever its
-length. Momentum changes by dt times the sum of f.
+The energy V(g) = k <-g>^2/2 of the penalty at each Gauss point acts through its discrete gradient
+-(V(g1) - V(g0))/(g1 - g0) (Gonzalez 2000, Comput. Methods Appl. Mech. Engrg. 190:1763). The sum of
+kinetic, elastic and penalty energy is therefore constant for any time step. Momentum changes by dt
+times the sum of f.
 
-The body is linear: one matrix 2 M/dt^2 + K/2 is factored once. Newton's method then works on the
+The body is linear, so one matrix 2 M/dt^2 + K/2 is factored once. Newton's method uses only the
 degrees of freedom of the surface that may touch, with their dense compliance.
 """
 
@@ -26,15 +26,15 @@ from plastigran.fem.contact.plane import PENALTY, RigidPlane
 from plastigran.fem.stepping.increment import NoConvergence
 
 ITERATIONS = 40
-TOLERANCE = 1e-13  # of the displacements of the surface: what rounding leaves
+TOLERANCE = 1e-13  # fraction of the surface displacements, at the level of round-off
 
 
 class SpringPlane(RigidPlane):
-    """A rigid plane as one spring at each Gauss point of the surface.
+    """Rigid plane as one spring at each Gauss point of the surface.
 
     Attributes:
-        surface: Vertical degrees of freedom that may touch (n_surface,), of the body.
-        shapes: Displacements of the Gauss points over theirs (n_points, n_surface).
+        surface: Vertical degrees of freedom of the body that may touch (n_surface,).
+        shapes: Displacements of the Gauss points per displacement of these (n_points, n_surface).
     """
 
     def __init__(self, body: Body, radius: float, reach: float, penalty: float = PENALTY) -> None:
@@ -49,24 +49,26 @@ class SpringPlane(RigidPlane):
         self.shapes = shapes.reshape(edges * points, -1)
 
     def gap(self, displacement: np.ndarray) -> np.ndarray:
-        """At displacements of the surface (n_surface,), m."""
+        """Return the gap for displacements of the surface (n_surface,), m."""
         return self._rest + self.shapes @ displacement
 
     def energy(self, gap: np.ndarray) -> float:
-        """J."""
+        """Return the energy, J."""
         return float(self._springs @ np.minimum(gap, 0) ** 2) / 2
 
     def mean_force(self, start: np.ndarray, end: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """Forces of a step by the discrete gradient of the penalty's energy (Gonzalez, 2000).
+        """Return the forces of a step by the discrete gradient of the penalty energy (Gonzalez,
+        2000).
 
-        With p = <-g> the difference quotient is k (p0 + p1)/2 |p1 - p0|/|g1 - g0|.
+        With p = <-g>, the difference quotient is k (p0 + p1)/2 |p1 - p0|/|g1 - g0|.
 
         Args:
-            start: Gaps where the step starts (n_points,), m.
-            end: Gaps where it ends (n_points,), m.
+            start: Gaps at the start of the step (n_points,), m.
+            end: Gaps at the end of the step (n_points,), m.
 
         Returns:
-            Forces (n_points,), N, and how they fall with the gaps at the end (n_points,), N/m.
+            Forces (n_points,), N, and minus their derivatives by the gaps at the end (n_points,),
+            N/m.
         """
         before, after = np.maximum(-start, 0), np.maximum(-end, 0)
         closed, open_ = (start < 0) & (end < 0), (start >= 0) & (end >= 0)
@@ -80,16 +82,16 @@ class SpringPlane(RigidPlane):
 
 @attrs.frozen
 class Motion:
-    """A moving elastic body at one time, in arrays over the degrees of freedom that move (size,).
+    """Motion of an elastic body at one time, for the free degrees of freedom (size,).
 
     Attributes:
-        time: s.
-        displacement: m.
-        velocity: m/s.
+        time: Time, s.
+        displacement: Displacements, m.
+        velocity: Velocities, m/s.
         elastic_force: Stiffness times displacement, N.
         momentum: Mass times velocity, kg m/s.
-        gap: At the Gauss points of the surface (n_points,), m.
-        force: Upward on the body, the mean over the step that ends here, N.
+        gap: Gaps at the Gauss points of the surface (n_points,), m.
+        force: Upward force on the body, the mean over the step that ends here, N.
     """
 
     time: float
@@ -102,30 +104,32 @@ class Motion:
 
     @property
     def kinetic_energy(self) -> float:
-        """J."""
+        """Kinetic energy, J."""
         return float(self.velocity @ self.momentum) / 2
 
     @property
     def elastic_energy(self) -> float:
-        """J."""
+        """Elastic energy, J."""
         return float(self.displacement @ self.elastic_force) / 2
 
 
 class Steps:
-    """Steps of one length.
+    """Time steps of constant length.
 
     Attributes:
-        now: The motion reached.
+        now: Current motion.
     """
 
     def __init__(
         self, elastic: ElasticBody, plane: SpringPlane, velocity: np.ndarray, timestep: float
     ) -> None:
-        """Args:
-        elastic: The body.
-        plane: Under it.
-        velocity: At the start (size,), m/s; the body is undeformed.
-        timestep: s.
+        """Set the initial motion and factor the matrix.
+
+        Args:
+            elastic: Body.
+            plane: Plane under it.
+            velocity: Initial velocity (size,), m/s; the body is undeformed.
+            timestep: Time step, s.
         """
         self.elastic, self.plane, self.timestep = elastic, plane, timestep
         self._factor = splu(
@@ -156,10 +160,10 @@ class Steps:
         )
 
     def advance(self) -> Motion:
-        """The next step.
+        """Return the motion after the next step.
 
         Raises:
-            NoConvergence: Newton's method does not find it.
+            NoConvergence: Newton's method failed.
         """
         now, surface = self.now, self._surface
         change = self._factor.solve(2 / self.timestep * now.momentum - now.elastic_force)
@@ -177,8 +181,9 @@ class Steps:
         return self.now
 
     def _touch(self, start: np.ndarray, free: np.ndarray) -> tuple[np.ndarray, float]:
-        """Nodal forces of the plane over the step and their sum, where the surface would move by
-        `free` without it.
+        """Return the nodal forces of the plane over the step, and their sum.
+
+        `free` is the motion of the surface without the plane.
         """
         plane, compliance = self.plane, self._compliance
         change = self._last

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Time steps of a body in contact: the trapezoidal rule.
 
-The Newton iteration of a step starts from the displacement extrapolated with the last step's, never
-from u + dt v, which would yield where nothing yields.
+The Newton iteration of a step starts from the extrapolated displacement of the last step. With
+u + dt v as start, points could yield that do not yield in the solution.
 """
 
 from __future__ import annotations
@@ -12,20 +12,20 @@ import numpy as np
 
 from plastigran.fem.stepping.increment import Equations, Equilibrium, Inertia, NoConvergence
 
-FIRST_STEP = 1 / 16  # of the full time step; the contact begins stiffly
+FIRST_STEP = 1 / 16  # fraction of the full time step, because the contact starts stiffly
 STEP_GROWTH = 1.5
-CUTS = 6  # how often a step is halved before it is given up
+CUTS = 6  # how often a step is halved before the computation stops
 
 
 @attrs.frozen
 class Motion:
-    """A moving body at one time.
+    """Motion of a body at one time.
 
     Attributes:
-        time: s.
-        state: The balance of forces.
-        velocity: (size,), m/s.
-        acceleration: (size,), m/s2.
+        time: Time, s.
+        state: Balance of forces.
+        velocity: Velocities (size,), m/s.
+        acceleration: Accelerations (size,), m/s2.
     """
 
     time: float
@@ -39,15 +39,17 @@ class Flight:
 
     Attributes:
         equations: Balance of forces of the body.
-        timestep: Of a full step, s.
-        now: The motion at the end of the last step.
+        timestep: Full time step, s.
+        now: Motion at the end of the last step.
     """
 
     def __init__(self, equations: Equations, velocity: np.ndarray, timestep: float) -> None:
-        """Args:
-        equations: Balance of forces of a body that just touches.
-        velocity: At the start (size,), m/s.
-        timestep: s.
+        """Set the initial motion.
+
+        Args:
+            equations: Balance of forces of a body that just touches.
+            velocity: Initial velocity (size,), m/s.
+            timestep: Full time step, s.
         """
         self.equations, self.timestep = equations, timestep
         self.now = Motion(0.0, equations.at_rest(), velocity, np.zeros(velocity.size))
@@ -55,10 +57,10 @@ class Flight:
         self._change: tuple[np.ndarray, float] | None = None
 
     def advance(self) -> Motion:
-        """The next step; halved where it does not converge.
+        """Return the motion after the next step; halve the step if it does not converge.
 
         Raises:
-            NoConvergence: It does not even after CUTS halvings.
+            NoConvergence: The step does not converge after CUTS halvings.
         """
         for _ in range(CUTS + 1):
             try:

@@ -17,8 +17,9 @@ from plastigran.fem.material.stretch import InvertedError
 from plastigran.fem.stepping.linear import SingularError, SymmetricSystem
 
 ITERATIONS = 16
-TOLERANCE = 1e-5  # largest residual over the largest nodal force of the contact
-FORCE_TOLERANCE = 1e-8  # of the force asked for
+# largest residual / largest nodal force; `press` uses contact forces, `move` all forces
+TOLERANCE = 1e-5
+FORCE_TOLERANCE = 1e-8  # fraction of the prescribed force
 
 
 class NoConvergence(ArithmeticError):
@@ -27,14 +28,14 @@ class NoConvergence(ArithmeticError):
 
 @attrs.frozen
 class Equilibrium:
-    """A body in equilibrium.
+    """Body in equilibrium.
 
     Attributes:
-        displacement: (size,), m.
-        height: Of the plane, m.
-        response: Of the material.
-        touch: Of the contact.
-        iterations: That it took.
+        displacement: Nodal displacements (size,), m.
+        height: Height of the plane, m.
+        response: Material response.
+        touch: Contact state.
+        iterations: Newton iterations used.
     """
 
     displacement: np.ndarray
@@ -46,10 +47,10 @@ class Equilibrium:
 
 @attrs.frozen
 class Inertia:
-    """A step of the trapezoidal rule: accelerations are 4/dt^2 (u - predicted).
+    """Step of the trapezoidal rule: accelerations are 4/dt^2 (u - predicted).
 
     Attributes:
-        predicted: Displacement without the acceleration at the step's end (size,), m.
+        predicted: u + dt v + dt^2 a/4 with the values at the start of the step (size,), m.
         timestep: dt, s.
     """
 
@@ -59,12 +60,13 @@ class Inertia:
 
 @attrs.frozen
 class Balance:
-    """Forces at a displacement that Newton's method tries.
+    """Forces at a displacement of Newton's method.
 
     Attributes:
-        response: Of the material.
-        touch: Of the contact.
-        residual: What the forces lack to balance (size,), N.
+        response: Material response.
+        touch: Contact state.
+        residual: Internal - contact + inertial nodal forces (size,), N; 0 at fixed degrees of
+            freedom.
         scale: Largest nodal force of any kind, N.
     """
 
@@ -78,11 +80,11 @@ Forces = Callable[[np.ndarray], Balance]
 
 
 class Equations:
-    """Balance of forces of a body and what it meets.
+    """Balance of forces of a body and its counterpart.
 
     Attributes:
-        body: The body.
-        contact: What it meets.
+        body: Body.
+        contact: Counterpart in contact.
     """
 
     def __init__(self, body: Body | Pair, contact: RigidPlane | RigidCircle) -> None:
@@ -91,21 +93,22 @@ class Equations:
         self._system = SymmetricSystem([body.dofs, contact.dofs], body.size, self._fixed)
 
     def at_rest(self) -> Equilibrium:
-        """The undeformed body that just touches."""
+        """Return the equilibrium of the undeformed body that just touches."""
         body = self.body
         displacement = np.zeros(body.size)
         response = self._respond(displacement, State.virgin(body.points))
         return Equilibrium(displacement, 0.0, response, self._touch(displacement, None))
 
     def press(self, start: Equilibrium, guess: tuple[np.ndarray, float], force: float):
-        """Equilibrium of a held body that the plane presses with `force`, N.
+        """Solve for equilibrium of a supported body under the plane force `force`, N.
 
         Args:
-            start: The increment starts here.
-            guess: Displacement and height of the plane that Newton's method starts from.
+            start: Equilibrium at the start of the increment.
+            guess: Initial displacement and plane height of Newton's method.
+            force: Force of the plane, N.
 
         Raises:
-            NoConvergence: It finds none.
+            NoConvergence: Newton's method failed.
         """
         body = self.body
         displacement, height = guess
@@ -127,8 +130,8 @@ class Equations:
         raise NoConvergence(f"no equilibrium at {force:g} N in {ITERATIONS} iterations")
 
     def predict(self, start: Equilibrium, force: float) -> tuple[np.ndarray, float]:
-        """Guess for `press` where loading turns into unloading or back: the body elastic and the
-        contact as it is.
+        """Return the guess for `press` after a load reversal: elastic response, unchanged contact
+        area.
         """
         change = self._bordered(
             self.body.stiffness(start.displacement, start.response.held()),
@@ -141,8 +144,10 @@ class Equations:
     def _bordered(
         self, stiffness: np.ndarray, edges: np.ndarray, right: np.ndarray, excess: float
     ) -> tuple[np.ndarray, float]:
-        """Changes of displacement and of the plane's height that answer forces `right` and raise
-        the contact's force by `excess`.
+        """Return the Newton changes of displacement (size,) and plane height, m.
+
+        The arguments are the nodal forces `right` (size,) and the missing contact force `excess`,
+        N.
         """
         column = self.contact.spread(edges)
         factor = self._factor([stiffness, edges])
@@ -168,10 +173,10 @@ class Equations:
             raise NoConvergence(str(error)) from None
 
     def move(self, start: Equilibrium, guess: np.ndarray, inertia: Inertia) -> Equilibrium:
-        """Balance of forces at the end of a time step, with inertia.
+        """Return the balance of forces at the end of a time step, with inertia.
 
         Raises:
-            NoConvergence: It finds none.
+            NoConvergence: Newton's method failed.
         """
 
         def forces(displacement: np.ndarray) -> Balance:
@@ -199,8 +204,9 @@ class Equations:
         return Balance(response, touch, residual, scale)
 
     def _step(self, displacement: np.ndarray, change: np.ndarray, balance: Balance, forces: Forces):
-        """The displacement that Newton's method tries next, and the balance there: `change` is
-        what the tangent at `balance` asks for.
+        """Return the next Newton iterate and its balance.
+
+        Subclasses may shorten `change` (line search).
         """
         return displacement + change, forces(displacement + change)
 
@@ -210,7 +216,9 @@ class Equations:
     def _matrices(
         self, displacement: np.ndarray, balance: Balance, factor: float
     ) -> list[np.ndarray]:
-        """Of the elements and of the edges in contact, with `factor` times the masses."""
+        """Return the matrices of the elements and of the edges in contact, with `factor` times the
+        masses.
+        """
         body = self.body
         stiffness = body.stiffness(displacement, balance.response)
         return [stiffness + factor * body.mass_matrices, balance.touch.stiffness]

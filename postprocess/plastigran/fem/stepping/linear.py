@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Systems of one symmetric sparsity, summed from element matrices and factored again and again."""
+"""Linear systems of constant symmetric sparsity, assembled from element matrices."""
 
 from __future__ import annotations
 
@@ -9,26 +9,27 @@ from scipy.sparse.linalg import SuperLU, splu
 
 
 class SingularError(ArithmeticError):
-    """The matrix cannot be factored."""
+    """The matrix is singular."""
 
 
 class SymmetricSystem:
-    """Sums element matrices into one sparse matrix and factors it with SuperLU.
+    """Assembles element matrices into one sparse matrix and factors it with SuperLU.
 
-    The pattern is symmetric; the values need not be, as those of friction are not.
-
-    Sparsity and ordering are found once: degrees of freedom are numbered in the order the first
-    factorisation chose.
+    The sparsity is symmetric; the values may be unsymmetric, as with friction. Sparsity and
+    ordering are
+    computed once: degrees of freedom are renumbered in the order of the first factorization.
 
     Attributes:
-        free: Degrees of freedom that are not fixed, in the order of the matrix.
+        free: Free degrees of freedom, in the order of the matrix.
     """
 
     def __init__(self, groups: list[np.ndarray], size: int, fixed: np.ndarray) -> None:
-        """Args:
-        groups: Degrees of freedom of each kind of element, (n_elements, n_dofs) each.
-        size: Number of degrees of freedom.
-        fixed: Those held at zero.
+        """Compute the sparsity.
+
+        Args:
+            groups: Degrees of freedom of each kind of element, (n_elements, n_dofs) each.
+            size: Number of degrees of freedom.
+            fixed: Degrees of freedom fixed at zero.
         """
         self._rows = np.concatenate([np.repeat(g, g.shape[1], axis=1).ravel() for g in groups])
         self._columns = np.concatenate([np.tile(g, (1, g.shape[1])).ravel() for g in groups])
@@ -60,8 +61,9 @@ class SymmetricSystem:
         return csc_matrix((data, self._indices, self._pointers), shape=(self.free.size,) * 2)
 
     def factor(self, matrices: list[np.ndarray]) -> Factor:
-        """The factor of the sum of element matrices, one array (n_elements, n_dofs, n_dofs) for
-        each group.
+        """Return the factorization of the sum of element matrices.
+
+        Each group has one array (n_elements, n_dofs, n_dofs).
 
         Raises:
             SingularError: The sum is singular.
@@ -75,19 +77,21 @@ class SymmetricSystem:
                 options={"SymmetricMode": True},
             )
         except RuntimeError as error:
-            raise SingularError(f"the stiffness cannot be factored: {error}") from None
+            raise SingularError(f"the stiffness matrix cannot be factored: {error}") from None
         return Factor(factor, self.free)
 
 
 class Factor:
-    """A factored system."""
+    """Factored system."""
 
     def __init__(self, factor: SuperLU, free: np.ndarray) -> None:
         self._factor = factor
         self._free = free
 
     def solve(self, right: np.ndarray) -> np.ndarray:
-        """Solution (size, ...) for right sides (size, ...), zero at the fixed degrees."""
+        """Return the solution (size, ...) for right sides (size, ...); zero at fixed degrees of
+        freedom.
+        """
         result = np.zeros_like(right)
         result[self._free] = self._factor.solve(right[self._free])
         return result

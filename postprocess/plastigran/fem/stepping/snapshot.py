@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""What is read from an equilibrium."""
+"""Fields of an equilibrium."""
 
 from __future__ import annotations
 
@@ -16,19 +16,19 @@ YIELDED = 1e-4  # accumulated plastic strain from which a point counts as yielde
 
 @attrs.frozen
 class Snapshot:
-    """Fields at one moment.
+    """Fields at one time.
 
     Attributes:
-        force: N.
-        radii: Mean of each edge of the surface (n,), m.
-        pressure: Mean there, Pa.
+        force: Force, N.
+        radii: Mean radius of each edge of the surface (n,), m.
+        pressure: Mean pressure of each edge, Pa.
         positions: (r, y) of the Gauss points (points, 2), m.
-        mises: Von Mises stress there, Pa; in finite strain that of the stress conjugate to the
+        mises: Von Mises stress there, Pa; in finite strain, of the stress conjugate to the
             logarithmic strain.
         plastic_strain: Accumulated plastic strain there.
-        vertices: (r, y) of the elements' corners, undeformed (n_vertices, 2), m.
-        quads: Corners of each element (n_elements, 4); its Gauss points are four in turn.
-        displacement: Of the corners (n_vertices, 2), m.
+        vertices: (r, y) of the corner nodes, undeformed (n_vertices, 2), m.
+        quads: Corners of each element (n_elements, 4); its four Gauss points are consecutive.
+        displacement: Displacements of the corner nodes (n_vertices, 2), m.
     """
 
     force: float
@@ -43,7 +43,7 @@ class Snapshot:
 
 
 def energies(body: Body | Pair, state: Equilibrium) -> dict[str, float]:
-    """Elastic energy, work of plastic flow and energy in the penalty, J."""
+    """Return elastic energy, plastic work and energy of the penalty, J."""
     return {
         "elastic_energy": body.elastic_energy(state.displacement, state.response),
         "plastic_work": float(state.response.state.work @ body.volumes.ravel()),
@@ -52,7 +52,7 @@ def energies(body: Body | Pair, state: Equilibrium) -> dict[str, float]:
 
 
 def snapshot(body: Body | Pair, plane: RigidPlane, state: Equilibrium) -> Snapshot:
-    """The fields of an equilibrium."""
+    """Return the fields of an equilibrium."""
     return Snapshot(
         state.touch.force,
         *plane.profile(state.touch),
@@ -66,7 +66,7 @@ def snapshot(body: Body | Pair, plane: RigidPlane, state: Equilibrium) -> Snapsh
 
 
 def mises_stress(stress: np.ndarray) -> np.ndarray:
-    """Von Mises stress (n,) of stresses (rr, yy, tt, ry) (n, 4), Pa."""
+    """Return the von Mises stress (n,) of stresses (rr, yy, tt, ry) (n, 4), Pa."""
     radial, axial, hoop, shear = stress.T
     differences = (radial - axial) ** 2 + (axial - hoop) ** 2 + (hoop - radial) ** 2
     return np.sqrt(differences / 2 + 3 * shear**2)

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""An elastic sphere on a plane or a half space after Hertz (1882): scales of steps and meshes, and
-what coarse results are held against.
+"""An elastic sphere on a plane or a half space after Hertz (1882).
+
+It gives scales of steps and meshes, and reference solutions.
 """
 
 from __future__ import annotations
@@ -16,12 +17,12 @@ from plastigran.fem.material.elastic_plastic import ElasticPlastic
 
 @attrs.frozen
 class HertzSphere:
-    """One sphere.
+    """Elastic sphere on a plane.
 
     Attributes:
-        material: Its metal; only the start of plastic flow is used.
-        radius: Of the sphere, m.
-        plane: Metal of the half space under it; rigid if None.
+        material: Material; only the start of plastic flow is used.
+        radius: Radius of the sphere, m.
+        plane: Material of the half space; None for a rigid plane.
     """
 
     material: ElasticPlastic
@@ -35,33 +36,33 @@ class HertzSphere:
 
     @property
     def mass(self) -> float:
-        """Kg."""
+        """Mass, kg."""
         return self.material.density * 4 / 3 * pi * self.radius**3
 
     def contact_radius(self, force: float) -> float:
-        """m, at a force in N."""
+        """Return the contact radius, m, at a force, N."""
         return (3 * force * self.radius / (4 * self.modulus)) ** (1 / 3)
 
     def approach(self, force: float) -> float:
-        """m, at a force in N."""
+        """Return the approach, m, at a force, N."""
         return self.contact_radius(force) ** 2 / self.radius
 
     def force(self, approach: float) -> float:
-        """N, at an approach in m."""
+        """Return the force, N, at an approach, m."""
         return 4 / 3 * self.modulus * sqrt(self.radius) * approach**1.5
 
     def approach_max(self, speed: float) -> float:
-        """m, of an impact at a speed in m/s."""
+        """Return the largest approach, m, of an impact at a speed, m/s."""
         return (15 * self.mass * speed**2 / (16 * self.modulus * sqrt(self.radius))) ** 0.4
 
     def duration(self, speed: float) -> float:
-        """s, of an impact at a speed in m/s."""
+        """Return the duration, s, of an impact at a speed, m/s."""
         constant = 4 * sqrt(pi) * gamma(0.4) / (5 * gamma(0.9))
         return constant * self.approach_max(speed) / speed
 
     @property
     def yielding(self) -> ElasticPlastic | None:
-        """The metal that yields first; None if none does."""
+        """Material that yields first; None if none does."""
         metals = [metal for metal in (self.material, self.plane) if metal and metal.hardening]
         return min(metals, key=_yield_pressure, default=None)
 
@@ -74,16 +75,16 @@ class HertzSphere:
 
     @property
     def yield_speed(self) -> float:
-        """Speed at which it yields, m/s."""
+        """Impact speed at first yield, m/s."""
         force = self.yield_force
         return sqrt(0.8 * force * self.approach(force) / self.mass)
 
 
 def _yield_pressure(metal: ElasticPlastic) -> float:
-    """Largest pressure of Hertz' contact at which a metal yields, Pa.
+    """Return the largest pressure of a Hertz contact at which a metal yields, Pa.
 
     The largest von Mises stress on the axis is p_0 F(nu),
-    F = max over z of 1.5/(1 + z^2) - (1 + nu)(1 - z atan(1/z)), z the depth over a.
+    F = max over z of 1.5/(1 + z^2) - (1 + nu)(1 - z atan(1/z)), z the depth/a.
     """
     poissons_ratio = metal.poissons_ratio
     least = minimize_scalar(

@@ -1,6 +1,9 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A rigid circle on an elastic layer in plane strain: scales of steps and meshes, and what coarse
-results are held against (Johnson, Contact Mechanics, 1985, secs. 4.2 and 5.6).
+"""A rigid circle on an elastic layer in plane strain.
+
+It gives scales of steps and meshes, and reference solutions (Johnson, Contact Mechanics, 1985,
+secs.
+4.2 and 5.6).
 """
 
 from __future__ import annotations
@@ -16,7 +19,7 @@ from plastigran.fem.material.elastic_plastic import ElasticPlastic
 
 @attrs.frozen(kw_only=True)
 class HertzLine:
-    """A circle of some length on a layer that is held on its far side."""
+    """Circle of some length on a layer that is fixed on its far side."""
 
     material: ElasticPlastic
     radius: float = number("radius of the circle", "m", 0)
@@ -24,19 +27,19 @@ class HertzLine:
     thickness: float = number("thickness of the layer", "m", 0)
 
     def half_width(self, force: float) -> float:
-        """m, at a force in N."""
+        """Return the half width, m, at a force, N."""
         return sqrt(4 * self._scale(force) * self.radius)
 
     def approach(self, force: float) -> float:
-        """m, at a force in N."""
+        """Return the approach, m, at a force, N."""
         return self._scale(force) * self._logarithm(force)
 
     def energy(self, force: float) -> float:
-        """Work of pressing up to a force in N, J: of F over the approach, in closed form."""
+        """Return the work of loading to a force, N, in J."""
         return force * self._scale(force) * (2 * self._logarithm(force) - 1) / 4
 
     def _scale(self, force: float) -> float:
-        """Force over pi E* and length, m."""
+        """Return the force divided by pi E* and length, m."""
         return force / (pi * self.material.plane_modulus * self.length)
 
     def _logarithm(self, force: float) -> float:
@@ -47,7 +50,7 @@ class HertzLine:
     def yield_force(self) -> float:
         """Force at which the body yields below its surface, N; infinite without hardening law.
 
-        At depth z half widths the stresses on the axis are, over the largest pressure,
+        At depth z half widths, the stresses on the axis divided by the largest pressure are
         -(1 + 2 z^2)/r + 2 z along the surface and -1/r across it, r = sqrt(1 + z^2).
         """
         if self.material.hardening is None:
@@ -57,18 +60,18 @@ class HertzLine:
         return pi * self.length * self.radius * pressure**2 / self.material.plane_modulus
 
     def _mises(self, depth: float) -> float:
-        """On the axis, over the largest pressure."""
+        """Return the von Mises stress on the axis divided by the largest pressure."""
         root = sqrt(1 + depth * depth)
         along, across = 2 * depth - (1 + 2 * depth * depth) / root, -1 / root
         out = self.material.poissons_ratio * (along + across)
         return sqrt(((along - across) ** 2 + (across - out) ** 2 + (out - along) ** 2) / 2)
 
     def impact_force(self, mass: float, speed: float) -> float:
-        """Largest force, N, when a mass (kg) hits at a speed (m/s)."""
+        """Return the largest force, N, of an impact of a mass (kg) at a speed (m/s)."""
         wanted = mass * speed**2 / 2
         ratio = self.material.poissons_ratio / (1 - self.material.poissons_ratio)
-        # The approach grows with the force up to e times this. Here the contact is about as wide as
-        # the layer is thick already, and the formula is of narrow ones.
+        # The approach grows with the force up to e times this value. There the contact is as wide
+        # as the layer is thick, but the formula holds for small contacts.
         largest = (
             pi * self.material.plane_modulus * self.length * self.thickness**2 / self.radius
         ) * exp(-2 - ratio)
@@ -77,6 +80,6 @@ class HertzLine:
         return brentq(lambda force: self.energy(force) - wanted, 1e-12 * largest, largest)
 
     def duration(self, mass: float, speed: float) -> float:
-        """Of an impact, s, as of a spring with the secant stiffness: within some per cent."""
+        """Estimate the duration of an impact, s, with the secant stiffness."""
         force = self.impact_force(mass, speed)
         return pi * sqrt(mass * self.approach(force) / force)

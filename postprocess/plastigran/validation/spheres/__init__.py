@@ -1,14 +1,14 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Spheres of many metals on a rigid plane, pressed and let go by finite elements.
+"""Spheres of many metals on a rigid plane, loaded and unloaded by finite elements.
 
 `table()` reads `plastigran/data/finite_elements_spheres.csv`, a row for each largest force of each
 metal; `python -m plastigran.validation.spheres.compute` writes it. All quantities are
-dimensionless; in yield units means over the Hertzian value at first yield (force P_Y, overlap
-alpha_Y = a_Y^2/R, contact radius a_Y, work P_Y alpha_Y, speed v_Y with 1/2 m v_Y^2 = 2/5 P_Y
-alpha_Y).
+dimensionless. "In yield units" means divided by the Hertzian value at first yield (force P_Y,
+overlap alpha_Y = a_Y^2/R, contact radius a_Y, work P_Y alpha_Y, speed v_Y with
+1/2 m v_Y^2 = 2/5 P_Y alpha_Y).
 
     metal                        name, the same for all rows of a metal
-    set                          `fit` or `held`: metals kept out of the fit of the law `universal`
+    set                          `fit` or `held`: metals held out of the fit of the law `universal`
     yield_strength_ratio         sigma_Y/E*, E* = E/(1 - nu^2)
     poissons_ratio               nu
     hardening_ratio              H/E, H = d(stress)/d(plastic strain); 0: perfectly plastic
@@ -21,7 +21,7 @@ alpha_Y).
     overlap_res_ratio            after unloading, in yield units
     contact_radius_ratio         at the largest force, in yield units
     work_loading_ratio           up to the largest force, over P_Y alpha_Y
-    work_unloading_ratio         given back, over P_Y alpha_Y
+    work_unloading_ratio         released, over P_Y alpha_Y
     contact_radius_over_radius   a/R at the largest force
 """
 
@@ -35,6 +35,6 @@ TABLE = files("plastigran") / "data" / "finite_elements_spheres.csv"
 
 
 def table() -> pd.DataFrame:
-    """The table as it is kept with the package."""
+    """Read the table of the package."""
     with TABLE.open() as file:
         return pd.read_csv(file, comment="#")

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""How sure the table of spheres is: finer steps and meshes, and spheres thrown instead of pressed.
+"""Accuracy of the table of spheres: finer steps and meshes, and dynamic impacts.
 
     python -m plastigran.validation.spheres.checks
 
-prints what docs/laws/universal.md states; what is not in the cache takes some minutes each.
+prints the numbers of docs/laws/universal.md. What is not in the cache takes some minutes each.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ FINER: Mapping[str, Mapping[str, float]] = {
     "half the increments' growth": {"growth": 1.02},
     "8 divisions, not 6": {"divisions": 8},
 }
-#: Metals and speeds over that at yield.
+#: Metals and speeds v/v_Y.
 THROWN = (
     ("s0.0012-nu0.3-perfect", 10.0),
     ("s0.0012-nu0.3-perfect", 100.0),
@@ -41,13 +41,14 @@ COMPARED = {
 
 
 def named(name: str) -> SphereMetal:
-    """The metal of that name."""
+    """Return the metal with that name."""
     return next(metal for metal in METALS if metal.name == name)
 
 
 def refined() -> pd.DataFrame:
-    """Change with finer settings, per cent: mean and largest over the rows of a metal from 3 P_Y on
-    at the same force.
+    """Return the change with finer settings [%]: mean and largest over the rows of a metal.
+
+    Rows begin at 3 P_Y and are compared at the same force.
     """
     found = []
     for name in REFINED:
@@ -65,8 +66,9 @@ def refined() -> pd.DataFrame:
 
 
 def thrown() -> pd.DataFrame:
-    """Restitution and largest force, over that at yield, of spheres thrown, and of the same
-    pressed, between the rows of the table.
+    """Return restitution and largest force (in yield units) of dynamic impacts.
+
+    Values of quasi-static compression are interpolated between the rows of the table.
     """
     found, rows = [], table()
     for name, speed in THROWN:

@@ -3,8 +3,8 @@
 
     python -m plastigran.validation.spheres.compute [metal ...]
 
-Metals that are in the cache are taken from there; another takes a minute or two. Names of metals
-leave all others out of the table.
+Metals in the cache are not computed again; another takes a minute or two. With names of metals, the
+table contains only these.
 """
 
 from __future__ import annotations
@@ -24,12 +24,12 @@ from plastigran.validation.spheres import TABLE
 from plastigran.validation.spheres.metals import METALS, RADIUS, SphereMetal
 from plastigran.validation.spheres.release import press_and_release
 
-#: Smaller increments of force than usual, for backward Euler is of first order.
+#: Smaller force increments than usual, because backward Euler is of first order.
 SETTINGS = Settings(growth=1.04, unloading_steps=10)
 
 
 def compute(metal: SphereMetal, settings: Settings = SETTINGS) -> pd.DataFrame:
-    """Rows of the table of one metal, from the cache where they are there."""
+    """Return the rows of one metal, from the cache if they are there."""
     found = cached(
         press_and_release,
         metal.material,
@@ -43,7 +43,7 @@ def compute(metal: SphereMetal, settings: Settings = SETTINGS) -> pd.DataFrame:
 
 
 def rows(metal: SphereMetal, pressing: Pressing) -> pd.DataFrame:
-    """A row for each release, in yield units; the columns are those of the package."""
+    """Return a row for each unloading, in yield units; columns as in the package."""
     sphere = metal.sphere
     force, overlap = sphere.yield_force, sphere.approach(sphere.yield_force)
     radius = sphere.contact_radius(force)
@@ -70,7 +70,7 @@ def rows(metal: SphereMetal, pressing: Pressing) -> pd.DataFrame:
 
 
 def main(names: Sequence[str]) -> None:
-    """Compute metals by their names, or all of them, and write the table of just these."""
+    """Compute metals by name, or all of them, and write a table of only these."""
     warnings.simplefilter("ignore", SmallStrainWarning)
     tables = []
     for metal in METALS:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Figures of the fit of the law `universal`: how the metals collapse, and how far it is off."""
+"""Figures of the fit of the law `universal`: collapse of the metals, and errors."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from plastigran.validation.spheres.regimes import kind
 
 
 def write(constants: Constants, rows: pd.DataFrame, folder: Path) -> list[Path]:
-    """Draw both figures into a folder; returns the files."""
+    """Draw both figures into a folder and return the files."""
     figures = {
         "universal_fit": collapse_figure(constants, rows),
         "universal_errors": errors_figure(constants, rows),
@@ -26,9 +26,11 @@ def write(constants: Constants, rows: pd.DataFrame, folder: Path) -> list[Path]:
 
 
 def collapse_figure(constants: Constants, rows: pd.DataFrame) -> Figure:
-    """Force, contact radius and energy given back over the depth S, beside those of Hertz' contact
-    of the same overlap, or of the same force and radius; lines are the forms of a narrow contact
-    without hardening.
+    """Draw force, contact radius and released energy over the depth S, compared with Hertz.
+
+    The Hertz contact has the same overlap, or the same force and radius. Lines are the equations
+    for
+    small a/R without hardening.
     """
     metals, t = Metals.of(rows), np.sqrt(rows["overlap_ratio"].to_numpy())
     s = depth(constants, metals, t)
@@ -43,7 +45,7 @@ def collapse_figure(constants: Constants, rows: pd.DataFrame) -> Figure:
             form.contact_radius / (1 + line),
         ),
         (
-            "energy given back over Hertz'",
+            "released energy over Hertz'",
             work_ratio(
                 rows["work_unloading_ratio"], rows["force_ratio"], rows["contact_radius_ratio"]
             ),
@@ -63,7 +65,7 @@ def collapse_figure(constants: Constants, rows: pd.DataFrame) -> Figure:
 
 
 def errors_figure(constants: Constants, rows: pd.DataFrame) -> Figure:
-    """How far the law is off in force and restitution over the speed."""
+    """Draw the error of the law in force and restitution over speed."""
     off = errors(constants, rows)
     speed = rows["speed_ratio"].to_numpy()
     with styled():
@@ -80,7 +82,7 @@ def errors_figure(constants: Constants, rows: pd.DataFrame) -> Figure:
 
 
 def _points(axes: Axes, rows: pd.DataFrame, x: np.ndarray, y: np.ndarray) -> None:
-    """Points by kind of contact; those of metals held out of the fit are open."""
+    """Draw points by kind of contact; those of held-out metals are open."""
     kinds, held = kind(rows), (rows["set"] == "held").to_numpy()
     for sort, colour, marker in zip(KINDS, COLOURS, "osD", strict=False):
         for out in (False, True):

@@ -3,8 +3,8 @@
 
     python -m plastigran.validation.spheres.fit [--figures FOLDER]
 
-It prints the constants as the law's header has them and how far the law is off, of the metals of
-the fit and of those held out of it.
+prints the constants in the format of the law's header, and the errors of the law for the metals of
+the fit and for held-out metals.
 """
 
 from __future__ import annotations
@@ -22,18 +22,18 @@ from plastigran.validation.spheres import table
 from plastigran.validation.spheres.forms import Constants, Metals, errors, peak
 from plastigran.validation.spheres.regimes import SPEED_RATIOS, kind
 
-#: What a difference is measured by, as a share: near the finite elements' own uncertainty.
+#: Relative scales of the differences, near the uncertainty of the finite elements.
 FORCE, CONTACT_RADIUS, WORK_UNLOADING, RECOVERY = 0.002, 0.006, 0.004, 0.008
-#: Over the force at yield, below which the contact spans too few elements for its radius to count.
+#: Smallest force, in yield units, with enough elements in the contact for its radius.
 LEAST_FORCE = 8.0
 DIGITS = 4
 
-#: Bounds of the regimes of speed, v/v_Y: largest errors of the law are stated within each.
+#: Bounds of the speed regimes, v/v_Y, for which the largest errors are stated.
 REGIMES = (*SPEED_RATIOS, 1200)
 
 
 def fit(rows: pd.DataFrame) -> Constants:
-    """Constants nearest to the rows of metals of the fit, outliers weighing less (soft L1)."""
+    """Return the constants that fit the rows of the fit set, with a soft L1 norm."""
     rows = rows[rows["set"] == "fit"]
     metals, t = Metals.of(rows), np.sqrt(rows["overlap_ratio"].to_numpy())
     names = [field.name for field in attrs.fields(Constants)]
@@ -62,21 +62,21 @@ def fit(rows: pd.DataFrame) -> Constants:
 
 
 def regimes(rows: pd.DataFrame) -> pd.DataFrame:
-    """Which regime of speed a row is in, and which kind of contact it is: `regime` and `kind`."""
+    """Return the speed regime and the kind of contact of each row: columns `regime` and `kind`."""
     labels = [f"{low} to {high}" for low, high in pairwise(REGIMES)]
     regime = pd.cut(rows["speed_ratio"], REGIMES, labels=labels)
     return pd.DataFrame({"regime": regime, "kind": kind(rows)}, index=rows.index)
 
 
 def bands(constants: Constants, rows: pd.DataFrame) -> pd.DataFrame:
-    """Largest errors, per cent, by set, kind of contact and regime of speed."""
+    """Return the largest errors [%] by set, kind of contact and speed regime."""
     off = errors(constants, rows).abs()
     where = [rows["set"], *(column for _, column in regimes(rows).items())]
     return off.groupby(where, observed=True, sort=True).max()
 
 
 def main(arguments: list[str]) -> None:
-    """Print the constants and their errors; `--figures` draws the docs' two."""
+    """Print the constants and their errors; `--figures` draws the two figures of the docs."""
     rows = table()
     constants = fit(rows)
     for name, value in attrs.asdict(constants).items():

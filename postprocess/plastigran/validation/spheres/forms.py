@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The forms of the law `universal` in yield units, for any constants: what the fit moves.
+"""Equations of the law `universal` in yield units, with constants that the fit varies.
 
-The equations are those of `contact_models/plastigran/laws/universal.h`; docs/laws/universal.md says
-why they are these.
+The equations are those of `contact_models/plastigran/laws/universal.h`; docs/laws/universal.md
+gives their reasons.
 """
 
 from __future__ import annotations
@@ -17,31 +17,31 @@ import pandas as pd
 from plastigran import laws
 
 NODES, WEIGHTS = np.polynomial.legendre.leggauss(12)
-NODES, WEIGHTS = (NODES + 1) / 2, WEIGHTS / 2  # on 0 to 1
+NODES, WEIGHTS = (NODES + 1) / 2, WEIGHTS / 2  # from 0 to 1
 
 
 @attrs.frozen
 class Constants:
-    """All constants of the law, with the values that the fit starts from.
+    """Constants of the law, with the starting values of the fit.
 
     Attributes:
-        q_1: Of the strength, how far from yield the pressure at yield matters.
-        q_2: How much hardening strengthens.
-        q_3: How that slows down.
+        q_1: Strength: depth at which the pressure at yield stops mattering.
+        q_2: Strength: effect of hardening.
+        q_3: Strength: saturation of that effect.
         f_1: Force far from yield: 1/f_1 F_Y t^2.
-        f_2: Of the force near yield.
-        f_3: The same.
-        f_4: The same.
-        f_5: How much less a finite sphere resists.
-        c_1: a^2/(R alpha) - 1 far from yield.
-        c_2: Of the contact radius near yield.
-        c_3: The same.
-        c_4: How much hardening keeps the contact from spreading.
-        c_5: How much stiffer a finite sphere is.
-        d_1: Largest share that recovery lacks of that of Hertz' contact.
-        d_2: Of the recovery near yield.
-        d_3: The same.
-        g_1: How the unloading curve departs from Hertz'.
+        f_2: Force near yield.
+        f_3: Force near yield.
+        f_4: Force near yield.
+        f_5: Force: lower resistance of a finite sphere.
+        c_1: Contact radius far from yield: a^2/(R alpha) - 1.
+        c_2: Contact radius near yield.
+        c_3: Contact radius near yield.
+        c_4: Contact radius: reduction by hardening.
+        c_5: Contact radius: higher stiffness of a finite sphere.
+        d_1: Recovery: largest relative deficit from Hertz.
+        d_2: Recovery near yield.
+        d_3: Recovery near yield.
+        g_1: Unloading curve: deviation from Hertz.
     """
 
     q_1: float = 6.8
@@ -65,10 +65,10 @@ class Constants:
 
 @attrs.frozen(eq=False)
 class Metals:
-    """What the forms take of a metal, each an array (n,) or a number.
+    """Parameters of a metal in the equations, each an array (n,) or a number.
 
     Attributes:
-        onset: p_y/sigma_Y over that at Poisson's ratio 0.3.
+        onset: p_y/sigma_Y divided by its value at Poisson's ratio 0.3.
         hardening: (p_y/sigma_Y) H/E'.
         yield_radius: a_Y/R.
     """
@@ -79,7 +79,7 @@ class Metals:
 
     @classmethod
     def of(cls, table: pd.DataFrame) -> Metals:
-        """Those of the rows of the table of spheres (n,)."""
+        """Return the metals of the rows of the table of spheres (n,)."""
         poissons_ratio = table["poissons_ratio"].to_numpy()
         factor = np.array([_pressure_factor(value) for value in poissons_ratio])
         return cls(
@@ -96,13 +96,13 @@ def _pressure_factor(poissons_ratio: float) -> float:
 
 @attrs.frozen(eq=False)
 class Peak:
-    """What a virgin contact has reached, in yield units; arrays (n,).
+    """State of a contact in first loading, in yield units; arrays (n,).
 
     Attributes:
         force: F/F_Y.
         contact_radius: a/a_Y.
         recovery: (overlap_max - overlap_res)/overlap_Y.
-        work_unloading: Over F_Y overlap_Y.
+        work_unloading: Released energy / (F_Y overlap_Y).
     """
 
     force: np.ndarray
@@ -112,7 +112,7 @@ class Peak:
 
 
 def depth(constants: Constants, metals: Metals, t: np.ndarray) -> np.ndarray:
-    """S = <T - 1> at t = (overlap/overlap_Y)^(1/2) >= 1 (n,)."""
+    """Return S = <T - 1> at t = (overlap/overlap_Y)^(1/2) >= 1 (n,)."""
     k, s = constants, t - 1
     strength = (k.q_1 + s) / (k.q_1 + metals.onset * s)
     strength = strength + k.q_2 * metals.hardening * s / (1 + k.q_3 * s)
@@ -120,7 +120,7 @@ def depth(constants: Constants, metals: Metals, t: np.ndarray) -> np.ndarray:
 
 
 def peak(constants: Constants, metals: Metals, t: np.ndarray) -> Peak:
-    """Force, contact radius and what unloading gives back at t >= 1 (n,)."""
+    """Return force, contact radius, recovery and released energy at t >= 1 (n,)."""
     k, s = constants, depth(constants, metals, t)
     wide = (metals.yield_radius * s) ** 2 / (1 + metals.yield_radius * s)
     softening = k.f_1 * s**2 * (s + k.f_2) / ((s + k.f_3) * (s + k.f_4))
@@ -134,21 +134,23 @@ def peak(constants: Constants, metals: Metals, t: np.ndarray) -> Peak:
 
 
 def unloading_work(g: np.ndarray) -> np.ndarray:
-    """Integral of y^(3/2) (1 + g)/(1 + g y^(1/2)) over y from 0 to 1 (n,)."""
+    """Return the integral of y^(3/2) (1 + g)/(1 + g y^(1/2)) over y from 0 to 1 (n,)."""
     g = np.asarray(g)[..., None]
     return np.sum(WEIGHTS * 2 * NODES**4 * (1 + g) / (1 + g * NODES), axis=-1)
 
 
 def work_ratio(work_unloading, force, contact_radius):
-    """Energy given back over that of Hertz' contact of the same force and contact radius, 3 F^2/(10
-    E* a); all in yield units.
+    """Return the released energy divided by that of a Hertz contact, 3 F^2/(10 E* a).
+
+    The Hertz contact has the same force and contact radius; all in yield units.
     """
     return work_unloading * contact_radius / (0.4 * force**2)
 
 
 def virgin_work(constants: Constants, metals: Metals, t: np.ndarray) -> np.ndarray:
-    """Work of loading over F_Y overlap_Y up to each t of an increasing grid from 1 on (n,), by
-    Gauss' rule between its points.
+    """Return the loading work / (F_Y overlap_Y) at each t of an increasing grid from 1 (n,).
+
+    Gauss quadrature between the points of the grid.
     """
     steps = np.diff(t)
     at = t[:-1, None] + steps[:, None] * NODES
@@ -157,11 +159,11 @@ def virgin_work(constants: Constants, metals: Metals, t: np.ndarray) -> np.ndarr
 
 
 def errors(constants: Constants, table: pd.DataFrame) -> pd.DataFrame:
-    """How far the law is off the rows of the table, in per cent of the finite elements' value.
+    """Return the errors of the law for the rows of the table, in per cent of the finite elements.
 
     Returns:
-        `force` and `restitution` of the impact with the same work of loading, `contact_radius` and
-        `recovery` at the same overlap; one row for each of the table's.
+        `force` and `restitution` of the impact with the same loading work, `contact_radius` and
+        `recovery` at the same overlap; one row for each row of the table.
     """
     parts = []
     for _, rows in table.groupby("metal", sort=False):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The metals of the table, and which of them are kept out of the fit."""
+"""Metals of the table, and which of them are held out of the fit."""
 
 from __future__ import annotations
 
@@ -11,25 +11,25 @@ from plastigran.fem.material.elastic_plastic import ElasticPlastic
 from plastigran.fem.material.hardening import LinearHardening
 from plastigran.fem.theory.hertz import HertzSphere
 
-#: Of every sphere; ratios depend on neither [Pa, m].
+#: Constants of every sphere [Pa, m]; ratios depend on neither.
 PLANE_MODULUS, RADIUS = 100e9, 0.01
 
-#: Largest forces over that at yield at which a sphere is let go.
+#: Largest forces, in yield units, from which a sphere is unloaded.
 FORCE_RATIOS = (1.3, 2, 3, 5, 8, 13, 22, 38, 65, 110, 190, 320, 540, 900, 1600, 2700)
 
 
 @attrs.frozen
 class SphereMetal:
-    """One metal of the table.
+    """Metal of the table.
 
     Attributes:
         yield_strength_ratio: sigma_Y/E*.
         poissons_ratio: nu.
         hardening_ratio: H/E.
-        held: Kept out of the fit.
-        force_ratio_max: Largest force over that at yield.
+        held: Whether it is held out of the fit.
+        force_ratio_max: Largest force in yield units.
         strain: Kinematics, "small" or "finite".
-        widest: Contact radius over the radius beyond which it is not pressed.
+        widest: Largest a/R of the computation.
     """
 
     yield_strength_ratio: float
@@ -42,14 +42,14 @@ class SphereMetal:
 
     @property
     def name(self) -> str:
-        """All that tells it from the others."""
+        """Name that contains all constants."""
         hardening = f"H{self.hardening_ratio:.4g}" if self.hardening_ratio else "perfect"
         finite = "-finite" if self.strain == "finite" else ""
         return f"s{self.yield_strength_ratio:g}-nu{self.poissons_ratio:g}-{hardening}{finite}"
 
     @property
     def material(self) -> ElasticPlastic:
-        """The metal as the finite elements take it."""
+        """Material for the finite elements."""
         youngs_modulus = PLANE_MODULUS * (1 - self.poissons_ratio**2)
         return ElasticPlastic(
             youngs_modulus=youngs_modulus,
@@ -62,12 +62,12 @@ class SphereMetal:
 
     @property
     def sphere(self) -> HertzSphere:
-        """Scales of its sphere."""
+        """Scales of the sphere."""
         return HertzSphere(self.material, RADIUS)
 
     @property
     def forces(self) -> np.ndarray:
-        """Largest forces, N, up to `force_ratio_max` and to the widest contact."""
+        """Largest forces, N, up to `force_ratio_max` and `widest`."""
         sphere = self.sphere
         forces = sphere.yield_force * np.array(FORCE_RATIOS)
         reach = np.array([contact_reach(sphere, force) for force in forces])
@@ -75,8 +75,8 @@ class SphereMetal:
         return forces[asked & (reach <= self.widest * RADIUS)]
 
 
-#: The order is that of the computation. What is held was chosen before anything was fitted:
-#: strengths, Poisson's ratios and slopes of hardening that lie between those of the fit.
+#: Metals in the order of the computation. The held-out ones were chosen before any fit: their
+#: strengths, Poisson's ratios and hardening slopes lie between those of the fit.
 METALS = (
     SphereMetal(1.2e-3),
     SphereMetal(8e-4, 0.35, held=True),

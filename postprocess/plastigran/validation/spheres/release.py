@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A sphere pressed once, and let go from many forces on the way.
+"""Load a sphere once, and unload it from many forces on the way.
 
-`plastigran.fem.sphere.press` presses again after each release; here the loading goes on from where
-a release began, which is the same answer for half the increments.
+`plastigran.fem.sphere.press` reloads the sphere after each unloading. Here loading continues from
+the state before unloading, which gives the same result with half the increments.
 """
 
 from __future__ import annotations
@@ -29,16 +29,14 @@ def press_and_release(
     settings: Settings | None = None,
     progress: bool = False,
 ) -> Pressing:
-    """Press a sphere on a rigid plane and let it go from each of some forces.
+    """Load a sphere on a rigid plane and unload it from each of several forces.
 
-    Args as of `press`; it is let go from each of the forces.
+    Arguments and errors are as of `press`.
 
     Returns:
-        As of `press`, without snapshots; releases before the one that found no equilibrium, and
-        why in `stopped`.
-
-    Raises:
-        ValueError: As of `press`.
+        As of `press`, without snapshots. If an unloading found no equilibrium, only the earlier
+        ones
+        and the reason in `stopped`.
     """
     settings = settings or Settings()
     sphere = HertzSphere(material, radius)

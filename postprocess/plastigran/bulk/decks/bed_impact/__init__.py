@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Shot on a plate, held against the law's own central impact, or on a bed."""
+"""Shots on a plate, compared with the central impact of the law, or on a bed."""
 
 from __future__ import annotations
 
@@ -20,17 +20,17 @@ from plastigran.bulk.decks.bed_impact.measurement import (
 )
 from plastigran.declared import number, require, whole, word
 
-#: Error of the integrator at a sound time step: restitution, rebound speed and plastic work.
+#: Integrator's error at an adequate time step: restitution, rebound speed and plastic work.
 INTEGRATOR = 1e-3
-#: Plastic work of a last step of pouring, over that of the shot.
+#: Plastic work of one last step of pouring / plastic work of the shots.
 STEP = 1e-4
-#: What the closed form takes on a plate.
+#: Settings that the closed form needs for a plate.
 PLATE = {"shot_layers": 1, "gravitational_acceleration": 0, "bed_layers": 0, "filling": 0}
 
 
 @attrs.frozen(kw_only=True)
 class BedImpact(GranularDeck):
-    """Shot hits a plate, every one once, or a stream of it hits a bed of grains."""
+    """Shots hit a plate once each, or a stream of them hits a bed of grains."""
 
     briefs: ClassVar = {
         "plate": Brief(
@@ -42,7 +42,7 @@ class BedImpact(GranularDeck):
             {"target": "bed", "side": 4, "shot_layers": 1, "bed_layers": 5, "duration": 0.02}
             | {"rows": 40},
             start={"filling": 0.002, "duration": 0.002},
-            # The bed multiplies rounding.
+            # The bed amplifies round-off.
             restart=1e-6,
         ),
     }
@@ -61,7 +61,7 @@ class BedImpact(GranularDeck):
         require(self, "fastest", lower=self.slowest)
         if self.ledger != "on":
             raise ValueError(
-                "ledger is off; the plastic work of grains is part of it: set ledger=on"
+                "ledger is off, but the plastic work of the grains needs it. Set ledger=on"
             )
         if self.target == "plate":
             self._check_plate()
@@ -80,10 +80,10 @@ class BedImpact(GranularDeck):
                 raise ValueError(f"options: {name} {choice} changes the restitution or is unknown")
 
     def shots(self, grains: pd.DataFrame) -> pd.DataFrame:
-        """Speeds of each shot as measured, and its rebound as predicted on a plate [m/s].
+        """Return the measured speeds of each shot, and its predicted rebound on a plate [m/s].
 
         Args:
-            grains: Rows of `read_grains_dump`, of bed and shot.
+            grains: Rows of `read_grains_dump`, of bed and shots.
         """
         shot = measure_shots(
             grains.iloc[int(self.derived("bed")) :], self.radius, self.gravitational_acceleration
@@ -95,8 +95,8 @@ class BedImpact(GranularDeck):
         return shot
 
     def analyse(self, series: pd.DataFrame) -> Analysis:
-        """The shot's part of the run; arguments as for `BulkDeck.analyse`."""
-        table = since_first(series)  # which is when the shot begins
+        """Analyse the impact part of the run; arguments as for `BulkDeck.analyse`."""
+        table = since_first(series)  # when the shots start
         grains = read_grains_dump(self.output / "grains.dump")
         shot = self.shots(grains)
         of_grains, in_all = grains["plastic_work"].sum(), table["plastic"].iloc[-1]
@@ -104,10 +104,10 @@ class BedImpact(GranularDeck):
             count_check(table, self.derived("grains")),
             *self.ledger_checks(table),
             Check(
-                "plastic work of the grains against the ledger's, relative",
+                "plastic work of the grains compared with the energy balance, relative",
                 abs(of_grains - in_all) / max(in_all, 1e-300),
                 STEP,
-                "the same work, summed by grain and in all but for a step of the pouring",
+                "the same work, summed by grain and in total, except for one step of pouring",
             ),
         ]
         if self.target == "plate":
@@ -123,38 +123,38 @@ class BedImpact(GranularDeck):
 
 
 def plate_checks(shot: pd.DataFrame, mass: float, dissipated: pd.Series) -> list[Check]:
-    """Every shot against its own central impact, and all of them together.
+    """Compare every shot with its central impact, and all of them together.
 
     Args:
         shot: Columns of `measure_shots`, and `rebound_predicted` [m/s].
-        mass: Of a shot [kg].
-        dissipated: By yielding and viscosity so far, in all [J].
+        mass: Mass of a shot [kg].
+        dissipated: Total energy dissipated by yielding and viscosity [J].
     """
     predicted, impact = shot["rebound_predicted"], shot["impact_speed"]
     quantiles = np.sort(shot["rebound_speed"]) - np.sort(predicted)
     lost = 0.5 * mass * (impact**2 - predicted**2).sum()
-    reason = "the integrator's error at a sound time step"
+    reason = "the integrator's error at an adequate time step"
     return [
         Check(
             "shots that have not left the plate",
             (shot["rebound_speed"] <= 0).sum(),
             0,
-            "all hit and rebound in time; else raise duration",
+            "all shots hit and rebound in time; otherwise raise duration",
         ),
         Check(
-            "restitution of a shot against the law's, relative",
+            "restitution of a shot compared with the law, relative",
             (shot["rebound_speed"] / predicted - 1).abs().max(),
             INTEGRATOR,
             reason,
         ),
         Check(
-            "quantiles of rebound speed against the image of the impacts', over the fastest",
+            "quantiles of rebound speed compared with those predicted, divided by the fastest",
             abs(quantiles).max() / impact.max(),
             INTEGRATOR,
             reason,
         ),
         Check(
-            "energy dissipated against what the law's impacts lose, over the energy of impact",
+            "dissipated energy compared with the law, divided by the impact energy",
             abs(dissipated.iloc[-1] - lost) / (0.5 * mass * (impact**2).sum()),
             INTEGRATOR,
             reason,

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Figures of shot on a plate, against the law's restitution, and on a bed."""
+"""Figures of shots on a plate, compared with the law's restitution, and on a bed."""
 
 from __future__ import annotations
 
@@ -10,15 +10,15 @@ from matplotlib.figure import Figure
 
 from plastigran.plot.style import COLOURS, styled, subplots
 
-#: Shots drawn one by one where all lie on a curve.
+#: Number of shots drawn as points; all lie on one curve.
 SHOWN = 30
 
 
 def plate_figure(shot: pd.DataFrame) -> Figure:
-    """Restitution shot by shot on the law's curve; distributions of impact and rebound speed.
+    """Draw the restitution of shots on the curve of the law, and distributions of speed.
 
     Args:
-        shot: Columns impact_speed, rebound_speed, rebound_predicted [m/s], one row a shot.
+        shot: Columns impact_speed, rebound_speed, rebound_predicted [m/s], one row per shot.
     """
     with styled():
         figure, (left, right) = subplots(1, 2, figsize=(9.2, 3.8))
@@ -41,18 +41,18 @@ def plate_figure(shot: pd.DataFrame) -> Figure:
             label="rebound",
         )
         right.set_xlabel("speed (m/s)")
-        right.set_ylabel("share of the shot that is slower")
+        right.set_ylabel("fraction of slower shots")
         right.legend(loc="upper left")
     return figure
 
 
 def bed_figure(shot: pd.DataFrame, by_depth: pd.DataFrame, diameter: float) -> Figure:
-    """Rebound over impact speed beside the plate's curve; plastic work by depth.
+    """Draw rebound over impact speed with the curve of a plate, and plastic work by depth.
 
     Args:
-        shot: Columns impact_speed, rebound_speed, rebound_predicted [m/s], one row a shot.
-        by_depth: Columns depth [m], plastic_work [J], one row a layer.
-        diameter: Of the grains [m].
+        shot: Columns impact_speed, rebound_speed, rebound_predicted [m/s], one row per shot.
+        by_depth: Columns depth [m], plastic_work [J], one row per layer.
+        diameter: Grain diameter [m].
     """
     with styled():
         figure, (left, right) = subplots(1, 2, figsize=(9.2, 3.8))
@@ -67,13 +67,13 @@ def bed_figure(shot: pd.DataFrame, by_depth: pd.DataFrame, diameter: float) -> F
             alpha=0.75,
         )
         right.invert_yaxis()
-        right.set_xlabel(f"share of the plastic work, {total:.2g} J")
+        right.set_xlabel(f"fraction of the plastic work, {total:.2g} J")
         right.set_ylabel("depth (grain diameters)")
     return figure
 
 
 def _restitution(axes: Axes, ordered: pd.DataFrame, shown: pd.DataFrame) -> None:
-    """Points of the shot shown; the law's line over all of it, ordered by impact speed."""
+    """Draw points of the selected shots, and the law's line, sorted by impact speed."""
     axes.plot(
         shown["impact_speed"],
         shown["rebound_speed"] / shown["impact_speed"],

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Shot on a plate or a bed: speeds before and after, shot by shot, and plastic work by depth."""
+"""Measurements of shots on a plate or a bed: speeds of each shot, and plastic work by depth."""
 
 from __future__ import annotations
 
@@ -14,11 +14,12 @@ _NAMES = {"before[1]": "vz_before", "before[2]": "z_before"}
 
 
 def read_grains_dump(path: str | Path) -> pd.DataFrame:
-    """The last frame of the deck's `grains.dump`.
+    """Read the last frame of the deck's `grains.dump`.
 
     Returns:
-        One row a grain: `id`, `z` [m], `vz` [m/s], `touching`, how many others, `z_before` and
-        `vz_before`, before the shot, and `plastic_work` since then [J].
+        One row per grain: `id`, `z` [m], `vz` [m/s], `touching` (number of contacts), `z_before`
+            and
+        `vz_before` (before the impact), and `plastic_work` since then [J].
 
     Raises:
         DumpError: The file is not a dump.
@@ -31,21 +32,21 @@ def read_grains_dump(path: str | Path) -> pd.DataFrame:
 def measure_shots(
     shot: pd.DataFrame, radius: float, gravitational_acceleration: float
 ) -> pd.DataFrame:
-    """Speeds at which each shot meets and leaves the target's surface.
+    """Measure the speeds at which each shot reaches and leaves the surface of the target.
 
-    The lowest shot starts a radius above it. Between the surface and where a shot is, it flies
-    freely: v^2 + 2 g z stays.
+    The lowest shot starts a radius above the surface. Above the surface a shot flies freely, so
+    v^2 + 2 g z is constant.
 
     Args:
-        shot: Rows of `read_grains_dump`, of the shot alone.
-        radius: Of the shot [m].
-        gravitational_acceleration: g, downwards [m/s^2].
+        shot: Rows of `read_grains_dump`, of the shots only.
+        radius: Radius of a shot [m].
+        gravitational_acceleration: Downward acceleration g [m/s^2].
 
     Returns:
-        One row a shot: `impact_speed` and `rebound_speed` [m/s], 0 for one that does not fly above
+        One row per shot: `impact_speed` and `rebound_speed` [m/s], 0 for a shot that is not above
         the surface; `plastic_work` since the start [J].
     """
-    surface = shot["z_before"].min() - radius  # where a touching shot's centre is
+    surface = shot["z_before"].min() - radius  # height of the center of a touching shot
     fall = 2 * gravitational_acceleration * (shot["z_before"] - surface)
     rise = 2 * gravitational_acceleration * (shot["z"] - surface)
     speed = np.sqrt(shot["vz"] ** 2 + rise.clip(lower=0))
@@ -61,15 +62,15 @@ def measure_shots(
 
 
 def plastic_work_by_depth(grains: pd.DataFrame, surface: float, diameter: float) -> pd.DataFrame:
-    """Plastic work since the shot, in layers a diameter thick, at which depth it now lies.
+    """Return the plastic work since the impact in layers one diameter thick, by present depth.
 
     Args:
-        grains: Rows of `read_grains_dump`, of bed and shot.
-        surface: Height of the bed's highest point before the shot [m].
-        diameter: Of the grains [m].
+        grains: Rows of `read_grains_dump`, of bed and shots.
+        surface: Height of the top of the bed before the impact [m].
+        diameter: Grain diameter [m].
 
     Returns:
-        One row a layer: `depth` of its middle below the surface [m], `plastic_work` [J].
+        One row per layer: `depth` of its middle below the surface [m], `plastic_work` [J].
     """
     layer = np.floor((surface - grains["z"]) / diameter).clip(lower=0)
     work = grains["plastic_work"].groupby(layer).sum()
@@ -77,13 +78,13 @@ def plastic_work_by_depth(grains: pd.DataFrame, surface: float, diameter: float)
 
 
 def predicted_rebound(law, radius: float, mass: float, speeds: pd.Series) -> np.ndarray:
-    """V e(v) of central impacts on a plate of the same material [m/s], one a speed.
+    """Return v e(v) of central impacts on a plate of the same material [m/s], one per speed.
 
     Args:
-        law: Of `plastigran.laws`, between the two bodies.
-        radius: Of the shot [m].
-        mass: Of the shot [kg].
-        speeds: Of impact [m/s], (n,).
+        law: Law of `plastigran.laws` between the two bodies.
+        radius: Radius of a shot [m].
+        mass: Mass of a shot [kg].
+        speeds: Impact speeds (n,) [m/s].
     """
     speeds = np.asarray(speeds)
     return speeds * law.central_impact(radius, mass, speeds).coefficient_of_restitution

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The chute: its steady flow, weight's power against dissipation, and Bagnold's profile."""
+"""The chute: steady flow, power balance and Bagnold's profile."""
 
 from __future__ import annotations
 
@@ -18,11 +18,11 @@ from plastigran.declared import number, whole
 from plastigran.engine.dumps import read_dump
 from plastigran.physics.bagnold import Profile, fit_profile
 
-#: Share of the weight's work it may be off the centre of mass's, with rows as close as FINE_ROWS.
+#: Relative error of the work of the weight, for rows as close as FINE_ROWS.
 WEIGHT = 2e-3
-#: Share of the weight's power that the flow may keep, as motion above all.
+#: Fraction of the weight's power that the flow may store, mainly as kinetic energy.
 STEADY = 0.05
-#: Root mean square of what Bagnold's profile leaves over, over the speed at the surface.
+#: Root mean square deviation from Bagnold's profile / speed at the surface.
 PROFILE = 0.05
 
 #: A short run of few grains.
@@ -32,7 +32,7 @@ BRIEF |= {"duration": 0.06, "settling": 0, "rows": 12, "checkpoints": 4}
 
 @attrs.frozen(kw_only=True)
 class Chute(FlowDeck):
-    """Grains flow down a rough chute, periodic along the flow and across."""
+    """Grains flow down a rough chute, periodic along and across the flow."""
 
     briefs: ClassVar = {"": Brief(BRIEF, start={"duration": 0.012})}
 
@@ -40,11 +40,15 @@ class Chute(FlowDeck):
     length: int = whole("along the flow, in cells of two grains", 3)
     width: int = whole("across, in cells", 3)
     depth: int = whole("of the flow, in cells", 3)
-    start_speed: float = number("at the surface, with Bagnold's profile", "m/s", 0, closed=True)
-    size_spread: float = number("half of the grains are so much smaller", "-", 0, 0.3, True)
+    start_speed: float = number(
+        "speed at the surface, with Bagnold's profile", "m/s", 0, closed=True
+    )
+    size_spread: float = number(
+        "relative reduction of the radius of half of the grains", "-", 0, 0.3, True
+    )
 
     def analyse(self, series: pd.DataFrame) -> Analysis:
-        """The flow's profile and powers; arguments as for `BulkDeck.analyse`."""
+        """Analyse profile and power of the flow; arguments as for `BulkDeck.analyse`."""
         series = add_mechanics(series, radians(self.angle), self.gravitational_acceleration)
         steady = series[series["time"] >= self.settling]
         grains = read_dump(self.output / "grains.dump")
@@ -57,7 +61,7 @@ class Chute(FlowDeck):
         return Analysis(series, checks, {"chute": figure, **self.ledger_figure(series)})
 
     def power_checks(self, series: pd.DataFrame, steady: pd.DataFrame) -> list[Check]:
-        """Weight's work against speed and height, and its power against what the flow dissipates.
+        """Check the work of the weight, and its power against dissipation.
 
         Args:
             series: Columns time [s], gravity and gravity_predicted [J].
@@ -69,38 +73,38 @@ class Chute(FlowDeck):
         power = linregress(steady["time"], dissipated(steady)).slope
         return [
             Check(
-                "weight's work off that of the centre of mass, over the work",
+                "difference of the weight's work from that of the center of mass, relative",
                 (given + series["gravity_predicted"]).abs().max() / given.abs().max(),
                 WEIGHT * trapezia,
                 "m g (v sin(angle) t - z cos(angle)), integrated over lines of the log",
             ),
             Check(
-                "power of the weight off what the flow dissipates, over the power",
+                "difference between power of the weight and dissipation, relative",
                 abs(power / steady["weight_power"].mean() - 1),
                 STEADY,
-                "in steady flow m g v sin(angle) goes into friction and yielding",
+                "in steady flow, m g v sin(angle) is dissipated by friction and yielding",
             ),
         ]
 
 
 def flow_checks(steady: pd.DataFrame, profile: Profile) -> list[Check]:
-    """The flow goes on, with Bagnold's profile.
+    """Check that the flow continues, with Bagnold's profile.
 
     Args:
         steady: Column speed [m/s], after settling.
-        profile: Of that time.
+        profile: Profile of that time.
     """
     return [
         Check(
-            "mean over least speed of the flow",
+            "mean / smallest speed of the flow",
             steady["speed"].mean() / max(steady["speed"].min(), 1e-12),
             3,
             "a flow that stops has no steady speed",
         ),
         Check(
-            "speed off Bagnold's profile, over the speed at the surface",
+            "deviation from Bagnold's profile / speed at the surface",
             profile.residual,
             PROFILE,
-            "root mean square; the profile is of a dense flow deeper than its layers",
+            "root mean square; the profile holds for a dense flow deeper than its layers",
         ),
     ]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Figure of a chute flow: its grains, its profile, and weight's power against dissipation."""
+"""Figure of a chute flow: grains, profile, and power of weight and dissipation."""
 
 from __future__ import annotations
 
@@ -12,20 +12,20 @@ from plastigran.physics.bagnold import Profile
 from plastigran.plot.grains import draw_grains, mean_power
 from plastigran.plot.style import COLOURS, styled, subplots
 
-#: Time over which powers are averaged [s].
+#: Averaging time of powers [s].
 WINDOW = 0.12
 
 
 def chute_figure(
     series: pd.DataFrame, grains: pd.DataFrame, profile: Profile, settling: float
 ) -> Figure:
-    """The last grains coloured by speed; mean speed over height; powers over time.
+    """Draw the last grains colored by speed, mean speed over height, and powers over time.
 
     Args:
         series: Columns time [s], weight_power [W], plastic, friction and viscous [J].
         grains: Frames: columns step, x, y, z, radius [m], vx, vy, vz [m/s].
-        profile: Of the frames.
-        settling: Time before profile and powers are taken [s].
+        profile: Profile of the frames.
+        settling: Time before profile and powers are measured [s].
     """
     with styled():
         figure, (bed, speeds, powers) = subplots(
@@ -64,7 +64,7 @@ def _draw_powers(axes, series, settling) -> None:
     taken = mean_power(dissipated(series), series["time"], WINDOW)
     yielding = mean_power(series["plastic"], series["time"], WINDOW)
     axes.plot(series["time"], series["weight_power"], color=COLOURS[0], label="weight")
-    axes.plot(taken.index, taken, color=COLOURS[1], lw=1, label="taken by the flow")
+    axes.plot(taken.index, taken, color=COLOURS[1], lw=1, label="dissipated in the flow")
     axes.plot(yielding.index, yielding, ":", color=COLOURS[1], lw=1, label="by yielding")
     axes.axvline(settling, color="0.4", ls=":")
     axes.set_ylim(0, 1.2 * series["weight_power"].max())

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""What weight does in a chute flow, from the motion of the flow's centre of mass."""
+"""Work and power of the weight in a chute flow, from the motion of its center of mass."""
 
 from __future__ import annotations
 
@@ -12,16 +12,16 @@ from scipy.integrate import cumulative_trapezoid
 def add_mechanics(
     series: pd.DataFrame, angle: float, gravitational_acceleration: float
 ) -> pd.DataFrame:
-    """Potential energy and the power of the weight.
+    """Add potential energy and power of the weight.
 
     Args:
-        series: Columns time [s], mass [kg], z [m] and speed [m/s] of its centre.
-        angle: Of the chute [rad].
-        gravitational_acceleration: [m/s^2].
+        series: Columns time [s], mass [kg], z [m] and speed [m/s] of the center of mass.
+        angle: Angle of the chute [rad].
+        gravitational_acceleration: Gravitational acceleration [m/s^2].
 
     Returns:
-        The series with `gravity_predicted` [J], the change of the flow's potential energy, and
-        `weight_power` [W], m g v sin(angle).
+        The series with `gravity_predicted` [J], the change of potential energy, and `weight_power`
+        [W], m g v sin(angle).
     """
     weight = gravitational_acceleration * series["mass"]
     along = cumulative_trapezoid(series["speed"], series["time"], initial=0)

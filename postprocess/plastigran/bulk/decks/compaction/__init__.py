@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Die compaction: the pressure-density loop, the punch's work, Heckel's line."""
+"""Die compaction: pressure-density loop, work of the punch, Heckel's line."""
 
 from __future__ import annotations
 
@@ -16,12 +16,12 @@ from plastigran.declared import number, require, whole
 from plastigran.physics.heckel import TOUCH, Loop, measure_loop, punch_work
 from plastigran.plot.style import title
 
-#: What the sum over a hundred rows of the log may miss of the punch's work; trapezia of half the
-#: width miss a quarter.
+#: Error of the punch's work summed over a hundred rows; trapezoids of half the width have a quarter
+#: of it.
 HUNDRED_ROWS = 2e-3
-#: Kinetic over elastic energy of a quasi-static stroke, at most.
+#: Largest kinetic / elastic energy of a quasi-static stroke.
 SLOW = 0.02
-#: Share of the peak pressure above which the grains are a loaded bed.
+#: Fraction of the peak pressure above which the bed counts as loaded.
 LOADED = 0.2
 
 #: A short run of few grains.
@@ -31,9 +31,9 @@ BRIEF |= {"checkpoints": 10, "relative_density": 0.7, "release": 0.25}
 
 @attrs.frozen(kw_only=True)
 class Compaction(GranularDeck):
-    """Grains in a die are pressed by a punch and released."""
+    """A punch compresses grains in a die and releases them."""
 
-    # The bed multiplies rounding a thousandfold.
+    # The bed amplifies round-off a thousandfold.
     briefs: ClassVar = {
         "": Brief(
             BRIEF,
@@ -44,9 +44,11 @@ class Compaction(GranularDeck):
 
     die_radius: float = number("of the die and the punch", "m", 0)
     layers: int = whole("of grains poured in, on a cubic lattice", 3)
-    # Spheres stand at 0.5236 on the lattice; pressed flat they fill the die.
+    # Spheres on the lattice have 0.5236; flattened grains fill the die.
     relative_density: float = number("below the punch at its lowest", "-", 0.5236, 1)
-    release: float = number("share of its stroke the punch goes up again", "-", 0, 1 + 1e-12)
+    release: float = number(
+        "fraction of the stroke by which the punch moves up again", "-", 0, 1 + 1e-12
+    )
     duration: float = number("of the stroke down and up", "s", 0)
     filling: float = number("for the grains to come to rest", "s", 0)
 
@@ -55,16 +57,16 @@ class Compaction(GranularDeck):
         GranularDeck.check(self)
 
     def analyse(self, series: pd.DataFrame) -> Analysis:
-        """The punch's stroke alone; arguments as for `BulkDeck.analyse`."""
+        """Analyse the stroke of the punch; arguments as for `BulkDeck.analyse`."""
         table = self.stroke(series)
         loop = measure_loop(table["relative_density"], table["pressure"])
         checks = [
             count_check(table, self.derived("grains")),
             Check(
-                "pressure left at the end, over its peak",
+                "pressure at the end / peak pressure",
                 table["pressure"].iloc[-1] / loop.pressure,
                 TOUCH,
-                "the punch has left the grains; raise release",
+                "the punch has left the grains; otherwise raise release",
             ),
         ]
         if self.ledger == "on":
@@ -73,14 +75,15 @@ class Compaction(GranularDeck):
         return Analysis(table, checks, {"compaction": figure, **self.ledger_figure(table)})
 
     def stroke(self, series: pd.DataFrame) -> pd.DataFrame:
-        """The log of the stroke, with what is measured of it.
+        """Return the log of the stroke, with measured quantities.
 
         Args:
-            series: Columns time [s], height of the punch [m], force on it [N], and the ledger [J].
+            series: Columns time [s], height of the punch [m], force on it [N], and energy terms
+                [J].
 
         Returns:
-            The log with `time` [s] and the ledger from the stroke's start, and relative_density
-            [-], pressure [Pa] and punch_work [J].
+            The log with `time` [s] and energy terms counted from the start of the stroke, and
+            relative_density [-], pressure [Pa] and punch_work [J].
         """
         table = since_first(series)
         area, solid = pi * self.die_radius**2, table["atoms"] * 4 / 3 * pi * self.radius**3
@@ -91,15 +94,15 @@ class Compaction(GranularDeck):
 
 
 def energy_checks(table: pd.DataFrame, loop: Loop) -> list[Check]:
-    """The punch's work is what the ledger says walls put in, and it is done slowly."""
+    """Check the work of the punch against the energy balance, and that the stroke is slow."""
     loaded = table[table["pressure"] > LOADED * loop.pressure]
     missed = (table["wallwork"] - table["punch_work"]).abs().max() / table["wallwork"].max()
     return [
         Check(
-            "work of the punch against its force times travel, relative",
+            "work of the punch compared with force times travel, relative",
             missed,
             HUNDRED_ROWS * max(1, 100 / len(table)) ** 2,
-            f"trapezia between {len(table)} rows",
+            f"trapezoids between {len(table)} rows",
         ),
         Check(
             "kinetic over elastic energy under load",

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Figure of die compactions: pressure over relative density, and Heckel's plot of the loading."""
+"""Figure of die compactions: pressure over relative density, and Heckel's plot of loading."""
 
 from __future__ import annotations
 
@@ -12,12 +12,12 @@ from plastigran.plot.style import COLOURS, styled, subplots
 
 
 def compaction_figure(runs: dict[str, pd.DataFrame], yield_strengths: list[float]) -> Figure:
-    """Loops of loading and release; beside them, loading as Heckel draws it, with his line.
+    """Draw loops of loading and unloading, and loading in Heckel's plot with his line.
 
     Args:
-        runs: By label, columns relative_density [-] and pressure [Pa], row by row in time.
-        yield_strengths: Of each run's grains [Pa], for the slope 1/(3 sigma_Y); one that makes the
-            grains elastic draws none.
+        runs: Label to columns relative_density [-] and pressure [Pa], in order of time.
+        yield_strengths: Yield strength of the grains of each run [Pa], for the slope
+            1/(3 sigma_Y); elastic grains have no line.
     """
     with styled():
         figure, (loops, heckel) = subplots(1, 2, figsize=(9.2, 4.0))

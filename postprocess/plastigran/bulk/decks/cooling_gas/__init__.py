@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The freely cooling gas, held against the mean field of its law's own restitution."""
+"""The freely cooling gas, compared with mean-field theory for the law's restitution."""
 
 from __future__ import annotations
 
@@ -19,11 +19,11 @@ from plastigran.physics import central
 from plastigran.physics.kinetic_theory import FREEZING, Gas, cool, law_restitution
 from plastigran.plot.style import title
 
-#: What mean field itself may be off by: up to 7 % was found (docs/decks/cooling_gas.md).
+#: Error of mean-field theory: up to 7 % was measured (docs/decks/cooling_gas.md).
 MEAN_FIELD = 0.08
-#: Statistical standard deviations allowed.
+#: Number of standard deviations allowed.
 DEVIATIONS = 4
-#: The model's settings that leave the restitution alone, beside the law's options.
+#: Model options that do not change the restitution, in addition to those of the law.
 HARMLESS = ("tangential_damping", "energy_ledger", "overlap_limit")
 
 #: A short run of few grains.
@@ -32,7 +32,7 @@ BRIEF = {"side": 6, "duration": 40, "rows": 40, "checkpoints": 4}
 
 @attrs.frozen(kw_only=True)
 class CoolingGas(BulkDeck):
-    """Smooth spheres in a periodic box, which cool by their own impacts."""
+    """Smooth spheres in a periodic box, which cool by their impacts."""
 
     briefs: ClassVar = {
         "": Brief(
@@ -46,7 +46,7 @@ class CoolingGas(BulkDeck):
     volume_fraction: float = number("share of the box the grains fill", "-", 0, FREEZING)
     temperature: float = number("of each direction's velocity at the start", "m^2/s^2", 0)
     mixing: float = number("impacts a grain has before it may yield", "-", 0)
-    # A run that goes on may end later and be logged at other steps.
+    # A continued run may end later and have other log steps.
     duration: float = continuable(number("in mean times between a grain's first impacts", "-", 0))
     rows: int = continuable(whole("lines of the log", 1))
     checkpoints: int = continuable(whole("restart files on the way, a divisor of rows", 1))
@@ -63,25 +63,25 @@ class CoolingGas(BulkDeck):
 
     @property
     def count(self) -> int:
-        """Grains."""
+        """Number of grains."""
         return self.side**3
 
     @property
     def stall(self) -> float | None:
-        """v_Y^2 [m^2/s^2], v_Y the yield speed of two grains; None for a law without yield."""
+        """Square of the yield speed of two grains [m^2/s^2]; None for a law without yield."""
         speed = self.grains.yield_speed
         return None if speed is None else speed**2
 
     def gas(self) -> Gas:
-        """The grains with the law's restitution, from impacts too slow to matter to the fastest."""
+        """Gas with the law's restitution, for all speeds that matter."""
         grains, thermal = self.grains, self.temperature**0.5
         speeds = (1e-4 * thermal, 20 * thermal)
         restitution = law_restitution(grains.contact_law(), grains.radius, grains.mass, speeds)
         return Gas(grains.radius, self.volume_fraction, restitution, self.count)
 
     def analyse(self, series: pd.DataFrame) -> Analysis:
-        """The temperature beside mean field's; arguments as for `BulkDeck.analyse`."""
-        # Without drift N grains have 3(N - 1) free velocities.
+        """Compare the temperature with mean-field theory; arguments as for `BulkDeck.analyse`."""
+        # N grains without mean velocity have 3(N - 1) free velocities.
         scale = 2 / (3 * (self.count - 1) * self.grains.mass)
         series = series.assign(temperature=scale * series["kinetic_energy"])
         gas = self.gas()
@@ -100,20 +100,20 @@ class CoolingGas(BulkDeck):
                 "mean velocity of the gas over its thermal speed",
                 (series["flow"] / series["temperature"] ** 0.5).max(),
                 1e-9,
-                "impacts conserve momentum, to rounding",
+                "impacts conserve momentum, to round-off",
             ),
             Check(
-                "temperature gained, of that at the start",
+                "temperature gained / initial temperature",
                 gained / self.temperature,
                 stored,
-                "energy only moves in and out of impacts under way",
+                "energy is only exchanged with impacts in progress",
             ),
             Check(
-                "temperature against mean field, relative, in tolerances",
+                "relative difference of temperature from mean-field theory / tolerance",
                 (abs(ratio) / tolerance).max(),
                 1,
-                f"{MEAN_FIELD:g} for mean field, {DEVIATIONS} standard deviations of {self.count} "
-                "grains",
+                f"{MEAN_FIELD:g} for mean field, {DEVIATIONS} standard deviations of "
+                f"{self.count} grains",
             ),
             *self.ledger_checks(series),
         ]
@@ -122,11 +122,13 @@ class CoolingGas(BulkDeck):
         return Analysis(series, checks, {"cooling_gas": course, **self.ledger_figure(series)})
 
     def stored_share(self, gas: Gas) -> float:
-        """Bound on the share of the kinetic energy that impacts under way store at the start [-].
+        """Return a bound on the fraction of kinetic energy stored in impacts at the start [-].
 
-        Of N grains N s/2 pairs touch, s the collision rate times the elastic duration of the mean
-        impact. Each took m g^2/4 of 3/2 N m T, exponentially distributed about m T, and stores half
-        of it or so: in the mean s/6, with a standard deviation of s^(1/2)/(3 N^(1/2)).
+        Of N grains, N s/2 pairs touch, where s is the collision rate times the elastic duration of
+        the
+        mean impact. Each pair has taken m g^2/4 of 3/2 N m T, exponentially distributed about m T,
+        and
+        stores about half of it. The mean is s/6, with a standard deviation of s^(1/2)/(3 N^(1/2)).
         """
         grains = self.grains
         modulus, speed = grains.pair.youngs_modulus_eff, (pi * self.temperature) ** 0.5

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Figure of a cooling gas: granular temperature over time, against mean field."""
+"""Figure of a cooling gas: granular temperature over time, compared with mean-field theory."""
 
 from __future__ import annotations
 
@@ -14,14 +14,14 @@ from plastigran.plot.style import COLOURS, MARKERS, styled, subplots
 def cooling_figure(
     runs: dict[str, pd.DataFrame], stall: float | None, cooling_rate: float | None = None
 ) -> Figure:
-    """Points from the engine, lines from mean field, below their ratio within two deviations.
+    """Draw points from LIGGGHTS and lines of mean-field theory, and below their ratio.
 
     Args:
-        runs: By label, columns time [s], temperature, temperature_predicted [m^2/s^2] and
+        runs: Label to columns time [s], temperature, temperature_predicted [m^2/s^2] and
             temperature_error [-].
-        stall: v_Y^2 [m^2/s^2]; None where nothing yields.
-        cooling_rate: -d ln T/dt at the start [1/s], for the course it would take at a constant
-            restitution; None draws none.
+        stall: v_Y^2 [m^2/s^2]; None for a law without yield.
+        cooling_rate: -d ln T/dt at the start [1/s], for the curve of a constant restitution; None
+            for no curve.
     """
     with styled():
         figure, (axes, below) = subplots(

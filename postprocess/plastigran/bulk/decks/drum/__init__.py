@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The rotating drum: its angle of repose, and the wall's work against the weight's lever arm."""
+"""The rotating drum: angle of repose, and work of the wall against the lever arm of the weight."""
 
 from __future__ import annotations
 
@@ -20,12 +20,12 @@ from plastigran.engine.dumps import read_dump
 from plastigran.engine.spectra import QUANTITIES, partner_spectra, read_spectra
 from plastigran.plot.spectra import spectra_figure
 
-#: Angle at which a sphere without friction slides out of the hollow between three others [degrees].
+#: Angle at which a sphere without friction leaves the hollow between three others [degrees].
 HOLLOW = degrees(atan(8**-0.5))
-#: Share of the wall's work it may differ from the lever arm's by, with rows as close as FINE_ROWS:
-#: friction takes hold of a grain half an overlap beyond the wall's surface.
+#: Relative difference between work of the wall and lever arm, for rows as close as FINE_ROWS:
+#: friction acts on a grain half an overlap beyond the surface of the wall.
 LEVER_ARM = 2e-3
-#: Share of it that the bed may keep, as potential energy above all, while it swings.
+#: Fraction of the work that the swinging bed may store, mainly as potential energy.
 STEADY = 0.05
 
 #: A short run of few grains.
@@ -35,13 +35,13 @@ BRIEF |= {"rows": 12, "checkpoints": 4}
 
 @attrs.frozen(kw_only=True)
 class Drum(FlowDeck):
-    """A drum about half full of grains turns about its axis."""
+    """A drum about half full of grains rotates about its axis."""
 
     briefs: ClassVar = {"": Brief(BRIEF, start={"duration": 0.01})}
 
     drum_radius: float = number("of the shell", "m", 0)
     length: float = number("along the axis", "m", 0)
-    # From 1 on weight does not bring the grains back from the top.
+    # From 1, the weight does not bring the grains back from the top.
     froude: float = number("omega^2 R/g", "-", 0, 1)
     bed_height: float = number("of the lattice above the axis", "drum radii", -0.8, 0.8)
     duration: float = number("of the run", "revolutions", 0)
@@ -54,21 +54,23 @@ class Drum(FlowDeck):
         # The shell is as long as its radius.
         require(self, "length", lower=4 * largest, upper=self.drum_radius)
         if self.law == "hertz" and self.spectra == "on":
-            raise ValueError("spectra is on; the engine's own hertz counts none: set spectra=off")
+            raise ValueError("spectra is on, but LIGGGHTS' own hertz has none. Set spectra=off")
         FlowDeck.check(self)
 
     @property
     def angular_velocity(self) -> float:
-        """Of the shell [1/s]."""
+        """Angular velocity of the shell [1/s]."""
         return (self.froude * self.gravitational_acceleration / self.drum_radius) ** 0.5
 
     @property
     def settled(self) -> float:
-        """Time before angle and power are taken [s]."""
+        """Time before angle and power are measured [s]."""
         return 2 * pi / self.angular_velocity * self.settling
 
     def analyse(self, series: pd.DataFrame) -> Analysis:
-        """The bed's angle and the wall's work; arguments as for `BulkDeck.analyse`."""
+        """Analyse the angle of the bed and the work of the wall; arguments as for
+        `BulkDeck.analyse`.
+        """
         series = add_mechanics(series, self.angular_velocity, self.gravitational_acceleration)
         steady = series[series["time"] >= self.settled]
         dump = read_dump(self.output / "grains.dump")
@@ -85,39 +87,45 @@ class Drum(FlowDeck):
         return Analysis(series, checks, {**figures, **self.ledger_figure(series)})
 
     def angle_checks(self, steady: pd.DataFrame) -> list[Check]:
-        """The mean angle lies between nothing and what friction can hold.
+        """Check that the mean angle is between zero and what friction can hold.
 
         Args:
             steady: Column angle [degrees], after settling.
         """
         angle = steady["angle"].mean()
         return [
-            Check("lean of the bed against the rotation", -angle, 0, "the wall drags it along"),
+            Check(
+                "inclination of the bed against the rotation",
+                -angle,
+                0,
+                "the wall drags the bed along",
+            ),
             Check(
                 "angle of repose",
                 angle,
                 HOLLOW + degrees(atan(self.coefficient_of_friction)),
-                "from there on grains slide out of the hollows between three others",
+                "beyond this angle, grains slide out of the hollows between three others",
             ),
         ]
 
     def power_checks(self, series: pd.DataFrame, steady: pd.DataFrame) -> list[Check]:
-        """The wall's work against the weight's lever arm, and against what the bed dissipates.
+        """Check the work of the wall against the lever arm of the weight and against dissipation.
 
-        Not the first with rolling friction: LIGGGHTS takes a wall's as of one that does not turn, a
-        couple on the grains without any work of the wall.
+        The first check is left out with rolling friction: LIGGGHTS computes it as if the wall did
+        not
+        rotate, a couple on the grains without work of the wall.
 
         Args:
             series: Columns time [s], wallwork, wallwork_predicted [J].
-            steady: Rows after settling, with plastic, friction and viscous [J] too.
+            steady: Rows after settling, with plastic, friction and viscous [J], too.
         """
         share = linregress(steady["wallwork"], dissipated(steady)).slope
         checks = [
             Check(
-                "power of the wall off what the bed dissipates, over the power",
+                "difference between power of the wall and dissipation, relative",
                 abs(share - 1),
                 STEADY,
-                "the bed swings about a steady state",
+                "the bed oscillates about a steady state",
             )
         ]
         if self.rolling_friction == "off":
@@ -127,7 +135,7 @@ class Drum(FlowDeck):
             )
             checks.append(
                 Check(
-                    "wall work off the weight's lever arm, over the wall work",
+                    "difference between work of the wall and lever arm of the weight, relative",
                     missed / series["wallwork"].abs().max(),
                     LEVER_ARM * trapezia,
                     "m g x omega and the change of angular momentum, integrated over lines of the "

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Figure of a rotating drum: the bed, its angle over time, and where the wall's power goes."""
+"""Figure of a rotating drum: the bed, its angle over time, and the power of the wall."""
 
 from __future__ import annotations
 
@@ -12,21 +12,21 @@ from plastigran.bulk.checks import dissipated
 from plastigran.plot.grains import draw_grains, mean_power
 from plastigran.plot.style import COLOURS, styled, subplot_mosaic
 
-#: Revolutions over which powers are averaged: avalanches come and go within less.
+#: Averaging window of powers in revolutions; avalanches are shorter.
 WINDOW = 0.05
 
 
 def drum_figure(
     series: pd.DataFrame, grains: pd.DataFrame, drum_radius: float, settling: float
 ) -> Figure:
-    """The bed along its axis, coloured by speed; its angle; powers of wall, weight and bed.
+    """Draw the bed along its axis, colored by speed; its angle; powers of wall, weight and bed.
 
     Args:
         series: Columns time [s], revolutions, angle [degrees], and works [J]: wallwork,
             wallwork_predicted, plastic, friction, viscous.
-        grains: Columns x, y, z, radius [m], vx, vz [m/s] of one moment.
-        drum_radius: [m].
-        settling: Time before angle and power are taken [s].
+        grains: Columns x, y, z, radius [m], vx, vz [m/s] at one time.
+        drum_radius: Radius of the drum [m].
+        settling: Time before angle and power are measured [s].
     """
     steady = series[series["time"] >= settling]
     angle = steady["angle"].mean()
@@ -60,7 +60,7 @@ def _draw_bed(axes, grains, drum_radius, angle) -> None:
     axes.plot(half_chord * np.cos(lean), half_chord * np.sin(lean), "--", color="0.2", lw=1)
     axes.set_xlim(-1.05 * drum_radius, 1.05 * drum_radius)
     axes.set_ylim(-1.05 * drum_radius, 1.05 * drum_radius)
-    scale = axes.inset_axes((0.3, 0.82, 0.4, 0.03))  # where the drum is empty
+    scale = axes.inset_axes((0.3, 0.82, 0.4, 0.03))  # the drum is empty there
     axes.figure.colorbar(discs, cax=scale, label="speed (m/s)", orientation="horizontal")
 
 
@@ -82,11 +82,12 @@ def _draw_powers(axes, series) -> None:
         color=COLOURS[0],
         mfc="white",
         ms=4,
-        label="weight's lever arm",
+        label="lever arm of the weight",
     )
-    axes.plot(revolutions, taken, color=COLOURS[1], lw=1, label="taken by the bed")
+    axes.plot(revolutions, taken, color=COLOURS[1], lw=1, label="dissipated in the bed")
     axes.plot(revolutions, yielding, color=COLOURS[1], lw=1, ls=":", label="by yielding")
-    axes.set_ylim(0, 2.2 * wall.max() or None)  # no wall work is known without a ledger
+    # without energy balance the work of the wall is unknown
+    axes.set_ylim(0, 2.2 * wall.max() or None)
     axes.set_ylabel("power (mW)")
     axes.set_xlabel("revolutions")
     axes.legend(loc="upper right", ncols=2, fontsize="small")

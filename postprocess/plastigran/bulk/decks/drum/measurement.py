@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""What the centre of mass of a drum's bed says of the bed."""
+"""Measurements of a drum's bed from its center of mass."""
 
 from __future__ import annotations
 
@@ -13,19 +13,18 @@ from scipy.integrate import cumulative_trapezoid
 def add_mechanics(
     series: pd.DataFrame, angular_velocity: float, gravitational_acceleration: float
 ) -> pd.DataFrame:
-    """Revolutions, the bed's angle, and the work its weight asks of the wall.
+    """Add revolutions, the angle of the bed, and the expected work of the wall.
 
     Args:
-        series: Columns time [s], mass [kg], x, z [m] of its centre, and momentum, the angular one
-            about the axis [kg m^2/s].
-        angular_velocity: Of the drum [1/s].
-        gravitational_acceleration: [m/s^2].
+        series: Columns time [s], mass [kg], x, z [m] of the center of mass, and momentum, the
+            angular momentum about the axis [kg m^2/s].
+        angular_velocity: Angular velocity of the drum [1/s].
+        gravitational_acceleration: Gravitational acceleration [m/s^2].
 
     Returns:
-        The series with `revolutions`; `angle`, the lean of the bed [degrees]: that of the line from
-        the axis to the centre of mass, which is normal to a segment's chord; and
-        `wallwork_predicted` [J]: the wall has the torque of the weight about the axis, and changes
-        the bed's angular momentum, and its work is the torque's at the drum's angular velocity.
+        The series with `revolutions`; `angle`, the inclination of the bed [degrees], which is that
+        of the line from the axis to the center of mass; and `wallwork_predicted` [J], the work of
+        the torque that balances the weight and changes the angular momentum of the bed.
     """
     torque = gravitational_acceleration * series["mass"] * series["x"]
     impulse = cumulative_trapezoid(torque, series["time"], initial=0)

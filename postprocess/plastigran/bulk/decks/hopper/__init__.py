@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The hopper: its ledger, its grains, and its rate of discharge against Beverloo's law."""
+"""The hopper: energy balance, number of grains, and discharge rate by Beverloo's law."""
 
 from __future__ import annotations
 
@@ -18,21 +18,21 @@ from plastigran.physics.beverloo import BLOCKS, STEADY_SHARE, Discharge, measure
 
 #: Standard deviations by which the rates of two halves may differ.
 DEVIATIONS = 4
-#: Share of the rate it may change by beside, as the level sinks: 2080 grains lose 4.5 % on average
+#: Further relative change of the rate as the level sinks: 2080 grains lose 4.5 % on average
 #: (docs/decks/hopper.md).
 LEVEL = 0.05
-#: Said of a run that `measure_discharge` finds no steady discharge in.
+#: Note on a run without steady discharge.
 UNMEASURED = (
-    f"the rate of discharge was not measured: the run ended before {STEADY_SHARE:.0%} of the "
-    f"grains were out, has less than {2 * BLOCKS} rows until then, or its bed is too shallow; "
-    "raise duration, rows or layers"
+    f"the discharge rate was not measured. The run ended before {STEADY_SHARE:.0%} of the "
+    f"grains were out, has less than {2 * BLOCKS} rows until then, or its bed is too shallow. "
+    "Raise duration, rows or layers"
 )
-#: Layers of the lattice that stand in the barrel.
+#: Layers of the lattice that fit into the barrel.
 LAYERS = 20
 
 
 def orifices() -> list[str]:
-    """Those that have a mesh, in diameters of a grain."""
+    """Return the orifices that have a mesh, in grain diameters."""
     names = (file.stem for file in (inputs_folder() / "meshes").glob("hopper_*.stl"))
     return sorted((name.removeprefix("hopper_") for name in names), key=float)
 
@@ -44,34 +44,38 @@ BRIEF |= {"filling": 0.12, "checkpoints": 6}
 
 @attrs.frozen(kw_only=True)
 class Hopper(GranularDeck):
-    """Grains fill a hopper of triangles and run out of its orifice."""
+    """Grains fill a hopper of triangles and flow out of its orifice."""
 
     briefs: ClassVar = {
         "": Brief(BRIEF, start={"filling": 0.01, "duration": 0.01, "rows": 4, "checkpoints": 1})
     }
 
-    orifice: str = text("its diameter, in grains', of inputs/meshes/hopper_*.stl")
-    layers: int = whole("of some 200 grains each", 1)
+    orifice: str = text("orifice diameter in grain diameters, of inputs/meshes/hopper_*.stl")
+    layers: int = whole("number of layers of about 200 grains", 1)
     temperature: float = number("of each direction's velocity at the start", "m^2/s^2", 0)
     filling: float = number("for the grains to come to rest", "s", 0)
-    duration: float = number("in times Beverloo's law takes to empty the hopper", "-", 0)
+    duration: float = number(
+        "duration in times that Beverloo's law needs to empty the hopper", "-", 0
+    )
     beverloo_coefficient: float = number("C of Beverloo's law", "-", 0)
     empty_annulus: float = number("k of Beverloo's law", "-", 0)
 
     def check(self) -> None:
         if self.layers > LAYERS:
-            raise ValueError(f"layers is {self.layers}; the barrel takes {LAYERS}")
+            raise ValueError(f"layers is {self.layers}; at most {LAYERS} fit into the barrel")
         GranularDeck.check(self)
 
     def check_inputs(self) -> None:
         if self.orifice not in orifices():
             raise ValueError(
-                f"orifice is {self.orifice}; there are hoppers of {', '.join(orifices())} "
-                "(inputs/meshes/make_hopper.py makes others)"
+                f"orifice is {self.orifice}; there are meshes for {', '.join(orifices())}. Use "
+                "inputs/meshes/make_hopper.py to make others"
             )
 
     def discharge(self, series: pd.DataFrame) -> Discharge | None:
-        """The steady discharge of a series that begins when the orifice opens; None without one."""
+        """Return the steady discharge of a series that starts when the orifice opens; None without
+        one.
+        """
         diameter = 2 * self.radius
         return measure_discharge(
             series,
@@ -84,7 +88,9 @@ class Hopper(GranularDeck):
         )
 
     def analyse(self, series: pd.DataFrame) -> Analysis:
-        """The discharge from when the orifice opens; arguments as for `BulkDeck.analyse`."""
+        """Analyse the discharge from the opening of the orifice; arguments as for
+        `BulkDeck.analyse`.
+        """
         series = series.assign(time=series["time"] - series["time"].iloc[0])  # the orifice opens
         discharge = self.discharge(series)
         missing = series["held"] + series["counted"] - self.derived("grains")
@@ -93,7 +99,7 @@ class Hopper(GranularDeck):
                 "grains neither in the hopper nor counted out",
                 missing.abs().max(),
                 0,
-                "the mesh keeps those that do not pass the orifice",
+                "the mesh keeps grains that do not pass the orifice",
             ),
             *self.ledger_checks(series),
             *(discharge_checks(discharge) if discharge else []),
@@ -104,19 +110,19 @@ class Hopper(GranularDeck):
 
 
 def discharge_checks(discharge: Discharge) -> list[Check]:
-    """The rate is that of Beverloo's law, and steady."""
+    """Check that the rate follows Beverloo's law and is steady."""
     low, high = discharge.band
     return [
         Check(
-            "discharge rate beyond Beverloo's law, over the nearer edge of its band",
+            "discharge rate outside the band of Beverloo's law / nearer edge of the band",
             max(low / discharge.rate, discharge.rate / high),
             1,
             "experiments scatter: C 0.55 to 0.65, k 1 to 2",
         ),
         Check(
-            "change of the rate from half to half of the steady part, over the rate",
+            "change of the rate between the halves of the steady part, relative",
             abs(discharge.change) / discharge.rate,
             LEVEL + DEVIATIONS * discharge.change_error / discharge.rate,
-            f"the level hardly enters: {LEVEL:g}, and {DEVIATIONS} standard deviations",
+            f"the level has little influence: {LEVEL:g}, and {DEVIATIONS} standard deviations",
         ),
     ]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Figure of a hopper: grains out over time, and the rate over the orifice."""
+"""Figure of a hopper: discharged mass over time, and rate over orifice diameter."""
 
 from __future__ import annotations
 
@@ -13,12 +13,12 @@ from plastigran.plot.style import COLOURS, styled, subplots
 
 
 def discharge_figure(series: pd.DataFrame, discharge: Discharge | None, mass: float) -> Figure:
-    """Mass out over time, the line through its steady part, and Beverloo's law.
+    """Draw the discharged mass over time, the line through its steady part, and Beverloo's law.
 
     Args:
-        series: Columns time [s] and counted, the grains out.
-        discharge: The run's; None where it has no steady part.
-        mass: Of a grain [kg].
+        series: Columns time [s] and counted, the number of discharged grains.
+        discharge: Steady discharge of the run, or None.
+        mass: Mass of a grain [kg].
     """
     with styled():
         figure, axes = subplots(figsize=(6.4, 4.4))
@@ -28,7 +28,7 @@ def discharge_figure(series: pd.DataFrame, discharge: Discharge | None, mass: fl
             discharge,
             mass,
             COLOURS[0],
-            "discharge, thick where its rate is taken" if discharge else "discharge",
+            "discharge, thick where its rate is measured" if discharge else "discharge",
         )
         if discharge:
             time = np.array([discharge.start, discharge.stop])
@@ -51,10 +51,10 @@ def discharge_figure(series: pd.DataFrame, discharge: Discharge | None, mass: fl
 
 
 def orifices_figure(runs: list[tuple[pd.DataFrame, Discharge, float]]) -> Figure:
-    """Mass out over time of several orifices, and rate^(2/5) over the orifice with its C and k.
+    """Draw discharged mass over time for several orifices, and rate^(2/5) over the orifice.
 
     Args:
-        runs: Series, discharge and mass of a grain [kg] of three orifices or more.
+        runs: Series, discharge and mass of a grain [kg] for three or more orifices.
     """
     discharges = [discharge for _, discharge, _ in runs]
     constants = fit_constants(discharges)
@@ -110,7 +110,7 @@ def draw_course(
     colour: str,
     label: str,
 ) -> None:
-    """Mass out over time, thick where the rate was taken."""
+    """Draw discharged mass over time, thick where the rate is measured."""
     out = mass * series["counted"]
     axes.plot(series["time"], out, color=colour, lw=1, label=label)
     if discharge:
