@@ -8,7 +8,7 @@ import sys
 
 
 def start() -> int:
-    """Run the command; one that is stopped while it still loads says so, too."""
+    """Run the command; report an interrupt also while modules load."""
     signal.signal(signal.SIGTERM, signal.default_int_handler)
     try:
         from plastigran.cli import main  # takes a second

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""What to cite: the software, and the works that a law is made of, as BibTeX."""
+"""Citations of the software, and of the sources of laws, as BibTeX."""
 
 from __future__ import annotations
 
@@ -14,18 +14,18 @@ SOFTWARE = "plastigran"
 
 
 def entries() -> dict[str, str]:
-    """Every entry of `plastigran/data/sources.bib` as its BibTeX, by key."""
+    """Return every entry of `plastigran/data/sources.bib` as BibTeX, by key."""
     text = (files("plastigran") / "data" / "sources.bib").read_text(encoding="utf-8")
     return {found[2]: found[0] for found in ENTRY.finditer(text)}
 
 
 def fields(entry: str) -> dict[str, str]:
-    """The fields of an entry, such as `author`, `year` and `keywords`."""
+    """Return the fields of an entry, such as `author`, `year` and `keywords`."""
     return dict(FIELD.findall(entry))
 
 
 def subjects() -> dict[str, list[str]]:
-    """What there is something to cite for, laws and `rate_factor`: the keys of its entries."""
+    """Return the keys of entries for each law and for `rate_factor`."""
     found: dict[str, list[str]] = {}
     for key, entry in entries().items():
         for subject in fields(entry)["keywords"].split(", "):
@@ -34,17 +34,17 @@ def subjects() -> dict[str, list[str]]:
 
 
 def cite(names: Iterable[str] | str = ()) -> str:
-    """BibTeX of the software and of the works some laws are made of.
+    """Return BibTeX of the software and of the sources of some laws.
 
     Args:
-        names: Of laws, or `rate_factor`; without any the software alone.
+        names: Names of laws, or `rate_factor`; without names only the software.
 
     Returns:
-        The entries, the software's first, each once; before them a line, which BibTeX passes over,
-        for each law that is this software's own.
+        The entries, the software's first, each once. A comment line before them names each law that
+        is from this software.
 
     Raises:
-        ValueError: A name there is no entry for; the message lists those there are.
+        ValueError: A name has no entry; the message lists those that have one.
     """
     names = [names] if isinstance(names, str) else list(names)
     known, found = subjects(), entries()
@@ -53,6 +53,6 @@ def cite(names: Iterable[str] | str = ()) -> str:
     keys = dict.fromkeys([SOFTWARE, *(key for name in names for key in known[name])])
     own = [name for name in names if known[name] == [SOFTWARE]]
     notes = [
-        f"% {name} is a law of this software: the entry of {SOFTWARE} is its own.\n" for name in own
+        f"'% {name} is a law of this software; cite the entry of {SOFTWARE}.\n'" for name in own
     ]
     return "\n".join([*notes, *(KEYWORDS.sub("", found[key]) for key in keys)])

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A contact of two bodies under a law, without the engine."""
+"""A contact of two bodies with a law, without LIGGGHTS."""
 
 from __future__ import annotations
 
@@ -25,31 +25,34 @@ _MASS = Declaration("m*", "kg", lower=0)
 
 
 class RangeWarning(UserWarning):
-    """A contact was taken beyond the overlaps its law is good for."""
+    """A contact exceeds the validity range of its law."""
 
 
 class Contact:
-    """Two bodies that meet under a law.
+    """Contact of two bodies with a law.
 
     Args:
         law: Name of the law.
-        a, b: The bodies' materials: one of `plastigran.material`, its name or file, or
+        a, b: Materials of the bodies: a result of `plastigran.material`, a name or file, or
             `plastigran.RIGID`.
-        radius: Of body a [m].
-        radius_other: Of body b [m]; None for a flat.
-        mass_eff: m* [kg]; None takes spheres, or cylinders of `cylinder_length`, of the materials'
-            densities. A flat and a body without density do not move.
-        constants: The law's own constants and options; those that the material of a gives, or of b
-            where a is rigid, need not be said.
+        radius: Radius of body a [m].
+        radius_other: Radius of body b [m]; None for a flat.
+        mass_eff: m* [kg]; None for spheres, or cylinders of `cylinder_length`, with the densities
+            of
+            the materials. A flat and a body without density do not move.
+        constants: Constants and options of the law. Those that the material of a defines, or of b
+            if
+            a is rigid, can be omitted.
 
     Attributes:
-        law: The law between the bodies, an instance of a class of `plastigran.laws.LAWS`.
-        pair: What the bodies bring to the contact.
+        law: Law between the bodies, an instance of a class of `plastigran.laws.LAWS`.
+        pair: Constants of the two bodies.
         radius_eff: R* [m].
 
     Raises:
-        ValueError: There is no such law or material, a value is missing, no number or out of range;
-            the message names it.
+        ValueError: The law or material does not exist, or a value is missing, not a number or out
+            of
+            range; the message names it.
     """
 
     def __init__(
@@ -80,7 +83,7 @@ class Contact:
 
     @property
     def mass_eff(self) -> float:
-        """m* [kg].
+        """Effective mass m* [kg].
 
         Raises:
             ValueError: No body has a mass.
@@ -88,7 +91,7 @@ class Contact:
         if self._mass_eff is None:
             inverse = sum(1 / mass for mass in map(self._mass, self._bodies, self._radii))
             if inverse == 0:
-                raise ValueError("no body has a density and a radius; give mass_eff [kg]")
+                raise ValueError("no body has a density and a radius. Give mass_eff [kg]")
             return 1 / inverse
         return self._mass_eff
 
@@ -100,17 +103,18 @@ class Contact:
         return pi * radius**2 * self._constants["cylinder_length"] * body.density
 
     def path(self, overlaps: ArrayLike) -> pd.DataFrame:
-        """What the contact answers along a path of overlaps, from its first touch.
+        """Return the response along a path of overlaps, from first touch.
 
         Args:
-            overlaps: (N,) [m].
+            overlaps: Overlaps (N,) [m].
 
         Returns:
-            (N,) rows: overlap [m], force [N], contact_radius [m], elastic_energy [J], what
-            unloading would give back, and plastic_work [J], what it would not.
+            (N,) rows: overlap [m], force [N], contact_radius [m], elastic_energy [J] (recoverable)
+            and
+            plastic_work [J] (dissipated).
 
         Warns:
-            RangeWarning: An overlap is beyond the law's range.
+            RangeWarning: An overlap exceeds the range of the law.
         """
         import pandas as pd  # slow to load
 
@@ -122,7 +126,7 @@ class Contact:
 
     @property
     def overlap_range(self) -> float:
-        """Largest overlap that the law is good for [m]; in words `law.range`."""
+        """Largest valid overlap of the law [m]; `law.range` describes the range in words."""
         return self.law.overlap_range * self.radius_eff
 
     @property
@@ -131,25 +135,31 @@ class Contact:
 
         Spheres: R* (pi p_y/(2 E*))^2, where the largest Hertzian pressure is p_y, the contact yield
         pressure of the weaker body (Johnson, Contact Mechanics, 1985, sec. 6.1). Cylinders: where
-        the mean pressure is 1.5 sigma_Y (Katta & Polycarpou 2010, J. Tribol. 132). The same for
+        the mean pressure is 1.5 sigma_Y (Katta & Polycarpou 2010, J. Tribol. 132). It is the same
+        for
         every law of a shape; a law may leave its elastic curve earlier or later.
 
         Raises:
-            ValueError: A cylinder's contact at yield is too wide for the body's thickness.
+            ValueError: The contact of a cylinder at yield is too large for the thickness of the
+                body.
         """
         return self._yield()[1]
 
     @property
     def yield_force(self) -> float:
-        """Force at `yield_overlap` [N]: for spheres pi^3 p_y^3 R*^2/(6 E*^2), for cylinders
-        36 sigma_Y^2 R* L/(pi E*); infinite for a law without yield. Sources and errors as there.
+        """Force at `yield_overlap` [N]; infinite for a law without yield.
+
+        Spheres: pi^3 p_y^3 R*^2/(6 E*^2). Cylinders: 36 sigma_Y^2 R* L/(pi E*). Sources and errors
+        are
+        as for `yield_overlap`.
         """
         return self._yield()[0]
 
     @property
     def yield_speed(self) -> float:
-        """Closing speed of a central impact that just reaches `yield_overlap` [m/s], from
-        1/2 m* v_y^2 = W_y, the elastic work up to there; infinite for a law without yield.
+        """Closing speed of a central impact that just reaches `yield_overlap` [m/s].
+
+        From 1/2 m* v_y^2 = W_y, the elastic work up to there; infinite for a law without yield.
 
         Source: Thornton 1997, J. Appl. Mech. 64:383, eq. 22: W_y = 2/5 F_y overlap_y for spheres.
 
@@ -159,7 +169,7 @@ class Contact:
         return sqrt(2 * self._yield()[2] / self.mass_eff)
 
     def _yield(self) -> tuple[float, float, float]:
-        """Force [N], overlap [m] and work [J]."""
+        """Return force [N], overlap [m] and work [J] at yield."""
         if not self.law.yields:
             return inf, inf, inf
         if self.law.shape == "sphere":
@@ -170,14 +180,15 @@ class Contact:
     def _warn(self, name: str, unit: str, outside: np.ndarray) -> None:
         if outside.size:
             warnings.warn(
-                f"{name} {outside.min():.3g} {unit} is beyond the range of {self.law.name}: "
-                f"overlap {self.overlap_range:.3g} m ({self.law.range})",
+                f"{name} {outside.min():.3g} {unit} exceeds the validity range of law "
+                f"{self.law.name}, which ends at an overlap of {self.overlap_range:.3g} m "
+                f"({self.law.range})",
                 RangeWarning,
                 stacklevel=3,
             )
 
     def impact(self, speeds: ArrayLike) -> laws.ImpactOutcome:
-        """Central impacts at closing speeds of any shape [m/s]; what came of them has that shape.
+        """Return central impacts at closing speeds [m/s] of any shape; results have that shape.
 
         Raises:
             ValueError: A speed is out of range, or no body has a mass.
@@ -185,21 +196,22 @@ class Contact:
         return self.law.central_impact(self.radius_eff, self.mass_eff, speeds)
 
     def restitution(self, speeds: ArrayLike) -> float | np.ndarray:
-        """Coefficient of restitution at closing speeds of any shape [m/s].
+        """Return the coefficient of restitution at closing speeds [m/s] of any shape.
 
         Raises:
             ValueError: As for `impact`.
 
         Warns:
-            RangeWarning: The overlap at a speed is beyond the law's range.
+            RangeWarning: The overlap at a speed exceeds the range of the law.
         """
         found = self.impact(speeds)
         self._warn("speed", "m/s", np.asarray(speeds)[~np.asarray(found.in_range)])
         return found.coefficient_of_restitution
 
     def timestep(self, speed: ArrayLike) -> float | np.ndarray:
-        """Time step that resolves the rebound at closing speeds of any shape [m/s] to 1e-3 in
-        restitution [s].
+        """Return the time step [s] with an error of 1e-3 in restitution, at closing speeds [m/s].
+
+        The speeds may have any shape.
 
         Raises:
             ValueError: The speed is out of range, or no body has a mass.

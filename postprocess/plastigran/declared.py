@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Quantities declared once, as attrs fields: unit, bounds and meaning beside the name.
 
-Cases of experiments and settings of bulk decks are attrs classes of such fields. A value is taken
-as a number or as a deck's text, and is checked when the object is made: the error names the field,
-the value and what is allowed. Who needs unit, bounds or meaning (a command line, a table, a page)
-reads them from the field's metadata, `declaration(cls)`.
+Cases of experiments and settings of bulk decks are attrs classes of such fields. A value may be a
+number or the text of a deck. It is checked when the object is created; the error names the field,
+the
+value and what is allowed. Command lines, tables and pages read unit, bounds and meaning from the
+metadata of the field, `declaration(cls)`.
 """
 
 from __future__ import annotations
@@ -18,21 +19,21 @@ import attrs
 
 
 class SizeWarning(UserWarning):
-    """A size is far from those of grains."""
+    """A size is unusual for grains."""
 
 
 @attrs.frozen
 class Declaration:
-    """What is said of one field.
+    """Declaration of one field.
 
     Attributes:
-        meaning: In words.
-        unit: SI, "-" for none.
+        meaning: Meaning in words.
+        unit: SI unit, "-" for none.
         lower, upper: Bounds.
         closed: Whether the bounds themselves are allowed.
-        choices: Of a word.
-        kind: What a text is read as: float, int or str.
-        usual: Range outside of which a value is taken, with a warning to check its unit; or None.
+        choices: Allowed words.
+        kind: Type of the value: float, int or str.
+        usual: Range outside of which a value gives a warning to check its unit; or None.
     """
 
     meaning: str
@@ -45,7 +46,7 @@ class Declaration:
     usual: tuple[float, float] | None = None
 
     def allowed(self) -> str:
-        """The range in words."""
+        """Allowed range in words."""
         if self.choices:
             return f"must be {', '.join(self.choices)}"
         if (self.lower, self.upper) == (-inf, inf):
@@ -57,7 +58,7 @@ class Declaration:
         return f"must lie {ends.format(self.lower, self.upper)} [{self.unit}]"
 
     def allows(self, value: float) -> bool:
-        """Whether a value is finite and within the bounds."""
+        """Return whether a value is finite and within the bounds."""
         if not isfinite(value):
             return False
         return self.lower < value < self.upper or (
@@ -73,19 +74,20 @@ def number(
     closed: bool = False,
     default: Any = attrs.NOTHING,
 ) -> Any:
-    """A field for a number between two bounds, which are allowed themselves when `closed`; for None
-    too when that is the default.
+    """Declare a field for a number between two bounds.
+
+    The bounds are allowed if `closed`. None is allowed if it is the default.
     """
     said = Declaration(meaning, unit, lower, upper, closed)
     return _field(said, _to_float, default)
 
 
-#: The radius of a grain, ball or tip.
+#: Radius of a grain, ball or tip.
 RADIUS = Declaration("radius", "m", 1e-12, 1e6, closed=True, usual=(1e-9, 0.5))
 
 
 def radius_field(meaning: str, default: Any = attrs.NOTHING) -> Any:
-    """Return a field for the radius of a grain, ball or tip [m]."""
+    """Declare a field for the radius of a grain, ball or tip [m]."""
     return _field(attrs.evolve(RADIUS, meaning=meaning), _to_float, default)
 
 
@@ -94,23 +96,23 @@ SPEED = Declaration("speed", "m/s", 1e-9, closed=True)
 
 
 def speed_field(meaning: str) -> Any:
-    """Return a field for the speed of an impact [m/s]."""
+    """Declare a field for the speed of an impact [m/s]."""
     return _field(attrs.evolve(SPEED, meaning=meaning), _to_float, attrs.NOTHING)
 
 
 def whole(meaning: str, lower: int = 0, default: Any = attrs.NOTHING, upper: float = inf) -> Any:
-    """A field for a number that counts, from `lower` to `upper`."""
+    """Declare a field for a whole number from `lower` to `upper`."""
     said = Declaration(meaning, lower=lower, upper=upper, closed=True, kind=int)
     return _field(said, _to_int, default)
 
 
 def word(meaning: str, choices: Sequence[str], default: Any = attrs.NOTHING) -> Any:
-    """A field for one of some words."""
+    """Declare a field for one of some words."""
     return _field(Declaration(meaning, choices=tuple(choices), kind=str), _to_word, default)
 
 
 def declaration(cls: type) -> dict[str, Declaration]:
-    """What is said of each declared field of an attrs class, by its name."""
+    """Return the declaration of each declared field of an attrs class, by name."""
     return {
         field.name: field.metadata["declaration"]
         for field in attrs.fields(cls)
@@ -119,15 +121,15 @@ def declaration(cls: type) -> dict[str, Declaration]:
 
 
 def require(instance: Any, name: str, **bounds: float | bool) -> None:
-    """Check a field against bounds that other fields set.
+    """Check a field against bounds that depend on other fields.
 
     Args:
-        instance: Of an attrs class of declared fields.
-        name: Of the field.
-        bounds: `lower`, `upper`, `closed`, in place of the declared ones.
+        instance: Object of an attrs class of declared fields.
+        name: Name of the field.
+        bounds: `lower`, `upper`, `closed`, instead of the declared ones.
 
     Raises:
-        ValueError: It is out of range; the message names it and the range.
+        ValueError: The value is out of range; the message names it and the range.
     """
     said = declaration(type(instance))[name]
     _check_range(name, getattr(instance, name), attrs.evolve(said, **bounds))
@@ -147,10 +149,10 @@ def _field(said: Declaration, convert: Any, default: Any) -> Any:
 
 
 def read_number(name: str, value: Any, said: Declaration) -> float:
-    """A value as a number that a declaration allows.
+    """Return a value as a number that a declaration allows.
 
     Raises:
-        ValueError: It is no number or out of range; the message has the name given.
+        ValueError: The value is not a number or out of range; the message contains `name`.
     """
     number = _read_float(name, value, said)
     _check_range(name, number, said)
@@ -202,5 +204,5 @@ def _check_range(name: str, value: float, said: Declaration) -> None:
             f"{name} is {value:g} m, which is {1e3 * value:g} mm; radii are usually between "
             f"{said.usual[0]:g} and {said.usual[1]:g} m. Check the unit: radii are in m, not mm",
             SizeWarning,
-            stacklevel=1,  # the same place for all, so that a text is shown once
+            stacklevel=1,  # one place for all, so that a text is shown once
         )

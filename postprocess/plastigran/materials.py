@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Materials: one file each in `inputs/materials`, which the decks include and Python reads.
+"""Materials: one file each in `inputs/materials`, which decks include and Python reads.
 
-An installed package carries these files; $PLASTIGRAN_INPUTS or a path names files of one's own, in
-the same form.
+An installed package contains these files. $PLASTIGRAN_INPUTS or a path selects your own files of
+the
+same form.
 """
 
 from __future__ import annotations
@@ -21,16 +22,16 @@ from plastigran.engine.process import EngineError, inputs_folder, own_inputs
 if TYPE_CHECKING:
     import pandas as pd
 
-#: A wall that neither deforms nor yields.
+#: Wall that neither deforms nor yields.
 RIGID = laws.Body(1e30, 0.3, 1e30, 1.61)
 
-#: What tables and folders say of a wall that is `RIGID`, of one that is not there, and of options
-#: as they are by default: no material is named so.
+#: Reserved words in tables and folder names: `RIGID` wall, no wall, default options. No material
+#: may use them.
 RIGID_WALL, NO_WALL, USUAL = TAKEN = "rigid", "none", "default"
-#: Names that materials may have.
+#: Allowed names of materials.
 _NAME = re.compile(r"\w([\w .+-]*[\w.+-])?")
 
-#: Constants of a body in contact, as `laws.Body` takes them.
+#: Constants of a body in contact, see `laws.Body`.
 OF_BODY = (
     "youngs_modulus",
     "poissons_ratio",
@@ -44,10 +45,10 @@ OF_BODY = (
 
 @attrs.frozen
 class Material:
-    """Bulk constants of one material.
+    """Constants of one material.
 
     Raises:
-        ValueError: A constant is no number or out of range; the message names it and the range.
+        ValueError: A constant is not a number or out of range; the message names it and the range.
     """
 
     name: str
@@ -56,7 +57,7 @@ class Material:
     density: float = number("density", "kg/m^3", 0)
     yield_strength: float = number("uniaxial yield strength, 1e30 for none", "Pa", 0)
     yield_pressure_factor: float = number(
-        "contact yield pressure over yield strength, 0 for the Hertz-von Mises value",
+        "contact yield pressure / yield strength, 0 for the value of Hertz and von Mises",
         lower=0, upper=10, closed=True, default=0.0,
     )  # fmt: skip
     tangent_modulus: float = number(
@@ -64,13 +65,18 @@ class Material:
         "Young's modulus", "Pa", 0, closed=True, default=0.0,
     )  # fmt: skip
     rate_coefficient: float = number(
-        "share of the yield strength that a factor e in rate of strain adds", "-", 0, 1, True, 0.0
+        "relative increase of yield strength per e-fold increase of strain rate",
+        "-",
+        0,
+        1,
+        True,
+        0.0,
     )
     reference_rate: float = number(
-        "rate of strain at which the yield strength holds", "1/s", 0, default=1.0
+        "strain rate at which the yield strength holds", "1/s", 0, default=1.0
     )
     dissipative_constant: float | None = number(
-        "viscous over elastic constants A", "s", 0, closed=True, default=None
+        "ratio A of viscous to elastic constants", "s", 0, closed=True, default=None
     )
 
     def __attrs_post_init__(self) -> None:
@@ -78,47 +84,58 @@ class Material:
         self.body()
 
     def variables(self, suffix: str = "") -> dict[str, float]:
-        """The constants as the decks' variables of the same names, those that are given; with a
-        suffix to the names, those that a body beside the particles needs.
+        """Return the constants as deck variables.
+
+        Without suffix: all constants that are set. With suffix: the constants in `OF_BODY`, with
+        the suffix
+        added to each name, for example for a wall.
         """
         if suffix:
             return {f"{name}{suffix}": getattr(self, name) for name in OF_BODY}
         return attrs.asdict(self, filter=lambda at, value: at.name != "name" and value is not None)
 
     def missing(self, law: str) -> list[str]:
-        """Names of the constants a law must be given and this material does not have."""
+        """Return the required constants of a law that this material does not define."""
         return [name for name in _needed(law) if getattr(self, name, None) is None]
 
     def law(self, name: str, pair: laws.MaterialPair, **others: float | str):
-        """A law for contacts of this material, with those of its constants that have no default.
+        """Create a law for contacts of this material. Its required constants come from the
+        material.
 
         Args:
-            name: Of the law.
-            pair: The two bodies.
-            others: Constants that are not the material's, such as lengths of the bodies; options.
+            name: Name of the law.
+            pair: Constants of the two bodies.
+            others: Further constants, such as lengths of the bodies, and options.
 
         Raises:
             ValueError: The material lacks a constant, or one is out of range; the message names it.
         """
         given = {key: getattr(self, key, None) for key in _needed(name)} | others
         if missing := [key for key, value in given.items() if value is None]:
-            raise ValueError(f"material {self.name} gives no {', '.join(missing)}; {name} needs it")
+            raise ValueError(
+                f"law {name} needs {', '.join(missing)}, which material "
+                f"{self.name} does not define. Add it to the material, or use "
+                "another law"
+            )
         return laws.LAWS[name](pair, **given)
 
     def body(self) -> laws.Body:
-        """The constants as the laws take them."""
+        """Return the constants for the laws."""
         return laws.Body(*(getattr(self, name) for name in OF_BODY))
 
 
 def _check_name(name: object) -> None:
-    """Refuse a material's name that tables or folders could not have."""
+    """Refuse a name that tables or folders cannot use."""
     if not isinstance(name, str) or not _NAME.fullmatch(name):
         raise ValueError(
             f"name is {name!r}; it must be letters, digits, spaces and _ . + -, "
             "the first a letter, digit or _"
         )
     if name in TAKEN:
-        raise ValueError(f"name is {name!r}; {', '.join(TAKEN)} have another meaning in tables")
+        raise ValueError(
+            f"name is {name!r}, but {', '.join(TAKEN)} have another meaning in "
+            "tables. Choose another name"
+        )
 
 
 def _needed(law: str) -> list[str]:
@@ -127,21 +144,22 @@ def _needed(law: str) -> list[str]:
 
 
 def folder() -> Path:
-    """Where materials are looked for by name."""
+    """Return the folder of the materials that are found by name."""
     try:
         named = inputs_folder() / "materials"
-    except EngineError:  # materials are there without decks
+    except EngineError:  # materials may exist without decks
         named = own_inputs() / "materials"
     return named if named.is_dir() else own_inputs() / "materials"
 
 
 def names() -> list[str]:
-    """Names of the materials at hand."""
+    """Return the names of the available materials."""
     return sorted(file.stem for file in folder().glob("*.in"))
 
 
 def table() -> pd.DataFrame:
-    """The materials at hand: one row each, by name; a column for each constant, in SI units.
+    """Return the available materials: one row each, by name; a column for each constant, in SI
+    units.
 
     Raises:
         ValueError: A file cannot be read.
@@ -152,18 +170,16 @@ def table() -> pd.DataFrame:
 
 
 def read_material(name: Material | str | Path) -> Material:
-    """Read a material by name, or from a file of the same form given by its path.
-
-    A material itself is handed back.
+    """Read a material by name or from a file. Return `name` unchanged if it is a Material.
 
     Raises:
-        ValueError: It is none of these, there is no such material, or a constant is missing,
-            unknown, given twice, not a number or out of range.
+        ValueError: It is none of these, the material does not exist, or a constant is missing,
+            unknown, repeated, not a number or out of range.
     """
     if isinstance(name, Material):
         return name
     if not isinstance(name, str | Path):
-        raise ValueError(f"{name!r} is no material; it must be a Material, a name or a path")
+        raise ValueError(f"{name!r} is not a material; it must be a Material, a name or a path")
     path = Path(name)
     if path.suffix == ".in" and not path.is_file():
         raise ValueError(f"no file {path}; materials known by name are {', '.join(names())}")
@@ -188,7 +204,7 @@ def read_material(name: Material | str | Path) -> Material:
         raise ValueError(f"{path}: no value for {', '.join(missing)}")
     if unknown := sorted(values.keys() - {at.name for at in constants}):
         known = ", ".join(at.name for at in constants)
-        raise ValueError(f"{path}: {unknown[0]} is no constant of a material; there are {known}")
+        raise ValueError(f"{path}: {unknown[0]} is not a constant of a material; there are {known}")
     given = {at.name: values[at.name] for at in constants if at.name in values}
     try:
         return Material(path.stem, **given)
@@ -197,16 +213,19 @@ def read_material(name: Material | str | Path) -> Material:
 
 
 def _check_lines(file: Path) -> None:
-    """Refuse commands that the engine would run and this would not read."""
+    """Reject lines that LIGGGHTS would execute but `read_material` would ignore."""
     for command in commands(file):
         if "\ufeff" in command:
-            raise ValueError(f"{file} begins with a byte order mark; save it as UTF-8 without one")
+            raise ValueError(f"{file} begins with a byte order mark. Save it as UTF-8 without one")
         if len(command.split()) != 4 or not index_variable(command):
-            raise ValueError(f"{file}: {command!r} must be variable NAME index VALUE")
+            raise ValueError(
+                f"{file}: command {command!r} is not allowed. A material file may "
+                "contain only lines `variable NAME index VALUE`"
+            )
 
 
 def material_lines(material: Material) -> str:
-    """The constants that are given, as lines of a material's file."""
+    """Return the constants that are set, as lines of a material file."""
     units = {name: said.unit for name, said in declaration(Material).items()}
     return "\n".join(
         f"variable {name:22s} index {value:<18.12g} # {units[name]}"
@@ -215,31 +234,31 @@ def material_lines(material: Material) -> str:
 
 
 def write_material(material: Material, file: Path, remark: str, force: bool = False) -> None:
-    """Write a material as a file that decks include and `read_material` takes.
+    """Write a material as a file that decks include and `read_material` reads.
 
     Args:
-        material: What to write.
-        file: Path that ends in .in; its folder is there.
-        remark: Where the constants are from, a line.
-        force: Overwrite the file.
+        material: Material.
+        file: Path that ends in .in, in an existing folder.
+        remark: Source of the constants, one line.
+        force: Whether to overwrite the file.
 
     Raises:
         ValueError: The path does not end in .in.
-        FileExistsError: The file is there, and may not be overwritten.
-        FileNotFoundError: Its folder is not there.
+        FileExistsError: The file exists and may not be overwritten.
+        FileNotFoundError: The folder does not exist.
     """
     check_material_file(file, force)
     file.write_text(f"# {remark}\n{material_lines(material)}\n", encoding="utf-8")
 
 
 def check_material_file(file: Path, force: bool = False) -> None:
-    """Refuse what `write_material` refuses, before the material is known."""
+    """Check the file for `write_material` before the material is known."""
     if file.suffix != ".in":
-        raise ValueError(f"{file} is no name of a material's file; it must end in .in")
+        raise ValueError(f"{file} cannot be a material file: its name must end in .in")
     if not file.parent.is_dir():
         raise FileNotFoundError(f"no folder {file.parent} for {file.name}")
     if file.exists() and not force:
-        raise FileExistsError(f"{file} exists; --force overwrites it")
+        raise FileExistsError(f"{file} exists. Use --force to overwrite it")
 
 
 def _required(field: attrs.Attribute) -> bool:
@@ -249,9 +268,11 @@ def _required(field: attrs.Attribute) -> bool:
 def material_field(
     meaning: str, default: str | attrs.NothingType | None = attrs.NOTHING, suffix: str = ""
 ):
-    """A field of a case for a material, taken as one, by name or by the path of a file. Where the
-    default is None, a rigid body, "rigid" and `RIGID` stand for that, and it goes by keyword only.
-    The deck knows its constants by their names with the suffix.
+    """Declare a material field of a case; it accepts a Material, a name or a file path.
+
+    With `default=None` (rigid body) the field is keyword-only and also accepts "rigid" and `RIGID`.
+    The
+    deck has its constants by name with the suffix.
     """
     return attrs.field(
         default=default,
@@ -262,6 +283,6 @@ def material_field(
 
 
 def _read_unless_rigid(name: Material | laws.Body | str | Path | None) -> Material | None:
-    """A material, or None for a body that is rigid, which "rigid" and `RIGID` stand for, too."""
+    """Return a material, or None for a rigid body, which may be "rigid" or `RIGID`."""
     is_rigid = name is None or name == RIGID_WALL or (isinstance(name, laws.Body) and name == RIGID)
     return None if is_rigid else read_material(name)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Progress of long work on standard error: a bar on a terminal, now and then a line in a pipe."""
+"""Progress of long work on standard error: a bar on a terminal, and lines in a pipe."""
 
 from __future__ import annotations
 
@@ -13,23 +13,23 @@ FIRST, EVERY = 5.0, 10.0
 
 
 class ProgressBar(tqdm):
-    """A bar that is drawn in place on a terminal; elsewhere lines, and none of brief work.
+    """Progress bar on a terminal; otherwise lines, and none for short work.
 
     Args:
         *arguments: As of tqdm.
-        shown: Show it at all.
-        **named: As of tqdm, but for `file`: it is standard error.
+        shown: Whether to show it.
+        **named: As of tqdm, except `file`, which is standard error.
     """
 
     def __init__(self, *arguments: Any, shown: bool = True, **named: Any) -> None:
-        self.scope = ""  # of the time to go, such as " in this run"
+        self.scope = ""  # scope of the remaining time, such as " in this run"
         self._in_place = sys.stderr.isatty()
         if not self._in_place:
             named |= {"delay": FIRST, "mininterval": EVERY, "miniters": 0}
         super().__init__(*arguments, file=sys.stderr, disable=not shown, **named)
 
     def reset(self, total: float | None = None) -> None:
-        """Begin anew, with another total if it is given."""
+        """Start again, with another total if given."""
         drawn, self.display = self.display, lambda *_, **__: False
         try:
             super().reset(total)
@@ -46,15 +46,15 @@ class ProgressBar(tqdm):
         return False
 
     def close(self) -> None:
-        """End it: the bar stays; the last line says where the work ended."""
+        """Close it: the bar stays; the last line states where the work ended."""
         if not (self.disable or self._in_place):
-            self.leave = False  # a line ends by itself
+            self.leave = False  # a line ends itself
             if self.last_print_t >= self.start_t + self.delay and self.n > self.last_print_n:
                 self.display()
         super().close()
 
     def _line(self) -> str:
-        """How far it is, in words: `impact: 24/84, 00:20 so far, 00:50 to go`."""
+        """Return the progress in words: `impact: 24/84, 00:20 so far, 00:50 to go`."""
         shown = self.format_dict
         number = self.format_sizeof if self.unit_scale else "{:.4g}".format
         said = f"{number(self.n)}/{number(self.total)}" if self.total else number(self.n)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Which laws fit bodies of a shape and the constants that materials give."""
+"""Laws for bodies of a shape and the constants of materials."""
 
 from __future__ import annotations
 
@@ -11,24 +11,24 @@ from plastigran.materials import Material
 
 
 def laws_for(shape: str, bodies: Iterable[Material] = ()) -> list[str]:
-    """Names of the laws for bodies of a shape, "sphere" or "cylinder".
+    """Return the names of the laws for bodies of a shape, "sphere" or "cylinder".
 
     Args:
-        shape: Of the bodies.
-        bodies: Leave out laws that need a constant which one of these materials does not give.
+        shape: Shape of the bodies.
+        bodies: Materials; laws that need a constant that one of them lacks are left out.
     """
     fitting, bodies = sorted(k for k, law in laws.LAWS.items() if law.shape == shape), list(bodies)
     return [name for name in fitting if not any(body.missing(name) for body in bodies)]
 
 
 def choose_laws(given: Iterable[str], shape: str, bodies: Iterable[Material] = ()) -> list[str]:
-    """Names of laws, each once; "all" stands for those of `laws_for`.
+    """Return names of laws, each once; "all" means those of `laws_for`.
 
     Raises:
-        ValueError: There is no such law.
+        ValueError: A law does not exist.
 
     Warns:
-        UserWarning: "all" leaves out a law, for a material lacks its constants.
+        UserWarning: "all" leaves out a law, because the material lacks its constants.
     """
     given, usable = list(given), laws_for(shape, bodies)
     for name in given:
@@ -37,7 +37,7 @@ def choose_laws(given: Iterable[str], shape: str, bodies: Iterable[Material] = (
     left = sorted(set(laws_for(shape)) - set(usable) - set(given))
     if "all" in given and left:
         warnings.warn(
-            f"left out, for the material lacks their constants: {', '.join(left)}", stacklevel=2
+            f"left out, because the material lacks their constants: {', '.join(left)}", stacklevel=2
         )
     expanded = [usable if name == "all" else [name] for name in given]
     return list(dict.fromkeys(name for some in expanded for name in some))

@@ -207,7 +207,7 @@ def test_numbers_that_leave_the_law_s_range_are_noted_not_warned():
     with warnings.catch_warnings():
         warnings.simplefilter("error")
         found = calibrate(**STEEL, leeb=320, law="kogut_etsion")
-    assert any("beyond the range of" in note for note in found.notes)
+    assert any("exceeds the validity range of" in note for note in found.notes)
 
 
 def test_rate_of_strain_takes_its_share_of_the_strength_of_an_impact():

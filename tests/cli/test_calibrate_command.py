@@ -125,7 +125,7 @@ def test_a_material_s_file_is_not_overwritten(tmp_path, capsys):
     file = tmp_path / "steel.in"
     file.write_text("mine")
     assert main([*STEEL, "--hardness", "200", "--output", str(file)]) == 1
-    assert "exists; --force overwrites it" in capsys.readouterr().err
+    assert "exists. Use --force to overwrite it" in capsys.readouterr().err
     assert file.read_text() == "mine"
     assert main([*STEEL, "--hardness", "200", "--output", str(file), "--force"]) == 0
     assert pg.material(file).density == 7850

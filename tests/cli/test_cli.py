@@ -105,7 +105,7 @@ def test_timestep_of_every_law_says_which_bodies_it_leaves_out(capsys):
     said = capsys.readouterr()
     aluminium = read_material("aluminium_zv02")
     assert [row.split()[0] for row in said.out.splitlines()] == laws_for("sphere", [aluminium])
-    assert "left out, for the material lacks their constants: viscoelastic_hertz" in said.err
+    assert "left out, because the material lacks their constants: viscoelastic_hertz" in said.err
     assert "left out: laws for cylinders. Use --geometry cylinder_wall" in said.err
     line = [*line[:-1], "glass_kp10", "--radius", "1e-5", "--geometry", "cylinder_wall"]
     assert main(line) == 0
@@ -138,7 +138,7 @@ def test_counts_out_of_range_are_named(line, capsys):
 def test_impacts_no_law_can_describe_are_refused(tmp_path, capsys):
     line = ["impact", "--law", "thornton", "--speed", "300", "--output", str(tmp_path / "out")]
     assert main(line) == 1
-    assert "no contact law is good beyond 0.3" in capsys.readouterr().err
+    assert "no contact law is valid beyond 0.3" in capsys.readouterr().err
 
 
 def test_leaving_the_range_is_said(tmp_path, capsys):

@@ -130,7 +130,7 @@ def test_names_that_look_like_numbers_or_nothing(tmp_path):
 def test_what_dents_its_wall_is_said(folder):
     """As the command does."""
     (said,) = section(folder).warnings
-    assert said.startswith("Zirconia on Steel: the wall is dented, the ball does not flatten")
+    assert said.startswith("Zirconia on Steel: the wall yields, not the ball")
 
 
 def test_a_pair_and_a_wall_are_one_line_over_geometry(tmp_path):

@@ -115,9 +115,9 @@ def test_command_writes_table_and_figures(tmp_path, capsys):
 @pytest.mark.parametrize(
     ("line", "said"),
     [
-        (["--angle", "30"], "the paper gives friction at 45 and 17.2 degrees only"),
+        (["--angle", "30"], "the paper gives friction only at 45 and 17.2 degrees"),
         (["--angle", "91", "--friction", "0.1"], "angle is 91"),
-        (["--law", "thornton", "--speed", "400"], "no contact law is good beyond"),
+        (["--law", "thornton", "--speed", "400"], "no contact law is valid beyond"),
         (["--law", "hertz", "--tangential", "no_history"], "has no friction with"),
     ],
 )

@@ -154,7 +154,7 @@ def flow_stress(vickers: ArrayLike) -> np.ndarray:
 
 
 def steel_yield_strength(vickers: ArrayLike) -> np.ndarray:
-    """Return the tensile yield strength [Pa] of hypoeutectoid steels; `vickers` [HV] may have any
+    """Return the tensile yield strength [Pa] of hypoeutectoid steels from `vickers`, any
     shape.
 
     A line fitted to 150 steels of 300 to 1700 MPa. It is below the flow stress under a contact.
@@ -165,6 +165,6 @@ def steel_yield_strength(vickers: ArrayLike) -> np.ndarray:
 
 @cache
 def leeb_table() -> pd.DataFrame:
-    """Return Leeb hardness HLD and Vickers hardness HV of steel, (59,) rows; see the file's head."""
+    """Return Leeb hardness HLD and Vickers hardness HV of steel, (59,) rows."""
     with (files("plastigran") / "data" / "leeb_d_steel.csv").open() as file:
         return pd.read_csv(file, comment="#")

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Experiments: single impacts that the engine runs, held against theory.
+"""Experiments: single impacts that LIGGGHTS runs, compared with theory.
 
-One module or package an experiment; `find_experiments` finds those here and in the folders of
+One module or package per experiment. `find_experiments` finds those here and in the folders of
 $PLASTIGRAN_EXPERIMENTS.
 """
 
@@ -19,7 +19,7 @@ __path__ += filter(None, os.environ.get("PLASTIGRAN_EXPERIMENTS", "").split(os.p
 
 
 def find_experiments() -> dict[str, type[Experiment]]:
-    """Every experiment that has a command, by the command's name."""
+    """Return every experiment that has a command, by the name of the command."""
     found = {}
     for place in iter_modules(__path__):
         for value in vars(import_module(f"{__name__}.{place.name}")).values():

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""What every experiment is: a case with its prediction and measurement, and a sweep of many.
+"""Base class of experiments: a case with prediction and measurement, and sweeps of cases.
 
-docs/add_an_experiment.md shows how one is written.
+docs/add_an_experiment.md shows how to write one.
 """
 
 from __future__ import annotations
@@ -27,10 +27,10 @@ if TYPE_CHECKING:
 
 
 def combinations(values: Mapping[str, Any]) -> list[dict[str, Any]]:
-    """Every combination of values, the first name's varying slowest.
+    """Return every combination of values; the first name varies slowest.
 
     Args:
-        values: By name, one or an iterable of them.
+        values: Maps a name to one value or an iterable of values.
     """
     chosen = product(*map(several, values.values()))
     return [dict(zip(values, each, strict=True)) for each in chosen]
@@ -38,24 +38,25 @@ def combinations(values: Mapping[str, Any]) -> list[dict[str, Any]]:
 
 @attrs.frozen
 class Experiment:
-    """One case of an experiment: what is to be run. Its fields are declared quantities.
+    """One case of an experiment. Its fields are the inputs, declared with units and bounds.
 
-    A subclass is an experiment: it gives `deck` and `measure`, and more where it has more to say.
-    One with a `command` is found, has that command and is drawn in the docs.
+    Each experiment is a subclass. It must define `deck` and `measure`. A subclass with a `command`
+    is
+    registered as a `plastigran` command and appears in the documentation.
 
     Attributes:
         command: Name of its command.
-        help: Of the command, in a line.
-        example: Of the command, a line or several; by default it alone.
-        deck: Path of its input script, in the folder of the input scripts.
-        shape: Of its bodies, "sphere" or "cylinder".
-        has_theory: Whether its study can be answered by theory alone, without the engine.
-        flags: Settings of its study, by name; by default its declared fields.
-        usual_materials: Their constants tell which laws are usable, where no flag names a material.
-        quantities: Attributes of its outcome that make columns of the table.
-        shown: Columns that are printed, all by default.
-        docs: Settings of the study that the docs show.
-        docs_figures: Names of its figures in the docs, by name in `figures`.
+        help: Purpose of the command, in one line.
+        example: Example of the command; by default the command alone.
+        deck: Path of its input script in the folder of the input scripts.
+        shape: Shape of the bodies, "sphere" or "cylinder".
+        has_theory: Whether `theory` can run the study without LIGGGHTS.
+        flags: Settings of its study by name; by default the declared fields.
+        usual_materials: Materials that select the usable laws if no flag names a material.
+        quantities: Attributes of the outcome that become table columns.
+        shown: Columns that are printed; by default all.
+        docs: Settings of the study for the documentation.
+        docs_figures: File names of its figures in the documentation, by name in `figures`.
     """
 
     command: ClassVar[str] = ""
@@ -71,10 +72,10 @@ class Experiment:
     docs: ClassVar[Mapping[str, Any]] = {}
     docs_figures: ClassVar[Mapping[str, str]] = {}
 
-    # What one case says of itself.
+    # Description of one case.
 
     def variables(self) -> dict[str, object]:
-        """The case as the deck's variables: its fields, a material's constants by their names."""
+        """Return the deck variables of this case. A material contributes its constants by name."""
         found: dict[str, object] = {}
         for name in declaration(type(self)):
             value, said = getattr(self, name), attrs.fields_dict(type(self))[name].metadata
@@ -84,37 +85,37 @@ class Experiment:
 
     @property
     def label(self) -> str:
-        """Part of the name of its folder in a sweep."""
+        """Part of the name of the folder of this case in a sweep."""
         return self.command or type(self).__name__
 
     @property
     def timestep(self) -> float | None:
-        """Time step [s]; None leaves it to the deck."""
+        """Time step [s]; None to use that of the deck."""
         return None
 
     def predict(self) -> Any:
-        """The outcome by theory; None where there is none."""
+        """Return the outcome by theory; None without theory."""
         return None
 
     def measure(self, folder: Path) -> Any:
-        """The outcome from the files that the deck has left in a folder.
+        """Read the outcome from the files that the deck wrote to `folder`.
 
         Raises:
-            ValueError: They hold no whole outcome.
+            ValueError: The files do not contain a complete outcome.
         """
         raise NotImplementedError
 
     def facts(self) -> dict[str, object]:
-        """Columns that tell the case: its fields, a material by its name."""
+        """Return the columns that identify the case: its fields, with materials by name."""
         values = {name: getattr(self, name) for name in declaration(type(self))}
         return {k: v.name if isinstance(v, Material) else v for k, v in values.items()}
 
     def notes(self, measured: Any, predicted: Any) -> dict[str, object]:
-        """Further columns."""
+        """Return further columns."""
         return {}
 
     def row(self, measured: Any) -> dict[str, object]:
-        """One line of the results table: the case, what was measured, and `*_predicted`."""
+        """Return one row of the results table: the case, measured values, and `*_predicted`."""
         predicted, line = self.predict(), self.facts()
         for name in self.quantities:
             line[name] = getattr(measured, name)
@@ -123,30 +124,30 @@ class Experiment:
         return line | self.notes(measured, predicted)
 
     def theory_row(self, predicted: Any) -> dict[str, object]:
-        """One line of the results table of theory alone: the case and what is predicted."""
+        """Return one row of the results table of theory alone: the case and predicted values."""
         found = {name: getattr(predicted, name, None) for name in (*self.quantities, "in_range")}
         return self.facts() | {name: value for name, value in found.items() if value is not None}
 
     def materials(self) -> dict[str, Material]:
-        """The materials of its bodies, by name."""
+        """Return the materials of the bodies by name."""
         values = (getattr(self, name) for name in declaration(type(self)))
         return {value.name: value for value in values if isinstance(value, Material)}
 
-    # Running one.
+    # Running one case.
 
     def execute(
         self, folder: str | Path, timestep: float | None = None, gap: float = 0.0, ranks: int = 1
     ) -> None:
-        """Run the deck in the engine; arguments and errors as for `run`."""
+        """Run the deck with LIGGGHTS; arguments and errors as for `run`."""
         run_deck(self.deck, self._settings(timestep, gap), folder, ranks=ranks)
 
     def command_line(self, folder: Path) -> str:
-        """What could be typed to run the deck, with results in that folder."""
+        """Return shell commands that run the deck with results in `folder`."""
         deck, settings = inputs_folder() / self.deck, self._settings(None, 0.0)
         return typed_command(deck, settings, folder, folder)
 
     def _settings(self, timestep: float | None, gap: float) -> dict[str, object]:
-        """Of the deck, the time step and the gap among them."""
+        """Return the settings of the deck, including time step and gap."""
         variables, step = self.variables(), self.timestep if timestep is None else timestep
         if step is not None:
             variables["timestep"] = step
@@ -157,51 +158,51 @@ class Experiment:
     def run(
         self, folder: str | Path, timestep: float | None = None, gap: float = 0.0, ranks: int = 1
     ) -> Any:
-        """Run the deck in the engine and measure.
+        """Run the deck with LIGGGHTS and measure the outcome.
 
         Args:
-            folder: Where the engine writes.
-            timestep: [s]; the case's own by default.
-            gap: Distance between the surfaces at the start, for decks that have one [m].
-            ranks: MPI ranks.
+            folder: Folder of the results.
+            timestep: Time step [s]; by default that of the case.
+            gap: Initial distance between the surfaces [m], for decks that have it.
+            ranks: Number of MPI ranks.
 
         Raises:
-            EngineError: The engine stopped with an error.
-            ValueError: What it left holds no whole outcome.
+            EngineError: LIGGGHTS stopped with an error.
+            ValueError: The files do not contain a complete outcome.
         """
         self.execute(folder, timestep, gap, ranks)
         return self.measure(Path(folder))
 
-    # Running many.
+    # Running many cases.
 
     @classmethod
     def plan(cls, **values: Any) -> list[Experiment]:
-        """Every combination of field values, each case once; the first field named varies slowest.
+        """Return every combination of field values, each case once; the first field varies slowest.
 
         Args:
-            values: By field, one value or an iterable of them.
+            values: Maps a field to one value or an iterable of values.
 
         Raises:
-            ValueError: A case cannot be run; the message says why.
+            ValueError: A case cannot be run; the message gives the reason.
         """
         return list(dict.fromkeys(cls(**case) for case in combinations(values)))
 
     @classmethod
     def study_settings(cls, **given: Any) -> dict[str, Any]:
-        """The settings of a study: a value for each flag, as given or by default.
+        """Return the settings of a study, with defaults for omitted flags.
 
         Raises:
-            ValueError: There is no such setting, or one that must be given is missing.
+            ValueError: A setting is unknown, or a required setting is missing.
         """
         if unknown := sorted(set(given) - set(cls.all_flags())):
             raise ValueError(
-                f"{cls.command} has no setting {unknown[0]!r}; it takes {' '.join(cls.all_flags())}"
+                f"{cls.command} has no setting {unknown[0]!r}; it has {' '.join(cls.all_flags())}"
             )
         usual = {name: flag.values() for name, flag in cls.all_flags().items()}
         found = {k: value for k, value in usual.items() if not isinstance(value, attrs.Factory)}
         found |= given
         if missing := [name for name, value in found.items() if value is attrs.NOTHING]:
-            raise ValueError(f"{cls.command} must be given {', '.join(missing)}")
+            raise ValueError(f"{cls.command} needs {', '.join(missing)}")
         if "law" in found and cls.all_flags()["law"].many:
             bodies = map(read_material, several(found.get("material", cls.usual_materials)))
             found["law"] = choose_laws(several(found["law"]), cls.shape, bodies)
@@ -209,7 +210,7 @@ class Experiment:
 
     @classmethod
     def cases(cls, **settings: Any) -> list[Experiment]:
-        """The cases of a study; its settings are those of `flags`. By default their `plan`."""
+        """Return the cases of a study with the settings of `flags`; by default their `plan`."""
         return cls.plan(**settings)
 
     @classmethod
@@ -221,18 +222,18 @@ class Experiment:
         force: bool = False,
         **settings: Any,
     ) -> Runs:
-        """Run what the experiment's command runs.
+        """Run the study of the experiment's command.
 
         Args:
             folder, jobs, progress, force: As for `sweep`.
-            settings: Of `flags`; others have their defaults.
+            settings: Settings of `flags`; others have their defaults.
         """
         settings = cls.study_settings(**settings)
         return sweep(cls.cases(**settings), folder, jobs, progress, settings, force)
 
     @classmethod
     def theory(cls, **settings: Any) -> Runs:
-        """What theory alone says of a study; no engine is needed.
+        """Run a study by theory alone, without LIGGGHTS.
 
         Args:
             settings: As for `study`.
@@ -241,7 +242,7 @@ class Experiment:
             ValueError: As for `study_settings`, or the experiment has no theory of its own.
         """
         if not cls.has_theory:
-            raise ValueError(f"{cls.command} has no theory that stands for its runs")
+            raise ValueError(f"{cls.command} has no theory that can replace its runs")
         settings = cls.study_settings(**settings)
         found = {case: case.predict() for case in cls.cases(**settings)}
         table = pd.DataFrame(case.theory_row(outcome) for case, outcome in found.items())
@@ -249,25 +250,25 @@ class Experiment:
 
     @classmethod
     def all_flags(cls) -> Mapping[str, Flag]:
-        """The settings of its study; a field without a default must be given."""
+        """Return the settings of its study; a field without default is required."""
         defaults = {field.name: field.default for field in attrs.fields(cls)}
         return cls.flags or {name: Flag(defaults[name]) for name in declaration(cls)}
 
-    # What came of many.
+    # Results of many cases.
 
     @classmethod
     def tables(cls, runs: Runs) -> dict[str, Any]:
-        """Tables made of the runs, by name."""
+        """Return further tables of the runs, by name."""
         return {}
 
     @classmethod
     def figures(cls, runs: Runs) -> dict[str, Callable[[], Figure]]:
-        """Figures of the runs, by name: a function that draws each."""
+        """Return functions that draw the figures of the runs, by name."""
         return {}
 
     @classmethod
     def summary(cls, runs: Runs) -> str:
-        """What the command prints: the results table, and which laws left their range."""
+        """Return the printed summary: the results table, and the laws used beyond their range."""
         text = [format_table(runs.table, cls.shown)]
         if "in_range" in runs.table:
             text.append(format_range(runs.table))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Central impacts of any shape of bodies in one call."""
+"""Central impacts of bodies of any shape in one call."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ from plastigran.experiments.runs import Runs, sweep
 from plastigran.experiments.tables import format_range
 from plastigran.materials import Material
 
-#: The class of impact for each shape of bodies.
+#: Class of impact for each shape of bodies.
 IMPACTS = {kind.shape: kind for kind in (CentralImpact, CylinderImpact)}
 
 
@@ -35,29 +35,30 @@ def collide(
     force: bool = False,
     **fields: Any,
 ) -> Runs:
-    """Run central impacts in the engine, every combination of laws, speeds and materials.
+    """Run central impacts with LIGGGHTS, for every combination of laws, speeds and materials.
 
     Args:
-        laws: One law's name or several, of laws for bodies of one shape.
-        speeds: Of each body, a number or (N,) [m/s].
-        materials: One or several, as such, by name or by the path of a file.
-        radius: Of the bodies [m].
-        geometry: The deck; a body on a rigid plane by default.
-        folder: Keeps what the engine writes; by default nothing is kept.
-        jobs: Engines at a time; all cores by default.
-        force: Overwrite the results of an earlier sweep in `folder`.
+        laws: Name of one or several laws for bodies of one shape.
+        speeds: Speed of each body, a number or (N,) [m/s].
+        materials: One or several materials, names or file paths.
+        radius: Radius of the bodies [m].
+        geometry: Name of the deck; by default a body on a rigid plane.
+        folder: Folder of LIGGGHTS' files; by default they are not kept.
+        jobs: LIGGGHTS processes at a time; by default all cores.
+        force: Whether to overwrite the results of an earlier sweep in `folder`.
         fields: Further fields of the case, such as a cylinder's `mass`.
 
     Returns:
-        What was measured: `.table`, `.outcomes`, `.figure("restitution")`; printed, the table with
-        what a reader of it must know.
+        The runs: `.table`, `.outcomes`, `.figure("restitution")`. Printing them shows the table
+            with
+        remarks.
 
     Raises:
-        ValueError: A case cannot be run; the message says why.
-        EngineError: The engine stopped with an error.
+        ValueError: A case cannot be run; the message gives the reason.
+        EngineError: LIGGGHTS stopped with an error.
 
     Warns:
-        RangeWarning: Impacts are beyond their law's range.
+        RangeWarning: Impacts exceed the range of their law.
     """
     names = [laws] if isinstance(laws, str) else list(laws)
     shape = all_laws.LAWS[names[0]].shape if names and names[0] in all_laws.LAWS else "sphere"

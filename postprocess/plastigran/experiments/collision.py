@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Measure a single collision from the trajectory a collision deck writes."""
+"""Measure a single collision from the trajectory that a collision deck writes."""
 
 from __future__ import annotations
 
@@ -15,24 +15,25 @@ from plastigran.engine.dumps import read_dump
 
 
 class CollisionError(ValueError):
-    """A trajectory that holds no whole collision."""
+    """A trajectory contains no complete collision."""
 
 
 @attrs.frozen(eq=False)
 class CollisionOutcome:
-    """What one collision did, measured or predicted.
+    """Measured or predicted outcome of one collision.
 
     Attributes:
-        closing_speed: Before contact [m/s].
-        coefficient_of_restitution: Parting over closing speed, along the normal [-].
-        force_max: Largest force, of those written if measured [N].
+        closing_speed: Speed before contact [m/s].
+        coefficient_of_restitution: Normal separation / closing speed [-].
+        force_max: Largest force [N]; if measured, of the frames.
         overlap_max: Largest overlap [m].
-        overlap_res: Overlap at which the force vanished on the way back [m].
-        loading_time: From first touch to largest overlap [s]; None where it is not predicted.
-        contact_time: From first touch to zero force [s]; None where it is not predicted.
-        in_range: Whether the law is good for that load; None where it is measured.
-        loop: The collision over time, (N,) columns time [s], overlap [m], force [N],
-            speed [m/s] (rate of overlap); None where it is predicted.
+        overlap_res: Overlap at zero force during unloading [m].
+        loading_time: Time from first touch to largest overlap [s]; None if not predicted.
+        contact_time: Time from first touch to zero force [s]; None if not predicted.
+        in_range: Whether the load is within the range of the law; None if measured.
+        loop: Collision over time, (N,) columns time [s], overlap [m], force [N], speed [m/s]
+            (overlap
+            rate); None if predicted.
     """
 
     closing_speed: float
@@ -47,7 +48,7 @@ class CollisionOutcome:
 
 
 def force_overlap_loop(trajectory: pd.DataFrame) -> pd.DataFrame:
-    """Overlap and force over time, for two spheres or one sphere at the wall x = 0.
+    """Return overlap and force over time for two spheres, or one sphere at the wall x = 0.
 
     Args:
         trajectory: Frames of a custom dump with id, radius, x, y, z, vx, vy, vz, fx, fy, fz and
@@ -93,12 +94,14 @@ def force_overlap_loop(trajectory: pd.DataFrame) -> pd.DataFrame:
 def measure(trajectory: str | Path | pd.DataFrame) -> CollisionOutcome:
     """Measure the collision in a trajectory.
 
-    Times and extremes between two frames are interpolated: the overlap by the cubic that matches
-    positions and speeds at both ends; the residual overlap by the power of the way left that the
-    last three loaded frames follow.
+    Times and extremes between two frames are interpolated. The overlap follows the cubic that
+    matches
+    positions and speeds at both ends. The residual overlap follows the power law of unloading
+    through
+    the last three loaded frames.
 
     Args:
-        trajectory: A custom dump written every step, or the table `read_dump` makes of it.
+        trajectory: A custom dump written every step, or its table of `read_dump`.
 
     Raises:
         CollisionError: The bodies never touch, or are still in contact at the end.
@@ -109,10 +112,10 @@ def measure(trajectory: str | Path | pd.DataFrame) -> CollisionOutcome:
 
 
 def measure_loop(loop: pd.DataFrame) -> CollisionOutcome:
-    """Measure the collision in its own table, `CollisionOutcome.loop`; see `measure`.
+    """Measure the collision in its table `CollisionOutcome.loop`; see `measure`.
 
-    The parting speed is that of the first frame without force: what happens to the bodies later is
-    not the contact's doing.
+    The separation speed is that of the first frame without force, because later changes do not come
+    from the contact.
 
     Raises:
         CollisionError: The bodies never touch, or are still in contact at the end.
@@ -124,13 +127,16 @@ def measure_loop(loop: pd.DataFrame) -> CollisionOutcome:
     if loaded.size == 0:
         raise CollisionError("the bodies never touch")
     if loaded[-1] == len(loop) - 1 or speed[-1] >= 0:
-        raise CollisionError(f"still in contact at the last frame (t = {time[-1]:g} s); run longer")
+        raise CollisionError(
+            f"still in contact at the last frame (t = {time[-1]:g} s). "
+            "Increase the duration of the run"
+        )
     start, last = loaded[0], loaded[-1]
     if start == 0:
         raise CollisionError("already in contact at the first frame")
     touch = _crossing(time, overlap, speed, start - 1, 0.0)
 
-    turn = int(np.flatnonzero(speed[start:] < 0)[0]) + start  # first frame on the way back
+    turn = int(np.flatnonzero(speed[start:] < 0)[0]) + start  # first frame of unloading
     turning_time, overlap_max = _turning_point(time, overlap, speed, turn - 1)
 
     rebound = slice(max(last - 3, turn), last + 1)
@@ -151,15 +157,17 @@ def measure_loop(loop: pd.DataFrame) -> CollisionOutcome:
 
 
 def _crossing(time, value, rate, k: int, level: float) -> float:
-    """Time after time[k] at which `value` passes `level`, from its value and rate at k."""
+    """Return the time after time[k] at which `value` crosses `level`, from value and rate at k."""
     return time[k] + (level - value[k]) / rate[k]
 
 
 def _residual(overlap, force) -> float:
-    """Overlap at which the force of a rebound vanishes, from its last frames, the latest last.
+    """Return the overlap at zero force from the last frames of a rebound, in order of time.
 
-    Laws unload as (overlap - overlap_res)^n with n near 3/2, or as Hertz' power 3/2 over a straight
-    line in (overlap - overlap_res)^(1/2). Either follows from three frames; a fourth tells which.
+    Laws unload as (overlap - overlap_res)^n with n near 3/2, or as Hertz' power 3/2 divided by a
+    linear
+    function of (overlap - overlap_res)^(1/2). Three frames determine either; a fourth selects the
+    form.
     """
     last = overlap[-3:], force[-3:]
     residual, power = _end_of_power(*last)
@@ -171,8 +179,9 @@ def _residual(overlap, force) -> float:
 
 
 def _end_of_power(overlap, force) -> tuple[float, Callable]:
-    """Where c (overlap - overlap_res)^n through up to three frames vanishes, and that force: with
-    the right n, force^(1/n) is a straight line.
+    """Return where c (overlap - overlap_res)^n through up to three frames is zero, and that force.
+
+    With the right n, force^(1/n) is a straight line.
     """
 
     def slopes(n: float):
@@ -184,7 +193,7 @@ def _end_of_power(overlap, force) -> tuple[float, Callable]:
         def bend(n: float) -> float:
             return np.subtract(*slopes(n))
 
-        # From below 1: a straight line is one of them.
+        # Start below 1, because a straight line is possible.
         if bend(0.9) * bend(3.0) < 0:
             n = brentq(bend, 0.9, 3.0, xtol=1e-9)
     residual = overlap[-1] - force[-1] ** (1 / n) / slopes(n)[-1]
@@ -193,8 +202,9 @@ def _end_of_power(overlap, force) -> tuple[float, Callable]:
 
 
 def _end_of_bent_power(overlap, force) -> tuple[float, Callable]:
-    """The same of c z^3/(1 + g z), z = (overlap - overlap_res)^(1/2), through three frames: with
-    the right residual, z^3/force is a straight line over z. NaN where there is none.
+    """Return the same for c z^3/(1 + g z), z = (overlap - overlap_res)^(1/2), through three frames.
+
+    With the right residual, z^3/force is a straight line over z. NaN if there is none.
     """
 
     def line(residual: float):
@@ -205,7 +215,7 @@ def _end_of_bent_power(overlap, force) -> tuple[float, Callable]:
         z, over = line(residual)
         return np.subtract(*(np.diff(over) / np.diff(z)))
 
-    # Another root is close to the last frame; the residual is farther.
+    # Another root is close to the last frame; the residual overlap is farther away.
     reach = overlap[-1] - (overlap[0] - overlap[-1]) * np.geomspace(3, 1e-6, 40)
     bends = np.array([bend(residual) for residual in reach])
     signs = np.flatnonzero(bends[1:] * bends[:-1] < 0)
@@ -223,9 +233,9 @@ def _end_of_bent_power(overlap, force) -> tuple[float, Callable]:
 
 
 def _turning_point(time, value, rate, k: int) -> tuple[float, float]:
-    """Time and value of the maximum of the cubic through frames k and k+1."""
+    """Return time and value of the maximum of the cubic through frames k and k+1."""
     step = time[k + 1] - time[k]
-    fraction = rate[k] / (rate[k] - rate[k + 1])  # where the rate vanishes, to first order
+    fraction = rate[k] / (rate[k] - rate[k + 1])  # the rate is zero there, to first order
     h = np.polynomial.Polynomial
     t = h([0, 1])
     cubic = (

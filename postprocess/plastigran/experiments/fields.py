@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""What cases declare of themselves: flags of a study, fields and checks several of them have."""
+"""Declarations of cases: flags of a study, and shared fields and checks."""
 
 from __future__ import annotations
 
@@ -15,20 +15,20 @@ from plastigran.declared import Declaration
 from plastigran.materials import Material
 from plastigran.usable_laws import laws_for
 
-#: Largest overlap a sphere's run is allowed, over the effective radius.
+#: Largest overlap / effective radius allowed for spheres.
 SPHERE_OVERLAP = 0.3
 
 
 @attrs.frozen
 class Flag:
-    """A setting of an experiment's study, and the flag of its command.
+    """Setting of an experiment's study, and flag of its command.
 
     Attributes:
-        default: Its value, or a tuple of values; "all" stands for every usable law.
-        name: Of the flag, where it is not the setting's.
-        said: What is declared of it, where it is not a field of the case.
+        default: Default value, or tuple of values; "all" means every usable law.
+        name: Name of the flag, if it differs from the setting.
+        said: Declaration, if the setting is not a field of the case.
         many: Whether it takes several values.
-        span: From, to and how many: a range that it is swept over by default.
+        span: Start, end and number of values of the default sweep.
     """
 
     default: Any = None
@@ -38,27 +38,27 @@ class Flag:
     span: tuple[float, float, int] | None = None
 
     def values(self) -> Any:
-        """The default, of a span its values, evenly apart in their logarithms."""
+        """Default values; those of a span are evenly spaced in their logarithms."""
         return tuple(np.geomspace(*self.span)) if self.span else self.default
 
 
 def several(value: Any) -> tuple:
-    """One value, or an iterable of them, as a tuple."""
+    """Return one value, or an iterable of values, as a tuple."""
     if isinstance(value, str | Path | Material) or not np.iterable(value):
         return (value,)
     return tuple(value)
 
 
 def law_field(default: Any = attrs.NOTHING) -> Any:
-    """A field of a case for the name of a law, one that is for bodies of the case's `shape`."""
+    """Declare a field for the name of a law for bodies of the case's `shape`."""
 
     def check(case: Any, field: attrs.Attribute, name: str) -> None:
         if name not in laws.LAWS:
             raise ValueError(f"no law {name!r}; there are {', '.join(sorted(laws.LAWS))}")
         if (meant := laws.LAWS[name].shape) != case.shape:
             raise ValueError(
-                f"{name} is a law for {meant}s, not for {case.shape}s; "
-                f"laws for them are {', '.join(laws_for(case.shape))}"
+                f"{name} is a law for {meant}s, not for {case.shape}s. Choose one of "
+                f"{', '.join(laws_for(case.shape))}"
             )
 
     said = Declaration("a name that `plastigran laws` lists", kind=str)
@@ -66,24 +66,24 @@ def law_field(default: Any = attrs.NOTHING) -> Any:
 
 
 def options_field() -> Any:
-    """A field of a case for options of its law, which `law_options` reads."""
+    """Declare a field for options of a law, which `law_options` reads."""
     said = Declaration(
-        "options, as 'yielding flat', for the given laws that have them; `plastigran laws LAW` "
-        "lists a law's",
+        "options such as 'yielding flat', used for the laws that have them; see `plastigran "
+        "laws LAW`",
         kind=str,
     )
     return attrs.field(default=None, kw_only=True, metadata={"declaration": said})
 
 
 def law_options(law: str, text: str | None) -> dict[str, str]:
-    """The options of a law by name.
+    """Return the options of a law by name.
 
     Args:
-        law: Its name.
-        text: Names and choices in turn, as in decks; None for none.
+        law: Name of the law.
+        text: Names and choices in turn, as in decks; None for no options.
 
     Raises:
-        ValueError: The law has no such option, or not that choice of it.
+        ValueError: The law does not have the option or the choice.
     """
     words = (text or "").split()
     if len(words) % 2:
@@ -100,14 +100,14 @@ def law_options(law: str, text: str | None) -> dict[str, str]:
 
 
 def having_options(names: Iterable[str], text: str | None) -> list[str]:
-    """Those of some laws that have each option of a text, and so take it.
+    """Return the laws that have every option of a text.
 
     Args:
-        names: Of the laws.
+        names: Names of laws.
         text: As for `law_options`.
 
     Raises:
-        ValueError: No law has them, or one that has an option not that choice of it.
+        ValueError: No law has the options, or a law has an option without that choice.
     """
     named = [names] if isinstance(names, str) else list(names)
     asked = set((text or "").split()[::2])
@@ -121,17 +121,18 @@ def check_overlap(case: Any, overlap: float, radius: float, limit: float, radii:
     """Refuse a case whose bodies would overlap too far for any law.
 
     Args:
-        case: With `law` and `speed`.
-        overlap: That is expected [m].
-        radius: It is held against [m].
-        limit: Of their ratio.
-        radii: The radius in words, plural.
+        case: Case with `law` and `speed`.
+        overlap: Expected overlap [m].
+        radius: Reference radius [m].
+        limit: Largest ratio of the two.
+        radii: Name of the radius in words, plural.
 
     Raises:
-        ValueError: They would.
+        ValueError: The overlap is too large.
     """
     if overlap > limit * radius:
         raise ValueError(
-            f"{case.law} at {case.speed:g} m/s would overlap by {overlap / radius:.2g} {radii}; "
-            f"no contact law is good beyond {limit:g}"
+            f"{case.law} at {case.speed:g} m/s would overlap by {overlap / radius:.2g} "
+            f"{radii}; no contact law is valid beyond {limit:g}. Lower the speed, or use a "
+            "harder material"
         )

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""What a sweep leaves in its folder beside its runs: a table of results, and what ran."""
+"""Files of a sweep in addition to its runs: a table of results, and a record of the study."""
 
 from __future__ import annotations
 
@@ -17,18 +17,18 @@ if TYPE_CHECKING:
     from plastigran.experiments.base import Experiment
     from plastigran.materials import Material
 
-#: The results table in a sweep's folder.
+#: Results table in the folder of a sweep.
 TABLE = "impacts.csv"
-#: What ran, in a sweep's folder: command, settings, versions.
+#: Record in the folder of a sweep: command, settings, versions.
 STUDY = "study.json"
-#: Columns of words, where a record does not say which they are.
+#: Columns of text, if the record does not name them.
 WORDS = ("law", "material", "wall", "options", "geometry")
-#: What a record holds in texts, alone or several.
+#: Types of the entries of a record.
 _TEXTS = {"command": str, "words": list, "versions": dict}
 
 
 def add_row(path: Path, row: Mapping[str, object]) -> None:
-    """Append a row to a table; an interrupt leaves none in part. The first one begins the file."""
+    """Append a row to a table, completely or not at all. The first row creates the file."""
     line = pd.DataFrame([row])
     if path.exists():
         with open(path, "a", newline="") as file:
@@ -40,12 +40,12 @@ def add_row(path: Path, row: Mapping[str, object]) -> None:
 
 
 def read_table(path: Path) -> tuple[pd.DataFrame, list[str]]:
-    """The whole rows of a table, and sentences on those left out.
+    """Return the complete rows of a table, and sentences on rows left out.
 
-    What the record beside it calls words is read as such: a steel may be named 304.
+    Columns that the record declares as text are read as text, because a steel may be named 304.
 
     Raises:
-        OSError, ValueError: There is no table, or it is none.
+        OSError, ValueError: The table is missing or invalid.
     """
     whole, _, rest = path.read_text(encoding="utf-8").rpartition("\n")
     head, *lines = whole.splitlines() or [""]
@@ -69,8 +69,9 @@ def _cells(line: str) -> list[str]:
 
 
 def _odd_rows(head: list[str], rows: list[list[str]], words: list[str]) -> list[int]:
-    """Rows that are not those of a sweep: of another length, without one of its words, or with text
-    where most have a number.
+    """Return rows that cannot be those of a sweep.
+
+    They have another length, lack a word, or contain text where most rows have a number.
     """
     odd = {k for k, row in enumerate(rows) if len(row) != len(head)}
     for place, name in enumerate(head):
@@ -92,7 +93,7 @@ def _is_number(cell: str) -> bool:
 
 
 def read_study(folder: Path) -> tuple[dict[str, Any], list[str]]:
-    """What a sweep has recorded of itself, as far as it can be read, and sentences on the rest."""
+    """Return the readable part of a sweep's record, and sentences on the rest."""
     try:
         said = json.loads((folder / STUDY).read_text(encoding="utf-8"))
     except FileNotFoundError:
@@ -100,14 +101,14 @@ def read_study(folder: Path) -> tuple[dict[str, Any], list[str]]:
     except (OSError, ValueError) as error:
         return {}, [f"{STUDY} is damaged: {error}."]
     if not isinstance(said, dict):
-        return {}, [f"{STUDY} is damaged: it is no record of a sweep."]
+        return {}, [f"{STUDY} is damaged: it is not the record of a sweep."]
     odd = [name for name, kind in _TEXTS.items() if name in said and not _holds(said[name], kind)]
     whole = {name: value for name, value in said.items() if name not in odd}
-    return whole, [f"{STUDY} is damaged: its {name} is left out." for name in odd]
+    return whole, [f"{STUDY} is damaged: entry {name} is left out." for name in odd]
 
 
 def _holds(value: object, kind: type) -> bool:
-    """Whether a value is a text, or a list or dict of texts."""
+    """Return whether a value is a text, or a list or dict of texts."""
     if not isinstance(value, kind):
         return False
     texts = value.values() if isinstance(value, dict) else [value] if kind is str else value
@@ -121,7 +122,7 @@ def write_study(
     made_with: Mapping[str, str],
     by_theory: bool = False,
 ) -> None:
-    """Record what is to be run, before it is, or what theory has answered."""
+    """Record a sweep before it runs, or a study by theory."""
     facts = [each.facts() for each in cases]
     said = {
         "command": cases[0].command,
@@ -136,10 +137,10 @@ def write_study(
 
 
 def materials_of(cases: Iterable[Experiment]) -> dict[str, Material]:
-    """Of all bodies, by name.
+    """Return the materials of all bodies by name.
 
     Raises:
-        ValueError: Two differ that have one name, by which tables know them.
+        ValueError: Two different materials have one name, which tables could not distinguish.
     """
     found: dict[str, Material] = {}
     for case in cases:
@@ -152,7 +153,7 @@ def materials_of(cases: Iterable[Experiment]) -> dict[str, Material]:
 
 
 def _plain(value: Any) -> Any:
-    """A setting as JSON has it: numbers and words, of another object its name."""
+    """Return a setting for JSON: numbers and words, and the name of other objects."""
     if value is None or isinstance(value, bool | int | float | str):
         return value
     if isinstance(value, Iterable):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Cases run side by side, and what came of them: table, outcomes, figures."""
+"""Cases that run in parallel, and their results: table, outcomes, figures."""
 
 from __future__ import annotations
 
@@ -29,14 +29,14 @@ if TYPE_CHECKING:
 
 @attrs.frozen(slots=False, eq=False, repr=False)
 class Runs:
-    """What came of a sweep.
+    """Results of a sweep.
 
     Attributes:
-        experiment: The class of its cases.
-        outcomes: What was measured, by case.
-        table: One row a case, in the order given; columns of `Experiment.row`.
-        settings: Of the study, where it is one.
-        by_theory: Whether the outcomes are theory's, made without the engine.
+        experiment: Class of its cases.
+        outcomes: Outcomes by case.
+        table: One row per case, in the given order; columns of `Experiment.row`.
+        settings: Settings of the study, if any.
+        by_theory: Whether the outcomes are theory, computed without LIGGGHTS.
     """
 
     experiment: type[Experiment]
@@ -47,7 +47,7 @@ class Runs:
 
     @property
     def cases(self) -> list[Experiment]:
-        """What was run."""
+        """Cases of the sweep."""
         return list(self.outcomes)
 
     @cached_property
@@ -57,14 +57,14 @@ class Runs:
 
     @cached_property
     def figures(self) -> dict[str, Figure]:
-        """Every figure, by name."""
+        """Figures by name."""
         return {name: draw() for name, draw in self.experiment.figures(self).items()}
 
     def figure(self, name: str) -> Figure:
         """Draw one figure.
 
         Raises:
-            ValueError: There is none of that name.
+            ValueError: There is no figure of that name.
         """
         drawings = self.experiment.figures(self)
         if name not in drawings:
@@ -74,13 +74,14 @@ class Runs:
     def write(self, folder: str | Path) -> list[Path]:
         """Write every table, as CSV, and figure, as PNG and SVG, into a folder.
 
-        Of theory's outcomes `study.json`, too: a sweep has written its own before it began.
+        For outcomes by theory, write `study.json`, too; a sweep has written its own before its
+        runs.
 
         Returns:
             The files, the results table first.
 
         Raises:
-            ValueError: Of theory, two materials have one name; nothing is written.
+            ValueError: Two materials of outcomes by theory have one name; nothing is written.
         """
         from plastigran.plot import style  # matplotlib is slow to load
 
@@ -119,38 +120,39 @@ def sweep(
 ) -> Runs:
     """Run cases of one experiment in parallel.
 
-    Every finished one is appended to `impacts.csv` at once, so a run cut short keeps what it has.
+    Each finished case is appended to `impacts.csv` at once, so an interrupted sweep keeps its
+    results.
 
     Args:
-        cases: What to run.
-        folder: Results go to `impacts.csv` here and to one folder a case under `runs/`;
-            `study.json` says what ran.
-        jobs: Engines at a time, 1 or more; all cores by default.
-        progress: Show a progress bar.
-        settings: Of the study that the cases are of.
-        force: Overwrite the results of an earlier sweep in `folder`.
+        cases: Cases to run.
+        folder: Folder of `impacts.csv`, of a folder `runs/` with a folder for each case, and of
+            `study.json`, the record.
+        jobs: LIGGGHTS processes at a time, 1 or more; by default all cores.
+        progress: Whether to show a progress bar.
+        settings: Settings of the study of the cases.
+        force: Whether to overwrite the results of an earlier sweep in `folder`.
 
     Raises:
         ValueError: There is no case, `jobs` is out of range, two materials have one name, or
-            `folder` holds results or is that of a sweep that runs.
-        EngineError: There is no engine.
-        EngineError, ValueError: From the first case that failed; the others' rows are written
-            before it is raised.
+            `folder` contains results or is in use.
+        EngineError: LIGGGHTS is missing.
+        EngineError, ValueError: The first case that failed; the rows of the others are written
+            before.
     """
     cases, folder = list(cases), Path(folder)
     if not cases:
-        raise ValueError("there is no case to run")
+        raise ValueError("no case to run")
     if jobs is not None and not (isinstance(jobs, int) and jobs >= 1):
         raise ValueError(f"jobs is {jobs!r}; it must be 1 or more")
     materials_of(cases)
-    made_with = versions()  # raises where there is no engine, before anything is removed
+    made_with = versions()  # raises EngineError if LIGGGHTS is missing, before anything is removed
     with claim(folder, force):
         write_study(folder, cases, settings or {}, made_with)
         return _sweep(cases, folder, jobs, progress, settings)
 
 
 def case_folders(cases: Iterable[Experiment], folder: Path) -> list[Path]:
-    """Where each case of a sweep runs."""
+    """Return the folder of each case of a sweep."""
     return [folder / "runs" / f"{number:04d}_{case.label}" for number, case in enumerate(cases)]
 
 
@@ -159,7 +161,7 @@ def claim(folder: Path, force: bool) -> Iterator[None]:
     """Lock a folder and remove an earlier sweep's table, record and runs from it.
 
     Raises:
-        ValueError: It holds results and `force` is not given, or another command writes there.
+        ValueError: The folder contains results and `force` is not given, or it is in use.
     """
     with lock_folder(folder):
         if not force and any([*folder.glob(TABLE), *folder.glob("runs/*/*")]):
@@ -169,7 +171,7 @@ def claim(folder: Path, force: bool) -> Iterator[None]:
             )
         for name in (TABLE, STUDY):
             (folder / name).unlink(missing_ok=True)
-        for run in folder.glob("runs/[0-9]*_*"):  # as of `case_folders`
+        for run in folder.glob("runs/[0-9]*_*"):  # as named by `case_folders`
             shutil.rmtree(run)
         yield
 
@@ -201,7 +203,7 @@ def _sweep(
                 continue
             rows[case] = case.row(measured[case])
             add_row(path, rows[case])
-    finally:  # an interrupt starts no further engine
+    finally:  # an interrupt starts no further runs
         pool.shutdown(wait=True, cancel_futures=True)
         bar.close()
     if failure:

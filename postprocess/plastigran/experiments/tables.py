@@ -10,7 +10,7 @@ import pandas as pd
 
 from plastigran import laws
 
-#: Columns that are left out where they hold one value only.
+#: Columns that are shown only if they have several values.
 VARIED = ("geometry", "radius", "wall", "options")
 #: Names and units of columns, as heads of two lines.
 HEADS = {
@@ -35,12 +35,13 @@ HEADS = {
 
 
 def format_table(table: pd.DataFrame, shown: Sequence[str] = ()) -> str:
-    """A results table as text: names and units in two head lines, five digits.
+    """Return a results table as text: names and units in two head lines, five digits.
 
     Args:
-        table: Of results.
-        shown: Columns, as far as the table has them, they hold something and, if of `VARIED`, more
-            than one value; all by default.
+        table: Results table.
+        shown: Columns to show. Missing and empty columns are skipped, and those of `VARIED` with
+            one
+            value; by default all.
     """
     columns = [name for name in shown or table if name in table and not table[name].isna().all()]
     if shown:
@@ -63,8 +64,8 @@ def _cell(value: object) -> str:
 
 
 def format_range(table: pd.DataFrame) -> str:
-    """From which speed on a law was used beyond its range, one line a law, and a material if
-    several were thrown.
+    """Return the speed from which each law was used beyond its range, one line per law and
+    material.
     """
     several = "material" in table and table["material"].nunique() > 1
     outside = table.loc[~table["in_range"]]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Central impacts of spheres: on a plane, on a mesh, and of two equal ones."""
+"""Central impacts of spheres: on a plane, on a mesh, and of two equal spheres."""
 
 from __future__ import annotations
 
@@ -44,10 +44,10 @@ from plastigran.physics.rebound_hardness import dented_flat
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-#: Decks and how many bodies take part; the other body of one is a wall.
+#: Decks, with the number of spheres; the other body of a single sphere is a wall.
 GEOMETRIES = {"sphere_wall": 1, "sphere_mesh": 1, "two_spheres": 2}
 
-#: Speeds that take the paper's sphere (aluminium_zv02, 0.1 m) to 120 yield speeds [m/s].
+#: Speeds up to 120 yield speeds of the paper's sphere (aluminium_zv02, 0.1 m) [m/s].
 PAPER_SPEEDS = (0.0005, 0.001, 0.002, 0.005, 0.01, 0.02, 0.06, 0.1, 0.2)
 
 
@@ -64,11 +64,11 @@ class CentralImpact(Experiment):
     material: Material = material_field("of the spheres")
     radius: float = radius_field("radius of the spheres")
     geometry: str = word("deck", tuple(GEOMETRIES), default="sphere_wall")
-    wall: Material | None = material_field("of the plane: a material, or rigid", None, "_other")
+    wall: Material | None = material_field("material of the plane, or rigid", None, "_other")
     options: str | None = options_field()
 
     command = "impact"
-    help = "run collisions in the engine, table and figures"
+    help = "run impacts with LIGGGHTS, with table and figures"
     example = (
         "plastigran impact --law universal thornton --material steel --radius 0.005\n"
         "plastigran impact --law all --theory\n"
@@ -101,7 +101,7 @@ class CentralImpact(Experiment):
 
     def __attrs_post_init__(self) -> None:
         if self.wall is not None and self.bodies == 2:
-            raise ValueError(f"wall is {self.wall.name}; {self.geometry} has none")
+            raise ValueError(f"wall is {self.wall.name}, but {self.geometry} has no wall")
         check_overlap(
             self,
             self.predict().overlap_max,
@@ -112,26 +112,26 @@ class CentralImpact(Experiment):
 
     @property
     def bodies(self) -> int:
-        """Bodies that take part; their effective radius and mass are one body's over this."""
+        """Number of spheres; effective radius and mass are those of one sphere divided by it."""
         return self.geometries[self.geometry]
 
     @property
     def pair(self) -> laws.MaterialPair:
-        """What the two bodies bring to the contact."""
+        """Material pair of the contact."""
         body = self.material.body()
         wall = self.wall.body() if self.wall is not None else RIGID
         return laws.combine(body, body if self.bodies == 2 else wall)
 
     @property
     def wall_name(self) -> str:
-        """The wall's metal, or a word of `arrangement.WALLS`."""
+        """Name of the wall's metal, or a word of `arrangement.WALLS`."""
         if self.bodies == 2:
             return NO_WALL
         return self.wall.name if self.wall is not None else RIGID_WALL
 
     @property
     def wall_yields(self) -> bool:
-        """Whether the wall is dented before the sphere flattens."""
+        """Whether the wall yields before the sphere."""
         if self.wall is None:
             return False
         return laws.combine(self.wall.body(), RIGID).yield_pressure < (
@@ -140,36 +140,37 @@ class CentralImpact(Experiment):
 
     @property
     def law_is_of_indentation(self) -> bool:
-        """Whether the law, with its options, is of a flat that a hard sphere dents."""
+        """Whether the law, with its options, describes a hard sphere on a yielding flat."""
         told = dented_flat(self.law).items()
         chosen = law_options(self.law, self.options).items()
         return laws.LAWS[self.law].indentation or (bool(told) and told <= chosen)
 
     @property
     def radius_eff(self) -> float:
-        """R* [m]."""
+        """Effective radius R* [m]."""
         return self.radius / self.bodies
 
     @property
     def mass_eff(self) -> float:
-        """m* [kg]."""
+        """Effective mass m* [kg]."""
         return 4 / 3 * pi * self.radius**3 * self.material.density / self.bodies
 
     @property
     def closing_speed(self) -> float:
-        """Of the two bodies [m/s]."""
+        """Closing speed of the two bodies [m/s]."""
         return self.speed * self.bodies
 
     def contact_law(self, **others: float | str):
-        """The law between the two bodies, with its options; `others` are further constants of its
-        own, or other options.
+        """Return the law between the two bodies, with its options.
+
+        `others` are further constants of the law, or other options.
         """
         chosen = law_options(self.law, self.options) | others
         return self.material.law(self.law, self.pair, **chosen)
 
     @property
     def deck(self) -> str:
-        """Path of the input script, from `inputs`."""
+        """Path of the input script, relative to `inputs`."""
         return f"collision/{self.geometry}.in"
 
     @property
@@ -180,13 +181,13 @@ class CentralImpact(Experiment):
 
     @property
     def timestep(self) -> float:
-        """The recommended one [s]."""
+        """Recommended time step [s]."""
         return self.contact_law().recommended_timestep(
             self.radius_eff, self.mass_eff, self.closing_speed
         )
 
     def yield_speed(self) -> float:
-        """Speed of each body at which the impact just reaches yield [m/s]."""
+        """Return the speed of each body at which the impact just reaches yield [m/s]."""
         return central.yield_speed(self.pair, self.radius_eff, self.mass_eff) / self.bodies
 
     def variables(self) -> dict[str, object]:
@@ -195,7 +196,7 @@ class CentralImpact(Experiment):
         return found
 
     def predict(self) -> CollisionOutcome:
-        """The impact as the law alone has it, without the engine."""
+        """Return the outcome by the law alone, without LIGGGHTS."""
         law, speed = self.contact_law(), self.closing_speed
         found = law.central_impact(self.radius_eff, self.mass_eff, speed)
         return CollisionOutcome(
@@ -208,7 +209,7 @@ class CentralImpact(Experiment):
         )
 
     def theoretical_loop(self, points: int = 200) -> pd.DataFrame:
-        """The impact as the law alone has it: (2 points,) rows overlap [m] and force [N]."""
+        """Return the loop by the law alone: (2 points,) rows overlap [m] and force [N]."""
         found = self.predict()
         up = np.linspace(0, found.overlap_max, points)
         overlaps = np.concatenate([up, np.linspace(found.overlap_max, found.overlap_res, points)])
@@ -234,10 +235,10 @@ class CentralImpact(Experiment):
 
     @classmethod
     def plan(cls, **values: Any) -> list[CentralImpact]:
-        """As for every experiment, but that options go to the laws that have them.
+        """Return every combination, with options only for the laws that have them.
 
         Raises:
-            ValueError: A case cannot be run, or no law has an option; the message says why.
+            ValueError: A case cannot be run, or no law has an option; the message gives the reason.
         """
         values = {name: several(value) for name, value in values.items()}
         names = values.get("law", [])

@@ -29,7 +29,7 @@ APART = (
     "angle",
     "coefficient_of_friction",
 )
-#: Range of an axis [-] from which it is logarithmic, as a natural logarithm.
+#: Range of an axis, as a natural logarithm, from which the axis is logarithmic.
 LOGARITHMIC = 3.0
 
 Groups = dict[tuple[str, str], pd.DataFrame]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""What is to be said of central impacts beside their table."""
+"""Remarks on central impacts, printed with their table."""
 
 from __future__ import annotations
 
@@ -14,30 +14,30 @@ from plastigran.plot.style import title
 if TYPE_CHECKING:
     from plastigran.experiments.central import CentralImpact
 
-#: Least part of a number that the table shows.
+#: Smallest relative difference that the table shows.
 VISIBLE = 5e-5
 
 
 def remarks(runs: Runs) -> list[str]:
-    """Sentences: what hits what, and what a reader of the table must know."""
+    """Return sentences on the bodies, and on what a reader of the table must know."""
     said = [_arrangement(runs.cases), dented(runs.cases), flattened(runs.cases)]
     if (runs.table["speed_ratio"] < 1).all():
         said.insert(
             1,
-            "every impact is slower than its yield speed (v/v_Y < 1): nothing yields, and the "
-            "coefficient of restitution is 1",
+            "every impact is slower than its yield speed (v/v_Y < 1), so nothing yields and "
+            "the coefficient of restitution is 1",
         )
     largest = runs.table["coefficient_of_restitution"].max()
     if largest > 1 + VISIBLE:
         said.append(
-            f"a coefficient of restitution above 1, here up to {largest:.5g}, is the error of the "
-            "time step (docs/timestep.md)"
+            f"a coefficient of restitution above 1, here up to {largest:.5g}, is an error of "
+            "the time step (docs/timestep.md)"
         )
     return [sentence for sentence in said if sentence]
 
 
 def _arrangement(impacts: Iterable[CentralImpact]) -> str:
-    """What spheres hit what, where it is the same for all: the table has what varies."""
+    """Return the bodies in words, as far as they are the same for all impacts."""
     radii = {impact.radius for impact in impacts}
     walls = {impact.wall_name for impact in impacts}
     if len(radii) > 1 or len(walls) > 1:
@@ -46,7 +46,7 @@ def _arrangement(impacts: Iterable[CentralImpact]) -> str:
 
 
 def flattened(impacts: Iterable[CentralImpact]) -> str:
-    """Which balls flatten by a law that was told that the flat is dented."""
+    """Return a sentence on spheres that flatten, although the law describes a yielding flat."""
     names = dict.fromkeys(
         f"{title(impact.material.name)} {on_wall(impact.wall_name)}"
         for impact in impacts
@@ -58,11 +58,14 @@ def flattened(impacts: Iterable[CentralImpact]) -> str:
     )
     if not names:
         return ""
-    return f"{', '.join(names)}: the ball flattens; --options 'yielding flat' is of a dented wall"
+    return (
+        f"{', '.join(names)}: the ball yields, but --options 'yielding flat' describes a "
+        "yielding wall"
+    )
 
 
 def dented(impacts: Iterable[CentralImpact]) -> str:
-    """Which balls dent their wall by a law of balls that flatten."""
+    """Return a sentence on walls that yield, although the law describes a yielding sphere."""
     found = [
         impact
         for impact in impacts
@@ -79,7 +82,7 @@ def dented(impacts: Iterable[CentralImpact]) -> str:
     constant = any(impact.wall.rate_coefficient == 0 for impact in found)
     indentation = sorted(name for name, law in laws.LAWS.items() if law.indentation)
     return (
-        f"{', '.join(names)}: the wall is dented, the ball does not flatten. universal with "
-        f"--options 'yielding flat' is for that, {' and '.join(indentation)} are fits to "
-        "indentations, the other laws are of balls that flatten"
+        f"{', '.join(names)}: the wall yields, not the ball. Use universal with --options "
+        f"'yielding flat'; {' and '.join(indentation)} are fits to indentations. The other "
+        "laws are for balls that flatten"
     ) + constant * ". Give the wall its rate_coefficient (docs/rate_factor.md)"

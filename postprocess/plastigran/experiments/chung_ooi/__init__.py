@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The eight benchmark impacts of Chung & Ooi (2011, Granular Matter 13:643): run in the engine and
-held against theory.
+"""The eight benchmark impacts of Chung & Ooi (2011, Granular Matter 13:643), compared with theory.
 
-What a benchmark is stands in its deck in `inputs/collision/chung_ooi`; which impacts it takes, in
-`points.csv` beside the decks.
+Each benchmark has a deck in `inputs/collision/chung_ooi`. Its impacts are in `points.csv` beside
+the
+decks.
 """
 
 from __future__ import annotations
@@ -38,7 +38,7 @@ from plastigran.physics.oblique import Motion, ObliqueImpact
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-#: What the eight are, by number.
+#: Titles of the benchmarks, by number.
 TITLES = {
     1: "Elastic normal impact of two equal spheres",
     2: "Elastic normal impact on a rigid plane",
@@ -50,12 +50,16 @@ TITLES = {
     8: "Spinning sphere on a larger sphere",
 }
 
-#: What makes the engine's own hertz the model the decks ask of the others: damped, never pulling.
+#: Options of LIGGGHTS' own hertz that make it like the decks' models: damped, never attracting.
 HERTZ_OPTIONS = "limitForce on tangential_damping off"
 
 
 def folder() -> Path:
-    """Where the decks are. Raises EngineError when there are no input scripts."""
+    """Return the folder of the decks.
+
+    Raises:
+        EngineError: There are no input scripts.
+    """
     return inputs_folder() / "collision" / "chung_ooi"
 
 
@@ -100,16 +104,16 @@ class BenchmarkImpact(Experiment):
 
     @property
     def benchmark(self) -> int:
-        """Its number, 1 to 8."""
+        """Number of the benchmark, 1 to 8."""
         return int(self.deck_name.split("_")[0])
 
     @property
     def deck(self) -> str:
-        """Path of the input script, from `inputs`."""
+        """Path of the input script, relative to `inputs`."""
         return f"collision/chung_ooi/{self.deck_name}.in"
 
     def variables(self) -> dict[str, object]:
-        """What differs from the deck's defaults, by the names of the deck's variables."""
+        """Return the values that differ from the deck's defaults, by variable."""
         changed = {
             "material": self.material,
             self.knob: self.value,
@@ -124,7 +128,7 @@ class BenchmarkImpact(Experiment):
 
     @cached_property
     def settings(self) -> dict[str, str]:
-        """The deck's variables, as text, with what this case changes."""
+        """Return the variables of the deck as text, with the changes of this case."""
         defaults = index_variables(folder() / f"{self.deck_name}.in")
         unknown = set(self.variables()) - set(defaults)
         if unknown:
@@ -132,7 +136,7 @@ class BenchmarkImpact(Experiment):
         return defaults | {name: str(value) for name, value in self.variables().items()}
 
     def number(self, name: str, default: float | None = None) -> float:
-        """A setting as a number; one that names another with ${} has that one's value."""
+        """Return a setting as a number; a reference ${} to another setting is resolved."""
         text = self.settings.get(name)
         if text is None and default is not None:
             return default
@@ -142,7 +146,7 @@ class BenchmarkImpact(Experiment):
 
     @cached_property
     def sphere(self) -> Material:
-        """The material of the sphere, from the file beside the decks."""
+        """Material of the sphere, from the file beside the decks."""
         return read_material(folder() / "materials" / f"{self.material}.in")
 
     def before(self) -> Motion:
@@ -156,7 +160,7 @@ class BenchmarkImpact(Experiment):
         return Motion(normal, along, self.number("spin"), spin_other=self.number("spin_other", 0.0))
 
     def impact(self) -> ObliqueImpact:
-        """The impact as theory takes it."""
+        """Impact for the theory."""
         body, radius = self.sphere.body(), self.number("radius")
         mass = 4 / 3 * pi * radius**3 * self.sphere.density
         other, radius_other, mass_other = RIGID, inf, inf
@@ -181,16 +185,20 @@ class BenchmarkImpact(Experiment):
         return f"{self.deck_name}_{self.material}"
 
     def predict(self) -> BenchmarkOutcome:
-        """The outcome by theory, spring and slider; see `comparison.predict`."""
+        """Return the outcome by theory, spring and slider; see `comparison.predict`."""
         return predict(self.impact())
 
     def measure(self, folder: Path) -> BenchmarkOutcome:
-        """The outcome from the trajectory in a folder. Raises CollisionError for no collision."""
+        """Read the outcome from the trajectory in a folder.
+
+        Raises:
+            CollisionError: The trajectory contains no collision.
+        """
         trajectory = read_dump(Path(folder) / "trajectory.dump")
         return BenchmarkOutcome(motion(trajectory, -1), measure(trajectory))
 
     def row(self, measured: BenchmarkOutcome) -> dict[str, object]:
-        """The impact, and the columns of `comparison.compare`."""
+        """Return the impact, and the columns of `comparison.compare`."""
         names = ("benchmark", "law", "material", "modulus_ratio", "knob", "value")
         return {name: getattr(self, name) for name in names} | compare(self.impact(), measured)
 
@@ -201,7 +209,7 @@ class BenchmarkImpact(Experiment):
         law: str = "vu_quoc_zhang",
         steps_per_contact: int = 1000,
     ) -> list[BenchmarkImpact]:
-        """Every impact of some benchmarks in `points.csv`, in its order."""
+        """Return every impact of some benchmarks in `points.csv`, in its order."""
         table = pd.read_csv(folder() / "points.csv", comment="#", dtype={"values": str})
         found = [
             cls(
@@ -220,7 +228,7 @@ class BenchmarkImpact(Experiment):
 
     @classmethod
     def tables(cls, runs: Runs) -> dict[str, pd.DataFrame]:
-        """How far off theory, and the results of each benchmark."""
+        """Return the largest deviations from theory, and the results of each benchmark."""
         parts = {
             f"benchmark_{number}": part.dropna(axis="columns", how="all")
             for number, part in runs.table.groupby("benchmark")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Outcomes of the benchmark impacts: by theory, in a trajectory, and how far apart they are."""
+"""Outcomes of the benchmark impacts: by theory, from a trajectory, and their differences."""
 
 from __future__ import annotations
 
@@ -15,11 +15,11 @@ from plastigran.physics.oblique import Motion, ObliqueImpact
 
 @attrs.frozen(eq=False)
 class BenchmarkOutcome:
-    """What an impact did, measured or predicted.
+    """Measured or predicted outcome of an impact.
 
     Attributes:
-        after: The bodies' motion after it.
-        collision: Of the first body; predicted, by Hertz, where nothing is damped.
+        after: Motion of the bodies after the impact.
+        collision: Normal motion of the first body; predicted by Hertz for impacts without damping.
     """
 
     after: Motion
@@ -27,8 +27,9 @@ class BenchmarkOutcome:
 
 
 def predict(impact: ObliqueImpact) -> BenchmarkOutcome:
-    """An impact by theory: spring and slider (`ObliqueImpact.spring_slider`), with the restitution
-    of a dashpot that never pulls; peaks and duration by Hertz where nothing is damped, else nan.
+    """Predict an impact by theory: spring and slider (`ObliqueImpact.spring_slider`).
+
+    The dashpot never attracts. Peaks and duration are Hertz' for impacts without damping, else NaN.
     """
     if impact.coefficient_of_restitution == 1:
         bodies = (
@@ -54,8 +55,9 @@ def predict(impact: ObliqueImpact) -> BenchmarkOutcome:
 
 
 def compare(impact: ObliqueImpact, measured: BenchmarkOutcome) -> dict[str, object]:
-    """Columns of the results table: what was measured, `*_predicted` as `predict`, `*_rigid` for
-    rigid bodies that slide.
+    """Return columns of the results table: measured values, `*_predicted`, and `*_rigid`.
+
+    `*_predicted` is as of `predict`; `*_rigid` is for rigid bodies that slide.
     """
     found, collision = measured.after, measured.collision
     predicted, rigid = predict(impact), impact.rigid_sliding()
@@ -79,7 +81,7 @@ def compare(impact: ObliqueImpact, measured: BenchmarkOutcome) -> dict[str, obje
         "surface_speed": impact.surface_speed(found),
         "surface_speed_predicted": impact.surface_speed(expected),
         "surface_speed_rigid": impact.surface_speed(rigid),
-        # What friction does to the surface speed of a body that slides throughout.
+        # Change of the surface speed by friction for a body that slides throughout.
         "surface_speed_scale": 3.5
         * impact.coefficient_of_friction
         * (1 + impact.restitution())
@@ -94,9 +96,9 @@ def compare(impact: ObliqueImpact, measured: BenchmarkOutcome) -> dict[str, obje
 
 
 def motion(trajectory: pd.DataFrame, frame: int) -> Motion:
-    """Motion of the bodies in one frame of a trajectory: 0 the first, -1 the last.
+    """Return the motion of the bodies in a frame of a trajectory: 0 the first, -1 the last.
 
-    The normal speed is taken positive, closing or parting.
+    The normal speed is positive, closing or separating.
     """
     step = trajectory["step"].unique()[frame]
     bodies = trajectory[trajectory["step"] == step].sort_values("id")
@@ -109,16 +111,16 @@ def motion(trajectory: pd.DataFrame, frame: int) -> Motion:
 
 
 def agreement(table: pd.DataFrame) -> pd.DataFrame:
-    """Largest deviations from theory by benchmark.
+    """Return the largest deviations from theory by benchmark.
 
     Args:
-        table: Of results, `Runs.table`.
+        table: Results table, `Runs.table`.
 
     Returns:
-        One row a benchmark: `impacts`; relative deviations of `coefficient_of_restitution` and,
-        where nothing is damped, `force_max`, `overlap_max`, `contact_time`; deviations of the
-        surface speed from the `spring_slider` and, where bodies slide throughout, from `rigid`
-        bodies, over what sliding throughout changes it by.
+        One row per benchmark: `impacts`; relative deviations of `coefficient_of_restitution` and,
+        without damping, `force_max`, `overlap_max`, `contact_time`; deviations of the surface speed
+        from the `spring_slider` and, for bodies that slide throughout, from `rigid` bodies, divided
+        by the change of the surface speed of sliding bodies.
     """
 
     def worst(part: pd.DataFrame, name: str) -> float:

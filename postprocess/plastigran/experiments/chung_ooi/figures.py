@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Figures of the benchmark impacts, one a benchmark, in the quantities Chung & Ooi (2011) plot:
-points from the engine, lines from theory.
+"""Figures of the benchmark impacts, one per benchmark, in the quantities of Chung & Ooi (2011).
+
+Points are LIGGGHTS, lines are theory.
 """
 
 from __future__ import annotations
@@ -94,11 +95,11 @@ def _label(case: BenchmarkImpact) -> str:
 
 
 def figure(number: int, outcomes: dict[BenchmarkImpact, BenchmarkOutcome]) -> Figure:
-    """The page of one benchmark.
+    """Draw the figure of one benchmark.
 
     Args:
         number: 1 to 8.
-        outcomes: As `Runs.outcomes` has them, of any benchmarks.
+        outcomes: Outcomes of any benchmarks, as of `Runs.outcomes`.
 
     Raises:
         ValueError: There are no impacts of that benchmark.
@@ -132,7 +133,7 @@ def figure(number: int, outcomes: dict[BenchmarkImpact, BenchmarkOutcome]) -> Fi
 
 
 def _loops(panels: np.ndarray, entries: list[Entry], style: dict) -> None:
-    """Force over overlap and over time, with Hertz's curves."""
+    """Draw force over overlap and over time, with Hertz' curves."""
     for case, outcome in entries:
         impact, collision = case.impact(), outcome.collision
         pair = impact.pair
@@ -166,9 +167,9 @@ def _restitutions(axes: Axes, entries: list[Entry], style: dict, last: bool) -> 
     if last:
         fine = np.linspace(0.02, 1, 200)
         axes.plot(fine, central.restitution_without_pull(fine), color="0.3", lw=1.3)
-        axes.plot(fine, fine, ":", color="0.3", lw=1.3, label="a dashpot that may pull")
+        axes.plot(fine, fine, ":", color="0.3", lw=1.3, label="a dashpot that may attract")
     axes.plot(asked, found, ls="", mfc="none", ms=7 if last else 10, **style)
-    axes.set(xlabel="restitution asked of the dashpot", ylabel="restitution", xlim=(0, 1.03))
+    axes.set(xlabel="nominal restitution of the dashpot", ylabel="restitution", xlim=(0, 1.03))
     axes.set_ylim(0, 1.03)
 
 
@@ -209,5 +210,5 @@ def _oblique(
     axes.set(xlabel=across.label, ylabel=up.label)
     if across is SLIDING_SHARE:
         axes.set_xlim(0, 10)
-    if up is ALONG:  # rounding is all there is; show it on the scale of the impact
+    if up is ALONG:  # only round-off is left; use the scale of the impact
         axes.set_ylim(-impacts[0].before.normal, impacts[0].before.normal)

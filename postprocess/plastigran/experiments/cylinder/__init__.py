@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Central impacts of a cylinder on a rigid plane, and the study of Katta & Polycarpou 2010.
+"""Central impacts of a cylinder on a rigid plane, and the study of Katta & Polycarpou (2010).
 
 Their slider of 1.59 mg is carried by a rigid cylinder and hits glass (J. Tribol. 132).
 """
@@ -27,9 +27,9 @@ if TYPE_CHECKING:
 
 @attrs.frozen
 class CylinderImpact(CentralImpact):
-    """One central impact of a cylinder, a disc in a deck of two dimensions.
+    """One central impact of a cylinder, which is a disc in a two-dimensional deck.
 
-    The material is that of the body that yields; the other is rigid.
+    The material is that of the body that yields; the other body is rigid.
 
     Raises:
         ValueError: A field is out of range, the body is too thin to yield under a line contact, or
@@ -37,17 +37,18 @@ class CylinderImpact(CentralImpact):
     """
 
     geometry: str = word("deck", ("cylinder_wall",), default="cylinder_wall")
-    mass: float = number("mass of all that moves with the cylinder", "kg", 0, default=1.59e-6)
-    length_ratio: float = number("length of the cylinder over its radius", "-", 0, default=10.0)
+    mass: float = number("mass that moves with the cylinder", "kg", 0, default=1.59e-6)
+    length_ratio: float = number("length / radius of the cylinder", "-", 0, default=10.0)
     body_thickness: float = number("thickness of the body that yields", "m", 0, default=1e-4)
 
     command = "cylinder"
-    help = "the cylinder study: maps and comparison"
+    help = "run the cylinder study: maps and comparison"
     example = "plastigran cylinder --points 10"
     shape = "cylinder"
-    has_theory = False  # its study sets the engine beside theory
+    has_theory = False  # its study compares LIGGGHTS with theory
     geometries: ClassVar = {"cylinder_wall": 1}
-    # Beyond, the disc's centre passes the wall. The source goes as far; `in_range` is stricter.
+    # Beyond, the center of the disc passes the wall. The source goes as far; `in_range` is
+    # stricter.
     overlap_ratio_max = 1.0
     flags: ClassVar = {
         "points": Flag(
@@ -64,8 +65,8 @@ class CylinderImpact(CentralImpact):
 
     def __attrs_post_init__(self) -> None:
         if self.wall is not None:
-            raise ValueError(f"wall is {self.wall.name}; that of a cylinder is rigid")
-        self.yield_speed()  # raises for a body too thin
+            raise ValueError(f"wall is {self.wall.name}, but the wall of a cylinder must be rigid")
+        self.yield_speed()  # raises an error for a body that is too thin
         super().__attrs_post_init__()
 
     @property
@@ -88,7 +89,7 @@ class CylinderImpact(CentralImpact):
         return found
 
     def yield_speed(self) -> float:
-        """Speed of the cylinder at which the mean pressure just reaches 1.5 sigma_Y [m/s]."""
+        """Return the speed of the cylinder at which the mean pressure reaches 1.5 sigma_Y [m/s]."""
         *_, work = central.line_yield(
             self.pair, self.radius_eff, self.cylinder_length, self.body_thickness
         )
@@ -96,12 +97,12 @@ class CylinderImpact(CentralImpact):
 
     @classmethod
     def cases(cls, points: int = 30) -> list[CylinderImpact]:
-        """The impact of the source's finite elements, by both laws."""
+        """Return the impact of the source's finite elements for both laws."""
         return cls.plan(law=laws_for("cylinder"), material=study.MATERIAL, **study.FINITE_ELEMENTS)
 
     @classmethod
     def tables(cls, runs: Runs) -> dict[str, pd.DataFrame]:
-        """The study's maps, and the finite elements' impact by law and in the engine."""
+        """Return the maps of the study, and the finite elements' impact by laws and LIGGGHTS."""
         table = study.comparison()
         for case, found in runs.outcomes.items():
             for column in ("overlap_res", "contact_time", "coefficient_of_restitution"):
@@ -124,6 +125,6 @@ class CylinderImpact(CentralImpact):
     def summary(cls, runs: Runs) -> str:
         table = runs.tables["comparison"].T
         return (
-            "Cylinder of 10 um, 0.1 mm long, at 1 m/s: laws, engine and finite elements\n"
+            "'Cylinder of 10 um, 0.1 mm long, at 1 m/s: laws, LIGGGHTS and finite elements\n'"
             + table.to_string(float_format="{:.4g}".format, na_rep="")
         )

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The study of Katta & Polycarpou 2010 (J. Tribol. 132) by the laws alone: over radius and speed.
+"""The study of Katta & Polycarpou (2010, J. Tribol. 132) by the laws alone, over radius and speed.
 
-It holds the laws as published, without the energy guard; the restitution is cut off at 1, as the
-source does. Its maps go beyond an overlap of one radius.
+The laws are as published, without the energy guard. Restitution is cut off at 1, as in the source.
+The maps include overlaps above one radius.
 """
 
 from __future__ import annotations
@@ -22,27 +22,27 @@ from plastigran.progress import ProgressBar
 from plastigran.usable_laws import laws_for
 
 MATERIAL = "glass_kp10"
-MASS = 1.59e-6  # of the slider [kg]
+MASS = 1.59e-6  # mass of the slider [kg]
 BODY_THICKNESS = 1e-4  # [m]
-#: Length over radius of the source's cylinders, and the fastest impact of its maps [m/s].
+#: Length/radius of the source's cylinders, and the fastest impact of its maps [m/s].
 LENGTH_RATIOS = {10.0: 1.0, 100.0: 5.0}
 RADII = (1e-6, 1e-5)  # from, to [m]
 
-#: Finite elements of the source: cylinder of 10 um, length ratio 10, 1 m/s; residual overlap [m],
-#: and the time its whole run took, an upper bound of the contact's [s].
+#: Finite elements of the source: cylinder of 10 um, length ratio 10, 1 m/s. Residual overlap [m],
+#: and the duration of the whole computation, an upper bound of the contact time [s].
 FINITE_ELEMENTS = {"radius": 1e-5, "length_ratio": 10.0, "speed": 1.0}
 FINITE_ELEMENTS_OVERLAP_RES = 0.12e-6
 FINITE_ELEMENTS_TIME_BOUND = 3e-6
 
 
 def impact(name: str, radius: float, speed: float, length_ratio: float) -> dict[str, object]:
-    """One impact of the study; columns of `study`.
+    """Return one impact of the study; columns of `study`.
 
     Args:
-        name: Of the law.
-        radius: Of the cylinder [m].
-        speed: Of impact [m/s].
-        length_ratio: Length over radius of the cylinder [-].
+        name: Name of the law.
+        radius: Radius of the cylinder [m].
+        speed: Impact speed [m/s].
+        length_ratio: Length/radius of the cylinder [-].
     """
     material = read_material(MATERIAL)
     pair, length = laws.combine(material.body(), RIGID), length_ratio * radius
@@ -73,18 +73,18 @@ def impact(name: str, radius: float, speed: float, length_ratio: float) -> dict[
 def study(
     radii: ArrayLike, speeds: ArrayLike, length_ratio: float, progress: bool = False
 ) -> pd.DataFrame:
-    """Both laws as published over radii [m] and speeds [m/s].
+    """Return both laws as published over radii [m] and speeds [m/s].
 
     Args:
-        radii: (N,) of the cylinder [m].
-        speeds: (M,) of impact [m/s].
-        length_ratio: Length over radius of the cylinder [-].
-        progress: Show a progress bar.
+        radii: Radii of the cylinder (N,) [m].
+        speeds: Impact speeds (M,) [m/s].
+        length_ratio: Length/radius of the cylinder [-].
+        progress: Whether to show a progress bar.
 
     Returns:
-        (2 N M,) rows; columns law, length_ratio [-], radius [m], speed [m/s], speed_ratio (over the
-        yield speed), overlap_max, overlap_res [m], force_max [N], contact_radius (half-width at the
-        largest overlap) [m], pressure_ratio (mean pressure there over the yield strength) [-],
+        (2 N M,) rows; columns law, length_ratio [-], radius [m], speed [m/s], speed_ratio (speed /
+        yield speed), overlap_max, overlap_res [m], force_max [N], contact_radius (half width at the
+        largest overlap) [m], pressure_ratio (mean pressure there / yield strength) [-],
         loading_time, contact_time [s], coefficient_of_restitution [-] and in_range.
     """
     axes = laws_for("cylinder"), np.asarray(radii).tolist(), np.asarray(speeds).tolist()
@@ -93,7 +93,7 @@ def study(
 
 
 def maps(points: int) -> pd.DataFrame:
-    """The study over the source's ranges, every length ratio, `points` radii and speeds each."""
+    """Return the study over the source's ranges for every length ratio, `points` values each."""
     radii = np.linspace(*RADII, points)
     return pd.concat(
         [
@@ -105,12 +105,12 @@ def maps(points: int) -> pd.DataFrame:
 
 
 def comparison() -> pd.DataFrame:
-    """The impact the source's finite elements were run for, by each law.
+    """Return the impact of the source's finite elements by each law.
 
     Returns:
-        (3,) rows by law and for the finite elements: overlap_res [m] and its error over the finite
-        elements'; contact_time [s], of the finite elements only contact_time_bound, which it is
-        shorter than; coefficient_of_restitution [-] of the laws.
+        (3,) rows for the laws and the finite elements: overlap_res [m] and its relative error;
+        contact_time [s], for the finite elements only its bound contact_time_bound;
+        coefficient_of_restitution [-] of the laws.
     """
     at = FINITE_ELEMENTS
     table = study([at["radius"]], [at["speed"]], at["length_ratio"]).set_index("law")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The oblique rod of Ghaednia, Cermik & Marghitu 2015, held against its equations of motion."""
+"""The oblique rod of Ghaednia, Cermik & Marghitu (2015), compared with its equations of motion."""
 
 from __future__ import annotations
 
@@ -26,41 +26,46 @@ if TYPE_CHECKING:
 
 _ROD = declaration(Rod)
 _FRICTION = attrs.evolve(
-    _ROD["coefficient_of_friction"], meaning="between tip and flat, default the paper's at an angle"
+    _ROD["coefficient_of_friction"],
+    meaning=(
+        "coefficient of friction between tip and flat, default the paper's value for the angle"
+    ),
 )
 
 
 @attrs.frozen
 class RodImpact(Experiment):
-    """One impact of a rod that falls straight down.
+    """One impact of a rod that falls vertically.
 
-    The engine's friction is `tangential`: `history` holds the tip by a spring until it pulls with
-    mu F, `no_history` is mu F as soon as the tip slides, as in the paper.
+    The friction of LIGGGHTS is `tangential`. With `history`, a spring holds the tip until it pulls
+    with
+    mu F. With `no_history`, friction is mu F as soon as the tip slides, as in the paper.
 
     Raises:
-        ValueError: A field is out of range, the engine cannot do it, or the tip would overlap too
-            far for any law.
+        ValueError: A field is out of range, LIGGGHTS cannot run it, or the tip would overlap too
+            far
+            for any law.
     """
 
     law: str = law_field()
-    speed: float = speed_field("impact speed, straight down")
+    speed: float = speed_field("impact speed, downward")
     rod: Rod = attrs.field(factory=Rod)
     tangential: str = word("friction", ("history", "no_history", "off"), default="history")
     material: Material = material_field("of the rod", "steel_gcm15")
     flat: Material = material_field("of the flat", "iron_gcm15")
-    # The paper puts the pair's E* and R* into all laws.
+    # The paper uses E* and R* of the pair in all laws.
     reading: str = word(
-        "whose modulus and radius laws fitted to one sphere take",
+        "body whose modulus and radius enter laws fitted to one sphere",
         ("pair", "yielding_body"),
         default="pair",
     )
-    # The paper prints (2/H_rod + 2/H_flat)^-1 of the Brinell hardnesses 327 and 105.
+    # The paper gives (2/H_rod + 2/H_flat)^-1 for the Brinell hardnesses 327 and 105.
     indentation_pressure: float = number(
-        "indentation pressure, for the laws that take one", "Pa", 0, default=3.8971e8
+        "indentation pressure, for the laws that use it", "Pa", 0, default=3.8971e8
     )
 
     command = "rod"
-    help = "drop the paper's oblique rod, table and figures"
+    help = "drop the oblique rod of a paper, with table and figures"
     example = "plastigran rod --law thornton jackson_green"
     deck = "collision/rod.in"
     flags: ClassVar = {
@@ -79,30 +84,30 @@ class RodImpact(Experiment):
     def __attrs_post_init__(self) -> None:
         if self.law == "hertz" and self.tangential == "no_history":
             raise ValueError(
-                "the engine's own hertz, undamped, has no friction with tangential no_history"
+                "LIGGGHTS' own hertz without damping has no friction with tangential no_history"
             )
         overlap, radius = self.frozen().overlap_max, self.rod.tip_radius
         check_overlap(self, overlap, radius, SPHERE_OVERLAP, "tip radii")
 
     @property
     def pair(self) -> laws.MaterialPair:
-        """What rod and flat bring to the contact."""
+        """Material pair of rod and flat."""
         return laws.combine(self.material.body(), self.flat.body())
 
     def contact_law(self, **options: str | float):
-        """The law between rod and flat; `options` are its own."""
+        """Return the law between rod and flat; `options` are its own."""
         if any(row["name"] == "indentation_pressure" for row in laws.LAWS[self.law].parameters()):
             options = {"indentation_pressure": self.indentation_pressure, **options}
         return self.material.law(self.law, self.pair, **self.options | options)
 
     @property
     def options(self) -> dict[str, str]:
-        """Those of the law that the case chooses, by name."""
+        """Options of the law that the case chooses, by name."""
         known = {option["name"] for option in laws.LAWS[self.law].options()}
         return {"reading": self.reading} if "reading" in known else {}
 
     def frozen(self) -> laws.ImpactOutcome:
-        """The impact as a central one of the mass the tip feels, `Rod.mass_eff`."""
+        """Central impact with the effective mass of the tip, `Rod.mass_eff`."""
         rod = self.rod
         return self.contact_law().central_impact(rod.tip_radius, rod.mass_eff, self.speed)
 
@@ -112,8 +117,10 @@ class RodImpact(Experiment):
 
     @property
     def timestep(self) -> float:
-        """Half the step recommended for the tip's sphere alone [s], a sixth of the rod's mass: the
-        engine's check of the time step knows no more of the rod than that.
+        """Half of the recommended time step of the tip's sphere alone [s], a sixth of the rod's
+        mass.
+
+        The time step check of LIGGGHTS uses only the mass of that sphere.
         """
         rod = self.rod
         law = self.contact_law()
@@ -121,7 +128,7 @@ class RodImpact(Experiment):
 
     def variables(self) -> dict[str, object]:
         flat = {f"flat_{name}": value for name, value in self.flat.variables().items()}
-        del flat["flat_density"]  # it does not move
+        del flat["flat_density"]  # the flat does not move
         names = ("law", "speed", "tangential", "indentation_pressure")
         own: dict[str, object] = {name: getattr(self, name) for name in names}
         if self.options:
@@ -129,7 +136,7 @@ class RodImpact(Experiment):
         return own | attrs.asdict(self.rod) | self.material.variables() | flat
 
     def predict(self) -> RodOutcome:
-        """The impact by the equations of motion with the same friction, without the engine."""
+        """Return the outcome by the equations of motion with the same friction."""
         rod = self.rod
         if self.tangential == "off":
             rod = attrs.evolve(rod, coefficient_of_friction=0.0)
@@ -155,10 +162,11 @@ class RodImpact(Experiment):
     def cases(
         cls, angle: Iterable[float], coefficient_of_friction: float | None = None, **settings: Any
     ) -> list[RodImpact]:
-        """The paper's rod at some angles [degrees], with the friction the paper gives or another.
+        """Return the paper's rod at some angles [degrees], with friction of the paper or another
+        value.
 
         Raises:
-            ValueError: The paper gives none for an angle.
+            ValueError: The paper gives no friction for an angle.
         """
         frictions = {each: PAPER_FRICTION.get(each, coefficient_of_friction) for each in angle}
         if coefficient_of_friction is not None:
@@ -166,7 +174,7 @@ class RodImpact(Experiment):
         if None in frictions.values():
             known = " and ".join(f"{paper:g}" for paper in PAPER_FRICTION)
             raise ValueError(
-                f"the paper gives friction at {known} degrees only; give coefficient_of_friction"
+                f"the paper gives friction only at {known} degrees. Give coefficient_of_friction"
             )
         return cls.plan(rod=[Rod(*set_up) for set_up in frictions.items()], **settings)
 

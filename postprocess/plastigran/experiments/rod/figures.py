@@ -22,12 +22,12 @@ from plastigran.plot.style import (
 )
 
 MEASURED = MeasuredRun()
-#: Engine points drawn of a motion.
+#: Number of LIGGGHTS points of a motion.
 POINTS = 30
 
 
 def closest_to_measured(impacts: dict[RodImpact, RodOutcome]) -> RodImpact:
-    """The run nearest the paper's measured one: in angle, then speed, then angular velocity."""
+    """Return the run closest to the measured one: in angle, then speed, then angular velocity."""
 
     def distance(run: RodImpact) -> tuple[float, float, float]:
         return (
@@ -40,10 +40,10 @@ def closest_to_measured(impacts: dict[RodImpact, RodOutcome]) -> RodImpact:
 
 
 def motion_figure(run: RodImpact, measured: RodOutcome) -> Figure:
-    """Forces, displacement, velocities and angular velocity over the time of contact.
+    """Draw forces, displacement, velocities and angular velocity over the time of contact.
 
-    Lines are the equations of motion, points the engine; dotted, where the run is the paper's
-    measured one, what it measured afterwards.
+    Lines are the equations of motion, points LIGGGHTS. Dotted lines are measured values after the
+    impact, if the run is the measured one.
     """
     predicted = run.predict().history
     points = measured.history.iloc[:: max(1, len(measured.history) // POINTS)]
@@ -98,9 +98,9 @@ def motion_figure(run: RodImpact, measured: RodOutcome) -> Figure:
 
 
 def outcome_figure(table: pd.DataFrame) -> Figure:
-    """Restitution of the tip and angular velocity over impact speed, one column an angle.
+    """Draw restitution of the tip and angular velocity over impact speed, a column for each angle.
 
-    The star is the paper's measured run; its restitution is the one its velocities imply.
+    The star is the measured run of the paper; its restitution follows from its velocities.
 
     Args:
         table: Columns of `RodImpact.row`.
@@ -130,7 +130,7 @@ def outcome_figure(table: pd.DataFrame) -> Figure:
 
 
 def deformation_figure(table: pd.DataFrame) -> Figure:
-    """Permanent deformation over impact speed, one column an angle.
+    """Draw permanent deformation over impact speed, a column for each angle.
 
     Args:
         table: Columns of `RodImpact.row`.
@@ -162,11 +162,11 @@ def _grid(table: pd.DataFrame, rows: int) -> tuple[Figure, np.ndarray]:
 
 
 def _curves(axes: Axes, table: pd.DataFrame, angle: float, column: str, scale: float) -> None:
-    """Points from the engine; lines through what the equations of motion give at their speeds."""
+    """Draw points of LIGGGHTS, with lines through the equations of motion at their speeds."""
     for law in sorted(table["law"].unique()):
         rows = table[(table["law"] == law) & (table["angle"] == angle)].sort_values("speed")
         if not rows[column].any():
-            continue  # an elastic contact leaves no dent
+            continue  # an elastic contact has no permanent deformation
         colour, marker = law_colour(law), MARKERS[law_number(law)]
         axes.plot(rows["speed"], rows[f"{column}_predicted"] * scale, color=colour, lw=1)
         axes.plot(

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Measure a rod's impact from the trajectory its deck writes."""
+"""Measure a rod's impact from the trajectory that its deck writes."""
 
 from __future__ import annotations
 
@@ -12,21 +12,23 @@ from plastigran.engine.dumps import read_dump
 from plastigran.experiments.collision import CollisionError, measure_loop
 from plastigran.physics.rod import RodOutcome
 
-#: The deck's spheres.
+#: Spheres of the deck.
 TIP, CENTRE, FAR_END = 1, 2, 3
 
 
 def measure_rod(
     trajectory: str | Path | pd.DataFrame, gravitational_acceleration: float
 ) -> RodOutcome:
-    """Measure a rod's impact from the trajectory `rod.in` writes.
+    """Measure a rod's impact from the trajectory that `rod.in` writes.
 
     Args:
-        trajectory: The dump, or the table `read_dump` makes of it.
-        gravitational_acceleration: The deck's [m/s^2]; the dumped forces hold each sphere's weight.
+        trajectory: Dump, or its table of `read_dump`.
+        gravitational_acceleration: Value of the deck [m/s^2]; the dumped forces include the weight
+            of
+            each sphere.
 
     Raises:
-        CollisionError: The table is not a rod's, the tip never touches or has not let go.
+        CollisionError: The table is not a rod's, or the tip never touches or does not separate.
     """
     if not isinstance(trajectory, pd.DataFrame):
         trajectory = read_dump(trajectory)
@@ -39,7 +41,8 @@ def measure_rod(
         {
             "time": tip["time"],
             "overlap": tip["radius"] - tip["y"],
-            "force": force.where(force > 1e-9 * force.max(), 0),  # no rounding of the weight
+            # remove the round-off of the weight
+            "force": force.where(force > 1e-9 * force.max(), 0),
             "speed": -tip["vy"],
         }
     )
