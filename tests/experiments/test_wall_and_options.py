@@ -121,7 +121,7 @@ def test_a_law_of_dents_for_a_ball_that_flattens_is_said():
     case = {"law": "universal", "speed": 1.0, "material": "steel", "wall": "zirconia"}
     said = "Steel on Zirconia: the ball yields, but --options 'yielding flat' describes a"
     assert said in str(CentralImpact.theory(**case, options="yielding flat"))
-    assert "flattens;" not in str(CentralImpact.theory(**case))
+    assert "the ball yields, but" not in str(CentralImpact.theory(**case))
 
 
 @pytest.mark.parametrize("name", ["rigid", "none", "default", "", "a/b", 304])
