@@ -26,7 +26,8 @@ class Sentence:
 
     Attributes:
         place: File and line, or the command whose help contains the sentence.
-        text: Text; code is replaced by CODE and values of a message by VALUE.
+        text: Text. Code is replaced by CODE, a value of a message by VALUE, and a list of names by
+            LIST.
     """
 
     place: str
@@ -60,6 +61,7 @@ def _split(text: str) -> Iterator[str]:
     text = re.sub(r"\[([^\]]*)\]\([^)]*\)", r"\1", text)
     text = re.sub(r"`[^`]*`", "CODE", text)
     text = re.sub(r"\$[^$]*\$", "VALUE", text)
+    text = re.sub(r"([\w.-]+, ){5,}[\w.-]+", "LIST", text)
     for sentence in _SENTENCE_END.split(text):
         sentence = sentence.strip(" *-_")
         if len(sentence.split()) > 1:

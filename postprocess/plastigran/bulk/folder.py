@@ -84,7 +84,7 @@ def read_record(folder: str | Path) -> dict:
     for name, kind in contents.items():
         found = record.get(name, {})
         if not isinstance(found, dict) or not all(isinstance(v, kind) for v in found.values()):
-            raise EngineError(f"{path} is damaged: entry {name} is not that of a run")
+            raise EngineError(f"{path} is damaged: entry {name} has a wrong type")
     if not isinstance(record.get("restart"), str | None):
         raise EngineError(f"{path} is damaged: entry restart must be a folder")
     return record

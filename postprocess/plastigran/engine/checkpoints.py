@@ -144,7 +144,7 @@ def _checksum_of(checkpoint: Path) -> Path:
 
 
 def _lacks_checksum(checkpoint: Path) -> bool:
-    """Whether there is none, or that of an earlier file: a deck may count its steps anew."""
+    """Return whether the checksum is missing or older; a deck may restart its step count."""
     file = _checksum_of(checkpoint)
     return not file.exists() or file.stat().st_mtime_ns < checkpoint.stat().st_mtime_ns
 

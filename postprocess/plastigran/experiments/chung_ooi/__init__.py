@@ -71,10 +71,10 @@ class BenchmarkImpact(Experiment):
         deck_name: Name of the deck, without `.in`; it begins with the benchmark's number.
         material: Of the sphere, a file of `materials` beside the deck.
         knob: The deck's variable that the benchmark sweeps.
-        value: Its value, in the deck's unit.
+        value: Value of the varied quantity, in the deck's unit.
         modulus_ratio: Young's modulus of the second sphere over the first's; None leaves it to the
             deck.
-        law: The model, or `hertz` for the engine's own.
+        law: Name of the law; `hertz` is LIGGGHTS' own.
         steps_per_contact: Time steps in an undamped contact.
     """
 
