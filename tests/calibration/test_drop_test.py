@@ -53,7 +53,7 @@ def test_forms_of_the_file_say_the_same(text, read):
         ("speed,rebound_speed\n1,1.1\n", "restitution of drop 1 is 1.1; it must lie above"),
         (
             "drop_height,restitution\n300,0.5\n",
-            "drop_height of drop 1 is 300; .* 1e-06 and below 10 .m.; is it in m",
+            "drop_height of drop 1 is 300; .* 1e-06 and below 10 .m.. Check the unit: m",
         ),
         ("speed,restitution\n1,half\n", "restitution of drop 1 is 'half', not a number"),
         ("speed,restitution\n1,\n", "restitution of drop 1 is nan; it must lie"),

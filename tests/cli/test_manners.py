@@ -67,7 +67,7 @@ def test_tables_as_json(capsys):
     case = CentralImpact("thornton", 0.1, "aluminium_zv02", 0.1, wall="steel")
     assert softer["timestep"] == case.timestep > row["timestep"]
     assert main([*line, "--geometry", "two_spheres"]) == 1
-    assert "wall is steel; two_spheres has none" in capsys.readouterr().err
+    assert "wall is steel, but two_spheres has no wall" in capsys.readouterr().err
     assert main(["modes", "--material", "ice", "--radius", "0.01", "--json"]) == 0
     assert {"kind", "degree", "frequency"} <= json.loads(capsys.readouterr().out)[0].keys()
 

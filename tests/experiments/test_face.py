@@ -135,7 +135,10 @@ def test_a_path_accounts_for_its_work():
         ({"mass_eff": 0.0}, "mass_eff is 0"),
         ({"a": 7850.0}, "a is 7850.0; it must be a material, its name or RIGID"),
         ({"b": "cheese"}, "no material 'cheese'; there are alumina"),
-        ({"law": "viscoelastic_hertz"}, "material steel gives no dissipative_constant"),
+        (
+            {"law": "viscoelastic_hertz"},
+            "needs dissipative_constant, which material steel does not define",
+        ),
         ({"meyer_index": 2.0}, "has no constant 'meyer_index'"),
     ],
 )
@@ -164,11 +167,11 @@ def test_leaving_the_range_is_said_once_a_call():
     inside = outcome.overlap_max <= contact.overlap_range
     assert (inside == outcome.in_range).all() and 0 < inside.sum() < 40
     first = speeds[~inside].min()
-    with pytest.warns(RangeWarning, match=f"^speed {first:.3g} m/s is beyond.* of kogut") as said:
+    with pytest.warns(RangeWarning, match=f"^speed {first:.3g} m/s exceeds .* law kogut") as said:
         contact.restitution(speeds)
     assert len(said) == 1
     contact.path([contact.overlap_range])
-    with pytest.warns(RangeWarning, match=r"^overlap 1e-05 m is beyond.*110 times that at yield"):
+    with pytest.warns(RangeWarning, match=r"^overlap 1e-05 m exceeds .*110 times that at yield"):
         contact.path([1e-6, 1e-5])
 
 

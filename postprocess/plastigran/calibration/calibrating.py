@@ -225,7 +225,7 @@ def _check_units(**values: float) -> None:
         try:
             read_number(name, value, said)
         except ValueError as error:
-            raise ValueError(f"{error}; {question}") from None
+            raise ValueError(f"{error}. {question}") from None
 
 
 def _check_strength(value: float, youngs_modulus: float) -> None:

@@ -54,7 +54,7 @@ def test_impossible_values_are_refused_by_name(case, field):
         ({"law": "hertz"}, "ledger is on, but LIGGGHTS' own hertz has no energy balance"),
         ({"rows": 20, "checkpoints": 3}, "checkpoints is 3; it must divide rows, 20"),
         ({"options": "viscous"}, "options is 'viscous'; it must be made of pairs"),
-        ({"law": "viscoelastic_hertz"}, "gives no dissipative_constant"),
+        ({"law": "viscoelastic_hertz"}, "needs dissipative_constant, which"),
         ({"material": "cheese"}, "includes .*cheese.in, which does not exist"),
         ({"colour": "red"}, "has no setting 'colour'; it takes "),
     ],
