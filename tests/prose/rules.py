@@ -23,7 +23,7 @@ PATTERNS = {
         r"^(It|The \w+) (says|asks) ",
     ),
     "use because": (r", for [a-z]+ (is|are|has|have|can|do|does)\b",),
-    "use is not a": (r"(?<!here )\b(is|are) no (?!more |less |longer )[a-z]+",),
+    "use is not a": (r"(?<!here )\b(is|are) no (?!more |less |longer |closer |better )[a-z]+",),
 }
 #: Terms to avoid, by the term to use.
 TERMS = {
