@@ -44,12 +44,12 @@ PAPER = Paper(
         "restitution",
         "approach",
         "residual",
-        "duration",
         "pressed",
         "coefficients",
         "laws",
         "engine",
     ),
+    data=("duration",),
     figures=(
         "restitution",
         "collisions",
