@@ -58,8 +58,10 @@ set group all d_Ro {held}
 
 
 def yield_overlap(nu: float, strength: float) -> float:
-    """Where the mean Hertz pressure 4 E' sqrt(d/R)/(3 pi) passes sigma_Y (1.75 exp(-4.4 d/R) + 1);
-    1e-12 of it beyond [m].
+    """Return the overlap [m] at which the mean Hertz pressure reaches the limit of MDR.
+
+    The pressure is 4 E' sqrt(d/R)/(3 pi), the limit sigma_Y (1.75 exp(-4.4 d/R) + 1). The result is
+    larger by a relative 1e-12.
     """
     low, high = 0.0, 1.0
     for _ in range(200):

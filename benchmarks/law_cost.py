@@ -35,8 +35,9 @@ def build() -> None:
 
 
 def times(laws: list[str], repeats: int) -> pd.DataFrame:
-    """Time of each law, phase and answer, column `ns`; the row of phase `setup` has the time of
-    making the law and, as `sum`, its size in bytes.
+    """Return the time of each law, phase and response, column `ns`.
+
+    The row of phase `setup` has the time to construct the law and, as `sum`, its size in bytes.
     """
     line = [str(PROGRAM), "--repeats", str(repeats), *laws]
     done = subprocess.run(line, check=True, capture_output=True, text=True)

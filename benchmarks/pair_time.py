@@ -128,8 +128,9 @@ def run_bed(
     count_every: int | None = None,
     shape: str = "sphere",
 ) -> str:
-    """Take a law, or a law with the ledger, through the bed's path; returns the log. Leaves the
-    contacts of every so many steps in contacts.dump.
+    """Run a law, or a law with energy balance, along the path of the bed; return the log.
+
+    The contacts of every `count_every` steps go to contacts.dump.
     """
     variables = bed_variables(contender, state, bed, steps, shape)
     if count_every:

@@ -88,8 +88,9 @@ CONTENDERS = {
 
 
 def same_physics(bed: Path, steps: int) -> float:
-    """Largest difference of a grain's force between `hertz` and LAMMPS' `hertz/material` at full
-    compression, elastic and undamped, over the root mean square of all forces.
+    """Return the largest force difference between `hertz` and LAMMPS' `hertz/material`.
+
+    At full compression, elastic and undamped, divided by the root mean square of all forces.
     """
     found = []
     other = CONTENDERS["LAMMPS hertz/material"].law
@@ -108,8 +109,9 @@ def same_physics(bed: Path, steps: int) -> float:
 
 
 def times(log: str, folder: Path) -> list[float]:
-    """Of both phases together: loop [s of the processor], pair forces [likewise], loop [s of the
-    clock].
+    """Return the times of both phases together.
+
+    They are the loop and the pair forces in processor time, and the loop in clock time [s].
     """
     stamps = [int(line.split()[0]) for line in (folder / "processor").read_text().splitlines()]
     loop = np.diff(stamps) / 1e9

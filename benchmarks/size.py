@@ -86,8 +86,9 @@ def print_cost(table: pd.DataFrame) -> None:
 
 
 def print_restart(bed: Path, steps: int) -> None:
-    """A checkpoint in mid-run, and whether the way on from it ends as the run does, in every
-    digit of every grain's position, velocity and force.
+    """Check that a restart ends bitwise like the whole run.
+
+    Positions, velocities and forces of every grain are compared.
     """
     whole, again = WORK / "whole", WORK / "again"
     done = run(bed, LAWS["thornton"] | {"steps": steps, "rest": steps}, whole)

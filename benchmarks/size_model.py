@@ -80,8 +80,9 @@ def copies(grains: float) -> float:
 
 
 def contacts_factor(grains: float) -> float:
-    """Contacts that a cube of so many grains computes over those it would if each contact were
-    computed once: a face has a quarter of a grain's contacts across it for each of its grains.
+    """Return the contacts that a cube of grains computes, divided by their number.
+
+    At a face, each grain has a quarter of its contacts across it, which are computed twice.
     """
     return 1 + 1.5 * grains ** (-1 / 3)
 
@@ -102,8 +103,9 @@ def step_time(grains: float, ranks: int, costs: Costs, cluster: Cluster) -> dict
 
 
 def fit(table: pd.DataFrame, law: str = "thornton") -> Costs:
-    """From the rounds of `size.py --part cost`: medians, the copies' time from its own row of the
-    engine's table, scaled from the clock to the processor.
+    """Fit the costs to the rounds of `size.py --part cost`, by medians.
+
+    The time of copies is that of its row in LIGGGHTS' table, scaled from clock to processor time.
     """
     rows = table[table["law"] == law]
     steps = rows["processor"] / rows["steps"]

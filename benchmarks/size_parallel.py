@@ -22,8 +22,10 @@ LAW = {"law": "thornton"}
 
 
 def ranks(options: argparse.Namespace) -> None:
-    """Strong and weak scaling, by the clock. Two beds of half the size on a rank each, at the same
-    time, cost what the machine takes from two ranks that have nothing to say to each other.
+    """Measure strong and weak scaling by the clock.
+
+    Two beds of half the size on one rank each, run at the same time, show the cost of sharing the
+    machine without communication.
     """
     grains = options.grains[0]
     along = WIDTHS[grains]

@@ -77,8 +77,9 @@ def elastic_table(
     forces: Sequence[float] = (36.0, 61.0, 174.0, 496.0, 1417.0, 4048.0, 11563.0),
     settings: Settings | None = None,
 ) -> pd.DataFrame:
-    """An elastic sphere pressed to each force on a mesh made for it: its force, N, over that of
-    Hertz at the same approach.
+    """Return the force of an elastic sphere divided by that of Hertz at the same approach.
+
+    Each force [N] has its own mesh.
     """
     metal = evolve(METAL, hardening=None)
     sphere = HertzSphere(metal, RADIUS)

@@ -49,8 +49,9 @@ def stiff_material() -> Material:
 
 
 def measure(run: BulkRun) -> dict[str, float]:
-    """What is compared: grains that leave a second or the wall's power [W], and shares of what is
-    dissipated meanwhile.
+    """Return the compared quantities.
+
+    They are the discharge per second or the power of the wall [W], and the shares of dissipation.
     """
     series, deck = run.series, run.deck
     if run.name == "hopper":

@@ -55,8 +55,9 @@ def random_events(
     walled: str,
     gap: float,
 ) -> Iterator[Event]:
-    """One to four events in a box with corners `low` and `high` [m], of particles that are
-    `positions` and `radius` at the begin and move by some gaps `gap` [m] until the end.
+    """Yield one to four events in a box with corners `low` and `high` [m].
+
+    The particles start at `positions` with `radius` and move by some gaps `gap` [m] until the end.
     """
     grid = _grid(random)
     side = np.where([axis in walled for axis in AXES], 1e30, high - low)
@@ -89,9 +90,10 @@ def _free_place(
     side: np.ndarray,
     gap: float,
 ) -> np.ndarray:
-    """Where to create a particle [m]: anywhere, or beside another, and as far from touching those
-    of the begin by more than `gap` as twenty tries find. `side`: of the box where it is periodic,
-    else without end.
+    """Return where to create a particle [m]: anywhere, or beside another.
+
+    Of twenty tries, the place farthest from touching a particle of the start is chosen. `side` is
+    the length of the box on periodic axes, otherwise infinite.
     """
     beside, best = random.random() < 0.5, (-np.inf, low)
     for _ in range(20):

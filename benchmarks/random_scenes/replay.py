@@ -48,8 +48,7 @@ class Replay:
     def forces(
         self, names: np.ndarray, frame: Frame, begins: bool
     ) -> tuple[np.ndarray, float, float]:
-        """Forces (particle, axis) [N], elastic energy and plastic work [J] of a frame; moves
-        histories on.
+        """Return forces [N], elastic energy and plastic work [J]; update the histories.
 
         The engine asks for forces in the middle of a step, when velocities are half a step old. At
         the begin of a run it asks with those of the frame, and histories stay as they are: what

@@ -109,8 +109,10 @@ def build(target: Path) -> int:
 
 
 def _state(pages: Path) -> str:
-    """What every page may depend on: which pages there are, for links to them are settled when a
-    page is read, and the package, which notebooks and references run.
+    """Return a digest of all that every page may depend on.
+
+    It contains the names of the pages, because links are resolved when a page is read, and the
+    package, which notebooks and references run.
     """
     names = sorted(str(path.relative_to(pages)) for path in pages.rglob("*.*"))
     digest = sha256()

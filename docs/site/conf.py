@@ -55,9 +55,7 @@ copybutton_prompt_text = "$ "
 
 
 def process_docstring(app, what, name, found, options, lines):
-    """Docstrings are plain text: |x| is a magnitude, and what a module's docstring indents after a
-    blank line stands as it is.
-    """
+    """Convert docstrings from plain text: escape |x|, and keep indented blocks of modules."""
     text, literal = [], False
     for line in lines:
         indented = line.startswith("    ")

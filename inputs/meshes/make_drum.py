@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Write drum.stl beside this file: the shell of a drum about the y axis, of radius and length 1,
-its middle in the origin. Decks scale it.
+"""Write drum.stl beside this file: the shell of a drum about the y axis.
+
+Radius and length are 1, and the center is the origin. Decks scale it.
 """
 
 from __future__ import annotations

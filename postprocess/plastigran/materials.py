@@ -99,8 +99,7 @@ class Material:
         return [name for name in _needed(law) if getattr(self, name, None) is None]
 
     def law(self, name: str, pair: laws.MaterialPair, **others: float | str):
-        """Create a law for contacts of this material. Its required constants come from the
-        material.
+        """Create a law for contacts of this material, with its required constants.
 
         Args:
             name: Name of the law.
@@ -158,8 +157,7 @@ def names() -> list[str]:
 
 
 def table() -> pd.DataFrame:
-    """Return the available materials: one row each, by name; a column for each constant, in SI
-    units.
+    """Return the available materials: one row each, a column for each constant, in SI units.
 
     Raises:
         ValueError: A file cannot be read.

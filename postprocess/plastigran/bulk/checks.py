@@ -130,8 +130,7 @@ def ledger_checks(series: pd.DataFrame) -> list[Check]:
 
 
 def trapezia_factor(time: pd.Series, diameter: float, gravitational_acceleration: float) -> float:
-    """Return the error of trapezoidal integration relative to that with `FINE_ROWS` [-], at least
-    1.
+    """Return the error of trapezoidal integration relative to that with `FINE_ROWS`, at least 1.
 
     It is proportional to the square of the spacing.
 

@@ -304,9 +304,7 @@ def read_derived(folder: str | Path, name: str) -> float:
 
 
 def carry_files(earlier: Path, folder: Path, last: int) -> None:
-    """Copy the files to which LIGGGHTS appends: spectra, and the complete frames before step
-    `last`.
-    """
+    """Copy the files to which LIGGGHTS appends: spectra, and complete frames before step `last`."""
     if (earlier / SPECTRA).exists():
         shutil.copy(earlier / SPECTRA, folder)
     if not (earlier / DUMP).exists():

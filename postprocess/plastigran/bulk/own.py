@@ -67,8 +67,7 @@ def _first_words(source: DeckSource, file: Path) -> set[str]:
 
 
 def own_places(source: DeckSource, folder: Path) -> dict[str, object]:
-    """Return the values of `inputs` and `output` for a user's deck; None for one that it does not
-    read.
+    """Return the values of `inputs` and `output` that a user's deck reads; None for the others.
 
     Raises:
         ValueError: The deck reads ${output}, and LIGGGHTS would misread its value.

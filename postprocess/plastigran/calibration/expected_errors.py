@@ -41,9 +41,7 @@ class ExpectedError:
 
     @classmethod
     def of_another_pair(cls, speed_ratio: tuple[float, float]) -> ExpectedError:
-        """Return an unknown error, for bodies other than the finite-element spheres on a rigid
-        plane.
-        """
+        """Return an unknown error, for bodies other than spheres on a rigid plane."""
         return cls("", speed_ratio, reason="finite elements are of spheres on a rigid plane")
 
     def __str__(self) -> str:

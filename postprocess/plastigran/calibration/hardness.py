@@ -107,9 +107,7 @@ class Hardness:
 
     @property
     def scatter(self) -> float:
-        """Relative 95 % half-width of the flow stress, from reading, conversion and constraint
-        factor.
-        """
+        """Relative 95 % half-width of the flow stress: reading, conversion, constraint."""
         return hypot(READING_SCATTER, SCALES[self.scale].scatter, CONSTRAINT_SCATTER)
 
     @property
@@ -154,8 +152,7 @@ def flow_stress(vickers: ArrayLike) -> np.ndarray:
 
 
 def steel_yield_strength(vickers: ArrayLike) -> np.ndarray:
-    """Return the tensile yield strength [Pa] of hypoeutectoid steels from `vickers`, any
-    shape.
+    """Return the tensile yield strength [Pa] of hypoeutectoid steels from `vickers` (any shape).
 
     A line fitted to 150 steels of 300 to 1700 MPa. It is below the flow stress under a contact.
     Source: Pavlina & Van Tyne 2008, J. Mater. Eng. Perform. 17:888.

@@ -89,8 +89,9 @@ def main(argv: list[str] | None = None) -> int:
 
 
 def _print_once() -> Callable[..., None]:
-    """Return what shows warnings: each text once. Python's own filters forget what they have shown
-    when a library changes them.
+    """Return a function that shows each warning text once.
+
+    The filters of Python repeat a warning after a library has changed them.
     """
     shown = set()
 
@@ -135,8 +136,10 @@ def _report(error: Exception, arguments: argparse.Namespace) -> int:
 
 
 def _said(error: Exception, arguments: argparse.Namespace) -> str:
-    """Return an error's message. If the system refuses a file, it names the file and the reason,
-    or the folder of results where the system does not name the file.
+    """Return the message of an error.
+
+    If the system refuses a file, the message names the file, or the folder of results, and the
+    reason.
     """
     if isinstance(error, FileNotFoundError) and error.filename:
         return f"no file {error.filename}"

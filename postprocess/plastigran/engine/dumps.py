@@ -94,9 +94,7 @@ def _frames(path: Path) -> Iterator[_Frame]:
 
 
 def _is_column(header: list[str], k: int) -> bool:
-    """Return whether an item is a column. Local dumps may have any words before their columns
-    c_ID[k].
-    """
+    """Return whether an item is a column; other words may precede the columns of a local dump."""
     return header[0] == "ATOMS" or header[k].startswith(("c_", "f_", "v_"))
 
 

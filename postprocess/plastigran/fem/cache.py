@@ -46,8 +46,7 @@ def cached(
     progress: bool = False,
     **named: object,
 ) -> Result:
-    """Return the result of `compute(*arguments, settings, progress, **named)`, from disk if
-    possible.
+    """Return `compute(*arguments, settings, progress, **named)`, from disk if possible.
 
     A damaged file is computed again. A result that stopped early is not kept.
 

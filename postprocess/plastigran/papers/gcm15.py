@@ -127,9 +127,7 @@ def measured_run(runs: Runs) -> pd.DataFrame:
 
 
 def deformation(table: pd.DataFrame) -> pd.DataFrame:
-    """Return the permanent deformation [µm] by the equations of motion; the paper has only a
-    figure.
-    """
+    """Return the permanent deformation [µm] by the equations of motion."""
     found = _by_law(table, "overlap_res_predicted")
     return found.assign(**{law: 1e6 * found[law] for law in LAWS})
 

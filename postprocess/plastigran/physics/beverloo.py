@@ -110,9 +110,7 @@ class Discharge:
 
     @property
     def reduced(self) -> float:
-        """Reduced rate (W/(rho_b sqrt(g)))^(2/5) [m]; linear in the orifice diameter by Beverloo's
-        law.
-        """
+        """Reduced rate (W/(rho_b sqrt(g)))^(2/5) [m]; by Beverloo's law linear in the orifice."""
         return (self.rate / (self.bulk_density * self.gravitational_acceleration**0.5)) ** 0.4
 
 

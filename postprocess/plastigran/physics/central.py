@@ -116,8 +116,7 @@ def hertz_history(
 
 
 def damping_ratio(coefficient_of_restitution: ArrayLike) -> np.ndarray:
-    """Return the damping ratio of the classic dashpot [-], -ln e / (pi^2 + ln^2 e)^(1/2), any
-    shape.
+    """Return the damping ratio of the dashpot [-], -ln e / (pi^2 + ln^2 e)^(1/2), any shape.
 
     With x = overlap^(5/4) and d tau = overlap^(1/4) dt, the damped Hertzian contact is a linear
     oscillator of this damping ratio (Antypov & Elliott 2011, Europhys. Lett. 94:50004).

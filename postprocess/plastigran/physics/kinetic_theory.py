@@ -82,8 +82,7 @@ class Gas:
         return rate * np.sqrt(pi * np.asarray(temperature, dtype=float))
 
     def loss(self, temperature: float, power: int = 1) -> float:
-        """Return the mean over impacts of ((1 - e^2) g^2 / 4T)^power [-], with normal impact speed
-        g.
+        """Return the mean over impacts of ((1 - e^2) g^2 / 4T)^power [-]; g is the normal speed.
 
         In a Maxwellian gas, g^2/4T of impacts has the probability density exp(-g^2/4T), because the
         collision flux is weighted with the relative normal speed of variance 2T.

@@ -194,9 +194,9 @@ def spheroidal_roots(degree: int, poissons_ratio: float, count: int) -> np.ndarr
         return x, negative, angle, float(np.linalg.det(traction))
 
     def passed(a, b) -> int:
-        """Return the number of modes between a and b. Angles decrease by pi between poles and jump
-        up
-        by pi at them.
+        """Return the number of modes between a and b.
+
+        Angles decrease by pi between poles and jump up by pi at them.
         """
         poles = int(np.ceil((b[2] - a[2]) / pi - 1e-9))
         return poles + b[1] - a[1]

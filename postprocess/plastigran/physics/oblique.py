@@ -100,9 +100,7 @@ class ObliqueImpact:
 
     @property
     def stretch_ratio(self) -> float:
-        """Longest spring divided by overlap and mu, without dashpots: F / (k_t overlap) = E*/(6
-        G*).
-        """
+        """Longest undamped spring / (mu overlap): F / (k_t overlap) = E*/(6 G*)."""
         return self.pair.youngs_modulus_eff / (6 * self.pair.shear_modulus_eff)
 
     def rigid_sliding(self) -> Motion:
@@ -126,8 +124,7 @@ class ObliqueImpact:
         )
 
     def spring_slider(self) -> Motion:
-        """Return the motion after an impact of elastic bodies with a tangential spring and a
-        slider.
+        """Return the motion after an impact with a tangential spring and a slider.
 
         The spring has Mindlin's stiffness without slip, k_t = 8 G* a, and follows the surfaces. It
         slides at mu F, where F includes the dashpot. There is no tangential dashpot. This is the
@@ -199,9 +196,7 @@ class _SpringSlider:
             return self.normal_force(max(state[0], 1e-30), state[1]) - 1e-12
 
         def changes(_: float, state: np.ndarray) -> float:
-            """Return a value that becomes negative when the contact changes between sticking and
-            sliding.
-            """
+            """Return a value that becomes negative when sticking or sliding ends."""
             overlap, rate = max(state[0], 1e-30), state[1]
             if self.friction == 0:
                 return 1.0

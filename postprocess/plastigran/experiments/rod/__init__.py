@@ -117,8 +117,7 @@ class RodImpact(Experiment):
 
     @property
     def timestep(self) -> float:
-        """Half of the recommended time step of the tip's sphere alone [s], a sixth of the rod's
-        mass.
+        """Half of the recommended time step of the tip's sphere [s], a sixth of the rod's mass.
 
         The time step check of LIGGGHTS uses only the mass of that sphere.
         """
@@ -162,8 +161,7 @@ class RodImpact(Experiment):
     def cases(
         cls, angle: Iterable[float], coefficient_of_friction: float | None = None, **settings: Any
     ) -> list[RodImpact]:
-        """Return the paper's rod at some angles [degrees], with friction of the paper or another
-        value.
+        """Return the paper's rod at some angles [degrees], with its or another friction.
 
         Raises:
             ValueError: The paper gives no friction for an angle.

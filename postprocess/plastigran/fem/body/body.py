@@ -121,17 +121,14 @@ class Body:
         return self.kinematics.strain(self._measured(displacement))
 
     def internal_force(self, displacement: np.ndarray, stress: np.ndarray) -> np.ndarray:
-        """Return nodal forces (size,), N, for displacements (size,), m, and stresses (points, 4),
-        Pa.
-        """
+        """Return nodal forces (size,), N, for displacements (size,), m, and stresses, Pa."""
         conjugate = self.kinematics.conjugate(self._measured(displacement), stress)
         weighted = conjugate.reshape(*self.volumes.shape, -1) * self.volumes[:, :, None]
         nodal = weighted.reshape(len(self.dofs), 1, -1) @ self._matrices
         return np.bincount(self.dofs.ravel(), nodal.ravel(), minlength=self.size)
 
     def stiffness(self, displacement: np.ndarray, response: Response) -> np.ndarray:
-        """Return element stiffness matrices (n_elements, 16, 16), N/m, for displacements (size,),
-        m.
+        """Return element stiffness matrices (n_elements, 16, 16), N/m, for displacements, m.
 
         Only matrices that differ from those of the undeformed body are computed.
         """

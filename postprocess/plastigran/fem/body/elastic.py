@@ -46,9 +46,7 @@ class ElasticBody:
         return np.searchsorted(self.free, dofs)
 
     def nearest(self, point: tuple[float, float], vertical: bool) -> int:
-        """Return the index of the vertical or radial degree of freedom closest to a point (r, y),
-        m.
-        """
+        """Return the index of the degree of freedom closest to a point (r, y), m."""
         kind = np.flatnonzero((self.upward == 1) == vertical)
         away = self.body.locations[:, self.free[kind]] - np.array(point)[:, None]
         return int(kind[np.argmin(np.linalg.norm(away, axis=0))])

@@ -31,9 +31,7 @@ def pressed(sphere: HertzSphere, reach: float, settings: Settings) -> Equations:
 
 
 def thrown(sphere: HertzSphere, reach: float, speed: float, settings: Settings) -> Equations:
-    """Return a whole sphere that hits the plane with `speed`, m/s; other arguments as for
-    `pressed`.
-    """
+    """Return a whole sphere with impact speed `speed`, m/s; other arguments as for `pressed`."""
     size = 0.0
     if sphere.plane is not None:
         size = BASE_OVER_WAY * sphere.plane.wave_speed * sphere.duration(speed)

@@ -16,8 +16,7 @@ ROUNDING = 1e-6  # fraction of a force, above the error of Newton's method
 
 @attrs.frozen
 class Pressing:
-    """Compression of a sphere on a plane or a half space, with an unloading from each largest
-    force.
+    """Compression of a sphere on a plane or a half space, with unloading from each largest force.
 
     Attributes:
         material: Material of the sphere.

@@ -73,9 +73,9 @@ class Vibration:
         return spectrum(self.flight[signal].to_numpy(), self.timestep)
 
     def peaks(self, signal: str, least: float = LEAST_PEAK) -> pd.DataFrame:
-        """Return vibration frequencies in a column of the history in flight, up to the highest
-        mode.
+        """Return vibration frequencies in a column of the history in flight.
 
+        They end at the highest mode.
         The midpoint rule changes a frequency f to f' with tan(pi f' dt) = pi f dt. The result is f.
 
         Args:

@@ -57,9 +57,9 @@ class SpringPlane(RigidPlane):
         return float(self._springs @ np.minimum(gap, 0) ** 2) / 2
 
     def mean_force(self, start: np.ndarray, end: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """Return the forces of a step by the discrete gradient of the penalty energy (Gonzalez,
-        2000).
+        """Return the forces of a step by the discrete gradient of the penalty energy.
 
+        See Gonzalez (2000).
         With p = <-g>, the difference quotient is k (p0 + p1)/2 |p1 - p0|/|g1 - g0|.
 
         Args:

@@ -130,9 +130,7 @@ class Equations:
         raise NoConvergence(f"no equilibrium at {force:g} N in {ITERATIONS} iterations")
 
     def predict(self, start: Equilibrium, force: float) -> tuple[np.ndarray, float]:
-        """Return the guess for `press` after a load reversal: elastic response, unchanged contact
-        area.
-        """
+        """Return the guess for `press` after a load reversal: elastic, same contact area."""
         change = self._bordered(
             self.body.stiffness(start.displacement, start.response.held()),
             start.touch.stiffness,
@@ -216,9 +214,7 @@ class Equations:
     def _matrices(
         self, displacement: np.ndarray, balance: Balance, factor: float
     ) -> list[np.ndarray]:
-        """Return the matrices of the elements and of the edges in contact, with `factor` times the
-        masses.
-        """
+        """Return element and contact matrices, with `factor` times the masses."""
         body = self.body
         stiffness = body.stiffness(displacement, balance.response)
         return [stiffness + factor * body.mass_matrices, balance.touch.stiffness]

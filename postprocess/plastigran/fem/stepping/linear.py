@@ -89,9 +89,7 @@ class Factor:
         self._free = free
 
     def solve(self, right: np.ndarray) -> np.ndarray:
-        """Return the solution (size, ...) for right sides (size, ...); zero at fixed degrees of
-        freedom.
-        """
+        """Return the solution (size, ...) for right sides (size, ...); zero where fixed."""
         result = np.zeros_like(right)
         result[self._free] = self._factor.solve(right[self._free])
         return result

@@ -151,8 +151,10 @@ def oscillations(computed: Computed) -> pd.DataFrame:
 
 
 def modes(computed: Computed) -> pd.DataFrame:
-    """Return free vibrations: exact, of the mesh, and peaks of the spectra after the fastest
-    impact.
+    """Return free vibrations: exact, of the mesh, and peaks of the spectra.
+
+    The spectra are those after the fastest impact. Further columns are the energies of the modes
+    after some impacts.
 
     Further columns are the energies of the modes after some impacts.
     """

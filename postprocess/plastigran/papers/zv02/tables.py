@@ -184,9 +184,7 @@ def pressed(pressing: Pressing) -> pd.DataFrame:
 
 
 def press_law(name: str, force: float) -> dict[str, float]:
-    """Return a law's response to loading to `force` [N] and unloading; names as in
-    `Pressing.unloadings`.
-    """
+    """Return a law's response to loading to `force` [N] and unloading, as `Pressing.unloadings`."""
     law = laws.LAWS[name](PAIR)
     overlap = brentq(
         lambda reached: law.respond(RADIUS, reached, law.State()).force - force,
@@ -207,9 +205,7 @@ def press_law(name: str, force: float) -> dict[str, float]:
 
 
 def coefficients(pressing: Pressing) -> pd.DataFrame:
-    """Return the constants of Vu-Quoc and Zhang's law: fitted to these finite elements, and
-    published.
-    """
+    """Return the constants of Vu-Quoc and Zhang's law, fitted here and published."""
     fitted = calibrate(pressing)
     rows = [
         ("C_a", "m/N", PAPER_COEFFICIENTS["C_a"], fitted.contact_radius_per_force),
@@ -220,9 +216,7 @@ def coefficients(pressing: Pressing) -> pd.DataFrame:
 
 
 def engine(computed: Computed) -> pd.DataFrame:
-    """Return the largest difference over speeds between LIGGGHTS and the energy balance of the
-    laws.
-    """
+    """Return the largest difference between LIGGGHTS and the energy balance of the laws."""
     rows = []
     for law in LAWS:
         row: dict[str, object] = {"law": law}

@@ -68,9 +68,7 @@ class Drum(FlowDeck):
         return 2 * pi / self.angular_velocity * self.settling
 
     def analyse(self, series: pd.DataFrame) -> Analysis:
-        """Analyse the angle of the bed and the work of the wall; arguments as for
-        `BulkDeck.analyse`.
-        """
+        """Analyse angle and wall work; arguments as for `BulkDeck.analyse`."""
         series = add_mechanics(series, self.angular_velocity, self.gravitational_acceleration)
         steady = series[series["time"] >= self.settled]
         dump = read_dump(self.output / "grains.dump")

@@ -73,9 +73,7 @@ class Hopper(GranularDeck):
             )
 
     def discharge(self, series: pd.DataFrame) -> Discharge | None:
-        """Return the steady discharge of a series that starts when the orifice opens; None without
-        one.
-        """
+        """Return the steady discharge of a series from the opening of the orifice, or None."""
         diameter = 2 * self.radius
         return measure_discharge(
             series,
@@ -88,9 +86,7 @@ class Hopper(GranularDeck):
         )
 
     def analyse(self, series: pd.DataFrame) -> Analysis:
-        """Analyse the discharge from the opening of the orifice; arguments as for
-        `BulkDeck.analyse`.
-        """
+        """Analyse the discharge; arguments as for `BulkDeck.analyse`."""
         series = series.assign(time=series["time"] - series["time"].iloc[0])  # the orifice opens
         discharge = self.discharge(series)
         missing = series["held"] + series["counted"] - self.derived("grains")
