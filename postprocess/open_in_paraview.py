@@ -59,7 +59,7 @@ def main(folder, picture=None):
     if contacts is not None:
         chains = show(contacts, ("force", "Magnitude"), "CELLS", "contact force (N)")
         chains.LineWidth = 4.0
-        simple.Hide(contacts)  # inside the balls: hide those and show these
+        simple.Hide(contacts)  # contact lines are inside the balls, so only one of the two is shown
     if mesh is not None:
         wall = simple.Show(mesh)
         wall.Opacity = 0.3

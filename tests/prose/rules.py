@@ -22,6 +22,7 @@ PATTERNS = {
         r"\b(is|are|was|were) told\b",
         r"^(It|The \w+) (says|asks) ",
     ),
+    "name the noun": (r"^of (the|a|an|each|its) ",),
     "use because": (r", for [a-z]+ (is|are|has|have|can|do|does)\b",),
     "use is not a": (r"(?<!here )\b(is|are) no (?!more |less |longer |closer |better )[a-z]+",),
 }

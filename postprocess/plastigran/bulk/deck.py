@@ -78,29 +78,33 @@ class BulkDeck:
     output: Path = attrs.field(converter=Path)
     law: str = word("law between grains", laws_for("sphere"))
     options: str = text("options of the model, pairs NAME CHOICE")
-    material: str = text("a file of inputs/materials")
-    youngs_modulus: float = number("of the grains", "Pa", 0)
-    poissons_ratio: float = number("of the grains", "-", -1, 0.5, closed=True)
-    density: float = number("of a grain", "kg/m^3", 0)
-    yield_strength: float = number("of the grains", "Pa", 0)
+    material: str = text("material, a file of inputs/materials")
+    youngs_modulus: float = number("Young's modulus of the grains", "Pa", 0)
+    poissons_ratio: float = number("Poisson's ratio of the grains", "-", -1, 0.5, closed=True)
+    density: float = number("density of a grain", "kg/m^3", 0)
+    yield_strength: float = number("yield strength of the grains", "Pa", 0)
     yield_pressure_factor: float = number(
         "contact yield pressure / yield strength; 0: value of Hertz and von Mises"
     )
     tangent_modulus: float = number(
         "slope of stress over strain beyond yield", "Pa", 0, closed=True
     )
-    rate_coefficient: float = number("of the yield strength", "-", 0, 1, closed=True)
-    reference_rate: float = number("of strain, at which the yield strength holds", "1/s", 0)
-    dissipative_constant: float = number("viscous over elastic constants", "s", 0, closed=True)
-    radius: float = radius_field("of a grain, in the mean")
-    timestep: float = number("of the engine", "s", 0)
-    seed: float = number("another gives other grains")
-    frames: int = continuable(whole("VTK files on the way"))
+    rate_coefficient: float = number(
+        "increase of yield strength per e-fold strain rate", "-", 0, 1, closed=True
+    )
+    reference_rate: float = number("strain rate at which the yield strength holds", "1/s", 0)
+    dissipative_constant: float = number(
+        "ratio of viscous to elastic constants", "s", 0, closed=True
+    )
+    radius: float = radius_field("mean radius of a grain")
+    timestep: float = number("time step of LIGGGHTS", "s", 0)
+    seed: float = number("seed of the random grains")
+    frames: int = continuable(whole("number of VTK frames"))
     contact_history: int = continuable(
         whole("1: write contact histories to the frames, 0: not", upper=1)
     )
-    rows: int = whole("lines of the log", 1)
-    checkpoints: int = whole("restart files on the way, a divisor of rows", 1)
+    rows: int = whole("number of log lines", 1)
+    checkpoints: int = whole("number of restart files, a divisor of rows", 1)
     ledger: str = word("energy balance", ("on", "off"))
 
     def __init_subclass__(cls) -> None:
@@ -228,9 +232,11 @@ class GranularDeck(BulkDeck):
     """Settings of decks with friction and gravity: inputs/bulk/parts/friction.in."""
 
     tangential: str = word("model of sliding friction", ("off", "no_history", "history"))
-    coefficient_of_friction: float = number("of sliding", "-", 0, closed=True)
+    coefficient_of_friction: float = number("coefficient of sliding friction", "-", 0, closed=True)
     rolling_friction: str = word("model of rolling friction", ("off", "cdt", "epsd2"))
-    coefficient_of_rolling_friction: float = number("of rolling", "-", 0, closed=True)
+    coefficient_of_rolling_friction: float = number(
+        "coefficient of rolling friction", "-", 0, closed=True
+    )
     coefficient_of_restitution: float = number(
         "restitution for the dashpot of viscous_damping, and of LIGGGHTS' own hertz",
         "-",
@@ -238,7 +244,7 @@ class GranularDeck(BulkDeck):
         1,
         True,
     )
-    gravitational_acceleration: float = number("downwards", "m/s^2", 0)
+    gravitational_acceleration: float = number("downward acceleration", "m/s^2", 0)
 
 
 @attrs.frozen(kw_only=True)
@@ -251,10 +257,10 @@ class FlowDeck(GranularDeck):
     size_spread: float = number(
         "relative reduction of the radius of half of the grains", "-", 0, 0.5, True
     )
-    volume_fraction: float = number("of the lattice", "-", 0, 0.64)
-    temperature: float = number("of the grains' velocities at the start", "m^2/s^2", 0)
-    duration: float = number("of the run", "s", 0)
-    settling: float = number("before the flow is measured", "s", 0, closed=True)
+    volume_fraction: float = number("volume fraction of the initial lattice", "-", 0, 0.64)
+    temperature: float = number("initial variance of the velocity in each direction", "m^2/s^2", 0)
+    duration: float = number("duration of the run", "s", 0)
+    settling: float = number("time before the flow is measured", "s", 0, closed=True)
 
     def check(self) -> None:
         """Check that `duration` exceeds `settling` by at least `steady_rows` rows."""

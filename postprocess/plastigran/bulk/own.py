@@ -36,7 +36,7 @@ NEEDS = (
     f"command that writes ${{output}}/{PATTERN}; `plastigran new-deck` writes a deck with them"
 )
 
-#: Commands behind which the steps to come cannot be counted here.
+#: Commands after which the number of steps cannot be predicted from the script.
 CONTROL = {"if", "jump", "next", "label", "reset_timestep", "read_restart"}
 
 _COUNTS_ANEW = re.compile(r"^reset_timestep\s", re.MULTILINE)

@@ -23,8 +23,8 @@ from plastigran.materials import RIGID, Material
 from plastigran.physics.rebound_hardness import GRAVITATIONAL_ACCELERATION, dented_flat
 
 IMPACT = {
-    "speed": Declaration("of the impact", "m/s", 1e-4, 1000),
-    "drop_height": Declaration("of the fall", "m", 1e-6, 10),
+    "speed": Declaration("impact speed", "m/s", 1e-4, 1000),
+    "drop_height": Declaration("height of the fall", "m", 1e-6, 10),
 }
 REBOUND = {
     "restitution": Declaration("coefficient of restitution", "-", 0, 1.000001),  # 1 is allowed

@@ -160,7 +160,7 @@ def resting_overlap(material: Material, radius: float, depth: float, law: str = 
         ValueError: A number is out of range, or the material lacks a constant of the law.
     """
     radius = read_number("radius", radius, RADIUS)
-    depth = read_number("depth", depth, Declaration("of the bed", "m", 0))
+    depth = read_number("depth", depth, Declaration("depth of the bed", "m", 0))
     pressure = material.density * FILLING * GRAVITATIONAL_ACCELERATION * depth
     force = 4 * pi * radius**2 * pressure / (COORDINATION * FILLING)
     contact = Contact(law, material, material, radius=radius, radius_other=radius)

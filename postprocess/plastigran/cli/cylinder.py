@@ -19,7 +19,9 @@ def add_cylinder(command: argparse.ArgumentParser) -> None:
         "--mass", type=positive, required=True, help="mass that moves with the cylinder, kg"
     )
     command.add_argument("--speed", type=positive, required=True, help="speed toward the body, m/s")
-    command.add_argument("--sliding-speed", type=float, default=0.0, help="along it, m/s")
+    command.add_argument(
+        "--sliding-speed", type=float, default=0.0, help="speed along the surface, m/s"
+    )
     command.add_argument("--coefficient-of-friction", type=float, default=0.0, help="default 0")
     add_strain(command)
     command.add_argument(

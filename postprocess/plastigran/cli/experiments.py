@@ -152,7 +152,7 @@ def run(experiment: type[Experiment], arguments: argparse.Namespace) -> None:
             show_study(runs, arguments.output, arguments.json)
     else:
         _need_engine(experiment)
-        with lock_folder(arguments.output):  # until figures are written
+        with lock_folder(arguments.output):  # keep the lock until the figures are written
             runs = experiment.study(
                 arguments.output, arguments.jobs, force=arguments.force, **given
             )

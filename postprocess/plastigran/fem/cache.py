@@ -110,7 +110,7 @@ def _key(
 
 
 def _plain(value: object) -> object:
-    """Return a value whose repr is complete."""
+    """Return a value whose repr contains all its data, for the cache key."""
     if attrs.has(type(value)):
         return type(value).__qualname__, {
             field.name: _plain(getattr(value, field.name)) for field in attrs.fields(type(value))

@@ -93,7 +93,7 @@ def add_arguments(command: argparse.ArgumentParser) -> None:
         f"plastigran fem throw {steel} --yield 3e8 --radius 0.01 --speed 0.1",
     )
     add_metal(fast, elastic=True)
-    fast.add_argument("--speed", type=positive, required=True, help="of impact, m/s")
+    fast.add_argument("--speed", type=positive, required=True, help="impact speed, m/s")
     for command in (slow, fast):
         add_plane(command)
         add_strain(command)
@@ -111,7 +111,7 @@ def add_arguments(command: argparse.ArgumentParser) -> None:
         f"plastigran fem vibrate {steel} --radius 0.01 --speed 0.5",
     )
     add_elastic(ringing)
-    ringing.add_argument("--speed", type=positive, required=True, help="of impact, m/s")
+    ringing.add_argument("--speed", type=positive, required=True, help="impact speed, m/s")
     ringing.add_argument(
         "--transits",
         type=positive,

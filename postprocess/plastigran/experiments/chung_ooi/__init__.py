@@ -83,7 +83,7 @@ class BenchmarkImpact(Experiment):
     knob: str
     value: float
     modulus_ratio: float | None = declared.number(
-        "of the second sphere to the first", "-", 0, default=None
+        "modulus of the second sphere / that of the first", "-", 0, default=None
     )
     law: str = law_field("vu_quoc_zhang")
     steps_per_contact: int = declared.whole("time steps in an undamped contact", 1, default=1000)

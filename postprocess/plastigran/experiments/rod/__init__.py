@@ -51,8 +51,8 @@ class RodImpact(Experiment):
     speed: float = speed_field("impact speed, downward")
     rod: Rod = attrs.field(factory=Rod)
     tangential: str = word("friction", ("history", "no_history", "off"), default="history")
-    material: Material = material_field("of the rod", "steel_gcm15")
-    flat: Material = material_field("of the flat", "iron_gcm15")
+    material: Material = material_field("material of the rod", "steel_gcm15")
+    flat: Material = material_field("material of the flat", "iron_gcm15")
     # The paper uses E* and R* of the pair in all laws.
     reading: str = word(
         "body whose modulus and radius enter laws fitted to one sphere",

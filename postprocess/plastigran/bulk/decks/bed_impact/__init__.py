@@ -47,15 +47,15 @@ class BedImpact(GranularDeck):
         ),
     }
 
-    target: str = word("what the shot hits", ("plate", "bed"))
-    side: int = whole("shots along either side", 2)
-    shot_layers: int = whole("of shot above each other", 1)
-    slowest: float = number("of the shot", "m/s", 0)
-    fastest: float = number("of the shot", "m/s", 0)
-    duration: float = number("from the shot's start", "s", 0)
-    bed_layers: int = whole("of grains poured, on a cubic lattice", 0)
-    filling: float = number("for the bed to come to rest", "s", 0, closed=True)
-    gravitational_acceleration: float = number("downwards", "m/s^2", 0, closed=True)
+    target: str = word("target of the shots", ("plate", "bed"))
+    side: int = whole("number of shots along each side", 2)
+    shot_layers: int = whole("number of layers of shots", 1)
+    slowest: float = number("speed of the slowest shot", "m/s", 0)
+    fastest: float = number("speed of the fastest shot", "m/s", 0)
+    duration: float = number("duration from the start of the shots", "s", 0)
+    bed_layers: int = whole("layers of poured grains, on a cubic lattice", 0)
+    filling: float = number("time for the bed to come to rest", "s", 0, closed=True)
+    gravitational_acceleration: float = number("downward acceleration", "m/s^2", 0, closed=True)
 
     def check(self) -> None:
         require(self, "fastest", lower=self.slowest)

@@ -36,10 +36,10 @@ class Chute(FlowDeck):
 
     briefs: ClassVar = {"": Brief(BRIEF, start={"duration": 0.012})}
 
-    angle: float = number("of the chute", "degrees", 0, 90)
-    length: int = whole("along the flow, in cells of two grains", 3)
-    width: int = whole("across, in cells", 3)
-    depth: int = whole("of the flow, in cells", 3)
+    angle: float = number("angle of the chute", "degrees", 0, 90)
+    length: int = whole("length along the flow, in cells of two grains", 3)
+    width: int = whole("width across the flow, in cells", 3)
+    depth: int = whole("depth of the flow, in cells", 3)
     start_speed: float = number(
         "speed at the surface, with Bagnold's profile", "m/s", 0, closed=True
     )

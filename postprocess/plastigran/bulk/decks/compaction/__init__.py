@@ -42,15 +42,17 @@ class Compaction(GranularDeck):
         )
     }
 
-    die_radius: float = number("of the die and the punch", "m", 0)
-    layers: int = whole("of grains poured in, on a cubic lattice", 3)
+    die_radius: float = number("radius of the die and the punch", "m", 0)
+    layers: int = whole("layers of poured grains, on a cubic lattice", 3)
     # Spheres on the lattice have 0.5236; flattened grains fill the die.
-    relative_density: float = number("below the punch at its lowest", "-", 0.5236, 1)
+    relative_density: float = number(
+        "relative density below the punch at its lowest point", "-", 0.5236, 1
+    )
     release: float = number(
         "fraction of the stroke by which the punch moves up again", "-", 0, 1 + 1e-12
     )
-    duration: float = number("of the stroke down and up", "s", 0)
-    filling: float = number("for the grains to come to rest", "s", 0)
+    duration: float = number("duration of the stroke down and up", "s", 0)
+    filling: float = number("time for the grains to come to rest", "s", 0)
 
     def check(self) -> None:
         require(self, "die_radius", lower=4 * self.radius)

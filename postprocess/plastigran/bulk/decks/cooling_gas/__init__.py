@@ -42,14 +42,16 @@ class CoolingGas(BulkDeck):
         )
     }
 
-    side: int = whole("grains along the box, the cube of it in all", 3)
-    volume_fraction: float = number("share of the box the grains fill", "-", 0, FREEZING)
-    temperature: float = number("of each direction's velocity at the start", "m^2/s^2", 0)
-    mixing: float = number("impacts a grain has before it may yield", "-", 0)
+    side: int = whole("number of grains along a side of the box", 3)
+    volume_fraction: float = number("volume fraction of the grains", "-", 0, FREEZING)
+    temperature: float = number("initial variance of the velocity in each direction", "m^2/s^2", 0)
+    mixing: float = number("elastic impacts per grain before the measurement", "-", 0)
     # A continued run may end later and have other log steps.
-    duration: float = continuable(number("in mean times between a grain's first impacts", "-", 0))
-    rows: int = continuable(whole("lines of the log", 1))
-    checkpoints: int = continuable(whole("restart files on the way, a divisor of rows", 1))
+    duration: float = continuable(
+        number("duration in mean times between first impacts of a grain", "-", 0)
+    )
+    rows: int = continuable(whole("number of log lines", 1))
+    checkpoints: int = continuable(whole("number of restart files, a divisor of rows", 1))
 
     def check(self) -> None:
         for name, choice in self.model_options.items():

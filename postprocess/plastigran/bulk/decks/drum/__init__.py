@@ -39,13 +39,13 @@ class Drum(FlowDeck):
 
     briefs: ClassVar = {"": Brief(BRIEF, start={"duration": 0.01})}
 
-    drum_radius: float = number("of the shell", "m", 0)
-    length: float = number("along the axis", "m", 0)
+    drum_radius: float = number("radius of the shell", "m", 0)
+    length: float = number("length along the axis", "m", 0)
     # From 1, the weight does not bring the grains back from the top.
-    froude: float = number("omega^2 R/g", "-", 0, 1)
-    bed_height: float = number("of the lattice above the axis", "drum radii", -0.8, 0.8)
-    duration: float = number("of the run", "revolutions", 0)
-    settling: float = number("before the flow is measured", "revolutions", 0, closed=True)
+    froude: float = number("Froude number omega^2 R/g", "-", 0, 1)
+    bed_height: float = number("height of the lattice above the axis", "drum radii", -0.8, 0.8)
+    duration: float = number("duration of the run", "revolutions", 0)
+    settling: float = number("time before the flow is measured", "revolutions", 0, closed=True)
     spectra: str = word("collision spectra", ("on", "off"))
 
     def check(self) -> None:

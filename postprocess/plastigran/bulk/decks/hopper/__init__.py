@@ -52,8 +52,8 @@ class Hopper(GranularDeck):
 
     orifice: str = text("orifice diameter in grain diameters, of inputs/meshes/hopper_*.stl")
     layers: int = whole("number of layers of about 200 grains", 1)
-    temperature: float = number("of each direction's velocity at the start", "m^2/s^2", 0)
-    filling: float = number("for the grains to come to rest", "s", 0)
+    temperature: float = number("initial variance of the velocity in each direction", "m^2/s^2", 0)
+    filling: float = number("time for the grains to come to rest", "s", 0)
     duration: float = number(
         "duration in times that Beverloo's law needs to empty the hopper", "-", 0
     )
