@@ -439,12 +439,15 @@ def test_a_law_misspelt_is_named_before_anything_runs(plain, tmp_path):
     """In a setting or in the line itself; a model of the engine's own is taken."""
     template = write_deck(tmp_path / "falling", "thornton", "steel")
     with pytest.raises(
-        ValueError, match=r"falling\.in: no contact model 'universl'; is it universal"
+        ValueError,
+        match=r"falling\.in: no contact model 'universl'. Possible misspelling of universal",
     ):
         run_bulk(template, {"law": "universl"}, tmp_path / "run", show=False)
     text = plain.read_text(encoding="latin-1")
     plain.write_text(text.replace("model thornton", "model thorton"), encoding="latin-1")
-    with pytest.raises(ValueError, match=r"plain\.in: no contact model 'thorton'; is it thornton"):
+    with pytest.raises(
+        ValueError, match=r"plain\.in: no contact model 'thorton'. Possible misspelling of thornton"
+    ):
         run_bulk(plain, {}, tmp_path / "run", show=False)
     assert not (tmp_path / "run").exists()
     plain.write_text(text.replace("model thornton", "model  thornton2"), encoding="latin-1")
@@ -484,7 +487,7 @@ def test_the_template_runs_keeps_its_ledger_and_goes_on(tmp_path, capsys):
         assert_allclose(rest.series[column], whole.series[column], rtol=1e-9, atol=1e-15)
     line = ["bulk", str(deck), "--restart", str(whole.folder), "--output", str(tmp_path / "more")]
     assert main(line) == 0
-    assert "whole has reached its end: so there was nothing to compute" in capsys.readouterr().out
+    assert "whole has reached its end, so there was nothing to compute" in capsys.readouterr().out
 
 
 @pytest.mark.parametrize("radius", [0.001, 0.005])

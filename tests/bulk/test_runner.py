@@ -222,7 +222,7 @@ def test_going_on_at_the_end_is_said(whole, tmp_path, capsys):
     line = ["bulk", "cooling_gas", "--restart", str(whole), "--output", str(tmp_path / "rest")]
     assert main(line) == 0
     assert (
-        f"{whole} has reached its end: so there was nothing to compute" in capsys.readouterr().out
+        f"{whole} has reached its end, so there was nothing to compute" in capsys.readouterr().out
     )
 
 
@@ -275,8 +275,8 @@ def test_a_record_nested_too_deeply_is_named(tmp_path, capsys):
         (["cooling_gass"], "no deck 'cooling_gass'; there are "),
         (["cooling_gas", "-v", "siide=3"], "has no setting 'siide'; it takes law"),
         (["cooling_gas", "--restart", "/nowhere"], "contains no run.json"),
-        (["cooling_gas", "-v", "ledger=ON"], "ledger is 'ON', there are off, on"),
-        (["bed_impact", "-v", "target=Plate"], "target is 'Plate', there are bed, plate"),
+        (["cooling_gas", "-v", "ledger=ON"], "ledger is 'ON', possible values are off, on"),
+        (["bed_impact", "-v", "target=Plate"], "target is 'Plate', possible values are bed, plate"),
     ],
 )
 def test_wrong_words_are_named(line, said, tmp_path, capsys):
