@@ -69,7 +69,7 @@ def test_a_picture_of_an_empty_frame_says_that_it_holds_no_grains(run, what, cap
 
 def test_a_movie_without_any_grains_is_refused(run, tmp_path):
     empty(run, 0, 50, 100)
-    with pytest.raises(SnapshotError, match="no frame holds grains"):
+    with pytest.raises(SnapshotError, match="no frame contains grains"):
         save_grain_movie(find_frames(run), tmp_path / "x.gif", progress=False)
 
 

@@ -55,7 +55,7 @@ def save_grain_movie(
         )
     frames = whole_frames(frames)
     if not any(read_vtk(frame.grains).n_points for frame in frames):
-        raise SnapshotError("no frame holds grains")
+        raise SnapshotError("no frame contains grains")
     values = [contact_forces(f) if contacts else grain_values(f, colour) for f in frames]
     every = np.concatenate([np.zeros(0), *values])
     low = 0.0 if contacts or colour in FROM_ZERO else every.min(initial=np.inf)

@@ -30,7 +30,7 @@ class CylinderStrike:
     radius: float = radius_field("radius of the cylinder")
     length: float = number("length of the cylinder", "m", 0)
     mass: float = number("mass that moves with the cylinder", "kg", 0)
-    speed: float = speed_field("speed towards the body")
+    speed: float = speed_field("speed toward the body")
     sliding_speed: float = number("speed along the surface", "m/s", 0, closed=True, default=0.0)
     coefficient_of_friction: float = number(
         "coefficient of friction", "-", 0, 1, closed=True, default=0.0

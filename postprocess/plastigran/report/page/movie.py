@@ -80,7 +80,7 @@ def pack_movie(
     if not whole:
         return None, missing
     if not any(len(frame.radii) for frame in whole):
-        raise SnapshotError("no frame holds grains")
+        raise SnapshotError("no frame contains grains")
     frames = [_thinned(frame, thin) for frame in whole]
     left = []
     if len(kept) < len(found):
