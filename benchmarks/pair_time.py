@@ -95,9 +95,9 @@ BEDS = {
 
 
 def known_laws() -> list[str]:
-    """Names of the laws in the engine: one per normal_model_<law>.h."""
-    headers = (PROJECT / "contact_models" / "liggghts" / "models").glob("normal_model_*.h")
-    return sorted(header.stem.removeprefix("normal_model_") for header in headers)
+    """Names of the laws in LIGGGHTS."""
+    lines = (PROJECT / "contact_models/liggghts/plugin/laws.txt").read_text().splitlines()
+    return sorted(line.split()[0] for line in lines if not line.startswith("#"))
 
 
 def make_bed(grains: int) -> Path:

@@ -29,10 +29,11 @@ from plastigran.engine.process import PROJECT
 from plastigran.materials import RIGID, read_material
 from plastigran.usable_laws import laws_for
 
-# Laws with a model in the engine: one binding header each.
+# Laws with a model in LIGGGHTS.
 ENGINE_LAWS = sorted(
-    path.stem.removeprefix("normal_model_")
-    for path in (PROJECT / "contact_models" / "liggghts" / "models").glob("normal_model_*.h")
+    line.split()[0]
+    for line in (PROJECT / "contact_models/liggghts/plugin/laws.txt").read_text().splitlines()
+    if not line.startswith("#")
 )
 
 
@@ -44,6 +45,9 @@ settings.load_profile("test")
 
 def pytest_configure(config: pytest.Config) -> None:
     os.environ.setdefault("OMPI_MCA_mpi_yield_when_idle", "1")  # other tests want the cores
+    resting_ranks = str(PROJECT / "build" / "tests" / "libresting_ranks.so")
+    if "ASAN_OPTIONS" not in os.environ and not set(resting_ranks) & set(" :"):
+        os.environ.setdefault("LD_PRELOAD", resting_ranks)
     if config.option.markexpr == "not engine":
         os.environ["PLASTIGRAN_ENGINE"] = "no engine: a test that starts it was not found to"
 

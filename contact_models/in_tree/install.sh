@@ -43,11 +43,8 @@ done
 
 # One file a law and one a combination with other models, as plugin/CMakeLists.txt makes them.
 echo '// What registration.cpp puts into the factories of the engine; by plastigran.' >"$new/registered.inc"
-for header in liggghts/models/normal_model_*.h; do
-  header=${header##*/}
-  law=${header#normal_model_}
-  law=${law%.h}
-  sed "s|@header@|$header|; s|@law@|$law|" "$plugin/law.cpp.in" >"$new/law_$law.cpp"
+grep '^[a-z]' "$plugin/laws.txt" | while read -r law class number; do
+  sed "s|@law@|$law|g; s|@class@|$class|; s|@number@|$number|" "$plugin/law.cpp.in" >"$new/law_$law.cpp"
   echo "LAW($law)" >>"$new/registered.inc"
 done
 number=0
@@ -68,18 +65,13 @@ find . -type f | while read -r file; do
   fi
 done
 
-# What an earlier version wrote and this one does not: by the list it left, or before there were lists
-# every law as a model in a list for the engine to compile.
-whitelist=$tree/src/style_contact_model_user.whitelist
-{
-  cat "$tree/src/plastigran_files.txt" 2>/dev/null || true
-  (cd "$models/liggghts/models" && ls normal_model_*.h)
-} | while read -r file; do
-  if [ -e "$file" ] || ! grep -q 'plastigran' "$tree/src/$file" 2>/dev/null; then continue; fi
-  identifier=$(sed -n 's/^NORMAL_MODEL(\([A-Z0-9_]*\),.*/\1/p' "$tree/src/$file")
-  [ -z "$identifier" ] || [ ! -e "$whitelist" ] || sed -i "/^GRAN_MODEL($identifier,/d" "$whitelist"
-  rm "$tree/src/$file"
-done
+# What an earlier version wrote and this one does not.
+if [ -e "$tree/src/plastigran_files.txt" ]; then
+  while read -r file; do
+    if [ -e "$file" ] || ! grep -q 'plastigran' "$tree/src/$file" 2>/dev/null; then continue; fi
+    rm "$tree/src/$file"
+  done <"$tree/src/plastigran_files.txt"
+fi
 
 # Only what differs is written, so that a build after this compiles no more than it must.
 find . -type f | while read -r file; do

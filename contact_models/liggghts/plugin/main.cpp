@@ -1,63 +1,59 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// liggghts-plastigran: stock LIGGGHTS with the contact laws of libplastigran loaded. Same command
-// line as `liggghts`; two checks more: a `-var` the deck never mentions is a misspelling, not a
-// no-op, and a contact model that is unknown is named.
+// liggghts-plastigran: stock LIGGGHTS with the laws of libplastigran loaded, and the same command
+// line as `liggghts`. A signal ends the run at the end of a step, output is written line by line,
+// and normal models that do not exist are named.
 #include <mpi.h>
 #include <signal.h>
 
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <fstream>
 #include <iostream>
 #include <map>
+#include <sstream>
 #include <string>
 
-#include "deck_words.h"
 #include "input.h"
 #include "lammps.h"
 #include "signal_handling.h"
 
 namespace {
 
-// What the command line says of the deck.
 struct CommandLine {
-  std::string path;
-  std::map<std::string, std::string> values;  // of -var, each by its first word
+  std::string deck;
+  std::map<std::string, std::string> values;  // of -var: "${NAME}" and the first word
 
   CommandLine(int argc, char** argv) {
     for (int i = 1; i + 1 < argc; ++i) {
-      if (!std::strcmp(argv[i], "-in") || !std::strcmp(argv[i], "-i"))
-        path = argv[++i];
-      else if ((!std::strcmp(argv[i], "-var") || !std::strcmp(argv[i], "-v")) && i + 2 < argc) {
-        values[argv[i + 1]] = argv[i + 2];
-        i += 2;
-      }
+      const std::string word = argv[i];
+      if (word == "-in" || word == "-i") deck = argv[i + 1];
+      if ((word == "-var" || word == "-v") && i + 2 < argc)
+        values[std::string("${") + argv[i + 1] + '}'] = argv[i + 2];
     }
   }
 };
 
-// The complaint about a -var the deck does not know, or an empty string.
-std::string misspelt_variable(const CommandLine& given, const plastigran::DeckWords& deck) {
-  for (const auto& [name, value] : given.values) {
-    if (deck.may_use(name)) continue;
-    std::string message = "-var " + name + ": " + given.path + " has no such variable";
-    if (!deck.settings().empty()) message += "; it takes";
-    for (const std::string& setting : deck.settings()) message += " " + setting;
-    return message;
-  }
-  return {};
-}
-
-// Names of contact models that there are not; the engine's own word on them names neither them nor
-// those there are.
-std::string unknown_models(const plastigran::DeckWords& deck) {
+// A warning for each word after `gran model` in a deck that is no normal model. LIGGGHTS stops
+// there without naming it.
+std::string unknown_models(const CommandLine& given) {
   const std::string known = PLASTIGRAN_MODELS;
-  std::string text;
-  for (const std::string& model : deck.models())
-    if (model.find('$') == std::string::npos &&
-        (' ' + known + ' ').find(' ' + model + ' ') == std::string::npos)
-      text += "WARNING: model " + model + " is unknown; there are " + known + '\n';
+  std::ifstream file(given.deck);
+  std::string text, earlier, last;
+  for (std::string line; std::getline(file, line);) {
+    std::istringstream words(line.substr(0, line.find('#')));
+    for (std::string word; words >> word;) {
+      if (word == "&") continue;
+      if (given.values.count(word)) word = given.values.at(word);
+      const bool is_model = last == "model" && (earlier == "gran" || earlier == "wall/gran");
+      if (is_model && word.find('$') == std::string::npos &&
+          (' ' + known + ' ').find(' ' + word + ' ') == std::string::npos)
+        text += "WARNING: model " + word + " is unknown; there are " + known + '\n';
+      earlier = last;
+      last = word;
+    }
+  }
   return text;
 }
 
@@ -91,15 +87,7 @@ int main(int argc, char** argv) {
   MPI_Init(&argc, &argv);
   int rank = 0;
   MPI_Comm_rank(MPI_COMM_WORLD, &rank);
-  const CommandLine given(argc, argv);
-  const plastigran::DeckWords deck(given.path, given.values);
-  const std::string complaint = misspelt_variable(given, deck);
-  if (!complaint.empty()) {
-    if (rank == 0) std::cerr << "ERROR: " << complaint << std::endl;
-    MPI_Finalize();
-    return 1;
-  }
-  if (rank == 0) std::cerr << unknown_models(deck);
+  if (rank == 0) std::cerr << unknown_models(CommandLine(argc, argv));
   LAMMPS_NS::LAMMPS* engine = new LAMMPS_NS::LAMMPS(argc, argv, MPI_COMM_WORLD);
   engine->input->file();
   delete engine;

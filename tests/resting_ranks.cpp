@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// Ranks that are told to yield rest while they wait. Open MPI tells those that outnumber the cores
-// (OMPI_MCA_mpi_yield_when_idle=1 tells others) to call sched_yield, which gives the core to
-// whoever else wants it for a whole slice of time: beside other processes, a run of four ranks on
-// two cores waits thirty times as long as it computes. One that sleeps is woken ahead of those that
-// compute; this sched_yield is the one the MPI library finds.
+// A sched_yield that sleeps, for the tests. With OMPI_MCA_mpi_yield_when_idle=1, ranks that wait
+// call sched_yield. The kernel's version gives the core away for a whole time slice: four ranks on
+// two busy cores then wait thirty times as long as they compute. The kernel wakes a rank that
+// sleeps before those that compute.
 #include <sched.h>
 #include <time.h>
 #include <unistd.h>
