@@ -80,13 +80,13 @@ def test_json_has_null_where_a_number_is_none(capsys):
 def test_every_warning_is_told_once_at_its_worst(tmp_path):
     """Those that are alike but for their numbers are one; a fix's are among them."""
     said = [
-        "model thornton: an overlap of 1.5e-6 m, step 10 (../pair.cpp:12)",
-        "energy_ledger: an atom was lost (../fix.cpp:1)",
-        "model thornton: an overlap of 2e-05 m, step 300 (../pair.cpp:12)",
+        "plastigran: model thornton: an overlap of 1.5e-6 m, step 10 (../pair.cpp:12)",
+        "plastigran: energy_ledger: an atom was lost (../fix.cpp:1)",
+        "plastigran: model thornton: an overlap of 2e-05 m, step 300 (../pair.cpp:12)",
         "Less insertions than requested (../insert.cpp:3)",
-        "pair_style: contacts continue with other constants: a is now b (../keeper.cpp:7)",
-        "fix wall/gran: particle 3 at (0 0 1) touches mesh triangles (../watch.cpp:9)",
-        "fix floor: contacts start without history (../keeper.cpp:8)",
+        "plastigran: pair_style: contacts continue with other constants: a is now b (../k.cpp:7)",
+        "plastigran: fix wall/gran: particle 3 at (0 0 1) touches mesh triangles (../watch.cpp:9)",
+        "plastigran: fix floor: contacts start without history (../keeper.cpp:8)",
         "fix particletemplate/sphere: the engine's own (../particle.cpp:8)",
     ]
     (tmp_path / "log.liggghts").write_text("".join(f"WARNING: {line}\n" for line in said))

@@ -32,8 +32,9 @@ def test_a_model_that_does_not_exist_is_named(line, tmp_path):
         cwd=tmp_path,
         capture_output=True,
         text=True,
+        errors="replace",  # LIGGGHTS frees some messages before it prints them
         check=False,
     )
     assert done.returncode != 0
-    assert "WARNING: model throton is unknown; there are brake_2012 " in done.stderr
+    assert "WARNING: plastigran: model throton is unknown; there are brake_2012 " in done.stderr
     assert done.stderr.count("is unknown") == 1

@@ -133,7 +133,9 @@ def test_warnings_are_counted_beside_the_checks(copied, said, words):
     log.write_text(text)
     count = len(section(copied).checks)
     assert section(copied).verdict == f"{count} checks passed"
-    log.write_text(text + "".join(f"WARNING: model thornton: {each}\n" for each in said))
+    log.write_text(
+        text + "".join(f"WARNING: plastigran: model thornton: {each}\n" for each in said)
+    )
     made = section(copied)
     assert (made.state, made.verdict) == ("passed", f"{count} checks passed, {words}")
     page = write_report([copied], copied.parent / "page.html").read_text()

@@ -14,6 +14,7 @@
 #include "modify.h"
 #include "neighbor.h"
 #include "pair_gran.h"
+#include "liggghts/fixes/print.h"
 
 namespace plastigran {
 
@@ -105,12 +106,11 @@ void HistoryKeeper::give_back_what_is_lost() {
       fixes.back() = fix;
       fix->just_created = 0;  // the engine blanks what a new fix has as a run begins
     } else if (any_remembers(k) && comm->me == 0) {
-      error->warning(FLERR, (kept.owner + ": contacts start without history, because " +
-                             (kept.models == line->second.models
-                                  ? "the wall moved: `" + kept.models + '`'
-                                  : "their models changed from `" + kept.models + "` to `" +
-                                        line->second.models + '`'))
-                                .c_str());
+      warn(lmp,
+           kept.owner + ": contacts start without history, because " +
+               (kept.models == line->second.models ? "the wall moved: `" + kept.models + '`'
+                                                   : "their models changed from `" + kept.models +
+                                                         "` to `" + line->second.models + '`'));
     }
   }
   if (std::any_of(fixes.begin(), fixes.end(), [](const auto* fix) { return fix; }))

@@ -71,9 +71,9 @@ std::string HistoryKeeper::restarted_settings(const std::string& owner) const {
   const auto found = in_file_.find(owner);
   if (found != in_file_.end()) return found->second.settings;
   if (comm->me == 0)
-    error->warning(FLERR, (owner + ": the restart file has no settings of this line, so they "
-                                   "have their defaults. Repeat the line if it had others")
-                              .c_str());
+    warn(lmp, owner +
+                  ": the restart file has no settings of this line, so they have their "
+                  "defaults. Repeat the line if it had others");
   return {};
 }
 
@@ -109,8 +109,7 @@ void HistoryKeeper::warn_of_other_constants(const Lines& former) const {
     if (before == former.end() || before->second.models != line.models) continue;
     const std::string change = first_change(before->second.constants, line.constants);
     if (!change.empty() && remembers(owner) && comm->me == 0)
-      error->warning(FLERR,
-                     (owner + ": contacts continue with other constants: " + change).c_str());
+      warn(lmp, owner + ": contacts continue with other constants: " + change);
   }
 }
 

@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <string>
 
+#include "error.h"
 #include "lammps.h"
 
 namespace plastigran {
@@ -13,6 +14,11 @@ namespace plastigran {
 inline void print(const LAMMPS_NS::LAMMPS* engine, const std::string& text) {
   for (FILE* const file : {engine->screen, engine->logfile})
     if (file) std::fputs(text.c_str(), file);
+}
+
+// The Python package finds the warnings of this plugin by their first word.
+inline void warn(const LAMMPS_NS::LAMMPS* engine, const std::string& text) {
+  engine->error->warning(FLERR, ("plastigran: " + text).c_str());
 }
 
 }  // namespace plastigran

@@ -38,7 +38,7 @@ void RangeWatch::post_run() {
     text << model << ": contacts beyond the law's range (" << excess.range
          << ") so far: " << contacts << ", the furthest at " << furthest
          << " times the largest overlap that the law is good for";
-    error->warning(FLERR, text.str().c_str());
+    warn(lmp, text.str());
   }
 }
 

@@ -85,7 +85,7 @@ void StepWatch::announce() {
 }
 
 void StepWatch::warn(const std::string& text) {
-  if (comm->me == 0) error->warning(FLERR, text.c_str());
+  if (comm->me == 0) plastigran::warn(lmp, text);
 }
 
 }  // namespace plastigran

@@ -42,8 +42,7 @@ void DissipationHeat::init() {
       modify->find_fix_property("heatFlux", "property/atom", "scalar", 0, 0, style()));
   if (comm->me == 0 && !described_) {
     print(lmp, shares_.describe(caller));
-    for (const std::string& slip : shares_.misspellings())
-      error->warning(FLERR, (caller + ": " + slip).c_str());
+    for (const std::string& slip : shares_.misspellings()) warn(lmp, caller + ": " + slip);
   }
   described_ = true;
 }

@@ -10,6 +10,7 @@
 #include "liggghts/observers/contact_observer.h"
 #include "pair.h"
 #include "update.h"
+#include "liggghts/fixes/print.h"
 
 namespace plastigran {
 
@@ -45,10 +46,10 @@ void EnergyLedger::warn_of_strangers() {
   if (strangers == strangers_) return;
   strangers_ = strangers;
   if (comm->me == 0 && !strangers.empty())
-    error->warning(FLERR, ("energy_ledger: what these walls store, dissipate and put in shows as "
-                           "drift, they have no energy_ledger on: " +
-                           strangers)
-                              .c_str());
+    warn(lmp,
+         "energy_ledger: what these walls store, dissipate and put in shows as drift, they have no "
+         "energy_ledger on: " +
+             strangers);
 }
 
 }  // namespace plastigran

@@ -6,7 +6,7 @@
 #include <sstream>
 
 #include "comm.h"
-#include "error.h"
+#include "liggghts/fixes/print.h"
 
 namespace plastigran {
 
@@ -44,7 +44,7 @@ void MeshWatch::say(Kind kind) {
   said_[kind] = true;
   Place place = found_[kind].value_or(Place());
   MPI_Bcast(&place, sizeof place, MPI_BYTE, first, world);
-  if (comm->me == 0) error->warning(FLERR, sentence(kind, place).c_str());
+  if (comm->me == 0) warn(lmp, sentence(kind, place));
 }
 
 }  // namespace plastigran

@@ -16,6 +16,7 @@
 #include "error.h"
 #include "force.h"
 #include "liggghts/fixes/own_fix.h"
+#include "liggghts/fixes/print.h"
 #include "liggghts/fixes/range_watch.h"
 #include "liggghts/fixes/step_watch.h"
 #include "liggghts/model/deck_units.h"
@@ -62,12 +63,12 @@ class ContactWatch : protected LAMMPS_NS::Pointers {
     text << model_ << ": impacts at the present speeds (at most " << times.outside_speed << ' '
          << unit_in_deck(update->unit_style, "m/s") << ") leave the law's range (" << Law::range
          << ')';
-    error->warning(FLERR, text.str().c_str());
+    warn(lmp, text.str());
   }
 
   // Before a run, on the first rank: a warning that is given once, for all walls together.
   void warn_once(const std::string& text) {
-    if (excess_->said.insert(text).second) error->warning(FLERR, (model_ + ": " + text).c_str());
+    if (excess_->said.insert(text).second) warn(lmp, model_ + ": " + text);
   }
 
   // A contact deeper than `pair.watched`, whose state was `before` and is `now` after this step.

@@ -237,6 +237,7 @@ class ElastoplasticNormalModel : public NormalModelBase {
 
   // What the deck gives and no model uses, or that looks like a slip.
   void report_unused(const plastigran::DeckProperties& deck, bool has_foreign) {
+    plastigran::print(lmp, std::string("plastigran law ") + Law::name + '\n');
     plastigran::print(lmp,
                       settings_.describe_unused(caller(), deck, owner_.is_wall(), has_foreign));
     const bool cohesive = owner_.other_models().find(" cohesion ") != std::string::npos;

@@ -6,6 +6,7 @@
 #include "comm.h"
 #include "force.h"
 #include "pair.h"
+#include "liggghts/fixes/print.h"
 
 namespace plastigran {
 
@@ -38,10 +39,8 @@ void ContactObserver::setup_pre_exchange() {
   if (strangers == strangers_) return;
   strangers_ = strangers;
   if (comm->me == 0 && !strangers.empty())
-    error->warning(FLERR,
-                   (std::string("fix ") + id + ' ' + style +
-                    ": contacts with these walls of other models are not counted: " + strangers)
-                       .c_str());
+    warn(lmp, std::string("fix ") + id + ' ' + style +
+                  ": contacts with these walls of other models are not counted: " + strangers);
 }
 
 void ContactObserver::fail(const std::string& reason) {

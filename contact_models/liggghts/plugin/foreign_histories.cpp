@@ -95,10 +95,9 @@ void discard_if_foreign(LAMMPS* engine, const std::string& fix_id, const std::st
   if (!discard_restarted(engine->modify, fix_id, style) || engine->comm->me != 0) return;
   if (fix_id.rfind(mesh_contacts, 0) == 0) return;  // the log has the line of the histories
   if (owner.models.empty()) {
-    engine->error->warning(FLERR, (owner.name + ": the restart file has contacts of `" + models +
-                                   "`, which a model of LIGGGHTS cannot continue. Their residual "
-                                   "overlaps and tangential springs are discarded")
-                                      .c_str());
+    warn(engine, owner.name + ": the restart file has contacts of `" + models +
+                     "`, which a model of LIGGGHTS cannot continue. Their residual overlaps and "
+                     "tangential springs are discarded");
     return;
   }
   print(engine, owner.name +

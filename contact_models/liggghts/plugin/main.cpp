@@ -49,7 +49,7 @@ std::string unknown_models(const CommandLine& given) {
       const bool is_model = last == "model" && (earlier == "gran" || earlier == "wall/gran");
       if (is_model && word.find('$') == std::string::npos &&
           (' ' + known + ' ').find(' ' + word + ' ') == std::string::npos)
-        text += "WARNING: model " + word + " is unknown; there are " + known + '\n';
+        text += "WARNING: plastigran: model " + word + " is unknown; there are " + known + '\n';
       earlier = last;
       last = word;
     }

@@ -32,12 +32,10 @@ _RUN = re.compile(r"run\s+(\d+)(\s+upto)?\s*$")
 _PLANNED = re.compile(r"planned steps = (\d+)\s*$")
 #: Error line of LIGGGHTS. A deck may also print or echo the word.
 _ERROR = re.compile(r"^ERROR(?: on proc \d+)?: .*", re.MULTILINE)
-#: Starts of the warnings of contact models and launcher, without the place in the source.
-_OF_CONTACTS = r"(?:pair_style|fix \S+): (?:contacts |the restart file |particle \d+ at )"
-_OURS = rf"model |the time step |energy_ledger|{_OF_CONTACTS}|fix \S+ (?:heat/|collision_spectra)"
-_WARNING = re.compile(rf"^WARNING: ((?:{_OURS}).*?)(?: \(\S+:\d+\))?$", re.M)
-#: Line of a contact model before a run.
-_MODEL = re.compile(r"^model (\w+)(?:, wall)?, atom types \d+ and \d+: ", re.M)
+#: Warning of the plugin or launcher, without the place in the source.
+_WARNING = re.compile(r"^WARNING: plastigran: (.*?)(?: \(\S+:\d+\))?$", re.M)
+#: Machine-readable line of a contact model before its first run.
+_LAW = re.compile(r"^plastigran law (\w+)$", re.M)
 #: LIGGGHTS echoes a command as typed, then with the values of its variables.
 _PAIR_STYLE = re.compile(r"^pair_style\s+([^$\n]+)$", re.M)
 _UNITS = re.compile(r"^units\s+(\w+)\s*$", re.M)
@@ -71,7 +69,7 @@ def worst(found: list[str]) -> list[str]:
 
 def find_models(text: str) -> list[str]:
     """Return the names of this project's contact models in a log, each once, in order."""
-    return list(dict.fromkeys(_MODEL.findall(text)))
+    return list(dict.fromkeys(_LAW.findall(text)))
 
 
 def find_pair_style(text: str) -> str | None:
