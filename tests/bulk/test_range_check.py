@@ -94,6 +94,21 @@ def test_contacts_that_go_deeper_in_a_later_run_count(tmp_path):
     assert split.checks["value"].iloc[0] == pytest.approx(whole.checks["value"].iloc[0], rel=1e-9)
 
 
+def test_contacts_beyond_the_range_and_still_elastic_are_warned_of(tmp_path):
+    deck = write(tmp_path, density=8000, velocity=-5, steps=250)
+    deck.write_text(deck.read_text().replace("peratomtype 1.0e5", "peratomtype 5.0e6"))
+    log = (run_bulk(deck, {}, tmp_path / "run", show=False).folder / "log.liggghts").read_text()
+    assert "contacts=0" in log
+    assert "contacts beyond the law's range" in log and "still elastic, the furthest at" in log
+
+
+def test_the_range_is_in_the_log_before_a_run_ends(tmp_path):
+    """For the run that is killed."""
+    deck = write(tmp_path, density=8000, velocity=-1, steps=1500)
+    log = (run_bulk(deck, {}, tmp_path / "run", show=False).folder / "log.liggghts").read_text()
+    assert find_excess(log.split("Loop time")[0])["universal"] > 5
+
+
 def test_a_run_that_goes_on_keeps_what_its_start_has_left(tmp_path):
     deck = write(tmp_path, density=8000, velocity=-5, steps=200)
     text = deck.read_text()

@@ -78,6 +78,24 @@ def test_a_wall_given_again_keeps_its_contacts(tmp_path):
     assert same(given_again, kept)
 
 
+@pytest.mark.parametrize("pairs", ["hertz", "universal"])
+@pytest.mark.parametrize("again", [True, False])
+def test_a_wall_given_before_a_run_without_setup_is_there(again, pairs, tmp_path):
+    """A new line has its set-up: with `pre no` the run is the one without."""
+    wall = next(line for line in MATERIAL.splitlines() if line.startswith("fix floor"))
+    material = MATERIAL.replace("gran model hertz", f"gran model {pairs}", 1)
+    lines = f"unfix floor\n{wall}" if again else wall
+    if not again:
+        material = material.replace(wall, "")
+    decks = [
+        start() + material + SPHERE + DUMP + f"run 300\n{lines}\nrun 700{pre}\n"
+        for pre in ("", " pre no")
+    ]
+    one, other = (trajectory(tmp_path / str(k), deck) for k, deck in enumerate(decks))
+    assert one[:, 3].max() > 0
+    assert same(other, one)
+
+
 @pytest.mark.parametrize(
     ("lines", "said"),
     [

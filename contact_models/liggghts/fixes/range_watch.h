@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
 // Counts the contacts that leave the range of their law while the engine runs, and says so once at
-// the end of a run.
+// the end of a run. The largest overlap is written every 1000 steps where it has grown, for
+// programs.
 #pragma once
 
 #include <map>
@@ -17,25 +18,32 @@ class RangeWatch : public OwnFix {
   // Of one model, on this rank.
   struct Excess {
     const char* range = "";
-    double contacts = 0;   // one seen from both sides of a border counts half on each
-    double furthest = 0;   // largest overlap over the range's
-    double announced = 0;  // contacts, over all ranks, when the log last had them
-    double announced_furthest = 0;
-    double warned_speed = 0;     // of impacts before a run that leave the range [m/s]
-    std::set<std::string> said;  // warnings before a run that are given once
+    double contacts = 0;            // one seen from both sides of a border counts half on each
+    double furthest = 0;            // largest overlap over the range's
+    double all_contacts = 0;        // over all ranks, on the first one, as the next two are
+    double announced = 0;           // contacts, when the log last had a warning
+    double announced_furthest = 0;  // largest overlap over the range's that the log has
+    double warned_speed = 0;        // of impacts before a run that leave the range [m/s]
+    bool warned = false;            // of anything beyond the range
+    std::set<std::string> said;     // warnings before a run that are given once
   };
 
-  RangeWatch(LAMMPS_NS::LAMMPS* engine, int count, char** words) : OwnFix(engine, count, words) {}
+  RangeWatch(LAMMPS_NS::LAMMPS* engine, int count, char** words) : OwnFix(engine, count, words) {
+    nevery = 1000;  // steps; small reductions each
+  }
   static const char* id() { return "plastigran_range"; }
   static const char* style() { return "plastigran/range"; }
 
   // What is counted for a model; the watch is made when the first one asks. All ranks together.
   static Excess* of(LAMMPS_NS::LAMMPS* engine, const std::string& model, const char* range);
 
-  int setmask() override { return 0; }
+  int setmask() override;
+  void end_of_step() override;
   void post_run() override;
 
  private:
+  void print_furthest(const std::string& model, Excess& excess, double factor);
+
   std::map<std::string, Excess> models_;
 };
 

@@ -38,6 +38,7 @@
 #include "liggghts/model/type_pair.h"
 #include "neighbor.h"
 #include "plastigran/shared/contact.h"
+#include "update.h"
 
 namespace LIGGGHTS {
 namespace ContactModels {
@@ -61,6 +62,8 @@ class ElastoplasticNormalModel : public NormalModelBase {
         watch_(lmp),
         restarted_lines_(plastigran::HistoryKeeper::restarted_lines(lmp)) {
     plastigran::refuse_replacement(lmp);
+    // A new line needs a set-up: `run ... pre no` would not know it.
+    if (!update->whichflag) update->first_update = 0;
     for (std::size_t k = 0; k < Law::state_names.size(); ++k) {
       const int offset = setup->add_history_value(Law::state_names[k], "0");
       if (k == 0) history_offset_ = offset;

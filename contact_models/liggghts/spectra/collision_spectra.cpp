@@ -23,6 +23,7 @@ CollisionSpectra::CollisionSpectra(LAMMPS_NS::LAMMPS* engine, int count, char** 
   extscalar = extvector = 1;
   restart_global = restart_peratom = 1;
   create_attribute = 1;
+  just_created = 0;  // LIGGGHTS would clear the records in the first set-up, between its forces
   grow_arrays(atom->nmax);
   atom->add_callback(0);
   atom->add_callback(1);

@@ -200,7 +200,9 @@ def read_deck(deck: str | Path, values: Mapping[str, object], folder: Path) -> D
     def take_in(file: Path, included_by: str, choice: str = "") -> None:
         """Collect the settings and files of a script and its includes, in the order of LIGGGHTS."""
         if not file.is_file():
-            raise EngineError(f"{included_by} includes {file}, which does not exist{choice}")
+            shipped = inputs_folder() / file.name
+            remedy = f". Write `include ${{inputs}}/{file.name}`" if shipped.is_file() else choice
+            raise EngineError(f"{included_by} includes {file}, which does not exist{remedy}")
         if len(files) > MOST_FILES:
             raise EngineError(
                 f"{included_by} includes {file}, and so on. Check whether a file includes itself"

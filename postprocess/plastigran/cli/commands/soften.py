@@ -93,7 +93,7 @@ def run(arguments: argparse.Namespace) -> None:
     if arguments.output:
         print(f"\nwritten: {arguments.output}")
     print(
-        f"'\nTime steps are {growth:.4g} times as long. Overlaps divided by the radius:\n'"
+        f"\nTime steps are {growth:.4g} times as long. Overlaps divided by the radius:\n"
         + "\n".join(
             f"  {kind:8s} {before:.2g} -> {after:.2g}" for kind, (before, after) in overlaps.items()
         )
@@ -101,7 +101,7 @@ def run(arguments: argparse.Namespace) -> None:
     verdict = "sound" if factor >= lowest else "TOO SOFT: the grains do not behave as hard"
     print(
         f"  {verdict}. With the law below that has the largest overlap, {SOUND_OVERLAP:g} of "
-        f"the radius is reached at the factor {lowest:.4g}"
+        f"the radius is reached at the factor {1.0005 * lowest:.4g}"  # not rounded down
     )
     print(
         "\nlaw                    restitution      softened  largest change  step, s  softened, s"
