@@ -333,7 +333,7 @@ def test_an_edited_study_is_told(copied_sweep, edit):
     (copied_sweep / "study.json").write_text(json.dumps(study | edit))
     made = section(copied_sweep)
     (name,) = edit
-    assert made.missing == [f"study.json is damaged: its {name} is left out."]
+    assert made.missing == [f"study.json is damaged: entry {name} is left out."]
     assert made.tables[0].title == "Constants of the materials"
     assert len(made.charts) == 4
 
