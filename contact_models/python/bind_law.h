@@ -59,7 +59,7 @@ class LawOf : public AnyLaw {
   }
 };
 
-// Laws with more to say (a force-driven form, an iteration count) say it in a specialisation.
+// Laws with more functions, such as a force-driven form, bind them in a specialisation.
 template <class Law>
 void bind_extras(nb::class_<LawOf<Law>, AnyLaw>&) {}
 

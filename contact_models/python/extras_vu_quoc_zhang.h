@@ -51,23 +51,6 @@ Args:
 
 Raises:
     ValueError: A value is out of range.)");
-  law.def(
-      "elastic_radius",
-      [](const LawOf<VuQuocZhang>& self, double overlap_ratio, double start) {
-        int iterations = 0;
-        const double root = self.law.elastic_radius(overlap_ratio, start, iterations);
-        return nb::make_tuple(root, iterations);
-      },
-      "overlap_ratio"_a, "start"_a,
-      nb::sig("def elastic_radius(self, overlap_ratio: float, start: float) -> tuple[float, int]"),
-      R"(Root of the first-loading curve and the number of Newton iterations.
-
-Args:
-    overlap_ratio: overlap/overlap_Y [-], 1 or more.
-    start: Of the iteration, between 1 and the root.
-
-Returns:
-    Elastic radius a_e/a_Y [-], and the number of iterations.)");
 }
 
 }  // namespace plastigran

@@ -10,8 +10,8 @@
 #include "all_laws.h"
 #include "plastigran/impact/central_impact.h"
 #include "plastigran/impact/validate.h"
-#include "plastigran/shared/power.h"
-#include "plastigran/shared/tabulated.h"
+#include "plastigran/tables/power_tables.h"
+#include "plastigran/tables/tabulated.h"
 
 using namespace plastigran;
 
@@ -66,6 +66,19 @@ TEST_CASE_TEMPLATE("a virgin contact's state is zeros", Law, ALL_LAWS) {
     const unsigned char zeros[sizeof state] = {};
     CHECK(std::memcmp(&state, zeros, sizeof state) == 0);
   }
+}
+
+// A host copies tables byte by byte, to a device too.
+TEST_CASE_TEMPLATE("a law's table is trivially copyable", Law, ALL_LAWS) {
+  static_assert(std::is_trivially_copyable_v<Law>);
+  const Law law(aluminium, defaults<Law>());
+  alignas(Law) unsigned char bytes[sizeof(Law)];
+  std::memcpy(bytes, &law, sizeof law);
+  typename Law::State state, state_of_copy;
+  const Response response = respond(law, 0.1, 1e-5, state, 0);
+  const Response copied = respond(*reinterpret_cast<Law*>(bytes), 0.1, 1e-5, state_of_copy, 0);
+  CHECK(copied.force == response.force);
+  CHECK(sizeof(Law) < 110000);
 }
 
 TEST_CASE_TEMPLATE("asking twice changes nothing, bit for bit", Law, ALL_LAWS) {
@@ -140,7 +153,6 @@ TEST_CASE_TEMPLATE("what bodies must bring has no default", Law, ALL_LAWS) {
 TEST_CASE("Vu-Quoc-Zhang's Newton iteration converges for every admissible constant") {
   std::mt19937 random(2);
   std::uniform_real_distribution<double> unit(0, 1);
-  int worst = 0;
   for (int tried = 0; tried < 20000; ++tried) {
     const VuQuocZhang::Parameters constants = random_admissible(random, -4, 5);
     const VuQuocZhang law(aluminium, constants);
@@ -150,12 +162,9 @@ TEST_CASE("Vu-Quoc-Zhang's Newton iteration converges for every admissible const
     const double u = root * root * root - 1, radius = root + ca * u;
     const double x = radius * radius / (1 + kc * u);
     const double start = 1 + (root - 1) * unit(random);
-    int iterations = 0;
-    const double found = law.elastic_radius(x, start, iterations);
-    worst = std::max(worst, iterations);
+    const double found = law.elastic_radius(x, start);
     REQUIRE(found == doctest::Approx(root).epsilon(1e-12));
   }
-  CHECK(worst < 40);
 }
 
 TEST_CASE(
@@ -236,8 +245,10 @@ TEST_CASE("a table's integral is its function's") {
 TEST_CASE("powers for the force loop are the library's") {
   std::mt19937 random(5);
   std::uniform_real_distribution<double> unit(0, 1);
+  const PowerTables tables;
   for (int k = 0; k < 200000; ++k) {
     const double base = std::pow(10, -16 * unit(random)), exponent = unit(random) - 0.5;
-    REQUIRE(power(base, exponent) == doctest::Approx(std::pow(base, exponent)).epsilon(1e-14));
+    REQUIRE(tables.power(base, exponent) ==
+            doctest::Approx(std::pow(base, exponent)).epsilon(1e-14));
   }
 }

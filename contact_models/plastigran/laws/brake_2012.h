@@ -17,7 +17,7 @@
 #pragma once
 
 #include "plastigran/shared/indentation_pressure.h"
-#include "plastigran/shared/power_unloading.h"
+#include "plastigran/tables/power_unloading.h"
 
 namespace plastigran {
 
@@ -52,20 +52,23 @@ struct Brake2012Curve {
         breaks{1, alpha * alpha} {}
 
   // The cubic through (1, value) with slope, and (x_p, value_p) with slope_p.
-  double between(double x, double value, double slope, double value_p, double slope_p) const {
+  PLASTIGRAN_DEVICE double between(double x, double value, double slope, double value_p,
+                                   double slope_p) const {
     const double length = breaks[1] - 1, t = (x - 1) / length, back = 1 - t;
     return back * back * ((1 + 2 * t) * value + t * length * slope) +
            t * t * ((3 - 2 * t) * value_p - back * length * slope_p);
   }
-  double force(double x) const {
+  PLASTIGRAN_DEVICE double force(double x) const {
     if (x >= breaks[1]) return alpha * (2 * x - alpha * alpha);
     return between(x, 1, 1.5, alpha * alpha * alpha, 2 * alpha);
   }
-  double contact_radius(double x) const {
+  PLASTIGRAN_DEVICE double contact_radius(double x) const {
     if (x >= breaks[1]) return std::sqrt(2 * x - alpha * alpha);
     return between(x, 1, 0.5, alpha, 1 / alpha);
   }
-  double recovery(double x) const { return std::min(x, force(x) / contact_radius(x)); }
+  PLASTIGRAN_DEVICE double recovery(double x) const {
+    return std::min(x, force(x) / contact_radius(x));
+  }
 };
 
 using Brake2012 = PowerUnloading<Brake2012Curve>;

@@ -16,7 +16,7 @@
 #pragma once
 
 #include "plastigran/shared/indentation_pressure.h"
-#include "plastigran/shared/power_unloading.h"
+#include "plastigran/tables/power_unloading.h"
 
 namespace plastigran {
 
@@ -55,17 +55,19 @@ struct Brake2015Curve {
     breaks = {1, plastic};
   }
 
-  double elastic_share(double x) const {
+  PLASTIGRAN_DEVICE double elastic_share(double x) const {
     return 1 / std::cosh((meyer - 1) * (x - 1) / (plastic - 1));
   }
-  double force(double x) const {
+  PLASTIGRAN_DEVICE double force(double x) const {
     const double s = (x - 1) / (plastic - 1);
     return elastic_share(x) * x * std::sqrt(x) + (1 - 1 / std::cosh((3 - meyer) * s)) *
                                                      std::sqrt(plastic) * x *
                                                      std::pow(x / plastic, 0.5 * meyer - 1);
   }
-  double recovery(double x) const { return std::min(x, force(x) / std::sqrt(x)); }
-  double contact_radius(double x) const { return std::sqrt(x * (2 - elastic_share(x))); }
+  PLASTIGRAN_DEVICE double recovery(double x) const { return std::min(x, force(x) / std::sqrt(x)); }
+  PLASTIGRAN_DEVICE double contact_radius(double x) const {
+    return std::sqrt(x * (2 - elastic_share(x)));
+  }
 };
 
 using Brake2015 = PowerUnloading<Brake2015Curve>;

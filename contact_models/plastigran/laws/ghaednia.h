@@ -13,7 +13,7 @@
 #pragma once
 
 #include "plastigran/laws/jackson_green.h"
-#include "plastigran/shared/power_unloading.h"
+#include "plastigran/tables/power_unloading.h"
 
 namespace plastigran {
 
@@ -40,14 +40,14 @@ struct GhaedniaCurve : JacksonGreenCurve {
   GhaedniaCurve(const MaterialPair& pair, const Parameters& constants)
       : JacksonGreenCurve(pair, {cosine, constants.reading}), loading(constants.loading) {}
 
-  double force(double x) const {
+  PLASTIGRAN_DEVICE double force(double x) const {
     const double growth = loading == prefactor ? 1.1 * x : std::pow(x, 1.1);
     return std::exp(-0.17 * std::pow(x, 5.0 / 12)) * x * std::sqrt(x) +
            4 * hardness_ratio(contact_radius(x)) / pressure_factor *
                -std::expm1(-std::pow(x, 5.0 / 9) / 78) * growth;
   }
   double overlap_range() const { return sphere.overlap_range(1000 * yield_radius * yield_radius); }
-  double recovery(double x) const {
+  PLASTIGRAN_DEVICE double recovery(double x) const {
     const double t = 6.5 / (x + 5.5);
     return x * (1 - 0.8 * (1 - t * t));
   }

@@ -22,7 +22,7 @@
 #pragma once
 
 #include "plastigran/laws/jackson_green.h"
-#include "plastigran/shared/power_unloading.h"
+#include "plastigran/tables/power_unloading.h"
 
 namespace plastigran {
 
@@ -57,22 +57,22 @@ struct Ghaednia2019Curve : JacksonGreenCurve {
     decay = -stiffness / ((4 - 3 * std::exp(-stiffness * hardening)) * (1 - hardening));
   }
 
-  double contact_radius(double x) const {
+  PLASTIGRAN_DEVICE double contact_radius(double x) const {
     const double plastic = JacksonGreenCurve::contact_radius(x);
     if (hardening == 0) return plastic;
     const double elastic = std::sqrt(x);
     const double left = std::max(0.0, 1 - (x - 1) * yield_radius * yield_radius);
     return elastic + (plastic - elastic) * std::exp(decay * std::pow(hardening, left));
   }
-  double force(double x) const {
+  PLASTIGRAN_DEVICE double force(double x) const {
     const double plastic = JacksonGreenCurve::force(x, contact_radius(x));
     return plastic + (x * std::sqrt(x) - plastic) * elastic_share;
   }
-  double recovery(double x) const {
+  PLASTIGRAN_DEVICE double recovery(double x) const {
     if (unloading == brake_2015) return std::min(x, force(x) / std::sqrt(x));
     return x * (1 - (1 - std::pow(x, -0.28)) * (1 - std::pow(x, -0.69)));
   }
-  double exponent(double x) const {
+  PLASTIGRAN_DEVICE double exponent(double x) const {
     return unloading == brake_2015 ? 1.5 : 1.5 * std::pow(x, -0.0331);
   }
 };

@@ -25,7 +25,7 @@ class Hertz : public NoConstants {
   explicit Hertz(const MaterialPair& pair, const Parameters&)
       : modulus_(4.0 / 3.0 * pair.youngs_modulus_eff) {}
 
-  Response respond(double radius_eff, double overlap, State&) const {
+  PLASTIGRAN_DEVICE Response respond(double radius_eff, double overlap, State&) const {
     if (!(overlap > 0)) return {};
     return hertz_response(modulus_, radius_eff, overlap);
   }

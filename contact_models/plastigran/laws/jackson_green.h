@@ -19,7 +19,7 @@
 #pragma once
 
 #include "plastigran/shared/fitted_sphere.h"
-#include "plastigran/shared/power_unloading.h"
+#include "plastigran/tables/power_unloading.h"
 
 namespace plastigran {
 
@@ -56,17 +56,19 @@ struct JacksonGreenCurve {
         yield_radius(pi * pressure_factor * pair.yield_strength / (2 * sphere.modulus)),
         yield_radius_ratio(yield_radius * sphere.radius_ratio) {}
 
-  double force(double x) const { return force(x, contact_radius(x)); }
+  PLASTIGRAN_DEVICE double force(double x) const { return force(x, contact_radius(x)); }
   // With another a/a_y.
-  double force(double x, double radius) const {
+  PLASTIGRAN_DEVICE double force(double x, double radius) const {
     return std::exp(-0.25 * std::pow(x, 5.0 / 12)) * x * std::sqrt(x) +
            4 * hardness_ratio(radius) / pressure_factor * -std::expm1(-std::pow(x, 5.0 / 9) / 25) *
                x;
   }
-  double recovery(double x) const {
+  PLASTIGRAN_DEVICE double recovery(double x) const {
     return x * std::max(0.01, 1 - 1.02 * (1 - std::pow((x + 5.9) / 6.9, -0.54)));
   }
-  double contact_radius(double x) const { return std::sqrt(x * std::pow(x / 1.9, area_exponent)); }
+  PLASTIGRAN_DEVICE double contact_radius(double x) const {
+    return std::sqrt(x * std::pow(x / 1.9, area_exponent));
+  }
   // Where a/R = 0.41, the end of the fit.
   double overlap_range() const {
     const double x_scale = 1 / (1.9 * yield_radius * yield_radius);
@@ -74,7 +76,7 @@ struct JacksonGreenCurve {
         std::pow(0.41 * 0.41 / std::pow(x_scale, area_exponent), 1 / (1 + area_exponent)));
   }
   // H / sigma_Y at a/a_y; the cosine form was fitted up to a/R = 0.41 and is held at a/R = 1.
-  double hardness_ratio(double radius) const {
+  PLASTIGRAN_DEVICE double hardness_ratio(double radius) const {
     const double a = yield_radius * radius;
     if (hardness == exponential) return -2.84 * std::expm1(-0.82 * std::pow(a, -0.7));
     return 2.84 - 0.92 * (1 - std::cos(pi * std::min(a, 1.0)));

@@ -16,7 +16,7 @@
 // Range: fitted for x <= 110.
 #pragma once
 
-#include "plastigran/shared/power_unloading.h"
+#include "plastigran/tables/power_unloading.h"
 
 namespace plastigran {
 
@@ -46,18 +46,18 @@ struct KogutEtsionCurve {
     yield_radius_ratio = pi * hardness_ratio * hardness / (2 * pair.youngs_modulus_eff);
   }
 
-  double force(double x) const {
+  PLASTIGRAN_DEVICE double force(double x) const {
     if (x <= 6) return 1.03 * std::pow(x, 1.425);
     return fully_plastic && x > 110 ? 3 / hardness_ratio * x : 1.40 * std::pow(x, 1.263);
   }
-  double recovery(double x) const {
+  PLASTIGRAN_DEVICE double recovery(double x) const {
     return x * (1 - (1 - std::pow(x, -0.28)) * (1 - std::pow(x, -0.69)));
   }
-  double exponent(double x) const { return 1.5 * std::pow(x, -0.0331); }
+  PLASTIGRAN_DEVICE double exponent(double x) const { return 1.5 * std::pow(x, -0.0331); }
   double overlap_range() const {
     return std::min(110 * yield_radius_ratio * yield_radius_ratio, widest_overlap_range);
   }
-  double contact_radius(double x) const {
+  PLASTIGRAN_DEVICE double contact_radius(double x) const {
     if (x <= 6) return std::sqrt(0.93 * std::pow(x, 1.136));
     return fully_plastic && x > 110 ? std::sqrt(2 * x) : std::sqrt(0.94 * std::pow(x, 1.146));
   }

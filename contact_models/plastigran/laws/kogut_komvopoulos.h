@@ -18,7 +18,7 @@
 #pragma once
 
 #include "plastigran/shared/fitted_sphere.h"
-#include "plastigran/shared/power_unloading.h"
+#include "plastigran/tables/power_unloading.h"
 
 namespace plastigran {
 
@@ -44,19 +44,23 @@ struct KogutKomvopoulosCurve : ReadingAlone {
     breaks = {1, std::min(held, 1 / yield_depth), std::max(held, 1 / yield_depth)};
   }
 
-  double depth(double x) const { return std::min(x * yield_depth, 1.0); }
+  PLASTIGRAN_DEVICE double depth(double x) const { return std::min(x * yield_depth, 1.0); }
   double overlap_range() const { return sphere.overlap_range(widest_overlap_range); }
-  double area(double x) const {  // A/R^2
+  PLASTIGRAN_DEVICE double area(double x) const {  // A/R^2
     const double z = depth(x), log_t = 0.5 * std::log(z / (2 - z));
     return pi * z * (2 - z) / std::max(0.71, 2.192 - 0.394 * std::log(stiffness) - 0.419 * log_t);
   }
-  double force(double x) const {
+  PLASTIGRAN_DEVICE double force(double x) const {
     const double z = depth(x), log_t = 0.5 * std::log(z / (2 - z));
     const double pressure = 0.839 + 0.656 * std::log(stiffness) + 0.651 * log_t;
     return 0.75 * pressure * area(x) / (stiffness * yield_depth * std::sqrt(yield_depth));
   }
-  double recovery(double x) const { return x * 0.591 * std::pow(stiffness, -0.156); }
-  double contact_radius(double x) const { return std::sqrt(area(x) / (pi * yield_depth)); }
+  PLASTIGRAN_DEVICE double recovery(double x) const {
+    return x * 0.591 * std::pow(stiffness, -0.156);
+  }
+  PLASTIGRAN_DEVICE double contact_radius(double x) const {
+    return std::sqrt(area(x) / (pi * yield_depth));
+  }
 };
 
 using KogutKomvopoulos = PowerUnloading<KogutKomvopoulosCurve>;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
 // Lim & Stronge 1998 (Math. Comput. Model. 28:323): a rigid cylinder on an elastic-plastic body in
-// plane strain. Loading as in line_contact.h; equations as collected in Katta & Polycarpou 2010 (J.
+// plane strain. Loading as in line_loading.h; equations as collected in Katta & Polycarpou 2010 (J.
 // Tribol. 132), repaired.
 //
 //   overlap_res = a_max^2/(2 R_b),   1/R_b = 1/R - 1/R_e
@@ -17,7 +17,7 @@
 // does not.
 #pragma once
 
-#include "plastigran/shared/line_contact.h"
+#include "plastigran/tables/line_contact.h"
 
 namespace plastigran {
 
@@ -26,7 +26,7 @@ struct StraightRebound {
   static constexpr const char* source = "Lim & Stronge 1998, Math. Comput. Model. 28:323";
   static constexpr bool straight = true;
   // overlap_max - overlap_res, with a_max^2 = 4 load R_e and the loading curve put in
-  static double recovery(double load_y, double overlap_y, double load, double) {
+  PLASTIGRAN_DEVICE static double recovery(double load_y, double overlap_y, double load, double) {
     return overlap_y + 2 * (load - load_y);
   }
 };

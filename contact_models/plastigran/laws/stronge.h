@@ -18,7 +18,7 @@
 // negative residual overlap.
 #pragma once
 
-#include "plastigran/shared/power_unloading.h"
+#include "plastigran/tables/power_unloading.h"
 
 namespace plastigran {
 
@@ -49,19 +49,19 @@ struct StrongeCurve {
       : yield_radius_ratio(0.75 * pi * threshold * pair.yield_strength / pair.youngs_modulus_eff),
         unloading(constants.unloading) {}
 
-  double force(double x) const {
+  PLASTIGRAN_DEVICE double force(double x) const {
     const double q = 2 * x - 1;
     return q < plastic_area ? q * (1 + std::log(q) / (3 * threshold))
                             : q * fully_plastic / threshold;
   }
-  double recovery(double x) const {
+  PLASTIGRAN_DEVICE double recovery(double x) const {
     const double q = 2 * x - 1;
     double way = std::sqrt(q);
     if (unloading == area) way = force(x) / std::sqrt(q);
     if (unloading == original_radius) way = std::cbrt(force(x) * force(x));
     return std::min(x, way);
   }
-  double contact_radius(double x) const { return std::sqrt(2 * x - 1); }
+  PLASTIGRAN_DEVICE double contact_radius(double x) const { return std::sqrt(2 * x - 1); }
 };
 
 using Stronge = PowerUnloading<StrongeCurve>;

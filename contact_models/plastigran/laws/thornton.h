@@ -39,7 +39,7 @@ class Thornton : public NoConstants, public LargestOverlap {
         slope_(pi * pair.yield_pressure),
         yield_overlap_ratio_(yield_radius_ratio(pair) * yield_radius_ratio(pair)) {}
 
-  Response respond(double radius_eff, double overlap, State& state) const {
+  PLASTIGRAN_DEVICE Response respond(double radius_eff, double overlap, State& state) const {
     if (!(overlap > 0)) return {0, 0, 0, plastic_work(radius_eff, state.overlap_max)};
     const double overlap_y = radius_eff * yield_overlap_ratio_;
     if (overlap <= overlap_y && state.overlap_max == 0)
@@ -61,7 +61,7 @@ class Thornton : public NoConstants, public LargestOverlap {
 
  private:
   // Work of the virgin curve up to overlap_max less what unloading from there returns.
-  double plastic_work(double radius_eff, double overlap_max) const {
+  PLASTIGRAN_DEVICE double plastic_work(double radius_eff, double overlap_max) const {
     if (overlap_max == 0) return 0;
     const double overlap_y = radius_eff * yield_overlap_ratio_;
     const double stiffness = slope_ * radius_eff;

@@ -44,7 +44,8 @@ class ViscoelasticHertz {
       : modulus_(4.0 / 3.0 * pair.youngs_modulus_eff),
         delay_(1.5 * constants.dissipative_constant) {}
 
-  Response respond(double radius_eff, double overlap, State&, double overlap_rate = 0) const {
+  PLASTIGRAN_DEVICE Response respond(double radius_eff, double overlap, State&,
+                                     double overlap_rate = 0) const {
     if (!(overlap > 0)) return {};
     Response response;
     const double radius = std::sqrt(radius_eff * overlap);

@@ -15,7 +15,7 @@
 
 #include "plastigran/laws/jackson_green.h"
 #include "plastigran/shared/fitted_sphere.h"
-#include "plastigran/shared/power_unloading.h"
+#include "plastigran/tables/power_unloading.h"
 
 namespace plastigran {
 
@@ -49,27 +49,29 @@ struct YeKomvopoulosCurve : ReadingAlone {
     const double slope = q * compliance;
     return 2 * slope * slope / (1 + slope * slope);
   }
-  double depth(double x) const { return std::min(x * yield_depth, 1.0); }
+  PLASTIGRAN_DEVICE double depth(double x) const { return std::min(x * yield_depth, 1.0); }
   double overlap_range() const { return sphere.overlap_range(widest_overlap_range); }
-  double strain(double x) const {  // Q
+  PLASTIGRAN_DEVICE double strain(double x) const {  // Q
     const double z = depth(x);
     return std::sqrt(z / (2 - z)) / compliance;
   }
-  double area(double x) const {  // A/R^2
+  PLASTIGRAN_DEVICE double area(double x) const {  // A/R^2
     const double z = depth(x), circle = pi * z * (2 - z), q = strain(x);
     if (q > 400) return circle / 0.71;
     const double log_q = std::log(q);
     return circle / ((0.05 * log_q - 0.57) * log_q + 2.41);
   }
-  double force(double x) const {
+  PLASTIGRAN_DEVICE double force(double x) const {
     const double q = strain(x), pressure = q > 21 ? 2.9 : 0.70 * std::log(q) + 0.66;
     return 0.75 * pressure * compliance * area(x) / (yield_depth * std::sqrt(yield_depth));
   }
-  double recovery(double x) const {
+  PLASTIGRAN_DEVICE double recovery(double x) const {
     const double flat = x * flattening_scale;
     return flat <= 1.9 ? x : std::min(x, flattening.recovery(flat) / flattening_scale);
   }
-  double contact_radius(double x) const { return std::sqrt(area(x) / (pi * yield_depth)); }
+  PLASTIGRAN_DEVICE double contact_radius(double x) const {
+    return std::sqrt(area(x) / (pi * yield_depth));
+  }
 };
 
 using YeKomvopoulos = PowerUnloading<YeKomvopoulosCurve>;

@@ -41,6 +41,7 @@
 #include <tuple>
 #include <type_traits>
 
+#include "plastigran/shared/device.h"
 #include "plastigran/shared/numerics.h"
 
 namespace plastigran {
@@ -166,8 +167,8 @@ constexpr bool indentation<Law, std::void_t<decltype(Law::indentation)>> = Law::
 
 // Ask any law; one that does not depend on the rate never sees it.
 template <class Law>
-Response respond(const Law& law, double radius_eff, double overlap, typename Law::State& state,
-                 double overlap_rate) {
+PLASTIGRAN_DEVICE Response respond(const Law& law, double radius_eff, double overlap,
+                                   typename Law::State& state, double overlap_rate) {
   if constexpr (rate_dependent<Law>)
     return law.respond(radius_eff, overlap, state, overlap_rate);
   else
@@ -255,8 +256,8 @@ template <class Law>
 constexpr bool says_stiffness<Law, std::void_t<decltype(&Law::elastic_stiffness)>> = true;
 
 template <class Law>
-Stiffness elastic_stiffness(const Law& law, double youngs_modulus_eff, double shear_modulus_eff,
-                            double contact_radius) {
+PLASTIGRAN_DEVICE Stiffness elastic_stiffness(const Law& law, double youngs_modulus_eff,
+                                              double shear_modulus_eff, double contact_radius) {
   if constexpr (says_stiffness<Law>)
     return law.elastic_stiffness(contact_radius);
   else

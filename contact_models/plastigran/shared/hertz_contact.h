@@ -7,11 +7,13 @@
 #include <cmath>
 
 #include "plastigran/shared/contact.h"
+#include "plastigran/shared/device.h"
 
 namespace plastigran {
 
 // At an overlap above 0; `modulus` is 4/3 E* [Pa].
-inline Response hertz_response(double modulus, double radius_eff, double overlap) {
+PLASTIGRAN_DEVICE inline Response hertz_response(double modulus, double radius_eff,
+                                                 double overlap) {
   Response response;
   response.contact_radius = std::sqrt(radius_eff * overlap);
   response.force = modulus * response.contact_radius * overlap;

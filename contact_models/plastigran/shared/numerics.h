@@ -3,11 +3,13 @@
 // Integrals, maxima and roots that several laws need.
 #pragma once
 
+#include "plastigran/shared/device.h"
+
 namespace plastigran {
 
 // Integral of f from left to right by Gauss-Legendre on 12 points.
 template <class Function>
-double gauss_legendre(const Function& f, double left, double right) {
+PLASTIGRAN_DEVICE double gauss_legendre(const Function& f, double left, double right) {
   constexpr double node[6] = {0.1252334085114689, 0.3678314989981802, 0.5873179542866175,
                               0.7699026741943047, 0.9041172563704749, 0.9815606342467192};
   constexpr double weight[6] = {0.2491470458134028, 0.2334925365383548, 0.2031674267230659,

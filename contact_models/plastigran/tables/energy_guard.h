@@ -14,6 +14,7 @@
 #include <cstddef>
 #include <limits>
 
+#include "plastigran/shared/device.h"
 #include "plastigran/shared/numerics.h"
 
 namespace plastigran {
@@ -52,7 +53,7 @@ class EnergyGuard {
   }
 
   // The work that loading to an overlap loses at least.
-  double least_loss(double overlap) const {
+  PLASTIGRAN_DEVICE double least_loss(double overlap) const {
     for (const Stretch& stretch : stretches_)
       if (overlap >= stretch.begin && overlap < stretch.end) return stretch.lost;
     return -infinite;

@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+//
+// Marks the functions that the force loop calls. Compilers for GPUs compile them for the device,
+// too.
+#pragma once
+
+#if defined(__CUDACC__) || defined(__HIPCC__) || defined(__CUDA__)
+#define PLASTIGRAN_DEVICE __host__ __device__
+#else
+#define PLASTIGRAN_DEVICE
+#endif

@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+//
+// The table of a law that is given by a first-loading curve and a residual overlap. The host builds
+// it once per pair of materials; the force loop reads it. It is trivially copyable.
+//
+// A curve gives the law in yield units, x = overlap/overlap_y and f = F/F_y:
+//
+//   yield_radius_ratio  r = a_y/R*: overlap_y = r^2 R*, F_y = 4/3 E* r^3 R*^2
+//   breaks              values of x where the formula changes, ascending; elastic below the first
+//   force(x)            f beyond the first break
+//   recovery(x)         (overlap_max - overlap_res)/overlap_y after loading to x
+//   contact_radius(x)   a/a_y beyond the first break
+//
+// It also has the members of contact.h that describe a law: name, source, range, Parameters. It is
+// constructed from (MaterialPair, Parameters).
+//
+// An unloading (unloading.h) gives the shape of the curve between overlap_res and overlap_max.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <tuple>
+#include <type_traits>
+
+#include "plastigran/shared/contact.h"
+#include "plastigran/shared/device.h"
+#include "plastigran/shared/largest_overlap.h"
+#include "plastigran/shared/numerics.h"
+#include "plastigran/tables/energy_guard.h"
+#include "plastigran/tables/tabulated.h"
+#include "plastigran/tables/unloading.h"
+
+namespace plastigran {
+
+template <class Curve, class Unloading>
+class CurveTable : public Curve, public LargestOverlap {
+ public:
+  CurveTable(const MaterialPair& pair, const typename Curve::Parameters& constants,
+             bool guarded = false)
+      : Curve(pair, constants),
+        modulus_(4.0 / 3.0 * pair.youngs_modulus_eff),
+        overlap_ratio_(Curve::yield_radius_ratio * Curve::yield_radius_ratio) {
+    const double yield = Curve::breaks[0];
+    loading_work_ =
+        Tabulated<1>(
+            yield, [this](double x) { return std::array{Curve::force(x)}; }, Curve::breaks)
+            .integral(unloading_.elastic_work(yield));
+    if (guarded)
+      guard_ = Guard(
+          Curve::breaks, 1e3 * Curve::breaks.back(), [this](double x) { return loading_work(x); },
+          [this](double x) { return published_plastic_work(x); });
+    works_ = Tabulated<2>(
+        yield, [this](double x) { return computed_works(x); }, Curve::breaks);
+    loaded_ = Tabulated<quantities>(
+        yield, [this](double x) { return compute(x); }, Curve::breaks);
+  }
+
+  PLASTIGRAN_DEVICE Response respond(double radius_eff, double overlap, State& state) const {
+    const double overlap_y = radius_eff * overlap_ratio_;
+    if (state.overlap_max == 0 && overlap <= Curve::breaks[0] * overlap_y) {
+      if (!(overlap > 0)) return {};
+      return unloading_.elastic(modulus_, radius_eff, Curve::yield_radius_ratio, overlap);
+    }
+    if (!(overlap > 0)) {
+      if (!(state.overlap_max > 0)) return {};  // the overlap is not a number
+      return {0, 0, 0, plastic_work(radius_eff, overlap_y, state.overlap_max)};
+    }
+    // Two branches let the processor start on the largest overlap of a contact that unloads before
+    // it has loaded the present one.
+    if (overlap > state.overlap_max) {
+      state.overlap_max = overlap;
+      return unloading_.at_largest(peak(radius_eff, overlap_y, overlap));
+    }
+    const Peak reached = peak(radius_eff, overlap_y, state.overlap_max);
+    const double y = 1 - (state.overlap_max - overlap) * reached.inverse_recovery;
+    return unloading_.at(reached, y);
+  }
+
+ private:
+  // Values after loading to x, in yield units. Further loading reads only the first two.
+  enum Quantity { FORCE, RADIUS, INVERSE_RECOVERY, SHAPE };
+  static constexpr std::size_t quantities = Unloading::has_shape ? 4 : 3;
+  typedef std::array<double, quantities> Values;
+
+  PLASTIGRAN_DEVICE Peak peak(double radius_eff, double overlap_y, double overlap_max) const {
+    const double per_overlap_y = 1 / overlap_y, x = overlap_max * per_overlap_y;
+    const Values at = loaded_.covers(x) ? loaded_(x) : computed(x);
+    const double radius_y = radius_eff * Curve::yield_radius_ratio;
+    const double force_y = modulus_ * radius_y * overlap_y;
+    double shape = Unloading::usual_shape;
+    if constexpr (Unloading::has_shape) shape = at[SHAPE];
+    return {force_y * at[FORCE], radius_y * at[RADIUS], at[INVERSE_RECOVERY] * per_overlap_y, shape,
+            plastic_work(radius_eff, overlap_y, overlap_max)};
+  }
+
+  PLASTIGRAN_DEVICE double plastic_work(double radius_eff, double overlap_y,
+                                        double overlap_max) const {
+    const double x = overlap_max * (1 / overlap_y);
+    const auto [taken, returned] = works_.covers(x) ? works_(x) : computed_works(x);
+    return modulus_ * radius_eff * Curve::yield_radius_ratio * overlap_y * overlap_y *
+           (taken - returned);
+  }
+
+  PLASTIGRAN_DEVICE Values compute(double x) const {
+    Values at{Curve::force(x), Curve::contact_radius(x), 1 / guarded_recovery(x)};
+    if constexpr (Unloading::has_shape) at[SHAPE] = unloading_.shape(*this, x);
+    return at;
+  }
+  // The same beyond the end of the table.
+  [[gnu::noinline, gnu::cold]] PLASTIGRAN_DEVICE Values computed(double x) const {
+    return compute(x);
+  }
+
+  // Work of loading to x, over F_y overlap_y.
+  PLASTIGRAN_DEVICE double loading_work(double x) const {
+    return loading_work_.covers(x) ? loading_work_(x)[0] : summed_work(x);
+  }
+  // The same beyond the end of the table, summed on panels that double in length.
+  [[gnu::noinline, gnu::cold, gnu::pure]] PLASTIGRAN_DEVICE double summed_work(double x) const {
+    if (!(x > Curve::breaks[0])) return unloading_.elastic_work(x);
+    double left = loading_work_.end(), sum = loading_work_(left * (1 - 1e-15))[0];
+    while (left < x) {
+      double right = std::min(2 * left, x);
+      for (double edge : Curve::breaks)
+        if (edge > left) right = std::min(right, edge);
+      sum += gauss_legendre([this](double at) { return Curve::force(at); }, left, right);
+      left = right;
+    }
+    return sum;
+  }
+
+  // Work of loading to x and work that unloading returns, over F_y overlap_y.
+  [[gnu::noinline, gnu::cold]] PLASTIGRAN_DEVICE std::array<double, 2> computed_works(
+      double x) const {
+    return {loading_work(x), Curve::force(x) * guarded_recovery(x) / work_ratio(x)};
+  }
+  double published_plastic_work(double x) const {
+    return loading_work(x) - Curve::force(x) * Curve::recovery(x) / work_ratio(x);
+  }
+  PLASTIGRAN_DEVICE double guarded_recovery(double x) const {
+    const double returned = loading_work(x) - guard_.least_loss(x);
+    return std::min(Curve::recovery(x), work_ratio(x) * returned / Curve::force(x));
+  }
+  // F_max (overlap_max - overlap_res) over the returned work.
+  PLASTIGRAN_DEVICE double work_ratio(double x) const {
+    return unloading_.work_ratio(unloading_.shape(*this, x));
+  }
+
+  typedef EnergyGuard<std::tuple_size_v<decltype(Curve::breaks)>> Guard;
+
+  double modulus_;        // 4/3 E*
+  double overlap_ratio_;  // overlap_y/R*
+  Unloading unloading_;
+  Guard guard_;                   // of x, over F_y overlap_y
+  Tabulated<1, 9> loading_work_;  // of loading, over F_y overlap_y
+  Tabulated<2> works_;            // of loading and unloading, over F_y overlap_y
+  Tabulated<quantities> loaded_;
+};
+
+// A law whose published curves return more energy than loading put in, near yield or where the
+// force jumps up: the option energy_guard (energy_guard.h, on by default) shortens the rebound.
+template <class Curve, class Unloading>
+class GuardedTable : public CurveTable<Curve, Unloading> {
+ public:
+  struct Parameters : Curve::Parameters {
+    int energy_guard = 1;
+  };
+  static constexpr auto parameters = [] {
+    std::array<Parameter<Parameters>, parameters_of<Curve>.size()> all{};
+    std::size_t k = 0;
+    for (const auto& p : parameters_of<Curve>)
+      all[k++] = {p.name, p.unit, p.value, p.lower, p.upper, p.meaning, p.per_body};
+    return all;
+  }();
+  static constexpr auto options = [] {
+    std::array<Option<Parameters>, options_of<Curve>.size() + 1> all{};
+    std::size_t k = 0;
+    for (const auto& o : options_of<Curve>) all[k++] = {o.name, o.value, o.choices, o.meaning};
+    all[k] = energy_guard_option<Parameters>(&Parameters::energy_guard);
+    return all;
+  }();
+
+  GuardedTable(const MaterialPair& pair, const Parameters& constants)
+      : CurveTable<Curve, Unloading>(pair, constants, constants.energy_guard == 1) {}
+};
+
+}  // namespace plastigran

@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+//
+// The table of a law of a line contact: loading of shared/line_loading.h and the rebound of the
+// law. It is trivially copyable. A rebound has the law's `name` and `source`, and
+//
+//   recovery(load_y, overlap_y, load, flattening)   overlap_max - overlap_res [m]
+//   straight    whether the rebound is a straight line; else it is the elastic curve of a cylinder
+//               of radius R_e, stretched to that length. flattening = R/R_e
+//
+// Published rebounds return more than was put in just above yield, because loading beyond yield
+// leaves out the logarithm: its slope jumps up by about 3. The energy guard limits the rebound to
+// the energy that was put in. From where the published one returns less, the work lost only grows.
+#pragma once
+
+#include <algorithm>
+
+#include "plastigran/shared/contact.h"
+#include "plastigran/shared/device.h"
+#include "plastigran/shared/largest_overlap.h"
+#include "plastigran/shared/line_loading.h"
+#include "plastigran/tables/power_tables.h"
+#include "plastigran/tables/tabulated.h"
+
+namespace plastigran {
+
+// Functions of line contacts in units that are the same for all materials.
+class LineTables {
+ public:
+  LineTables()
+      : load_shares_(0x1p-31, [](double x) { return std::array{plastigran::load_share(x)}; }),
+        yielding_(1, LineYielding::at,
+                  std::array{LineYielding::plastic_from * LineYielding::plastic_from}) {}
+
+  PLASTIGRAN_DEVICE double load_share(double x) const {
+    return load_shares_.covers(x) ? load_shares_(x)[0] : plastigran::load_share(x);
+  }
+  PLASTIGRAN_DEVICE std::array<double, 3> yielded(double area) const {
+    return yielding_.covers(area) ? yielding_(area) : LineYielding::at(area);
+  }
+
+  PowerTables logs;
+
+ private:
+  Tabulated<1, 8, 30> load_shares_;
+  Tabulated<3> yielding_;
+};
+
+// The elastic line contact, overlap = q ln(reach/q), with the load q [m].
+class LineCompliance {
+ public:
+  PLASTIGRAN_DEVICE LineCompliance(const LineTables& tables, double reach)
+      : tables_(tables), reach_(reach), tangent_from_(reach * tangent_share) {}
+
+  // The overlap at a load and log = ln(reach/load) [m].
+  PLASTIGRAN_DEVICE double overlap(double load, double log) const {
+    return log > 2 ? load * log : load + tangent_from_;
+  }
+  PLASTIGRAN_DEVICE double load(double overlap) const {
+    if (!(overlap < 2 * tangent_from_)) return overlap - tangent_from_;
+    return overlap * tables_.load_share(overlap / reach_);
+  }
+  // Integral of the load over its overlap [m^2].
+  PLASTIGRAN_DEVICE double work(double load, double overlap) const {
+    return load < tangent_from_ ? 0.25 * load * (2 * overlap - load)
+                                : 0.5 * load * load + 0.25 * tangent_from_ * tangent_from_;
+  }
+
+ private:
+  static constexpr double tangent_share = 0.13533528323661269;  // exp(-2)
+  const LineTables& tables_;
+  double reach_;
+  double tangent_from_;
+};
+
+template <class Rebound>
+class LineContact : public Rebound, public LargestOverlap {
+ public:
+  static constexpr const char* shape = "cylinder";
+  static constexpr const char* range = "cylinder 10 radii long or more, contact narrower than body";
+  struct Parameters {
+    double cylinder_length = required;  // L [m]
+    double body_thickness = required;   // D [m]
+    int energy_guard = 1;
+  };
+  static constexpr std::array<Parameter<Parameters>, 2> parameters{{
+      {"cylinder_length", "m", &Parameters::cylinder_length, 1e-12, 1e6, "length of the cylinder",
+       true},
+      {"body_thickness", "m", &Parameters::body_thickness, 1e-12, 1e6,
+       "thickness of the body that yields, to where the overlap is measured from", true},
+  }};
+  static constexpr std::array<Option<Parameters>, 1> options{{
+      energy_guard_option(&Parameters::energy_guard),
+  }};
+
+  LineContact(const MaterialPair& pair, const Parameters& given)
+      : stiffness_(pi * pair.youngs_modulus_eff * given.cylinder_length),
+        lateral_(pair.poissons_ratio / (1 - pair.poissons_ratio)),
+        reach_(given.body_thickness * given.body_thickness * std::exp(-lateral_)),
+        log_reach_(std::log(4 * reach_)),
+        load_ratio_(std::pow(6 * pair.yield_strength / (pi * pair.youngs_modulus_eff), 2)),
+        log_yield_(std::log(reach_ / load_ratio_)),
+        energy_guard_(given.energy_guard == 1) {}
+
+  PLASTIGRAN_DEVICE Response respond(double radius_eff, double overlap, State& state) const {
+    const LineCompliance undented(tables_, reach_ / radius_eff);
+    const double load_y = load_ratio_ * radius_eff;
+    const double log_y =
+        log_yield_ - 2 * tables_.logs.natural_log(radius_eff);  // ln(reach/(R load_y))
+    const double overlap_y = undented.overlap(load_y, log_y);
+    Response response;
+    if (state.overlap_max == 0 && overlap <= overlap_y) {
+      if (!(overlap > overlap_min)) return response;
+      const double load = undented.load(overlap);
+      response.force = stiffness_ * load;
+      response.contact_radius = 2 * std::sqrt(load * radius_eff);
+      response.elastic_energy = stiffness_ * undented.work(load, overlap);
+      return response;
+    }
+    if (overlap > state.overlap_max) state.overlap_max = overlap;
+
+    // At the largest overlap: loads in q, works over stiffness_.
+    const double area = 1 + (state.overlap_max - overlap_y) / (2 * load_y);  // s^2
+    const auto [load_ratio, log_area, work_ratio] = tables_.yielded(area);
+    const double load_max = load_y * load_ratio;
+    const double flattening = load_ratio / area;
+    const double work = undented.work(load_y, overlap_y) + 4 * load_y * load_y * work_ratio;
+    const LineCompliance crater(tables_, reach_ / radius_eff * flattening);
+    const double crater_overlap = crater.overlap(load_max, log_y - log_area);
+    const double fullness =
+        Rebound::straight ? 0.5
+                          : crater.work(load_max, crater_overlap) / (load_max * crater_overlap);
+    double recovery = Rebound::recovery(load_y, overlap_y, load_max, flattening);
+    if (energy_guard_) recovery = std::min(recovery, work / (load_max * fullness));
+
+    const double x = 1 - (state.overlap_max - overlap) / recovery;
+    if (x > 0 && overlap > 0) {
+      const double load = Rebound::straight ? x * load_max : crater.load(x * crater_overlap);
+      response.force = stiffness_ * load;
+      response.contact_radius = 2 * std::sqrt(load * radius_eff / flattening);
+      response.elastic_energy =
+          stiffness_ * recovery *
+          (Rebound::straight ? 0.5 * load * x
+                             : crater.work(load, x * crater_overlap) / crater_overlap);
+    }
+    response.plastic_work = stiffness_ * (work - load_max * recovery * fullness);
+    return response;
+  }
+
+  // Stiffness of the undented contact [N/m]. Normal: slope of the elastic force. Tangential: a
+  // strip of that half-width sticking to the body and shifted along it against the same far side;
+  // from the displacements of a line force, Johnson (1985) sec. 2.2-2.3.
+  PLASTIGRAN_DEVICE Stiffness elastic_stiffness(double contact_radius) const {
+    const double far = std::max(compliance(contact_radius), 2.0);
+    return {stiffness_ / (far - 1), stiffness_ / (far + 2 * lateral_ + 1)};
+  }
+
+ private:
+  static constexpr double overlap_min = 1e-200;  // [m] no ratio overflows above it
+  static constexpr double square_min = 1e-300;   // [m^2] a narrower contact has no width yet
+
+  // ln(4 D^2/a^2) - k
+  PLASTIGRAN_DEVICE double compliance(double half_width) const {
+    const double square = half_width * half_width;
+    return square > square_min ? log_reach_ - tables_.logs.natural_log(square) : unlimited;
+  }
+
+  double stiffness_;   // pi E* L [N/m]: F = stiffness q
+  double lateral_;     // k
+  double reach_;       // D^2 exp(-k): overlap = q ln(reach/(R q))
+  double log_reach_;   // ln(4 reach)
+  double load_ratio_;  // load_y/R = (a_Y/(2R))^2
+  double log_yield_;   // ln(reach/load_ratio)
+  bool energy_guard_;
+  LineTables tables_;
+};
+
+}  // namespace plastigran

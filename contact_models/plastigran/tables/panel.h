@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+//
+// One panel of a table: polynomials in x - centre, fitted at the Chebyshev points of the panel.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <type_traits>
+
+#include "plastigran/shared/device.h"
+
+namespace plastigran {
+
+// Two numbers in one vector register.
+typedef double Two __attribute__((vector_size(2 * sizeof(double))));
+
+// Chebyshev points on (-1, 1), and the weights of the values there in the coefficients of the
+// polynomial through them.
+template <std::size_t terms>
+struct Interpolation {
+  double point[terms];
+  double weight[terms][terms] = {};
+
+  Interpolation() {
+    double chebyshev[terms][terms] = {{1}, {0, 1}};  // [degree][power]
+    for (std::size_t k = 2; k < terms; ++k)
+      for (std::size_t power = 0; power < terms; ++power)
+        chebyshev[k][power] =
+            (power ? 2 * chebyshev[k - 1][power - 1] : 0) - chebyshev[k - 2][power];
+    const double step = std::acos(-1.0) / terms;
+    for (std::size_t j = 0; j < terms; ++j) {
+      const double angle = (static_cast<double>(j) + 0.5) * step;
+      point[j] = std::cos(angle);
+      for (std::size_t k = 0; k < terms; ++k)
+        for (std::size_t power = 0; power <= k; ++power)
+          weight[power][j] += (k ? 2.0 : 1.0) / terms * std::cos(static_cast<double>(k) * angle) *
+                              chebyshev[k][power];
+    }
+  }
+};
+
+// Polynomials of `count` functions up to `end`.
+template <std::size_t count, std::size_t terms>
+struct Panel {
+  typedef std::array<double, count> Values;
+  // Functions are packed in pairs; a single function is not packed.
+  typedef std::conditional_t<count == 1, double, Two> Pack;
+  static constexpr std::size_t packs = (count + 1) / 2;
+  typedef std::array<Pack, packs> Row;
+
+  double end = 0;
+  double centre = 0;
+  std::array<Row, terms> coefficient{};  // of powers of x - centre
+
+  PLASTIGRAN_DEVICE Values at(double x) const {
+    double power[levels];  // x - centre to the powers 1, 2, 4, 8
+    power[0] = x - centre;
+    for (std::size_t k = 1; k < levels; ++k) power[k] = power[k - 1] * power[k - 1];
+    return unpacked(sum<0, terms>(power));
+  }
+
+  // Fits the polynomials to the functions at the Chebyshev points from `begin` to `right`. Returns
+  // the largest error between these points, over the allowed error.
+  template <class Functions>
+  double fit(double begin, double right, const Functions& functions,
+             const Interpolation<terms>& through) {
+    const double half = 0.5 * (right - begin);
+    Values value[terms], largest{};
+    centre = begin + half;
+    end = right;
+    for (std::size_t j = 0; j < terms; ++j) {
+      value[j] = functions(centre + half * through.point[j]);
+      for (std::size_t i = 0; i < count; ++i)
+        largest[i] = std::max(largest[i], std::abs(value[j][i]));
+    }
+    double scale = 1;
+    // Relative to the value near the middle, which removes the rounding of the weights.
+    const Values middle = value[terms / 2];
+    for (std::size_t k = 0; k < terms; ++k) {
+      Values sums{};
+      for (std::size_t i = 0; i < count; ++i) {
+        for (std::size_t j = 0; j < terms; ++j)
+          sums[i] += through.weight[k][j] * (value[j][i] - middle[i]);
+        sums[i] = sums[i] * scale + (k == 0 ? middle[i] : 0);
+      }
+      coefficient[k] = packed(sums);
+      scale /= half;
+    }
+    double off = 0;
+    for (double x : {right * (1 - ulp), begin * (1 + ulp), centre, centre + 0.6 * half}) {
+      const Values found = at(x), expected = functions(x);
+      for (std::size_t i = 0; i < count; ++i) {
+        const double error = std::abs(found[i] - expected[i]);
+        if (!(error <= tolerance * largest[i])) return infinite;
+        if (error > 0) off = std::max(off, error / (tolerance * largest[i]));
+      }
+    }
+    return off;
+  }
+
+  // Sets one value for the whole panel.
+  void hold(double begin, double right, const Values& value) {
+    *this = {};
+    centre = begin;
+    end = right;
+    coefficient[0] = packed(value);
+  }
+
+  static constexpr double infinite = std::numeric_limits<double>::infinity();
+  static constexpr double tolerance = 3e-14;
+  static constexpr double ulp = 4e-16;  // moves any number by one or two of its last digits
+
+ private:
+  static constexpr std::size_t levels = 4;
+  static_assert(terms <= 16);
+
+  // Sum of `length` terms by Estrin's scheme.
+  template <std::size_t first, std::size_t length, std::size_t level = levels - 1>
+  PLASTIGRAN_DEVICE Row sum(const double (&power)[levels]) const {
+    constexpr std::size_t half = std::size_t{1} << level, below = level ? level - 1 : 0;
+    if constexpr (length > half) {
+      Row low = sum<first, half, below>(power);
+      const Row high = sum<first + half, length - half, below>(power);
+      for (std::size_t i = 0; i < packs; ++i) low[i] += power[level] * high[i];
+      return low;
+    } else if constexpr (level > 0) {
+      return sum<first, length, below>(power);
+    } else {
+      return coefficient[first];
+    }
+  }
+
+  static Row packed(const Values& values) {
+    Row row{};
+    if constexpr (count == 1)
+      row[0] = values[0];
+    else
+      for (std::size_t i = 0; i < count; ++i) row[i / 2][i % 2] = values[i];
+    return row;
+  }
+  PLASTIGRAN_DEVICE static Values unpacked(const Row& row) {
+    if constexpr (count == 1) return {row[0]};
+    Values values;
+    if constexpr (count > 1)
+      for (std::size_t i = 0; i < count; ++i) values[i] = row[i / 2][i % 2];
+    return values;
+  }
+};
+
+}  // namespace plastigran

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+//
+// The table of a law that gives both force and overlap of first loading by the elastic part of the
+// contact radius, s = a_e/a_Y (laws/vu_quoc_zhang.h). In yield units, with s_max the largest s:
+//
+//   F = s^3,   overlap = A^2/C                                   first loading, s > 1
+//   overlap C_max = s^2 + A_max^2 - s_max^2,   a = s + A_max - s_max        unloading, reloading
+//
+// The curve gives A = radius(s), C = curvature(s), their slopes, and the yield constants. The host
+// tabulates s of the overlap and the works; the force loop reads them. Trivially copyable.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "plastigran/shared/contact.h"
+#include "plastigran/shared/device.h"
+#include "plastigran/shared/numerics.h"
+#include "plastigran/tables/tabulated.h"
+
+namespace plastigran {
+
+template <class Curve>
+class ParametricTable : public Curve {
+ public:
+  struct State {
+    double elastic_radius_max = 0;  // largest a_e beyond yield, over a_Y [-]; 0 while elastic
+  };
+  static constexpr std::array<const char*, 1> state_names{"elastic_radius_max"};
+
+  ParametricTable(const MaterialPair& pair, const typename Curve::Parameters& constants)
+      : Curve(pair, constants) {
+    root_ = Tabulated<1>(1, [this](double x) { return std::array{elastic_radius(x, 1)}; });
+    const auto complementary =
+        Tabulated<1>(1, [this](double s) { return std::array{complement(s)}; }).integral(0);
+    works_ = Tabulated<2>(1, [&](double s) {
+      const double sum = complementary.covers(s) ? complementary(s)[0] : summed_complement(s);
+      return works(point(s), sum);
+    });
+  }
+
+  PLASTIGRAN_DEVICE Response respond(double radius_eff, double overlap, State& state) const {
+    const double overlap_y = radius_eff * Curve::yield_radius_ratio * Curve::yield_radius_ratio;
+    const double force_y = radius_eff * radius_eff * Curve::yield_force_ratio;
+    const double x = overlap / overlap_y;
+    Point max = point(std::max(state.elastic_radius_max, 1.0));
+    if (!(overlap > 0)) return {0, 0, 0, force_y * overlap_y * plastic_work(max)};
+    double s = max.s;
+    // Within the error of the table's roots, the contact is at its largest overlap: a second equal
+    // call must not load further.
+    const double reached = max.radius * max.radius;
+    const double ahead = max.curvature * x - reached;
+    if (ahead > rounding * reached) {  // first loading beyond yield
+      s = state.elastic_radius_max = root_.covers(x) ? root_(x)[0] : solved(x, max.s);
+      max = point(s);
+    } else if (!(ahead >= -rounding * reached)) {  // elastic, unloading or reloading
+      const double s_squared = max.curvature * x - max.plastic * (2 * max.s + max.plastic);
+      s = s_squared > 0 ? std::sqrt(s_squared) : 0;
+    }
+    Response response;
+    response.force = force_y * s * s * s;
+    if (s > 0) response.contact_radius = radius_eff * Curve::yield_radius_ratio * (s + max.plastic);
+    response.elastic_energy = 0.4 * response.force * overlap_y * s * s / max.curvature;
+    response.plastic_work = force_y * overlap_y * plastic_work(max);
+    return response;
+  }
+
+  // The force-driven form of the same law (Vu-Quoc, Zhang & Lesburg 2000, J. Appl. Mech. 67:363):
+  // the overlap at a given force >= 0.
+  double overlap(double radius_eff, double force, State& state) const {
+    const double overlap_y = radius_eff * Curve::yield_radius_ratio * Curve::yield_radius_ratio;
+    const double s = std::cbrt(force / yield_force(radius_eff));
+    if (s > 1 && s > state.elastic_radius_max) state.elastic_radius_max = s;
+    const Point max = point(std::max(state.elastic_radius_max, 1.0));
+    return overlap_y * (s * s + max.plastic * (2 * max.s + max.plastic)) / max.curvature;
+  }
+
+  double overlap_range() const {
+    const Point at = point(Curve::largest());
+    return std::min(at.radius * at.radius / at.curvature * Curve::yield_radius_ratio *
+                        Curve::yield_radius_ratio,
+                    widest_overlap_range);
+  }
+
+  // P_Y [N].
+  double yield_force(double radius_eff) const {
+    return radius_eff * radius_eff * Curve::yield_force_ratio;
+  }
+
+  // Root s >= 1 of g(s) = A^2 - x C for x >= 1, from a start at or left of it, by Newton's method.
+  // For admissible constants g is negative left of the root, and rising and convex right of it. So
+  // an iterate right of the root descends monotonically; left of it, no step is longer than s.
+  PLASTIGRAN_DEVICE double elastic_radius(double x, double start) const {
+    double s = start;
+    for (int iteration = 0; iteration < 200; ++iteration) {
+      const Point at = point(s);
+      const double value = at.radius * at.radius - x * at.curvature;
+      const double slope = 2 * at.radius * Curve::radius_slope(s) - x * Curve::curvature_slope(s);
+      const double step = slope > 0 ? std::min(-value / slope, s) : s;
+      s += step;
+      if (std::abs(step) <= 1e-8 * s) break;  // quadratic: the next step would be below rounding
+    }
+    return s;
+  }
+
+ private:
+  struct Point {
+    double s;          // a_e/a_Y
+    double plastic;    // a_p/a_Y
+    double radius;     // A = a/a_Y
+    double curvature;  // C
+  };
+  PLASTIGRAN_DEVICE Point point(double s) const {
+    const double radius = Curve::radius(s);
+    return {s, Curve::plastic_radius(s), radius, Curve::curvature(s)};
+  }
+
+  // Beyond the end of the table.
+  [[gnu::noinline, gnu::cold]] PLASTIGRAN_DEVICE double solved(double x, double start) const {
+    return elastic_radius(x, start);
+  }
+
+  // Of A^2/C: the table has s to 3e-14, and A rises at most three times as fast as s.
+  static constexpr double rounding = 2e-13;
+
+  // overlap/overlap_Y d(F/P_Y)/ds
+  PLASTIGRAN_DEVICE double complement(double s) const {
+    const Point at = point(s);
+    return 3 * s * s * at.radius * at.radius / at.curvature;
+  }
+
+  // Plastic work over P_Y overlap_Y.
+  PLASTIGRAN_DEVICE double plastic_work(const Point& max) const {
+    if (!(max.s > 1)) return 0;
+    const auto [taken, returned] =
+        works_.covers(max.s) ? works_(max.s) : works(max, summed_complement(max.s));
+    return taken - returned;
+  }
+  // Work of first loading, 2/5 + integral of s^3 d(overlap), and the returned work 2/5 s^5/C. The
+  // integral is F overlap - integral of overlap dF, the latter being `complementary`.
+  PLASTIGRAN_DEVICE std::array<double, 2> works(const Point& max, double complementary) const {
+    const double force = max.s * max.s * max.s;
+    return {0.4 + force * max.radius * max.radius / max.curvature - 1 - complementary,
+            0.4 * force * max.s * max.s / max.curvature};
+  }
+  // That integral beyond the end of the table, by Gauss-Legendre on panels that double in length:
+  // the integrand's poles are complex and some panel lengths away, so 12 points leave below 1e-12.
+  [[gnu::noinline, gnu::cold, gnu::pure]] PLASTIGRAN_DEVICE double summed_complement(
+      double s) const {
+    double sum = 0;
+    for (double left = 1; left < s; left *= 2)
+      sum +=
+          gauss_legendre([this](double at) { return complement(at); }, left, std::min(2 * left, s));
+    return sum;
+  }
+
+  Tabulated<1> root_;   // s of first loading at overlap/overlap_Y
+  Tabulated<2> works_;  // of loading to s and unloading, over P_Y overlap_Y
+};
+
+}  // namespace plastigran

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+//
+// Laws that unload along a power of the remaining overlap, F = F_max y^n, with n = 3/2 unless the
+// curve (curve_table.h) has a function exponent(x). A curve may also give overlap_range(), its
+// largest overlap over R*. The law is
+//
+//   using KogutEtsion = PowerUnloading<KogutEtsionCurve>;
+#pragma once
+
+#include "plastigran/tables/curve_table.h"
+#include "plastigran/tables/unloading.h"
+
+namespace plastigran {
+
+template <class Curve>
+class PowerUnloading : public GuardedTable<Curve, PowerOfOverlap<Curve>> {
+ public:
+  using GuardedTable<Curve, PowerOfOverlap<Curve>>::GuardedTable;
+
+  // Overlaps over R* where the formula changes: the force of first loading may jump there.
+  auto overlap_breaks() const {
+    auto overlaps = Curve::breaks;
+    for (double& overlap : overlaps)
+      overlap *= Curve::yield_radius_ratio * Curve::yield_radius_ratio;
+    return overlaps;
+  }
+};
+
+}  // namespace plastigran

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+//
+// Shapes of unloading for curve_table.h: force, contact radius and returned energy between the
+// residual and the largest overlap, y = (overlap - overlap_res)/(overlap_max - overlap_res).
+//
+//   power       F = F_max y^n,  a = a_max y^(1/2),  n = 3/2 or the curve's exponent(x)
+//   steepening  F = F_max y^(3/2) (1 + g)/(1 + g y^(1/2)),  1 + g is the curve's steepness(x);
+//               the contact radius falls as dF/d(overlap) does
+//
+// Below yield both are Hertz's contact. work_ratio is F_max (overlap_max - overlap_res) over the
+// work that unloading returns: n + 1 for the power, and for steepening 1/((1 + g) W(g)), with W(g)
+// the integral of 2 z^4/(1 + g z) from 0 to 1.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <type_traits>
+
+#include "plastigran/shared/contact.h"
+#include "plastigran/shared/device.h"
+#include "plastigran/shared/hertz_contact.h"
+#include "plastigran/shared/numerics.h"
+#include "plastigran/tables/power_tables.h"
+#include "plastigran/tables/tabulated.h"
+
+namespace plastigran {
+
+// A contact at its largest overlap.
+struct Peak {
+  double force, contact_radius;
+  double inverse_recovery;  // 1/(overlap_max - overlap_res)
+  double shape;             // n or 1 + g
+  double plastic_work;
+};
+
+// Elastic contact below yield.
+struct HertzBelowYield {
+  PLASTIGRAN_DEVICE static Response elastic(double modulus, double radius_eff, double,
+                                            double overlap) {
+    return hertz_response(modulus, radius_eff, overlap);
+  }
+  // Over F_y overlap_y.
+  PLASTIGRAN_DEVICE static double elastic_work(double x) { return 0.4 * x * x * std::sqrt(x); }
+};
+
+template <class Curve, class = void>
+constexpr bool has_exponent = false;
+template <class Curve>
+constexpr bool has_exponent<Curve, std::void_t<decltype(&Curve::exponent)>> = true;
+
+// n = 3/2, unless the curve has an exponent.
+struct ThreeHalves {
+  PLASTIGRAN_DEVICE static double share(double y, double root, double) { return y * root; }
+};
+struct AnyExponent {
+  PowerTables tables;
+  PLASTIGRAN_DEVICE double share(double y, double root, double exponent) const {
+    return y < 1 && exponent != 1.5 ? y * root * tables.power(y, exponent - 1.5) : y * root;
+  }
+};
+
+template <class Curve>
+class PowerOfOverlap : public HertzBelowYield {
+ public:
+  static constexpr bool has_shape = has_exponent<Curve>;
+  static constexpr double usual_shape = 1.5;
+
+  template <class Table>
+  PLASTIGRAN_DEVICE static double shape([[maybe_unused]] const Table& curve,
+                                        [[maybe_unused]] double x) {
+    if constexpr (has_shape)
+      return curve.exponent(x);
+    else
+      return usual_shape;
+  }
+  PLASTIGRAN_DEVICE static double work_ratio(double exponent) { return exponent + 1; }
+
+  PLASTIGRAN_DEVICE Response at(const Peak& peak, double y) const {
+    const double peak_energy = peak.force / (peak.inverse_recovery * work_ratio(peak.shape));
+    Response response;
+    if (y > 0) {
+      const double root = std::sqrt(y), share = power_.share(y, root, peak.shape);
+      response.force = peak.force * share;
+      response.contact_radius = peak.contact_radius * root;
+      response.elastic_energy = peak_energy * share * y;
+    }
+    response.plastic_work = peak.plastic_work;
+    return response;
+  }
+  PLASTIGRAN_DEVICE Response at_largest(const Peak& peak) const { return at(peak, 1); }
+
+ private:
+  std::conditional_t<has_shape, AnyExponent, ThreeHalves> power_;
+};
+
+class SteepeningUnloading : public HertzBelowYield {
+ public:
+  static constexpr bool has_shape = true;
+  static constexpr double usual_shape = 1;
+
+  SteepeningUnloading()
+      : work_(1, [](double steepness) { return std::array{summed_work(steepness - 1)}; }) {}
+
+  template <class Table>
+  PLASTIGRAN_DEVICE static double shape(const Table& curve, double x) {
+    return curve.steepness(x);
+  }
+  PLASTIGRAN_DEVICE double work_ratio(double steepness) const {
+    return 1 / (steepness * work(steepness - 1));
+  }
+
+  PLASTIGRAN_DEVICE Response at(const Peak& peak, double left) const {
+    const double y = left > 0 ? left : 0, root = std::sqrt(y), g = peak.shape - 1;
+    // `steeper` and `wider` are exactly 1 at the largest overlap, where loading continues.
+    const double steeper = peak.shape / (1 + g * root);
+    const double wider = steeper * steeper * ((3 + 2 * g * root) / (3 + 2 * g));
+    return scaled(peak, root, y * root * steeper, root * wider);
+  }
+  PLASTIGRAN_DEVICE Response at_largest(const Peak& peak) const { return scaled(peak, 1, 1, 1); }
+
+ private:
+  // Response at y = root^2 with the given shares of the largest force and contact radius.
+  PLASTIGRAN_DEVICE Response scaled(const Peak& peak, double root, double force_share,
+                                    double radius_share) const {
+    const double g = peak.shape - 1, square = root * root;
+    const double scale = peak.force * peak.shape / peak.inverse_recovery;
+    Response response;
+    response.force = peak.force * force_share;
+    response.contact_radius = peak.contact_radius * radius_share;
+    response.elastic_energy = scale * (square * square * root * work(g * root));
+    response.plastic_work = peak.plastic_work;
+    return response;
+  }
+
+  // W(g)
+  PLASTIGRAN_DEVICE double work(double g) const {
+    return work_.covers(1 + g) ? work_(1 + g)[0] : summed_work(g);
+  }
+  PLASTIGRAN_DEVICE static double summed_work(double g) {
+    return gauss_legendre([g](double z) { return 2 * z * z * z * z / (1 + g * z); }, 0, 1);
+  }
+
+  Tabulated<1, 8, 1, 16> work_;  // of 1 + g
+};
+
+}  // namespace plastigran

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+//
+// Every law in a kernel: a table that the host built, read on the device. `./run lint` compiles this
+// file with clang for the device, without generating code.
+#include "device_stubs.h"
+// The stubs come before the laws.
+#include "all_laws.h"
+
+namespace plastigran {
+
+template <class Law>
+__global__ void force_loop(const Law table, const double* radius, const double* overlap,
+                           typename Law::State* states, Response* responses, int count) {
+  for (int k = 0; k < count; ++k) {
+    typename Law::State state = states[k];
+    responses[k] = respond(table, radius[k], overlap[k], state, 0);
+    states[k] = state;
+  }
+}
+
+template <class... Laws>
+void every_law() {
+  (static_cast<void>(&force_loop<Laws>), ...);
+}
+void instances() { every_law<ALL_LAWS>(); }
+
+}  // namespace plastigran
