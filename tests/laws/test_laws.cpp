@@ -78,7 +78,7 @@ TEST_CASE_TEMPLATE("a law's table is trivially copyable", Law, ALL_LAWS) {
   const Response response = respond(law, 0.1, 1e-5, state, 0);
   const Response copied = respond(*reinterpret_cast<Law*>(bytes), 0.1, 1e-5, state_of_copy, 0);
   CHECK(copied.force == response.force);
-  CHECK(sizeof(Law) < 110000);
+  CHECK(sizeof(Law) < 90000);
 }
 
 TEST_CASE_TEMPLATE("asking twice changes nothing, bit for bit", Law, ALL_LAWS) {

@@ -23,7 +23,6 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "plastigran/shared/device.h"
@@ -47,20 +46,16 @@ PLASTIGRAN_DEVICE inline double load_share(double x) {
   return 1 / lambert_root(std::max(1.25, -std::log(x)));
 }
 
-// A contact beyond yield, at its area s^2; load and work over those at yield.
+// A contact beyond yield, at s and ln(s); load and work over those at yield.
 struct LineYielding {
   static constexpr double hardening = 0.38490017945975051;    // (1/sqrt(3))/1.5
   static constexpr double pressure_cap = 1.6;                 // 2.4/1.5
   static constexpr double plastic_from = 4.7533314343482855;  // s there, exp(0.9 sqrt(3))
 
-  // load/load_y; ln(area); integral of area p/1.5 over s from yield, the work beyond it over
-  // F_Y a_Y^2/R.
-  PLASTIGRAN_DEVICE static std::array<double, 3> at(double area) {
-    const double s = std::sqrt(area), log_s = 0.5 * std::log(area);
-    return {s * std::min(1 + hardening * log_s, pressure_cap), 2 * log_s, work(s, log_s)};
+  PLASTIGRAN_DEVICE static double load(double s, double log_s) {
+    return s * std::min(1 + hardening * log_s, pressure_cap);
   }
-
- private:
+  // Integral of s^2 p/1.5 over s from yield, the work beyond it over F_Y a_Y^2/R.
   PLASTIGRAN_DEVICE static double work(double s, double log_s) {
     const double cube = s * s * s;
     if (s > plastic_from) {
@@ -69,6 +64,8 @@ struct LineYielding {
     }
     return hardened(cube, log_s);
   }
+
+ private:
   PLASTIGRAN_DEVICE static double hardened(double cube, double log_s) {
     return (cube - 1) / 3 + hardening * (cube * log_s - (cube - 1) / 3) / 3;
   }

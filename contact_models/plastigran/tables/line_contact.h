@@ -27,22 +27,16 @@ namespace plastigran {
 class LineTables {
  public:
   LineTables()
-      : load_shares_(0x1p-31, [](double x) { return std::array{plastigran::load_share(x)}; }),
-        yielding_(1, LineYielding::at,
-                  std::array{LineYielding::plastic_from * LineYielding::plastic_from}) {}
+      : load_shares_(0x1p-31, [](double x) { return std::array{plastigran::load_share(x)}; }) {}
 
   PLASTIGRAN_DEVICE double load_share(double x) const {
     return load_shares_.covers(x) ? load_shares_(x)[0] : plastigran::load_share(x);
-  }
-  PLASTIGRAN_DEVICE std::array<double, 3> yielded(double area) const {
-    return yielding_.covers(area) ? yielding_(area) : LineYielding::at(area);
   }
 
   PowerTables logs;
 
  private:
   Tabulated<1, 8, 30> load_shares_;
-  Tabulated<3> yielding_;
 };
 
 // The elastic line contact, overlap = q ln(reach/q), with the load q [m].
@@ -120,12 +114,14 @@ class LineContact : public Rebound, public LargestOverlap {
 
     // At the largest overlap: loads in q, works over stiffness_.
     const double area = 1 + (state.overlap_max - overlap_y) / (2 * load_y);  // s^2
-    const auto [load_ratio, log_area, work_ratio] = tables_.yielded(area);
+    const double s = std::sqrt(area), log_s = 0.5 * tables_.logs.natural_log(area);
+    const double load_ratio = LineYielding::load(s, log_s);
     const double load_max = load_y * load_ratio;
     const double flattening = load_ratio / area;
-    const double work = undented.work(load_y, overlap_y) + 4 * load_y * load_y * work_ratio;
+    const double work =
+        undented.work(load_y, overlap_y) + 4 * load_y * load_y * LineYielding::work(s, log_s);
     const LineCompliance crater(tables_, reach_ / radius_eff * flattening);
-    const double crater_overlap = crater.overlap(load_max, log_y - log_area);
+    const double crater_overlap = crater.overlap(load_max, log_y - 2 * log_s);
     const double fullness =
         Rebound::straight ? 0.5
                           : crater.work(load_max, crater_overlap) / (load_max * crater_overlap);
