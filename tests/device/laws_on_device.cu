@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// Every law in a kernel: a table that the host built, read on the device. `./run lint` compiles this
-// file with clang for the device, without generating code.
+// Every law in a kernel: a table that the host built, read on the device. `./run lint` compiles
+// this file with clang for the device, without generating code.
 #include "device_stubs.h"
 // The stubs come before the laws.
 #include "all_laws.h"

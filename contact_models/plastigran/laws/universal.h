@@ -107,7 +107,7 @@ struct UniversalCurve {
   }
   PLASTIGRAN_DEVICE double steepness(double x) const { return 1 + g_1 * lacking(x); }
 
-  double overlap_range() const {  // the finite elements reach a/R = 0.1
+  double overlap_range() const {                  // the finite elements reach a/R = 0.1
     double left = 0, right = 0.1 / yield_radius;  // of t; a is Hertz's or larger
     halve(left, right,
           [this](double t) { return yield_radius * (t > 1 ? contact_radius(t * t) : t) >= 0.1; });
