@@ -41,10 +41,10 @@ struct MdrCurve : NoConstants {
   static constexpr double largest = 0.7;  // overlap over R up to which the contact grows
 
   FittedSphere sphere;
-  double strength;            // sigma_Y/E'
-  double correction;          // (1 - 2 nu)/(2 (1 - nu))
-  double yield_radius_ratio;  // the unit of length here: R/R*
-  double yield = unlimited;   // xi_Y
+  double strength;             // sigma_Y/E'
+  double correction;           // (1 - 2 nu)/(2 (1 - nu))
+  double yield_radius_ratio;   // the unit of length here: R/R*
+  double depth_y = unlimited;  // xi_Y
   std::array<double, 2> breaks;
 
   MdrCurve(const MaterialPair& pair, const Parameters&)
@@ -57,9 +57,9 @@ struct MdrCurve : NoConstants {
     if (yielded(largest)) {
       double low = 0, high = largest;
       halve(low, high, yielded);
-      yield = high;
+      depth_y = high;
     }
-    breaks = {yield, std::max(yield, largest)};
+    breaks = {depth_y, std::max(depth_y, largest)};
   }
 
   // p/E'
@@ -69,7 +69,7 @@ struct MdrCurve : NoConstants {
   // (a_max/R)^2
   PLASTIGRAN_DEVICE double area(double x) const {
     const double grown = std::min(x, largest);
-    return grown * (2 - grown) - yield * (1 - yield);
+    return grown * (2 - grown) - depth_y * (1 - depth_y);
   }
   PLASTIGRAN_DEVICE double force(double x) const { return 0.75 * pi * area(x) * pressure(x); }
   PLASTIGRAN_DEVICE double contact_radius(double x) const { return std::sqrt(area(x)); }
