@@ -52,6 +52,7 @@ class EllipticalUnloading {
   PLASTIGRAN_DEVICE static double work_ratio(double) { return 0.75 * pi; }
 
   PLASTIGRAN_DEVICE Response at(const Peak& peak, double y) const {
+    if (y == 1) return at_largest(peak);  // the same value as on loading, bitwise
     Response response;
     if (y > 0) {
       const double root = std::sqrt(y);
