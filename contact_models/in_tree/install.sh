@@ -60,7 +60,7 @@ find . -type f ! -name plastigran_files.txt | sort >plastigran_files.txt
 
 # A fork may have a file of the same name. All of ours name our namespace.
 find . -type f | while read -r file; do
-  if [ -e "$tree/src/$file" ] && ! grep -q 'plastigran' "$tree/src/$file"; then
+  if [ -e "$tree/src/$file" ] && ! grep -qi 'plastigran' "$tree/src/$file"; then
     fail "$tree/src/${file#./} is not ours and would be overwritten; nothing was changed"
   fi
 done
@@ -68,7 +68,7 @@ done
 # What an earlier version wrote and this one does not.
 if [ -e "$tree/src/plastigran_files.txt" ]; then
   while read -r file; do
-    if [ -e "$file" ] || ! grep -q 'plastigran' "$tree/src/$file" 2>/dev/null; then continue; fi
+    if [ -e "$file" ] || ! grep -qi 'plastigran' "$tree/src/$file" 2>/dev/null; then continue; fi
     rm "$tree/src/$file"
   done <"$tree/src/plastigran_files.txt"
 fi

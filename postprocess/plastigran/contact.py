@@ -38,11 +38,9 @@ class Contact:
         radius: Radius of body a [m].
         radius_other: Radius of body b [m]; None for a flat.
         mass_eff: m* [kg]; None for spheres, or cylinders of `cylinder_length`, with the densities
-            of
-            the materials. A flat and a body without density do not move.
+            of the materials. A flat and a body without density do not move.
         constants: Constants and options of the law. Those that the material of a defines, or of b
-            if
-            a is rigid, can be omitted.
+            if a is rigid, can be omitted.
 
     Attributes:
         law: Law between the bodies, an instance of a class of `plastigran.laws.LAWS`.
@@ -51,8 +49,7 @@ class Contact:
 
     Raises:
         ValueError: The law or material does not exist, or a value is missing, not a number or out
-            of
-            range; the message names it.
+            of range; the message names it.
     """
 
     def __init__(
@@ -110,8 +107,7 @@ class Contact:
 
         Returns:
             (N,) rows: overlap [m], force [N], contact_radius [m], elastic_energy [J] (recoverable)
-            and
-            plastic_work [J] (dissipated).
+            and plastic_work [J] (dissipated).
 
         Warns:
             RangeWarning: An overlap exceeds the range of the law.

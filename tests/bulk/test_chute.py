@@ -102,7 +102,7 @@ def test_profile_is_told_from_others(power, fits):
     ("change", "said"),
     [
         ({"settling": 3}, r"settling is 3; it must lie from 0 to 0.9 \[s\]"),
-        ({"settling": 0.86}, r"settling is 0.86; it must be 0.85 \[s\] or less"),
+        ({"settling": 0.86}, r"settling is 0.86; it must be at most 0.85 \[s\]"),
         ({"rows": 9, "checkpoints": 1}, "rows is 9; it must be 10 or more"),
     ],
 )

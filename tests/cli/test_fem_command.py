@@ -42,7 +42,7 @@ def coarse(monkeypatch):
 def test_press_below_yield_says_so_and_gives_everything_back(capsys):
     assert main(["fem", "press", *METAL, "--force-ratio", "0.5", "--json"]) == 0
     printed = capsys.readouterr()
-    assert "does not reach yield" in printed.err
+    assert "is below the yield force" in printed.err
     (unloading,) = json.loads(printed.out)["unloadings"]
     # Quadrature over steps of 40 % below yield.
     assert unloading["coefficient_of_restitution"] == pytest.approx(1, abs=5e-3)

@@ -35,5 +35,5 @@ def test_a_page_without_places_is_refused(tmp_path, capsys):
     assert main(line) == 1
     assert "has no <!-- table" in capsys.readouterr().err
     assert main([*line, "--coarse"]) == 1
-    assert "not --coarse" in capsys.readouterr().err
+    assert "Remove --coarse" in capsys.readouterr().err
     assert not (tmp_path / "out").exists()

@@ -179,7 +179,7 @@ def test_what_cannot_be_followed_is_refused(changes, said):
 
 def test_wide_contact_is_warned_of():
     soft = ElasticPlastic(youngs_modulus=6e6, poissons_ratio=0.25, density=900.0)
-    with pytest.warns(SmallStrainWarning, match=r"0\.42 of the radius"):
+    with pytest.warns(SmallStrainWarning, match=r"0\.42 times the radius"):
         found = vibrate(soft, RADIUS, 5.0, 1, COARSE)
     # 2.2 periods of the gravest mode only: a hundredth of the energy stays in the sphere.
     assert 0.98 < found.coefficient_of_restitution < 0.995

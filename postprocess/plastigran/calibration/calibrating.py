@@ -67,19 +67,16 @@ def calibrate(
         rate_coefficient: Relative increase of yield strength per e-fold increase of strain rate,
             with
             the strength given at 1/s. None for the value of steel with a steel's hardness or
-            rebound
-            hardness, which are measured at very different rates, and otherwise for 0.
+            rebound hardness, which are measured at very different rates, and otherwise for 0.
         scatter: Relative standard deviation of one measured restitution; None for 0.02 for drops,
             and
             for the scatter of conversions of rebound hardness.
         law: Name of the law.
         speeds: Slowest and fastest impact speed of the intended simulation [m/s], for a sphere of
-            the
-            metal on a rigid plane; None for those of the measurement, or else up to 300 yield
+            the metal on a rigid plane; None for those of the measurement, or else up to 300 yield
             speeds.
         force_ratio: Largest force / yield force of a finite-element fit of `vu_quoc_zhang`; None
-            for
-            no finite elements.
+            for no finite elements.
         radius: Radius of the finite-element sphere [m].
         strain: Kinematics of the finite elements, small or finite.
         name: Name of the metal.

@@ -49,8 +49,7 @@ class DropTest:
         ball: Material of the ball.
         plate: Material of the plate, or `RIGID`.
         radius: Radius of the ball [m]. Restitution depends on it only if the strength depends on
-            the
-            strain rate.
+            the strain rate.
 
     Raises:
         ValueError: A speed or restitution is out of range, their numbers differ, neither ball nor

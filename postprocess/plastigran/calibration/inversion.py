@@ -63,8 +63,7 @@ def estimate_strength(
     Raises:
         TooElastic: No impact yields at the best strength; the message has the lower bound.
         ValueError: A restitution is below that at the smallest strength, or the restitution does
-            not
-            depend on the strength.
+            not depend on the strength.
     """
     measured = np.asarray(measured, dtype=float)
     target = np.log(measured)

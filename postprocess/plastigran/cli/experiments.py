@@ -125,8 +125,7 @@ def run(experiment: type[Experiment], arguments: argparse.Namespace) -> None:
 
     Raises:
         ValueError: A value is out of range, a range is given together with values, or --jobs is
-            given
-            with --theory.
+            given with --theory.
     """
     theory = getattr(arguments, "theory", False)
     if theory and arguments.jobs:

@@ -161,8 +161,7 @@ def read_thermo(path: str | Path) -> pd.DataFrame:
 
     Returns:
         One row per output line: `run` (0, 1, … in the order of the `run` commands), then the
-            columns
-        of the log, with common ones renamed by `THERMO_COLUMNS`.
+            columns of the log, with common ones renamed by `THERMO_COLUMNS`.
 
     Raises:
         DumpError: The log has no thermodynamic output, or a step is not a whole number.

@@ -50,8 +50,7 @@ def collide(
 
     Returns:
         The runs: `.table`, `.outcomes`, `.figure("restitution")`. Printing them shows the table
-            with
-        remarks.
+            with remarks.
 
     Raises:
         ValueError: A case cannot be run; the message gives the reason.

@@ -32,8 +32,7 @@ class CollisionOutcome:
         contact_time: Time from first touch to zero force [s]; None if not predicted.
         in_range: Whether the load is within the range of the law; None if measured.
         loop: Collision over time, (N,) columns time [s], overlap [m], force [N], speed [m/s]
-            (overlap
-            rate); None if predicted.
+            (overlap rate); None if predicted.
     """
 
     closing_speed: float

@@ -40,8 +40,7 @@ def format_table(table: pd.DataFrame, shown: Sequence[str] = ()) -> str:
     Args:
         table: Results table.
         shown: Columns to show. Missing and empty columns are skipped, and those of `VARIED` with
-            one
-            value; by default all.
+            one value; by default all.
     """
     columns = [name for name in shown or table if name in table and not table[name].isna().all()]
     if shown:

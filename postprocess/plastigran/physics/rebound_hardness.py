@@ -28,8 +28,7 @@ class ReboundTester:
     Attributes:
         ball: Material of the ball, which does not yield.
         sensor_height: Height at which the speeds are measured [m]. 0 leaves gravity out. The 1 mm
-            of
-            real testers lowers the reading of device D by 0.1 % at 800 and by 2.5 % at 300.
+            of real testers lowers the reading of device D by 0.1 % at 800 and by 2.5 % at 300.
 
     Raises:
         ValueError: A number is out of range.

@@ -38,9 +38,8 @@ class Findings:
     Attributes:
         tables: Tables by name. A row is one quantity: columns `quantity` and `unit`, or other
             columns that identify it, and then columns of numbers such as `paper`, `finite
-            elements`,
-            the name of a law, or `LIGGGHTS`. A column whose name ends in "(%)" is a difference, see
-            `add_difference`.
+            elements`, the name of a law, or `LIGGGHTS`. A column whose name ends in "(%)" is a
+            difference, see `add_difference`.
         figures: Figures by name, made with `plastigran.plot.style`.
         movies: Movies by name.
     """
@@ -99,8 +98,7 @@ class Report:
         Args:
             progress: Whether to show progress bars.
             coarse: Use coarse meshes and fewer cases. This takes some seconds; results are off by
-                some
-                per cent.
+                some per cent.
 
         Raises:
             ValueError: A computation failed, or a declared result is missing.

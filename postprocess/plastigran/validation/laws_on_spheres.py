@@ -39,8 +39,7 @@ def compare(names: Iterable[str] | None = None, rows: pd.DataFrame | None = None
 
     Returns:
         A row for each law and row of the table: law, metal, set, kind, speed_ratio and
-            `QUANTITIES`,
-        each as law / finite elements - 1 [-].
+            `QUANTITIES`, each as law / finite elements - 1 [-].
     """
     rows = table() if rows is None else rows
     rows = rows[rows["speed_ratio"] > 1].assign(kind=kind)

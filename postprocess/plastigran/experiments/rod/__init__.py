@@ -43,8 +43,7 @@ class RodImpact(Experiment):
 
     Raises:
         ValueError: A field is out of range, LIGGGHTS cannot run it, or the tip would overlap too
-            far
-            for any law.
+            far for any law.
     """
 
     law: str = law_field()

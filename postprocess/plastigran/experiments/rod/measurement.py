@@ -24,8 +24,7 @@ def measure_rod(
     Args:
         trajectory: Dump, or its table of `read_dump`.
         gravitational_acceleration: Value of the deck [m/s^2]; the dumped forces include the weight
-            of
-            each sphere.
+            of each sphere.
 
     Raises:
         CollisionError: The table is not a rod's, or the tip never touches or does not separate.

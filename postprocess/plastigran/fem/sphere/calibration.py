@@ -33,8 +33,7 @@ class Calibration:
         yield_force: P_Y, N.
         force_max: Largest force of the fit, N.
         contact_radius_error: Largest relative difference of a between law and finite elements
-            beyond
-            P_Y.
+            beyond P_Y.
         approach_error: Largest relative difference of alpha.
     """
 
@@ -57,9 +56,8 @@ def calibrate(pressing: Pressing) -> Calibration:
 
     Raises:
         ValueError: The largest force is below LEAST_RATIO times the yield force; the plane is a
-            half
-            space, for which the law's yield force does not hold; or a constant is not positive,
-            because the metal hardens so much that it hardly flows.
+            half space, for which the law's yield force does not hold; or a constant is not
+            positive, because the metal hardens so much that it hardly flows.
     """
     if pressing.plane is not None:
         raise ValueError(

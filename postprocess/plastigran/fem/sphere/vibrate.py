@@ -53,8 +53,7 @@ def vibrate(
 
     Raises:
         ValueError: The metal yields; the speed is not positive or too large for small strain;
-            finite
-            strain is chosen; or transits is not positive.
+            finite strain is chosen; or transits is not positive.
         NoConvergence: The first step does not converge. A later failure ends the computation; the
             result so far is returned, with the reason in `stopped`.
     """

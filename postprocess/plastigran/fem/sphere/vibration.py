@@ -80,8 +80,7 @@ class Vibration:
 
         Args:
             signal: Column. Energies have twice the frequency of a vibration; the result is the
-                frequency
-                of the vibration.
+                frequency of the vibration.
             least: Smallest / largest amplitude.
 
         Returns:

@@ -18,8 +18,7 @@ def read_grains_dump(path: str | Path) -> pd.DataFrame:
 
     Returns:
         One row per grain: `id`, `z` [m], `vz` [m/s], `touching` (number of contacts), `z_before`
-            and
-        `vz_before` (before the impact), and `plastic_work` since then [J].
+            and `vz_before` (before the impact), and `plastic_work` since then [J].
 
     Raises:
         DumpError: The file is not a dump.
