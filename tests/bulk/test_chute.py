@@ -14,9 +14,10 @@ from plastigran.bulk.run import run_bulk
 from plastigran.engine.dumps import read_dump
 from plastigran.physics.bagnold import fit_profile
 
-#: Some hundred grains, six cells deep, for as long as it takes to show a mean.
-SMALL = {"length": 4, "width": 3, "depth": 6, "start_speed": 0.9, "angle": 26, "rows": 180}
-SMALL |= {"duration": 0.9, "settling": 0.4, "checkpoints": 4}
+#: Bagnold's profile holds for a flow much deeper than its layers. Nine cells deep, six seeds
+#: deviated from it by 0.009 to 0.026, and missed the balance of power by 0.012 to 0.032.
+SMALL = {"length": 5, "width": 4, "depth": 9, "start_speed": 1.0, "angle": 25, "rows": 360}
+SMALL |= {"duration": 1.8, "settling": 0.8, "checkpoints": 4}
 
 
 @pytest.fixture(scope="module")
@@ -28,18 +29,18 @@ def flowed(bulk_run):
 @pytest.fixture
 def steady(flowed):
     """Its rows after settling."""
-    return flowed.series[flowed.series["time"] > 0.4]
+    return flowed.series[flowed.series["time"] > 0.8]
 
 
 def test_flows_with_bagnolds_profile_and_dissipates_what_weight_gives(flowed, steady):
     assert flowed.passed
-    assert flowed.deck.derived("grains") == 2 * 4 * 3 * (6 + 1)  # the base is a cell deep
+    assert flowed.deck.derived("grains") == 2 * 5 * 4 * (9 + 1)  # the base is a cell deep
     assert steady["speed"].min() > 0.05
     taken = steady[["plastic", "friction"]].iloc[-1] - steady[["plastic", "friction"]].iloc[0]
     assert (taken > 0.03 * taken.sum()).all()
 
 
-@pytest.mark.parametrize("change", [{"angle": 26.5}, {"gravitational_acceleration": 9.9}])
+@pytest.mark.parametrize("change", [{"angle": 25.5}, {"gravitational_acceleration": 9.9}])
 def test_another_weight_is_noticed(change, flowed):
     failed = attrs.evolve(flowed.deck, **change).analyse(read_series(flowed.folder)).failed
     assert any(
@@ -55,8 +56,8 @@ def test_missing_dissipation_is_noticed(flowed, steady):
 
 
 def test_fewer_rows_leave_the_weight_its_trapezia(flowed):
-    """Every fourth row, 0.02 s: trapezia miss 4e-3 of the work, as they may."""
-    sparse = read_series(flowed.folder).iloc[::4].reset_index(drop=True)
+    """Every twelfth row, 0.06 s: trapezia miss 5e-3 of the work, as they may."""
+    sparse = read_series(flowed.folder).iloc[::12].reset_index(drop=True)
     weight = flowed.deck.analyse(sparse).checks[-2]
     assert "weight's work" in weight.name and weight.passed
     assert weight.value > WEIGHT
@@ -64,7 +65,7 @@ def test_fewer_rows_leave_the_weight_its_trapezia(flowed):
 
 def test_flow_that_stops_is_noticed(tmp_path):
     """Far below the angle of friction it comes to rest."""
-    settings = SMALL | {"angle": 12, "duration": 0.6}
+    settings = SMALL | {"angle": 12, "duration": 1.2}
     run = run_bulk("chute", settings, tmp_path / "run", show=False)
     assert any("mean / smallest speed of the flow" in check.name for check in run.analysis.failed)
 
@@ -74,7 +75,7 @@ def test_glued_base_stays(flowed):
     frames = read_dump(flowed.folder / "grains.dump").set_index("id")
     first, last = (frames[frames["step"] == step] for step in frames["step"].agg(["min", "max"]))
     held = last[(last[["vx", "vy", "vz"]] == 0).all(axis="columns")]
-    assert len(held) == 2 * 4 * 3
+    assert len(held) == 2 * 5 * 4
     assert (first.loc[held.index, ["x", "y", "z"]] == held[["x", "y", "z"]]).all(axis=None)
     assert flowed.series["speed"].iloc[-1] > 0.1
 
@@ -101,8 +102,8 @@ def test_profile_is_told_from_others(power, fits):
 @pytest.mark.parametrize(
     ("change", "said"),
     [
-        ({"settling": 3}, r"settling is 3; it must lie from 0 to 0.9 \[s\]"),
-        ({"settling": 0.86}, r"settling is 0.86; it must be at most 0.85 \[s\]"),
+        ({"settling": 3}, r"settling is 3; it must lie from 0 to 1.8 \[s\]"),
+        ({"settling": 1.76}, r"settling is 1.76; it must be at most 1.75 \[s\]"),
         ({"rows": 9, "checkpoints": 1}, "rows is 9; it must be 10 or more"),
     ],
 )
