@@ -10,16 +10,15 @@
 #include <string>
 
 #include "liggghts/fixes/own_fix.h"
+#include "plastigran/pairs/range_account.h"
 
 namespace plastigran {
 
 class RangeWatch : public OwnFix {
  public:
   // Of one model, on this rank.
-  struct Excess {
+  struct Excess : RangeAccount {
     const char* range = "";
-    double contacts = 0;            // one seen from both sides of a border counts half on each
-    double furthest = 0;            // largest overlap over the range's
     double all_contacts = 0;        // over all ranks, on the first one, as the next two are
     double announced = 0;           // contacts, when the log last had a warning
     double announced_furthest = 0;  // largest overlap over the range's that the log has

@@ -9,12 +9,13 @@
 #include <string>
 
 #include "liggghts/fixes/own_fix.h"
+#include "plastigran/pairs/impact_times.h"
 
 namespace plastigran {
 
 class StepWatch : public OwnFix {
  public:
-  static constexpr double unknown = 1e300;  // a time nobody has told yet [s]
+  static constexpr double unknown = ImpactTimes::unknown;  // a time nobody has told yet [s]
 
   // A time step, and the impact it is short enough for.
   struct Recommended {

@@ -20,15 +20,16 @@ void BodyShares::read(LAMMPS_NS::LAMMPS* engine, const std::string& caller) {
   const DeckProperties deck(engine, caller, type_count);
   yield_pressures_.clear();
   factors_.clear();
-  for (const Body& body : deck.bodies(deck.given("yield_strength")))
-    yield_pressures_.push_back(yield_pressure(body));
+  const std::vector<Body> bodies = deck.bodies(deck.given("yield_strength"));
+  deck.check(validate(bodies));
+  for (const Body& body : bodies) yield_pressures_.push_back(yield_pressure(body));
   given_ = deck.given("taylor_quinney_factor");
   for (int type = 1; type <= type_count; ++type) {
     const double factor = deck.per_type("taylor_quinney_factor", type, "", usual_factor);
     if (!(factor >= 0 && factor <= 1)) {
       std::ostringstream reason;
       reason << "taylorQuinneyFactor is " << factor << "; it must be between 0 and 1";
-      deck.fail(DeckProperties::about_types(reason.str(), type, 0));
+      deck.fail(about_types(reason.str(), type));
     }
     factors_.push_back(factor);
   }

@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <sstream>
 #include <string>
 
@@ -19,9 +18,11 @@
 #include "liggghts/fixes/print.h"
 #include "liggghts/fixes/range_watch.h"
 #include "liggghts/fixes/step_watch.h"
+#include "liggghts/model/deck_properties.h"
 #include "liggghts/model/deck_units.h"
-#include "liggghts/model/impact_forecast.h"
-#include "liggghts/model/type_pair.h"
+#include "plastigran/impact/central_impact.h"
+#include "plastigran/pairs/impact_times.h"
+#include "plastigran/pairs/type_pair.h"
 #include "pointers.h"
 #include "update.h"
 
@@ -55,8 +56,8 @@ class ContactWatch : protected LAMMPS_NS::Pointers {
 
   // Called before a run, on the first rank. Hands the times of the coming impacts to the step
   // watch, which compares the time step with them. Warns of impacts that leave the law's range.
-  void expect(const ImpactTimes& times) {
-    step_watch_->expect(model_, times.fastest, times.rayleigh, times.hertz);
+  void expect(const ImpactTimes& times, double rayleigh, bool is_wall) {
+    step_watch_->expect(model_, {times.step, times.step_speed, is_wall}, rayleigh, times.hertz);
     if (times.outside_speed <= 1.01 * excess_->warned_speed) return;
     excess_->warned_speed = times.outside_speed;  // once for all walls, unless it gets worse
     std::ostringstream text;
@@ -81,10 +82,7 @@ class ContactWatch : protected LAMMPS_NS::Pointers {
       stop(describe_passage(atom, contact));
     if (contact.deltan > pair.range * radius_eff)
       note_excess(contact, pair, radius_eff, before, now);
-    const double depth = contact.deltan / radius_eff;
-    if (depth <= pair.noted) return;
-    pair.noted = 1.1 * depth;
-    pair.watched = std::min({pair.noted, pair.range, overlap_limit_});  // R* <= smaller
+    if (!pair.deepens(contact.deltan / radius_eff, overlap_limit_)) return;  // R* <= smaller
     State state;
     const Response virgin = pair.law.respond(radius_eff, contact.deltan, state);
     const double energy = virgin.elastic_energy + virgin.plastic_work;
@@ -98,36 +96,26 @@ class ContactWatch : protected LAMMPS_NS::Pointers {
          contact.is_wall ? 0 : atom->tag[contact.j]});
   }
 
-  // On this rank alone: the others are not in the force loop at the same contact.
-  [[gnu::noinline]] void stop(const std::string& reason) {
-    error->one(FLERR, (model_ + ": " + reason).c_str());
+  // Stops in the force loop, at two types for which the law is none.
+  [[gnu::noinline, gnu::cold]] void refuse(const Complaint& complaint) {
+    stop(sentence_in_deck(update->unit_style, complaint.worded(property_name)));
   }
 
  private:
+  // On this rank alone: the others are not in the force loop at the same contact.
+  void stop(const std::string& reason) { error->one(FLERR, (model_ + ": " + reason).c_str()); }
+
   // How far the two close in on each other in a step [m].
   double closing(const Contact& contact) const { return std::max(0.0, -contact.vn) * update->dt; }
 
-  // A contact is counted when it passes the end of its law's range for the first time: when what it
-  // had reached before this step is less than loading to that end makes of it. The law is asked
-  // only where that can be so: a contact that nothing new has been reached in, or that was well
-  // beyond the end a step ago, has passed before. Positions move freely between runs: the first
-  // step of one looks at all.
+  // Positions move freely between runs: the first step of one looks at all contacts. A contact
+  // over a border is seen from both sides.
   void note_excess(const Contact& contact, const TypePair<Law>& pair, double radius_eff,
                    const State& before, const State& now) {
-    const double limit = pair.range * radius_eff;
-    excess_->furthest = std::max(excess_->furthest, contact.deltan / limit);
-    if (same(before, now)) return;
-    const bool far = contact.deltan > 1.001 * limit + 2 * closing(contact);
-    if (far && !same(before, State()) && update->ntimestep > update->firststep + 1) return;
-    State reached = before;
-    pair.law.respond(radius_eff, limit, reached);
-    if (same(before, reached)) return;
     const bool shared = !contact.is_wall && !force->newton_pair && contact.j >= atom->nlocal;
-    excess_->contacts += shared ? 0.5 : 1;
-  }
-
-  static bool same(const State& one, const State& other) {
-    return std::memcmp(&one, &other, Law::state_names.size() * sizeof(double)) == 0;
+    excess_->note(pair.law, pair.range,
+                  {radius_eff, contact.deltan, closing(contact), before, now,
+                   update->ntimestep <= update->firststep + 1, shared ? 0.5 : 1});
   }
 
   std::string model_;

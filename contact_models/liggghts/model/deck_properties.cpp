@@ -12,7 +12,6 @@
 #include "liggghts/model/deck_units.h"
 #include "modify.h"
 #include "plastigran/impact/plausibility.h"
-#include "plastigran/impact/validate.h"
 #include "update.h"
 
 namespace plastigran {
@@ -102,7 +101,6 @@ std::vector<Body> DeckProperties::bodies(bool yields) const {
     body.tangent_modulus = per_type("tangent_modulus", type, "Pa", 0);
     body.rate_coefficient = per_type("rate_coefficient", type, "-", 0);
     body.reference_rate = per_type("reference_rate", type, "1/s", 1);
-    check(validate(body), type);
   }
   return bodies;
 }
@@ -123,8 +121,8 @@ void DeckProperties::fail(const std::string& reason) const {
   error->all(FLERR, (model_ + ": " + reason).c_str());
 }
 
-void DeckProperties::check(const Complaint& complaint, int type, int other_type) const {
-  if (!complaint.empty()) fail(about_types(worded(complaint), type, other_type));
+void DeckProperties::check(const Complaint& complaint) const {
+  if (!complaint.empty()) fail(worded(complaint));
 }
 
 std::string DeckProperties::worded(const Complaint& complaint) const {
@@ -133,14 +131,6 @@ std::string DeckProperties::worded(const Complaint& complaint) const {
 
 std::string DeckProperties::unit(const std::string& si) const {
   return unit_in_deck(update->unit_style, si);
-}
-
-std::string DeckProperties::about_types(const std::string& sentence, int type, int other_type) {
-  std::ostringstream text;
-  text << sentence << (other_type ? " (atom types " : " (atom type ") << type;
-  if (other_type) text << " and " << other_type;
-  text << ')';
-  return text.str();
 }
 
 std::vector<std::string> DeckProperties::misspelt(const std::string& name) const {
@@ -160,7 +150,7 @@ std::vector<std::string> DeckProperties::doubts(const std::vector<Body>& bodies,
   const double pascal = pascal_in_deck(update->unit_style);
   for (int type = 1; pascal > 0 && type <= type_count_; ++type) {
     const Complaint complaint = implausible(bodies[type - 1], pascal);
-    if (!complaint.empty()) sentences.push_back(about_types(worded(complaint), type, 0));
+    if (!complaint.empty()) sentences.push_back(about_types(worded(complaint), type));
   }
   for (int type = 1; cohesive && given("cohesion_energy_density") && type <= type_count_; ++type)
     for (int other = type; other <= type_count_; ++other) {

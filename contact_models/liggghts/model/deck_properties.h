@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "plastigran/pairs/materials.h"
 #include "plastigran/shared/complaint.h"
 #include "plastigran/shared/contact.h"
 #include "pointers.h"
@@ -40,8 +41,30 @@ class DeckProperties : protected LAMMPS_NS::Pointers {
   // The value for a pair of atom types, the fallback when the deck gives none.
   double per_pair(const char* field, int type, int other_type, double fallback) const;
 
-  // The bulk constants of every atom type. Their strength may be left out where nothing yields.
+  // The bulk constants of every atom type, unchecked. Their strength may be left out where nothing
+  // yields.
   std::vector<Body> bodies(bool yields) const;
+
+  // All that a law asks for.
+  template <class Law>
+  Materials materials() const {
+    Materials materials;
+    materials.bodies = bodies(yields<Law>);
+    if (hardens<Law> && given("tangent_modulus")) materials.given.insert("tangent_modulus");
+    for (const auto& parameter : parameters_of<Law>) {
+      const bool is_given = given(parameter.name);
+      if (is_given) materials.given.insert(parameter.name);
+      if (!is_given && !parameter.per_body) continue;
+      auto& values = materials.constants[parameter.name];
+      for (int type = 1; type <= type_count_; ++type)
+        if (parameter.per_body)
+          values.push_back(per_type(parameter.name, type, parameter.unit));
+        else
+          for (int other = 1; other <= type_count_; ++other)
+            values.push_back(per_pair(parameter.name, type, other, 0));
+    }
+    return materials;
+  }
 
   // Stops where a coefficient of friction is negative, which the engine takes.
   void check_friction() const;
@@ -49,17 +72,19 @@ class DeckProperties : protected LAMMPS_NS::Pointers {
   // Stops on all ranks together.
   void fail(const std::string& reason) const;
 
-  // Stops with a complaint about these atom types (other_type 0: about one), unless it is empty.
-  void check(const Complaint& complaint, int type, int other_type = 0) const;
+  // Stops with a complaint, unless it is empty.
+  void check(const Complaint& complaint) const;
 
   // A complaint with the properties' names and the deck's units.
   std::string worded(const Complaint& complaint) const;
 
-  // A sentence and the atom types it is about (other_type 0: one).
-  static std::string about_types(const std::string& sentence, int type, int other_type);
-
   // The deck's unit for an SI unit.
   std::string unit(const std::string& si) const;
+
+  // The deck's names of fields and units.
+  Words words() const {
+    return {property_name, [this](const std::string& si) { return unit(si); }};
+  }
 
   // Sentences on properties that nothing has asked for and whose name is a letter or two off one
   // that has been.

@@ -74,7 +74,7 @@ void ImpactForecast::gather() {
 }
 
 double ImpactForecast::rayleigh_time(const std::vector<Body>& materials) const {
-  double shortest = StepWatch::unknown;
+  double shortest = ImpactTimes::unknown;
   for (std::size_t type = 1; type < types_.size(); ++type) {
     const Extremes& extremes = types_[type];
     if (extremes.count == 0) continue;

@@ -10,7 +10,7 @@
 #include "liggghts/fixes/own_fix.h"
 #include "liggghts/model/deck_properties.h"
 #include "liggghts/model/rate_history.h"
-#include "liggghts/model/type_pair.h"
+#include "plastigran/pairs/type_pair.h"
 #include "plastigran/shared/rate_factor.h"
 
 namespace plastigran {

@@ -24,6 +24,7 @@ class Complaint {
   }
 
   bool empty() const { return sentence_.empty(); }
+  const std::string& sentence() const { return sentence_; }  // with the braces
 
   // The sentence with each field called what `name_of(field)` says.
   template <class NameOf>

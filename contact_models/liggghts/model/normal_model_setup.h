@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+//
+// What a normal model over any law does before a run: it reads its line and the deck, refuses what
+// it cannot do, and fills the table of type pairs.
+//
+// History values carry the flag "0": they are scalars, the same seen from either particle. ("1"
+// would flip their sign whenever the pair is stored from the other side.)
+//
+// LIGGGHTS' contact_models.h includes every model, and so this file: it comes before the guard.
+#include "contact_models.h"
+#ifndef PLASTIGRAN_NORMAL_MODEL_SETUP_H
+#define PLASTIGRAN_NORMAL_MODEL_SETUP_H
+
+#include <string>
+
+#include "atom.h"
+#include "comm.h"
+#include "domain.h"
+#include "error.h"
+#include "global_properties.h"
+#include "liggghts/fixes/history_keeper.h"
+#include "liggghts/fixes/motion_watch.h"
+#include "liggghts/fixes/own_fix.h"
+#include "liggghts/fixes/parted_walls.h"
+#include "liggghts/fixes/print.h"
+#include "liggghts/model/accounted_load.h"
+#include "liggghts/model/contact_owner.h"
+#include "liggghts/model/contact_setup.h"
+#include "liggghts/model/contact_watch.h"
+#include "liggghts/model/deck_properties.h"
+#include "liggghts/model/impact_forecast.h"
+#include "liggghts/model/line_settings.h"
+#include "liggghts/model/normal_model_settings.h"
+#include "liggghts/model/normal_models.h"
+#include "liggghts/model/rate_memory.h"
+#include "neighbor.h"
+#include "plastigran/pairs/type_pairs.h"
+#include "plastigran/shared/contact.h"
+#include "update.h"
+
+namespace LIGGGHTS {
+namespace ContactModels {
+
+template <class Law>
+class NormalModelSetup : public NormalModelBase {
+ public:
+  NormalModelSetup(LAMMPS* lmp, IContactHistorySetup* setup, ContactModelBase* contact_model)
+      : NormalModelBase(lmp, setup, contact_model),
+        rates_(lmp, contact_model->is_wall()),
+        watch_(lmp),
+        contact_model_(contact_model),
+        owner_(plastigran::ContactSetup::owner_of(setup), contact_model->is_wall()),
+        restarted_lines_(plastigran::HistoryKeeper::restarted_lines(lmp)) {
+    plastigran::refuse_replacement(lmp);
+    // A new line needs a set-up: `run ... pre no` would not know it.
+    if (!update->whichflag) update->first_update = 0;
+    for (std::size_t k = 0; k < Law::state_names.size(); ++k) {
+      const int offset = setup->add_history_value(Law::state_names[k], "0");
+      if (k == 0) history_offset_ = offset;
+    }
+    if (plastigran::yields<Law>)
+      rates_.begin(setup, DeckProperties(lmp, caller(), atom->ntypes), domain->box_exist);
+  }
+
+  void registerSettings(Settings& settings) override { settings_.declare(settings); }
+
+  void postSettings(IContactHistorySetup*, ContactModelBase*) override {
+    const std::string complaint = settings_.read();
+    if (!complaint.empty()) fail(complaint);
+  }
+
+  // LIGGGHTS calls this before every run, on all ranks together.
+  void connectToProperties(PropertyRegistry& registry) override {
+    refuse_unsuitable();
+    watch_motion();
+    HistoryKeeper& keeper = keep_histories();
+    const DeckProperties deck(lmp, caller(), registry.max_type());
+    deck.check(pairs_.build(deck.materials<Law>(), settings_.choices));
+    describe_line(keeper, deck);
+    deck.check_friction();
+    if (plastigran::yields<Law>) rates_.connect(deck, pairs_.rate_matters());
+    watch_.begin(caller(), settings_.overlap_limit);
+    prepare_forces(registry);
+    report(deck);
+    forecast_impacts(deck);
+  }
+
+ protected:
+  static constexpr bool is_cylinder = plastigran::is_cylinder<Law>;
+
+  plastigran::TypePairs<Law> pairs_;
+  plastigran::RateMemory rates_;
+  plastigran::NormalModelSettings<Law> settings_;
+  plastigran::ContactWatch<Law> watch_;
+  int history_offset_ = 0;
+  bool smooth_friction_ = false;
+  bool accounts_ = false;       // the loads on particle i are AccountedLoads
+  double** damping_ = nullptr;  // LIGGGHTS' beta(coefficientRestitution) of each type pair
+
+ private:
+  typedef plastigran::DeckProperties DeckProperties;
+  typedef plastigran::HistoryKeeper HistoryKeeper;
+
+  static std::string caller() { return std::string("model ") + Law::name; }
+  void fail(const std::string& reason) { error->all(FLERR, (caller() + ": " + reason).c_str()); }
+
+  // Stops if the law is not for these particles, dimensions or companion models.
+  void refuse_unsuitable() {
+#ifdef SUPERQUADRIC_ACTIVE_FLAG
+    if (atom->superquadric_flag) fail("it is for spheres; this atom style is not");
+#endif
+    if (is_cylinder && domain->dimension != 2)
+      fail("it is for cylinders, the discs of a 2D deck (dimension 2); this deck is 3D");
+    const std::string unsuitable = owner_.unsuitable_model(is_cylinder);
+    if (!unsuitable.empty()) fail(unsuitable);
+  }
+
+  // Adds the fix that checks motion and periodic sides.
+  void watch_motion() {
+    const bool is_late =
+        owner_.is_wall() && !plastigran::find_own_fix<plastigran::MotionWatch>(lmp);
+    const auto motion = plastigran::own_fix<plastigran::MotionWatch>(lmp);
+    if (is_late) motion->list_fixes_again();
+    if (!owner_.is_wall() && !owner_.histories().empty()) motion->check_periodic_sides(caller());
+  }
+
+  // Adds the fixes that keep histories, and takes the line's settings from a restart file if
+  // the deck has no line.
+  HistoryKeeper& keep_histories() {
+    const auto parted = plastigran::own_fix<plastigran::PartedWalls>(lmp);
+    HistoryKeeper& keeper = *HistoryKeeper::of(lmp, restarted_lines_);
+    parted->set_state(owner_.name(), history_offset_, Law::state_names.size());
+    if (settings_.text().empty())
+      plastigran::restore_settings(lmp, *this, keeper.restarted_settings(owner_.name()),
+                                   [this] { postSettings(nullptr, nullptr); });
+    return keeper;
+  }
+
+  // Tells the keeper of histories which model and which constants this line has.
+  void describe_line(HistoryKeeper& keeper, const DeckProperties& deck) {
+    const auto constants = [&](const std::string& line, const char* assumed) {
+      return pairs_.describe(line, deck.words(), settings_.choices, assumed);
+    };
+    const std::string options = plastigran::options_text<Law>(settings_.choices, " ");
+    const bool has_memory = !Law::state_names.empty();
+    keeper.connect(
+        owner_.name(),
+        {caller() + owner_.other_models() + options, settings_.text(), owner_.histories(),
+         has_memory ? constants(caller() + (owner_.is_wall() ? ", wall" : ""), "") : "", !reported_,
+         reported_ ? "" : constants(caller(), " (default)")});
+  }
+
+  // Settles what the force loop needs beside the laws.
+  void prepare_forces(PropertyRegistry& registry) {
+    const auto taker = dynamic_cast<plastigran::AccountTaker*>(contact_model_);
+    accounts_ = taker && taker->takes_accounts;
+    if (settings_.viscous_damping) {
+      registry.registerProperty("betaeff", &MODEL_PARAMS::createBetaEff);
+      registry.connect("betaeff", damping_, caller().c_str());
+    }
+    smooth_friction_ = owner_.tangential_model_is("no_history");
+    // Ask for surfacesClose() just outside contact, where the history is cleared: otherwise a pair
+    // that parts and meets again before the next neighbour build would remember its dent.
+    neighbor->register_contact_dist_factor(1.01);
+  }
+
+  // Once, on the first rank: what the deck gives and no model uses, or that looks like a slip, and
+  // lines with different models.
+  void report(const DeckProperties& deck) {
+    const plastigran::MixedModels mixed = plastigran::mixed_models(lmp);
+    if (!reported_ && comm->me == 0) report_unused(deck, mixed.has_foreign);
+    if (comm->me == 0 && !mixed.text.empty() && mixed.first == owner_.name())
+      watch_.warn_once("lines have different normal models: " + mixed.text +
+                       ". Use one model in all lines, unless this is intended");
+    reported_ = true;
+  }
+
+  void report_unused(const DeckProperties& deck, bool has_foreign) {
+    plastigran::print(lmp, std::string("plastigran law ") + Law::name + '\n');
+    plastigran::print(lmp,
+                      settings_.describe_unused(caller(), deck, owner_.is_wall(), has_foreign));
+    const bool cohesive = owner_.other_models().find(" cohesion ") != std::string::npos;
+    for (const std::string& doubt : deck.doubts(pairs_.bodies(), cohesive)) watch_.warn_once(doubt);
+    if (neighbor->style == 2)
+      watch_.warn_once("this engine misses contacts with `neighbor multi`; give `bin`");
+  }
+
+  // Stops if types may meet that the law is not for. Hands the times of the coming impacts on.
+  void forecast_impacts(const DeckProperties& deck) {
+    const plastigran::ImpactForecast forecast(lmp, owner_, pairs_.type_count());
+    deck.check(plastigran::refusal(forecast.meetings(), forecast.expected(), pairs_));
+    if (comm->me != 0) return;
+    const double rayleigh =
+        is_cylinder ? plastigran::ImpactTimes::unknown : forecast.rayleigh_time(pairs_.bodies());
+    watch_.expect(plastigran::impact_times(forecast.meetings(), pairs_), rayleigh,
+                  owner_.is_wall());
+  }
+
+  ContactModelBase* contact_model_;
+  plastigran::ContactOwner owner_;
+  const std::string restarted_lines_;  // by HistoryKeeper
+  bool reported_ = false;
+};
+
+}  // namespace ContactModels
+}  // namespace LIGGGHTS
+
+#endif

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+//
+// What a law says of the hardest impacts that a host expects.
+#pragma once
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "plastigran/impact/central_impact.h"
+#include "plastigran/impact/elastic_times.h"
+#include "plastigran/pairs/type_pairs.h"
+#include "plastigran/shared/complaint.h"
+#include "plastigran/shared/rate_factor.h"
+
+namespace plastigran {
+
+// Two types that can meet.
+struct Meeting {
+  int type, partner_type;
+  double radius_eff, mass_eff;  // of the smallest and lightest particles [m], [kg]
+  double speed;                 // may be 0 [m/s]
+};
+
+// Why the law is none for types that can meet, or that may come to (`expected`); empty when it is
+// one.
+template <class Law>
+Complaint refusal(const std::vector<Meeting>& meetings,
+                  const std::vector<std::pair<int, int>>& expected, TypePairs<Law>& pairs) {
+  for (const Meeting& meeting : meetings) {
+    const TypePair<Law>& pair = pairs(meeting.type, meeting.partner_type);
+    if (!pair.refusal.empty()) return pair.refusal;
+  }
+  for (const auto& [type, partner_type] : expected) {
+    const TypePair<Law>& pair = pairs(type, partner_type);
+    if (!pair.refusal.empty() && !pair.lacking) return pair.refusal;
+  }
+  return {};
+}
+
+struct ImpactTimes {
+  static constexpr double unknown = 1e300;  // [s]
+  double step = unknown;                    // shortest recommended time step [s]
+  double step_speed = 0;                    // of the impact that asks for it [m/s]
+  double hertz = unknown;                   // shortest duration of an elastic impact [s]
+  double outside_speed = 0;                 // largest that leaves the law's range [m/s]
+};
+
+template <class Law>
+ImpactTimes impact_times(const std::vector<Meeting>& meetings, TypePairs<Law>& pairs) {
+  ImpactTimes times;
+  for (const auto& [type, partner_type, radius_eff, mass_eff, speed] : meetings) {
+    if (!(speed > 0)) continue;
+    TypePair<Law>& at_rest = pairs(type, partner_type);
+    const TypePair<Law>& pair =
+        at_rest.strengthened(rate_factor(at_rest.bodies, radius_eff, speed));
+    const double step = recommended_timestep(pair.law, radius_eff, mass_eff, speed);
+    if (step < times.step) times.step = step, times.step_speed = speed;
+    if (!is_cylinder<Law>)
+      times.hertz = std::min(
+          times.hertz, hertz_duration(radius_eff, mass_eff, pair.bodies.youngs_modulus_eff, speed));
+    if (!central_impact(pair.law, radius_eff, mass_eff, speed).in_range)
+      times.outside_speed = std::max(times.outside_speed, speed);
+  }
+  return times;
+}
+
+}  // namespace plastigran

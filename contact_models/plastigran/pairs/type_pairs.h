@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+//
+// The table of a simulation's pairs of atom types: the law of each two, mixed from their materials,
+// and why two may not meet. Any host fills it from its own deck.
+//
+//   TypePairs<Thornton> pairs;
+//   const Complaint complaint = pairs.build(materials, Thornton::Parameters());
+//   if (!complaint.empty()) stop(complaint);
+//   TypePair<Thornton>& pair = pairs(type, other_type);  // pair.law, pair.refusal
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <memory>
+#include <sstream>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "plastigran/impact/validate.h"
+#include "plastigran/pairs/materials.h"
+#include "plastigran/pairs/type_pair.h"
+#include "plastigran/shared/complaint.h"
+#include "plastigran/shared/contact.h"
+
+namespace plastigran {
+
+template <class Law>
+constexpr bool is_cylinder = std::string_view(shape<Law>) == std::string_view("cylinder");
+
+// The law's options with their choices, each after a separator.
+template <class Law>
+std::string options_text(const typename Law::Parameters& choices, const char* separator) {
+  std::string text;
+  for (const auto& option : options_of<Law>) {
+    const auto choice = static_cast<std::size_t>(choices.*option.value);
+    text += std::string(separator) + option.name + ' ' + option.choices[choice];
+  }
+  return text;
+}
+
+template <class Law>
+class TypePairs {
+  typedef typename Law::Parameters Constants;
+
+ public:
+  // Constants that the materials leave out, and all options, are as in `defaults`. Returns what is
+  // wrong with a value; empty when nothing is and the table is there.
+  Complaint build(const Materials& materials, const Constants& defaults) {
+    Complaint complaint = validate(materials.bodies);
+    if (complaint.empty()) complaint = wrong_body_constant(materials);
+    if (!complaint.empty()) return complaint;
+    materials_ = materials;
+    type_count_ = static_cast<int>(materials.bodies.size());
+    pairs_.clear();
+    of_types_.assign(materials.bodies.size() * materials.bodies.size(), nullptr);
+    for (int i = 1; i <= type_count(); ++i)
+      for (int j = i; j <= type_count(); ++j) {
+        pairs_.push_back(between(i, j, defaults));
+        at(i, j) = at(j, i) = pairs_.back().get();
+      }
+    return {};
+  }
+
+  TypePair<Law>& operator()(int type, int other_type) { return *at(type, other_type); }
+
+  // A line for each two types that may meet: their effective constants, the law's own and its
+  // options. `caller` begins each line; `assumed` follows constants that are not given.
+  std::string describe(const std::string& caller, const Words& words, const Constants& options,
+                       const char* assumed) {
+    std::ostringstream text;
+    for (int i = 1; i <= type_count(); ++i)
+      for (int j = i; j <= type_count(); ++j) {
+        const TypePair<Law>& pair = (*this)(i, j);
+        if (!pair.refusal.empty()) continue;
+        const std::string pascal = ' ' + words.unit("Pa");
+        text << caller << ", atom types " << i << " and " << j << ": effective modulus "
+             << pair.bodies.youngs_modulus_eff << pascal;
+        if (yields<Law>)
+          text << ", yield strength " << pair.bodies.yield_strength << pascal << ", yield pressure "
+               << pair.bodies.yield_pressure << pascal;
+        if (pair.bodies.rate_coefficient > 0)
+          text << ", rate coefficient " << pair.bodies.rate_coefficient << ", reference rate "
+               << pair.bodies.reference_rate << ' ' << words.unit("1/s");
+        const auto note = [&](const char* field) {
+          return materials_.given.count(field) ? "" : assumed;
+        };
+        if (hardens<Law>)
+          text << ", tangent modulus " << pair.bodies.tangent_modulus << pascal
+               << note("tangent_modulus");
+        for (const auto& parameter : parameters_of<Law>)
+          text << ", " << words.name(parameter.name) << ' ' << pair.constants.*parameter.value
+               << note(parameter.name);
+        text << options_text<Law>(options, ", ") << '\n';
+      }
+    return text.str();
+  }
+
+  // Whether the strength of any two depends on the rate of their impact.
+  bool rate_matters() const {
+    return std::any_of(pairs_.begin(), pairs_.end(), [](const auto& pair) {
+      return yields<Law> && pair->bodies.rate_coefficient > 0;
+    });
+  }
+
+  int type_count() const { return type_count_; }
+  const std::vector<Body>& bodies() const { return materials_.bodies; }  // by type - 1
+
+ private:
+  TypePair<Law>*& at(int type, int other_type) {
+    return of_types_[static_cast<std::size_t>((type - 1) * type_count_ + other_type - 1)];
+  }
+
+  // A body's constant is 0 where it does not describe the body.
+  static Complaint wrong_body_constant(const Materials& materials) {
+    for (const auto& parameter : parameters_of<Law>) {
+      const auto values = materials.constants.find(parameter.name);
+      if (!parameter.per_body || values == materials.constants.end()) continue;
+      for (std::size_t k = 0; k < values->second.size(); ++k) {
+        const double value = values->second[k];
+        const Complaint wrong = value == 0 ? Complaint() : complaint(parameter, value);
+        if (!wrong.empty()) return about_types(wrong, static_cast<int>(k) + 1);
+      }
+    }
+    return {};
+  }
+
+  std::unique_ptr<TypePair<Law>> between(int i, int j, Constants constants) const {
+    Complaint lacking;
+    const auto first = static_cast<std::size_t>(i) - 1, second = static_cast<std::size_t>(j) - 1;
+    for (const auto& parameter : parameters_of<Law>) {
+      const auto given = materials_.constants.find(parameter.name);
+      const bool is_given = given != materials_.constants.end();
+      double& value = constants.*parameter.value;
+      if (!parameter.per_body) {
+        if (is_given) value = given->second[first * materials_.bodies.size() + second];
+        continue;
+      }
+      value = is_given ? std::max(given->second[first], given->second[second]) : 0;
+      if (lacking.empty() && value == 0) lacking = complaint(parameter, 0);
+    }
+    const MaterialPair bodies = combine(materials_.bodies[first], materials_.bodies[second]);
+    auto pair = std::make_unique<TypePair<Law>>(bodies, constants);
+    pair->lacking = !lacking.empty();
+    pair->refusal = pair->lacking ? Complaint(lacking.sentence() + "; one of the two must have it")
+                                  : validate<Law>(bodies, constants);
+    pair->refusal = about_types(pair->refusal, i, j);
+    return pair;
+  }
+
+  int type_count_ = 0;
+  Materials materials_;
+  std::vector<std::unique_ptr<TypePair<Law>>> pairs_;
+  std::vector<TypePair<Law>*> of_types_;  // in either order
+};
+
+}  // namespace plastigran
