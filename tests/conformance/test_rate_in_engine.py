@@ -2,7 +2,8 @@
 """A yield strength that grows with the rate of impact, in the engine: each contact has the one of
 its first touch and keeps it.
 
-`thornton` stands for all laws: what depends on the rate is the choice of the law, not the law.
+`thornton` stands for all laws that are the same at another radius, `universal` for those that are
+interpolated between tables.
 """
 
 from __future__ import annotations
@@ -28,16 +29,18 @@ SPHERES = Spheres(LAW, 0)
 ALUMINIUM = evolve(SPHERES.material, **RATE)
 
 
+@pytest.mark.parametrize(("law", "tolerance"), [(LAW, 1e-5), ("universal", 1e-3)])
 @pytest.mark.parametrize("speed", [0.1, 1.0])
 @pytest.mark.parametrize("geometry", IMPACTS["sphere"].geometries)
-def test_impact_is_the_laws_at_its_rate(geometry, speed, tmp_path):
-    """To the integrator's 1e-5 at a twentieth of the recommended step, of each geometry."""
-    case = CentralImpact(LAW, speed, ALUMINIUM, 0.1, geometry=geometry)
+def test_impact_is_the_laws_at_its_rate(geometry, speed, law, tolerance, tmp_path):
+    """To the integrator's 1e-5 at a twentieth of the recommended step, of each geometry, and to the
+    1e-3 of docs/rate_factor.md where the plugin interpolates and Python builds the table."""
+    case = CentralImpact(law, speed, ALUMINIUM, 0.1, geometry=geometry)
     plain = evolve(case, material=SPHERES.material).predict()
     found, expected = case.run(tmp_path, timestep=case.timestep / 20), case.predict()
     assert expected.coefficient_of_restitution > 1.1 * plain.coefficient_of_restitution
     for outcome in ("coefficient_of_restitution", "force_max", "overlap_max"):
-        assert getattr(found, outcome) == pytest.approx(getattr(expected, outcome), rel=1e-5)
+        assert getattr(found, outcome) == pytest.approx(getattr(expected, outcome), rel=tolerance)
 
 
 def test_two_equal_spheres_are_one_on_a_rigid_plane(tmp_path):

@@ -72,28 +72,21 @@ class ContactWatch : protected LAMMPS_NS::Pointers {
     if (excess_->said.insert(text).second) warn(lmp, model_ + ": " + text);
   }
 
-  // A contact deeper than `pair.watched`, whose state was `before` and is `now` after this step.
-  [[gnu::noinline]] void note(const Contact& contact, TypePair<Law>& pair, double radius_eff,
-                              const State& before, const State& now) {
+  // A contact deeper than `pair.watched`, at its rate factor, whose state was `before` and is `now`
+  // after this step.
+  [[gnu::noinline]] void note(const Contact& contact, TypePair<Law>& pair, double factor,
+                              double radius_eff, const State& before, const State& now) {
     const double smaller = contact.is_wall ? contact.radi : std::min(contact.radi, contact.radj);
     if (contact.deltan > overlap_limit_ * smaller)
       stop(describe_overlap(atom, contact, contact.deltan / smaller, overlap_limit_));
     if (contact.is_wall && overlap_limit_ <= 1 && contact.deltan + 2 * closing(contact) > smaller)
       stop(describe_passage(atom, contact));
-    if (contact.deltan > pair.range * radius_eff)
-      note_excess(contact, pair, radius_eff, before, now);
-    if (!pair.deepens(contact.deltan / radius_eff, overlap_limit_)) return;  // R* <= smaller
-    State state;
-    const Response virgin = pair.law.respond(radius_eff, contact.deltan, state);
-    const double energy = virgin.elastic_energy + virgin.plastic_work;
-    const double speed = std::sqrt(2 * energy / contact.meff);
-    const double* const x = atom->x[contact.i];
-    step_watch_->met(
-        {recommended_timestep_of_load(pair.law, radius_eff, contact.meff, speed, contact.deltan),
-         speed,
-         {x[0], x[1], x[2]},
-         atom->tag[contact.i],
-         contact.is_wall ? 0 : atom->tag[contact.j]});
+    const bool deeper = pair.deepens(contact.deltan / radius_eff, overlap_limit_);  // R* <= smaller
+    pair.at_factor(factor, [&](const auto& law, double range) {
+      if (contact.deltan > range * radius_eff)
+        note_excess(contact, law, range, radius_eff, before, now);
+      if (deeper) note_step(contact, law, radius_eff);
+    });
   }
 
   // Stops in the force loop, at two types for which the law is none.
@@ -108,12 +101,29 @@ class ContactWatch : protected LAMMPS_NS::Pointers {
   // How far the two close in on each other in a step [m].
   double closing(const Contact& contact) const { return std::max(0.0, -contact.vn) * update->dt; }
 
+  // The time step for the rebound of an impact that would load as deeply.
+  template <class AnyLaw>
+  void note_step(const Contact& contact, const AnyLaw& law, double radius_eff) {
+    State state;
+    const Response virgin = law.respond(radius_eff, contact.deltan, state);
+    const double energy = virgin.elastic_energy + virgin.plastic_work;
+    const double speed = std::sqrt(2 * energy / contact.meff);
+    const double* const x = atom->x[contact.i];
+    step_watch_->met(
+        {recommended_timestep_of_load(law, radius_eff, contact.meff, speed, contact.deltan),
+         speed,
+         {x[0], x[1], x[2]},
+         atom->tag[contact.i],
+         contact.is_wall ? 0 : atom->tag[contact.j]});
+  }
+
   // Positions move freely between runs: the first step of one looks at all contacts. A contact
   // over a border is seen from both sides.
-  void note_excess(const Contact& contact, const TypePair<Law>& pair, double radius_eff,
+  template <class AnyLaw>
+  void note_excess(const Contact& contact, const AnyLaw& law, double range, double radius_eff,
                    const State& before, const State& now) {
     const bool shared = !contact.is_wall && !force->newton_pair && contact.j >= atom->nlocal;
-    excess_->note(pair.law, pair.range,
+    excess_->note(law, range,
                   {radius_eff, contact.deltan, closing(contact), before, now,
                    update->ntimestep <= update->firststep + 1, shared ? 0.5 : 1});
   }

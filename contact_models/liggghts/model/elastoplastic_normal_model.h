@@ -67,26 +67,25 @@ class ElastoplasticNormalModel : public NormalModelSetup<Law> {
     const double radius_eff = contact.is_wall
                                   ? contact.radi
                                   : contact.radi * contact.radj / (contact.radi + contact.radj);
-    TypePair& at_rest = pairs_(contact.itype, contact.jtype);
+    TypePair& pair = pairs_(contact.itype, contact.jtype);
     // Particles of these types may have been inserted since the check before the run.
-    if (!at_rest.refusal.empty()) watch_.refuse(at_rest.refusal);
+    if (!pair.refusal.empty()) watch_.refuse(pair.refusal);
     // `run 0` computes forces and moves nothing: it leaves the history as it is. Otherwise the
     // set-up writes it too, because its forces move the particles.
     const bool writes = contact.computeflag && (contact.shearupdate || update->nsteps > 0);
-    TypePair& pair =
-        rates_.kept() ? rates_.strengthened(contact, at_rest, radius_eff, writes) : at_rest;
+    const double factor =
+        rates_.kept() ? rates_.factor(contact, pair.bodies, radius_eff, writes) : 1;
 
     double* const history = contact.contact_history + history_offset_;
     State state;
     std::memcpy(static_cast<void*>(&state), history, state_size);
     const plastigran::Response response =
-        plastigran::respond(pair.law, radius_eff, contact.deltan, state, -contact.vn);
+        factor == 1 ? plastigran::respond(pair.law, radius_eff, contact.deltan, state, -contact.vn)
+                    : respond_stronger(pair, factor, radius_eff, contact.deltan, state);
     if (contact.computeflag) {
       if (contact.deltan > pair.watched * radius_eff)
-        note(contact, pair, radius_eff, writes ? state : state_before(contact));
-      if (accounts)
-        accounted(i_forces).take(pair.law, radius_eff, contact.deltan, state_before(contact),
-                                 state);
+        note(contact, pair, factor, radius_eff, writes ? state : state_before(contact));
+      if (accounts) take_account(pair, factor, radius_eff, contact, state, accounted(i_forces));
       if (writes) std::memcpy(history, &state, state_size);
     }
 
@@ -130,9 +129,34 @@ class ElastoplasticNormalModel : public NormalModelSetup<Law> {
     return before;
   }
 
-  [[gnu::noinline]] void note(const SurfacesIntersectData& contact, TypePair& pair,
+  [[gnu::noinline]] void note(const SurfacesIntersectData& contact, TypePair& pair, double factor,
                               double radius_eff, const State& now) {
-    watch_.note(contact, pair, radius_eff, state_before(contact), now);
+    watch_.note(contact, pair, factor, radius_eff, state_before(contact), now);
+  }
+
+  // At a rate factor above 1.
+  [[gnu::flatten, gnu::noinline]] static plastigran::Response respond_stronger(
+      const TypePair& pair, double factor, double radius_eff, double overlap, State& state) {
+    return pair.at_factor(factor, [&](const auto& law, double) {
+      return plastigran::respond(law, radius_eff, overlap, state, 0);
+    });
+  }
+
+  void take_account(const TypePair& pair, double factor, double radius_eff,
+                    const SurfacesIntersectData& contact, const State& now,
+                    plastigran::AccountedLoad& load) const {
+    const State before = state_before(contact);
+    if (factor == 1)
+      load.take(pair.law, radius_eff, contact.deltan, before, now);
+    else
+      take_stronger(pair, factor, radius_eff, contact.deltan, before, now, load);
+  }
+  [[gnu::flatten, gnu::noinline]] static void take_stronger(const TypePair& pair, double factor,
+                                                            double radius_eff, double overlap,
+                                                            const State& before, const State& now,
+                                                            plastigran::AccountedLoad& load) {
+    pair.at_factor(
+        factor, [&](const auto& law, double) { load.take(law, radius_eff, overlap, before, now); });
   }
 
   static plastigran::AccountedLoad& accounted(ForceData& load) {

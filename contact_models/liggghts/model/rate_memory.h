@@ -10,7 +10,7 @@
 #include "liggghts/fixes/own_fix.h"
 #include "liggghts/model/deck_properties.h"
 #include "liggghts/model/rate_history.h"
-#include "plastigran/pairs/type_pair.h"
+#include "plastigran/shared/contact.h"
 #include "plastigran/shared/rate_factor.h"
 
 namespace plastigran {
@@ -46,17 +46,11 @@ class RateMemory {
   // Whether contacts remember a rate factor.
   bool kept() const { return offset_ >= 0; }
 
-  // The two bodies with their strength at the contact's rate factor; 0 in the history is none yet.
-  // `writes`: the history keeps the factor.
-  template <class Law>
-  [[gnu::noinline]] TypePair<Law>& strengthened(const Contact& contact, TypePair<Law>& pair,
-                                                double radius_eff, bool writes) const {
-    double factor = contact.contact_history[offset_];
-    if (factor == 0) {
-      factor = rate_factor(pair.bodies, radius_eff, -contact.vn);
-      if (writes) contact.contact_history[offset_] = factor;
-    }
-    return pair.strengthened(factor);
+  // The rate factor of a contact; 0 in the history is none yet. `writes`: the history keeps it.
+  double factor(const Contact& contact, const MaterialPair& bodies, double radius_eff,
+                bool writes) const {
+    const double kept_factor = contact.contact_history[offset_];
+    return kept_factor != 0 ? kept_factor : first_touch(contact, bodies, radius_eff, writes);
   }
 
   void forget(double* history) const {
@@ -64,6 +58,13 @@ class RateMemory {
   }
 
  private:
+  [[gnu::noinline]] double first_touch(const Contact& contact, const MaterialPair& bodies,
+                                       double radius_eff, bool writes) const {
+    const double factor = rate_factor(bodies, radius_eff, -contact.vn);
+    if (writes) contact.contact_history[offset_] = factor;
+    return factor;
+  }
+
   LAMMPS_NS::LAMMPS* engine_;
   bool is_wall_;
   int offset_ = -1;  // in a contact's history

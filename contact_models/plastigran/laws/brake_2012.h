@@ -26,6 +26,7 @@ struct Brake2012Curve {
   static constexpr const char* source = "Brake 2012, Int. J. Solids Struct. 49:3129";
   static constexpr const char* range =
       "small strain; indentation pressure above 2/3 of the yield pressure";
+  static constexpr bool self_similar = true;
   struct Parameters {
     double indentation_pressure = 0;  // P0 [Pa]
   };

@@ -24,6 +24,7 @@ struct Brake2015Curve {
   static constexpr const char* name = "brake_2015";
   static constexpr const char* source = "Brake 2015, Int. J. Solids Struct. 62:104";
   static constexpr const char* range = "small strain; as good as the indentation pressure given";
+  static constexpr bool self_similar = true;
   struct Parameters {
     double indentation_pressure = 0;  // P0 [Pa]
     double meyer_index = 2;           // n [-]

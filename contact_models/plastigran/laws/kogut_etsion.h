@@ -24,6 +24,7 @@ struct KogutEtsionCurve {
   static constexpr const char* name = "kogut_etsion";
   static constexpr const char* source = "Kogut & Etsion 2002, J. Appl. Mech. 69:657";
   static constexpr const char* range = "overlap <= 110 times that at yield, flattening";
+  static constexpr bool self_similar = true;
   struct Parameters {
     int fully_plastic = 0;
   };

@@ -27,6 +27,7 @@ struct StrongeCurve {
   static constexpr const char* source = "Stronge 2000, Impact Mechanics, ch. 6";
   static constexpr const char* range =
       "a << R*; small strain; unloading not settled by the sources";
+  static constexpr bool self_similar = true;
   enum Unloading { book, area, original_radius };
   struct Parameters {
     int unloading = book;

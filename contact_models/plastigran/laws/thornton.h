@@ -33,6 +33,7 @@ class Thornton : public NoConstants, public LargestOverlap {
   static constexpr const char* source = "Thornton 1997, J. Appl. Mech. 64:383";
   static constexpr const char* range =
       "a << R*; force too low well beyond yield (-43 % at 120 v_Y)";
+  static constexpr bool self_similar = true;
 
   explicit Thornton(const MaterialPair& pair, const Parameters&)
       : modulus_(4.0 / 3.0 * pair.youngs_modulus_eff),

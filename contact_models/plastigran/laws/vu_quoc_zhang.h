@@ -27,6 +27,7 @@ struct VuQuocZhangCurve {
   static constexpr const char* name = "vu_quoc_zhang";
   static constexpr const char* source = "Vu-Quoc & Zhang 1999, Proc. R. Soc. A 455:4013";
   static constexpr const char* range = "F <= 41 P_Y, nu near 0.3, perfectly plastic";
+  static constexpr bool self_similar = true;
   struct Parameters {
     double contact_radius_coefficient = 0.0258303;  // c_a
     double curvature_coefficient = 0.00980426;      // k_c

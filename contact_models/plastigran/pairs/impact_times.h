@@ -49,18 +49,20 @@ struct ImpactTimes {
 template <class Law>
 ImpactTimes impact_times(const std::vector<Meeting>& meetings, TypePairs<Law>& pairs) {
   ImpactTimes times;
-  for (const auto& [type, partner_type, radius_eff, mass_eff, speed] : meetings) {
+  for (const Meeting& meeting : meetings) {
+    const double radius = meeting.radius_eff, mass = meeting.mass_eff, speed = meeting.speed;
     if (!(speed > 0)) continue;
-    TypePair<Law>& at_rest = pairs(type, partner_type);
-    const TypePair<Law>& pair =
-        at_rest.strengthened(rate_factor(at_rest.bodies, radius_eff, speed));
-    const double step = recommended_timestep(pair.law, radius_eff, mass_eff, speed);
-    if (step < times.step) times.step = step, times.step_speed = speed;
+    const TypePair<Law>& pair = pairs(meeting.type, meeting.partner_type);
     if (!is_cylinder<Law>)
-      times.hertz = std::min(
-          times.hertz, hertz_duration(radius_eff, mass_eff, pair.bodies.youngs_modulus_eff, speed));
-    if (!central_impact(pair.law, radius_eff, mass_eff, speed).in_range)
-      times.outside_speed = std::max(times.outside_speed, speed);
+      times.hertz = std::min(times.hertz,
+                             hertz_duration(radius, mass, pair.bodies.youngs_modulus_eff, speed));
+    const double factor = rate_factor(pair.bodies, radius, speed);
+    pair.at_factor(factor, [&](const auto& law, double) {
+      const double step = recommended_timestep(law, radius, mass, speed);
+      if (step < times.step) times.step = step, times.step_speed = speed;
+      if (!central_impact(law, radius, mass, speed).in_range)
+        times.outside_speed = std::max(times.outside_speed, speed);
+    });
   }
   return times;
 }

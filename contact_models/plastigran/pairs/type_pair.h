@@ -4,13 +4,10 @@
 #pragma once
 
 #include <algorithm>
-#include <cstddef>
-#include <memory>
-#include <vector>
 
+#include "plastigran/pairs/rate_tables.h"
 #include "plastigran/shared/complaint.h"
 #include "plastigran/shared/contact.h"
-#include "plastigran/shared/rate_factor.h"
 
 namespace plastigran {
 
@@ -24,14 +21,16 @@ struct TypePair {
   Law law;
   MaterialPair bodies;
   double noted = 0;  // overlap over R* up to which a host has looked
-  double range;      // largest overlap over R* the law is good for
+  double range;  // largest overlap over R* the law is good for, at rest; grows with the strength
   Constants constants;
+  RateTables<Law> rates;
 
   TypePair(const MaterialPair& bodies_, const Constants& constants_)
       : law(bodies_, constants_),
         bodies(bodies_),
         range(overlap_range(law)),
-        constants(constants_) {}
+        constants(constants_),
+        rates(bodies_, constants_) {}
 
   // Whether a contact is a tenth deeper than those before, over R*. Contacts are then looked at
   // from the new depth on, or from the end of the range or a limit.
@@ -42,31 +41,16 @@ struct TypePair {
     return true;
   }
 
-  // The two with their strength at a rate factor; made when first asked for. A new one counts as
-  // watched as deeply as the others.
-  TypePair& strengthened(double factor) {
-    const std::size_t steps = rate_factor_steps(factor);
-    if (steps == 0) return *this;
-    if (steps >= stronger_.size()) stronger_.resize(steps + 1);
-    if (!stronger_[steps]) stronger_[steps] = make(factor);
-    return *stronger_[steps];
+  // Calls `use` with the law at a rate factor and its range.
+  template <class Use>
+  decltype(auto) at_factor(double factor, const Use& use) const {
+    if constexpr (yields<Law>)
+      if (factor != 1) {
+        const LawAtFactor<Law> stronger(law, range, rates, factor);
+        return use(stronger, stronger.overlap_range());
+      }
+    return use(law, range);
   }
-
- private:
-  std::shared_ptr<TypePair> make(double factor) const {
-    auto made = std::make_shared<TypePair>(*this);
-    made->stronger_.clear();
-    made->bodies = plastigran::strengthened(bodies, factor);
-    made->constants = strengthened_constants<Law>(constants, factor);
-    made->law = Law(made->bodies, made->constants);
-    made->range = overlap_range(made->law);
-    for (const auto& other : stronger_)
-      if (other && other->noted > made->noted)
-        made->noted = other->noted, made->watched = other->watched;
-    return made;
-  }
-
-  std::vector<std::shared_ptr<TypePair>> stronger_;  // by steps of the rate factor
 };
 
 }  // namespace plastigran

@@ -26,6 +26,8 @@
 //   yields = false          no yield: the yield strength is not asked for
 //   hardens = true          the tangent modulus matters
 //   indentation = true      of a flat that a hard sphere dents; else a sphere flattens
+//   self_similar = true     its curves in yield units do not depend on the yield strength
+//   respond_stronger(factor, radius_eff, overlap, state)    with the yield strength times a factor
 //   overlap_range()         the largest overlap over R* it is good for
 //   overlap_breaks()        overlaps over R* at which the virgin force may jump
 //   elastic_stiffness(contact_radius)      of the elastic contact

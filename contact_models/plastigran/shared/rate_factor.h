@@ -14,7 +14,6 @@
 #pragma once
 
 #include <cmath>
-#include <cstddef>
 #include <string_view>
 
 #include "plastigran/shared/contact.h"
@@ -22,13 +21,8 @@
 
 namespace plastigran {
 
-// Factors are multiples of this: a law is made once for each.
+// Factors are rounded to multiples of this.
 constexpr double rate_factor_step = 1e-4;
-
-// How many of these steps a factor is above 1.
-inline std::size_t rate_factor_steps(double factor) {
-  return static_cast<std::size_t>(std::lround((factor - 1) / rate_factor_step));
-}
 
 // v/R of an impact [1/s]; `speed` is that at which the two bodies close in [m/s].
 inline double impact_rate(const MaterialPair& pair, double radius_eff, double speed) {

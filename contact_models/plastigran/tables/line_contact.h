@@ -96,10 +96,33 @@ class LineContact : public Rebound, public LargestOverlap {
         energy_guard_(given.energy_guard == 1) {}
 
   PLASTIGRAN_DEVICE Response respond(double radius_eff, double overlap, State& state) const {
+    return respond(load_ratio_, log_yield_, radius_eff, overlap, state);
+  }
+  // The same with the yield strength times a factor.
+  PLASTIGRAN_DEVICE Response respond_stronger(double factor, double radius_eff, double overlap,
+                                              State& state) const {
+    const double log_yield = log_yield_ - 2 * tables_.logs.natural_log(factor);
+    return respond(load_ratio_ * factor * factor, log_yield, radius_eff, overlap, state);
+  }
+
+  // Stiffness of the undented contact [N/m]. Normal: slope of the elastic force. Tangential: a
+  // strip of that half-width sticking to the body and shifted along it against the same far side;
+  // from the displacements of a line force, Johnson (1985) sec. 2.2-2.3.
+  PLASTIGRAN_DEVICE Stiffness elastic_stiffness(double contact_radius) const {
+    const double far = std::max(compliance(contact_radius), 2.0);
+    return {stiffness_ / (far - 1), stiffness_ / (far + 2 * lateral_ + 1)};
+  }
+
+ private:
+  static constexpr double overlap_min = 1e-200;  // [m] no ratio overflows above it
+  static constexpr double square_min = 1e-300;   // [m^2] a narrower contact has no width yet
+
+  PLASTIGRAN_DEVICE Response respond(double yield_ratio, double log_yield, double radius_eff,
+                                     double overlap, State& state) const {
     const LineCompliance undented(tables_, reach_ / radius_eff);
-    const double load_y = load_ratio_ * radius_eff;
+    const double load_y = yield_ratio * radius_eff;
     const double log_y =
-        log_yield_ - 2 * tables_.logs.natural_log(radius_eff);  // ln(reach/(R load_y))
+        log_yield - 2 * tables_.logs.natural_log(radius_eff);  // ln(reach/(R load_y))
     const double overlap_y = undented.overlap(load_y, log_y);
     Response response;
     if (state.overlap_max == 0 && overlap <= overlap_y) {
@@ -141,18 +164,6 @@ class LineContact : public Rebound, public LargestOverlap {
     response.plastic_work = stiffness_ * (work - load_max * recovery * fullness);
     return response;
   }
-
-  // Stiffness of the undented contact [N/m]. Normal: slope of the elastic force. Tangential: a
-  // strip of that half-width sticking to the body and shifted along it against the same far side;
-  // from the displacements of a line force, Johnson (1985) sec. 2.2-2.3.
-  PLASTIGRAN_DEVICE Stiffness elastic_stiffness(double contact_radius) const {
-    const double far = std::max(compliance(contact_radius), 2.0);
-    return {stiffness_ / (far - 1), stiffness_ / (far + 2 * lateral_ + 1)};
-  }
-
- private:
-  static constexpr double overlap_min = 1e-200;  // [m] no ratio overflows above it
-  static constexpr double square_min = 1e-300;   // [m^2] a narrower contact has no width yet
 
   // ln(4 D^2/a^2) - k
   PLASTIGRAN_DEVICE double compliance(double half_width) const {

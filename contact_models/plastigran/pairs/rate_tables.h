@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+//
+// The law of a material pair at any rate factor k (shared/rate_factor.h). No table is built for a
+// factor.
+//
+// A law is `self_similar` if its curves in yield units do not depend on the yield strength: F/F_y
+// and a/a_y are functions of overlap/overlap_y. Because a_y/R* grows as k, the law at k is the law
+// at rest of a contact of another radius:
+//
+//   F_k(R*, overlap) = F(k^2 R*, overlap)/k,   contact radius and energies likewise
+//
+// A law whose strength enters by a few numbers has its own respond_stronger(k, radius_eff, overlap,
+// state). All others, where a/R or sigma_Y/E matters, have two tables more, at larger factors k_j.
+// They are built before a run. The two tables next to k answer for k/k_j as above; the answers are
+// interpolated linearly in k^2, because the first term in a/R grows as a^2/R^2. A contact keeps its
+// factor, so the weights, between 0 and 1, stay the same along its path: the force remains the
+// derivative of the energies, and the work lost never falls. docs/rate_factor.md has the error.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <type_traits>
+#include <vector>
+
+#include "plastigran/impact/central_impact.h"
+#include "plastigran/shared/contact.h"
+#include "plastigran/shared/device.h"
+#include "plastigran/shared/largest_overlap.h"
+#include "plastigran/shared/rate_factor.h"
+
+namespace plastigran {
+
+template <class Law, class = void>
+constexpr bool self_similar = false;
+template <class Law>
+constexpr bool self_similar<Law, std::void_t<decltype(Law::self_similar)>> = Law::self_similar;
+
+template <class Law, class = void>
+constexpr bool responds_stronger = false;
+template <class Law>
+constexpr bool responds_stronger<Law, std::void_t<decltype(&Law::respond_stronger)>> = true;
+
+// The tables of a pair at larger factors; none where the law needs none.
+template <class Law>
+class RateTables {
+ public:
+  static constexpr bool interpolates = yields<Law> && !self_similar<Law> && !responds_stronger<Law>;
+  static constexpr double largest_ratio = 1e9;   // of the rate over the reference rate
+  static constexpr double largest_factor = 2.5;  // beyond it, the last table answers
+
+  RateTables(const MaterialPair& bodies, const typename Law::Parameters& constants) {
+    if (!interpolates || !(bodies.rate_coefficient > 0)) return;
+    const double end =
+        std::min(1 + bodies.rate_coefficient * std::log(largest_ratio), largest_factor);
+    factors_ = {1, std::sqrt(end), end};
+    laws_.reserve(2);
+    for (const double factor : {factors_[1], factors_[2]}) {
+      laws_.emplace_back(strengthened(bodies, factor),
+                         strengthened_constants<Law>(constants, factor));
+      ranges_.push_back(overlap_range(laws_.back()));
+    }
+  }
+
+  bool built() const { return !laws_.empty(); }
+
+  // Table 0 is the one at rest.
+  const Law& law(const Law& at_rest, std::size_t k) const { return k ? laws_[k - 1] : at_rest; }
+  double range(double at_rest, std::size_t k) const { return k ? ranges_[k - 1] : at_rest; }
+  double factor(std::size_t k) const { return factors_[k]; }
+
+  // The table from which on to interpolate at a factor, and the weight of the next one.
+  std::size_t begin(double factor) const { return factor < factors_[1] ? 0 : 1; }
+  double weight_of_next(double factor) const {
+    const double low = factors_[begin(factor)], high = factors_[begin(factor) + 1];
+    return std::min(1.0, (factor * factor - low * low) / (high * high - low * low));
+  }
+
+ private:
+  std::vector<Law> laws_;
+  std::vector<double> ranges_;  // largest overlaps over R*
+  std::array<double, 3> factors_{};
+};
+
+// The law at one factor; what takes a law takes it, too. It refers to the law at rest and its
+// tables.
+template <class Law>
+class LawAtFactor {
+ public:
+  typedef typename Law::State State;
+  static constexpr auto state_names = Law::state_names;
+
+  // `range` is that of the law at rest.
+  LawAtFactor(const Law& at_rest, double range, const RateTables<Law>& tables, double factor)
+      : factor_(factor) {
+    parts_.fill({&at_rest, range, factor, 0});
+    parts_[0].weight = 1;
+    if (RateTables<Law>::interpolates && tables.built()) {
+      const double next = tables.weight_of_next(factor);
+      for (std::size_t k = 0; k < parts; ++k) {
+        const std::size_t table = tables.begin(factor) + k;
+        parts_[k] = {&tables.law(at_rest, table), tables.range(range, table),
+                     factor / tables.factor(table), k ? next : 1 - next};
+      }
+    }
+  }
+
+  PLASTIGRAN_DEVICE Response respond(double radius_eff, double overlap, State& state) const {
+    if constexpr (responds_stronger<Law>) {
+      return parts_[0].law->respond_stronger(factor_, radius_eff, overlap, state);
+    } else if constexpr (parts == 1) {
+      Response sum;
+      add(sum, parts_[0], radius_eff, overlap, state);
+      return sum;
+    } else {
+      static_assert(std::is_base_of_v<LargestOverlap, Law>, "tables share the contact's state");
+      const State before = state;
+      Response sum;
+      for (const Part& part : parts_) {
+        State reached = before;
+        add(sum, part, radius_eff, overlap, reached);
+        state.overlap_max = std::max(state.overlap_max, reached.overlap_max);
+      }
+      return sum;
+    }
+  }
+
+  double overlap_range() const {
+    if constexpr (self_similar<Law>)
+      return std::min(factor_ * factor_ * parts_[0].range, widest_overlap_range);
+    double range = 0;
+    for (const Part& part : parts_) range += part.weight * part.range;
+    return range;
+  }
+
+  // Those of all tables. Breaks that coincide count once.
+  std::vector<double> overlap_breaks() const {
+    std::vector<double> all;
+    if constexpr (says_breaks<Law>)
+      for (const Part& part : parts_)
+        for (const double at : part.law->overlap_breaks())
+          all.push_back(at * part.factor * part.factor);
+    std::sort(all.begin(), all.end());
+    const auto same = [](double one, double next) { return next < one * (1 + 1e-8); };
+    all.erase(std::unique(all.begin(), all.end(), same), all.end());
+    return all;
+  }
+
+ private:
+  static constexpr std::size_t parts = RateTables<Law>::interpolates ? 2 : 1;
+  struct Part {
+    const Law* law;
+    double range;   // its largest overlap over R*
+    double factor;  // of the contact, over that of the table
+    double weight;
+  };
+
+  PLASTIGRAN_DEVICE static void add(Response& sum, const Part& part, double radius_eff,
+                                    double overlap, State& state) {
+    const Response response =
+        part.law->respond(part.factor * part.factor * radius_eff, overlap, state);
+    const double share = part.weight / part.factor;
+    sum.force += share * response.force;
+    sum.contact_radius += share * response.contact_radius;
+    sum.elastic_energy += share * response.elastic_energy;
+    sum.plastic_work += share * response.plastic_work;
+  }
+
+  double factor_;
+  std::array<Part, parts> parts_;
+};
+
+}  // namespace plastigran
