@@ -64,6 +64,16 @@ def test_an_impact_closes(engine_law, geometry, tmp_path):
         assert share(fine, "drift") < 0.25 * share(coarse, "drift")
 
 
+@pytest.mark.parametrize("law", ["thornton", "lim_stronge", "universal", "mdr"])
+def test_an_impact_at_a_rate_closes(law, tmp_path):
+    """Rescaled, in closed form, and interpolated; 2e-4 as above. The factor is about 1.15."""
+    rate = {"rate_coefficient": 0.02, "reference_rate": 1e-3}
+    plain = impact(law, tmp_path / "plain", geometry="plane")
+    stronger = impact(law, tmp_path / "rate", geometry="plane", **rate)
+    assert share(stronger, "drift") < 2e-4
+    assert share(stronger, "plastic") < 0.99 * share(plain, "plastic")
+
+
 @pytest.mark.parametrize("geometry", ["plane", "pair", *MOVING])
 def test_closing_is_second_order(geometry, tmp_path):
     """A law with a smooth force: half the step leaves a quarter of the drift.
