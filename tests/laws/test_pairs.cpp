@@ -11,6 +11,7 @@
 #include "plastigran/laws/thornton.h"
 #include "plastigran/laws/universal.h"
 #include "plastigran/laws/vu_quoc_zhang.h"
+#include "plastigran/pairs/impact_forecast.h"
 #include "plastigran/pairs/impact_times.h"
 #include "plastigran/pairs/range_account.h"
 #include "plastigran/pairs/type_pairs.h"
@@ -149,4 +150,28 @@ TEST_CASE("the fastest impact asks for the step, and says whether it leaves the 
   CHECK(times.step_speed == 50);
   CHECK(times.outside_speed == 50);
   CHECK(times.hertz == hertz_duration(0.01, 0.1, pairs(1, 1).bodies.youngs_modulus_eff, 50));
+}
+
+// Two grains of type 1 fly side by side, one of type 2 comes towards them, type 3 is a wall.
+TEST_CASE("the forecast has the fastest meeting of each two types") {
+  std::vector<TypeExtremes> types(3);
+  const double forward[3] = {2, 0, 0}, slower[3] = {1.5, 0, 0}, back[3] = {-1, 0, 0};
+  types[0].add(0.01, 0.1, forward);
+  types[0].add(0.02, 0.3, slower);
+  types[1].add(0.03, 0.3, back);
+  const ImpactForecast between(types, {1, 2, 3}, false, {3});
+  REQUIRE(between.meetings().size() == 3);
+  const Meeting& same = between.meetings()[0];
+  CHECK(same.partner_type == 1);
+  CHECK(same.speed == 0.5);
+  const Meeting& towards = between.meetings()[1];
+  CHECK(towards.partner_type == 2);
+  CHECK(towards.speed == 3);
+  CHECK(towards.radius_eff == doctest::Approx(0.0075).epsilon(1e-14));
+  CHECK(towards.mass_eff == doctest::Approx(0.075).epsilon(1e-14));
+  CHECK(between.expected() == std::vector<std::pair<int, int>>{{1, 1}, {1, 2}, {2, 1}, {2, 2}});
+  const ImpactForecast wall(types, {3}, true, {3});
+  REQUIRE(wall.meetings().size() == 2);
+  CHECK(wall.meetings()[0].speed == 2);
+  CHECK(wall.expected() == std::vector<std::pair<int, int>>{{1, 3}, {2, 3}});
 }

@@ -28,12 +28,13 @@
 #include "liggghts/model/contact_setup.h"
 #include "liggghts/model/contact_watch.h"
 #include "liggghts/model/deck_properties.h"
-#include "liggghts/model/impact_forecast.h"
 #include "liggghts/model/line_settings.h"
 #include "liggghts/model/normal_model_settings.h"
 #include "liggghts/model/normal_models.h"
 #include "liggghts/model/rate_memory.h"
+#include "liggghts/model/type_extremes.h"
 #include "neighbor.h"
+#include "plastigran/pairs/impact_forecast.h"
 #include "plastigran/pairs/type_pairs.h"
 #include "plastigran/shared/contact.h"
 #include "update.h"
@@ -187,7 +188,10 @@ class NormalModelSetup : public NormalModelBase {
 
   // Stops if types may meet that the law is not for. Hands the times of the coming impacts on.
   void forecast_impacts(const DeckProperties& deck) {
-    const plastigran::ImpactForecast forecast(lmp, owner_, pairs_.type_count());
+    const int type_count = pairs_.type_count();
+    const plastigran::ImpactForecast forecast(plastigran::type_extremes(lmp, type_count),
+                                              owner_.partner_types(type_count), owner_.is_wall(),
+                                              plastigran::ContactOwner::wall_types(modify));
     deck.check(plastigran::refusal(forecast.meetings(), forecast.expected(), pairs_));
     if (comm->me != 0) return;
     const double rayleigh =

@@ -114,7 +114,9 @@ class LawAtFactor {
       add(sum, parts_[0], radius_eff, overlap, state);
       return sum;
     } else {
-      static_assert(std::is_base_of_v<LargestOverlap, Law>, "tables share the contact's state");
+      static_assert(std::is_base_of_v<LargestOverlap, Law>,
+                    "interpolation needs LargestOverlap; else the law is self_similar or has "
+                    "respond_stronger");
       const State before = state;
       Response sum;
       for (const Part& part : parts_) {

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+//
+// The hardest impacts that the present velocities allow: of each two types that can meet, the
+// smallest particles at the largest relative speed. Particles that fly side by side do not meet:
+// the relative speed is at most what the extremes of each component of velocity allow.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include "plastigran/impact/elastic_times.h"
+#include "plastigran/pairs/impact_times.h"
+#include "plastigran/shared/contact.h"
+
+namespace plastigran {
+
+// The particles of one type: number, smallest radius and mass, largest speed, and for each axis the
+// least and the largest velocity. A host takes them over all its ranks.
+struct TypeExtremes {
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
+  double count = 0, radius = infinity, mass = infinity, speed = 0;
+  std::array<double, 3> least{infinity, infinity, infinity}, most{-infinity, -infinity, -infinity};
+
+  void add(double particle_radius, double particle_mass, const double* velocity) {
+    count += 1;
+    radius = std::min(radius, particle_radius);
+    mass = std::min(mass, particle_mass);
+    speed = std::max(speed, std::sqrt(velocity[0] * velocity[0] + velocity[1] * velocity[1] +
+                                      velocity[2] * velocity[2]));
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      least[axis] = std::min(least[axis], velocity[axis]);
+      most[axis] = std::max(most[axis], velocity[axis]);
+    }
+  }
+};
+
+class ImpactForecast {
+ public:
+  // `types`: by type - 1. `partners`: the types that particles meet here, all or those of a wall.
+  // `wall_types`: the types of all walls of the simulation.
+  ImpactForecast(const std::vector<TypeExtremes>& types, const std::vector<int>& partners,
+                 bool is_wall, const std::set<int>& wall_types)
+      : types_(types) {
+    const auto reduced = [](double a, double b) { return a * b / (a + b); };
+    const auto may_come = [&](int type) { return of(type).count > 0 || !wall_types.count(type); };
+    for (int type = 1; type <= static_cast<int>(types.size()); ++type) {
+      const TypeExtremes& one = of(type);
+      for (const int partner : partners)
+        if (may_come(type) && (is_wall || may_come(partner))) expected_.push_back({type, partner});
+      if (one.count == 0) continue;
+      for (const int partner : partners) {
+        const TypeExtremes& other = of(partner);
+        if (is_wall)
+          meetings_.push_back({type, partner, one.radius, one.mass, one.speed});
+        else if (other.count > (type == partner ? 1 : 0))
+          meetings_.push_back({type, partner, reduced(one.radius, other.radius),
+                               reduced(one.mass, other.mass), relative_speed(one, other)});
+      }
+    }
+  }
+
+  const std::vector<Meeting>& meetings() const { return meetings_; }
+
+  // Pairs of types that can meet or may come to: all but those of a type with walls and no
+  // particle.
+  const std::vector<std::pair<int, int>>& expected() const { return expected_; }
+
+  // The shortest Rayleigh time of the particles, spheres of these materials (by type - 1) [s];
+  // ImpactTimes::unknown when there are none.
+  double rayleigh_time(const std::vector<Body>& materials) const {
+    double shortest = ImpactTimes::unknown;
+    for (std::size_t k = 0; k < types_.size(); ++k) {
+      if (types_[k].count == 0) continue;
+      const double volume = 4.0 / 3 * pi * std::pow(types_[k].radius, 3);
+      shortest = std::min(shortest, plastigran::rayleigh_time(
+                                        types_[k].radius, types_[k].mass / volume,
+                                        materials[k].youngs_modulus, materials[k].poissons_ratio));
+    }
+    return shortest;
+  }
+
+ private:
+  const TypeExtremes& of(int type) const { return types_[static_cast<std::size_t>(type) - 1]; }
+
+  static double relative_speed(const TypeExtremes& one, const TypeExtremes& other) {
+    double squared = 0;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const double apart =
+          std::max(one.most[axis] - other.least[axis], other.most[axis] - one.least[axis]);
+      squared += apart * apart;
+    }
+    return std::min(std::sqrt(squared), one.speed + other.speed);
+  }
+
+  std::vector<TypeExtremes> types_;
+  std::vector<Meeting> meetings_;
+  std::vector<std::pair<int, int>> expected_;
+};
+
+}  // namespace plastigran
