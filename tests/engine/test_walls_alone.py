@@ -138,3 +138,22 @@ def test_a_restart_with_other_models_on_the_wall_is_refused(pairs, models, other
     models, others = (line.replace(" tangential off", "") for line in (models, others))
     assert f"fix floor: the restart file has contacts of `model {models}" in said
     assert f"but the line has `model {others}" in said
+
+
+def test_a_wall_elsewhere_after_a_restart_has_new_contacts(tmp_path):
+    """A floor 2 um lower, within the overlap, with the ID of the former one or with another."""
+    (tmp_path / "first.in").write_text(
+        start() + MATERIAL + SPHERE + "run 540\nwrite_restart middle.restart\n"
+    )
+    run_deck(tmp_path / "first.in", {}, tmp_path)
+    create = (
+        start().split("region")[0] + f"hard_particles yes\nread_restart {tmp_path}/middle.restart\n"
+    )
+    lower = create + MATERIAL.replace("zplane 0.0", "zplane -2e-6") + DUMP + "run 3000\n"
+    one = trajectory(tmp_path / "one", lower)
+    other = trajectory(tmp_path / "other", lower.replace("fix floor", "fix other_floor"))
+    assert np.abs(one[:, 3]).max() > 0
+    np.testing.assert_array_equal(one, other)
+    log = (tmp_path / "one" / "log.liggghts").read_text()
+    said = "fix floor: contacts start without history, because the wall stands elsewhere"
+    assert log.count(said) == 1

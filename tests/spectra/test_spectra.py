@@ -203,3 +203,39 @@ def test_a_wrong_line_is_named(words, complaint, tmp_path):
     with pytest.raises(EngineError) as error:
         run_deck(deck, {"decks": DECKS}, tmp_path)
     assert f"collision_spectra: {complaint}" in str(error.value)
+
+
+def test_contacts_that_were_there_before_are_no_impacts(tmp_path):
+    """Two overlapping spheres; counting begins while they push each other apart."""
+    deck = tmp_path / "two.in"
+    deck.write_text(
+        """
+atom_style      granular
+boundary        f f f
+newton          off
+communicate     single vel yes
+region          box block -0.05 0.05 -0.05 0.05 -0.05 0.05 units box
+create_box      1 box
+fix youngs  all property/global youngsModulus peratomtype 2e11
+fix poisson all property/global poissonsRatio peratomtype 0.3
+fix strength all property/global yieldStrength peratomtype 3e8
+pair_style      gran model thornton
+pair_coeff      * *
+create_atoms    1 single 0 0 0
+create_atoms    1 single 0.00999 0 0
+set group all diameter 0.01 density 7800
+fix integrate   all nve/sphere
+timestep        1e-7
+run             200
+fix spectra     all collision_spectra 10 file spectra.csv
+thermo_style    custom step f_spectra[1] f_spectra[2]
+thermo_modify   norm no
+thermo          1000
+run             1200
+"""
+    )
+    run_deck(deck, {}, tmp_path)
+    log = read_thermo(tmp_path / "log.liggghts")
+    counted = log[log["step"] >= 200].drop_duplicates("step", keep="last")
+    assert counted.iloc[:, -1].tolist() == [1, 0, 0]  # contacts under way
+    assert counted.iloc[:, -2].tolist() == [0, 0, 0]  # impacts

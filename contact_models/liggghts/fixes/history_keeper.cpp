@@ -85,8 +85,35 @@ bool HistoryKeeper::goes_on(const Kept& kept, const Line& line, LAMMPS_NS::Fix* 
 void HistoryKeeper::setup_pre_exchange() {
   const Lines former = std::exchange(lines_, std::exchange(connected_, {}));
   report_constants();
-  if (!kept_.empty()) give_back_what_is_lost();
+  note_places();
+  if (kept_.empty())
+    forget_walls_elsewhere(former);
+  else
+    give_back_what_is_lost();
   warn_of_other_constants(former);
+}
+
+void HistoryKeeper::note_places() {
+  for (auto& [owner, line] : lines_)
+    for (const std::string& id : line.histories)
+      if (const LAMMPS_NS::Fix* const fix = modify->find_fix_id(id.c_str()))
+        line.place = primitive_wall_position(lmp, fix);
+}
+
+// After a restart: a wall of the same ID elsewhere is another one.
+void HistoryKeeper::forget_walls_elsewhere(const Lines& restarted) {
+  for (const auto& [owner, line] : lines_) {
+    const auto before = restarted.find(owner);
+    if (before == restarted.end() || !before->second.place || before->second.place == line.place)
+      continue;
+    if (remembers(owner) && comm->me == 0)
+      warn(lmp, owner +
+                    ": contacts start without history, because the wall stands elsewhere than "
+                    "when the restart file was written");
+    for (const std::string& id : line.histories)
+      for (int i = 0; i < atom->nlocal; ++i)
+        StoredHistories(modify->find_fix_id(id.c_str())).forget(i);
+  }
 }
 
 void HistoryKeeper::give_back_what_is_lost() {

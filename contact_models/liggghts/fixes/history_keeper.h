@@ -34,6 +34,7 @@ class HistoryKeeper : public OwnFix {
     std::string constants;               // of each two atom types a line; empty: no memory
     bool given_anew = false;             // since the last run
     std::string report;                  // the constants as the log has them; empty: said before
+    std::uint64_t place = 0;             // of a primitive wall, in the run that has the line
   };
 
   HistoryKeeper(LAMMPS_NS::LAMMPS* engine, int count, char** words);
@@ -97,6 +98,8 @@ class HistoryKeeper : public OwnFix {
   Lines all_lines(const Lines& ours) const;
   bool goes_on(const Kept& kept, const Line& line, LAMMPS_NS::Fix* fix) const;
   void give_back_what_is_lost();
+  void note_places();
+  void forget_walls_elsewhere(const Lines& restarted);
   void report_constants() const;
   void warn_of_other_constants(const Lines& former) const;
   bool remembers(const std::string& owner) const;

@@ -130,15 +130,15 @@ void HistoryKeeper::end_of_step() {
     modify->find_fix_style_strict(pair_histories, k)->setup_pre_exchange();
 }
 
-// Lines of text for each owner: its ID, its models and its settings, between tabs; behind a tab
-// each, its constants.
+// Lines of text for each owner: its ID, its models, its settings and the place of a primitive wall,
+// between tabs; behind a tab each, its constants.
 void HistoryKeeper::write_restart(FILE* file) {
   if (comm->me != 0) return;
   std::string text;
   for (const auto& [owner, line] : lines_)
     if (!line.histories.empty() || owner == pair_owner) {
-      text +=
-          owner + '\t' + (line.histories.empty() ? "" : line.models) + '\t' + line.settings + '\n';
+      text += owner + '\t' + (line.histories.empty() ? "" : line.models) + '\t' + line.settings +
+              '\t' + std::to_string(line.place) + '\n';
       std::istringstream constants(line.constants);
       for (std::string each; std::getline(constants, each);) text += '\t' + each + '\n';
     }
@@ -150,10 +150,11 @@ void HistoryKeeper::write_restart(FILE* file) {
 HistoryKeeper::Lines HistoryKeeper::lines_of_file(const std::string& text) {
   Lines lines;
   std::istringstream words(text);
-  for (std::string owner, models, settings, constant; std::getline(words, owner, '\t') &&
-                                                      std::getline(words, models, '\t') &&
-                                                      std::getline(words, settings);) {
+  for (std::string owner, models, settings, place, constant;
+       std::getline(words, owner, '\t') && std::getline(words, models, '\t') &&
+       std::getline(words, settings, '\t') && std::getline(words, place);) {
     Line& line = lines[owner] = {models, settings, {}, ""};
+    line.place = std::strtoull(place.c_str(), nullptr, 10);
     while (words.peek() == '\t' && std::getline(words.ignore(), constant))
       line.constants += constant + '\n';
   }

@@ -122,13 +122,17 @@ bool StoredHistories::remembers(const double* values, int count, int width, bool
   return false;
 }
 
+std::uint64_t primitive_wall_position(LAMMPS_NS::LAMMPS* engine, const LAMMPS_NS::Fix* histories) {
+  const auto wall =
+      dynamic_cast<LAMMPS_NS::FixWallGran*>(fix_of(engine, histories, primitive_histories));
+  if (!wall) return 0;
+  std::uint64_t sum = 1;
+  for (const double number : geometry(wall->primitiveWall())) sum = mixed(sum, number);
+  return sum;
+}
+
 std::uint64_t wall_position(LAMMPS_NS::LAMMPS* engine, const LAMMPS_NS::Fix* histories) {
-  if (const auto wall =
-          dynamic_cast<LAMMPS_NS::FixWallGran*>(fix_of(engine, histories, primitive_histories))) {
-    std::uint64_t sum = 1;
-    for (const double number : geometry(wall->primitiveWall())) sum = mixed(sum, number);
-    return sum;
-  }
+  if (const std::uint64_t position = primitive_wall_position(engine, histories)) return position;
   const auto fix =
       dynamic_cast<LAMMPS_NS::FixMeshSurface*>(fix_of(engine, histories, mesh_histories));
   if (!fix) return 0;

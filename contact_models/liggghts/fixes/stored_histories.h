@@ -50,6 +50,10 @@ class StoredHistories {
   bool listed_, of_pairs_;
 };
 
+// A number for where the primitive wall is whose histories these are, the same on each rank; 0 for
+// others.
+std::uint64_t primitive_wall_position(LAMMPS_NS::LAMMPS* engine, const LAMMPS_NS::Fix* histories);
+
 // A number for where the wall or the triangles of the mesh are whose histories these are; 0 for
 // pairs. All ranks together.
 std::uint64_t wall_position(LAMMPS_NS::LAMMPS* engine, const LAMMPS_NS::Fix* histories);
