@@ -490,11 +490,19 @@ def test_the_template_runs_keeps_its_ledger_and_goes_on(tmp_path, capsys):
     assert "whole has reached its end, so there was nothing to compute" in capsys.readouterr().out
 
 
+def test_the_default_template_stays_within_the_range_of_its_law(tmp_path):
+    """Grains of the default material yield when they fall, and no contact leaves the range."""
+    assert main(["new-deck", str(tmp_path / "mine")]) == 0
+    run = run_bulk(tmp_path / "mine" / "mine.in", {}, tmp_path / "run", show=False)
+    assert run.passed and run.series["plastic"].iloc[-1] > 0
+    assert "beyond the law's range" not in (tmp_path / "run" / "log.liggghts").read_text()
+
+
 @pytest.mark.parametrize("radius", [0.001, 0.005])
 def test_the_template_takes_a_radius(radius, tmp_path):
     """Grains have it, and the step is the one recommended for it."""
     line = ["new-deck", str(tmp_path / "mine"), "--law", "thornton", "--radius", str(radius)]
-    assert main(line) == 0
+    assert main([*line, "--material", "soft_granules"]) == 0
     deck = tmp_path / "mine" / "mine.in"
     run = run_bulk(
         deck, {"duration": 0.001, "rows": 1, "checkpoints": 1}, tmp_path / "run", show=False

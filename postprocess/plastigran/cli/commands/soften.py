@@ -40,7 +40,10 @@ def add_arguments(command: argparse.ArgumentParser) -> None:
     how.add_argument("--speedup", type=positive, help="speedup of the run, instead of the factor")
     command.add_argument("--radius", type=positive, required=True, help="radius of the grains, m")
     command.add_argument(
-        "--speed", type=positive, required=True, help="speed of the fastest impacts of the run, m/s"
+        "--speed",
+        type=positive,
+        required=True,
+        help="closing speed of the fastest impacts of the run, m/s",
     )
     command.add_argument(
         "--depth",

@@ -29,7 +29,12 @@ def add_arguments(command: argparse.ArgumentParser) -> None:
         default="sphere_wall",
         help="geometry of the contact, default sphere_wall",
     )
-    command.add_argument("--speed", type=positive, required=True, help="impact speed, m/s")
+    command.add_argument(
+        "--speed",
+        type=positive,
+        required=True,
+        help="speed of each body, m/s; two spheres close at twice this speed",
+    )
     add_material(command, "aluminium_zv02")
     command.add_argument("--wall", help="wall of a sphere: a material, default a rigid wall")
     add_json(command)
