@@ -9,7 +9,7 @@ import numpy as np
 import pandas as pd
 
 from plastigran.calibration.expected_errors import KINDS
-from plastigran.validation.laws_on_spheres import QUANTITIES
+from plastigran.validation.laws_on_spheres import FITTED_LAW, ON_FITTED_METALS, QUANTITIES
 
 #: Regimes of the spheres: name, kind of contact, bounds of v/v_Y.
 SPHERE_REGIMES = {
@@ -74,7 +74,7 @@ def by_regime(compared: pd.DataFrame, rebounds: pd.DataFrame, rated: pd.DataFram
 def by_law(compared: pd.DataFrame, rebounds: pd.DataFrame, word: str) -> pd.DataFrame:
     """Return the root mean square error of a quantity [%], laws as rows and regimes as columns.
 
-    The law with the smallest mean comes first.
+    The law with the smallest mean comes first. The row of `ON_FITTED_METALS` follows its law.
 
     Args:
         compared, rebounds: As for `by_regime`.
@@ -85,8 +85,9 @@ def by_law(compared: pd.DataFrame, rebounds: pd.DataFrame, word: str) -> pd.Data
         regime: _sizes(part)["rms"] for (regime, which), part in parts.items() if which == word
     }
     found = pd.DataFrame(columns)
-    found = found.loc[found.mean(axis="columns").sort_values().index].map(_digits)
-    return found.rename_axis("law").reset_index()
+    order = list(found.mean(axis="columns").drop(ON_FITTED_METALS).sort_values().index)
+    order.insert(order.index(FITTED_LAW) + 1, ON_FITTED_METALS)
+    return found.loc[order].map(_digits).rename_axis("law").reset_index()
 
 
 def _sizes(part: pd.DataFrame) -> pd.DataFrame:

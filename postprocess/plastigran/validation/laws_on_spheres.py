@@ -20,6 +20,8 @@ from plastigran.validation.tables import root_mean_square
 
 #: Bounds of the speed regimes, v/v_Y.
 REGIMES = (*SPEED_RATIOS, 1000)
+#: Law that was fitted to some of the metals, and the name of its rows for those.
+FITTED_LAW, ON_FITTED_METALS = "universal", "universal, metals of its fit"
 MASS = 1.0  # mass of a sphere [kg]; ratios do not depend on it
 #: Compared quantities, by column of the table of errors.
 QUANTITIES = ("coefficient_of_restitution", "force_max")
@@ -39,7 +41,8 @@ def compare(names: Iterable[str] | None = None, rows: pd.DataFrame | None = None
 
     Returns:
         A row for each law and row of the table: law, metal, set, kind, speed_ratio and
-            `QUANTITIES`, each as law / finite elements - 1 [-].
+            `QUANTITIES`, each as law / finite elements - 1 [-]. The rows of `FITTED_LAW` for metals
+            of its fit have the law `ON_FITTED_METALS`.
     """
     rows = table() if rows is None else rows
     rows = rows[rows["speed_ratio"] > 1].assign(kind=kind)
@@ -57,8 +60,15 @@ def compare(names: Iterable[str] | None = None, rows: pd.DataFrame | None = None
             line["coefficient_of_restitution"] = impact.coefficient_of_restitution / reference - 1
             reference = metal["force_ratio"].to_numpy() * force
             line["force_max"] = impact.force_max / reference - 1
+            if name == FITTED_LAW:
+                line["law"] = line["law"].mask(line["set"] == "fit", ON_FITTED_METALS)
             found.append(line)
     return pd.concat(found, ignore_index=True)
+
+
+def without_fitted_metals(compared: pd.DataFrame) -> pd.DataFrame:
+    """Return the rows of a comparison that no law was fitted to."""
+    return compared[compared["law"] != ON_FITTED_METALS]
 
 
 def errors(compared: pd.DataFrame) -> pd.DataFrame:

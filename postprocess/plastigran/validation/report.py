@@ -28,6 +28,7 @@ ERRORS = Path(plastigran.__file__).parent / "data" / "errors.csv"
 def compute(progress: bool, coarse: bool) -> Findings:
     """Compute every table and figure; `coarse` runs LIGGGHTS at a few angles only."""
     compared = laws_on_spheres.compare()
+    unfitted = laws_on_spheres.without_fitted_metals(compared)
     rebounds, rated = steel.rebounds(), steel.rebounds(**offset.RATE)
     leeb = steel.summary(rebounds)
     means = leeb.set_index("law")["mean (%)"]
@@ -38,7 +39,7 @@ def compute(progress: bool, coarse: bool) -> Findings:
     singles, sphere = steel.single_impacts(), paper_sphere.compare()
     return Findings(
         tables={
-            "regimes": choice.by_regime(compared, rebounds, rated),
+            "regimes": choice.by_regime(unfitted, rebounds, rated),
             "restitution": choice.by_law(compared, rebounds, "restitution"),
             "force": choice.by_law(compared, rebounds, "force"),
             "paper_sphere": sphere,
@@ -51,11 +52,11 @@ def compute(progress: bool, coarse: bool) -> Findings:
             "oblique": oblique.summary(moved),
             **{f"oblique_{name}": oblique.comparison(moved, name) for name in oblique.QUANTITIES},
             "rod": rods,
-            "errors": laws_on_spheres.errors(compared),
+            "errors": laws_on_spheres.errors(unfitted),
         },
         figures={
-            "spheres_restitution": figures.spheres_figure(compared, "coefficient_of_restitution"),
-            "spheres_force": figures.spheres_figure(compared, "force_max"),
+            "spheres_restitution": figures.spheres_figure(unfitted, "coefficient_of_restitution"),
+            "spheres_force": figures.spheres_figure(unfitted, "force_max"),
             "paper_sphere": figures.errors_figure(sphere, "the sphere of Zhang and Vu-Quoc"),
             "leeb": figures.rebound_figure(rebounds),
             "leeb_offset": figures.budget_figure(parts, nearest, means[nearest]),

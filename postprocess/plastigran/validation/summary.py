@@ -10,6 +10,7 @@ import numpy as np
 import pandas as pd
 
 from plastigran.calibration.expected_errors import KINDS
+from plastigran.validation.laws_on_spheres import FITTED_LAW
 
 #: Upper bounds of the regimes of the line, in yield speeds.
 UPPER_ENDS = (10, 100, 300, 1000)
@@ -39,9 +40,10 @@ def how_far_off(law: str, table: pd.DataFrame) -> str:
             start = end
         parts.append(f"{word} {', '.join(errors)} %")
     ends = ", ".join(str(end) for end in UPPER_ENDS)
+    metals = " of metals outside its fit" if law == FITTED_LAW else ""
     return (
-        f"{'; '.join(parts)} up to {ends} yield speeds, of perfectly plastic spheres by finite "
-        "elements (rms) ([all regimes](../validation.md))"
+        f"{'; '.join(parts)} up to {ends} yield speeds, of perfectly plastic spheres{metals} by "
+        "finite elements (rms) ([all regimes](../validation.md))"
     )
 
 
