@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Kharaz, Gorham and Salman's oblique impacts, and the rod of Ghaednia, Cermik and Marghitu."""
+"""Oblique impacts of spheres, measured by Kharaz, Gorham and Salman."""
 
 from __future__ import annotations
 
 import pandas as pd
 import pytest
 
-from plastigran.validation import oblique, rod
+from plastigran.validation import oblique
 from plastigran.validation.oblique import ENGINE, PARTIAL_SLIP, SPRING
 from plastigran.validation.report import FEW_ANGLES
 
@@ -14,15 +14,6 @@ from plastigran.validation.report import FEW_ANGLES
 @pytest.fixture(scope="module")
 def computed() -> pd.DataFrame:
     return oblique.computed(FEW_ANGLES)
-
-
-@pytest.mark.engine
-def test_the_page_shows_what_theory_has(computed, page_table):
-    for name in oblique.QUANTITIES:
-        found, shown = oblique.comparison(computed, name), page_table(f"oblique_{name}")
-        for column in ("measured", PARTIAL_SLIP, SPRING):
-            said = pd.to_numeric(shown[column])
-            assert found[column].to_numpy() == pytest.approx(said, rel=1e-3, abs=1e-3)
 
 
 @pytest.mark.engine
@@ -55,8 +46,3 @@ def test_the_engine_has_its_spring_and_slider(computed):
     assert run[ENGINE].to_numpy() == pytest.approx(run[SPRING].to_numpy(), rel=0.01)
     restitution = run[run["quantity"] == "restitution"]
     assert restitution[ENGINE].item() == pytest.approx(restitution["value"].item(), abs=0.03)
-
-
-def test_the_rod_is_as_far_off_as_the_page_says(page_table, assert_on_page):
-    law = page_table("rod")["law"][0]
-    assert_on_page("rod", rod.summary(rod.impacts([law])))

@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 import numpy as np
-import pandas as pd
 import pytest
 
 from plastigran.fem.settings import Settings
@@ -12,7 +11,6 @@ from plastigran.fem.sphere.press import press
 from plastigran.validation.spheres import table
 from plastigran.validation.spheres.compute import rows
 from plastigran.validation.spheres.figures import write
-from plastigran.validation.spheres.fit import bands
 from plastigran.validation.spheres.forms import Constants, unloading_work
 from plastigran.validation.spheres.metals import METALS, RADIUS, SphereMetal
 from plastigran.validation.spheres.release import press_and_release
@@ -64,10 +62,6 @@ def test_work_of_unloading():
     assert unloading_work(np.array([0.0, 1e12])) == pytest.approx([0.4, 0.5], rel=1e-9)
 
 
-def test_figures_and_bands(tmp_path):
+def test_figures(tmp_path):
     files = write(Constants(), table(), tmp_path)
     assert sorted(path.name for path in files) == ["universal_errors.svg", "universal_fit.svg"]
-    # Largest errors found [%], and a fifth more.
-    largest = bands(Constants(), table()).max()
-    bounds = {"force": 2.5, "restitution": 3.5, "contact_radius": 4.0, "recovery": 3.8}
-    assert (largest < pd.Series(bounds)[largest.index]).all()

@@ -66,13 +66,13 @@ PLAIN = (HELD["hardening_ratio"] == 0) & (HELD["contact_radius_over_radius"] < W
 @pytest.mark.parametrize(
     ("rows", "restitution", "force"),
     [
-        pytest.param(HELD[SLOW & PLAIN], 0.7, 0.94, id="perfectly plastic, a/R below 0.05"),
-        pytest.param(HELD[SLOW & ~PLAIN], 2.0, 1.6, id="hardening to E/20, a/R to 0.1"),
-        pytest.param(HELD[~SLOW], 1.5, 0.85, id="beyond 300 times the speed at yield"),
+        pytest.param(HELD[SLOW & PLAIN], 1, 1, id="perfectly plastic, a/R below 0.05"),
+        pytest.param(HELD[SLOW & ~PLAIN], 2, 2, id="hardening to E/20, a/R to 0.1"),
+        pytest.param(HELD[~SLOW], 2, 2, id="beyond 300 times the speed at yield"),
     ],
 )
 def test_metals_that_the_fit_has_not_seen(rows, restitution, force):
-    """The bounds [%] are at most a fifth above the largest errors found."""
+    """The law is meant to be good to 1 %, and to 2 % where metals harden or contacts are wide."""
     assert len(rows) >= 9
     found = largest_errors(rows)
     assert found["restitution"] < restitution

@@ -1,0 +1,77 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""The tables of the validation pages and of the package are those that the code computes."""
+
+from __future__ import annotations
+
+import pandas as pd
+import pytest
+
+from plastigran.validation import (
+    choice,
+    dented_steel,
+    laws_on_spheres,
+    oblique,
+    offset,
+    paper_sphere,
+    rod,
+    steel,
+)
+from plastigran.validation.oblique import PARTIAL_SLIP, SPRING
+from plastigran.validation.report import ERRORS, FEW_ANGLES
+
+
+def test_the_errors_of_the_package_and_the_pages_are_those_of_the_laws(assert_on_page):
+    compared = laws_on_spheres.compare()
+    kept = pd.read_csv(ERRORS)
+    unfitted = laws_on_spheres.without_fitted_metals(compared)
+    found = laws_on_spheres.errors(unfitted)
+    keys = ["law", "kind", "speed_ratio_from", "speed_ratio_to", "quantity", "cases"]
+    assert kept[keys].to_numpy().tolist() == found[keys].to_numpy().tolist()
+    for size in ("rms", "max"):  # 1e-6: rounding of libraries, where an error is next to nothing
+        assert kept[size].to_numpy() == pytest.approx(found[size].to_numpy(), rel=1e-3, abs=1e-6)
+    rebounds, rated = steel.rebounds(), steel.rebounds(**offset.RATE)
+    for word in ("restitution", "force"):
+        assert_on_page(word, choice.by_law(compared, rebounds, word))
+    assert_on_page("regimes", choice.by_regime(unfitted, rebounds, rated))
+    assert_on_page("leeb_rate", offset.with_rate(rebounds, rated))
+    assert_on_page("leeb", steel.summary(rebounds))
+
+
+def test_finite_elements_of_the_dent_are_those_of_the_page(page_table, assert_on_page):
+    nearest = page_table("leeb")["law"][0]
+    assert_on_page("leeb_finite_elements", dented_steel.comparison(nearest))
+
+
+def test_the_papers_sphere_is_as_far_off_as_the_page_says(assert_on_page):
+    assert_on_page("paper_sphere", paper_sphere.compare())
+
+
+def test_single_impacts_and_craters_are_as_the_page_says(assert_on_page):
+    assert_on_page("single_impacts", steel.single_impacts())
+    assert_on_page("craters", steel.craters())
+
+
+def test_parts_of_the_offset_are_those_of_the_page(page_table, monkeypatch):
+    nearest = page_table("leeb")["law"][0]
+    table = steel.leeb_table().iloc[[0, -1]]
+    monkeypatch.setattr(steel, "leeb_table", lambda: table)
+    found, shown = offset.budget(nearest), page_table("leeb_offset")
+    assert list(found["source"]) == list(shown["source"])
+    for column in ("at 80 HV (%)", "at 940 HV (%)"):
+        said = pd.to_numeric(shown[column])
+        assert found[column].to_numpy() == pytest.approx(said.to_numpy(), abs=0.011, nan_ok=True)
+
+
+@pytest.mark.engine
+def test_the_page_shows_what_theory_has(page_table):
+    computed = oblique.computed(FEW_ANGLES)
+    for name in oblique.QUANTITIES:
+        found, shown = oblique.comparison(computed, name), page_table(f"oblique_{name}")
+        for column in ("measured", PARTIAL_SLIP, SPRING):
+            said = pd.to_numeric(shown[column])
+            assert found[column].to_numpy() == pytest.approx(said, rel=1e-3, abs=1e-3)
+
+
+def test_the_rod_is_as_far_off_as_the_page_says(page_table, assert_on_page):
+    law = page_table("rod")["law"][0]
+    assert_on_page("rod", rod.summary(rod.impacts([law])))
