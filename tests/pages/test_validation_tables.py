@@ -3,9 +3,14 @@
 
 from __future__ import annotations
 
+import re
+from itertools import product
+
 import pandas as pd
 import pytest
 
+from plastigran.calibration.expected_errors import KINDS
+from plastigran.engine.process import PROJECT
 from plastigran.validation import (
     choice,
     dented_steel,
@@ -18,6 +23,8 @@ from plastigran.validation import (
 )
 from plastigran.validation.oblique import PARTIAL_SLIP, SPRING
 from plastigran.validation.report import ERRORS, FEW_ANGLES
+from plastigran.validation.spheres import table
+from plastigran.validation.spheres.fit import bands, fit
 
 
 def test_the_errors_of_the_package_and_the_pages_are_those_of_the_laws(assert_on_page):
@@ -35,6 +42,25 @@ def test_the_errors_of_the_package_and_the_pages_are_those_of_the_laws(assert_on
     assert_on_page("regimes", choice.by_regime(unfitted, rebounds, rated))
     assert_on_page("leeb_rate", offset.with_rate(rebounds, rated))
     assert_on_page("leeb", steel.summary(rebounds))
+
+
+def test_the_page_of_universal_shows_its_largest_errors():
+    """By kind of contact and speed, for the metals of its fit and for the others."""
+    page = (PROJECT / "docs" / "laws" / "universal.md").read_text()
+    kinds = {"perfectly plastic, narrow": KINDS[0], "hardening, narrow": KINDS[1], "wide": KINDS[2]}
+    largest, kind = bands(fit(table()), table()), ""
+    rows = re.findall(r"^\|(.*)\| (\d+ to \d+) \|(.*)\|(.*)\|(.*)\|(.*)\|$", page, re.MULTILINE)
+    assert len(rows) == len(kinds) * len(largest.index.unique("regime"))
+    for name, regime, *cells in rows:
+        kind = kinds.get(name.strip(), kind)
+        for cell, (quantity, metals) in zip(
+            cells, product(("force", "restitution"), ("fit", "held")), strict=True
+        ):
+            if (metals, regime, kind) in largest.index:
+                error = largest.loc[(metals, regime, kind), quantity]
+                assert float(cell) == pytest.approx(error, abs=0.011)
+            else:
+                assert not cell.strip()
 
 
 def test_finite_elements_of_the_dent_are_those_of_the_page(page_table, assert_on_page):
