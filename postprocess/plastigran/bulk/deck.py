@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from math import sqrt
 from pathlib import Path
 from typing import ClassVar, Self
 
@@ -12,7 +13,7 @@ import pandas as pd
 from matplotlib.figure import Figure
 
 from plastigran import laws
-from plastigran.bulk.checks import Check, ledger_checks
+from plastigran.bulk.checks import LEDGER, Check, energy_input, ledger_checks
 from plastigran.bulk.folder import read_derived
 from plastigran.bulk.grains import Grains
 from plastigran.bulk.ledger_chart import ledger_figure
@@ -218,13 +219,31 @@ class BulkDeck:
 
     def ledger_checks(self, series: pd.DataFrame) -> list[Check]:
         """Return the checks of the energy balance; none for a run without it."""
-        return ledger_checks(series) if self.ledger == "on" else []
+        return ledger_checks(series, self.ledger_limit(series)) if self.ledger == "on" else []
+
+    def ledger_limit(self, series: pd.DataFrame) -> float:
+        """Return the largest balance error as a fraction of the energy input [-].
+
+        It is `LEDGER` times the square of the time step divided by the recommended one, because the
+        integrator is of second order. The recommended step is that for two grains which meet at the
+        speed that all grains have when the whole energy input is kinetic. Where that step is
+        shorter than the time step, as in slow compaction, the limit is `LEDGER`.
+
+        Args:
+            series: Terms of inputs/energy_ledger.in [J], and the column atoms.
+        """
+        grains = self.grains
+        speed = sqrt(2 * energy_input(series) / (series["atoms"].max() * grains.mass))
+        recommended = grains.contact_law().recommended_timestep(
+            grains.radius / 2, grains.mass / 2, speed
+        )
+        return LEDGER * min(1.0, self.timestep / float(recommended)) ** 2
 
     def ledger_figure(self, series: pd.DataFrame) -> dict[str, Figure]:
         """Return the figure of the energy balance by name; none for a run without it."""
         if self.ledger == "off":
             return {}
-        return {"ledger": ledger_figure(series)}
+        return {"ledger": ledger_figure(series, self.ledger_limit(series))}
 
 
 @attrs.frozen(kw_only=True)

@@ -6,7 +6,7 @@ from __future__ import annotations
 import pandas as pd
 from matplotlib.figure import Figure
 
-from plastigran.bulk.checks import LEDGER, TAKEN, energy_input
+from plastigran.bulk.checks import TAKEN, energy_input
 from plastigran.plot.chart import Curve, Panel
 from plastigran.plot.quantities import Scale, scale, words
 from plastigran.plot.static import draw
@@ -16,13 +16,14 @@ from plastigran.plot.style import styled, subplots
 SMALL = 2e-3
 
 
-def ledger_panels(series: pd.DataFrame, total: float) -> tuple[Panel, Panel]:
+def ledger_panels(series: pd.DataFrame, total: float, limit: float) -> tuple[Panel, Panel]:
     """Return the energies as fractions of the energy input, stacked over time, and the error.
 
     Args:
         series: Columns time [s], the terms of the energy balance and drift [J], one row per line
             of the log.
         total: Energy input [J], positive.
+        limit: Largest error allowed, as a fraction of the energy input.
     """
     time = scale("time", series["time"])
     areas = [
@@ -39,7 +40,7 @@ def ledger_panels(series: pd.DataFrame, total: float) -> tuple[Panel, Panel]:
     drift = Curve(x=series["time"].to_numpy(), y=(series["drift"] / total).to_numpy(), name="error")
     return (
         Panel(x=time, y=Scale("share of energy input", "%", 100), curves=areas),
-        Panel(x=time, y=Scale("error", "%", 100), curves=[drift], limits=(-LEDGER, LEDGER)),
+        Panel(x=time, y=Scale("error", "%", 100), curves=[drift], limits=(-limit, limit)),
     )
 
 
@@ -49,10 +50,10 @@ def energy_text(energy: float) -> str:
     return f"{energy * size.factor:.3g} {size.unit}"
 
 
-def ledger_figure(series: pd.DataFrame) -> Figure:
-    """Draw the energy balance; `series` as for `ledger_panels`."""
+def ledger_figure(series: pd.DataFrame, limit: float) -> Figure:
+    """Draw the energy balance; `series` and `limit` as for `ledger_panels`."""
     total = energy_input(series)
-    energies, error = ledger_panels(series, total)
+    energies, error = ledger_panels(series, total, limit)
     with styled():
         figure, (above, below) = subplots(
             2, 1, figsize=(6.4, 5.4), sharex=True, height_ratios=(3, 1)

@@ -14,6 +14,7 @@ import pandas as pd
 from plastigran import laws
 from plastigran.bulk.checks import (
     DISSIPATED,
+    LEDGER,
     TAKEN,
     Check,
     energy_input,
@@ -158,7 +159,7 @@ def analyse_own(series: pd.DataFrame) -> Analysis:
             "thermo_style"
         )
     elif energy_input(last) > 0:
-        figures["ledger"] = ledger_figure(last)
+        figures["ledger"] = ledger_figure(last, LEDGER)
     if len(last) < len(series):
         notes.append(
             "the energy balance restarts at each `clear`. All parts are checked; the "

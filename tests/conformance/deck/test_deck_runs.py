@@ -9,7 +9,7 @@ import numpy as np
 import pandas as pd
 
 from plastigran.bulk import open as open_run
-from plastigran.bulk.checks import FLOWS, LEDGER, LEDGER_CHECKS, energy_input
+from plastigran.bulk.checks import FLOWS, LEDGER_CHECKS, energy_input
 from plastigran.bulk.folder import read_series
 from plastigran.bulk.run import run_bulk
 from plastigran.engine.checkpoints import PATTERN, step_of
@@ -59,7 +59,8 @@ def test_failed_check_hands_over_the_analysis(case, whole):
     """Twice the drift allowed, and a grain less in the last row, are noticed, and drawn."""
     series = read_series(whole.folder)
     grown = np.arange(len(series)) == len(series) - 1  # the first row may be the ledger's zero
-    series.loc[grown, "drift"] += 2 * LEDGER * energy_input(whole.series)
+    allowed = whole.deck.ledger_limit(whole.series) * energy_input(whole.series)
+    series.loc[grown, "drift"] += 2 * allowed
     series.loc[grown, "held" if "held" in series else "atoms"] -= 1
     analysis = whole.deck.analyse(series)
     failed = [check.name for check in analysis.failed]

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import pandas as pd
 
-from plastigran.bulk.checks import LEDGER, TAKEN, energy_input, last_simulation
+from plastigran.bulk.checks import LEDGER, LEDGER_CHECKS, TAKEN, energy_input, last_simulation
 from plastigran.bulk.ledger_chart import energy_text, ledger_panels
 from plastigran.plot.chart import Curve, Panel
 from plastigran.plot.quantities import PREDICTED, scale
@@ -15,20 +15,22 @@ from plastigran.report.page.charts import Chart, chart_name, interactive
 ROWS = 400
 
 
-def ledger_chart(name: str, series: pd.DataFrame) -> Chart | None:
+def ledger_chart(name: str, series: pd.DataFrame, checks: pd.DataFrame) -> Chart | None:
     """Return the chart of the energy balance; None for a log without its terms."""
     series = last_simulation(series)
     if not {*TAKEN, "drift", "time"} <= set(series) or not energy_input(series) > 0:
         return None
     total = energy_input(series)
-    panels = ledger_panels(thinned(series), total)
+    limits = checks.loc[checks["name"] == LEDGER_CHECKS[0], "limit"]
+    limit = float(limits.iloc[0]) if len(limits) else LEDGER
+    panels = ledger_panels(thinned(series), total, limit)
     return Chart(
         chart_name(name, "ledger"),
         {"": interactive(*panels, by_time=True)},
         "shares of the energy input, stacked over time, and the error of their sum",
         f"Shares of the energy input, {energy_text(total)}: kinetic energy, energy stored in "
         "contacts, and energy dissipated by yielding, friction and viscosity. The lower panel "
-        f"shows the error of their sum. Dotted lines are its limit, {100 * LEDGER:g} %.",
+        f"shows the error of their sum. Dotted lines are its limit, {100 * limit:.2g} %.",
         height=460,
     )
 

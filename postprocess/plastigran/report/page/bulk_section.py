@@ -79,7 +79,7 @@ def make(results: Results, name: str) -> Section:
     state, verdict = _verdict(run, len(warnings))
     timestep = _timestep(record, folder / LOG)
     series = run.series if run else pd.DataFrame()
-    charts = [ledger_chart(name, series), series_chart(name, series)] if run else []
+    charts = [ledger_chart(name, series, run.checks), series_chart(name, series)] if run else []
     movie, said = _movie(folder, name, timestep, run)
     besides = {"ledger"} | ({"grains"} if movie else set())
     pictures, left = read_pictures(folder / "figures", besides)
