@@ -5,7 +5,6 @@ from __future__ import annotations
 
 import json
 import os
-import re
 import signal
 import subprocess
 import sys
@@ -20,6 +19,7 @@ from attrs import evolve
 from elastic_contact import NOT_HERTZIAN
 from engine_marker import mark
 from hypothesis import settings
+from references import impacts
 
 from plastigran import laws
 from plastigran.bulk.decks import deck_class
@@ -146,16 +146,9 @@ def paper_mass(aluminium) -> float:
 
 @pytest.fixture(scope="session")
 def declared_jumps() -> dict[str, list[tuple[float, float]]]:
-    """Jumps of the virgin force that each law's source has: `# jump OVERLAP SIZE` lines at the head
-    of its verification cases, in overlaps at yield of the paper's aluminium, and as a share of the
-    force.
-    """
-    jumps = {}
-    for law in laws.LAWS:
-        text = (PROJECT / "tests" / "verification" / "cases" / f"{law}.csv").read_text()
-        found = re.findall(r"^# jump (\S+) (\S+)", text, re.MULTILINE)
-        jumps[law] = [(float(place), float(size)) for place, size in found]
-    return jumps
+    """Jumps of the virgin force that each law's source has, in overlaps at yield of the paper's
+    aluminium, and as a share of the force."""
+    return {law: impacts.jumps(law) for law in laws.LAWS}
 
 
 @pytest.fixture(scope="session")

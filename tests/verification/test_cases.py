@@ -1,22 +1,19 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Every row of cases/*.csv in the engine, through every geometry that is for the law."""
+"""The impacts of every reference in the engine, through every geometry that is for the law."""
 
 from __future__ import annotations
 
-from pathlib import Path
-
-import pandas as pd
 import pytest
+from references import impacts
 
 from plastigran import laws
-from plastigran.declared import declaration
 from plastigran.experiments.central import CentralImpact
 from plastigran.experiments.collide import IMPACTS
 
 CASES = {
-    f"{path.stem}-{row.Index}-{row.speed:g}": (path.stem, row)
-    for path in sorted((Path(__file__).parent / "cases").glob("*.csv"))
-    for row in pd.read_csv(path, comment="#").itertuples()
+    f"{law}-{index}-{row['speed']:g}": (law, index)
+    for law in impacts.LAWS
+    for index, row in enumerate(impacts.rows(law))
 }
 # The end of a rebound is found from the force's power law over the last frames. A cylinder's, with
 # its logarithm, has none, the ellipse of mdr only at the very end. Over the largest overlap, at the
@@ -32,11 +29,10 @@ RUNS = [
 ]
 
 
-def impact(law: str, row, **geometry: str) -> CentralImpact:
+def impact(law: str, index: int, **geometry: str) -> CentralImpact:
     """The impact of a row; columns beside material, radius and speed are a cylinder's."""
     kind = IMPACTS[laws.LAWS[law].shape]
-    fields = {name: getattr(row, name) for name in declaration(kind) if hasattr(row, name)}
-    return kind(law=law, **fields, **geometry)
+    return kind(law=law, **impacts.rows(law)[index], **geometry)
 
 
 def end_of_rebound(law: str) -> tuple[float, float]:
@@ -58,20 +54,20 @@ def test_engine_at_the_recommended_step(case, geometry, tmp_path):
     Two equal spheres that meet are the case's sphere on a rigid plane: the same in all but the
     overlap, of which each has half.
     """
-    law, row = CASES[case]
-    model = impact(law, row, geometry=geometry)
+    law, index = CASES[case]
+    model, expected = impact(law, index, geometry=geometry), impacts.outcome(law, index)
     found = model.run(tmp_path)
     assert found.coefficient_of_restitution == pytest.approx(
-        row.coefficient_of_restitution, rel=1e-3
+        expected.coefficient_of_restitution, rel=1e-3
     )
     late = laws.LAWS[law].rate_dependent
     rest, end = (5e-3, 2e-2) if late else (2e-3, end_of_rebound(law)[0])
-    assert found.force_max == pytest.approx(row.force_max, rel=rest)
-    assert found.overlap_max / model.bodies == pytest.approx(row.overlap_max, rel=rest)
+    assert found.force_max == pytest.approx(expected.force_max, rel=rest)
+    assert found.overlap_max / model.bodies == pytest.approx(expected.overlap_max, rel=rest)
     assert found.overlap_res / model.bodies == pytest.approx(
-        row.overlap_res, rel=2e-3, abs=end * row.overlap_max
+        expected.overlap_res, rel=2e-3, abs=end * expected.overlap_max
     )
-    assert found.contact_time == pytest.approx(row.contact_time, rel=rest)
+    assert found.contact_time == pytest.approx(expected.contact_time, rel=rest)
 
 
 @pytest.mark.parametrize("case", CASES)
@@ -79,8 +75,8 @@ def test_engine_at_a_twentieth_of_it(case, declared_jumps, tmp_path):
     """Second order: a 20 times smaller step leaves 1e-5. A step across a jump of the force is off
     by the jump, first order: 1e-4 where the source has one. First order is all a law gets whose
     force depends on the rate: a twentieth of the bounds above."""
-    law, row = CASES[case]
-    model = impact(law, row)
+    law, index = CASES[case]
+    model = impact(law, index)
     found = model.run(tmp_path, timestep=model.timestep / 20)
     predicted = model.predict()
     for name in OUTCOMES:
@@ -88,6 +84,7 @@ def test_engine_at_a_twentieth_of_it(case, declared_jumps, tmp_path):
         if laws.LAWS[law].rate_dependent:
             tolerance = 1e-3 if name == "overlap_res" else 2.5e-4
         _, end = end_of_rebound(law) if name == "overlap_res" else (0, 0)
-        margin = max(1e-12 if model.shape == "sphere" else 0, end * row.overlap_max)
-        expected = pytest.approx(getattr(predicted, name), rel=tolerance, abs=margin)
-        assert getattr(found, name) == expected, name
+        margin = max(1e-12 if model.shape == "sphere" else 0, end * predicted.overlap_max)
+        assert getattr(found, name) == pytest.approx(
+            getattr(predicted, name), rel=tolerance, abs=margin
+        ), name

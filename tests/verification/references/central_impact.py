@@ -35,9 +35,7 @@ class CentralImpact(Contact):
     """The central impact of a sphere on a rigid plane; each reference is a subclass.
 
     Attributes:
-        cases: What the law's case file holds beside the outcomes.
-        comment: Its head.
-        digits: Format of its numbers.
+        cases: Impacts to compare, a table of CSV.
         material_name: Of the material on whose paths the law is held.
     """
 
@@ -47,8 +45,6 @@ aluminium_zv02,0.1,0.02
 aluminium_zv02,0.1,0.10
 aluminium_zv02,0.1,0.20
 """
-    comment = ""
-    digits = "#.6g"
     material_name = "aluminium_zv02"
 
     def __init__(self, material: Material, radius: float, speed: float) -> None:

@@ -30,10 +30,6 @@ glass_kp10,1.0e-05,1,1.59e-6,100,1e-4
 glass_kp10,1.0e-05,3,1.59e-6,100,1e-4
 glass_kp10,5.0e-06,5,1.59e-6,100,1e-4
 """
-    comment = """\
-# Katta & Polycarpou 2010, J. Tribol. 132, with the energy guard. At 0.6 m/s it is at work.
-"""
-    digits = ".7g"
     energy_guard = True
 
     def __init__(self, material, radius, speed, mass, length_ratio, body_thickness):

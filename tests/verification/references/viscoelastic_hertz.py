@@ -81,7 +81,6 @@ ice,0.0275,0.01
 ice,0.0275,0.1
 ice,0.01,0.02
 """
-    digits = ".7g"
 
     def __init__(self, material, radius, speed):
         super().__init__(material, radius, speed)

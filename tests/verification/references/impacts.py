@@ -1,0 +1,74 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Central impacts of the references of all laws: rows, outcomes, and jumps of the force."""
+
+from __future__ import annotations
+
+import csv
+import io
+from functools import cache
+from importlib import import_module
+from itertools import pairwise
+from pathlib import Path
+
+from references.central_impact import CentralImpact, Outcome
+from references.contact import MATERIALS
+
+#: Laws that have a reference: every module here but this one and what they share.
+LAWS = sorted(
+    {path.stem for path in Path(__file__).parent.glob("*.py")}
+    - {"central_impact", "contact", "impacts"}
+)
+
+
+def reference(law: str) -> type[CentralImpact]:
+    return import_module(f"references.{law}").Reference
+
+
+def jumps(law: str) -> list[tuple[float, float]]:
+    """Return where one formula of the virgin force ends and the next begins with another force.
+
+    Each jump has its overlap divided by that at yield, and its share of the force, for the first
+    impact of the law.
+    """
+    impact, places = _impact(law, rows(law)[0]), []
+    for (end, before), (_, beyond) in pairwise(impact.pieces):
+        size = float(beyond(end) / before(end)) - 1
+        if abs(size) > 1e-9:
+            places.append((end / impact.overlap_at(impact.material.yield_pressure), size))
+    return places
+
+
+def rows(law: str) -> list[dict[str, str | float]]:
+    """Return the impacts of a law: a material, and numbers in SI units."""
+    return [
+        {name: text if name == "material" else float(text) for name, text in row.items()}
+        for row in csv.DictReader(io.StringIO(reference(law).cases))
+    ]
+
+
+def _impact(law: str, row: dict[str, str | float]) -> CentralImpact:
+    numbers = {name: value for name, value in row.items() if name != "material"}
+    return reference(law)(MATERIALS[row["material"]], **numbers)
+
+
+@cache
+def outcome(law: str, index: int) -> Outcome:
+    """Return the outcome of an impact, which energies and motion give alike.
+
+    Raises:
+        ValueError: The two ways do not agree to 1e-9, or the elastic range leaves no rebound to
+            ask for.
+    """
+    row = rows(law)[index]
+    impact = _impact(law, row)
+    end = impact.pieces[0][0]
+    yields = type(impact).published_rebound is not CentralImpact.published_rebound
+    if not end > 0 or (yields and end == float("inf")):
+        raise ValueError(
+            f"{law}: the first of pieces, the elastic one, ends at {end} m; it must end at the "
+            "overlap at yield, beyond which published_rebound is asked"
+        )
+    one, other = impact.two_ways()
+    if not one.agrees_with(other):
+        raise ValueError(f"{law} at {row['speed']} m/s: {one} one way, {other} the other")
+    return one
