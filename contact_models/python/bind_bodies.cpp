@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
 // What two bodies bring to a contact, in Python.
+#include <cmath>
+#include <sstream>
+#include <string>
+
 #include "bind.h"
 #include "plastigran/impact/validate.h"
 #include "plastigran/shared/rate_factor.h"
@@ -9,21 +13,6 @@
 namespace plastigran {
 
 namespace {
-
-constexpr std::array<Field<Body>, 7> body_fields{{
-    {"youngs_modulus", &Body::youngs_modulus, "Young's modulus E [Pa]."},
-    {"poissons_ratio", &Body::poissons_ratio, "Poisson's ratio nu [-]."},
-    {"yield_strength", &Body::yield_strength,
-     "Uniaxial yield strength sigma_Y [Pa]; inf: it never yields."},
-    {"yield_pressure_factor", &Body::yield_pressure_factor,
-     "Contact yield pressure over yield strength [-]; 0: the Hertz-von Mises value."},
-    {"tangent_modulus", &Body::tangent_modulus,
-     "E_t: slope of stress over total strain beyond yield [Pa]; 0: perfectly plastic."},
-    {"rate_coefficient", &Body::rate_coefficient,
-     "C: share of sigma_Y that a factor e in rate of strain adds [-]."},
-    {"reference_rate", &Body::reference_rate,
-     "Rate of strain at which the yield strength is sigma_Y [1/s]."},
-}};
 
 constexpr std::array<Field<MaterialPair>, 9> pair_fields{{
     {"youngs_modulus_eff", &MaterialPair::youngs_modulus_eff,
@@ -45,44 +34,107 @@ constexpr std::array<Field<MaterialPair>, 9> pair_fields{{
 constexpr Allowed ratio_of_a_body{[](double value) { return value > -1 && value <= 0.5; },
                                   "above -1 and at most 0.5"};
 
+constexpr std::size_t body_constant_count = body_constants.size();
+
+bool must_be_given(const BodyConstant& constant) { return std::isnan(constant.standard); }
+
+std::array<Field<Body>, body_constant_count> body_fields() {
+  static std::array<std::string, body_constant_count> meanings;
+  std::array<Field<Body>, body_constant_count> fields;
+  for (std::size_t k = 0; k < body_constant_count; ++k) {
+    const BodyConstant& constant = body_constants[k];
+    meanings[k] = std::string(constant.meaning) + " [" + constant.unit + "].";
+    fields[k] = {constant.name, constant.value, meanings[k].c_str()};
+  }
+  return fields;
+}
+
+std::string body_signature() {
+  std::ostringstream text;
+  text << "def __init__(self";
+  for (const BodyConstant& constant : body_constants) {
+    text << ", " << constant.name << ": float";
+    if (std::isinf(constant.standard))
+      text << " = float('inf')";
+    else if (!must_be_given(constant))
+      text << " = " << constant.standard;
+  }
+  text << ") -> None";
+  return text.str();
+}
+
+std::string body_doc() {
+  std::ostringstream text;
+  text << "A body.\n\nArgs:\n";
+  for (const BodyConstant& constant : body_constants)
+    text << "    " << constant.name << ": " << constant.symbol << ", " << constant.meaning
+         << ". Range: " << allowed_values(constant) << ".\n";
+  text << "\nRaises:\n    ValueError: A constant is out of range; the message names it, its value "
+          "and the range.";
+  return text.str();
+}
+
+// The body of positional and named arguments of Python.
+Body read_body(const nb::args& values, const nb::kwargs& named) {
+  nb::dict given;
+  for (auto [name, value] : named) given[name] = value;
+  for (std::size_t k = 0; k < values.size(); ++k) {
+    if (k >= body_constant_count) throw nb::type_error("too many constants of a body");
+    const char* const name = body_constants[k].name;
+    if (given.contains(name)) throw nb::type_error((std::string(name) + " is given twice").c_str());
+    given[name] = values[k];
+  }
+  Body body;
+  for (const BodyConstant& constant : body_constants) {
+    const std::string name = constant.name;
+    if (given.contains(constant.name)) {
+      if (!nb::try_cast<double>(given[constant.name], body.*constant.value))
+        throw nb::type_error((name + " must be a number").c_str());
+      nb::del(given[constant.name]);
+    } else if (must_be_given(constant)) {
+      throw nb::type_error((name + " is missing").c_str());
+    }
+  }
+  for (auto [name, value] : given)
+    throw nb::type_error(("a body has no constant " + nb::cast<std::string>(name)).c_str());
+  raise_if(validate(body));
+  return body;
+}
+
+nb::list constant_table() {
+  nb::list table;
+  for (const BodyConstant& constant : body_constants) {
+    nb::dict row;
+    row["name"] = constant.name;
+    row["symbol"] = constant.symbol;
+    row["unit"] = constant.unit;
+    row["lower"] = constant.lower;
+    row["upper"] = constant.upper;
+    row["above"] = constant.above;
+    row["default"] = must_be_given(constant) ? nb::object(nb::none())
+                                             : nb::object(nb::float_(constant.standard));
+    row["meaning"] = constant.meaning;
+    table.append(row);
+  }
+  return table;
+}
+
 }  // namespace
 
 void bind_bodies(nb::module_& module) {
   nb::class_<Body> body(module, "Body", "One body's bulk constants. Immutable.");
+  static const std::string signature = body_signature(), doc = body_doc();
   body.def(
       "__init__",
-      [](Body* self, double youngs_modulus, double poissons_ratio, double yield_strength,
-         double yield_pressure_factor, double tangent_modulus, double rate_coefficient,
-         double reference_rate) {
-        const Body made{youngs_modulus,  poissons_ratio,   yield_strength, yield_pressure_factor,
-                        tangent_modulus, rate_coefficient, reference_rate};
-        raise_if(validate(made));
-        new (self) Body(made);
+      [](Body* self, const nb::args& values, const nb::kwargs& named) {
+        new (self) Body(read_body(values, named));
       },
-      "youngs_modulus"_a, "poissons_ratio"_a, "yield_strength"_a = unlimited,
-      "yield_pressure_factor"_a = 0.0, "tangent_modulus"_a = 0.0, "rate_coefficient"_a = 0.0,
-      "reference_rate"_a = 1.0,
-      nb::sig("def __init__(self, youngs_modulus: float, poissons_ratio: float, "
-              "yield_strength: float = float('inf'), yield_pressure_factor: float = 0.0, "
-              "tangent_modulus: float = 0.0, rate_coefficient: float = 0.0, "
-              "reference_rate: float = 1.0) -> None"),
-      R"(A body.
-
-Args:
-    youngs_modulus: E [Pa], positive.
-    poissons_ratio: nu [-], above -1 and at most 0.5.
-    yield_strength: Uniaxial sigma_Y [Pa], positive; inf: it never yields.
-    yield_pressure_factor: Contact yield pressure over yield strength [-], 0.5 to 10; 0 stands for
-        the Hertz-von Mises value (`hertz_yield_pressure_factor`).
-    tangent_modulus: E_t beyond yield, the slope of stress over total strain [Pa], from 0, which
-        is perfectly plastic, to less than E. Laws with `hardens` use it.
-    rate_coefficient: C of Johnson and Cook [-], 0 to 1: the yield strength is
-        sigma_Y (1 + C ln(rate/reference_rate)). 0: the rate does not matter.
-    reference_rate: Rate of strain at which the yield strength is sigma_Y [1/s], positive.
-
-Raises:
-    ValueError: A constant is out of range; the message names it, its value and the range.)");
-  bind_fields(body, body_fields);
+      nb::sig(signature.c_str()), doc.c_str());
+  bind_fields(body, body_fields());
+  module.def(
+      "body_constants", &constant_table, nb::sig("def body_constants() -> list[dict[str, Any]]"),
+      R"(The constants of a body: name, symbol, unit, lower and upper bound, `above` if the lower
+bound is not allowed, default (None if it must be given; it is always allowed), and meaning.)");
 
   nb::class_<MaterialPair> pair(module, "MaterialPair",
                                 "What two bodies bring to a contact: see `combine`. Immutable.");

@@ -79,7 +79,7 @@ def number(
     The bounds are allowed if `closed`. None is allowed if it is the default.
     """
     said = Declaration(meaning, unit, lower, upper, closed)
-    return _field(said, _to_float, default)
+    return _field(said, to_float, default)
 
 
 #: Radius of a grain, ball or tip.
@@ -88,7 +88,7 @@ RADIUS = Declaration("radius", "m", 1e-12, 1e6, closed=True, usual=(1e-9, 0.5))
 
 def radius_field(meaning: str, default: Any = attrs.NOTHING) -> Any:
     """Declare a field for the radius of a grain, ball or tip [m]."""
-    return _field(attrs.evolve(RADIUS, meaning=meaning), _to_float, default)
+    return _field(attrs.evolve(RADIUS, meaning=meaning), to_float, default)
 
 
 #: The speed of an impact. Below, the overlap is lost in the rounding of LIGGGHTS' positions.
@@ -97,7 +97,7 @@ SPEED = Declaration("speed", "m/s", 1e-9, closed=True)
 
 def speed_field(meaning: str) -> Any:
     """Declare a field for the speed of an impact [m/s]."""
-    return _field(attrs.evolve(SPEED, meaning=meaning), _to_float, attrs.NOTHING)
+    return _field(attrs.evolve(SPEED, meaning=meaning), to_float, attrs.NOTHING)
 
 
 def whole(meaning: str, lower: int = 0, default: Any = attrs.NOTHING, upper: float = inf) -> Any:
@@ -168,7 +168,8 @@ def _read_float(name: str, value: Any, said: Declaration) -> float:
         raise ValueError(f"{name} is {value!r}, not a number [{said.unit}]") from None
 
 
-def _to_float(value: Any, field: attrs.Attribute) -> float:
+def to_float(value: Any, field: attrs.Attribute) -> float:
+    """Convert the value of a declared field."""
     return _read_float(field.name, value, field.metadata["declaration"])
 
 

@@ -10,12 +10,12 @@ from __future__ import annotations
 
 import re
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import attrs
 
 from plastigran import laws
-from plastigran.declared import Declaration, declaration, number
+from plastigran.declared import Declaration, declaration, number, to_float
 from plastigran.engine.deck import commands, index_lines, index_variable
 from plastigran.engine.process import EngineError, inputs_folder, own_inputs
 
@@ -23,7 +23,7 @@ if TYPE_CHECKING:
     import pandas as pd
 
 #: Wall that neither deforms nor yields.
-RIGID = laws.Body(1e30, 0.3, 1e30, 1.61)
+RIGID = laws.Body(1e30, 0.3)
 
 #: Reserved words in tables and folder names: `RIGID` wall, no wall, default options. No material
 #: may use them.
@@ -31,16 +31,25 @@ RIGID_WALL, NO_WALL, USUAL = TAKEN = "rigid", "none", "default"
 #: Allowed names of materials.
 _NAME = re.compile(r"\w([\w .+-]*[\w.+-])?")
 
-#: Constants of a body in contact, see `laws.Body`.
-OF_BODY = (
-    "youngs_modulus",
-    "poissons_ratio",
-    "yield_strength",
-    "yield_pressure_factor",
-    "tangent_modulus",
-    "rate_coefficient",
-    "reference_rate",
-)
+#: Constants of a body in contact, by name: unit, range, default and meaning.
+BODY_CONSTANTS = {row["name"]: row for row in laws.body_constants()}
+
+
+def body_constant(name: str, needed: bool = False) -> Any:
+    """Declare a field for a constant of a body; `laws.Body` checks its range.
+
+    A field that is `needed` has no default.
+    """
+    row = BODY_CONSTANTS[name]
+    return attrs.field(
+        default=attrs.NOTHING if needed or row["default"] is None else row["default"],
+        converter=attrs.Converter(to_float, takes_field=True),
+        metadata={
+            "declaration": Declaration(
+                row["meaning"], row["unit"], row["lower"], row["upper"], not row["above"]
+            )
+        },
+    )
 
 
 @attrs.frozen
@@ -52,29 +61,14 @@ class Material:
     """
 
     name: str
-    youngs_modulus: float = number("Young's modulus", "Pa", 0)
-    poissons_ratio: float = number("Poisson's ratio", "-", -1, 0.5, closed=True)
+    youngs_modulus: float = body_constant("youngs_modulus")
+    poissons_ratio: float = body_constant("poissons_ratio")
     density: float = number("density", "kg/m^3", 0)
-    yield_strength: float = number("uniaxial yield strength, 1e30 for none", "Pa", 0)
-    yield_pressure_factor: float = number(
-        "contact yield pressure / yield strength, 0 for the value of Hertz and von Mises",
-        lower=0, upper=10, closed=True, default=0.0,
-    )  # fmt: skip
-    tangent_modulus: float = number(
-        "slope of stress over total strain beyond yield, 0 for perfectly plastic, less than "
-        "Young's modulus", "Pa", 0, closed=True, default=0.0,
-    )  # fmt: skip
-    rate_coefficient: float = number(
-        "relative increase of yield strength per e-fold increase of strain rate",
-        "-",
-        0,
-        1,
-        True,
-        0.0,
-    )
-    reference_rate: float = number(
-        "strain rate at which the yield strength holds", "1/s", 0, default=1.0
-    )
+    yield_strength: float = body_constant("yield_strength", needed=True)
+    yield_pressure_factor: float = body_constant("yield_pressure_factor")
+    tangent_modulus: float = body_constant("tangent_modulus")
+    rate_coefficient: float = body_constant("rate_coefficient")
+    reference_rate: float = body_constant("reference_rate")
     dissipative_constant: float | None = number(
         "ratio A of viscous to elastic constants", "s", 0, closed=True, default=None
     )
@@ -86,12 +80,11 @@ class Material:
     def variables(self, suffix: str = "") -> dict[str, float]:
         """Return the constants as deck variables.
 
-        Without suffix: all constants that are set. With suffix: the constants in `OF_BODY`, with
-        the suffix
-        added to each name, for example for a wall.
+        Without suffix: all constants that are set. With suffix: those of `BODY_CONSTANTS`, with the
+        suffix added to each name, for example for a wall.
         """
         if suffix:
-            return {f"{name}{suffix}": getattr(self, name) for name in OF_BODY}
+            return {f"{name}{suffix}": getattr(self, name) for name in BODY_CONSTANTS}
         return attrs.asdict(self, filter=lambda at, value: at.name != "name" and value is not None)
 
     def missing(self, law: str) -> list[str]:
@@ -120,7 +113,7 @@ class Material:
 
     def body(self) -> laws.Body:
         """Return the constants for the laws."""
-        return laws.Body(*(getattr(self, name) for name in OF_BODY))
+        return laws.Body(*(getattr(self, name) for name in BODY_CONSTANTS))
 
 
 def _check_name(name: object) -> None:

@@ -12,7 +12,7 @@ from deck_head import head
 from plastigran import laws
 from plastigran.engine.process import PROJECT, EngineError, run_deck
 from plastigran.experiments.collision import measure
-from plastigran.materials import OF_BODY
+from plastigran.materials import BODY_CONSTANTS
 
 DAMPED = "restitution all property/global coefficientRestitution peratomtypepair 2 .8 .8 .8 .8"
 
@@ -196,7 +196,7 @@ def test_cylinder_deck_names_what_must_be_positive(name, tmp_path):
     ("deck", "said"),
     [("cylinder_wall", "the wall of a cylinder is rigid"), ("two_spheres", "are of one material")],
 )
-@pytest.mark.parametrize("name", OF_BODY)
+@pytest.mark.parametrize("name", BODY_CONSTANTS)
 def test_decks_without_a_wall_of_metal_refuse_its_constants(deck, said, name, tmp_path):
     with pytest.raises(EngineError, match=f"{name}_other is 0.25; .*{said}: leave it out"):
         run_deck(f"collision/{deck}.in", {f"{name}_other": 0.25}, tmp_path)

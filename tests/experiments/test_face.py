@@ -211,7 +211,7 @@ def test_a_relative_engine_is_where_it_was_asked_for(monkeypatch, tmp_path):
     ("change", "said"),
     [
         (("7850.0", "-1"), "density is -1; it must be positive and finite"),
-        (("0.3 ", "0.51 "), "poissons_ratio is 0.51; it must lie from -1 to 0.5"),
+        (("0.3 ", "0.51 "), "poissons_ratio is 0.51; it must be above -1 and at most 0.5"),
         (("2.1e11", "stiff"), "youngs_modulus is 'stiff', not a number"),
         (("yield_strength ", "strength "), "no value for yield_strength"),
         (("factor  index 0 ", "factor  index 0.3 "), "yield_pressure_factor is 0.3"),

@@ -75,7 +75,7 @@ TEST_CASE("a bad constant of a body is named with its type") {
   Materials materials = three_types();
   materials.bodies[1].poissons_ratio = 0.7;
   CHECK(complaint_of<Thornton>(materials) ==
-        "poissons_ratio is 0.7; it must be above -1 and at most 0.5 (atom type 2)");
+        "poissons_ratio is 0.7; it must be above -1 and at most 0.5 [-] (atom type 2)");
 }
 
 TEST_CASE("a constant of a pair of types is mixed, checked and described by pair") {

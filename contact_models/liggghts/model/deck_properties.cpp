@@ -92,16 +92,12 @@ double DeckProperties::per_pair(const char* field, int type, int other_type,
 
 std::vector<Body> DeckProperties::bodies(bool yields) const {
   std::vector<Body> bodies(type_count_);
-  for (int type = 1; type <= type_count_; ++type) {
-    Body& body = bodies[type - 1];
-    body.youngs_modulus = per_type("youngs_modulus", type, "Pa");
-    body.poissons_ratio = per_type("poissons_ratio", type, "-");
-    body.yield_strength = per_type("yield_strength", type, "Pa", yields ? NAN : unlimited);
-    body.yield_pressure_factor = per_type("yield_pressure_factor", type, "-", 0);
-    body.tangent_modulus = per_type("tangent_modulus", type, "Pa", 0);
-    body.rate_coefficient = per_type("rate_coefficient", type, "-", 0);
-    body.reference_rate = per_type("reference_rate", type, "1/s", 1);
-  }
+  for (int type = 1; type <= type_count_; ++type)
+    for (const BodyConstant& constant : body_constants) {
+      const bool needed = yields && constant.value == &Body::yield_strength;
+      bodies[type - 1].*constant.value =
+          per_type(constant.name, type, constant.unit, needed ? required : constant.standard);
+    }
   return bodies;
 }
 

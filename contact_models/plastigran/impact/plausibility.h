@@ -15,11 +15,11 @@ namespace plastigran {
 //
 // Modulus: engines ask for 5 MPa at least, and solids softer than 1 MPa are gels. Strength: the
 // ideal strength of a solid is about a tenth of its modulus, nothing reaches a third (Kelly &
-// Macmillan, Strong Solids, 1986); pure annealed metals have 1e-4 of it, none 2e-5. Bodies stiffer
-// than 1e15 Pa stand for rigid ones, such strengths for none.
+// Macmillan, Strong Solids, 1986); pure annealed metals have 1e-4 of it, none 2e-5. Bodies beyond
+// `rigid_modulus` are left out.
 inline Complaint implausible(const Body& body, double pascal) {
   const double modulus = body.youngs_modulus, strength = body.yield_strength;
-  const double rigid = 1e15 * pascal;
+  const double rigid = rigid_modulus * pascal;
   std::ostringstream text;
   if (modulus < 1e6 * pascal) {
     text << "{youngs_modulus} is " << modulus << " [Pa], as soft as a gel";

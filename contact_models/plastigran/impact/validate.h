@@ -12,27 +12,35 @@
 
 namespace plastigran {
 
+// The range of a constant in words: "positive and finite [Pa]".
+inline std::string allowed_values(const BodyConstant& constant) {
+  std::ostringstream words;
+  if (!std::isfinite(constant.upper))
+    // All constants without an upper bound begin at 0.
+    words << (constant.above ? "positive and finite" : "0 or more and finite");
+  else if (constant.above)
+    words << "above " << constant.lower << " and at most " << constant.upper;
+  else
+    words << "between " << constant.lower << " and " << constant.upper;
+  if (constant.standard < constant.lower) words << ", or " << constant.standard;
+  words << " [" << constant.unit << ']';
+  return words.str();
+}
+
 inline Complaint validate(const Body& body) {
-  const auto positive = [](double value) { return value > 0 && std::isfinite(value); };
-  if (!positive(body.youngs_modulus))
-    return Complaint::about("youngs_modulus", body.youngs_modulus, "positive and finite [Pa]");
-  if (!(body.poissons_ratio > -1 && body.poissons_ratio <= 0.5))
-    return Complaint::about("poissons_ratio", body.poissons_ratio, "above -1 and at most 0.5");
-  if (!positive(body.yield_strength) && body.yield_strength != unlimited)
-    return Complaint::about("yield_strength", body.yield_strength, "positive and finite [Pa]");
-  if (!(body.yield_pressure_factor == 0 ||
-        (body.yield_pressure_factor >= 0.5 && body.yield_pressure_factor <= 10)))
-    return Complaint::about("yield_pressure_factor", body.yield_pressure_factor,
-                            "between 0.5 and 10, or 0 for the Hertz-von Mises value");
-  if (!(body.tangent_modulus >= 0 && body.tangent_modulus < body.youngs_modulus)) {
+  if (body.youngs_modulus > 0 &&
+      !(body.tangent_modulus >= 0 && body.tangent_modulus < body.youngs_modulus)) {
     std::ostringstream allowed;
     allowed << "0 or more and less than {youngs_modulus}, " << body.youngs_modulus << " [Pa]";
     return Complaint::about("tangent_modulus", body.tangent_modulus, allowed.str());
   }
-  if (!(body.rate_coefficient >= 0 && body.rate_coefficient <= 1))
-    return Complaint::about("rate_coefficient", body.rate_coefficient, "between 0 and 1 [-]");
-  if (!positive(body.reference_rate))
-    return Complaint::about("reference_rate", body.reference_rate, "positive and finite [1/s]");
+  for (const BodyConstant& constant : body_constants) {
+    const double value = body.*constant.value;
+    const bool above = constant.above ? value > constant.lower : value >= constant.lower;
+    if (value == constant.standard || (above && value <= constant.upper && std::isfinite(value)))
+      continue;
+    return Complaint::about(constant.name, value, allowed_values(constant));
+  }
   return {};
 }
 

@@ -43,31 +43,13 @@
 #include <tuple>
 #include <type_traits>
 
+#include "plastigran/shared/body.h"
 #include "plastigran/shared/device.h"
 #include "plastigran/shared/numerics.h"
 
 namespace plastigran {
 
 constexpr double pi = 3.14159265358979323846;
-
-// Strength of a body that never yields.
-constexpr double unlimited = std::numeric_limits<double>::infinity();
-
-// Default of a constant that has none and must be given.
-constexpr double required = std::numeric_limits<double>::quiet_NaN();
-
-// One body's bulk constants.
-struct Body {
-  double youngs_modulus = 0;          // E [Pa]
-  double poissons_ratio = 0;          // nu [-]
-  double yield_strength = unlimited;  // sigma_Y, uniaxial [Pa]
-  double yield_pressure_factor = 0;   // p_y / sigma_Y [-]; 0 asks for the Hertz-von Mises value
-  double tangent_modulus = 0;         // E_t beyond yield, stress over total strain [Pa]
-  // The yield strength grows with the rate of strain: 1 + rate_coefficient ln(rate/reference_rate)
-  // (Johnson & Cook 1983, 7th Int. Symp. Ballistics: 541).
-  double rate_coefficient = 0;  // C [-]; 0: the rate does not matter
-  double reference_rate = 1;    // of the test that gave sigma_Y [1/s]
-};
 
 // What two bodies bring to any contact between them; the same in either order. The weaker body is
 // the one that yields.

@@ -19,7 +19,7 @@ from plastigran.bulk.grains import Grains
 from plastigran.bulk.ledger_chart import ledger_figure
 from plastigran.bulk.settings import continuable, text
 from plastigran.declared import declaration, number, radius_field, require, whole, word
-from plastigran.materials import Material
+from plastigran.materials import BODY_CONSTANTS, Material, body_constant
 from plastigran.usable_laws import laws_for
 
 
@@ -80,20 +80,14 @@ class BulkDeck:
     law: str = word("law between grains", laws_for("sphere"))
     options: str = text("options of the model, pairs NAME CHOICE")
     material: str = text("material, a file of inputs/materials")
-    youngs_modulus: float = number("Young's modulus of the grains", "Pa", 0)
-    poissons_ratio: float = number("Poisson's ratio of the grains", "-", -1, 0.5, closed=True)
+    youngs_modulus: float = body_constant("youngs_modulus")
+    poissons_ratio: float = body_constant("poissons_ratio")
     density: float = number("density of a grain", "kg/m^3", 0)
-    yield_strength: float = number("yield strength of the grains", "Pa", 0)
-    yield_pressure_factor: float = number(
-        "contact yield pressure / yield strength; 0: value of Hertz and von Mises"
-    )
-    tangent_modulus: float = number(
-        "slope of stress over strain beyond yield", "Pa", 0, closed=True
-    )
-    rate_coefficient: float = number(
-        "increase of yield strength per e-fold strain rate", "-", 0, 1, closed=True
-    )
-    reference_rate: float = number("strain rate at which the yield strength holds", "1/s", 0)
+    yield_strength: float = body_constant("yield_strength")
+    yield_pressure_factor: float = body_constant("yield_pressure_factor")
+    tangent_modulus: float = body_constant("tangent_modulus")
+    rate_coefficient: float = body_constant("rate_coefficient")
+    reference_rate: float = body_constant("reference_rate")
     dissipative_constant: float = number(
         "ratio of viscous to elastic constants", "s", 0, closed=True
     )
@@ -195,15 +189,9 @@ class BulkDeck:
         """Grains, with the options that belong to the law."""
         material = Material(
             self.material,
-            youngs_modulus=self.youngs_modulus,
-            poissons_ratio=self.poissons_ratio,
             density=self.density,
-            yield_strength=self.yield_strength,
-            yield_pressure_factor=self.yield_pressure_factor,
-            tangent_modulus=self.tangent_modulus,
-            rate_coefficient=self.rate_coefficient,
-            reference_rate=self.reference_rate,
             dissipative_constant=self.dissipative_constant or None,
+            **{name: getattr(self, name) for name in BODY_CONSTANTS},
         )
         known = {option["name"] for option in laws.LAWS[self.law].options()}
         options = {name: choice for name, choice in self.model_options.items() if name in known}

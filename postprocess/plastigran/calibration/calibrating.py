@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from pathlib import Path
+from typing import Any
 
 import attrs
 import numpy as np
@@ -94,15 +95,11 @@ def calibrate(
 
     Sources: see `hardness`, `physics.rebound_hardness` and `inversion` for each method.
     """
-    measured = {
-        "yield_strength": yield_strength, "hardness": hardness, "leeb": leeb, "drops": drops,
-    }  # fmt: skip
-    chosen = [key for key, value in measured.items() if value is not None]
-    if len(chosen) != 1:
-        said = " and ".join(chosen) or "none"
-        raise ValueError(f"{said} of {', '.join(measured)} is given; exactly one is needed")
+    quantity, value = _one_measurement(
+        yield_strength=yield_strength, hardness=hardness, leeb=leeb, drops=drops
+    )
     finite_elements = {"radius": (radius, FEM_RADIUS), "strain": (strain, "small")}
-    _refuse_idle(chosen[0], scatter, {} if force_ratio is not None else finite_elements)
+    _refuse_idle(quantity, scatter, {} if force_ratio is not None else finite_elements)
     _check_units(youngs_modulus=youngs_modulus, density=density)
     strength.check_law(law)
     read_number("plastic_modulus", plastic_modulus, Declaration("", "Pa", 0, closed=True))
@@ -111,65 +108,108 @@ def calibrate(
     if force_ratio is not None:
         read_number("force_ratio", force_ratio, Declaration("", "-", 0))
         read_number("radius", radius, RADIUS)
-    given_rate = rate_coefficient
-    if rate_coefficient is None:
-        steel = strength.STEEL.allows(youngs_modulus) and chosen[0] in ("hardness", "leeb")
-        rate_coefficient = strength.STEEL_RATE_COEFFICIENT if steel else 0.0
+    rate, rate_notes = _rate(rate_coefficient, quantity, youngs_modulus)
     metal = Material(
         name,
         youngs_modulus,
         poissons_ratio,
         density,
-        yield_strength=youngs_modulus,
+        yield_strength=youngs_modulus,  # until it is known
         tangent_modulus=youngs_modulus * plastic_modulus / (youngs_modulus + plastic_modulus),
-        rate_coefficient=rate_coefficient,
+        rate_coefficient=rate,
     )
-    if yield_strength is not None:
-        found = strength.given(
-            read_number("yield_strength", yield_strength, Declaration("", "Pa", 0))
-        )
-    elif hardness is not None:
-        found = strength.from_hardness(read_hardness(hardness), plastic_modulus, youngs_modulus)
-    elif leeb is not None:
-        found = strength.from_leeb(leeb, law, metal, scatter)
-    else:
-        if not isinstance(drops, DropTest | str | Path):
-            raise ValueError(f"drops is {drops!r}; it must be a DropTest or the file of one")
-        drops = drops if isinstance(drops, DropTest) else DropTest(**read_drop_test(drops))
-        found = strength.from_drops(drops, law, metal, scatter)
-    _check_strength(found.value, youngs_modulus)
-    metal = attrs.evolve(metal, yield_strength=found.value)
+    test = _drop_test(value) if quantity == "drops" else None
+    result = _strength(quantity, test or value, law, metal, plastic_modulus, scatter)
+    _check_strength(result.value, youngs_modulus)
+    metal = attrs.evolve(metal, yield_strength=result.value)
     contact = Contact(law, metal, RIGID, radius=SPHERE_RADIUS)
-    notes = list(found.notes)
-    if rate_coefficient:
-        notes.append(
-            "the strength is for a strain rate of 1/s; the rate coefficient is "
-            f"C = {rate_coefficient:g}"
-        )
-    elif chosen[0] in ("hardness", "leeb") and given_rate is None:
-        notes.append(
-            "no dependence on the strain rate is assumed; docs/rate_factor.md lists published "
-            "coefficients of other metals than steel: give rate_coefficient"
-        )
+    notes = [*result.notes, *rate_notes]
     if plastic_modulus and not laws.LAWS[law].hardens:
         notes.append(f"{law} does not include hardening: it uses only the yield strength")
     pressed = None
     if force_ratio is not None:
         pressed = press_sphere(
-            youngs_modulus, poissons_ratio, density, found.value, plastic_modulus, force_ratio,
+            youngs_modulus, poissons_ratio, density, result.value, plastic_modulus, force_ratio,
             radius, strain, progress,
         )  # fmt: skip
     return CalibratedMetal(
         metal,
-        found.interval,
-        found.source,
+        result.interval,
+        result.source,
         law,
-        _error(contact, found, speeds, plastic_modulus > 0, drops),
+        _error(contact, result, speeds, plastic_modulus > 0, test),
         strength.yield_speed_of(contact),
         tuple(notes),
-        drops if isinstance(drops, DropTest) else None,
+        test,
         pressed,
     )
+
+
+def _one_measurement(**measured: Any) -> tuple[str, Any]:
+    """Return the name and the value of the only measurement that is given.
+
+    Raises:
+        ValueError: There is none, or more than one.
+    """
+    given = [(name, value) for name, value in measured.items() if value is not None]
+    if len(given) != 1:
+        names = " and ".join(name for name, _ in given) or "none"
+        raise ValueError(f"{names} of {', '.join(measured)} is given; exactly one is needed")
+    return given[0]
+
+
+def _rate(
+    rate_coefficient: float | None, quantity: str, youngs_modulus: float
+) -> tuple[float, list[str]]:
+    """Return the rate coefficient and the notes on it.
+
+    Steel has a published one, and hardness and rebound are measured at very different rates.
+    """
+    depends_on_rate = quantity in ("hardness", "leeb")
+    if rate_coefficient is None and depends_on_rate and strength.STEEL.allows(youngs_modulus):
+        rate = strength.STEEL_RATE_COEFFICIENT
+    else:
+        rate = rate_coefficient or 0.0
+    if rate:
+        return rate, [
+            f"the strength is for a strain rate of 1/s; the rate coefficient is C = {rate:g}"
+        ]
+    if depends_on_rate and rate_coefficient is None:
+        return rate, [
+            "no dependence on the strain rate is assumed; docs/rate_factor.md lists published "
+            "coefficients of other metals than steel: give rate_coefficient"
+        ]
+    return rate, []
+
+
+def _drop_test(drops: DropTest | str | Path) -> DropTest:
+    """Return a drop test, read from a file if it is one.
+
+    Raises:
+        ValueError: It is neither.
+    """
+    if isinstance(drops, DropTest):
+        return drops
+    if not isinstance(drops, str | Path):
+        raise ValueError(f"drops is {drops!r}; it must be a DropTest or the file of one")
+    return DropTest(**read_drop_test(drops))
+
+
+def _strength(
+    quantity: str,
+    value: Any,
+    law: str,
+    metal: Material,
+    plastic_modulus: float,
+    scatter: float | None,
+) -> strength.Strength:
+    """Return the yield strength that follows from a measured quantity."""
+    if quantity == "yield_strength":
+        return strength.given(read_number(quantity, value, Declaration("", "Pa", 0)))
+    if quantity == "hardness":
+        return strength.from_hardness(read_hardness(value), plastic_modulus, metal.youngs_modulus)
+    method = strength.from_leeb if quantity == "leeb" else strength.from_drops
+    return method(value, law, metal, scatter)
 
 
 def _error(

@@ -166,7 +166,7 @@ class BenchmarkImpact(Experiment):
         other, radius_other, mass_other = RIGID, inf, inf
         if "radius_ratio" in self.settings:
             modulus = body.youngs_modulus * self.number("modulus_ratio")
-            other = laws.Body(modulus, body.poissons_ratio, 1e30, 1.61)
+            other = laws.Body(modulus, body.poissons_ratio)
             radius_other = radius * self.number("radius_ratio")
             mass_other = mass * self.number("density_ratio") * self.number("radius_ratio") ** 3
         return ObliqueImpact(
