@@ -15,6 +15,7 @@ from plastigran.bulk.plan import PLACES
 from plastigran.bulk.run import run_bulk
 from plastigran.declared import Declaration
 from plastigran.engine.process import EngineError, inputs_folder
+from plastigran.materials import BODY_CONSTANTS
 
 
 def test_every_deck_has_a_class_and_a_short_run():
@@ -30,14 +31,19 @@ def test_declared_settings_are_the_decks(case):
 
 def wrong_values(field: attrs.Attribute) -> list[object]:
     """Values a declaration does not allow."""
-    said: Declaration = field.metadata["declaration"]
-    if said.choices:
+    declared: Declaration = field.metadata["declaration"]
+    if declared.choices:
         return ["nonsense"]
-    wrong: list[object] = ["many", inf]
-    for bound, beyond in ((said.lower, -1), (said.upper, 1)):
-        if abs(bound) < inf:
-            wrong.append(bound + beyond if said.closed else bound)
-    return [*wrong, 1.5] if said.kind is int else wrong
+    wrong: list[object] = ["many"]
+    if field.name not in BODY_CONSTANTS or BODY_CONSTANTS[field.name]["default"] != inf:
+        wrong.append(inf)
+    if abs(declared.lower) < inf:
+        wrong.append(declared.lower - 1 if declared.closed else declared.lower)
+    if abs(declared.upper) < inf:
+        # The upper bound of a constant of a body belongs to its range.
+        closed = declared.closed or field.name in BODY_CONSTANTS
+        wrong.append(declared.upper + 1 if closed else declared.upper)
+    return [*wrong, 1.5] if declared.kind is int else wrong
 
 
 def test_impossible_values_are_refused_by_name(case, field):
