@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Any
 import attrs
 
 from plastigran import laws
-from plastigran.declared import Declaration, declaration, number, to_float
+from plastigran.declared import Declaration, declarations, number, read_float
 from plastigran.engine.deck import commands, index_lines, index_variable
 from plastigran.engine.process import EngineError, inputs_folder, own_inputs
 
@@ -35,20 +35,19 @@ _NAME = re.compile(r"\w([\w .+-]*[\w.+-])?")
 BODY_CONSTANTS = {row["name"]: row for row in laws.body_constants()}
 
 
-def body_constant(name: str, needed: bool = False) -> Any:
+def body_constant(name: str, required: bool = False) -> Any:
     """Declare a field for a constant of a body; `laws.Body` checks its range.
 
-    A field that is `needed` has no default.
+    Args:
+        name: Name in `BODY_CONSTANTS`.
+        required: Whether the field has no default.
     """
     row = BODY_CONSTANTS[name]
+    bounds = row["lower"], row["upper"], not row["above"], True
     return attrs.field(
-        default=attrs.NOTHING if needed or row["default"] is None else row["default"],
-        converter=attrs.Converter(to_float, takes_field=True),
-        metadata={
-            "declaration": Declaration(
-                row["meaning"], row["unit"], row["lower"], row["upper"], not row["above"]
-            )
-        },
+        default=attrs.NOTHING if required or row["default"] is None else row["default"],
+        converter=lambda value: read_float(name, value, row["unit"]),
+        metadata={"declaration": Declaration(row["meaning"], row["unit"], *bounds)},
     )
 
 
@@ -64,13 +63,13 @@ class Material:
     youngs_modulus: float = body_constant("youngs_modulus")
     poissons_ratio: float = body_constant("poissons_ratio")
     density: float = number("density", "kg/m^3", 0)
-    yield_strength: float = body_constant("yield_strength", needed=True)
+    yield_strength: float = body_constant("yield_strength", required=True)
     yield_pressure_factor: float = body_constant("yield_pressure_factor")
     tangent_modulus: float = body_constant("tangent_modulus")
     rate_coefficient: float = body_constant("rate_coefficient")
     reference_rate: float = body_constant("reference_rate")
     dissipative_constant: float | None = number(
-        "ratio A of viscous to elastic constants", "s", 0, closed=True, default=None
+        "ratio A of viscous to elastic constants", "s", 0, lower_allowed=True, default=None
     )
 
     def __attrs_post_init__(self) -> None:
@@ -217,7 +216,7 @@ def _check_lines(file: Path) -> None:
 
 def material_lines(material: Material) -> str:
     """Return the constants that are set, as lines of a material file."""
-    units = {name: said.unit for name, said in declaration(Material).items()}
+    units = {name: said.unit for name, said in declarations(Material).items()}
     return "\n".join(
         f"variable {name:22s} index {value:<18.12g} # {units[name]}"
         for name, value in material.variables().items()
@@ -269,7 +268,7 @@ def material_field(
         default=default,
         kw_only=default is None,
         converter=_read_unless_rigid if default is None else read_material,
-        metadata={"declaration": Declaration(meaning, kind=str), "suffix": suffix},
+        metadata={"declaration": Declaration(meaning, value_type=str), "suffix": suffix},
     )
 
 

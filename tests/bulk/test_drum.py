@@ -115,7 +115,7 @@ def test_shell_turns_on_after_a_restart(begun, rest):
     ("change", "said"),
     [
         ({"drum_radius": 0.02}, r"drum_radius is 0.02; it must be above 0.023 and finite \[m\]"),
-        ({"length": 0.01}, r"length is 0.01; it must lie above 0.023 and below 0.05 \[m\]"),
+        ({"length": 0.01}, r"length is 0.01; it must be above 0.023 and below 0.05 \[m\]"),
         ({"settling": 1}, "settling is 1; it must lie from 0 to 0.9"),
         ({"settling": 0.89}, r"settling is 0.89; it must be at most 0.885 \[revolutions\]"),
         ({"rows": 8}, "rows is 8; it must be 10 or more"),

@@ -168,7 +168,7 @@ def test_a_material_file_reads_back(tmp_path):
         ({"leeb": "500HLX"}, "leeb is '500HLX'; it must be a number and a device of HLD, HLG, HLC"),
         ({"leeb": 5}, r"leeb is 5; it must lie from 100 to 1000"),
         ({"leeb": 1000}, "restitution 1 is almost elastic and gives only a lower bound: .* above"),
-        ({"leeb": 500, "scatter": 2}, "scatter is 2; it must lie above 0 and below 0.5"),
+        ({"leeb": 500, "scatter": 2}, "scatter is 2; it must be above 0 and below 0.5"),
         (
             {"hardness": 200, "scatter": 0.1},
             "scatter is 0.1, but it applies only to leeb or drops, not",

@@ -47,16 +47,16 @@ def test_forms_of_the_file_say_the_same(text, read):
         ("speed,drop_height,restitution\n1,1,0.5\n", "has speed and drop_height; use one of"),
         (
             "speed,restitution\n1,0.5\n1,1.2\n",
-            "restitution of drop 2 is 1.2; it must lie above 0",
+            "restitution of drop 2 is 1.2; it must be above 0",
         ),
-        ("speed,restitution\n1,0\n", "restitution of drop 1 is 0; it must lie above 0 and below 1"),
-        ("speed,rebound_speed\n1,1.1\n", "restitution of drop 1 is 1.1; it must lie above"),
+        ("speed,restitution\n1,0\n", "restitution of drop 1 is 0; it must be above 0 and below 1"),
+        ("speed,rebound_speed\n1,1.1\n", "restitution of drop 1 is 1.1; it must be above"),
         (
             "drop_height,restitution\n300,0.5\n",
             "drop_height of drop 1 is 300; .* 1e-06 and below 10 .m.. Check the unit: m",
         ),
         ("speed,restitution\n1,half\n", "restitution of drop 1 is 'half', not a number"),
-        ("speed,restitution\n1,\n", "restitution of drop 1 is nan; it must lie"),
+        ("speed,restitution\n1,\n", "restitution of drop 1 is nan; it must be"),
         ("", "is not a table of drops"),
     ],
 )

@@ -144,5 +144,5 @@ def test_command_writes_a_material(tmp_path, capsys):
     ):
         assert main([*call, *words]) == 1
         assert said in capsys.readouterr().err
-    with pytest.raises(ValueError, match="youngs_modulus is 210; it must lie above 10000 and"):
+    with pytest.raises(ValueError, match="youngs_modulus is 210; it must be above 10000 and"):
         soften(attrs.evolve(STEEL, youngs_modulus=210.0), 0.1)

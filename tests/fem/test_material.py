@@ -106,7 +106,7 @@ def test_table_that_cannot_be_is_refused(strains, stresses, named):
 
 def test_bad_metal_is_refused_with_field_value_and_range():
     with pytest.raises(
-        ValueError, match=r"poissons_ratio is 0\.5; it must lie above -1 and below 0\.5"
+        ValueError, match=r"poissons_ratio is 0\.5; it must be above -1 and below 0\.5"
     ):
         ElasticPlastic(youngs_modulus=70e9, poissons_ratio=0.5)
     with pytest.raises(ValueError, match="yield_strength is -1; it must be positive"):

@@ -18,7 +18,7 @@ from plastigran.bulk.folder import read_derived
 from plastigran.bulk.grains import Grains
 from plastigran.bulk.ledger_chart import ledger_figure
 from plastigran.bulk.settings import continuable, text
-from plastigran.declared import declaration, number, radius_field, require, whole, word
+from plastigran.declared import declarations, number, radius_field, require, whole, word
 from plastigran.materials import BODY_CONSTANTS, Material, body_constant
 from plastigran.usable_laws import laws_for
 
@@ -89,7 +89,7 @@ class BulkDeck:
     rate_coefficient: float = body_constant("rate_coefficient")
     reference_rate: float = body_constant("reference_rate")
     dissipative_constant: float = number(
-        "ratio of viscous to elastic constants", "s", 0, closed=True
+        "ratio of viscous to elastic constants", "s", 0, lower_allowed=True
     )
     radius: float = radius_field("mean radius of a grain")
     timestep: float = number("time step of LIGGGHTS", "s", 0)
@@ -239,17 +239,20 @@ class GranularDeck(BulkDeck):
     """Settings of decks with friction and gravity: inputs/bulk/parts/friction.in."""
 
     tangential: str = word("model of sliding friction", ("off", "no_history", "history"))
-    coefficient_of_friction: float = number("coefficient of sliding friction", "-", 0, closed=True)
+    coefficient_of_friction: float = number(
+        "coefficient of sliding friction", "-", 0, lower_allowed=True
+    )
     rolling_friction: str = word("model of rolling friction", ("off", "cdt", "epsd2"))
     coefficient_of_rolling_friction: float = number(
-        "coefficient of rolling friction", "-", 0, closed=True
+        "coefficient of rolling friction", "-", 0, lower_allowed=True
     )
     coefficient_of_restitution: float = number(
         "restitution for the dashpot of viscous_damping, and of LIGGGHTS' own hertz",
         "-",
         0.05,
         1,
-        True,
+        lower_allowed=True,
+        upper_allowed=True,
     )
     gravitational_acceleration: float = number("downward acceleration", "m/s^2", 0)
 
@@ -262,20 +265,20 @@ class FlowDeck(GranularDeck):
     steady_rows: ClassVar[int] = 10
 
     size_spread: float = number(
-        "relative reduction of the radius of half of the grains", "-", 0, 0.5, True
+        "relative reduction of the radius of half of the grains", "-", 0, 0.5, True, True
     )
     volume_fraction: float = number("volume fraction of the initial lattice", "-", 0, 0.64)
     temperature: float = number("initial variance of the velocity in each direction", "m^2/s^2", 0)
     duration: float = number("duration of the run", "s", 0)
-    settling: float = number("time before the flow is measured", "s", 0, closed=True)
+    settling: float = number("time before the flow is measured", "s", 0, lower_allowed=True)
 
     def check(self) -> None:
         """Check that `duration` exceeds `settling` by at least `steady_rows` rows."""
-        require(self, "settling", upper=self.duration)
+        require(self, "settling", upper=self.duration, upper_allowed=True)
         require(self, "rows", lower=self.steady_rows)
         latest = self.duration * (1 - self.steady_rows / self.rows)
         if self.settling > latest * (1 + 1e-12):
-            unit = declaration(type(self))["settling"].unit
+            unit = declarations(type(self))["settling"].unit
             raise ValueError(
                 f"settling is {self.settling:g}; it must be at most {latest:g} [{unit}], so "
                 f"that {self.steady_rows} of {self.rows} rows remain"

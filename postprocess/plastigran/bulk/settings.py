@@ -12,7 +12,9 @@ from plastigran.declared import Declaration
 
 def text(meaning: str) -> Any:
     """Declare a field whose setting is text."""
-    return attrs.field(converter=str, metadata={"declaration": Declaration(meaning, kind=str)})
+    return attrs.field(
+        converter=str, metadata={"declaration": Declaration(meaning, value_type=str)}
+    )
 
 
 def continuable(field: Any) -> Any:

@@ -16,7 +16,7 @@ from plastigran.usable_laws import laws_for
 #: Upper bound of the impact speed in the template, a fall from its top [m/s].
 SPEED = 2.0
 #: Grain radii for which the box of the template is large enough [m].
-NEW_DECK_RADIUS = Declaration("radius", "m", 0.0005, 0.006, closed=True)
+NEW_DECK_RADIUS = Declaration("radius", "m", 0.0005, 0.006, True, True)
 #: Further files of the folder.
 PARTS = ("energy_ledger.in", "meshes/plate.stl", "template/fresh.in", "template/checkpoint.in")
 #: Names that these files use.

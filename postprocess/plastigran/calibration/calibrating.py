@@ -102,7 +102,7 @@ def calibrate(
     _refuse_idle(quantity, scatter, {} if force_ratio is not None else finite_elements)
     _check_units(youngs_modulus=youngs_modulus, density=density)
     strength.check_law(law)
-    read_number("plastic_modulus", plastic_modulus, Declaration("", "Pa", 0, closed=True))
+    read_number("plastic_modulus", plastic_modulus, Declaration("", "Pa", 0, lower_allowed=True))
     if scatter is not None:
         read_number("scatter", scatter, Declaration("", "-", 0, 0.5))
     if force_ratio is not None:

@@ -63,7 +63,7 @@ class Scale:
 
 
 def _range(unit: str, lower: float, upper: float) -> Declaration:
-    return Declaration("hardness", unit, lower, upper, closed=True)
+    return Declaration("hardness", unit, lower, upper, lower_allowed=True, upper_allowed=True)
 
 
 SCALES = {

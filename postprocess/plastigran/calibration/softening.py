@@ -45,7 +45,7 @@ EXACT = 1e-9
 COORDINATION, FILLING = 6, 0.6
 
 _MODULUS = Declaration("original modulus", "Pa", 1e4, 2e12)
-_FACTOR = Declaration("softened / original modulus", lower=1e-12, upper=1, closed=True)
+_FACTOR = Declaration("softened / original modulus", "-", 1e-12, 1, True, True)
 
 
 def soften(material: Material, factor: float) -> Material:

@@ -37,7 +37,7 @@ DROP_SCATTER = 0.02  # default standard deviation of one restitution
 # relative standard deviation of a Leeb restitution; conversions are within 4.5 % (95 %)
 LEEB_SCATTER = 0.045 / 1.96
 CHANCE = 0.01  # significance level of a trend with speed
-LEEB_RANGE = Declaration("rebound hardness", "HL", 100, 1000, closed=True)
+LEEB_RANGE = Declaration("rebound hardness", "HL", 100, 1000, True, True)
 STEEL = Declaration("Young's modulus of steel", "Pa", 1.9e11, 2.2e11)
 STEEL_RATE_COEFFICIENT = 0.014  # for 4340 at 1/s: Johnson & Cook, 7th Int. Symp. Ballistics 1983
 

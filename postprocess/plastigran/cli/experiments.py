@@ -23,7 +23,7 @@ from plastigran.cli.arguments import (
     positive_integer,
     print_json,
 )
-from plastigran.declared import Declaration, declaration
+from plastigran.declared import Declaration, declarations
 from plastigran.engine.folder_lock import lock_folder
 from plastigran.engine.process import EngineError, engine_path
 from plastigran.experiments.base import Experiment
@@ -37,7 +37,7 @@ def add_command(subcommands: Subparsers, experiment: type[Experiment]) -> None:
     words = [f"plastigran {experiment.command}", *(f"--{word} {word.upper()}" for word in needed)]
     example = experiment.example or " ".join(words)
     command = subcommands.add(experiment.command, experiment.help, example)
-    said = declaration(experiment)
+    said = declarations(experiment)
     for name, flag in experiment.all_flags().items():
         _add_flag(command, name, flag, flag.said or said[name])
     add_jobs(command)
@@ -109,11 +109,11 @@ def _reader(word: str, said: Declaration) -> Callable[[str], Any]:
 
     def read(text: str) -> Any:
         try:
-            value = said.kind(text)
+            value = said.value_type(text)
         except ValueError:
-            kind = {int: "whole number"}.get(said.kind, "number")
+            kind = {int: "whole number"}.get(said.value_type, "number")
             raise argparse.ArgumentTypeError(f"{text!r} is not a {kind}") from None
-        if said.kind is not str and not said.allows(value):
+        if said.value_type is not str and not said.allows(value):
             raise argparse.ArgumentTypeError(f"{word} is {text}; it {said.allowed()}")
         return value
 

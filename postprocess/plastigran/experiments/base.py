@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any, ClassVar
 import attrs
 import pandas as pd
 
-from plastigran.declared import declaration
+from plastigran.declared import declarations
 from plastigran.engine.process import inputs_folder, run_deck, typed_command
 from plastigran.experiments.fields import Flag, several
 from plastigran.experiments.runs import Runs, sweep
@@ -77,7 +77,7 @@ class Experiment:
     def variables(self) -> dict[str, object]:
         """Return the deck variables of this case. A material contributes its constants by name."""
         found: dict[str, object] = {}
-        for name in declaration(type(self)):
+        for name in declarations(type(self)):
             value, said = getattr(self, name), attrs.fields_dict(type(self))[name].metadata
             material = isinstance(value, Material)
             found |= value.variables(said["suffix"]) if material else {name: value}
@@ -107,7 +107,7 @@ class Experiment:
 
     def facts(self) -> dict[str, object]:
         """Return the columns that identify the case: its fields, with materials by name."""
-        values = {name: getattr(self, name) for name in declaration(type(self))}
+        values = {name: getattr(self, name) for name in declarations(type(self))}
         return {k: v.name if isinstance(v, Material) else v for k, v in values.items()}
 
     def notes(self, measured: Any, predicted: Any) -> dict[str, object]:
@@ -130,7 +130,7 @@ class Experiment:
 
     def materials(self) -> dict[str, Material]:
         """Return the materials of the bodies by name."""
-        values = (getattr(self, name) for name in declaration(type(self)))
+        values = (getattr(self, name) for name in declarations(type(self)))
         return {value.name: value for value in values if isinstance(value, Material)}
 
     # Running one case.
@@ -252,7 +252,7 @@ class Experiment:
     def all_flags(cls) -> Mapping[str, Flag]:
         """Return the settings of its study; a field without default is required."""
         defaults = {field.name: field.default for field in attrs.fields(cls)}
-        return cls.flags or {name: Flag(defaults[name]) for name in declaration(cls)}
+        return cls.flags or {name: Flag(defaults[name]) for name in declarations(cls)}
 
     # Results of many cases.
 

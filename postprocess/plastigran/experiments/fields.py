@@ -61,7 +61,7 @@ def law_field(default: Any = attrs.NOTHING) -> Any:
                 f"{', '.join(laws_for(case.shape))}"
             )
 
-    said = Declaration("a name that `plastigran laws` lists", kind=str)
+    said = Declaration("a name that `plastigran laws` lists", value_type=str)
     return attrs.field(default=default, validator=check, metadata={"declaration": said})
 
 
@@ -70,7 +70,7 @@ def options_field() -> Any:
     said = Declaration(
         "options such as 'yielding flat', used for the laws that have them; see `plastigran "
         "laws LAW`",
-        kind=str,
+        value_type=str,
     )
     return attrs.field(default=None, kw_only=True, metadata={"declaration": said})
 

@@ -55,9 +55,14 @@ class ObliqueImpact:
     pair: laws.MaterialPair
     radius: float = radius_field("radius of the first")
     mass: float = number("mass of the first", "kg", 0)
-    coefficient_of_friction: float = number("coefficient of friction", "-", 0, closed=True)
+    coefficient_of_friction: float = number("coefficient of friction", "-", 0, lower_allowed=True)
     coefficient_of_restitution: float = number(
-        "restitution for which the dashpot is set", "-", 0, 1, closed=True
+        "restitution for which the dashpot is set",
+        "-",
+        0,
+        1,
+        lower_allowed=True,
+        upper_allowed=True,
     )
     before: Motion
     radius_other: float = attrs.field(default=inf, validator=attrs.validators.gt(0))

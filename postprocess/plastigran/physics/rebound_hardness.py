@@ -40,7 +40,7 @@ class ReboundTester:
     speed: float = number("impact speed at the sensor", "m/s", 0)
     ball: laws.Body = TUNGSTEN_CARBIDE
     sensor_height: float = number(
-        "height of the sensor above the sample", "m", 0, closed=True, default=0.0
+        "height of the sensor above the sample", "m", 0, lower_allowed=True, default=0.0
     )
 
     def pair(self, sample: laws.Body) -> laws.MaterialPair:

@@ -28,20 +28,20 @@ class Rod:
         ValueError: A field is out of range, or friction would jam the rod.
     """
 
-    angle: float = number("angle between rod and flat", "degrees", 0, 90, closed=True, default=45.0)
+    angle: float = number(
+        "angle between rod and flat", "degrees", 0, 90, upper_allowed=True, default=45.0
+    )
     coefficient_of_friction: float = number(
-        "coefficient of friction between tip and flat", "-", 0, closed=True, default=0.13
+        "coefficient of friction between tip and flat", "-", 0, lower_allowed=True, default=0.13
     )
     length: float = number("length of the rod", "m", 0, default=0.3048)
     mass: float = number("mass of the rod", "kg", 0, default=0.4607)
     tip_radius: float = radius_field("radius of the spherical tip", default=0.0088)
     gravitational_acceleration: float = number(
-        "gravitational acceleration", "m/s^2", 0, closed=True, default=9.81
+        "gravitational acceleration", "m/s^2", 0, lower_allowed=True, default=9.81
     )
 
     def __attrs_post_init__(self) -> None:
-        if self.angle == 0:
-            raise ValueError("angle is 0; it must be above 0 and at most 90 [degrees]")
         if not self.length > 2 * self.tip_radius:
             raise ValueError(
                 f"length is {self.length:g} m; it must exceed the diameter of the tip "

@@ -38,12 +38,10 @@ def wrong_values(field: attrs.Attribute) -> list[object]:
     if field.name not in BODY_CONSTANTS or BODY_CONSTANTS[field.name]["default"] != inf:
         wrong.append(inf)
     if abs(declared.lower) < inf:
-        wrong.append(declared.lower - 1 if declared.closed else declared.lower)
+        wrong.append(declared.lower - declared.lower_allowed)
     if abs(declared.upper) < inf:
-        # The upper bound of a constant of a body belongs to its range.
-        closed = declared.closed or field.name in BODY_CONSTANTS
-        wrong.append(declared.upper + 1 if closed else declared.upper)
-    return [*wrong, 1.5] if declared.kind is int else wrong
+        wrong.append(declared.upper + declared.upper_allowed)
+    return [*wrong, 1.5] if declared.value_type is int else wrong
 
 
 def test_impossible_values_are_refused_by_name(case, field):

@@ -94,7 +94,9 @@ class BenchmarkImpact(Experiment):
     flags: ClassVar = {
         "benchmark": Flag(
             tuple(TITLES),
-            said=declared.Declaration("numbers of benchmarks", "-", 1, 8, closed=True, kind=int),
+            said=declared.Declaration(
+                "numbers of benchmarks", "-", 1, 8, True, True, value_type=int
+            ),
         ),
         "law": Flag("vu_quoc_zhang", many=False),
         "steps_per_contact": Flag(1000, "steps", many=False),

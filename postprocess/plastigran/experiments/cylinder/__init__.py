@@ -53,7 +53,9 @@ class CylinderImpact(CentralImpact):
     flags: ClassVar = {
         "points": Flag(
             30,
-            said=Declaration("radii and speeds of a map", lower=1, closed=True, kind=int),
+            said=Declaration(
+                "radii and speeds of a map", lower=1, lower_allowed=True, value_type=int
+            ),
             many=False,
         )
     }

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, ClassVar
 import attrs
 
 from plastigran import laws
-from plastigran.declared import declaration, number, speed_field, word
+from plastigran.declared import declarations, number, speed_field, word
 from plastigran.experiments.base import Experiment
 from plastigran.experiments.fields import SPHERE_OVERLAP, Flag, check_overlap, law_field
 from plastigran.experiments.rod.measurement import measure_rod
@@ -24,7 +24,7 @@ from plastigran.physics.rod_motion import simulate
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-_ROD = declaration(Rod)
+_ROD = declarations(Rod)
 _FRICTION = attrs.evolve(
     _ROD["coefficient_of_friction"],
     meaning=(

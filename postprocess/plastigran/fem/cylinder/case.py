@@ -31,9 +31,11 @@ class CylinderStrike:
     length: float = number("length of the cylinder", "m", 0)
     mass: float = number("mass that moves with the cylinder", "kg", 0)
     speed: float = speed_field("speed toward the body")
-    sliding_speed: float = number("speed along the surface", "m/s", 0, closed=True, default=0.0)
+    sliding_speed: float = number(
+        "speed along the surface", "m/s", 0, lower_allowed=True, default=0.0
+    )
     coefficient_of_friction: float = number(
-        "coefficient of friction", "-", 0, 1, closed=True, default=0.0
+        "coefficient of friction", "-", 0, 1, lower_allowed=True, upper_allowed=True, default=0.0
     )
     thickness: float | None = number(
         "thickness of the body; by default no wave returns from its far side",

@@ -30,7 +30,9 @@ class LinearHardening(Hardening):
     """Linear hardening sigma = sigma_Y + H eps_p; perfectly plastic for H = 0."""
 
     yield_strength: float = number("uniaxial yield stress", "Pa", 0)
-    modulus: float = number("plastic modulus d sigma / d eps_p", "Pa", 0, closed=True, default=0.0)
+    modulus: float = number(
+        "plastic modulus d sigma / d eps_p", "Pa", 0, lower_allowed=True, default=0.0
+    )
 
     def flow_stress(self, strain: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         return self.yield_strength + self.modulus * strain, np.full_like(strain, self.modulus)
@@ -84,7 +86,7 @@ class RateFactor:
     It is 1 + C ln(rate / reference) above the reference rate, and 1 below.
     """
 
-    coefficient: float = number("C of Johnson and Cook", "-", 0, closed=True)
+    coefficient: float = number("C of Johnson and Cook", "-", 0, lower_allowed=True)
     reference_rate: float = number("strain rate at which the factor is 1", "1/s", 0, default=1.0)
 
     def factor(self, rate: np.ndarray) -> tuple[np.ndarray, np.ndarray]:

@@ -16,7 +16,7 @@ from plastigran.bulk.folder import SERIES, read_record
 from plastigran.bulk.outcome import BulkRun, open_run
 from plastigran.bulk.plan import PLACES
 from plastigran.bulk.vtk import time_of
-from plastigran.declared import Declaration, declaration
+from plastigran.declared import Declaration, declarations
 from plastigran.engine.dumps import DumpError
 from plastigran.engine.log import (
     LOG,
@@ -212,14 +212,14 @@ def _facts(record: dict[str, Any], run: BulkRun | None, own: dict[str, str]) -> 
 
 
 def _declared(deck: BulkDeck | None) -> dict[str, Declaration]:
-    return declaration(type(deck)) if deck else {}
+    return declarations(type(deck)) if deck else {}
 
 
 def _with_unit(name: str, value: str, declared: dict[str, Declaration]) -> str:
     if name == "law":
         return title(value)
     said = declared.get(name)
-    if said is None or said.kind is not float:
+    if said is None or said.value_type is not float:
         return value
     try:
         shown = number(float(value))

@@ -7,7 +7,7 @@ from collections.abc import Mapping
 
 import pandas as pd
 
-from plastigran.declared import declaration
+from plastigran.declared import declarations
 from plastigran.experiments.record import STUDY
 from plastigran.materials import Material
 from plastigran.plot.quantities import words
@@ -35,7 +35,7 @@ def constants(materials: Mapping[str, Material]) -> list[Table]:
     if not materials:
         return []
     rows = [{"material": name} | each.variables() for name, each in materials.items()]
-    units = {name: said.unit for name, said in declaration(Material).items()}
+    units = {name: said.unit for name, said in declarations(Material).items()}
     units = {name: unit for name, unit in units.items() if unit not in ("", "-")}
     table = pd.DataFrame(rows)
     heads = {name: ", ".join(filter(None, (words(name), units.get(name, "")))) for name in table}

@@ -8,7 +8,7 @@ from pathlib import Path
 import pandas as pd
 
 from plastigran.calibration.expected_errors import errors_table
-from plastigran.declared import declaration
+from plastigran.declared import declarations
 from plastigran.materials import Material, read_material
 from plastigran.report.page.collect import Results
 from plastigran.report.page.names import number
@@ -74,7 +74,7 @@ def _materials(folder: Path) -> tuple[list[Table], list[str]]:
         except (ValueError, OSError) as error:
             damaged.append(f"{file.name} is not a material file: {error}.")
             continue
-        said = declaration(Material)
+        said = declarations(Material)
         rows = [
             [name.replace("_", " "), number(value), said[name].unit.replace("-", "")]
             for name, value in material.variables().items()

@@ -54,8 +54,10 @@ class BedImpact(GranularDeck):
     fastest: float = number("speed of the fastest shot", "m/s", 0)
     duration: float = number("duration from the start of the shots", "s", 0)
     bed_layers: int = whole("layers of poured grains, on a cubic lattice", 0)
-    filling: float = number("time for the bed to come to rest", "s", 0, closed=True)
-    gravitational_acceleration: float = number("downward acceleration", "m/s^2", 0, closed=True)
+    filling: float = number("time for the bed to come to rest", "s", 0, lower_allowed=True)
+    gravitational_acceleration: float = number(
+        "downward acceleration", "m/s^2", 0, lower_allowed=True
+    )
 
     def check(self) -> None:
         require(self, "fastest", lower=self.slowest)
@@ -68,7 +70,7 @@ class BedImpact(GranularDeck):
         else:
             require(self, "bed_layers", lower=1)
             for name in ("filling", "gravitational_acceleration"):
-                require(self, name, closed=False)
+                require(self, name, lower_allowed=False)
         GranularDeck.check(self)
 
     def _check_plate(self) -> None:

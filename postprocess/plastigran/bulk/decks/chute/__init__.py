@@ -42,10 +42,10 @@ class Chute(FlowDeck):
     width: int = whole("width across the flow, in cells", 3)
     depth: int = whole("depth of the flow, in cells", 3)
     start_speed: float = number(
-        "speed at the surface, with Bagnold's profile", "m/s", 0, closed=True
+        "speed at the surface, with Bagnold's profile", "m/s", 0, lower_allowed=True
     )
     size_spread: float = number(
-        "relative reduction of the radius of half of the grains", "-", 0, 0.3, True
+        "relative reduction of the radius of half of the grains", "-", 0, 0.3, True, True
     )
 
     def analyse(self, series: pd.DataFrame) -> Analysis:

@@ -45,7 +45,9 @@ class Drum(FlowDeck):
     froude: float = number("Froude number omega^2 R/g", "-", 0, 1)
     bed_height: float = number("height of the lattice above the axis", "drum radii", -0.8, 0.8)
     duration: float = number("duration of the run", "revolutions", 0)
-    settling: float = number("time before the flow is measured", "revolutions", 0, closed=True)
+    settling: float = number(
+        "time before the flow is measured", "revolutions", 0, lower_allowed=True
+    )
     spectra: str = word("collision spectra", ("on", "off"))
 
     def check(self) -> None:
