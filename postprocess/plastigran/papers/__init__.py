@@ -1,10 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Reproduced papers: one module or package for each, named after the paper.
-
-It defines `PAPER`, a `plastigran.papers.base.Paper`; its page is docs/papers/NAME.md. The command
-and
-the tests find it without further changes.
-"""
+"""Reproduced papers: one module or package per paper; `plastigran.papers.base` declares them."""
 
 from __future__ import annotations
 
@@ -15,13 +10,10 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from plastigran.papers.base import Paper
 
-#: Modules here that are not papers.
-SHARED = {"base"}
-
 
 def paper_names() -> list[str]:
     """Return the short names of the papers that can be reproduced."""
-    return sorted({module.name for module in iter_modules(__path__)} - SHARED)
+    return sorted({module.name for module in iter_modules(__path__)} - {"base"})
 
 
 def find_paper(name: str) -> Paper:

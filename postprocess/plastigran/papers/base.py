@@ -1,41 +1,53 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A reproduced paper: a report with a citation.
+"""Declaration of a reproduced paper, and parts that several papers use.
 
-    PAPER = Paper(
+    PAPER = declare(
         name="zv02",
         title="An elastic-plastic sphere on a rigid plane",
         citation="X. Zhang & L. Vu-Quoc, Int. J. Impact Eng. 27 (2002) 317",
-        tables=("impacts",),
-        figures=("restitution",),
         compute=compute,
+        tables=(tables.onset, tables.force),
+        figures=(figures.restitution_figure,),
     )
 
-It is found as `PAPER` of a module or package of `plastigran.papers`.
+`compute(progress, coarse)` returns the data; see `Report.run`. Each table, figure and movie is a
+function of the data. Its name, without `_figure` or `_movie`, is the name of the result. A row of a
+table is one quantity: columns `quantity` and `unit`, or other columns that identify it, and then
+columns of numbers such as `paper`, `finite elements`, the name of a law, or `LIGGGHTS`.
+
+`plastigran.papers` finds `PAPER` in each module or package. The page is docs/papers/NAME.md.
 """
 
 from __future__ import annotations
 
 import warnings
-from typing import TYPE_CHECKING, Any
+from collections.abc import Callable, Sequence
+from typing import Any
 
 import attrs
+import numpy as np
+import pandas as pd
+from matplotlib.axes import Axes
+from matplotlib.contour import ContourSet
+from matplotlib.figure import Figure
 
 from plastigran.contact import RangeWarning
 from plastigran.experiments.collide import collide
-from plastigran.report.base import Report
+from plastigran.experiments.runs import Runs
+from plastigran.fem.sphere.fields import at_vertices
+from plastigran.fem.stepping.snapshot import Snapshot
+from plastigran.plot.fields import draw_field
+from plastigran.plot.movie import Movie
+from plastigran.plot.style import COLOURS
+from plastigran.report.base import Findings, Report
 
-if TYPE_CHECKING:
-    from plastigran.experiments.runs import Runs
+STRESS_LEVELS = np.linspace(0, 1, 11)  # von Mises stress / flow stress
+STRESS_LABEL = "von Mises stress / flow stress"
 
 
 @attrs.frozen(kw_only=True)
 class Paper(Report):
-    """Paper that can be reproduced; its page is docs/papers/NAME.md.
-
-    A row of the tables is one quantity: columns `quantity` and `unit`, or other columns that
-    identify
-    it, and then columns of numbers such as `paper`, `finite elements`, the name of a law,
-    `LIGGGHTS`.
+    """Paper that can be reproduced.
 
     Attributes:
         citation: Authors, journal, volume, year, page.
@@ -45,11 +57,81 @@ class Paper(Report):
     pictures: str = attrs.Factory(lambda self: f"../figures/papers/{self.name}", takes_self=True)
 
 
-def thrown(*arguments: Any, **fields: Any) -> Runs:
+def declare(
+    *,
+    compute: Callable[[bool, bool], Any],
+    tables: Sequence[Callable[[Any], pd.DataFrame]],
+    figures: Sequence[Callable[[Any], Figure]],
+    data: Sequence[Callable[[Any], pd.DataFrame]] = (),
+    movies: Sequence[Callable[[Any], Movie]] = (),
+    **description: str,
+) -> Paper:
+    """Return the paper whose results are made by functions of the computed data.
+
+    Args:
+        compute: Function `compute(progress, coarse)` that returns the data.
+        tables, figures, movies: Functions of the results that the page shows.
+        data: Functions of the tables that no page shows.
+        description: `name`, `title` and `citation` of `Paper`.
+    """
+
+    def compute_results(progress: bool, coarse: bool) -> Findings:
+        computed = compute(progress, coarse)
+        return Findings(
+            tables={_name(table): table(computed) for table in (*tables, *data)},
+            figures={_name(figure): figure(computed) for figure in figures},
+            movies={_name(movie): movie(computed) for movie in movies},
+        )
+
+    results = {"tables": tables, "data": data, "figures": figures, "movies": movies}
+    names = {result: tuple(map(_name, functions)) for result, functions in results.items()}
+    return Paper(compute=compute_results, **names, **description)
+
+
+def _name(function: Callable) -> str:
+    return function.__name__.removesuffix("_figure").removesuffix("_movie")
+
+
+def run_impacts(*arguments: Any, **options: Any) -> Runs:
     """Run impacts in LIGGGHTS as `collide` does, without warnings of the range of a law.
 
     The speeds are those of the paper, and its page states the error of each law.
     """
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", RangeWarning)
-        return collide(*arguments, **fields)
+        return collide(*arguments, **options)
+
+
+def draw_stress(
+    axes: Axes,
+    snapshot: Snapshot,
+    strength: float,
+    *,
+    origin: Sequence[float],
+    scale: float,
+    zone_edge: float,
+    mirror: bool = True,
+) -> ContourSet:
+    """Draw von Mises stress / flow stress and the edge of the plastic zone on the deformed body.
+
+    Args:
+        axes: Axes to draw in.
+        snapshot: Fields of the finite elements.
+        strength: Flow stress, Pa.
+        origin: Coordinates of the point that becomes the origin (2,), m.
+        scale: Length of the axes per m.
+        zone_edge: Plastic strain at the edge of the zone.
+        mirror: Whether to repeat the field at negative first coordinates.
+    """
+    vertices = scale * (snapshot.vertices + snapshot.displacement - origin)
+    stress = at_vertices(snapshot, snapshot.mises) / strength
+    stress = np.minimum(stress, 1 - 1e-9)  # points at the flow stress belong to the last level
+    contours = draw_field(
+        axes, vertices, snapshot.quads, stress, STRESS_LEVELS, mirror, cmap="viridis"
+    )
+    strain = at_vertices(snapshot, snapshot.plastic_strain)
+    if strain.max() > zone_edge:
+        style = {"colors": COLOURS[1], "linewidths": 1.2}
+        draw_field(axes, vertices, snapshot.quads, strain, [zone_edge], mirror, False, **style)
+    axes.set_aspect("equal")
+    return contours

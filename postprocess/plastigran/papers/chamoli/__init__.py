@@ -3,27 +3,28 @@
 
 from __future__ import annotations
 
-from plastigran.papers.base import Paper
-from plastigran.report.base import Findings
+from plastigran.papers.base import declare
+from plastigran.papers.chamoli import figures, tables
+from plastigran.papers.chamoli.computations import compute
 
-
-def compute(progress: bool, coarse: bool) -> Findings:
-    """Compute every table and figure."""
-    # Import late, because these modules are slow to load.
-    from plastigran.papers.chamoli.computations import compute_impacts
-    from plastigran.papers.chamoli.figures import figures
-    from plastigran.papers.chamoli.tables import tables
-
-    computed = compute_impacts(progress, coarse)
-    return Findings(tables=tables(computed), figures=figures(computed))
-
-
-PAPER = Paper(
+PAPER = declare(
     name="chamoli",
     title="The vibrating elastic sphere",
     citation="Chamoli, master thesis: fast impacts of an elastic sphere by finite elements",
-    tables=("deviations", "energies", "restitution", "oscillations", "modes", "viscoelastic"),
-    data=("impacts",),
-    figures=("impact", "energies", "restitution", "spectrum"),
     compute=compute,
+    tables=(
+        tables.deviations,
+        tables.energies,
+        tables.restitution,
+        tables.oscillations,
+        tables.modes,
+        tables.viscoelastic,
+    ),
+    data=(tables.impacts,),
+    figures=(
+        figures.impact_figure,
+        figures.energies_figure,
+        figures.restitution_figure,
+        figures.spectrum_figure,
+    ),
 )

@@ -13,7 +13,7 @@ from plastigran.fem.sphere.vibrate import vibrate
 from plastigran.fem.sphere.vibration import Vibration
 from plastigran.fem.theory.hertz import HertzSphere
 from plastigran.materials import Material, read_material
-from plastigran.papers.base import thrown
+from plastigran.papers.base import run_impacts
 from plastigran.physics.impact_modes import impact_modes
 from plastigran.report.computing import Computation, compute_all
 
@@ -21,7 +21,7 @@ RADIUS = 0.01
 HARD, SOFT = 9.3e9, 6e6  # Young's moduli, Pa
 SPEEDS = (0.01, 0.03, 0.1, 0.3, 1.0, 3.0, 5.0)
 SHOWN = ((HARD, 0.1), (HARD, 5.0), (SOFT, 5.0))  # impacts whose spectra and curves are shown
-# flight times divided by the time of a compression wave through the sphere
+#: Flight times divided by the time of a compression wave through the sphere.
 LONG, SHORT = 200.0, 40.0
 #: The sphere of ice whose restitution Bridges, Hatzes & Lin (1984) measured: radius [m] and speeds
 #: within their range [m/s].
@@ -29,7 +29,7 @@ ICE_RADIUS = 0.0275
 ICE_SPEEDS = (2e-4, 1e-3, 5e-3, 2e-2)
 #: Their fit: factor and power of the speed in cm/s.
 ICE_RESTITUTION = (0.32, -0.234)
-#: Frequencies of the thesis [kHz] by kind, degree and overtone: the radial mode, and the first
+#: Frequencies of the thesis [kHz] by type, degree and overtone: the radial mode, and the first
 #: toroidal one, which the thesis takes for the oblate-prolate mode.
 PAPER_MODES = {("radial", 0, 0): 143.67, ("toroidal", 1, 0): 186.49}
 
@@ -38,10 +38,10 @@ Impact = tuple[float, float]  # Young's modulus, Pa, and speed, m/s
 
 @attrs.frozen
 class Computed:
-    """Results by impact.
+    """Data of the tables and figures.
 
     Attributes:
-        vibrations: Finite-element results.
+        vibrations: Finite-element results by impact.
         engine: Rows of LIGGGHTS' own `hertz` by Young's modulus and speed.
         viscoelastic: Rows of `viscoelastic_hertz` in LIGGGHTS.
         modes: Exact modes of the hard sphere that a normal impact can excite.
@@ -52,33 +52,35 @@ class Computed:
     viscoelastic: pd.DataFrame
     modes: pd.DataFrame
 
+    def fundamental_frequency(self, impact: Impact) -> float:
+        """Return the frequency of the fundamental mode of the sphere of an impact, Hz."""
+        return self.modes["frequency"].min() * np.sqrt(impact[0] / HARD)
 
-def compute_impacts(progress: bool, coarse: bool) -> Computed:
+
+def compute(progress: bool, coarse: bool) -> Computed:
     """Compute impacts by finite elements and in LIGGGHTS, and the exact modes."""
     speeds = (0.1, 5.0) if coarse else SPEEDS
     settings = Settings(divisions=4) if coarse else Settings()
     impacts = [*SHOWN, *((HARD, speed) for speed in speeds if (HARD, speed) not in SHOWN)]
-    vibrations = compute_all(
-        {
-            impact: Computation(
-                vibrate,
-                (sphere(impact[0]).material, RADIUS, impact[1], _flight(impact, coarse)),
-                settings,
-            )
-            for impact in impacts
-        },
-        progress,
-    )
+    computations = {}
+    for impact in impacts:
+        modulus, speed = impact
+        flight = SHORT if coarse or impact not in SHOWN else LONG
+        arguments = (sphere(modulus).material, RADIUS, speed, flight)
+        computations[impact] = Computation(vibrate, arguments, settings)
+    vibrations = compute_all(computations, progress)
     hard, ice = material(HARD), read_material("ice")
     runs = [
-        thrown("hertz", speeds, hard, RADIUS).table.assign(youngs_modulus=HARD),
-        thrown("hertz", SHOWN[-1][1], material(SOFT), RADIUS).table.assign(youngs_modulus=SOFT),
+        run_impacts("hertz", speeds, hard, RADIUS).table.assign(youngs_modulus=HARD),
+        run_impacts("hertz", SHOWN[-1][1], material(SOFT), RADIUS).table.assign(
+            youngs_modulus=SOFT
+        ),
     ]
     highest = 1.1 * vibrations[HARD, 5.0].modes["frequency"].max()
     return Computed(
         dict(sorted(vibrations.items(), key=lambda item: (-item[0][0], item[0][1]))),
         pd.concat(runs).set_index(["youngs_modulus", "speed"]),
-        thrown("viscoelastic_hertz", ICE_SPEEDS, ice, ICE_RADIUS).table,
+        run_impacts("viscoelastic_hertz", ICE_SPEEDS, ice, ICE_RADIUS).table,
         impact_modes(HARD, hard.poissons_ratio, hard.density, RADIUS, highest),
     )
 
@@ -101,29 +103,15 @@ def sphere(youngs_modulus: float) -> HertzSphere:
     )
 
 
-def _flight(impact: Impact, coarse: bool) -> float:
-    return SHORT if coarse or impact not in SHOWN else LONG
+def oscillation(vibration: Vibration) -> pd.DataFrame:
+    """Return the oscillation of the contact force about a smooth fit.
 
+    The fit is Hertz' force times a cubic in (approach/R)^(1/2). It covers the effect of the finite
+    size of the sphere, which depends only on the approach.
 
-@attrs.frozen
-class Oscillation:
-    """Oscillation of the contact force about a smooth curve.
-
-    Attributes:
-        time: Middles of the steps of contact (n,), s.
-        share: Difference from the smooth force, divided by the largest force (n,).
-    """
-
-    time: np.ndarray
-    share: np.ndarray
-
-
-def oscillation(vibration: Vibration) -> Oscillation:
-    """Return the difference of the force from a smooth fit.
-
-    The fit is Hertz' force times a cubic in (approach/R)^(1/2), which covers the effect of the
-    finite
-    size of the sphere, because that depends only on the approach.
+    Returns:
+        A row for each step of contact: columns time [s], the middle of the step, and
+        relative_force, the difference from the fit divided by the largest force.
     """
     hertz = HertzSphere(vibration.material, vibration.radius)
     history = vibration.history
@@ -134,5 +122,6 @@ def oscillation(vibration: Vibration) -> Oscillation:
     approach = np.maximum(middle["approach"].to_numpy(), 0)
     powers = np.sqrt(approach / vibration.radius)[:, None] ** np.arange(4)
     basis = hertz.force(1.0) * approach[:, None] ** 1.5 * powers
-    fitted = basis @ np.linalg.lstsq(basis, force, rcond=None)[0]
-    return Oscillation(middle["time"].to_numpy(), (force - fitted) / vibration.force_max)
+    fit = basis @ np.linalg.lstsq(basis, force, rcond=None)[0]
+    relative_force = (force - fit) / vibration.force_max
+    return pd.DataFrame({"time": middle["time"].to_numpy(), "relative_force": relative_force})

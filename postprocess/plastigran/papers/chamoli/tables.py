@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 import numpy as np
 import pandas as pd
 
@@ -32,122 +34,109 @@ KHZ, MICRO = 1e-3, 1e6
 NEAR = 0.01  # relative distance within which a peak belongs to a mode
 
 
-def tables(computed: Computed) -> dict[str, pd.DataFrame]:
-    """Return the tables by name."""
-    kinds = (impacts, energies, restitution, oscillations, modes, viscoelastic)
-    found = {table.__name__: table(computed) for table in kinds}
-    return found | {"deviations": deviations(found["impacts"])}
-
-
 def impacts(computed: Computed) -> pd.DataFrame:
     """Return largest force, largest approach and duration, by Hertz' closed forms and LIGGGHTS."""
-    quantities = {
-        "force_max": ("largest force", "N", 1.0),
-        "overlap_max": ("largest approach", "µm", MICRO),
-        "contact_time": ("duration", "µs", MICRO),
-    }
     rows = []
-    for impact, found in computed.vibrations.items():
-        engine, hertz = computed.engine.loc[impact], sphere(impact[0])
-        approach = hertz.approach_max(impact[1])
-        closed = {
-            "force_max": hertz.force(approach),
-            "overlap_max": approach,
-            "contact_time": hertz.duration(impact[1]),
-        }
-        widest = found.history["contact_radius"].max() / RADIUS
-        for name, (quantity, unit, factor) in quantities.items():
+    for impact, vibration in computed.vibrations.items():
+        hertz, speed = sphere(impact[0]), impact[1]
+        approach = hertz.approach_max(speed)
+        for name, quantity, unit, factor, closed_form in (
+            ("force_max", "largest force", "N", 1.0, hertz.force(approach)),
+            ("overlap_max", "largest approach", "µm", MICRO, approach),
+            ("contact_time", "duration", "µs", MICRO, hertz.duration(speed)),
+        ):
             rows.append(
                 {
-                    **_named(impact),
-                    "a/R": widest,
+                    **_impact_columns(impact),
+                    "a/R": vibration.history["contact_radius"].max() / RADIUS,
                     "quantity": quantity,
                     "unit": unit,
-                    "Hertz": factor * closed[name],
-                    "finite elements": factor * getattr(found, name),
-                    "LIGGGHTS": factor * engine[name],
+                    "Hertz": factor * closed_form,
+                    "finite elements": factor * getattr(vibration, name),
+                    "LIGGGHTS": factor * computed.engine.loc[impact][name],
                 }
             )
     table = add_difference(pd.DataFrame(rows), "finite elements", "Hertz")
     return add_difference(table, "LIGGGHTS", "Hertz")
 
 
-def deviations(impacts: pd.DataFrame) -> pd.DataFrame:
-    """Return one row per impact: how the finite elements differ from Hertz, in per cent."""
+def deviations(computed: Computed) -> pd.DataFrame:
+    """Return one row per impact: the difference of the finite elements from Hertz [%]."""
     difference = "finite elements vs Hertz (%)"
-    rows = []
-    for named, group in impacts.groupby(["E (GPa)", "speed (m/s)", "a/R"], sort=False):
-        by_quantity = group.set_index("quantity")[difference]
-        row = dict(zip(("E (GPa)", "speed (m/s)", "a/R"), named, strict=True))
-        rows.append(row | {f"{name} (%)": value for name, value in by_quantity.items()})
+    keys = ["E (GPa)", "speed (m/s)", "a/R"]
+    rows = [
+        dict(zip(keys, values, strict=True))
+        | dict(zip(rows["quantity"] + " (%)", rows[difference], strict=True))
+        for values, rows in impacts(computed).groupby(keys, sort=False)
+    ]
     return pd.DataFrame(rows)
+
+
+def _by_impact(
+    computed: Computed, row: Callable[[Impact, Vibration], dict[str, float]]
+) -> pd.DataFrame:
+    """Return a table with one row per impact."""
+    return pd.DataFrame(
+        [_impact_columns(impact) | row(impact, v) for impact, v in computed.vibrations.items()]
+    )
 
 
 def energies(computed: Computed) -> pd.DataFrame:
     """Return shares of the impact energy, and the error of the total."""
-    rows = []
-    for impact, found in computed.vibrations.items():
-        history = found.history
-        parts = history[["kinetic_energy", "elastic_energy", "penalty_energy"]]
+
+    def row(_: Impact, vibration: Vibration) -> dict[str, float]:
+        parts = vibration.history[["kinetic_energy", "elastic_energy", "penalty_energy"]]
         total = parts.sum(axis=1)
         share = parts / total.iloc[0]
-        flight = share.loc[found.flight.index]
-        rows.append(
-            {
-                **_named(impact),
-                "energy (µJ)": MICRO * total.iloc[0],
-                "strain, largest in contact": share["elastic_energy"].max(),
-                "kinetic, smallest in contact": share["kinetic_energy"].min(),
-                "penalty, largest": share["penalty_energy"].max(),
-                "strain, mean in flight": flight["elastic_energy"].mean(),
-                "strain, largest in flight": flight["elastic_energy"].max(),
-                "energy error": (total / total.iloc[0] - 1).abs().max(),
-            }
-        )
-    return pd.DataFrame(rows)
+        strain_in_flight = share.loc[vibration.flight.index, "elastic_energy"]
+        return {
+            "energy (µJ)": MICRO * total.iloc[0],
+            "strain, largest in contact": share["elastic_energy"].max(),
+            "kinetic, smallest in contact": share["kinetic_energy"].min(),
+            "penalty, largest": share["penalty_energy"].max(),
+            "strain, mean in flight": strain_in_flight.mean(),
+            "strain, largest in flight": strain_in_flight.max(),
+            "energy error": (total / total.iloc[0] - 1).abs().max(),
+        }
+
+    return _by_impact(computed, row)
 
 
 def restitution(computed: Computed) -> pd.DataFrame:
     """Return 1 - e by momentum and by kinetic energy, because all e are close to one."""
-    gravest = computed.modes["frequency"].min()
-    rows = []
-    for impact, found in computed.vibrations.items():
-        kinetic = np.sqrt(
-            found.flight["kinetic_energy"] / found.history["kinetic_energy"].iloc[0]
-        ).to_numpy()
-        rows.append(
-            {
-                **_named(impact),
-                "periods in contact": found.contact_time * gravest * np.sqrt(impact[0] / HARD),
-                "1 − e, momentum": 1 - found.coefficient_of_restitution,
-                "1 − e, kinetic energy": 1 - found.kinetic_restitution,
-                "least": 1 - kinetic.max(),
-                "most": 1 - kinetic.min(),
-                "vibration energy": found.vibration_energy,
-                "in twelve modes": _shares(found).sum(),
-                "1 − e, LIGGGHTS": 1 - computed.engine.loc[impact]["coefficient_of_restitution"],
-            }
-        )
-    return pd.DataFrame(rows)
+
+    def row(impact: Impact, vibration: Vibration) -> dict[str, float]:
+        initial = vibration.history["kinetic_energy"].iloc[0]
+        kinetic = np.sqrt(vibration.flight["kinetic_energy"] / initial).to_numpy()
+        engine = computed.engine.loc[impact]
+        return {
+            "periods in contact": vibration.contact_time * computed.fundamental_frequency(impact),
+            "1 − e, momentum": 1 - vibration.coefficient_of_restitution,
+            "1 − e, kinetic energy": 1 - vibration.kinetic_restitution,
+            "least": 1 - kinetic.max(),
+            "most": 1 - kinetic.min(),
+            "vibration energy": vibration.vibration_energy,
+            "in twelve modes": _mode_energies(vibration).sum(),
+            "1 − e, LIGGGHTS": 1 - engine["coefficient_of_restitution"],
+        }
+
+    return _by_impact(computed, row)
 
 
 def oscillations(computed: Computed) -> pd.DataFrame:
     """Return the oscillation of the force about a smooth curve during contact."""
-    rows = []
-    for impact, found in computed.vibrations.items():
-        force = oscillation(found)
-        frequencies, amplitudes = peaks(*spectrum(force.share, found.timestep), least=0.5)
-        gravest = computed.modes["frequency"].min() * np.sqrt(impact[0] / HARD)
-        rows.append(
-            {
-                **_named(impact),
-                "rms/largest force": np.sqrt(np.mean(force.share**2)),
-                "peak/largest force": np.abs(force.share).max(),
-                "fundamental mode (kHz)": KHZ * gravest,
-                "strongest (kHz)": KHZ * frequencies[np.argmax(amplitudes)],
-            }
-        )
-    return add_difference(pd.DataFrame(rows), "strongest (kHz)", "fundamental mode (kHz)")
+
+    def row(impact: Impact, vibration: Vibration) -> dict[str, float]:
+        force = oscillation(vibration)["relative_force"].to_numpy()
+        frequencies, amplitudes = peaks(*spectrum(force, vibration.timestep), least=0.5)
+        return {
+            "rms/largest force": np.sqrt(np.mean(force**2)),
+            "peak/largest force": np.abs(force).max(),
+            "fundamental mode (kHz)": KHZ * computed.fundamental_frequency(impact),
+            "strongest (kHz)": KHZ * frequencies[np.argmax(amplitudes)],
+        }
+
+    return add_difference(_by_impact(computed, row), "strongest (kHz)", "fundamental mode (kHz)")
 
 
 def modes(computed: Computed) -> pd.DataFrame:
@@ -155,19 +144,18 @@ def modes(computed: Computed) -> pd.DataFrame:
 
     The spectra are those after the fastest impact. Further columns are the energies of the modes
     after some impacts.
-
-    Further columns are the energies of the modes after some impacts.
     """
-    found = computed.vibrations[HARD, 5.0]
-    table = nearest_modes(found.modes["frequency"], computed.modes)
+    fastest = computed.vibrations[HARD, 5.0]
+    table = nearest_modes(fastest.modes["frequency"], computed.modes)
     table = table.rename(columns={"found": "mesh"})
-    seen = np.concatenate([found.peaks(signal)["frequency"] for signal in SIGNALS])
-    difference = np.abs(seen[:, None] / table["frequency"].to_numpy() - 1)
-    peak = seen[np.argmin(difference, axis=0)]
-    table["peak"] = np.where(difference.min(axis=0) < NEAR, peak, np.nan)
+    measured = np.concatenate([fastest.peaks(signal)["frequency"] for signal in SIGNALS])
+    difference = np.abs(measured[:, None] / table["frequency"].to_numpy() - 1)
+    nearest = measured[np.argmin(difference, axis=0)]
+    table["peak"] = np.where(difference.min(axis=0) < NEAR, nearest, np.nan)
     for impact in SHOWN:
-        modulus, speed = _named(impact).values()
-        table[f"energy at {speed:g} m/s, {modulus:g} GPa"] = _shares(computed.vibrations[impact])
+        modulus, speed = _impact_columns(impact).values()
+        energies = _mode_energies(computed.vibrations[impact])
+        table[f"energy at {speed:g} m/s, {modulus:g} GPa"] = energies
     ice = material(HARD)
     twisting = sphere_modes(HARD, ice.poissons_ratio, ice.density, RADIUS, [1], 1)
     table = pd.concat([table, twisting[twisting["kind"] == "toroidal"]])
@@ -188,13 +176,8 @@ def viscoelastic(computed: Computed) -> pd.DataFrame:
     speeds = runs["speed"].to_numpy()
     factor, power = ICE_RESTITUTION
     impact = CentralImpact("viscoelastic_hertz", speeds[0], ice, ICE_RADIUS)
-    number = viscoelastic_number(
-        ice.dissipative_constant,
-        impact.radius_eff,
-        impact.mass_eff,
-        impact.pair.youngs_modulus_eff,
-        speeds,
-    )
+    bodies = impact.radius_eff, impact.mass_eff, impact.pair.youngs_modulus_eff
+    number = viscoelastic_number(ice.dissipative_constant, *bodies, speeds)
     table = pd.DataFrame(
         {
             "speed (cm/s)": 100 * speeds,
@@ -208,12 +191,12 @@ def viscoelastic(computed: Computed) -> pd.DataFrame:
     return add_difference(table, "LIGGGHTS", "closed form")
 
 
-def _named(impact: Impact) -> dict[str, float]:
+def _impact_columns(impact: Impact) -> dict[str, float]:
     modulus, speed = impact
     return {"E (GPa)": modulus / 1e9, "speed (m/s)": speed}
 
 
-def _shares(vibration: Vibration) -> np.ndarray:
+def _mode_energies(vibration: Vibration) -> np.ndarray:
     """Return the energy of each mode divided by that of the impact."""
     energy = vibration.history["kinetic_energy"].iloc[0]
     return (vibration.modes["energy"] / energy).to_numpy()

@@ -45,21 +45,19 @@ HEAD_ON = Settings(divisions=4, steps_of_contact=120)
 #: An oblique impact takes ten times as long to compute, because its whole track has a fine mesh.
 OBLIQUE = Settings(divisions=3, fineness=0.6, steps_of_contact=40)
 COARSE = Settings(divisions=2, fineness=0.5, steps_of_contact=20)
-KINDS = {"normal": "head-on", "oblique": "oblique"}  # key and word in tables
 
 
 @attrs.frozen(order=True)
-class Key:
-    """Identity of one computation.
+class Case:
+    """Impact of the cylinder by finite elements.
 
-    `body` is "layer", "thick" (without wave reflection), "thin" (half the layer) or "glass"
-    (alone).
-    `kind` is "normal" or "oblique", `mesh` is "usual" or "coarse".
+    `direction` is "head-on" or "oblique", `mesh` is "usual" or "coarse". `body` is "layer", "thick"
+    (without wave reflection), "thin" (half the layer) or "glass" (without the slider's elasticity).
     """
 
     length_ratio: float
     speed: float
-    kind: str = "normal"
+    direction: str = "head-on"
     body: str = "layer"
     mesh: str = "usual"
 
@@ -67,10 +65,11 @@ class Key:
         """Resolution of the computation."""
         if self.mesh == "coarse":
             return COARSE
-        return OBLIQUE if self.kind == "oblique" else HEAD_ON
+        return OBLIQUE if self.direction == "oblique" else HEAD_ON
 
-    def case(self) -> CylinderStrike:
+    def strike(self) -> CylinderStrike:
         """Impact to compute."""
+        sliding = self.direction == "oblique"
         thickness = {"thick": None, "thin": BODY_THICKNESS / 2}.get(self.body, BODY_THICKNESS)
         return CylinderStrike(
             material=GLASS_ALONE if self.body == "glass" else BODY,
@@ -78,8 +77,8 @@ class Key:
             length=self.length_ratio * RADIUS,
             mass=MASS,
             speed=self.speed,
-            sliding_speed=SLIDING_SPEED if self.kind == "oblique" else 0.0,
-            coefficient_of_friction=FRICTION if self.kind == "oblique" else 0.0,
+            sliding_speed=SLIDING_SPEED if sliding else 0.0,
+            coefficient_of_friction=FRICTION if sliding else 0.0,
             thickness=thickness,
         )
 
@@ -93,44 +92,46 @@ class Computed:
         runs: LIGGGHTS results, by length/radius, speed and law; head-on.
     """
 
-    strikes: dict[Key, Strike]
+    strikes: dict[Case, Strike]
     runs: dict[tuple[float, float, str], CollisionOutcome]
 
 
-def keys(coarse: bool) -> list[Key]:
-    """Return the computations, the longest first."""
-    shown = [Key(*SHOWN, "oblique"), Key(*SHOWN)]
+def cases(coarse: bool) -> list[Case]:
+    """Return the impacts to compute, the longest computation first."""
+    shown = [Case(*SHOWN, "oblique"), Case(*SHOWN)]
     if coarse:
-        return [*shown, Key(*SHOWN, body="thick")]
-    found = [
-        Key(ratio, speed, "oblique") for ratio, speeds in OBLIQUE_SPEEDS.items() for speed in speeds
+        return [*shown, Case(*SHOWN, body="thick")]
+    head_on = [(ratio, speed) for ratio, speeds in SPEEDS.items() for speed in speeds]
+    return [
+        *(
+            Case(ratio, speed, "oblique")
+            for ratio, speeds in OBLIQUE_SPEEDS.items()
+            for speed in speeds
+        ),
+        *(Case(*impact, body=body) for body in ("thick", "layer") for impact in head_on),
+        *(attrs.evolve(case, mesh="coarse") for case in shown),
+        *(Case(*SHOWN, body=body) for body in ("glass", "thin")),
     ]
-    for body in ("thick", "layer"):
-        found += [
-            Key(ratio, speed, body=body) for ratio, speeds in SPEEDS.items() for speed in speeds
-        ]
-    found += [attrs.evolve(key, mesh="coarse") for key in shown]
-    return [*found, Key(*SHOWN, body="glass"), Key(*SHOWN, body="thin")]
 
 
-def compute_finite_elements_and_runs(progress: bool, coarse: bool) -> Computed:
+def compute(progress: bool, coarse: bool) -> Computed:
     """Compute `Computed`, or read it from the cache; arguments as for `Report.run`."""
     strikes = compute_all(
         {
-            key: Computation(strike, (key.case(),), COARSE if coarse else key.settings())
-            for key in keys(coarse)
+            case: Computation(strike, (case.strike(),), COARSE if coarse else case.settings())
+            for case in cases(coarse)
         },
         progress,
     )
-    head_on = sorted({(key.length_ratio, key.speed) for key in strikes if key.kind == "normal"})
-    cases = [
+    impacts = sorted({(c.length_ratio, c.speed) for c in strikes if c.direction == "head-on"})
+    experiments = [
         CylinderImpact(law, speed, MATERIAL, RADIUS, length_ratio=ratio)
-        for ratio, speed in head_on
+        for ratio, speed in impacts
         for law in LAWS
     ]
     with TemporaryDirectory() as folder:
-        outcomes = sweep(cases, folder, progress=progress).outcomes
+        outcomes = sweep(experiments, folder, progress=progress).outcomes
     return Computed(
         strikes,
-        {(case.length_ratio, case.speed, case.law): found for case, found in outcomes.items()},
+        {(case.length_ratio, case.speed, case.law): run for case, run in outcomes.items()},
     )

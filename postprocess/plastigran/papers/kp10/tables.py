@@ -9,28 +9,29 @@ import attrs
 import numpy as np
 import pandas as pd
 
-from plastigran.experiments.collision import CollisionOutcome
 from plastigran.experiments.cylinder.study import FINITE_ELEMENTS_OVERLAP_RES
 from plastigran.fem.cylinder.struck import Strike
-from plastigran.fem.stepping.snapshot import Snapshot
-from plastigran.papers.kp10.computations import KINDS, LAWS, SHOWN, Computed, Key
+from plastigran.papers.kp10.computations import LAWS, SHOWN, Case, Computed
 from plastigran.report.base import add_difference
 
 MICRO = 1e6
-#: Residual depth of the paper's finite elements at `SHOWN` with sliding [m].
-OBLIQUE_OVERLAP_RES = 0.19e-6
+#: Residual depths of the paper's finite elements at `SHOWN` [m]; oblique with sliding.
+PAPER_DEPTHS = {"head-on": FINITE_ELEMENTS_OVERLAP_RES, "oblique": 0.19e-6}
 OURS = "finite elements"
-#: Quantities of finite elements and LIGGGHTS: name in tables, and factor to its unit.
+#: Quantities: attribute of finite elements and of LIGGGHTS, unit in tables, and factor to it.
 QUANTITIES = {
-    ("overlap_max", "overlap_max"): ("largest depth", "µm", MICRO),
-    ("residual_depth", "overlap_res"): ("residual depth", "µm", MICRO),
-    ("coefficient_of_restitution",) * 2: ("restitution", "-", 1.0),
-    ("contact_time",) * 2: ("contact time", "µs", MICRO),
-    ("force_max",) * 2: ("largest force", "N", 1.0),
+    "residual depth": ("residual_depth", "overlap_res", "µm", MICRO),
+    "depth at separation": ("overlap_res", "overlap_res", "µm", MICRO),
+    "largest depth": ("overlap_max", "overlap_max", "µm", MICRO),
+    "restitution": (*["coefficient_of_restitution"] * 2, "-", 1.0),
+    "contact time": ("contact_time", "contact_time", "µs", MICRO),
+    "largest force": ("force_max", "force_max", "N", 1.0),
 }
 #: Largest residual/largest depth that counts as zero. The residual depth of LIGGGHTS is
 #: extrapolated from the last three of some thirty steps; an elastic contact shows this error.
-NO_DENT = 1e-3
+INSIGNIFICANT = 1e-3
+#: Impacts of table `head_on`, just beyond yield and the fastest, by length/radius [m/s].
+HEAD_ON_SPEEDS = {10: (0.4, 1.0), 100: (2.0, 5.0)}
 BODIES = {
     "layer": "combined elasticity, 100 µm",
     "thin": "the same, 50 µm",
@@ -39,110 +40,94 @@ BODIES = {
 }
 
 
-def tables(found: Computed) -> dict[str, pd.DataFrame]:
-    """Return the tables by name."""
-    return {
-        "comparison": comparison(found),
-        "normal": normal(found),
-        "head_on": head_on(normal(found)),
-        "oblique": oblique(found),
-        "bodies": bodies(found),
-    }
-
-
-def comparison(found: Computed) -> pd.DataFrame:
+def comparison(computed: Computed) -> pd.DataFrame:
     """Return the impact whose residual depths the paper gives, head-on and oblique."""
-    straight, oblique = (found.strikes[Key(*SHOWN, kind)] for kind in ("normal", "oblique"))
-    by_law = {name: found.runs[*SHOWN, name] for name in LAWS}
-
-    def row(
-        quantity: str, unit: str, paper: float, name: str, struck: Strike, factor: float = MICRO
-    ):
-        line = {"quantity": quantity, "unit": unit, "paper": paper}
-        line[OURS] = factor * getattr(struck, name)
-        # The laws do not include sliding.
-        attribute = {"residual_depth": "overlap_res"}.get(name, name)
-        for law, run in by_law.items():
-            known = struck is straight
-            line[f"LIGGGHTS, {law}"] = factor * getattr(run, attribute) if known else nan
-        return line
-
-    depths = (MICRO * FINITE_ELEMENTS_OVERLAP_RES, MICRO * OBLIQUE_OVERLAP_RES)
+    strikes = {direction: computed.strikes[Case(*SHOWN, direction)] for direction in PAPER_DEPTHS}
     rows = []
-    for kind, struck, depth in zip(
-        ("head-on", "oblique"), (straight, oblique), depths, strict=True
-    ):
-        rows += [
-            row(f"{kind}: residual depth", "µm", depth, "residual_depth", struck),
-            row(f"{kind}: depth at separation", "µm", nan, "overlap_res", struck),
-            row(f"{kind}: largest depth", "µm", nan, "overlap_max", struck),
-            row(f"{kind}: restitution", "-", nan, "coefficient_of_restitution", struck, 1.0),
-            row(f"{kind}: contact time", "µs", nan, "contact_time", struck),
-        ]
-    alike = {"quantity": "largest depth, oblique/head-on", "unit": "-", "paper": 1.0}
-    alike[OURS] = oblique.overlap_max / straight.overlap_max
-    return add_difference(pd.DataFrame([*rows, alike]), OURS, "paper")
+    for direction, strike in strikes.items():
+        for quantity, (name, run_name, unit, factor) in list(QUANTITIES.items())[:5]:
+            depth = MICRO * PAPER_DEPTHS[direction] if name == "residual_depth" else nan
+            row = {"quantity": f"{direction}: {quantity}", "unit": unit, "paper": depth}
+            row[OURS] = factor * getattr(strike, name)
+            for law in LAWS:
+                run = computed.runs[*SHOWN, law]
+                # The laws do not include sliding.
+                value = nan if direction == "oblique" else factor * getattr(run, run_name)
+                row[f"LIGGGHTS, {law}"] = value
+            rows.append(row)
+    ratio = strikes["oblique"].overlap_max / strikes["head-on"].overlap_max
+    row = {"quantity": "largest depth, oblique/head-on", "unit": "-", "paper": 1.0, OURS: ratio}
+    return add_difference(pd.DataFrame([*rows, row]), OURS, "paper")
 
 
-def normal(found: Computed) -> pd.DataFrame:
+def normal(computed: Computed) -> pd.DataFrame:
     """Return head-on impacts: finite elements with and without reflection, errors of the laws."""
     rows = []
-    for key, struck in sorted(found.strikes.items()):
-        if (key.kind, key.body, key.mesh) != ("normal", "layer", "usual"):
+    for case, strike in sorted(computed.strikes.items()):
+        if (case.direction, case.body, case.mesh) != ("head-on", "layer", "usual"):
             continue
-        runs = {law: found.runs[key.length_ratio, key.speed, law] for law in LAWS}
-        thick = found.strikes[attrs.evolve(key, body="thick")]
-        for (name, of_run), (quantity, unit, factor) in QUANTITIES.items():
-            line = {"length/radius": key.length_ratio, "speed (m/s)": key.speed}
-            line |= {"quantity": quantity, "unit": unit}
-            for column, each in ((OURS, struck), ("no reflected waves", thick)):
-                line[column] = factor * _shown(each, name)
-            for law, run in runs.items():
-                line[f"LIGGGHTS, {law}"] = factor * _shown(run, of_run)
-            rows.append(line)
+        thick = computed.strikes[attrs.evolve(case, body="thick")]
+        for quantity in (
+            "largest depth",
+            "residual depth",
+            "restitution",
+            "contact time",
+            "largest force",
+        ):
+            name, run_name, unit, factor = QUANTITIES[quantity]
+            row = {"length/radius": case.length_ratio, "speed (m/s)": case.speed}
+            row |= {"quantity": quantity, "unit": unit}
+            row[OURS] = factor * _significant(strike, name)
+            row["no reflected waves"] = factor * _significant(thick, name)
+            for law in LAWS:
+                run = computed.runs[case.length_ratio, case.speed, law]
+                row[f"LIGGGHTS, {law}"] = factor * _significant(run, run_name)
+            rows.append(row)
     table = pd.DataFrame(rows)
     for law in LAWS:
         table = add_difference(table, f"LIGGGHTS, {law}", OURS)
     return table
 
 
-def head_on(table: pd.DataFrame) -> pd.DataFrame:
-    """Return the rows of table `normal` that the page shows: just beyond yield, and the fastest."""
-    shown = table["speed (m/s)"].isin({0.4, 1.0}) & (table["length/radius"] == 10)
-    shown |= table["speed (m/s)"].isin({2.0, 5.0}) & (table["length/radius"] == 100)
+def _significant(outcome: object, name: str) -> float:
+    """Return a result in SI units; an insignificant residual depth is zero."""
+    value = getattr(outcome, name)
+    residual = name in ("residual_depth", "overlap_res")
+    return 0.0 if residual and value < INSIGNIFICANT * outcome.overlap_max else value
+
+
+def head_on(computed: Computed) -> pd.DataFrame:
+    """Return the rows of table `normal` that the page shows."""
+    table = normal(computed)
+    impacts = zip(table["length/radius"], table["speed (m/s)"], strict=True)
+    shown = [speed in HEAD_ON_SPEEDS[ratio] for ratio, speed in impacts]
     return table[shown].reset_index(drop=True)
 
 
-def _shown(outcome: Strike | CollisionOutcome, name: str) -> float:
-    """Return a result in SI units; an insignificant residual depth is zero."""
-    value = getattr(outcome, name)
-    left = name in ("residual_depth", "overlap_res")
-    return 0.0 if left and value < NO_DENT * outcome.overlap_max else value
-
-
-def oblique(found: Computed) -> pd.DataFrame:
+def oblique(computed: Computed) -> pd.DataFrame:
     """Return finite elements with sliding at 10 m/s and head-on, also on coarse meshes."""
     rows = []
-    for key, struck in sorted(found.strikes.items()):
-        if key.body != "layer" or not _has_oblique(found, key):
+    for case, strike in sorted(computed.strikes.items()):
+        slid = Case(case.length_ratio, case.speed, "oblique") in computed.strikes
+        if case.body != "layer" or not slid:
             continue
-        history, end = struck.history, struck.snapshots["end"]
-        lengths = MICRO * touched_lengths(struck)
-        yielding = surface_yield(struck)
+        history, end = strike.history, strike.snapshots["end"]
+        lengths = MICRO * touched_lengths(strike)
+        surface = surface_yield(strike)
         rows.append(
             {
-                "length/radius": key.length_ratio,
-                "speed (m/s)": key.speed,
-                "way": KINDS[key.kind] + (", coarse mesh" if key.mesh == "coarse" else ""),
+                "length/radius": case.length_ratio,
+                "speed (m/s)": case.speed,
+                "way": case.direction + (", coarse mesh" if case.mesh == "coarse" else ""),
                 "elements (µm)": f"{lengths.min():.2f} to {lengths.max():.2f}",
-                "largest depth (µm)": MICRO * struck.overlap_max,
-                "residual depth (µm)": MICRO * struck.residual_depth,
-                "restitution": struck.coefficient_of_restitution,
-                "contact time (µs)": MICRO * struck.contact_time,
-                "force at first yield (N)": struck.yield_force,
-                "depth/half width at yield": struck.yield_point[1],
-                "force at surface yield (N)": yielding["force"],
-                "detected at depth (µm)": MICRO * yielding["plastic_top"],
+                "largest depth (µm)": MICRO * strike.overlap_max,
+                "residual depth (µm)": MICRO * strike.residual_depth,
+                "restitution": strike.coefficient_of_restitution,
+                "contact time (µs)": MICRO * strike.contact_time,
+                "force at first yield (N)": strike.yield_force,
+                "depth/half width at yield": strike.yield_point[1],
+                "force at surface yield (N)": surface["force"],
+                "detected at depth (µm)": MICRO * surface["plastic_top"],
                 "bottom of the zone (µm)": MICRO * history["plastic_bottom"].max(),
                 "largest plastic strain": end.plastic_strain.max(),
                 "depth of that strain (µm)": -MICRO * end.positions[end.plastic_strain.argmax(), 1],
@@ -152,54 +137,45 @@ def oblique(found: Computed) -> pd.DataFrame:
     return pd.DataFrame(rows)
 
 
-def surface_yield(struck: Strike) -> pd.Series:
+def surface_yield(strike: Strike) -> pd.Series:
     """Return the row of the history where the surface yields first, NaN if it does not.
 
-    The surface yields if the shallowest yielded Gauss point is in the first layer of points.
+    The surface yields if the shallowest yielded Gauss point is in the first layer of points, the
+    two points of each surface element that are closest to y = 0.
     """
-    top = surface_points(struck.snapshots["end"])
-    there = struck.history[struck.history["plastic_top"].isin(-top[:, 1])]
-    return there.iloc[0] if len(there) else pd.Series(nan, index=struck.history.columns)
+    end = strike.snapshots["end"]
+    at_surface = np.count_nonzero(end.vertices[end.quads, 1] == 0, axis=1) == 2
+    heights = end.positions[:, 1].reshape(len(end.quads), -1)[at_surface]
+    layer = -np.sort(heights, axis=1)[:, -2:]
+    yielded = strike.history[strike.history["plastic_top"].isin(layer.ravel())]
+    return yielded.iloc[0] if len(yielded) else pd.Series(nan, index=strike.history.columns)
 
 
-def surface_points(snapshot: Snapshot) -> np.ndarray:
-    """Return the Gauss points next to the surface y = 0, two per element along it (n, 2), m."""
-    along = np.count_nonzero(snapshot.vertices[snapshot.quads, 1] == 0, axis=1) == 2
-    points = snapshot.positions.reshape(len(snapshot.quads), -1, 2)[along]
-    upper = np.argsort(points[:, :, 1], axis=1)[:, -2:]
-    return np.take_along_axis(points, upper[:, :, None], axis=1).reshape(-1, 2)
-
-
-def touched_lengths(struck: Strike) -> np.ndarray:
+def touched_lengths(strike: Strike) -> np.ndarray:
     """Return the lengths of the surface elements that the contact has reached (n,), m."""
-    history, vertices = struck.history, struck.snapshots["end"].vertices
-    reached = struck.start + history["way"], history["half_width"]
-    first, last = (reached[0] - reached[1]).min(), (reached[0] + reached[1]).max()
+    history, vertices = strike.history, strike.snapshots["end"].vertices
+    middle, half_width = strike.start + history["way"], history["half_width"]
+    first, last = (middle - half_width).min(), (middle + half_width).max()
     x = np.sort(vertices[vertices[:, 1] == 0, 0])
     return np.diff(x)[(x[1:] > first) & (x[:-1] < last)]
 
 
-def _has_oblique(found: Computed, key: Key) -> bool:
-    return Key(key.length_ratio, key.speed, "oblique") in found.strikes
-
-
-def bodies(found: Computed) -> pd.DataFrame:
+def bodies(computed: Computed) -> pd.DataFrame:
     """Return the influence of modulus and thickness of the body on the impact at `SHOWN`."""
     rows = []
-    for name, said in BODIES.items():
-        key = Key(*SHOWN, body=name)
-        if key not in found.strikes:
+    for body, description in BODIES.items():
+        strike = computed.strikes.get(Case(*SHOWN, body=body))
+        if strike is None:  # left out of a coarse computation
             continue
-        struck = found.strikes[key]
         rows.append(
             {
-                "body": said,
+                "body": description,
                 "paper (µm)": MICRO * FINITE_ELEMENTS_OVERLAP_RES,
-                "residual depth (µm)": MICRO * struck.residual_depth,
-                "depth at separation (µm)": MICRO * struck.overlap_res,
-                "largest depth (µm)": MICRO * struck.overlap_max,
-                "largest force (N)": struck.force_max,
-                "restitution": struck.coefficient_of_restitution,
+                "residual depth (µm)": MICRO * strike.residual_depth,
+                "depth at separation (µm)": MICRO * strike.overlap_res,
+                "largest depth (µm)": MICRO * strike.overlap_max,
+                "largest force (N)": strike.force_max,
+                "restitution": strike.coefficient_of_restitution,
             }
         )
     return add_difference(pd.DataFrame(rows), "residual depth (µm)", "paper (µm)")

@@ -3,63 +3,37 @@
 
 from __future__ import annotations
 
-from plastigran.papers.base import Paper
-from plastigran.report.base import Findings
+from plastigran.papers.base import declare
+from plastigran.papers.zv02 import figures, pictures, tables
+from plastigran.papers.zv02.computations import compute
 
-
-def compute(progress: bool, coarse: bool) -> Findings:
-    """Compute every table, figure and movie."""
-    # import late, because these modules are slow to load
-    from plastigran.papers.zv02 import figures, pictures
-    from plastigran.papers.zv02.computations import SHOWN, compute_finite_elements_and_runs
-    from plastigran.papers.zv02.tables import tables
-
-    computed = compute_finite_elements_and_runs(progress, coarse)
-    pressing, shown = computed.pressing, computed.throws[SHOWN]
-    forces = pressing.unloadings["force"]
-    return Findings(
-        tables=tables(computed),
-        figures={
-            "restitution": figures.restitution_figure(computed),
-            "collisions": figures.collisions_figure(computed),
-            "loops": figures.loops_figure(pressing),
-            "contact_radius": figures.contact_radius_figure(pressing),
-            "pressure": figures.pressure_figure(pressing, computed.elastic_pressing),
-            "mesh": pictures.mesh_figure(computed.mesh, shown.history["contact_radius"].max()),
-            "mises": pictures.mises_figure(pressing, tuple(forces.iloc[[0, 1, 3, -1]].unique())),
-            "plastic_zone": pictures.plastic_zone_figure(pressing),
-        },
-        movies={"collision": pictures.collision_movie(shown)},
-    )
-
-
-PAPER = Paper(
+PAPER = declare(
     name="zv02",
     title="An elastic-plastic sphere on a rigid plane",
     citation="X. Zhang & L. Vu-Quoc, Int. J. Impact Eng. 27 (2002) 317",
-    tables=(
-        "onset",
-        "elastic",
-        "force",
-        "restitution",
-        "approach",
-        "residual",
-        "pressed",
-        "coefficients",
-        "laws",
-        "engine",
-    ),
-    data=("duration",),
-    figures=(
-        "restitution",
-        "collisions",
-        "loops",
-        "contact_radius",
-        "pressure",
-        "mesh",
-        "mises",
-        "plastic_zone",
-    ),
-    movies=("collision",),
     compute=compute,
+    tables=(
+        tables.onset,
+        tables.elastic,
+        tables.force,
+        tables.restitution,
+        tables.approach,
+        tables.residual,
+        tables.pressed,
+        tables.coefficients,
+        tables.laws,
+        tables.engine,
+    ),
+    data=(tables.duration,),
+    figures=(
+        figures.restitution_figure,
+        figures.collisions_figure,
+        figures.loops_figure,
+        figures.contact_radius_figure,
+        figures.pressure_figure,
+        pictures.mesh_figure,
+        pictures.mises_figure,
+        pictures.plastic_zone_figure,
+    ),
+    movies=(pictures.collision_movie,),
 )

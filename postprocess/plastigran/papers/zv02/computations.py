@@ -9,6 +9,7 @@ import attrs
 from skfem import MeshQuad2
 
 from plastigran import laws
+from plastigran.experiments.collision import CollisionOutcome
 from plastigran.experiments.runs import Runs
 from plastigran.fem.limits import force_of_impact
 from plastigran.fem.material.elastic_plastic import ElasticPlastic
@@ -19,7 +20,7 @@ from plastigran.fem.sphere.results import Pressing, Throw
 from plastigran.fem.sphere.throw import throw
 from plastigran.fem.theory.hertz import HertzSphere
 from plastigran.materials import RIGID, read_material
-from plastigran.papers.base import thrown
+from plastigran.papers.base import run_impacts
 from plastigran.report.computing import Computation, compute_all
 
 RADIUS = 0.1
@@ -40,8 +41,7 @@ SPEEDS = (0.20, 0.10, 0.06, 0.02)
 ELASTIC_SPEEDS = (0.02, 0.10)
 #: Speed of the movie [m/s].
 SHOWN = 0.10
-#: Largest forces [N]: just beyond yield, the paper's loads, and the force of its impact at 0.20
-#: m/s.
+#: Largest forces [N]: just beyond yield, the paper's loads, and that of its impact at 0.20 m/s.
 FORCES = (40.0, 100.0, 500.0, 1500.0, 3000.0, 8375.0)
 #: Force up to which the paper fits the constants of its law, 41 P_Y [N].
 CALIBRATION_FORCE = 1500.0
@@ -54,18 +54,18 @@ class Computed:
     """Data of the tables and figures.
 
     Attributes:
-        throws: Elastic-plastic impacts, by speed.
-        elastic_throws: Elastic impacts, by speed.
+        impacts: Elastic-plastic impacts, by speed.
+        elastic_impacts: Elastic impacts, by speed.
         pressing: Quasi-static compression to each of `FORCES`.
         elastic_pressing: The same without plastic flow.
-        fit: Compression to `CALIBRATION_FORCE` in one stroke.
+        fit: One compression, to `CALIBRATION_FORCE`.
         onset: Compression past the yield force in small steps, on a finer mesh.
         mesh: Mesh of the impact at `SHOWN`.
         runs: LIGGGHTS runs of `LAWS` and Hertz at every speed.
     """
 
-    throws: dict[float, Throw]
-    elastic_throws: dict[float, Throw]
+    impacts: dict[float, Throw]
+    elastic_impacts: dict[float, Throw]
     pressing: Pressing
     elastic_pressing: Pressing
     fit: Pressing
@@ -73,8 +73,13 @@ class Computed:
     mesh: MeshQuad2
     runs: Runs
 
+    def run(self, law: str, speed: float) -> CollisionOutcome:
+        """Return the impact of a law in LIGGGHTS."""
+        outcomes = self.runs.outcomes
+        return next(o for case, o in outcomes.items() if (case.law, case.speed) == (law, speed))
 
-def compute_finite_elements_and_runs(progress: bool, coarse: bool) -> Computed:
+
+def compute(progress: bool, coarse: bool) -> Computed:
     """Compute `Computed`, or read it from the cache; arguments as for `Report.run`."""
     usual, frames = Settings(), 50
     if coarse:
@@ -83,24 +88,20 @@ def compute_finite_elements_and_runs(progress: bool, coarse: bool) -> Computed:
     long = attrs.evolve(usual, free_steps=usual.steps_of_contact // 4, frames=frames)
     fine = attrs.evolve(usual, divisions=2 * usual.divisions, growth=1.002, unloading_steps=8)
     speeds = (SHOWN, 0.02) if coarse else SPEEDS
-    forces = FORCES[:4] if coarse else FORCES
-    asked = {
-        **{("thrown", v): Computation(throw, (METAL, RADIUS, v), long) for v in speeds},
-        "pressed": Computation(press, (METAL, RADIUS, list(forces)), usual),
+    forces = list(FORCES[:4] if coarse else FORCES)
+    computations = {
+        **{("impact", v): Computation(throw, (METAL, RADIUS, v), long) for v in speeds},
+        "pressing": Computation(press, (METAL, RADIUS, forces), usual),
         **{("elastic", v): Computation(throw, (ELASTIC, RADIUS, v), usual) for v in ELASTIC_SPEEDS},
-        "elastic, pressed": Computation(press, (ELASTIC, RADIUS, list(forces)), usual),
+        "elastic_pressing": Computation(press, (ELASTIC, RADIUS, forces), usual),
         "fit": Computation(press, (METAL, RADIUS, [CALIBRATION_FORCE]), usual),
         "onset": Computation(press, (METAL, RADIUS, [1.04 * SPHERE.yield_force]), fine),
     }
-    found = compute_all(asked, progress)
-    ordered = sorted(speeds)
+    results = compute_all(computations, progress)
     return Computed(
-        throws={v: found["thrown", v] for v in ordered},
-        elastic_throws={v: found["elastic", v] for v in ELASTIC_SPEEDS},
-        pressing=found["pressed"],
-        elastic_pressing=found["elastic, pressed"],
-        fit=found["fit"],
-        onset=found["onset"],
+        impacts={v: results.pop(("impact", v)) for v in sorted(speeds)},
+        elastic_impacts={v: results.pop(("elastic", v)) for v in ELASTIC_SPEEDS},
         mesh=usual.mesh(SPHERE, force_of_impact(SPHERE, SHOWN)[1], whole=True).build(),
-        runs=thrown([*LAWS, "hertz"], ordered, MATERIAL, RADIUS),
+        runs=run_impacts([*LAWS, "hertz"], sorted(speeds), MATERIAL, RADIUS),
+        **results,
     )
