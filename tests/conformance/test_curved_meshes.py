@@ -370,5 +370,5 @@ def test_an_impossible_feature_angle_is_refused(options, complaint, tmp_path):
 
 
 def test_a_feature_angle_of_a_primitive_wall_is_refused(tmp_path):
-    with pytest.raises(EngineStopped, match="feature_angle is for walls of meshes"):
+    with pytest.raises(EngineStopped, match="feature_angle is supported only for mesh walls"):
         run(tmp_path, CYLINDER + " feature_angle 30", let_go(1))

@@ -226,11 +226,11 @@ def test_another_folder_is_refused_by_name(tmp_path):
 
 
 def test_files_of_others_are_not_overwritten(bare_tree):
-    (bare_tree / "src/range_watch.cpp").write_text("// a fork's own\n")
+    (bare_tree / "src/range_check.cpp").write_text("// a fork's own\n")
     before = contents(bare_tree)
     refusal = install(bare_tree)
     assert refusal.returncode != 0
-    assert "range_watch.cpp" in refusal.stderr
+    assert "range_check.cpp" in refusal.stderr
     assert contents(bare_tree) == before
 
 

@@ -135,10 +135,10 @@ TEST_CASE("contacts are looked at again a tenth deeper, or at the end of the ran
   TypePair<KogutEtsion>& pair = pairs(1, 1);
   const double shallow = 0.5 * pair.range;
   CHECK(pair.deepens(shallow, 1));
-  CHECK(pair.watched == 1.1 * shallow);
+  CHECK(pair.checked_from == 1.1 * shallow);
   CHECK_FALSE(pair.deepens(1.05 * shallow, 1));
   CHECK(pair.deepens(pair.range, 1));
-  CHECK(pair.watched == pair.range);
+  CHECK(pair.checked_from == pair.range);
 }
 
 TEST_CASE("the fastest impact asks for the step, and says whether it leaves the range") {

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// The engine's contact model, which tells the energy ledger and the observers what all models of a
-// contact did together; the normal model tells its own part. It has one setting more,
-// `energy_ledger on|off`, knows which models its setup asks for, and takes a line's settings from
-// restart files.
+// LIGGGHTS' contact model with three additions. It reports every contact to the energy ledger and
+// the observers, it has the setting `energy_ledger on|off`, and it restores the settings of its
+// line from a restart file.
 #pragma once
 
 #include "contact_models.h"
@@ -20,17 +19,15 @@
 
 namespace plastigran {
 
-// The setup comes first: models ask it, and register their history values, as they are made.
+// ContactSetup is the first base, because the models use it while they are constructed.
 template <class Style>
-class AccountedContact : private ContactSetup,
-                         public LIGGGHTS::ContactModels::ContactModel<Style>,
-                         public AccountTaker {
+class AccountedContact : private ContactSetup, public LIGGGHTS::ContactModels::ContactModel<Style> {
   typedef LIGGGHTS::ContactModels::ContactModel<Style> Base;
   typedef LIGGGHTS::ContactModels::SurfacesIntersectData Contact;
   typedef LIGGGHTS::ContactModels::ForceData Load;
 
  public:
-  // Whether two bodies may act on each other without having touched.
+  // Whether two bodies may exert forces before they touch.
   static constexpr bool acts_at_a_distance =
       Style::COHESION != LIGGGHTS::ContactModels::COHESION_OFF;
 
@@ -42,13 +39,13 @@ class AccountedContact : private ContactSetup,
         owner_(owner),
         spring_offset_(has_model("tangential", "history") ? offset_of("shearx") : -1) {}
 
-  // The engine asks which models these are: those of the setup's hash.
+  // LIGGGHTS needs the models of the deck here. The base class has the placeholders ANY.
   int64_t hashcode() { return hash(); }
   bool contact_match(const std::string& kind, const std::string& name) {
     return has_model(kind, name);
   }
 
-  // Where a value stands in a contact's history, -1 when no model has it.
+  // The offset of a history value, -1 if no model has registered it.
   int get_history_offset(const std::string& name) {
     const int offset = offset_of(name);
     return offset < 0 ? Base::get_history_offset(name) : offset;
@@ -57,73 +54,79 @@ class AccountedContact : private ContactSetup,
   void registerSettings(Settings& settings) {
     line_read_ = true;
     Base::registerSettings(settings);
-    settings.registerOnOff("energy_ledger", asked_, false);
+    settings.registerOnOff("energy_ledger", requests_ledger_, false);
   }
 
   void postSettings(LIGGGHTS::IContactHistorySetup* owner) {
     if (this->is_wall()) refuse_replacement(engine_);
     Base::postSettings(owner);
-    // Not for a wall: its fix is only being made, and the engine adds one fix at a time.
-    if (asked_ && !this->is_wall()) EnergyLedger::open(engine_);
+    // A wall cannot open the ledger, because LIGGGHTS cannot add a fix while it makes another one.
+    if (requests_ledger_ && !this->is_wall()) EnergyLedger::open(engine_);
   }
 
   void connectToProperties(PropertyRegistry& registry) {
     if (!line_read_) restore_line();
     ledger_ = find_own_fix<EnergyLedger>(engine_);
-    const char* const complaint = EnergyLedger::complaint(ledger_, asked_, this->is_wall());
+    const char* const complaint =
+        EnergyLedger::complaint(ledger_, requests_ledger_, this->is_wall());
     if (complaint) engine_->error->all(FLERR, complaint);
-    if (!asked_) ledger_ = nullptr;
+    if (!requests_ledger_) ledger_ = nullptr;
     if (ledger_) refuse_what_is_not_counted("energy_ledger on");
     if (ledger_) ledger_->attach(owner_);
     observers_ = ContactObserver::attach(engine_, owner_);
     for (const ContactObserver* const observer : observers_)
       refuse_what_is_not_counted(std::string("fix ") + observer->id + ' ' + observer->style);
-    takes_accounts = ledger_ || !observers_.empty();
     Base::connectToProperties(registry);
   }
 
-  // As the engine's loops call it: with a load that has no room for an account.
+  // Whether anybody counts the energies of these contacts.
+  bool counts_energies() const { return ledger_ || !observers_.empty(); }
+
+  // For LIGGGHTS' loops, whose loads have no room for energies.
   void surfacesIntersect(Contact& contact, Load& on_i, Load& on_j) {
-    if (takes_accounts && contact.computeflag) {
-      on_i = accounted(contact, on_i, on_j);
-    } else {
+    if (counts_energies() && contact.computeflag)
+      on_i = counted(contact, on_i, on_j);
+    else
       compute(contact, on_i, on_j);
-    }
   }
 
-  // The models' forces alone.
+  // Computes the forces of all models.
   void compute(Contact& contact, Load& on_i, Load& on_j) {
     Base::surfacesIntersect(contact, on_i, on_j);
   }
 
-  // The forces, told to the ledger and the observers.
-  void account(Contact& contact, AccountedLoad& on_i, Load& on_j) {
-    compute(contact, on_i, on_j);
+  // Computes the forces and reports them to the ledger and the observers.
+  void compute_and_count(Contact& contact, AccountedLoad& on_i, Load& on_j) {
+    compute_with_energies(contact, on_i, on_j);
     if (ledger_) ledger_->add(contact, on_i, on_j);
-    // The next set-up reports again what `run 0` would.
+    // `run 0` does not advance the contacts, so the next setup reports the same again.
     if (!contact.shearupdate && engine_->update->nsteps == 0) return;
     for (ContactObserver* const observer : observers_) observer->add(contact, on_i, on_j, owner_);
   }
 
-  // What the contact stores, told to the ledger. Some models write to its history meanwhile.
+  // Reports the stored energies to the ledger. Some models write to the history meanwhile.
   void count_stored(Contact& contact, AccountedLoad& on_i, Load& on_j) {
-    compute(contact, on_i, on_j);
+    compute_with_energies(contact, on_i, on_j);
     add_stored(contact, on_i);
   }
 
-  // The forces at hand are computed, and their loads did not ask for elastic energies: `contacts`
-  // can say what they store.
+  // Lets the ledger get the stored energies from `contacts` when it needs them.
   void defer_stored_energies(StoredEnergies& contacts) {
     if (ledger_) ledger_->defer(contacts);
   }
 
  private:
-  // From a restart file.
+  void compute_with_energies(Contact& contact, AccountedLoad& on_i, Load& on_j) {
+    counted_load = &on_i;
+    compute(contact, on_i, on_j);
+    counted_load = nullptr;
+  }
+
+  // Takes the settings of the line from a restart file.
   void restore_line() {
-    LIGGGHTS::IContactHistorySetup* const owner = owner_of(this);
-    const std::string name = ContactOwner(owner, this->is_wall()).name();
+    const std::string name = ContactOwner(owner(), this->is_wall()).name();
     restore_settings(engine_, *this, own_fix<HistoryKeeper>(engine_)->restarted_settings(name),
-                     [&] { postSettings(owner); });
+                     [&] { postSettings(owner()); });
   }
 
   void refuse_what_is_not_counted(const std::string& counter) {
@@ -138,11 +141,10 @@ class AccountedContact : private ContactSetup,
     if (reason) engine_->error->all(FLERR, (counter + reason).c_str());
   }
 
-  // All at once: the forces, and what the contact stores.
-  [[gnu::noinline]] AccountedLoad accounted(Contact& contact, const Load& before, Load& on_j) {
+  [[gnu::noinline]] AccountedLoad counted(Contact& contact, const Load& before, Load& on_j) {
     AccountedLoad on_i(before);
-    on_i.asks_elastic_energy = ledger_ != nullptr;
-    account(contact, on_i, on_j);
+    on_i.needs_elastic_energy = ledger_ != nullptr;
+    compute_and_count(contact, on_i, on_j);
     if (ledger_) add_stored(contact, on_i);
     return on_i;
   }
@@ -159,11 +161,11 @@ class AccountedContact : private ContactSetup,
   }
 
   LAMMPS_NS::LAMMPS* engine_;
-  const void* owner_;  // the PairGran or FixWallGran
+  const void* owner_;  // the Pair or Fix, which fixes compare by address
   EnergyLedger* ledger_ = nullptr;
   std::vector<ContactObserver*> observers_;
-  int spring_offset_;  // of the tangential model's three values, -1 when it has no spring
-  bool asked_ = false;
+  int spring_offset_;  // of the tangential spring in the history, -1 if there is none
+  bool requests_ledger_ = false;
   bool line_read_ = false;
 };
 

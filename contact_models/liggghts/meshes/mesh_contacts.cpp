@@ -34,12 +34,12 @@ double cosine_between(const double* a, const double* b) {
 }  // namespace
 
 MeshContacts::MeshContacts(LAMMPS_NS::LAMMPS* engine, LAMMPS_NS::FixMeshSurface* mesh,
-                           double feature_cosine, std::vector<int> vectors)
+                           double feature_cosine, std::vector<int> springs)
     : engine_(engine),
       fix_(mesh),
       mesh_(mesh->triMesh()),
       feature_cosine_(feature_cosine - rounded),
-      vectors_(std::move(vectors)) {}
+      springs_(std::move(springs)) {}
 
 bool MeshContacts::computes(int particle, int triangle, bool overlaps, double* history) {
   const auto [first, last] = overlaps_of(particle);
@@ -70,8 +70,8 @@ std::pair<int, int> MeshContacts::overlaps_of(int particle) {
     join_surfaces(particle, first);
     choose_carriers(particle, first);
     find_memory(particle, first);
-    if (!watch_->found(MeshWatch::seam)) look_for_seam(particle, first);
-    if (!watch_->found(MeshWatch::ring)) look_for_ring(particle, first);
+    if (!check_->found(MeshCheck::seam)) look_for_seam(particle, first);
+    if (!check_->found(MeshCheck::ring)) look_for_ring(particle, first);
     found_[particle] = {first, static_cast<int>(overlaps_.size())};
   }
   return found_[particle];
@@ -152,7 +152,7 @@ void MeshContacts::look_for_seam(int particle, int first) const {
     for (int b = a + 1; b < last; ++b)
       if (overlaps_[a].carries && overlaps_[b].carries &&
           cosine_between(overlaps_[a].to_foot, overlaps_[b].to_foot) >= feature_cosine_)
-        return watch_->note(MeshWatch::seam, place(particle, overlaps_[a], overlaps_[b]));
+        return check_->note(MeshCheck::seam, place(particle, overlaps_[a], overlaps_[b]));
 }
 
 // Triangles of one surface on opposite sides of the particle.
@@ -162,10 +162,10 @@ void MeshContacts::look_for_ring(int particle, int first) const {
     for (int b = first; overlaps_[a].carries && b < last; ++b)
       if (a != b && overlaps_[a].surface == overlaps_[b].surface &&
           cosine_between(overlaps_[a].to_foot, overlaps_[b].to_foot) < opposite)
-        return watch_->note(MeshWatch::ring, place(particle, overlaps_[a], overlaps_[b]));
+        return check_->note(MeshCheck::ring, place(particle, overlaps_[a], overlaps_[b]));
 }
 
-MeshWatch::Place MeshContacts::place(int particle, const Overlap& a, const Overlap& b) const {
+MeshCheck::Place MeshContacts::place(int particle, const Overlap& a, const Overlap& b) const {
   const double* const x = engine_->atom->x[particle];
   const double cosine = std::min(1.0, cosine_between(a.to_foot, b.to_foot));
   return {engine_->atom->tag[particle],
@@ -227,7 +227,7 @@ void MeshContacts::take_over(int particle, Overlap& overlap, double* history) co
   double before[3], now[3];
   distance(particle, overlap.former, false, before);
   distance(particle, overlap.triangle, false, now);
-  for (int offset : vectors_) turn(before, now, history + offset);
+  for (int offset : springs_) turn(before, now, history + offset);
 }
 
 // Whether the triangle's whole plane is out of reach: most are, and this is quickly seen.

@@ -17,20 +17,19 @@
 
 #include "fix_mesh_surface.h"
 #include "lammps.h"
-#include "liggghts/meshes/mesh_watch.h"
+#include "liggghts/meshes/mesh_check.h"
 
 namespace plastigran {
 
 class MeshContacts {
  public:
-  // `vectors`: where in a contact's history each vector in the tangent plane begins, such as a
-  // tangential spring.
+  // `springs`: the offset of each spring in the contact history, a vector in the tangent plane.
   MeshContacts(LAMMPS_NS::LAMMPS* engine, LAMMPS_NS::FixMeshSurface* mesh, double feature_cosine,
-               std::vector<int> vectors);
+               std::vector<int> springs);
 
   // Before a run.
-  void begin_run(MeshWatch* watch) {
-    watch_ = watch;
+  void begin_run(MeshCheck* check) {
+    check_ = check;
     list_step_ = contact_step_ = -1;
   }
 
@@ -61,7 +60,7 @@ class MeshContacts {
   void find_memory(int particle, int first);
   void look_for_seam(int particle, int first) const;
   void look_for_ring(int particle, int first) const;
-  MeshWatch::Place place(int particle, const Overlap& a, const Overlap& b) const;
+  MeshCheck::Place place(int particle, const Overlap& a, const Overlap& b) const;
   Overlap* heir_of(int particle, int first, int triangle);
   void take_over(int particle, Overlap& overlap, double* history) const;
   bool beyond_its_plane(int particle, int triangle) const;
@@ -73,8 +72,8 @@ class MeshContacts {
   LAMMPS_NS::FixMeshSurface* fix_;
   LAMMPS_NS::TriMesh* mesh_;
   double feature_cosine_;
-  std::vector<int> vectors_;
-  MeshWatch* watch_ = nullptr;
+  std::vector<int> springs_;
+  MeshCheck* check_ = nullptr;
 
   // The triangles near each local particle, in the engine's order: those of particle i stand from
   // first_near_[i] to first_near_[i + 1]. From the neighbour lists of that step.

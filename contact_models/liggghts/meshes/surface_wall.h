@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// The engine's wall with one setting more for meshes, `feature_angle`: up to which angle triangles
-// that share an edge are one surface, on which a particle has one contact.
+// LIGGGHTS' wall with the setting `feature_angle` for meshes. Triangles that share an edge and
+// differ in direction by at most this angle form one surface. A particle has one contact with a
+// surface.
 #pragma once
 
 #include <algorithm>
@@ -24,7 +25,7 @@ class SurfaceWall : public LIGGGHTS::Walls::Granular<Contact> {
   SurfaceWall(LAMMPS_NS::LAMMPS* engine, LAMMPS_NS::FixWallGran* wall, int64_t hash)
       : Base(engine, wall, hash), engine_(engine), wall_(wall) {}
 
-  // Takes its own setting out of the line; the others are the models'.
+  // Reads feature_angle, and passes the other settings to the models.
   void settings(int count, char** words, LIGGGHTS::IContactHistorySetup* owner) override {
     std::vector<char*> others;
     for (int k = 0; k < count; k += 2) {
@@ -36,19 +37,19 @@ class SurfaceWall : public LIGGGHTS::Walls::Granular<Contact> {
     Base::settings(others.size(), others.data(), owner);
   }
 
-  // Before a run. In the first, the engine sets up the meshes after this. Where a surface bends by
-  // less than a mesh's `curvature` it would leave edges out, and a particle would have no contact
-  // for as long as it takes to pass one that bends away from it.
+  // LIGGGHTS calls this before every run, and sets up the meshes after the first call. It removes
+  // the edges that bend by less than the `curvature` of a mesh. A particle that passes such an edge
+  // on its convex side would have no contact, so `curvature` is set to about zero.
   void init_granular() override {
     Base::init_granular();
     if (feature_angle_ == 0 || !wall_->is_mesh_wall()) return;
     for (int k = meshes_.size(); k < wall_->n_meshes(); ++k) {
       LAMMPS_NS::FixMeshSurface* const mesh = wall_->mesh_list()[k];
       if (!std::strstr(mesh->style, "planar")) mesh->triMesh()->setCurvature(1 - 1e-12);
-      meshes_.emplace_back(engine_, mesh, std::cos(feature_angle_ * M_PI / 180), vectors());
+      meshes_.emplace_back(engine_, mesh, std::cos(feature_angle_ * M_PI / 180), spring_offsets());
     }
-    MeshWatch* const watch = own_fix<MeshWatch>(engine_);
-    for (MeshContacts& mesh : meshes_) mesh.begin_run(watch);
+    MeshCheck* const check = own_fix<MeshCheck>(engine_);
+    for (MeshContacts& mesh : meshes_) mesh.begin_run(check);
   }
 
   void compute_force(LAMMPS_NS::FixWallGran* wall,
@@ -66,15 +67,16 @@ class SurfaceWall : public LIGGGHTS::Walls::Granular<Contact> {
   void set_feature_angle(const char* word) {
     feature_angle_ = engine_->force->numeric(FLERR, word);
     if (!wall_->is_mesh_wall())
-      engine_->error->fix_error(FLERR, wall_, "feature_angle is for walls of meshes");
+      engine_->error->fix_error(FLERR, wall_,
+                                "feature_angle is supported only for mesh walls. Remove it");
     if (!(feature_angle_ >= 0 && feature_angle_ <= 90))
       engine_->error->fix_error(
           FLERR, wall_,
           (std::string("feature_angle is ") + word + "; it must be from 0 to 90 degrees").c_str());
   }
 
-  // Where tangential and rolling springs stand in a contact's history.
-  std::vector<int> vectors() {
+  // The offsets of tangential and rolling springs in the contact history.
+  std::vector<int> spring_offsets() {
     std::vector<int> offsets;
     for (const char* first : {"shearx", "r_torquex_old"}) {
       const int offset = this->get_history_offset(first);
@@ -83,7 +85,7 @@ class SurfaceWall : public LIGGGHTS::Walls::Granular<Contact> {
     return offsets;
   }
 
-  // The engine's compute has a row for each overlap.
+  // Adds a row for an overlap without a force, because compute wall/gran/local lists all overlaps.
   void list_without_force(LAMMPS_NS::FixWallGran* wall,
                           LIGGGHTS::ContactModels::SurfacesIntersectData& contact, double* velocity,
                           int index, int id) {
@@ -98,7 +100,7 @@ class SurfaceWall : public LIGGGHTS::Walls::Granular<Contact> {
 
   LAMMPS_NS::LAMMPS* engine_;
   LAMMPS_NS::FixWallGran* wall_;
-  double feature_angle_ = 30;  // degrees; 0: the engine's own contacts
+  double feature_angle_ = 30;  // degrees; 0: one contact per triangle, as in LIGGGHTS
   std::vector<MeshContacts> meshes_;
 };
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// Stands before the owner of contacts, a pair style or wall, while the models of a contact are
-// made. It tells them what an owner of the engine cannot be asked: which models the deck names, and
-// where each value stands in a contact's history.
+// Stands between a pair style or wall and the models of its contacts. It tells the models what
+// their owner cannot: which models the deck names, where each value stands in the contact history,
+// and which load the energies of a contact go to.
 #pragma once
 
 #include <cstddef>
@@ -11,6 +11,7 @@
 #include <string>
 
 #include "contact_interface.h"
+#include "liggghts/model/accounted_load.h"
 
 namespace plastigran {
 
@@ -19,13 +20,21 @@ class ContactSetup : public LIGGGHTS::IContactHistorySetup {
   ContactSetup(LIGGGHTS::IContactHistorySetup* owner, int64_t hash) : owner_(owner), hash_(hash) {}
   virtual ~ContactSetup() {}
 
+  // The setup that LIGGGHTS passes to the models of an AccountedContact.
+  static ContactSetup& of(LIGGGHTS::IContactHistorySetup* setup) {
+    return dynamic_cast<ContactSetup&>(*setup);
+  }
+
   int add_history_value(std::string name, std::string newtonflag) override {
     const int offset = owner_->add_history_value(name, newtonflag);
     offsets_.emplace(name, offset);
     return offset;
   }
 
-  // The engine's hash of the combination of models: six bits for each of its places.
+  // The pair style or wall.
+  LIGGGHTS::IContactHistorySetup* owner() const { return owner_; }
+
+  // LIGGGHTS' hash of the combination of models: six bits for each place.
   int64_t hash() const { return hash_; }
   static int model_of(int64_t hash, std::size_t place) { return hash >> 6 * place & 63; }
 
@@ -35,17 +44,14 @@ class ContactSetup : public LIGGGHTS::IContactHistorySetup {
   // Whether the model of that kind, "normal", "tangential", ..., has that name in a deck.
   bool has_model(const std::string& kind, const std::string& name) const;
 
-  // The place of the value of that name, -1 when no model has registered one.
+  // The offset of a history value, -1 if no model has registered it.
   int offset_of(const std::string& name) const {
-    const auto found = offsets_.find(name);
-    return found == offsets_.end() ? -1 : found->second;
+    const auto entry = offsets_.find(name);
+    return entry == offsets_.end() ? -1 : entry->second;
   }
 
-  // The pair style or wall itself, from the one that stands before it or from itself.
-  static LIGGGHTS::IContactHistorySetup* owner_of(LIGGGHTS::IContactHistorySetup* setup) {
-    const auto before = dynamic_cast<ContactSetup*>(setup);
-    return before ? before->owner_ : setup;
-  }
+  // The load on particle i in the call that is being computed, if its energies are counted.
+  AccountedLoad* counted_load = nullptr;
 
  private:
   LIGGGHTS::IContactHistorySetup* owner_;

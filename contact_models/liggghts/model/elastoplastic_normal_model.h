@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// A normal contact model of LIGGGHTS over any law: it keeps the law's state in the contact history
-// and hands force and tangential stiffness on.
+// The normal contact model of LIGGGHTS for any law. It stores the state of the law in the contact
+// history, and returns the force and the tangential stiffness.
 //
-// LIGGGHTS' contact_models.h includes every model, and so this file: it comes before the guard.
+// The include guard follows contact_models.h, because that header includes this one.
 #include "contact_models.h"
 #ifndef PLASTIGRAN_ELASTOPLASTIC_NORMAL_MODEL_H
 #define PLASTIGRAN_ELASTOPLASTIC_NORMAL_MODEL_H
@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <type_traits>
 
 #include "liggghts/model/accounted_load.h"
 #include "liggghts/model/normal_model_setup.h"
@@ -28,69 +29,71 @@ class ElastoplasticNormalModel : public NormalModelSetup<Law> {
   typedef plastigran::TypePair<Law> TypePair;
   static constexpr std::size_t state_size = Law::state_names.size() * sizeof(double);
   static_assert(state_size == 0 || state_size == sizeof(State),
-                "a law's State is its named doubles and nothing else");
+                "a law's State consists of its named doubles");
 
-  using Setup::accounts_, Setup::damping_, Setup::history_offset_, Setup::pairs_, Setup::rates_,
-      Setup::settings_, Setup::smooth_friction_, Setup::update, Setup::watch_;
+  using Setup::checks_, Setup::damping_, Setup::history_offset_, Setup::pairs_, Setup::rates_,
+      Setup::settings_, Setup::setup_, Setup::smooth_friction_, Setup::update;
 
  public:
   using Setup::Setup;
 
-  // Force as a power of overlap while elastic: Hertz, or the nearly straight line contact.
+  // Exponent of the overlap in the elastic force: Hertz, or the nearly linear line contact.
   double stressStrainExponent() override { return Setup::is_cylinder ? 1 : 1.5; }
 
   void surfacesIntersect(SurfacesIntersectData& contact, ForceData& i_forces,
                          ForceData& j_forces) override {
-    if (accounts_ && contact.computeflag)
-      press<true>(contact, i_forces, j_forces);
+    if (plastigran::AccountedLoad* const load = setup_.counted_load)
+      apply_force(contact, *load, j_forces);
     else
-      press<false>(contact, i_forces, j_forces);
+      apply_force(contact, i_forces, j_forces);
   }
 
   void surfacesClose(SurfacesCloseData& contact, ForceData&, ForceData&) override {
     if (contact.contact_flags) *contact.contact_flags &= ~CONTACT_NORMAL_MODEL;
     if (!contact.contact_history) return;
     std::memset(contact.contact_history + history_offset_, 0, state_size);
-    rates_.forget(contact.contact_history);
+    rates_.clear(contact.contact_history);
   }
 
   void beginPass(SurfacesIntersectData&, ForceData&, ForceData&) override {}
   void endPass(SurfacesIntersectData&, ForceData&, ForceData&) override {}
 
  private:
-  // The attribute `flatten` inlines the law. The compiler then drops its energies where no account
-  // is kept.
-  template <bool accounts>
-  [[gnu::flatten, gnu::noinline]] void press(SurfacesIntersectData& contact, ForceData& i_forces,
-                                             ForceData& j_forces) {
+  // The attribute `flatten` inlines the law. The compiler then removes its energies if the load
+  // does not count them.
+  template <class Load>
+  [[gnu::flatten, gnu::noinline]] void apply_force(SurfacesIntersectData& contact, Load& i_forces,
+                                                   ForceData& j_forces) {
+    constexpr bool counts_energies = std::is_same_v<Load, plastigran::AccountedLoad>;
     if (contact.contact_flags) *contact.contact_flags |= CONTACT_NORMAL_MODEL;
     const double radius_eff = contact.is_wall
                                   ? contact.radi
                                   : contact.radi * contact.radj / (contact.radi + contact.radj);
     TypePair& pair = pairs_(contact.itype, contact.jtype);
     // Particles of these types may have been inserted since the check before the run.
-    if (!pair.refusal.empty()) watch_.refuse(pair.refusal);
-    // `run 0` computes forces and moves nothing: it leaves the history as it is. Otherwise the
-    // set-up writes it too, because its forces move the particles.
+    if (!pair.refusal.empty()) checks_.refuse(pair.refusal);
+    // `run 0` moves no particle, so it does not change the history. Any other run writes the
+    // history in its setup too, because the forces of the setup move the particles.
     const bool writes = contact.computeflag && (contact.shearupdate || update->nsteps > 0);
     const double factor =
-        rates_.kept() ? rates_.factor(contact, pair.bodies, radius_eff, writes) : 1;
+        rates_.stored() ? rates_.factor(contact, pair.bodies, radius_eff, writes) : 1;
 
     double* const history = contact.contact_history + history_offset_;
     State state;
     std::memcpy(static_cast<void*>(&state), history, state_size);
     const plastigran::Response response =
         factor == 1 ? plastigran::respond(pair.law, radius_eff, contact.deltan, state, -contact.vn)
-                    : respond_stronger(pair, factor, radius_eff, contact.deltan, state);
+                    : respond_at_factor(pair, factor, radius_eff, contact.deltan, state);
     if (contact.computeflag) {
-      if (contact.deltan > pair.watched * radius_eff)
-        note(contact, pair, factor, radius_eff, writes ? state : state_before(contact));
-      if (accounts) take_account(pair, factor, radius_eff, contact, state, accounted(i_forces));
+      if (contact.deltan > pair.checked_from * radius_eff)
+        check(contact, pair, factor, radius_eff, writes ? state : state_before(contact));
+      if constexpr (counts_energies)
+        count_energies(pair, factor, radius_eff, contact, state, i_forces);
       if (writes) std::memcpy(history, &state, state_size);
     }
 
-    // A residual dent carries no force and so no friction, but a tangential spring needs a
-    // stiffness to be released against: give it the undeformed sphere's.
+    // A residual indentation carries no force and no friction. A tangential spring still needs a
+    // stiffness while it is released: use the one of the undeformed sphere.
     const double contact_radius =
         response.force > 0 ? response.contact_radius : std::sqrt(radius_eff * contact.deltan);
     const plastigran::Stiffness elastic = plastigran::elastic_stiffness(
@@ -98,12 +101,12 @@ class ElastoplasticNormalModel : public NormalModelSetup<Law> {
     contact.kt = elastic.tangential;
     contact.kn = contact.deltan > 0 ? response.force / contact.deltan : 0;  // secant
     contact.gamman = 0;
-    // Friction without a spring is a viscous force cut at mu F: critical damping of the spring it
-    // stands for makes the cut the rule and creep the exception.
+    // Friction without a spring is a viscous force, limited to mu F. Critical damping of the spring
+    // that it replaces makes the limit the rule, and creep the exception.
     contact.gammat = smooth_friction_ ? 2 * std::sqrt(contact.kt * contact.meff) : 0;
     double force = response.force;
     if (settings_.viscous_damping) {
-      // Tsuji, Tanaka & Ishida 1992 (Powder Technol. 71:239) with the law's own contact radius.
+      // Tsuji, Tanaka & Ishida 1992 (Powder Technol. 71:239), with the contact radius of the law.
       const double beta =
           -1.8257418583505538 * damping_[contact.itype][contact.jtype];  // 2 sqrt(5/6)
       contact.gamman = beta * std::sqrt(elastic.normal * contact.meff);
@@ -112,8 +115,8 @@ class ElastoplasticNormalModel : public NormalModelSetup<Law> {
       force = std::max(0.0, force - contact.gamman * contact.vn);
     }
     contact.Fn = force;
-    if (accounts)
-      accounted(i_forces).dashpot_force = force - response.force + response.viscous_force;
+    if constexpr (counts_energies)
+      i_forces.dashpot_force = force - response.force + response.viscous_force;
 
     const double applied = contact.is_wall ? force * contact.area_ratio : force;
     for (int axis = 0; axis < 3; ++axis) {
@@ -122,45 +125,44 @@ class ElastoplasticNormalModel : public NormalModelSetup<Law> {
     }
   }
 
-  // The state before this step: the history is written at the end of it.
+  // The state before this step, which the history holds until the end of the step.
   State state_before(const SurfacesIntersectData& contact) const {
     State before;
     std::memcpy(static_cast<void*>(&before), contact.contact_history + history_offset_, state_size);
     return before;
   }
 
-  [[gnu::noinline]] void note(const SurfacesIntersectData& contact, TypePair& pair, double factor,
-                              double radius_eff, const State& now) {
-    watch_.note(contact, pair, factor, radius_eff, state_before(contact), now);
+  [[gnu::noinline]] void check(const SurfacesIntersectData& contact, TypePair& pair, double factor,
+                               double radius_eff, const State& now) {
+    checks_.check(contact, pair, factor, radius_eff, state_before(contact), now);
   }
 
-  // At a rate factor above 1.
-  [[gnu::flatten, gnu::noinline]] static plastigran::Response respond_stronger(
+  // For a rate factor above 1.
+  [[gnu::flatten, gnu::noinline]] static plastigran::Response respond_at_factor(
       const TypePair& pair, double factor, double radius_eff, double overlap, State& state) {
     return pair.at_factor(factor, [&](const auto& law, double) {
       return plastigran::respond(law, radius_eff, overlap, state, 0);
     });
   }
 
-  void take_account(const TypePair& pair, double factor, double radius_eff,
-                    const SurfacesIntersectData& contact, const State& now,
-                    plastigran::AccountedLoad& load) const {
+  void count_energies(const TypePair& pair, double factor, double radius_eff,
+                      const SurfacesIntersectData& contact, const State& now,
+                      plastigran::AccountedLoad& load) const {
     const State before = state_before(contact);
     if (factor == 1)
-      load.take(pair.law, radius_eff, contact.deltan, before, now);
+      load.count(pair.law, radius_eff, contact.deltan, before, now);
     else
-      take_stronger(pair, factor, radius_eff, contact.deltan, before, now, load);
-  }
-  [[gnu::flatten, gnu::noinline]] static void take_stronger(const TypePair& pair, double factor,
-                                                            double radius_eff, double overlap,
-                                                            const State& before, const State& now,
-                                                            plastigran::AccountedLoad& load) {
-    pair.at_factor(
-        factor, [&](const auto& law, double) { load.take(law, radius_eff, overlap, before, now); });
+      count_at_factor(pair, factor, radius_eff, contact.deltan, before, now, load);
   }
 
-  static plastigran::AccountedLoad& accounted(ForceData& load) {
-    return static_cast<plastigran::AccountedLoad&>(load);
+  // For a rate factor above 1.
+  [[gnu::flatten, gnu::noinline]] static void count_at_factor(const TypePair& pair, double factor,
+                                                              double radius_eff, double overlap,
+                                                              const State& before, const State& now,
+                                                              plastigran::AccountedLoad& load) {
+    pair.at_factor(factor, [&](const auto& law, double) {
+      load.count(law, radius_eff, overlap, before, now);
+    });
   }
 };
 

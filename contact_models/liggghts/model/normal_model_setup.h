@@ -19,19 +19,18 @@
 #include "error.h"
 #include "global_properties.h"
 #include "liggghts/fixes/history_keeper.h"
-#include "liggghts/fixes/motion_watch.h"
+#include "liggghts/fixes/motion_check.h"
 #include "liggghts/fixes/own_fix.h"
 #include "liggghts/fixes/parted_walls.h"
 #include "liggghts/fixes/print.h"
-#include "liggghts/model/accounted_load.h"
 #include "liggghts/model/contact_owner.h"
 #include "liggghts/model/contact_setup.h"
-#include "liggghts/model/contact_watch.h"
+#include "liggghts/model/contact_checks.h"
 #include "liggghts/model/deck_properties.h"
 #include "liggghts/model/line_settings.h"
 #include "liggghts/model/normal_model_settings.h"
 #include "liggghts/model/normal_models.h"
-#include "liggghts/model/rate_memory.h"
+#include "liggghts/model/contact_rates.h"
 #include "liggghts/model/type_extremes.h"
 #include "neighbor.h"
 #include "plastigran/pairs/impact_forecast.h"
@@ -45,18 +44,18 @@ namespace ContactModels {
 template <class Law>
 class NormalModelSetup : public NormalModelBase {
  public:
-  NormalModelSetup(LAMMPS* lmp, IContactHistorySetup* setup, ContactModelBase* contact_model)
-      : NormalModelBase(lmp, setup, contact_model),
+  NormalModelSetup(LAMMPS* lmp, plastigran::ContactSetup& setup, ContactModelBase* contact_model)
+      : NormalModelBase(lmp, &setup, contact_model),
+        setup_(setup),
         rates_(lmp, contact_model->is_wall()),
-        watch_(lmp),
-        contact_model_(contact_model),
-        owner_(plastigran::ContactSetup::owner_of(setup), contact_model->is_wall()),
+        checks_(lmp),
+        owner_(setup.owner(), contact_model->is_wall()),
         restarted_lines_(plastigran::HistoryKeeper::restarted_lines(lmp)) {
     plastigran::refuse_replacement(lmp);
     // A new line needs a set-up: `run ... pre no` would not know it.
     if (!update->whichflag) update->first_update = 0;
     for (std::size_t k = 0; k < Law::state_names.size(); ++k) {
-      const int offset = setup->add_history_value(Law::state_names[k], "0");
+      const int offset = setup.add_history_value(Law::state_names[k], "0");
       if (k == 0) history_offset_ = offset;
     }
     if (plastigran::yields<Law>)
@@ -73,14 +72,14 @@ class NormalModelSetup : public NormalModelBase {
   // LIGGGHTS calls this before every run, on all ranks together.
   void connectToProperties(PropertyRegistry& registry) override {
     refuse_unsuitable();
-    watch_motion();
+    add_motion_check();
     HistoryKeeper& keeper = keep_histories();
     const DeckProperties deck(lmp, caller(), registry.max_type());
     deck.check(pairs_.build(deck.materials<Law>(), settings_.choices));
     describe_line(keeper, deck);
     deck.check_friction();
     if (plastigran::yields<Law>) rates_.connect(deck, pairs_.rate_matters());
-    watch_.begin(caller(), settings_.overlap_limit);
+    checks_.begin(caller(), settings_.overlap_limit);
     prepare_forces(registry);
     report(deck);
     forecast_impacts(deck);
@@ -89,13 +88,13 @@ class NormalModelSetup : public NormalModelBase {
  protected:
   static constexpr bool is_cylinder = plastigran::is_cylinder<Law>;
 
+  plastigran::ContactSetup& setup_;
   plastigran::TypePairs<Law> pairs_;
-  plastigran::RateMemory rates_;
+  plastigran::ContactRates rates_;
   plastigran::NormalModelSettings<Law> settings_;
-  plastigran::ContactWatch<Law> watch_;
+  plastigran::ContactChecks<Law> checks_;
   int history_offset_ = 0;
   bool smooth_friction_ = false;
-  bool accounts_ = false;       // the loads on particle i are AccountedLoads
   double** damping_ = nullptr;  // LIGGGHTS' beta(coefficientRestitution) of each type pair
 
  private:
@@ -117,10 +116,10 @@ class NormalModelSetup : public NormalModelBase {
   }
 
   // Adds the fix that checks motion and periodic sides.
-  void watch_motion() {
+  void add_motion_check() {
     const bool is_late =
-        owner_.is_wall() && !plastigran::find_own_fix<plastigran::MotionWatch>(lmp);
-    const auto motion = plastigran::own_fix<plastigran::MotionWatch>(lmp);
+        owner_.is_wall() && !plastigran::find_own_fix<plastigran::MotionCheck>(lmp);
+    const auto motion = plastigran::own_fix<plastigran::MotionCheck>(lmp);
     if (is_late) motion->list_fixes_again();
     if (!owner_.is_wall() && !owner_.histories().empty()) motion->check_periodic_sides(caller());
   }
@@ -153,8 +152,6 @@ class NormalModelSetup : public NormalModelBase {
 
   // Settles what the force loop needs beside the laws.
   void prepare_forces(PropertyRegistry& registry) {
-    const auto taker = dynamic_cast<plastigran::AccountTaker*>(contact_model_);
-    accounts_ = taker && taker->takes_accounts;
     if (settings_.viscous_damping) {
       registry.registerProperty("betaeff", &MODEL_PARAMS::createBetaEff);
       registry.connect("betaeff", damping_, caller().c_str());
@@ -171,8 +168,8 @@ class NormalModelSetup : public NormalModelBase {
     const plastigran::MixedModels mixed = plastigran::mixed_models(lmp);
     if (!reported_ && comm->me == 0) report_unused(deck, mixed.has_foreign);
     if (comm->me == 0 && !mixed.text.empty() && mixed.first == owner_.name())
-      watch_.warn_once("lines have different normal models: " + mixed.text +
-                       ". Use one model in all lines, unless this is intended");
+      checks_.warn_once("lines have different normal models: " + mixed.text +
+                        ". Use one model in all lines, unless this is intended");
     reported_ = true;
   }
 
@@ -181,9 +178,10 @@ class NormalModelSetup : public NormalModelBase {
     plastigran::print(lmp,
                       settings_.describe_unused(caller(), deck, owner_.is_wall(), has_foreign));
     const bool cohesive = owner_.other_models().find(" cohesion ") != std::string::npos;
-    for (const std::string& doubt : deck.doubts(pairs_.bodies(), cohesive)) watch_.warn_once(doubt);
+    for (const std::string& doubt : deck.doubts(pairs_.bodies(), cohesive))
+      checks_.warn_once(doubt);
     if (neighbor->style == 2)
-      watch_.warn_once("this engine misses contacts with `neighbor multi`; give `bin`");
+      checks_.warn_once("this engine misses contacts with `neighbor multi`; give `bin`");
   }
 
   // Stops if types may meet that the law is not for. Hands the times of the coming impacts on.
@@ -196,11 +194,10 @@ class NormalModelSetup : public NormalModelBase {
     if (comm->me != 0) return;
     const double rayleigh =
         is_cylinder ? plastigran::ImpactTimes::unknown : forecast.rayleigh_time(pairs_.bodies());
-    watch_.expect(plastigran::impact_times(forecast.meetings(), pairs_), rayleigh,
-                  owner_.is_wall());
+    checks_.expect(plastigran::impact_times(forecast.meetings(), pairs_), rayleigh,
+                   owner_.is_wall());
   }
 
-  ContactModelBase* contact_model_;
   plastigran::ContactOwner owner_;
   const std::string restarted_lines_;  // by HistoryKeeper
   bool reported_ = false;

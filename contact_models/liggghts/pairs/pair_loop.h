@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// The engine's pair style with a loop of its own over the contacts, for the steps in which nothing
-// but the forces is asked for; in all others the engine's loop runs. Both hand the same contacts in
-// the same order to the same models and sum in the same order: they agree in every digit. (Where a
-// compiler fuses products and sums, two that graze each other may touch a step later.)
+// LIGGGHTS' pair style with a faster loop over the contacts, for steps that need only forces. All
+// other steps run LIGGGHTS' loop. Both loops pass the same contacts in the same order to the same
+// models, and sum in the same order, so the results are bitwise identical. (If a compiler fuses
+// products and sums, a grazing contact may start one step later.)
 //
-// What makes it faster: the pairs that touch are picked out before, so that the processor need not
-// guess which do; of pairs that are near without touching it hands on those alone that may remember
-// a contact; what an account of energies needs is in the load, and not copied. What the contacts
-// store is counted in a pass of its own, where the ledger is asked for it.
+// The loop is faster for three reasons. It selects the touching pairs first, which avoids
+// mispredicted branches. It passes near pairs to the models only if they may have a contact
+// history. It counts energies in the load without copying it, and computes the stored energies in a
+// separate pass, only when the ledger needs them.
 #pragma once
 
 #include <cmath>
@@ -37,19 +37,19 @@ class PairLoop : public LIGGGHTS::PairStyles::Granular<Contact>, private StoredE
   typedef LIGGGHTS::ContactModels::ForceData Load;
 
  public:
-  // `models`: where the engine's pair style has them.
+  // `models`: the member of LIGGGHTS' pair style that holds the contact models.
   PairLoop(LAMMPS_NS::LAMMPS* engine, LAMMPS_NS::PairGran* pair, int64_t hash,
            Contact Base::*models)
       : Base(engine, pair, hash), engine_(engine), pair_(pair), models_(this->*models) {}
 
   void compute_force(LAMMPS_NS::PairGran* pair, int energies, int virial, int local) override {
-    if (energies || virial || local || asks_for_more(pair)) {
+    if (energies || virial || local || needs_host_loop(pair)) {
       Base::compute_force(pair, energies, virial, local);
       return;
     }
     pair->evflag = pair->vflag_fdotr = 0;
-    if (models_.takes_accounts && pair->computeflag()) {
-      account_forces();
+    if (models_.counts_energies() && pair->computeflag()) {
+      compute_forces_and_energies();
       models_.defer_stored_energies(*this);
     } else {
       compute_forces();
@@ -59,34 +59,35 @@ class PairLoop : public LIGGGHTS::PairStyles::Granular<Contact>, private StoredE
  private:
   enum Pass { FORCES, ACCOUNTED_FORCES, STORED_ENERGIES };
 
-  // The models are inlined where it matters.
-  [[gnu::flatten, gnu::noinline]] void compute_forces() { go_through<FORCES>(); }
-  [[gnu::flatten, gnu::noinline]] void account_forces() { go_through<ACCOUNTED_FORCES>(); }
+  [[gnu::flatten, gnu::noinline]] void compute_forces() { visit_contacts<FORCES>(); }
+  [[gnu::flatten, gnu::noinline]] void compute_forces_and_energies() {
+    visit_contacts<ACCOUNTED_FORCES>();
+  }
 
-  // Asks the models once more, as set-up does.
-  void count_stored_energies() override { go_through<STORED_ENERGIES>(); }
+  // Computes the forces again, as a setup does, and discards them.
+  void count_stored_energies() override { visit_contacts<STORED_ENERGIES>(); }
 
-  // Whether this step needs what only the engine's loop does. (Its factor `relax` is 1 in the
-  // public engine.)
-  bool asks_for_more(LAMMPS_NS::PairGran* pair) const {
+  // Whether this step needs an output or a feature that only LIGGGHTS' loop has. (Its factor
+  // `relax` is 1 in the public version.)
+  bool needs_host_loop(LAMMPS_NS::PairGran* pair) const {
     const LAMMPS_NS::Atom* const atom = engine_->atom;
     return pair->storeContactForces() || pair->storeContactForcesStress() ||
            pair->storeSumDelta() || pair->store_sum_normal_force() || pair->fr_pair() ||
            !atom->rmass || !atom->sphere_flag || engine_->force->newton_pair ||
            engine_->modify->n_fixes_style("insert/stream/predefined") > 0 ||
-           // It displaces particles before the output: what contacts store cannot wait for it.
-           (models_.takes_accounts && engine_->modify->n_fixes_style("deform") > 0);
+           // Fix deform moves particles before the output, which would change the stored energies.
+           (models_.counts_energies() && engine_->modify->n_fixes_style("deform") > 0);
   }
 
   template <Pass pass>
-  void go_through() {
+  void visit_contacts() {
     const LAMMPS_NS::Atom* const atom = engine_->atom;
     const LAMMPS_NS::NeighList* const list = pair_->list;
-    const LAMMPS_NS::NeighList* const histories = pair_->listgranhistory;  // null: no memory
+    const LAMMPS_NS::NeighList* const histories = pair_->listgranhistory;  // null: no history
     const int width = pair_->dnum();
     frozen_ = pair_->freeze_group_bit();
     ContactData contact;
-    std::memset(static_cast<void*>(&contact), 0, sizeof contact);  // as the engine's loop begins
+    std::memset(static_cast<void*>(&contact), 0, sizeof contact);  // as in LIGGGHTS' loop
     contact.area_ratio = 1;
     contact.computeflag = pass == STORED_ENERGIES || pair_->computeflag();
     contact.shearupdate = pass != STORED_ENERGIES && pair_->shearupdate();
@@ -98,7 +99,7 @@ class PairLoop : public LIGGGHTS::PairStyles::Granular<Contact>, private StoredE
       const int* const neighbours = list->firstneigh[i];
       int* const flags = histories ? histories->firstneigh[i] : nullptr;
       double* const history = histories ? histories->firstdouble[i] : nullptr;
-      const int count = pick(i, neighbours, list->numneigh[i], flags);
+      const int count = select_pairs(i, neighbours, list->numneigh[i], flags);
       if (count == 0) continue;
       contact.i = i;
       contact.radi = atom->radius[i];
@@ -107,19 +108,19 @@ class PairLoop : public LIGGGHTS::PairStyles::Granular<Contact>, private StoredE
       contact.omega_i = atom->omega[i];
       contact.mi = atom->rmass[i];
       for (int n = 0; n < count; ++n) {
-        const int place = picked_[n];
+        const int place = selected_[n];
         contact.j = neighbours[place] & NEIGHMASK;
         contact.contact_flags = flags ? flags + place : nullptr;
         contact.contact_history = history ? history + width * place : nullptr;
-        if (pass == STORED_ENERGIES) keep_from_writing(contact, width);
+        if (pass == STORED_ENERGIES) protect_history(contact, width);
         compute_pair<pass>(contact, on_i, on_j);
       }
     }
     models_.endPass(contact, on_i, on_j);
   }
 
-  // Some models of the engine write whenever they are asked: into a copy, then.
-  void keep_from_writing(ContactData& contact, int width) {
+  // Some models of LIGGGHTS write to the history in every call. Gives them a copy.
+  void protect_history(ContactData& contact, int width) {
     if (contact.contact_history) {
       copied_history_.assign(contact.contact_history, contact.contact_history + width);
       contact.contact_history = copied_history_.data();
@@ -130,26 +131,26 @@ class PairLoop : public LIGGGHTS::PairStyles::Granular<Contact>, private StoredE
     }
   }
 
-  // The places in a particle's list of the pairs that touch, and of those near that the models
-  // have to hear of: the ones that touched before, and with cohesion all.
-  int pick(int i, const int* neighbours, int count, const int* flags) {
+  // Selects from a particle's list the pairs that touch, and the near pairs that the models need:
+  // those that touched before, and with cohesion all. Returns their number.
+  int select_pairs(int i, const int* neighbours, int count, const int* flags) {
     const LAMMPS_NS::Atom* const atom = engine_->atom;
     double** const x = atom->x;
     const double* const radius = atom->radius;
     const double factor = engine_->neighbor->contactDistanceFactor;
-    const double squares[] = {1, factor * factor};  // of touch, of nearness; over the radii's sum
+    const double squares[] = {1, factor * factor};  // limits of touching and near pairs
     const double xi = x[i][0], yi = x[i][1], zi = x[i][2], radius_i = radius[i];
-    if (picked_.size() < std::size_t(count)) picked_.resize(count);
-    int* end = picked_.data();
+    if (selected_.size() < std::size_t(count)) selected_.resize(count);
+    int* end = selected_.data();
     for (int place = 0; place < count; ++place) {
       const int j = neighbours[place] & NEIGHMASK;
       const double dx = xi - x[j][0], dy = yi - x[j][1], dz = zi - x[j][2];
       const double sum = radius_i + radius[j];
-      const bool may_remember = Contact::acts_at_a_distance || (flags && flags[place]);
+      const bool may_have_history = Contact::acts_at_a_distance || (flags && flags[place]);
       *end = place;
-      end += dx * dx + dy * dy + dz * dz < squares[may_remember] * sum * sum;
+      end += dx * dx + dy * dy + dz * dz < squares[may_have_history] * sum * sum;
     }
-    return end - picked_.data();
+    return end - selected_.data();
   }
 
   template <Pass pass, class LoadOnI>
@@ -166,7 +167,7 @@ class PairLoop : public LIGGGHTS::PairStyles::Granular<Contact>, private StoredE
     contact.jtype = atom->type[j];
     on_i = LoadOnI();
     on_j.reset();
-    if constexpr (pass != FORCES) on_i.asks_elastic_energy = pass == STORED_ENERGIES;
+    if constexpr (pass != FORCES) on_i.needs_elastic_energy = pass == STORED_ENERGIES;
     if (contact.rsq < contact.radsum * contact.radsum) {
       touch<pass>(contact, on_i, on_j);
       if (pass == STORED_ENERGIES) return;
@@ -190,9 +191,9 @@ class PairLoop : public LIGGGHTS::PairStyles::Granular<Contact>, private StoredE
     contact.meff = contact.mi * contact.mj / (contact.mi + contact.mj);
     if (atom->mask[contact.i] & frozen_) contact.meff = contact.mj;
     if (atom->mask[contact.j] & frozen_) contact.meff = contact.mi;
-    models_.checkSurfaceIntersect(contact);  // true of spheres
+    models_.checkSurfaceIntersect(contact);  // always true for spheres
     if constexpr (pass == FORCES) models_.compute(contact, on_i, on_j);
-    if constexpr (pass == ACCOUNTED_FORCES) models_.account(contact, on_i, on_j);
+    if constexpr (pass == ACCOUNTED_FORCES) models_.compute_and_count(contact, on_i, on_j);
     if constexpr (pass == STORED_ENERGIES) models_.count_stored(contact, on_i, on_j);
     models_.endSurfacesIntersect(contact, nullptr, on_i, on_j);
   }
@@ -202,7 +203,7 @@ class PairLoop : public LIGGGHTS::PairStyles::Granular<Contact>, private StoredE
     add(torque, load.delta_torque);
   }
 
-  // All three sums are read before any is written: the compiler may then add two at once.
+  // Reads all three sums before it writes one, so that the compiler can vectorize.
   static void add(double* sum, const double* part) {
     const double x = sum[0] + part[0], y = sum[1] + part[1], z = sum[2] + part[2];
     sum[0] = x, sum[1] = y, sum[2] = z;
@@ -211,8 +212,8 @@ class PairLoop : public LIGGGHTS::PairStyles::Granular<Contact>, private StoredE
   LAMMPS_NS::LAMMPS* engine_;
   LAMMPS_NS::PairGran* pair_;
   Contact& models_;
-  int frozen_ = 0;  // bit of the group that no force moves
-  std::vector<int> picked_;
+  int frozen_ = 0;  // bit of the group of fix freeze
+  std::vector<int> selected_;
   std::vector<double> copied_history_;
   int copied_flags_ = 0;
 };

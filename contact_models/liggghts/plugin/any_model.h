@@ -1,25 +1,22 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// One model of each kind that stands for all: it hands every call on to the model that the deck
-// names. So each law and each model beside it is compiled once, and not every law in every
-// combination.
+// One contact model per kind that forwards every call to the model that the deck names. Each law
+// and each other model is therefore compiled once, instead of every law in every combination.
 #pragma once
 
 #include <memory>
 
 #include "liggghts/ledger/cohesive_energy.h"
-#include "liggghts/model/accounted_load.h"
 #include "liggghts/model/contact_setup.h"
 #include "liggghts/plugin/engine_styles.h"
 
 namespace plastigran {
 
-// The model of that kind that a contact's setup, a ContactSetup, asks for.
+// Makes the model of that kind that the setup names.
 template <class Base>
-std::shared_ptr<Base> make_model(LAMMPS_NS::LAMMPS* engine, LIGGGHTS::IContactHistorySetup* setup,
+std::shared_ptr<Base> make_model(LAMMPS_NS::LAMMPS* engine, ContactSetup& setup,
                                  LIGGGHTS::ContactModels::ContactModelBase* contact_model);
 
-// What is the same for all kinds.
 template <class Base>
 class AnyModel : public Base {
   typedef LIGGGHTS::ContactModels::SurfacesIntersectData Contact;
@@ -30,7 +27,8 @@ class AnyModel : public Base {
   AnyModel(LAMMPS_NS::LAMMPS* engine, LIGGGHTS::IContactHistorySetup* setup,
            LIGGGHTS::ContactModels::ContactModelBase* contact_model)
       : Base(engine, setup, contact_model),
-        model_(make_model<Base>(engine, setup, contact_model)) {}
+        setup_(ContactSetup::of(setup)),
+        model_(make_model<Base>(engine, setup_, contact_model)) {}
 
   void registerSettings(Settings& settings) override { model_->registerSettings(settings); }
   void postSettings(LIGGGHTS::IContactHistorySetup* setup,
@@ -51,7 +49,8 @@ class AnyModel : public Base {
   }
 
  protected:
-  std::shared_ptr<Base> model_;  // the engine's bases have no virtual destructor
+  ContactSetup& setup_;
+  std::shared_ptr<Base> model_;  // LIGGGHTS' base classes have no virtual destructor
 };
 
 }  // namespace plastigran
@@ -59,17 +58,16 @@ class AnyModel : public Base {
 namespace LIGGGHTS {
 namespace ContactModels {
 
-constexpr int ANY = 63;  // an ID that no model of the engine has
+constexpr int ANY = 63;  // an ID that no model of LIGGGHTS has
 
 template <>
 class NormalModel<ANY> : public plastigran::AnyModel<NormalModelBase> {
  public:
   NormalModel(LAMMPS* engine, IContactHistorySetup* setup, ContactModelBase* contact_model)
       : AnyModel(engine, setup, contact_model) {
-    // Luding's friction reads the adhesion of Luding's normal model. Ours has none: a value that
-    // stays zero.
-    const auto asked = static_cast<plastigran::ContactSetup*>(setup);
-    if (asked->model(1) != TANGENTIAL_LUDING && asked->model(3) != ROLLING_LUDING) return;
+    // Luding's friction reads the adhesion of Luding's normal model. The laws have none, so a value
+    // that stays zero replaces it.
+    if (setup_.model(1) != TANGENTIAL_LUDING && setup_.model(3) != ROLLING_LUDING) return;
     const int no_adhesion = setup->add_history_value("no_adhesion", "0");
     for (const char* name : {"kc_offset", "fo_offset"})
       contact_model->add_history_offset(name, no_adhesion);
@@ -96,21 +94,12 @@ class TangentialModel<ANY> : public plastigran::AnyModel<TangentialModelBase> {
 template <>
 class CohesionModel<ANY> : public plastigran::AnyModel<CohesionModelBase> {
  public:
-  CohesionModel(LAMMPS* engine, IContactHistorySetup* setup, ContactModelBase* contact_model)
-      : AnyModel(engine, setup, contact_model),
-        contact_model_(contact_model),
-        energy_(static_cast<plastigran::ContactSetup*>(setup)->model(2)) {}
-
-  void connectToProperties(PropertyRegistry& registry) override {
-    AnyModel::connectToProperties(registry);
-    const auto taker = dynamic_cast<plastigran::AccountTaker*>(contact_model_);
-    accounts_ = taker && taker->takes_accounts;
-  }
+  using AnyModel::AnyModel;
 
   void surfacesIntersect(SurfacesIntersectData& contact, ForceData& on_i,
                          ForceData& on_j) override {
-    if (accounts_ && contact.computeflag)
-      account(contact, on_i, on_j);
+    if (setup_.counted_load)
+      count_energy(contact, on_i, on_j);
     else
       model_->surfacesIntersect(contact, on_i, on_j);
   }
@@ -121,18 +110,16 @@ class CohesionModel<ANY> : public plastigran::AnyModel<CohesionModelBase> {
   }
 
  private:
-  [[gnu::noinline]] void account(SurfacesIntersectData& contact, ForceData& on_i, ForceData& on_j) {
+  [[gnu::noinline]] void count_energy(SurfacesIntersectData& contact, ForceData& on_i,
+                                      ForceData& on_j) {
     const ForceData before = on_i;
     model_->surfacesIntersect(contact, on_i, on_j);
     double pull = 0;
     for (int axis = 0; axis < 3; ++axis)
       pull += (on_i.delta_F[axis] - before.delta_F[axis]) * contact.en[axis];
-    static_cast<plastigran::AccountedLoad&>(on_i).elastic_energy += energy_.of(contact, pull);
+    setup_.counted_load->elastic_energy +=
+        plastigran::CohesiveEnergy(setup_.model(2)).of(contact, pull);
   }
-
-  ContactModelBase* contact_model_;
-  plastigran::CohesiveEnergy energy_;
-  bool accounts_ = false;  // the loads on particle i are AccountedLoads
 };
 
 template <>

@@ -6,6 +6,7 @@
 
 #include <memory>
 
+#include "liggghts/model/contact_setup.h"
 #include "liggghts/plugin/engine_styles.h"
 
 namespace plastigran {
@@ -16,8 +17,7 @@ struct RegisteredLaw {
 
   const char* name;  // as a deck has it
   int id;            // of the engine's hash of a combination
-  Model (*make)(LAMMPS_NS::LAMMPS*, LIGGGHTS::IContactHistorySetup*,
-                LIGGGHTS::ContactModels::ContactModelBase*);
+  Model (*make)(LAMMPS_NS::LAMMPS*, ContactSetup&, LIGGGHTS::ContactModels::ContactModelBase*);
 };
 
 // The other models of a contact, ANY for any of their kind, and how the engine makes the pair style

@@ -128,13 +128,12 @@ const bool registered = [] {
 }  // namespace
 
 template <>
-RegisteredLaw::Model make_model(LAMMPS_NS::LAMMPS* engine, IContactHistorySetup* setup,
+RegisteredLaw::Model make_model(LAMMPS_NS::LAMMPS* engine, ContactSetup& setup,
                                 ContactModelBase* contact_model) {
   discard_foreign_histories(engine);
   add_style<DissipationHeat>(engine->modify);
   add_style<CollisionSpectra>(engine->modify);
-  const int64_t hash = static_cast<ContactSetup*>(setup)->hash();
-  return law_of(hash).make(engine, setup, contact_model);
+  return law_of(setup.hash()).make(engine, setup, contact_model);
 }
 
 }  // namespace plastigran

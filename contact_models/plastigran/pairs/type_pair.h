@@ -15,12 +15,12 @@ template <class Law>
 struct TypePair {
   typedef typename Law::Parameters Constants;
 
-  double watched = 0;    // overlap over R* from which on a host looks at contacts
-  Complaint refusal;     // why the law is none for these two; empty when it is
+  double checked_from = 0;  // overlap over R* from which on a host looks at contacts
+  Complaint refusal;        // why the law is none for these two; empty when it is
   bool lacking = false;  // neither body brings what one must: refused once two particles can meet
   Law law;
   MaterialPair bodies;
-  double noted = 0;  // overlap over R* up to which a host has looked
+  double checked_to = 0;  // overlap over R* up to which a host has looked
   double range;  // largest overlap over R* the law is good for, at rest; grows with the strength
   Constants constants;
   RateTables<Law> rates;
@@ -35,9 +35,9 @@ struct TypePair {
   // Whether a contact is a tenth deeper than those before, over R*. Contacts are then looked at
   // from the new depth on, or from the end of the range or a limit.
   bool deepens(double depth, double limit) {
-    if (depth <= noted) return false;
-    noted = 1.1 * depth;
-    watched = std::min({noted, range, limit});
+    if (depth <= checked_to) return false;
+    checked_to = 1.1 * depth;
+    checked_from = std::min({checked_to, range, limit});
     return true;
   }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "liggghts/fixes/step_watch.h"
+#include "liggghts/fixes/time_step_check.h"
 
 #include <mpi.h>
 
@@ -13,21 +13,21 @@
 
 namespace plastigran {
 
-StepWatch::StepWatch(LAMMPS_NS::LAMMPS* engine, int count, char** words)
+TimeStepCheck::TimeStepCheck(LAMMPS_NS::LAMMPS* engine, int count, char** words)
     : OwnFix(engine, count, words) {
   nevery = 1000;  // steps; one small reduction each
 }
 
-void StepWatch::expect(const std::string& model, const Recommended& impact, double rayleigh,
-                       double hertz) {
+void TimeStepCheck::expect(const std::string& model, const Recommended& impact, double rayleigh,
+                           double hertz) {
   rayleigh_ = std::min(rayleigh_, rayleigh);
   hertz_ = std::min(hertz_, hertz);
   if (impact.step < impact_.step) impact_ = impact, model_ = model;
 }
 
-int StepWatch::setmask() { return LAMMPS_NS::FixConst::END_OF_STEP; }
+int TimeStepCheck::setmask() { return LAMMPS_NS::FixConst::END_OF_STEP; }
 
-void StepWatch::setup(int) {
+void TimeStepCheck::setup(int) {
   gather();
   if (comm->me == 0) announce();
   if (update->dt > impact_.step && impact_.step < 0.99 * warned_impact_) {
@@ -42,7 +42,7 @@ void StepWatch::setup(int) {
   impact_ = Recommended(), rayleigh_ = hertz_ = unknown;
 }
 
-void StepWatch::end_of_step() {
+void TimeStepCheck::end_of_step() {
   gather();
   if (update->dt <= stiffest_.step || stiffest_.step > 0.9 * warned_contact_) return;
   warned_contact_ = stiffest_.step;
@@ -58,7 +58,7 @@ void StepWatch::end_of_step() {
 }
 
 // The stiffest contact of all ranks, on all of them.
-void StepWatch::gather() {
+void TimeStepCheck::gather() {
   struct {
     double step;
     int rank;
@@ -67,7 +67,7 @@ void StepWatch::gather() {
   if (least.step < unknown) MPI_Bcast(&stiffest_, sizeof stiffest_, MPI_BYTE, least.rank, world);
 }
 
-void StepWatch::announce() {
+void TimeStepCheck::announce() {
   std::ostringstream text;
   text.precision(2);
   text << "time step " << update->dt << ":";
@@ -84,7 +84,7 @@ void StepWatch::announce() {
   print(lmp, line);
 }
 
-void StepWatch::warn(const std::string& text) {
+void TimeStepCheck::warn(const std::string& text) {
   if (comm->me == 0) plastigran::warn(lmp, text);
 }
 

@@ -13,9 +13,9 @@
 
 namespace plastigran {
 
-class MotionWatch : public OwnFix {
+class MotionCheck : public OwnFix {
  public:
-  MotionWatch(LAMMPS_NS::LAMMPS* engine, int count, char** words);
+  MotionCheck(LAMMPS_NS::LAMMPS* engine, int count, char** words);
   static const char* id() { return "plastigran_motion"; }
   static const char* style() { return "plastigran/motion"; }
 

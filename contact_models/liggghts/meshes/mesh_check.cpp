@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "liggghts/meshes/mesh_watch.h"
+#include "liggghts/meshes/mesh_check.h"
 
 #include <mpi.h>
 
@@ -12,11 +12,11 @@ namespace plastigran {
 
 namespace {
 
-std::string sentence(MeshWatch::Kind kind, const MeshWatch::Place& place) {
+std::string sentence(MeshCheck::Kind kind, const MeshCheck::Place& place) {
   std::ostringstream text;
   text << "fix wall/gran: particle " << place.particle << " at (" << place.x[0] << ' ' << place.x[1]
        << ' ' << place.x[2] << ')';
-  if (kind == MeshWatch::seam)
+  if (kind == MeshCheck::seam)
     text << " touches mesh triangles " << place.triangles[0] << " and " << place.triangles[1]
          << ", which share no edge or node. Their contact directions differ by " << place.angle
          << " degrees, less than feature_angle. The contact is counted twice, with separate "
@@ -31,13 +31,13 @@ std::string sentence(MeshWatch::Kind kind, const MeshWatch::Place& place) {
 
 }  // namespace
 
-void MeshWatch::post_run() {
+void MeshCheck::post_run() {
   say(seam);
   say(ring);
 }
 
 // The first rank that has found one says it.
-void MeshWatch::say(Kind kind) {
+void MeshCheck::say(Kind kind) {
   int rank = found(kind) ? comm->me : comm->nprocs, first;
   MPI_Allreduce(&rank, &first, 1, MPI_INT, MPI_MIN, world);
   if (said_[kind] || first == comm->nprocs) return;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "liggghts/fixes/range_watch.h"
+#include "liggghts/fixes/range_check.h"
 
 #include <mpi.h>
 
@@ -12,21 +12,21 @@
 
 namespace plastigran {
 
-RangeWatch::Excess* RangeWatch::of(LAMMPS_NS::LAMMPS* engine, const std::string& model,
+RangeCheck::Excess* RangeCheck::of(LAMMPS_NS::LAMMPS* engine, const std::string& model,
                                    const char* range) {
-  Excess& excess = own_fix<RangeWatch>(engine)->models_[model];
+  Excess& excess = own_fix<RangeCheck>(engine)->models_[model];
   excess.range = range;
   return &excess;
 }
 
-int RangeWatch::setmask() { return LAMMPS_NS::FixConst::END_OF_STEP; }
+int RangeCheck::setmask() { return LAMMPS_NS::FixConst::END_OF_STEP; }
 
 // A run that is killed has its largest overlaps in the log, too.
-void RangeWatch::end_of_step() {
+void RangeCheck::end_of_step() {
   for (auto& [model, excess] : models_) print_furthest(model, excess, 1.1);
 }
 
-void RangeWatch::post_run() {
+void RangeCheck::post_run() {
   for (auto& [model, excess] : models_) {
     print_furthest(model, excess, 1);
     const double furthest = excess.announced_furthest;
@@ -45,7 +45,7 @@ void RangeWatch::post_run() {
 }
 
 // One line where the largest overlap has grown by more than a factor. All ranks together.
-void RangeWatch::print_furthest(const std::string& model, Excess& excess, double factor) {
+void RangeCheck::print_furthest(const std::string& model, Excess& excess, double factor) {
   double furthest;
   MPI_Reduce(&excess.contacts, &excess.all_contacts, 1, MPI_DOUBLE, MPI_SUM, 0, world);
   MPI_Reduce(&excess.furthest, &furthest, 1, MPI_DOUBLE, MPI_MAX, 0, world);

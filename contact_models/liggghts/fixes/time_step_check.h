@@ -13,7 +13,7 @@
 
 namespace plastigran {
 
-class StepWatch : public OwnFix {
+class TimeStepCheck : public OwnFix {
  public:
   static constexpr double unknown = ImpactTimes::unknown;  // a time nobody has told yet [s]
 
@@ -30,7 +30,7 @@ class StepWatch : public OwnFix {
     int i, j;
   };
 
-  StepWatch(LAMMPS_NS::LAMMPS* engine, int count, char** words);
+  TimeStepCheck(LAMMPS_NS::LAMMPS* engine, int count, char** words);
   static const char* id() { return "plastigran_step"; }
   static const char* style() { return "plastigran/step"; }
 

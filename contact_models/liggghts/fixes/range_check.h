@@ -14,7 +14,7 @@
 
 namespace plastigran {
 
-class RangeWatch : public OwnFix {
+class RangeCheck : public OwnFix {
  public:
   // Of one model, on this rank.
   struct Excess : RangeAccount {
@@ -27,7 +27,7 @@ class RangeWatch : public OwnFix {
     std::set<std::string> said;     // warnings before a run that are given once
   };
 
-  RangeWatch(LAMMPS_NS::LAMMPS* engine, int count, char** words) : OwnFix(engine, count, words) {
+  RangeCheck(LAMMPS_NS::LAMMPS* engine, int count, char** words) : OwnFix(engine, count, words) {
     nevery = 1000;  // steps; small reductions each
   }
   static const char* id() { return "plastigran_range"; }

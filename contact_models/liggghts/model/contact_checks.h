@@ -16,8 +16,8 @@
 #include "force.h"
 #include "liggghts/fixes/own_fix.h"
 #include "liggghts/fixes/print.h"
-#include "liggghts/fixes/range_watch.h"
-#include "liggghts/fixes/step_watch.h"
+#include "liggghts/fixes/range_check.h"
+#include "liggghts/fixes/time_step_check.h"
 #include "liggghts/model/deck_properties.h"
 #include "liggghts/model/deck_units.h"
 #include "plastigran/impact/central_impact.h"
@@ -38,26 +38,27 @@ std::string describe_passage(const LAMMPS_NS::Atom* atom,
                              const LIGGGHTS::ContactModels::SurfacesIntersectData& contact);
 
 template <class Law>
-class ContactWatch : protected LAMMPS_NS::Pointers {
+class ContactChecks : protected LAMMPS_NS::Pointers {
   typedef LIGGGHTS::ContactModels::SurfacesIntersectData Contact;
   typedef typename Law::State State;
 
  public:
-  explicit ContactWatch(LAMMPS_NS::LAMMPS* engine) : Pointers(engine) {}
+  explicit ContactChecks(LAMMPS_NS::LAMMPS* engine) : Pointers(engine) {}
 
   // Before a run, when the laws were built anew: contacts are looked at again. All ranks together.
   void begin(const std::string& model, double overlap_limit) {
     model_ = model;
     overlap_limit_ = overlap_limit;
-    excess_ = RangeWatch::of(lmp, model, Law::range);
-    step_watch_ = own_fix<StepWatch>(lmp);
-    step_watch_->forget();
+    excess_ = RangeCheck::of(lmp, model, Law::range);
+    time_step_check_ = own_fix<TimeStepCheck>(lmp);
+    time_step_check_->forget();
   }
 
   // Called before a run, on the first rank. Hands the times of the coming impacts to the step
   // watch, which compares the time step with them. Warns of impacts that leave the law's range.
   void expect(const ImpactTimes& times, double rayleigh, bool is_wall) {
-    step_watch_->expect(model_, {times.step, times.step_speed, is_wall}, rayleigh, times.hertz);
+    time_step_check_->expect(model_, {times.step, times.step_speed, is_wall}, rayleigh,
+                             times.hertz);
     if (times.outside_speed <= 1.01 * excess_->warned_speed) return;
     excess_->warned_speed = times.outside_speed;  // once for all walls, unless it gets worse
     std::ostringstream text;
@@ -72,10 +73,10 @@ class ContactWatch : protected LAMMPS_NS::Pointers {
     if (excess_->said.insert(text).second) warn(lmp, model_ + ": " + text);
   }
 
-  // A contact deeper than `pair.watched`, at its rate factor, whose state was `before` and is `now`
-  // after this step.
-  [[gnu::noinline]] void note(const Contact& contact, TypePair<Law>& pair, double factor,
-                              double radius_eff, const State& before, const State& now) {
+  // A contact deeper than `pair.checked_from`, at its rate factor, whose state was `before` and is
+  // `now` after this step.
+  [[gnu::noinline]] void check(const Contact& contact, TypePair<Law>& pair, double factor,
+                               double radius_eff, const State& before, const State& now) {
     const double smaller = contact.is_wall ? contact.radi : std::min(contact.radi, contact.radj);
     if (contact.deltan > overlap_limit_ * smaller)
       stop(describe_overlap(atom, contact, contact.deltan / smaller, overlap_limit_));
@@ -109,7 +110,7 @@ class ContactWatch : protected LAMMPS_NS::Pointers {
     const double energy = virgin.elastic_energy + virgin.plastic_work;
     const double speed = std::sqrt(2 * energy / contact.meff);
     const double* const x = atom->x[contact.i];
-    step_watch_->met(
+    time_step_check_->met(
         {recommended_timestep_of_load(law, radius_eff, contact.meff, speed, contact.deltan),
          speed,
          {x[0], x[1], x[2]},
@@ -130,8 +131,8 @@ class ContactWatch : protected LAMMPS_NS::Pointers {
 
   std::string model_;
   double overlap_limit_ = 1;
-  RangeWatch::Excess* excess_ = nullptr;
-  StepWatch* step_watch_ = nullptr;
+  RangeCheck::Excess* excess_ = nullptr;
+  TimeStepCheck* time_step_check_ = nullptr;
 };
 
 }  // namespace plastigran

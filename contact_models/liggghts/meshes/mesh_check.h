@@ -14,7 +14,7 @@
 
 namespace plastigran {
 
-class MeshWatch : public OwnFix {
+class MeshCheck : public OwnFix {
  public:
   enum Kind { seam, ring };
 
@@ -25,7 +25,7 @@ class MeshWatch : public OwnFix {
     double angle;                // between the directions to the triangles [degrees]
   };
 
-  MeshWatch(LAMMPS_NS::LAMMPS* engine, int count, char** words) : OwnFix(engine, count, words) {}
+  MeshCheck(LAMMPS_NS::LAMMPS* engine, int count, char** words) : OwnFix(engine, count, words) {}
   static const char* id() { return "plastigran_meshes"; }
   static const char* style() { return "plastigran/meshes"; }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "liggghts/fixes/motion_watch.h"
+#include "liggghts/fixes/motion_check.h"
 
 #include <cmath>
 #include <sstream>
@@ -15,25 +15,25 @@
 
 namespace plastigran {
 
-MotionWatch::MotionWatch(LAMMPS_NS::LAMMPS* engine, int count, char** words)
+MotionCheck::MotionCheck(LAMMPS_NS::LAMMPS* engine, int count, char** words)
     : OwnFix(engine, count, words) {
   nevery = 1;
 }
 
-int MotionWatch::setmask() {
+int MotionCheck::setmask() {
   using namespace LAMMPS_NS::FixConst;
   return PRE_INITIAL_INTEGRATE | PRE_EXCHANGE | END_OF_STEP;
 }
 
-void MotionWatch::init() {
+void MotionCheck::init() {
   timestep_ = update->dt;
   if (std::exchange(list_again_, false)) modify->init();
 }
 
-void MotionWatch::reset_dt() { timestep_ = update->dt; }
+void MotionCheck::reset_dt() { timestep_ = update->dt; }
 
 // The forces of the start: one step later positions would be lost too.
-void MotionWatch::pre_initial_integrate() {
+void MotionCheck::pre_initial_integrate() {
   if (update->dt != timestep_) {
     std::ostringstream text;
     text << "run ... pre no: timestep is " << update->dt << ", but particles would move by "
@@ -51,7 +51,7 @@ void MotionWatch::pre_initial_integrate() {
   }
 }
 
-void MotionWatch::end_of_step() {
+void MotionCheck::end_of_step() {
   const double step_squared = update->dt * update->dt;
   for (int i = 0; i < atom->nlocal; ++i) {
     const double* const v = atom->v[i];
@@ -60,13 +60,13 @@ void MotionWatch::end_of_step() {
   }
 }
 
-void MotionWatch::check_periodic_sides(const std::string& model) {
+void MotionCheck::check_periodic_sides(const std::string& model) {
   model_of_pairs_ = model;
   const std::string too_short = too_short_periodic_side(lmp);
   if (!too_short.empty()) error->all(FLERR, (model + ": " + too_short).c_str());
 }
 
-void MotionWatch::pre_exchange() {
+void MotionCheck::pre_exchange() {
   if (domain->box_change && !model_of_pairs_.empty()) check_periodic_sides(model_of_pairs_);
   if (!lost_is_error(output)) return;
   for (int i = 0; i < atom->nlocal; ++i)
@@ -83,7 +83,7 @@ void MotionWatch::pre_exchange() {
     }
 }
 
-void MotionWatch::lost_control(int i, double travel) {
+void MotionCheck::lost_control(int i, double travel) {
   if (!std::isfinite(travel))
     stop(i, "has a velocity that is NaN or infinite",
          "Check its last contacts, and for particles whose center is on a wall");
@@ -95,7 +95,7 @@ void MotionWatch::lost_control(int i, double travel) {
 }
 
 // On this rank alone.
-void MotionWatch::stop(int i, const std::string& what, const std::string& try_this) {
+void MotionCheck::stop(int i, const std::string& what, const std::string& try_this) {
   error->one(FLERR, (describe_particle(atom, i) + ' ' + what + ". " + try_this).c_str());
 }
 

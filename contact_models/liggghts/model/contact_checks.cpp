@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "liggghts/model/contact_watch.h"
+#include "liggghts/model/contact_checks.h"
 
 #include <sstream>
 

@@ -15,23 +15,23 @@
 
 namespace plastigran {
 
-class RateMemory {
+class ContactRates {
   typedef LIGGGHTS::ContactModels::SurfacesIntersectData Contact;
 
  public:
-  RateMemory(LAMMPS_NS::LAMMPS* engine, bool is_wall) : engine_(engine), is_wall_(is_wall) {}
-  ~RateMemory() {
+  ContactRates(LAMMPS_NS::LAMMPS* engine, bool is_wall) : engine_(engine), is_wall_(is_wall) {}
+  ~ContactRates() {
     const auto rates = find_own_fix<RateHistory>(engine_);
     if (rates && !is_wall_) rates->end();
   }
-  RateMemory(const RateMemory&) = delete;
+  ContactRates(const ContactRates&) = delete;
 
   // As the contact model is made.
-  void begin(LIGGGHTS::IContactHistorySetup* setup, const DeckProperties& deck, bool has_types) {
+  void begin(LIGGGHTS::IContactHistorySetup& setup, const DeckProperties& deck, bool has_types) {
     if (!is_wall_ && has_types)
       own_fix<RateHistory>(engine_)->begin();
     else if (is_wall_ && deck.positive("rate_coefficient"))
-      offset_ = setup->add_history_value("rate_factor", "0");
+      offset_ = setup.add_history_value("rate_factor", "0");
   }
 
   // Before a run. Stops where rates matter and contacts cannot remember them.
@@ -44,7 +44,7 @@ class RateMemory {
   }
 
   // Whether contacts remember a rate factor.
-  bool kept() const { return offset_ >= 0; }
+  bool stored() const { return offset_ >= 0; }
 
   // The rate factor of a contact; 0 in the history is none yet. `writes`: the history keeps it.
   double factor(const Contact& contact, const MaterialPair& bodies, double radius_eff,
@@ -53,8 +53,8 @@ class RateMemory {
     return kept_factor != 0 ? kept_factor : first_touch(contact, bodies, radius_eff, writes);
   }
 
-  void forget(double* history) const {
-    if (kept()) history[offset_] = 0;
+  void clear(double* history) const {
+    if (stored()) history[offset_] = 0;
   }
 
  private:
