@@ -126,8 +126,8 @@ def test_hardening_and_wide_contacts_have_errors_of_their_own():
         expected_error("kogut_etsion", (20.0, 200.0), *kind)
         for kind in ((False, 0.01), (True, 0.01), (False, 0.1))
     )
-    assert hardening.kind == "hardening"
-    assert wide.kind == "perfectly plastic, large a/R"
+    assert hardening.regime == "hardening"
+    assert wide.regime == "perfectly plastic, large a/R"
     assert wide.restitution_largest >= plain.restitution_largest
     assert hardening.restitution_largest != plain.restitution_largest
 

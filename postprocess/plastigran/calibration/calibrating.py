@@ -22,15 +22,26 @@ from plastigran.calibration.expected_errors import (
 from plastigran.calibration.finite_elements import press_sphere
 from plastigran.calibration.hardness import Hardness, read_hardness
 from plastigran.calibration.metal import CalibratedMetal
+from plastigran.calibration.strength import LARGEST_RATIO, LEAST_RATIO, Strength
 from plastigran.contact import Contact
 from plastigran.declared import RADIUS, Declaration, read_number
 from plastigran.materials import RIGID, Material
 
 FEM_RADIUS = 0.1  # radius of the finite-element sphere [m]
 SPHERE_RADIUS = 1e-2  # radius of a sphere on a rigid plane [m]; restitution does not depend on it
-UNITS = {
-    "youngs_modulus": (Declaration("", "Pa", 1e6, 2e12), "Check the unit: Pa, not MPa or GPa"),
-    "density": (Declaration("", "kg/m^3", 10, 3e4), "Check the unit: kg/m^3, not g/cm^3"),
+BOUNDS = {
+    "youngs_modulus": Declaration("", "Pa", 1e6, 2e12),
+    "density": Declaration("", "kg/m^3", 10, 3e4),
+    "yield_strength": Declaration("", "Pa", 0),
+    "plastic_modulus": Declaration("", "Pa", 0, lower_allowed=True),
+    "scatter": Declaration("", "-", 0, 0.5),
+    "force_ratio": Declaration("", "-", 0),
+    "radius": RADIUS,
+    "speeds": Declaration("", "m/s", 0),
+}
+CHECK_UNIT = {
+    "youngs_modulus": ". Check the unit: Pa, not MPa or GPa",
+    "density": ". Check the unit: kg/m^3, not g/cm^3",
 }
 
 
@@ -66,15 +77,13 @@ def calibrate(
         drops: A drop test, or a file of one with a ball of the metal and a rigid plate.
         plastic_modulus: H, stress over plastic strain [Pa]; 0 for perfectly plastic.
         rate_coefficient: Relative increase of yield strength per e-fold increase of strain rate,
-            with
-            the strength given at 1/s. None for the value of steel with a steel's hardness or
-            rebound hardness, which are measured at very different rates, and otherwise for 0.
-        scatter: Relative standard deviation of one measured restitution; None for 0.02 for drops,
-            and
-            for the scatter of conversions of rebound hardness.
+            with the strength given at 1/s. None for 0, except for steel with a hardness or rebound
+            hardness, whose strain rates are very different: then None is the value of steel.
+        scatter: Relative standard deviation of one measured restitution. None for 0.02 for drops,
+            and for the scatter of conversions of rebound hardness.
         law: Name of the law.
         speeds: Slowest and fastest impact speed of the intended simulation [m/s], for a sphere of
-            the metal on a rigid plane; None for those of the measurement, or else up to 300 yield
+            the metal on a rigid plane. None for those of the measurement, or else up to 300 yield
             speeds.
         force_ratio: Largest force / yield force of a finite-element fit of `vu_quoc_zhang`; None
             for no finite elements.
@@ -95,19 +104,25 @@ def calibrate(
 
     Sources: see `hardness`, `physics.rebound_hardness` and `inversion` for each method.
     """
-    quantity, value = _one_measurement(
-        yield_strength=yield_strength, hardness=hardness, leeb=leeb, drops=drops
-    )
-    finite_elements = {"radius": (radius, FEM_RADIUS), "strain": (strain, "small")}
-    _refuse_idle(quantity, scatter, {} if force_ratio is not None else finite_elements)
-    _check_units(youngs_modulus=youngs_modulus, density=density)
-    strength.check_law(law)
-    read_number("plastic_modulus", plastic_modulus, Declaration("", "Pa", 0, lower_allowed=True))
-    if scatter is not None:
-        read_number("scatter", scatter, Declaration("", "-", 0, 0.5))
+    measurements = {
+        "yield_strength": yield_strength,
+        "hardness": hardness,
+        "leeb": leeb,
+        "drops": drops,
+    }
+    given = [quantity for quantity, value in measurements.items() if value is not None]
+    if len(given) != 1:
+        raise ValueError(
+            f"{' and '.join(given) or 'none'} of {', '.join(measurements)} is given; exactly one "
+            "is needed"
+        )
+    (quantity,) = given
+    _refuse_unused(quantity, scatter, force_ratio, radius, strain)
+    _check_numbers(youngs_modulus=youngs_modulus, density=density)
+    _check_law(law)
+    _check_numbers(plastic_modulus=plastic_modulus, scatter=scatter, force_ratio=force_ratio)
     if force_ratio is not None:
-        read_number("force_ratio", force_ratio, Declaration("", "-", 0))
-        read_number("radius", radius, RADIUS)
+        _check_numbers(radius=radius)
     rate, rate_notes = _rate(rate_coefficient, quantity, youngs_modulus)
     metal = Material(
         name,
@@ -118,8 +133,16 @@ def calibrate(
         tangent_modulus=youngs_modulus * plastic_modulus / (youngs_modulus + plastic_modulus),
         rate_coefficient=rate,
     )
-    test = _drop_test(value) if quantity == "drops" else None
-    result = _strength(quantity, test or value, law, metal, plastic_modulus, scatter)
+    test = None if drops is None else _drop_test(drops)
+    if quantity == "yield_strength":
+        value = read_number(quantity, yield_strength, BOUNDS[quantity])
+        result = Strength(value, (value, value), "as given")
+    elif quantity == "hardness":
+        result = strength.from_hardness(read_hardness(hardness), plastic_modulus, youngs_modulus)
+    elif quantity == "leeb":
+        result = strength.from_leeb(leeb, law, metal, scatter)
+    else:
+        result = strength.from_drops(test, law, metal, scatter)
     _check_strength(result.value, youngs_modulus)
     metal = attrs.evolve(metal, yield_strength=result.value)
     contact = Contact(law, metal, RIGID, radius=SPHERE_RADIUS)
@@ -128,155 +151,111 @@ def calibrate(
         notes.append(f"{law} does not include hardening: it uses only the yield strength")
     pressed = None
     if force_ratio is not None:
-        pressed = press_sphere(
-            youngs_modulus, poissons_ratio, density, result.value, plastic_modulus, force_ratio,
-            radius, strain, progress,
-        )  # fmt: skip
+        pressed = press_sphere(metal, plastic_modulus, force_ratio, radius, strain, progress)
     return CalibratedMetal(
         metal,
         result.interval,
         result.source,
         law,
-        _error(contact, result, speeds, plastic_modulus > 0, test),
-        strength.yield_speed_of(contact),
+        _expected_error(contact, result, speeds, plastic_modulus > 0, test),
+        contact.yield_speed,
         tuple(notes),
         test,
         pressed,
     )
 
 
-def _one_measurement(**measured: Any) -> tuple[str, Any]:
-    """Return the name and the value of the only measurement that is given.
+def _refuse_unused(
+    quantity: str, scatter: float | None, force_ratio: float | None, radius: float, strain: str
+) -> None:
+    """Refuse a scatter of a measurement without one, and settings of unused finite elements."""
+    if scatter is not None and quantity not in ("leeb", "drops"):
+        raise ValueError(
+            f"scatter is {scatter!r}, but it applies only to leeb or drops, not to {quantity}"
+        )
+    if force_ratio is None:
+        for name, value, default in (("radius", radius, FEM_RADIUS), ("strain", strain, "small")):
+            if value != default:
+                raise ValueError(
+                    f"{name} is {value!r}, but it applies only to finite elements. Give force_ratio"
+                )
 
-    Raises:
-        ValueError: There is none, or more than one.
-    """
-    given = [(name, value) for name, value in measured.items() if value is not None]
-    if len(given) != 1:
-        names = " and ".join(name for name, _ in given) or "none"
-        raise ValueError(f"{names} of {', '.join(measured)} is given; exactly one is needed")
-    return given[0]
+
+def _check_numbers(**values: float | None) -> None:
+    for name, value in values.items():
+        if value is None:
+            continue
+        try:
+            read_number(name, value, BOUNDS[name])
+        except ValueError as error:
+            raise ValueError(f"{error}{CHECK_UNIT.get(name, '')}") from None
+
+
+def _check_law(law: str) -> None:
+    names = sorted(
+        name for name, entry in laws.LAWS.items() if entry.shape == "sphere" and entry.yields
+    )
+    if law not in names:
+        raise ValueError(
+            f"law is {law!r}; it must be one of the laws for spheres that yield: {', '.join(names)}"
+        )
 
 
 def _rate(
     rate_coefficient: float | None, quantity: str, youngs_modulus: float
 ) -> tuple[float, list[str]]:
-    """Return the rate coefficient and the notes on it.
-
-    Steel has a published one, and hardness and rebound are measured at very different rates.
-    """
+    """Return the rate coefficient and the notes on it."""
     depends_on_rate = quantity in ("hardness", "leeb")
-    if rate_coefficient is None and depends_on_rate and strength.STEEL.allows(youngs_modulus):
+    rate = rate_coefficient or 0.0
+    if rate_coefficient is None and depends_on_rate:
+        if not strength.STEEL.allows(youngs_modulus):
+            return 0.0, [
+                "no dependence on the strain rate is assumed; docs/rate_factor.md lists published "
+                "coefficients of other metals than steel: give rate_coefficient"
+            ]
         rate = strength.STEEL_RATE_COEFFICIENT
-    else:
-        rate = rate_coefficient or 0.0
-    if rate:
-        return rate, [
-            f"the strength is for a strain rate of 1/s; the rate coefficient is C = {rate:g}"
-        ]
-    if depends_on_rate and rate_coefficient is None:
-        return rate, [
-            "no dependence on the strain rate is assumed; docs/rate_factor.md lists published "
-            "coefficients of other metals than steel: give rate_coefficient"
-        ]
-    return rate, []
+    note = f"the strength is for a strain rate of 1/s; the rate coefficient is C = {rate:g}"
+    return rate, [note] if rate else []
 
 
-def _drop_test(drops: DropTest | str | Path) -> DropTest:
-    """Return a drop test, read from a file if it is one.
-
-    Raises:
-        ValueError: It is neither.
-    """
+def _drop_test(drops: Any) -> DropTest:
     if isinstance(drops, DropTest):
         return drops
-    if not isinstance(drops, str | Path):
-        raise ValueError(f"drops is {drops!r}; it must be a DropTest or the file of one")
-    return DropTest(**read_drop_test(drops))
-
-
-def _strength(
-    quantity: str,
-    value: Any,
-    law: str,
-    metal: Material,
-    plastic_modulus: float,
-    scatter: float | None,
-) -> strength.Strength:
-    """Return the yield strength that follows from a measured quantity."""
-    if quantity == "yield_strength":
-        return strength.given(read_number(quantity, value, Declaration("", "Pa", 0)))
-    if quantity == "hardness":
-        return strength.from_hardness(read_hardness(value), plastic_modulus, metal.youngs_modulus)
-    method = strength.from_leeb if quantity == "leeb" else strength.from_drops
-    return method(value, law, metal, scatter)
-
-
-def _error(
-    contact: Contact,
-    found: strength.Strength,
-    speeds: Sequence[float] | None,
-    hardening: bool,
-    drops: DropTest | None,
-) -> ExpectedError:
-    """Return the error of the law for the intended speeds, the measured ones, or usual ones."""
-    ratio = found.speed_ratio or USUAL_SPEEDS
-    if speeds is not None:
-        said = Declaration("", "m/s", 0)
-        read = sorted(read_number("speeds", speed, said) for speed in np.ravel(speeds).tolist())
-        if not read:
-            raise ValueError("speeds is empty; it must be the smallest and the largest [m/s]")
-        ratio = tuple(speed / strength.yield_speed_of(contact) for speed in (read[0], read[-1]))
-    elif found.contact is not None:
-        contact = found.contact
-        if drops is not None and (drops.ball is not None or drops.plate != RIGID):
-            return ExpectedError.of_another_pair(ratio)
-    fastest = contact.impact(max(ratio[1], 1.0) * strength.yield_speed_of(contact))
-    widest = contact.law.follow(contact.radius_eff, [fastest.overlap_max])["contact_radius"][0]
-    return expected_error(contact.law.name, ratio, hardening, widest / contact.radius_eff)
-
-
-def _refuse_idle(measured: str, scatter: float | None, others: dict[str, tuple]) -> None:
-    """Refuse values without effect.
-
-    These are `scatter` for a measurement without scatter, and settings of finite elements that are
-    not computed.
-
-    Raises:
-        ValueError: There is such a value; the message names it.
-    """
-    if scatter is not None and measured not in ("leeb", "drops"):
-        raise ValueError(
-            f"scatter is {scatter!r}, but it applies only to leeb or drops, not to {measured}"
-        )
-    for name, (value, usual) in others.items():
-        if value != usual:
-            raise ValueError(
-                f"{name} is {value!r}, but it applies only to finite elements. Give force_ratio"
-            )
-
-
-def _check_units(**values: float) -> None:
-    for name, value in values.items():
-        said, question = UNITS[name]
-        try:
-            read_number(name, value, said)
-        except ValueError as error:
-            raise ValueError(f"{error}. {question}") from None
+    if isinstance(drops, str | Path):
+        return DropTest(**read_drop_test(drops))
+    raise ValueError(f"drops is {drops!r}; it must be a DropTest or the file of one")
 
 
 def _check_strength(value: float, youngs_modulus: float) -> None:
-    """Refuse a strength that no solid of that modulus has.
-
-    Raises:
-        ValueError: It is below 1e-6 of Young's modulus or above 0.3 of it.
-    """
-    least, largest = (
-        share * youngs_modulus for share in (strength.LEAST_RATIO, strength.LARGEST_RATIO)
-    )
+    """Refuse a strength that no solid of that modulus has."""
+    least, largest = LEAST_RATIO * youngs_modulus, LARGEST_RATIO * youngs_modulus
     if not least < value < largest:
         raise ValueError(
             f"yield_strength is {value:.4g} Pa; with youngs_modulus {youngs_modulus:.4g} Pa it "
             f"must lie between {least:.3g} and {largest:.3g} Pa. Check the units: Pa, not MPa "
             "or GPa"
         )
+
+
+def _expected_error(
+    contact: Contact,
+    result: Strength,
+    speeds: float | Sequence[float] | None,
+    hardening: bool,
+    drops: DropTest | None,
+) -> ExpectedError:
+    """Return the error of the law for the intended speeds, the measured ones, or usual ones."""
+    ratio = result.speed_ratio or USUAL_SPEEDS
+    if speeds is not None:
+        intended = np.ravel(speeds).tolist()
+        if not intended:
+            raise ValueError("speeds is empty; it must be the smallest and the largest [m/s]")
+        intended = [read_number("speeds", speed, BOUNDS["speeds"]) for speed in intended]
+        ratio = min(intended) / contact.yield_speed, max(intended) / contact.yield_speed
+    elif result.contact is not None:
+        contact = result.contact
+        if drops is not None and (drops.ball is not None or drops.plate != RIGID):
+            return ExpectedError.of_another_pair(ratio)
+    fastest = contact.impact(max(ratio[1], 1.0) * contact.yield_speed)
+    widest = contact.law.follow(contact.radius_eff, [fastest.overlap_max])["contact_radius"][0]
+    return expected_error(contact.law.name, ratio, hardening, widest / contact.radius_eff)

@@ -28,8 +28,8 @@ IMPACT = {
 }
 REBOUND = {
     "restitution": Declaration("coefficient of restitution", "-", 0, 1.000001),  # 1 is allowed
-    "rebound_speed": Declaration("after the impact", "m/s", 0, 1000),
-    "rebound_height": Declaration("after the impact", "m", 0, 10),
+    "rebound_speed": Declaration("speed after the impact", "m/s", 0, 1000),
+    "rebound_height": Declaration("height after the impact", "m", 0, 10),
 }
 BALL_RADIUS = 5e-3  # default radius [m]
 SYNONYMS = {"coefficient_of_restitution": "restitution"}
@@ -63,9 +63,10 @@ class DropTest:
     radius: float = BALL_RADIUS
 
     def __attrs_post_init__(self) -> None:
-        for name, said in (("speed", IMPACT["speed"]), ("restitution", REBOUND["restitution"])):
-            for value in getattr(self, name):
-                read_number(name, value, said)
+        for value in self.speed:
+            read_number("speed", value, IMPACT["speed"])
+        for value in self.restitution:
+            read_number("restitution", value, REBOUND["restitution"])
         if self.speed.shape != self.restitution.shape:
             raise ValueError(
                 f"there are {self.speed.size} speeds and {self.restitution.size} restitutions; "
@@ -80,12 +81,12 @@ class DropTest:
             raise ValueError("the drop test contains no drop")
 
     @property
-    def ball_said(self) -> str:
+    def ball_name(self) -> str:
         """Ball in words."""
         return "the metal" if self.ball is None else self.ball.name
 
     @property
-    def plate_said(self) -> str:
+    def plate_name(self) -> str:
         """Plate in words."""
         if self.plate is None:
             return "the metal"
@@ -93,9 +94,8 @@ class DropTest:
 
     def contact(self, law: str, metal: Material) -> Contact:
         """Return the contact of ball and plate, with `metal` as the metal to be calibrated."""
-        ball, plate = self.ball or metal, self.plate or metal
-        dented = dented_flat(law) if self.ball else {}
-        return Contact(law, ball, plate, radius=self.radius, **dented)
+        options = dented_flat(law) if self.ball else {}
+        return Contact(law, self.ball or metal, self.plate or metal, radius=self.radius, **options)
 
 
 def read_drop_test(path: str | Path) -> pd.DataFrame:
@@ -112,49 +112,48 @@ def read_drop_test(path: str | Path) -> pd.DataFrame:
         lines = pd.read_csv(
             path, sep=r"\s*[,;]\s*|\s+", comment="#", engine="python", header=None, dtype=str
         )
-    except (UnicodeDecodeError, pd.errors.ParserError, pd.errors.EmptyDataError) as error:
-        said = "" if isinstance(error, UnicodeDecodeError) else ". Use a decimal point, not a comma"
-        raise ValueError(f"{path} is not a table of drops: {error}{said}") from None
+    except UnicodeDecodeError as error:
+        raise ValueError(f"{path} is not a table of drops: {error}") from None
+    except (pd.errors.ParserError, pd.errors.EmptyDataError) as error:
+        raise ValueError(
+            f"{path} is not a table of drops: {error}. Use a decimal point, not a comma"
+        ) from None
     table = lines.iloc[1:].set_axis([SYNONYMS.get(name, name) for name in lines.iloc[0]], axis=1)
+    columns = f"use one of {', '.join(IMPACT)} and one of {', '.join(REBOUND)}"
     if unknown := [name for name in table if name not in IMPACT | REBOUND]:
-        raise ValueError(f"{path}: {unknown[0]!r} is not a column of a drop test; {_columns()}")
+        raise ValueError(f"{path}: {unknown[0]!r} is not a column of a drop test; {columns}")
     if not table.columns.is_unique:
-        raise ValueError(f"{path} has a column twice; {_columns()}")
-    came, back = (_one(path, table, choices) for choices in (IMPACT, REBOUND))
+        raise ValueError(f"{path} has a column twice; {columns}")
+    for choices in (IMPACT, REBOUND):
+        present = [name for name in choices if name in table]
+        if len(present) != 1:
+            names = " and ".join(present) or f"none of {', '.join(choices)}"
+            raise ValueError(f"{path} has {names}; {columns}")
     drops = [
-        _drop(f"{path}: {{}} of drop {row}", came, back, line[came], line[back])
+        _read_drop(f"{path}: {{}} of drop {row}", line)
         for row, line in enumerate(table.to_dict("records"), start=1)
     ]
     return pd.DataFrame(drops, columns=["speed", "restitution"], dtype=float)
 
 
-def _columns() -> str:
-    return f"use one of {', '.join(IMPACT)} and one of {', '.join(REBOUND)}"
+def _read_drop(label: str, cells: dict[str, str]) -> tuple[float, float]:
+    """Return speed and restitution of a line; `label` names a column of this drop in errors."""
+    values = {}
+    for name, declaration in (IMPACT | REBOUND).items():
+        if name in cells:
+            try:
+                values[name] = read_number(label.format(name), cells[name], declaration)
+            except ValueError as error:
+                hint = ". Check the unit: m" if name == "drop_height" else ""
+                raise ValueError(f"{error}{hint}") from None
+    speed = values.get("speed") or _fall_speed(values["drop_height"])
+    if "restitution" in values:
+        return speed, values["restitution"]
+    rebound_speed = values.get("rebound_speed") or _fall_speed(values["rebound_height"])
+    ratio = rebound_speed / speed
+    return speed, read_number(label.format("restitution"), ratio, REBOUND["restitution"])
 
 
-def _one(path: Path, table: pd.DataFrame, choices: dict[str, Declaration]) -> str:
-    given = [name for name in choices if name in table]
-    if len(given) != 1:
-        said = " and ".join(given) if given else f"none of {', '.join(choices)}"
-        raise ValueError(f"{path} has {said}; {_columns()}")
-    return given[0]
-
-
-def _drop(place: str, came: str, back: str, impact: object, rebound: object) -> tuple[float, float]:
-    try:
-        speed = read_number(place.format(came), impact, IMPACT[came])
-    except ValueError as error:
-        hint = ". Check the unit: m" if came == "drop_height" else ""
-        raise ValueError(f"{error}{hint}") from None
-    returned = read_number(place.format(back), rebound, REBOUND[back])
-    if came == "drop_height":
-        speed = _fall(speed)
-    if back == "restitution":
-        return speed, returned
-    restitution = (_fall(returned) if back == "rebound_height" else returned) / speed
-    return speed, read_number(place.format("restitution"), restitution, REBOUND["restitution"])
-
-
-def _fall(height: float) -> float:
+def _fall_speed(height: float) -> float:
     """Return the speed after a fall [m/s]."""
     return float(np.sqrt(2 * GRAVITATIONAL_ACCELERATION * height))

@@ -11,42 +11,41 @@ import pandas as pd
 
 #: Default law.
 DEFAULT_LAW = "universal"
-#: Smallest a/R of the kind "large a/R".
+#: Smallest a/R of the contacts "large a/R".
 WIDE = 0.05
 #: Kinds of contacts in the table of errors.
 KINDS = ("perfectly plastic", "hardening", "large a/R")
-#: Default speeds, divided by the yield speed.
+#: Default speeds / yield speed.
 USUAL_SPEEDS = (1.0, 300.0)
 
 
 @attrs.frozen
 class ExpectedError:
-    """Errors of a law compared with finite elements in a regime, as fractions; None if unknown.
+    """Errors of a law compared with finite elements, as fractions; None if unknown.
 
     Attributes:
-        kind: Kind of contacts: perfectly plastic or hardening, and "large a/R" if it is reached.
+        regime: Contacts of the comparison: perfectly plastic or hardening, and "large a/R" if it
+            is reached; or why there is no comparison.
         speed_ratio: Smallest and largest speed / yield speed.
         restitution, restitution_largest: Rms and largest error of the coefficient of restitution.
         force, force_largest: Rms and largest error of the largest force.
-        reason: Why the error is unknown, if it is not because speeds or law are not in the table.
     """
 
-    kind: str
+    regime: str
     speed_ratio: tuple[float, float]
     restitution: float | None = None
     restitution_largest: float | None = None
     force: float | None = None
     force_largest: float | None = None
-    reason: str = ""
 
     @classmethod
     def of_another_pair(cls, speed_ratio: tuple[float, float]) -> ExpectedError:
         """Return an unknown error, for bodies other than spheres on a rigid plane."""
-        return cls("", speed_ratio, reason="finite elements are of spheres on a rigid plane")
+        return cls("finite elements are of spheres on a rigid plane", speed_ratio)
 
     def __str__(self) -> str:
         ends = " to ".join(dict.fromkeys(f"{end:.3g}" for end in self.speed_ratio))
-        regime = f"{self.reason or self.kind}, {ends} times the yield speed"
+        regime = f"{self.regime}, {ends} times the yield speed"
         if self.restitution is None:
             return f"not known ({regime})"
         return (
@@ -65,7 +64,7 @@ def errors_table() -> pd.DataFrame:
 def expected_error(
     law: str, speed_ratio: tuple[float, float], hardening: bool, contact_radius_ratio: float
 ) -> ExpectedError:
-    """Return the errors of a law for a range of speeds: the largest of its regimes.
+    """Return the largest errors of a law in a range of speeds.
 
     Args:
         law: Name of the law.
@@ -73,24 +72,19 @@ def expected_error(
         hardening: Whether the metal hardens.
         contact_radius_ratio: a/R at the largest speed [-].
     """
-    plastic, hardens, wide = KINDS
-    kinds = [hardens if hardening else plastic]
+    perfectly_plastic, hardens, wide = KINDS
+    kinds = [hardens if hardening else perfectly_plastic]
     kinds += [wide] if contact_radius_ratio >= WIDE else []
-    kind = ", ".join(kinds)
-    least, largest = max(speed_ratio[0], 1.0), max(speed_ratio[1], 1.0)
+    slowest, fastest = (max(ratio, 1.0) for ratio in speed_ratio)
     table = errors_table()
     rows = table[
         (table["law"] == law)
         & table["kind"].isin(kinds)
-        & (table["speed_ratio_from"] <= largest)
-        & (table["speed_ratio_to"] > least)
+        & (table["speed_ratio_from"] <= fastest)
+        & (table["speed_ratio_to"] > slowest)
     ]
-    known = not rows.empty and rows["speed_ratio_to"].max() >= largest
-    if not known:
-        return ExpectedError(kind, speed_ratio)
-    by = {name: part for name, part in rows.groupby("quantity")}
-    restitution, force = by["coefficient_of_restitution"], by["force_max"]
-    worst = [
-        float(part[column].max()) for part in (restitution, force) for column in ("rms", "max")
-    ]
-    return ExpectedError(kind, speed_ratio, *worst)
+    if rows.empty or rows["speed_ratio_to"].max() < fastest:
+        return ExpectedError(", ".join(kinds), speed_ratio)
+    largest = rows.groupby("quantity")[["rms", "max"]].max()
+    errors = largest.loc[["coefficient_of_restitution", "force_max"]].to_numpy().ravel()
+    return ExpectedError(", ".join(kinds), speed_ratio, *errors.tolist())

@@ -14,9 +14,16 @@ from matplotlib.ticker import LogLocator
 
 from plastigran.calibration.metal import CalibratedMetal
 from plastigran.contact import Contact
-from plastigran.fem.sphere.results import Pressing
 from plastigran.materials import RIGID
+from plastigran.plot.chart import Curve, Panel
+from plastigran.plot.quantities import Scale
+from plastigran.plot.static import draw
 from plastigran.plot.style import COLOURS, styled, subplots, title
+
+SPEED = Scale("impact speed", "m/s", 1)
+RESTITUTION = Scale("coefficient of restitution", "", 1)
+OVERLAP, FORCE = Scale("overlap", "µm", 1e6), Scale("force", "N", 1)
+CONTACT_RADIUS = Scale("contact radius", "mm", 1e3)
 
 
 def figure(metal: CalibratedMetal, progress: bool = False) -> Figure:
@@ -41,86 +48,79 @@ def drops_figure(metal: CalibratedMetal) -> Figure:
     drops = metal.drops
     speeds = np.geomspace(drops.speed.min() / 2, drops.speed.max() * 2, 60)
 
-    def law(strength: float) -> np.ndarray:
+    def restitution(strength: float) -> np.ndarray:
         if strength == inf:
             return np.ones_like(speeds)
         body = attrs.evolve(metal.material, yield_strength=strength)
-        impact = drops.contact(metal.law, body).impact(speeds)
-        return impact.coefficient_of_restitution
+        return drops.contact(metal.law, body).impact(speeds).coefficient_of_restitution
 
+    law = f"{title(metal.law)}, {metal.yield_strength / 1e6:.4g} MPa"
+    curves = [
+        Curve(x=speeds, y=restitution(metal.yield_strength), name=law, colour=0),
+        Curve(x=drops.speed, y=drops.restitution, name="drops", look="points"),
+    ]
     with styled():
         drawn, axes = subplots(figsize=(6, 4))
-        least, largest = metal.yield_strength_interval
-        axes.fill_between(speeds, law(least), law(largest), color=COLOURS[0], alpha=0.2, lw=0)
-        label = f"{title(metal.law)}, {metal.yield_strength / 1e6:.4g} MPa"
-        axes.plot(speeds, law(metal.yield_strength), color=COLOURS[0], label=label)
-        axes.plot(drops.speed, drops.restitution, "o", color="black", mfc="white", label="drops")
+        band = (restitution(strength) for strength in metal.yield_strength_interval)
+        axes.fill_between(speeds, *band, color=COLOURS[0], alpha=0.2, lw=0)
+        _draw_restitution(axes, curves)
         axes.plot([], [], color=COLOURS[0], alpha=0.2, lw=8, label="95 % interval of the strength")
-        _restitution_axes(axes)
+        axes.legend(fontsize="small", loc="lower left")
     return drawn
 
 
 def finite_elements_figure(metal: CalibratedMetal, progress: bool = False) -> Figure:
     """Draw the law, and `vu_quoc_zhang` with fitted constants, with finite elements.
 
-    The panels are force over approach, contact radius over force, and restitution over impact
+    The panels are force over overlap, contact radius over force, and restitution over impact
     speed.
     """
     pressing = metal.pressed.pressing
-    released = metal.pressed.unloadings(progress)
-    contacts = {
-        name: Contact(name, metal.material, RIGID, radius=pressing.radius, **constants)
-        for name, constants in {metal.law: {}, "vu_quoc_zhang": metal.constants}.items()
-    }
-    if metal.law == "vu_quoc_zhang":
-        contacts = {metal.law: contacts[metal.law]}
+    unloadings = metal.pressed.unloadings(progress)
+    speed = unloadings["speed"]
+    constants = {metal.law: {}, "vu_quoc_zhang": metal.constants}
+    forces, radii, restitutions = [], [], []
+    for k, (law, values) in enumerate(constants.items()):
+        contact = Contact(law, metal.material, RIGID, radius=pressing.radius, **values)
+        fitted = ", fitted" if law == "vu_quoc_zhang" else ""
+        line = {"name": f"{title(law)}{fitted}", "colour": k}
+        path = _compress(contact, pressing.history)
+        forces.append(Curve(x=path["overlap"], y=path["force"], **line))
+        loading = path.iloc[: path["force"].to_numpy().argmax() + 1]
+        radii.append(Curve(x=loading["force"], y=loading["contact_radius"], **line))
+        speeds = np.geomspace(speed.min() / 3, speed.max(), 40)
+        restitution = contact.impact(speeds).coefficient_of_restitution
+        restitutions.append(Curve(x=speeds, y=restitution, **line))
+    points = {"name": "finite elements", "look": "points"}
+    history = pressing.history
+    forces.append(Curve(x=history["approach"], y=history["force"], **points))
+    loading = history[history["branch"] == 0]
+    radii.append(Curve(x=loading["force"], y=loading["contact_radius"], **points))
+    restitutions.append(Curve(x=speed, y=unloadings["coefficient_of_restitution"], **points))
     with styled():
-        drawn, (loop, radius, restitution) = subplots(1, 3, figsize=(12, 4))
-        for (name, contact), colour in zip(contacts.items(), COLOURS, strict=False):
-            path = _path(contact, pressing)
-            loop.plot(path["overlap"] * 1e6, path["force"], color=colour)
-            up = path.iloc[: path["force"].to_numpy().argmax() + 1]
-            radius.plot(up["force"], up["contact_radius"] * 1e3, color=colour)
-            speeds = np.geomspace(released["speed"].min() / 3, released["speed"].max(), 40)
-            restitution.plot(
-                speeds,
-                contact.impact(speeds).coefficient_of_restitution,
-                color=colour,
-                label=title(name) + (", fitted" if name == "vu_quoc_zhang" else ""),
-            )
-        history, points = pressing.history, {"color": "black", "mfc": "white", "ms": 4}
-        loop.plot(history["approach"] * 1e6, history["force"], "o", **points)
-        loading = history[history["branch"] == 0]
-        radius.plot(loading["force"], loading["contact_radius"] * 1e3, "o", **points)
-        restitution.plot(
-            released["speed"], released["coefficient_of_restitution"], "o", **points,
-            label="finite elements",
-        )  # fmt: skip
-        loop.set(xlabel="overlap (µm)", ylabel="force (N)")
-        radius.set(xlabel="force (N)", ylabel="contact radius (mm)")
-        _restitution_axes(restitution)
+        drawn, (left, middle, right) = subplots(1, 3, figsize=(12, 4))
+        draw(left, Panel(x=OVERLAP, y=FORCE, curves=forces))
+        draw(middle, Panel(x=FORCE, y=CONTACT_RADIUS, curves=radii))
+        _draw_restitution(right, restitutions)
+        right.legend(fontsize="small", loc="lower left")
     return drawn
 
 
-def _path(contact: Contact, pressing: Pressing) -> pd.DataFrame:
+def _compress(contact: Contact, history: pd.DataFrame) -> pd.DataFrame:
     """Return the law along the path of the finite elements: loading and unloading."""
-    reached = pressing.history["force"].max()
-    high = 2 * pressing.history["approach"].max()
-    trial = contact.law.follow(contact.radius_eff, np.linspace(0, high, 2000))
-    top = np.interp(reached, trial["force"], np.linspace(0, high, 2000))
-    up = np.linspace(0, top, 200)
-    there_and_back = np.concatenate([up, up[-2::-1]])
-    answer = contact.law.follow(contact.radius_eff, there_and_back)
-    found = pd.DataFrame({name: answer[name] for name in ("force", "contact_radius")})
-    found.insert(0, "overlap", there_and_back)
-    touching = (found["force"] > 0) | (found.index <= len(up))
-    return found[touching]
+    trial = np.linspace(0, 2 * history["approach"].max(), 2000)
+    forces = contact.law.follow(contact.radius_eff, trial)["force"]
+    loading = np.linspace(0, np.interp(history["force"].max(), forces, trial), 200)
+    overlaps = np.concatenate([loading, loading[-2::-1]])
+    response = contact.law.follow(contact.radius_eff, overlaps)
+    path = pd.DataFrame(
+        {"overlap": overlaps} | {n: response[n] for n in ("force", "contact_radius")}
+    )
+    return path[(path["force"] > 0) | (path.index <= len(loading))]
 
 
-def _restitution_axes(axes: Axes) -> None:
-    axes.set(xscale="log", xlabel="impact speed (m/s)", ylabel="coefficient of restitution")
-    axes.set_ylim(0, 1.05)
+def _draw_restitution(axes: Axes, curves: list[Curve]) -> None:
+    draw(axes, Panel(x=SPEED, y=RESTITUTION, curves=curves, logarithmic="x", y_range=(0, 1.05)))
     axes.xaxis.set_major_locator(LogLocator(subs=(1, 2, 5)))
     axes.xaxis.set_major_formatter("{x:g}")
     axes.xaxis.set_minor_formatter("")
-    axes.legend(fontsize="small", loc="lower left")

@@ -16,10 +16,11 @@ from plastigran.fem.sphere.calibration import calibrate as fit
 from plastigran.fem.sphere.press import press
 from plastigran.fem.sphere.results import Pressing
 from plastigran.fem.theory.hertz import HertzSphere
+from plastigran.materials import Material
 
-USUAL_RANGE = 41.0  # largest force / yield force, as in Vu-Quoc and Zhang's own fit
+USUAL_RANGE = 41.0  # largest force / yield force, as in the fit of Vu-Quoc and Zhang
 #: Further unloadings of a figure, as fractions of the largest force.
-SHARES = (0.08, 0.25, 0.5, 1.0)
+UNLOADING_FRACTIONS = (0.08, 0.25, 0.5, 1.0)
 
 
 @attrs.frozen
@@ -37,43 +38,34 @@ class PressedSphere:
     settings: Settings
 
     def unloadings(self, progress: bool = False) -> pd.DataFrame:
-        """Return unloadings also from smaller forces.
+        """Return unloadings from the largest force and from smaller forces, one per row.
 
-        Each is a row with `speed` [m/s], the speed of an impact with that largest force, and the
-        columns
-        of `Pressing.unloadings`.
-
-        Args:
-            progress: Whether to show a bar.
+        Columns are those of `Pressing.unloadings` and `speed` [m/s], the speed of an impact with
+        the largest force of the row. A bar shows the progress on request.
         """
         material, radius = self.pressing.material, self.pressing.radius
-        forces = [share * self.fitted.force_max for share in SHARES]
+        forces = [fraction * self.fitted.force_max for fraction in UNLOADING_FRACTIONS]
         forces = [force for force in forces if force > self.fitted.yield_force]
-        found = cached(
+        pressing = cached(
             press, material, radius, forces, settings=self.settings, progress=progress
-        ).unloadings
+        )
         mass = HertzSphere(material, radius).mass
-        return found.assign(speed=np.sqrt(2 * found["work_loading"] / mass))
+        speed = np.sqrt(2 * pressing.unloadings["work_loading"] / mass)
+        return pressing.unloadings.assign(speed=speed)
 
 
 def press_sphere(
-    youngs_modulus: float,
-    poissons_ratio: float,
-    density: float,
-    yield_strength: float,
-    plastic_modulus: float = 0.0,
-    force_ratio: float = USUAL_RANGE,
-    radius: float = 0.1,
-    strain: str = "small",
-    progress: bool = False,
+    metal: Material,
+    plastic_modulus: float,
+    force_ratio: float,
+    radius: float,
+    strain: str,
+    progress: bool,
 ) -> PressedSphere:
     """Compress a sphere and fit C_a and K_c; `plastigran.fem.cache` keeps the result.
 
     Args:
-        youngs_modulus: E [Pa].
-        poissons_ratio: nu [-].
-        density: Density [kg/m^3].
-        yield_strength: sigma_Y [Pa].
+        metal: Material of the sphere; elastic constants, density and yield strength are used.
         plastic_modulus: H, stress over plastic strain [Pa].
         force_ratio: Largest force / yield force.
         radius: Radius of the sphere [m]; the constants do not depend on it.
@@ -87,18 +79,18 @@ def press_sphere(
     Warns:
         SmallStrainWarning: a/R is too large for small strain.
     """
-    metal = ElasticPlastic(
-        youngs_modulus=youngs_modulus,
-        poissons_ratio=poissons_ratio,
-        density=density,
-        hardening=LinearHardening(yield_strength, plastic_modulus),
+    material = ElasticPlastic(
+        youngs_modulus=metal.youngs_modulus,
+        poissons_ratio=metal.poissons_ratio,
+        density=metal.density,
+        hardening=LinearHardening(metal.yield_strength, plastic_modulus),
     )
-    sphere = HertzSphere(metal, radius)
+    sphere = HertzSphere(material, radius)
     force = force_ratio * sphere.yield_force
     check_range(sphere, force)
     settings = Settings(strain=strain)
     try:
-        pressing = cached(press, metal, radius, [force], settings=settings, progress=progress)
+        pressing = cached(press, material, radius, [force], settings=settings, progress=progress)
     except ArithmeticError as error:
         raise ValueError(str(error)) from None
     return PressedSphere(pressing, fit(pressing), settings)

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Strength from hardness: conversions between scales, and flow stress from Vickers hardness.
+"""Flow stress from hardness, and conversions between hardness scales.
 
 Vickers hardness is the force in kgf divided by the sloping area of the indentation in mm^2. The
-projected area is sin 68 deg = 0.9272 of it and gives the mean pressure H. A fully plastic
-indentation
-has H = 2.8 times the flow stress at about 8 % strain (Tabor, The Hardness of Metals, 1951).
+projected area is sin 68 deg = 0.9272 of it and gives the mean pressure H. For a fully plastic
+indentation, H is 2.8 times the flow stress at about 8 % strain (Tabor, The Hardness of Metals,
+1951).
 
 Conversions between scales hold for steel that is not austenitic. Scatters are 95 % half-widths.
 """
@@ -12,6 +12,7 @@ Conversions between scales hold for steel that is not austenitic. Scatters are 9
 from __future__ import annotations
 
 import re
+from collections.abc import Callable
 from functools import cache
 from importlib.resources import files
 from math import hypot
@@ -25,7 +26,7 @@ from plastigran.declared import Declaration, read_number
 
 CONSTRAINT_FACTOR = 2.8  # mean pressure of an indentation / flow stress
 CONSTRAINT_SCATTER = 0.07  # 2.6 to 3.0
-DENT_STRAIN = 0.08  # strain of the flow stress of an indentation
+INDENTATION_STRAIN = 0.08  # strain of the flow stress of an indentation
 READING_SCATTER = 0.03  # permissible error of a tester, ISO 6507-2
 
 #: Rockwell C and Vickers hardness of steel, ASTM E140-12b, table 1.
@@ -37,44 +38,40 @@ ROCKWELL_C_VICKERS = (
 
 
 @attrs.frozen
-class Scale:
+class HardnessScale:
     """Scale of hardness.
 
     Attributes:
-        range: Range of its numbers.
-        scatter: Scatter of the conversion into HV.
-        source: Source of the conversion.
-        of_steel: Whether the conversion holds for steel only.
+        numbers: Allowed numbers on the scale.
+        vickers: Function from a number on the scale to HV.
+        scatter: Scatter of this conversion.
+        source: Source of this conversion, which is for steel; "" for HV itself.
     """
 
-    name: str
-    range: Declaration
-    scatter: float
-    source: str
-    of_steel: bool = False
-
-    def vickers(self, value: float) -> float:
-        """Return the hardness in HV."""
-        if self.name == "HB":
-            return value / 0.95
-        if self.name == "HRC":
-            return float(np.interp(value, ROCKWELL_C, ROCKWELL_C_VICKERS))
-        return value
+    numbers: Declaration
+    vickers: Callable[[float], float]
+    scatter: float = 0.0
+    source: str = ""
 
 
-def _range(unit: str, lower: float, upper: float) -> Declaration:
+def _numbers(unit: str, lower: float, upper: float) -> Declaration:
     return Declaration("hardness", unit, lower, upper, lower_allowed=True, upper_allowed=True)
 
 
+def _rockwell_c_to_vickers(value: float) -> float:
+    return float(np.interp(value, ROCKWELL_C, ROCKWELL_C_VICKERS))
+
+
 SCALES = {
-    scale.name: scale
-    for scale in (
-        Scale("HV", _range("HV", 5, 2000), 0.0, "the scale itself"),
-        # ISO 18265, table A.1; ASTM E140 has HB = HV below 240 and agrees within 1.5 % above.
-        Scale("HB", _range("HB", 76, 618), 0.05, "HB = 0.95 HV, ISO 18265", True),
-        # Makers' manuals convert 41.5 and 54.5 HRC to HV with a difference of 4 %.
-        Scale("HRC", _range("HRC", 20, 68), 0.05, "table 1 of ASTM E140", True),
-    )
+    "HV": HardnessScale(_numbers("HV", 5, 2000), float),
+    # ISO 18265, table A.1; ASTM E140 has HB = HV below 240 and agrees within 1.5 % above.
+    "HB": HardnessScale(
+        _numbers("HB", 76, 618), lambda value: value / 0.95, 0.05, "HB = 0.95 HV, ISO 18265"
+    ),
+    # The manuals of two tester makers differ by 4 % in HV, at 41.5 and 54.5 HRC.
+    "HRC": HardnessScale(
+        _numbers("HRC", 20, 68), _rockwell_c_to_vickers, 0.05, "table 1 of ASTM E140"
+    ),
 }
 
 
@@ -91,14 +88,14 @@ class Hardness:
     """
 
     value: float
-    scale: str = attrs.field(default="HV")
+    scale: str = "HV"
 
     def __attrs_post_init__(self) -> None:
         if self.scale not in SCALES:
             raise ValueError(
                 f"hardness is {self.value:g} {self.scale}; scales are {', '.join(SCALES)}"
             )
-        read_number("hardness", self.value, SCALES[self.scale].range)
+        read_number("hardness", self.value, SCALES[self.scale].numbers)
 
     @property
     def vickers(self) -> float:
@@ -107,19 +104,14 @@ class Hardness:
 
     @property
     def scatter(self) -> float:
-        """Relative 95 % half-width of the flow stress: reading, conversion, constraint."""
+        """Relative 95 % half-width of the flow stress: reading, conversion, constraint factor."""
         return hypot(READING_SCATTER, SCALES[self.scale].scatter, CONSTRAINT_SCATTER)
-
-    @property
-    def flow_stress(self) -> float:
-        """Flow stress at about 8 % strain [Pa]."""
-        return flow_stress(self.vickers)
 
     def __str__(self) -> str:
         return f"{self.value:g} {self.scale}"
 
 
-def read_hardness(given: Hardness | float | str) -> Hardness:
+def read_hardness(hardness: Hardness | float | str) -> Hardness:
     """Return a hardness from a number, which is HV, or a text such as "45HRC" or "200 HB".
 
     The load after a scale, as in "380 HV10" or "200 HBW 10/3000", is accepted and ignored.
@@ -127,18 +119,18 @@ def read_hardness(given: Hardness | float | str) -> Hardness:
     Raises:
         ValueError: The value is neither, or out of the range of the scale.
     """
-    if isinstance(given, Hardness):
-        return given
+    if isinstance(hardness, Hardness):
+        return hardness
     number, load = r"([-+.\dE]+?)", r"(?:(?<=HV|HB|BW)\s*[\d.]+(?:/[\d.]+)*)?"
-    found = re.fullmatch(rf"\s*{number}\s*([A-Z]*){load}\s*", str(given).upper())
+    match = re.fullmatch(rf"\s*{number}\s*([A-Z]*){load}\s*", str(hardness).upper())
     try:
-        value = float(found[1])
+        value = float(match[1])
     except (TypeError, ValueError):
         raise ValueError(
-            f"hardness is {given!r}; it must be a number and a scale of {', '.join(SCALES)}, "
+            f"hardness is {hardness!r}; it must be a number and a scale of {', '.join(SCALES)}, "
             "for example 45HRC"
         ) from None
-    return Hardness(value, {"": "HV", "HBW": "HB"}.get(found[2], found[2]))
+    return Hardness(value, {"": "HV", "HBW": "HB"}.get(match[2], match[2]))
 
 
 def indentation_pressure(vickers: ArrayLike) -> np.ndarray:

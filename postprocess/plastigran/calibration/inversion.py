@@ -1,33 +1,28 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Yield strength with which a law reproduces measured restitutions, and its uncertainty.
 
-A measured restitution is the law's times a log-normal factor. The strength has the least squares of
-the logarithm. Its 95 % interval contains every strength whose sum of squares exceeds the least one
-only by chance (profile likelihood). This needs no linearization; the interval may be open if the
-impacts are nearly elastic. The larger of two scatters is used: the stated scatter of one
-measurement
-(normal distribution), and the scatter of the measurements about the law (Student's t with one
-degree
-of freedom less than measurements).
+A measured restitution is the law's restitution times a log-normal factor. The strength has the
+least squares of the logarithm. Its 95 % interval contains every strength whose sum of squares
+exceeds the least one only by chance (profile likelihood). This needs no linearization; the interval
+may be open if the impacts are nearly elastic. The larger of two scatters is used: the stated
+scatter of one measurement (normal distribution), and the scatter of the measurements about the law
+(Student's t with one degree of freedom less than measurements).
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable
-from math import exp, inf, sqrt
+from math import exp, inf, nan, sqrt
 
 import attrs
 import numpy as np
+from numpy.typing import ArrayLike
 from scipy import stats
 from scipy.optimize import brentq, minimize_scalar
 
 CONFIDENCE = 0.95
 GRID = 48  # number of strengths for the first search
 ELASTIC = 1 - 1e-6  # restitution from which an impact counts as elastic
-
-
-class TooElastic(ValueError):
-    """The impacts hardly yield, so there is only a lower bound of the strength."""
 
 
 @attrs.frozen
@@ -38,7 +33,7 @@ class Estimate:
         yield_strength: Least-squares value [Pa].
         interval: 95 % interval [Pa]; its upper end may be infinite.
         residual_scatter: Relative standard deviation of the measurements about the law; NaN for
-            one.
+            one measurement.
     """
 
     yield_strength: float
@@ -48,7 +43,7 @@ class Estimate:
 
 def estimate_strength(
     restitution: Callable[[float], np.ndarray],
-    measured: np.ndarray,
+    measured: ArrayLike,
     bounds: tuple[float, float],
     scatter: float,
 ) -> Estimate:
@@ -61,19 +56,19 @@ def estimate_strength(
         scatter: Relative standard deviation of one measurement.
 
     Raises:
-        TooElastic: No impact yields at the best strength; the message has the lower bound.
-        ValueError: A restitution is below that at the smallest strength, or the restitution does
-            not depend on the strength.
+        ValueError: No impact yields at the best strength, and the message has the lower bound; or a
+            restitution is below that at the smallest strength, or the restitution does not depend
+            on the strength.
     """
     measured = np.asarray(measured, dtype=float)
     target = np.log(measured)
 
     def misfit(logarithm: float) -> float:
-        found = np.maximum(restitution(exp(logarithm)), 1e-12)
-        return float(np.sum((np.log(found) - target) ** 2))
+        predicted = np.maximum(restitution(exp(logarithm)), 1e-12)
+        return float(np.sum((np.log(predicted) - target) ** 2))
 
     grid = np.linspace(*np.log(bounds), GRID)
-    values = np.array([misfit(at) for at in grid])
+    values = np.array([misfit(logarithm) for logarithm in grid])
     lowest = int(np.argmin(values))
     if lowest == 0:
         raise ValueError(
@@ -81,38 +76,40 @@ def estimate_strength(
             f"lowest yield strength tried, {bounds[0]:.3g} Pa. Check the materials of ball and "
             "plate and the units of the data"
         )
-    around = grid[max(lowest - 1, 0)], grid[min(lowest + 1, GRID - 1)]
-    best = minimize_scalar(misfit, bounds=around, method="bounded", options={"xatol": 1e-7})
-    at, least = (best.x, best.fun) if best.fun < values[lowest] else (grid[lowest], values[lowest])
+    around = grid[lowest - 1], grid[min(lowest + 1, GRID - 1)]
+    search = minimize_scalar(misfit, bounds=around, method="bounded", options={"xatol": 1e-7})
+    best, least = grid[lowest], values[lowest]
+    if search.fun < least:
+        best, least = search.x, search.fun
 
-    count = len(measured)
     allowed = (stats.norm.ppf(0.5 + CONFIDENCE / 2) * scatter) ** 2
-    if count > 1:
-        shown = least / (count - 1)
-        allowed = max(allowed, stats.t.ppf(0.5 + CONFIDENCE / 2, count - 1) ** 2 * shown)
+    residual, freedom = nan, len(measured) - 1
+    if freedom:
+        residual = sqrt(least / freedom)
+        quantile = stats.t.ppf(0.5 + CONFIDENCE / 2, freedom)
+        allowed = max(allowed, quantile**2 * least / freedom)
 
     def excess(logarithm: float) -> float:
         return misfit(logarithm) - least - allowed
 
-    lower, upper = (
-        _crossing(excess, at, side) for side in (grid[grid < at][::-1], grid[grid > at])
-    )
+    lower = _first_positive(excess, best, grid[grid < best][::-1])
+    upper = _first_positive(excess, best, grid[grid > best])
     if lower is None:
         raise ValueError(
             "the law's restitution hardly depends on the yield strength here (restitution "
             f"{measured.min():g} to {measured.max():g}). Use another law or other speeds"
         )
-    if np.all(restitution(exp(at)) > ELASTIC):
-        raise TooElastic(
+    if np.all(restitution(exp(best)) > ELASTIC):
+        raise ValueError(
             f"restitution {measured.max():g} is almost elastic and gives only a lower bound: "
             f"the yield strength is above {exp(lower):.4g} Pa (95 %)"
         )
-    interval = exp(lower), inf if upper is None else exp(upper)
-    residual = sqrt(least / (count - 1)) if count > 1 else float("nan")
-    return Estimate(exp(at), interval, residual)
+    return Estimate(exp(best), (exp(lower), inf if upper is None else exp(upper)), residual)
 
 
-def _crossing(excess: Callable[[float], float], start: float, grid: np.ndarray) -> float | None:
+def _first_positive(
+    excess: Callable[[float], float], start: float, grid: np.ndarray
+) -> float | None:
     """Return where the excess first becomes positive along a grid; None if nowhere."""
     inside = start
     for outside in grid:

@@ -26,8 +26,8 @@ class CalibratedMetal:
 
     Attributes:
         material: Metal for `plastigran.Contact`.
-        yield_strength_interval: 95 % interval [Pa]; both ends are the value itself if it was given,
-            and the upper end is infinite if the measurement gives only a lower bound.
+        yield_strength_interval: 95 % interval [Pa]. Both ends are the value itself if it was given.
+            The upper end is infinite if the measurement gives only a lower bound.
         source: Source of strength and interval.
         law: Law to use.
         expected_error: Expected error of that law.
@@ -56,22 +56,21 @@ class CalibratedMetal:
     def constants(self) -> dict[str, float]:
         """C_a P_Y/a_Y and K_c P_Y [-] of `vu_quoc_zhang`.
 
-        They are fitted to finite elements of this metal if available; otherwise the law's own, for
-        perfectly plastic metals up to 41 P_Y.
+        They are fitted to finite elements of this metal if available. Otherwise they are the
+        defaults of the law, for perfectly plastic metals up to 41 P_Y.
         """
         if self.pressed is not None:
             return {name: getattr(self.pressed.fitted, name) for name in FITTED}
-        own = {row["name"]: row["default"] for row in laws.LAWS["vu_quoc_zhang"].parameters()}
-        return {name: own[name] for name in FITTED}
+        parameters = laws.LAWS["vu_quoc_zhang"].parameters()
+        return {row["name"]: row["default"] for row in parameters if row["name"] in FITTED}
 
     def to_dict(self) -> dict:
         """Return all numbers in SI units; None for an unknown end of the interval."""
-        error = self.expected_error
-        found = {
+        error, interval = self.expected_error, self.yield_strength_interval
+        fitted = self.constants if self.pressed is None else self.pressed.fitted.to_dict()
+        return {
             "yield_strength": self.yield_strength,
-            "yield_strength_interval": [
-                None if end == inf else end for end in self.yield_strength_interval
-            ],
+            "yield_strength_interval": [None if end == inf else end for end in interval],
             "source": self.source,
             "law": self.law,
             "expected_error": error.restitution,
@@ -81,10 +80,7 @@ class CalibratedMetal:
             "speed_ratio": list(error.speed_ratio),
             "yield_speed": self.yield_speed,
             "notes": list(self.notes),
-        }
-        if self.pressed is not None:
-            return found | self.pressed.fitted.to_dict()
-        return found | self.constants
+        } | fitted
 
     def deck_lines(self) -> list[str]:
         """Return the lines of a deck in which atom type 1 is the metal."""
@@ -101,14 +97,17 @@ class CalibratedMetal:
                 f"{value:.6g}  # of vu_quoc_zhang"
                 for name, value in self.constants.items()
             ]
-        lines += ["# Friction is not calibrated: set the coefficient of your pair of materials."]
-        friction = "coefficientFriction peratomtypepair 1 0.3"
-        lines += [f"fix coefficient_friction all property/global {friction}"]
-        return [*lines, f"pair_style gran model {self.law} tangential history"]
+        return [
+            *lines,
+            "# Friction is not calibrated: set the coefficient of your pair of materials.",
+            "fix coefficient_friction all property/global "
+            "coefficientFriction peratomtypepair 1 0.3",
+            f"pair_style gran model {self.law} tangential history",
+        ]
 
     @property
     def remark(self) -> str:
-        """Return the source of the strength, for the head of a material file."""
+        """Source of the strength, for the head of a material file."""
         return f"Yield strength from {self.source}; 95 % {self._interval()} Pa."
 
     def __str__(self) -> str:
@@ -117,10 +116,10 @@ class CalibratedMetal:
             "yield strength": f"{self.yield_strength:.4g} Pa, 95 % {self._interval()} Pa",
             "from": self.source,
             "law": self.law,
-            "expected error": str(self.expected_error),
+            "expected error": self.expected_error,
             "yield speed": f"{self.yield_speed:.3g} m/s for a sphere on a rigid plane",
         } | {f"note {k}": note for k, note in enumerate(self.notes, start=1)}
-        return "\n".join(f"{name:20s}{said}" for name, said in lines.items())
+        return "\n".join(f"{name:20s}{text}" for name, text in lines.items())
 
     def __repr__(self) -> str:
         return (

@@ -2,8 +2,7 @@
 """A softer material with the same restitution, which allows a longer time step.
 
 Let Young's modulus become s E. For laws without other constants, an impact at speed v depends only
-on
-nu and v / v_Y, with the yield speed v_Y ~ (p_Y^5 / (E*^4 rho))^(1/2). If the yield strength is
+on nu and v / v_Y, with the yield speed v_Y ~ (p_Y^5 / (E*^4 rho))^(1/2). If the yield strength is
 multiplied by s^(4/5), at the same nu and rho, v_Y and the restitution at every speed are unchanged.
 Durations, time step and overlap grow as s^(-2/5), and contact radius / radius as s^(-1/5). Forces
 decrease as s^(2/5). Constants of a law are scaled by `POWERS`.
@@ -22,7 +21,7 @@ from scipy.optimize import brentq
 from plastigran.contact import Contact
 from plastigran.declared import RADIUS, Declaration, read_number
 from plastigran.materials import Material
-from plastigran.physics.central import yield_speed
+from plastigran.physics import central
 from plastigran.physics.rebound_hardness import GRAVITATIONAL_ACCELERATION
 from plastigran.usable_laws import laws_for
 
@@ -81,48 +80,37 @@ def comparison(
         laws: Names of laws; by default those for spheres whose constants the material has.
 
     Returns:
-        Columns law; coefficient_of_restitution and coefficient_of_restitution_softened [-], at
-        `speed`; restitution_change [-], the largest from 1 to 1000 yield speeds, 0 for an exact
-        law;
-        timestep and timestep_softened [s], recommended at `speed`; overlap and overlap_softened,
-        the largest at `speed` / radius [-]; in_range and in_range_softened, whether that impact is
-        within the range of the law.
+        Columns law and restitution_change [-], the largest change from 1 to 1000 yield speeds, 0
+        for an exact law. Further columns, each also with the suffix _softened, are for `speed`:
+        coefficient_of_restitution [-], the recommended timestep [s], the largest overlap / radius
+        [-], and in_range, whether the impact is within the range of the law.
 
     Raises:
         ValueError: A number is out of range, or the material lacks a constant of a law.
     """
+    bodies = {"": material, "_softened": soften(material, factor)}
     rows = []
-    for name in laws or laws_for("sphere", [material]):
-        before, after = (
-            Contact(name, body, body, radius=radius, radius_other=radius)
-            for body in (material, soften(material, factor))
-        )
-        hard, soft = before.impact(speed), after.impact(speed)
-        change = np.max(np.abs(_restitution(after) - _restitution(before)))
-        rows.append(
-            {
-                "law": name,
-                "coefficient_of_restitution": hard.coefficient_of_restitution,
-                "coefficient_of_restitution_softened": soft.coefficient_of_restitution,
-                "restitution_change": change if change > EXACT else 0.0,
-                "timestep": before.timestep(speed),
-                "timestep_softened": after.timestep(speed),
-                "overlap": hard.overlap_max / radius,
-                "overlap_softened": soft.overlap_max / radius,
-                "in_range": bool(hard.in_range),
-                "in_range_softened": bool(soft.in_range),
+    for law in laws or laws_for("sphere", [material]):
+        row, restitutions = {"law": law}, []
+        for suffix, body in bodies.items():
+            contact = Contact(law, body, body, radius=radius, radius_other=radius)
+            impact = contact.impact(speed)
+            row |= {
+                f"coefficient_of_restitution{suffix}": impact.coefficient_of_restitution,
+                f"timestep{suffix}": contact.timestep(speed),
+                f"overlap{suffix}": impact.overlap_max / radius,
+                f"in_range{suffix}": bool(impact.in_range),
             }
-        )
+            yield_speed = central.yield_speed(contact.pair, contact.radius_eff, contact.mass_eff)
+            speeds = SPEED_RATIOS * yield_speed
+            restitutions.append(contact.impact(speeds).coefficient_of_restitution)
+        change = np.max(np.abs(np.subtract(*restitutions)))
+        rows.append(row | {"restitution_change": change if change > EXACT else 0.0})
     return pd.DataFrame(rows)
 
 
-def _restitution(contact: Contact) -> np.ndarray:
-    speed = yield_speed(contact.pair, contact.radius_eff, contact.mass_eff)
-    return contact.impact(SPEED_RATIOS * speed).coefficient_of_restitution
-
-
 def lowest_factor(impact: float, rest: Callable[[float], float] | None = None) -> float:
-    """Return the factor at which the first of two overlaps reaches SOUND_OVERLAP.
+    """Return the lowest factor at which overlaps of impacts and at rest are below SOUND_OVERLAP.
 
     Args:
         impact: Overlap / radius of the fastest impact of the original grains [-].
@@ -130,15 +118,11 @@ def lowest_factor(impact: float, rest: Callable[[float], float] | None = None) -
     """
     lowest = (impact / SOUND_OVERLAP) ** (-1 / TIME_POWER)
     lowest = min(1.0, max(lowest, _FACTOR.lower))
-
-    def beyond(logarithm: float) -> float:
-        return rest(exp(logarithm)) - SOUND_OVERLAP
-
     if rest is None or rest(lowest) <= SOUND_OVERLAP:
         return lowest
     if rest(1.0) >= SOUND_OVERLAP:
         return 1.0
-    return exp(brentq(beyond, log(lowest), 0.0))
+    return exp(brentq(lambda logarithm: rest(exp(logarithm)) - SOUND_OVERLAP, log(lowest), 0.0))
 
 
 def resting_overlap(material: Material, radius: float, depth: float, law: str = "hertz") -> float:
@@ -165,10 +149,10 @@ def resting_overlap(material: Material, radius: float, depth: float, law: str = 
     force = 4 * pi * radius**2 * pressure / (COORDINATION * FILLING)
     contact = Contact(law, material, material, radius=radius, radius_other=radius)
 
-    def beyond(logarithm: float) -> float:
+    def excess_force(logarithm: float) -> float:
         return float(contact.law.follow(radius / 2, [exp(logarithm) * radius])["force"][0]) - force
 
-    ends = log(1e-12), 0.0
-    if beyond(ends[1]) <= 0:
+    if excess_force(0.0) <= 0:
         return 1.0
-    return exp(brentq(beyond, *ends)) if beyond(ends[0]) < 0 else exp(ends[0])
+    least = log(1e-12)
+    return exp(brentq(excess_force, least, 0.0) if excess_force(least) < 0 else least)
