@@ -17,8 +17,9 @@ import numpy as np
 from page_rows import Row
 from tqdm import tqdm
 
-from plastigran.bulk.folder import read_record, read_series, restart_point
+from plastigran.bulk.folder import read_record, restart_point
 from plastigran.bulk.run import run_bulk
+from plastigran.bulk.series import read_series
 from plastigran.engine.checkpoints import PATTERN, step_of
 from plastigran.engine.log import LogFollower
 from plastigran.engine.process import EngineError, engines

@@ -13,8 +13,8 @@ from plastigran.bulk.decks.bed_impact.measurement import (
     plastic_work_by_depth,
     read_grains_dump,
 )
-from plastigran.bulk.folder import read_series
 from plastigran.bulk.run import run_bulk
+from plastigran.bulk.series import read_series
 from plastigran.cli import main
 
 #: Settings that make a run on the plate shorter still.

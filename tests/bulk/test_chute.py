@@ -9,8 +9,8 @@ import pandas as pd
 import pytest
 
 from plastigran.bulk.decks.chute import WEIGHT
-from plastigran.bulk.folder import read_series
 from plastigran.bulk.run import run_bulk
+from plastigran.bulk.series import read_series
 from plastigran.engine.dumps import read_dump
 from plastigran.physics.bagnold import fit_profile
 

@@ -11,9 +11,9 @@ import numpy as np
 import pandas as pd
 import pytest
 
-from plastigran.bulk.folder import read_series
 from plastigran.bulk.outcome import BulkRun
 from plastigran.bulk.run import run_bulk
+from plastigran.bulk.series import read_series
 from plastigran.engine.checkpoints import PATTERN, step_of
 from plastigran.physics.heckel import Loop, heckel_line, measure_loop, punch_work
 

@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 
 from plastigran.bulk.decks.cooling_gas import CoolingGas
-from plastigran.bulk.folder import read_series
 from plastigran.bulk.run import run_bulk
+from plastigran.bulk.series import read_series
 from plastigran.engine.deck import read_deck
 
 

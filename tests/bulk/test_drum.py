@@ -9,9 +9,9 @@ import pandas as pd
 import pytest
 
 from plastigran.bulk.decks.drum import LEVER_ARM, Drum
-from plastigran.bulk.folder import read_series
 from plastigran.bulk.outcome import BulkRun
 from plastigran.bulk.run import run_bulk
+from plastigran.bulk.series import read_series
 from plastigran.engine.spectra import QUANTITIES, read_spectra
 
 #: A drum ten grains wide with some hundred of them, turning fast: so it flows evenly.

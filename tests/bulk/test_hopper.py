@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 
 from plastigran.bulk.decks.hopper import orifices
-from plastigran.bulk.folder import read_series
 from plastigran.bulk.run import run_bulk
+from plastigran.bulk.series import read_series
 from plastigran.engine.deck import read_deck
 from plastigran.engine.log import read_thermo
 from plastigran.engine.process import run_deck

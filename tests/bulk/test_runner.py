@@ -15,8 +15,8 @@ from pathlib import Path
 import pytest
 
 import plastigran as pg
-from plastigran.bulk.folder import read_series
 from plastigran.bulk.run import run_bulk
+from plastigran.bulk.series import read_series
 from plastigran.cli import main
 from plastigran.engine.checkpoints import PATTERN, newest_checkpoint, step_of
 from plastigran.engine.log import LogFollower

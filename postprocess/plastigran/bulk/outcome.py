@@ -13,8 +13,9 @@ from matplotlib.figure import Figure
 from plastigran.bulk.checks import Check, range_checks
 from plastigran.bulk.deck import Analysis, BulkDeck
 from plastigran.bulk.decks import deck_class
-from plastigran.bulk.folder import RECORD, SERIES, all_excess, read_record, read_series
+from plastigran.bulk.folder import RECORD, SERIES, all_excess, read_record
 from plastigran.bulk.own import analyse_own
+from plastigran.bulk.series import read_series
 from plastigran.engine.dumps import DumpError
 from plastigran.engine.log import LOG
 from plastigran.engine.process import EngineError

@@ -14,17 +14,16 @@ from plastigran.bulk.folder import (
     all_excess,
     carry_files,
     prepare_folder,
-    read_series,
-    rows_up_to,
     write_record,
 )
 from plastigran.bulk.outcome import BulkRun, open_run
 from plastigran.bulk.own import planned_steps
 from plastigran.bulk.plan import Plan, plan_bulk
+from plastigran.bulk.series import read_series, rows_up_to
 from plastigran.engine.checkpoints import (
     ChecksumWriter,
-    fetch_file_of_signal,
-    files_of_signals,
+    fetch_signal_file,
+    signal_files,
     step_of,
 )
 from plastigran.engine.folder_lock import lock_folder
@@ -98,7 +97,7 @@ def _run(plan: Plan, made_with: dict[str, str], show: bool) -> BulkRun:
         carry_files(restart, folder, step)
     # last: a folder with a record counts as a run that can be continued
     write_record(folder, record)
-    left = files_of_signals(plan.working_folder)
+    left = signal_files(plan.working_folder)
     checksums = ChecksumWriter(folder)
     try:
         run_deck(
@@ -116,7 +115,7 @@ def _run(plan: Plan, made_with: dict[str, str], show: bool) -> BulkRun:
         if (log := folder / LOG).exists():
             record["versions"]["engine"] = log.read_text(errors="replace").partition("\n")[0]
             write_record(folder, record)
-            fetch_file_of_signal(plan.working_folder, left, folder)
+            fetch_signal_file(plan.working_folder, left, folder)
             checksums.update()
     # before the analysis, which may fail; the file also marks the run as finished
     read_series(folder).to_csv(folder / SERIES, index=False)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Restart files of a run: numbered ones, which of them are complete, and those of a signal."""
+"""Restart files of a run: numbered checkpoints with checksums, and those of a signal."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from plastigran.engine.process import EngineError
 #: File pattern that decks give to the `restart` command.
 PATTERN = "checkpoint.*.restart"
 #: Start of the name of restart files that LIGGGHTS writes when a signal stops it.
-OF_A_SIGNAL = "restart_forced_liggghts"
+SIGNAL_FILE = "restart_forced_liggghts"
 #: Suffix of the checksum files, which `sha256sum --check` reads.
 CHECKSUM = ".sha256"
 #: Number of values of a file that are read together.
@@ -34,36 +34,34 @@ def step_of(checkpoint: Path) -> int:
     return int(checkpoint.name.split(".")[1])
 
 
-def checkpoints(folder: str | Path) -> list[Path]:
-    """Return the checkpoints of a run sorted by step, complete or not; ignore other names."""
-    found = [file for file in Path(folder).glob(PATTERN) if is_numbered(file)]
-    return sorted(found, key=step_of)
-
-
 def is_numbered(file: Path) -> bool:
     """Return whether a file is named like a checkpoint of LIGGGHTS."""
     return re.fullmatch(PATTERN.replace(".", r"\.").replace("*", r"\d+"), file.name) is not None
+
+
+def checkpoints(folder: str | Path) -> list[Path]:
+    """Return the checkpoints of a run sorted by step, complete or not; ignore other names."""
+    return sorted(filter(is_numbered, Path(folder).glob(PATTERN)), key=step_of)
 
 
 def newest_checkpoint(folder: str | Path) -> Path:
     """Return the newest complete checkpoint of a run.
 
     LIGGGHTS writes the checkpoint of a step before the line of the log, and decks write checkpoints
-    at
-    steps that have a line. A checkpoint beyond the last line may therefore be incomplete.
-    Checkpoints
-    that a full disk cut short, or that differ from their checksum, are skipped with a warning. A
-    killed
-    run may have left a complete checkpoint without a checksum.
+    at steps that have a line. A checkpoint beyond the last line may therefore be incomplete.
+    Damaged checkpoints are skipped with a warning. A killed run may have left a complete
+    checkpoint without a checksum.
 
     Raises:
         EngineError: There is none; the message names the newest one beyond the log.
     """
-    log, progress, beyond = Path(folder) / LOG, LogFollower(Path(folder) / LOG).read(), None
+    log, beyond = Path(folder) / LOG, None
+    progress = LogFollower(log).read()
     for checkpoint in reversed(checkpoints(folder)):
+        complete = is_complete(checkpoint)
         if step_of(checkpoint) > progress.step:
-            beyond = beyond or (checkpoint if is_whole(checkpoint) else None)
-        elif not is_whole(checkpoint):
+            beyond = beyond or (checkpoint if complete else None)
+        elif not complete:
             warnings.warn(f"{checkpoint} is cut short. Using an earlier one", stacklevel=2)
         elif differs(checkpoint):
             warnings.warn(f"{_damage(checkpoint)}. Using an earlier one", stacklevel=2)
@@ -80,7 +78,7 @@ def newest_checkpoint(folder: str | Path) -> Path:
 
 
 class ChecksumWriter:
-    """Writes a checksum for each checkpoint of a run when the checkpoint is complete.
+    """Writer of a checksum for each checkpoint of a run as soon as the checkpoint is complete.
 
     Args:
         folder: Folder of the run.
@@ -92,7 +90,7 @@ class ChecksumWriter:
         self._warned = False
 
     def update(self) -> None:
-        """Write the checksums that are due.
+        """Write the missing checksums.
 
         Warns:
             UserWarning: A checksum cannot be written; once per run.
@@ -111,18 +109,18 @@ class ChecksumWriter:
     def _write(self) -> None:
         step = self._log.read().step
         for checkpoint in checkpoints(self._folder):
-            if step_of(checkpoint) > step:  # it may still be written
+            if step_of(checkpoint) > step:  # LIGGGHTS may still be writing it
                 break
-            if _lacks_checksum(checkpoint) and is_whole(checkpoint):
+            if _lacks_checksum(checkpoint) and is_complete(checkpoint):
                 draft = checkpoint.with_name(f"{checkpoint.name}{CHECKSUM}.new")
-                draft.write_text(f"{_sum(checkpoint)}  {checkpoint.name}\n")
-                draft.replace(_checksum_of(checkpoint))
+                draft.write_text(f"{_sha256(checkpoint)}  {checkpoint.name}\n")
+                draft.replace(_checksum_file(checkpoint))
 
 
 def differs(checkpoint: Path) -> bool:
     """Return whether a checkpoint has a checksum and differs from it."""
-    file = _checksum_of(checkpoint)
-    return file.exists() and file.read_text(errors="replace").split()[:1] != [_sum(checkpoint)]
+    file = _checksum_file(checkpoint)
+    return file.exists() and file.read_text(errors="replace").split()[:1] != [_sha256(checkpoint)]
 
 
 def refuse_damaged(checkpoint: Path) -> None:
@@ -136,82 +134,81 @@ def refuse_damaged(checkpoint: Path) -> None:
 
 
 def _damage(checkpoint: Path) -> str:
-    return f"{checkpoint} is damaged: it differs from {_checksum_of(checkpoint).name}"
+    return f"{checkpoint} is damaged: it differs from {_checksum_file(checkpoint).name}"
 
 
-def _checksum_of(checkpoint: Path) -> Path:
+def _checksum_file(checkpoint: Path) -> Path:
     return checkpoint.with_name(checkpoint.name + CHECKSUM)
 
 
 def _lacks_checksum(checkpoint: Path) -> bool:
     """Return whether the checksum is missing or older; a deck may restart its step count."""
-    file = _checksum_of(checkpoint)
+    file = _checksum_file(checkpoint)
     return not file.exists() or file.stat().st_mtime_ns < checkpoint.stat().st_mtime_ns
 
 
-def _sum(file: Path) -> str:
+def _sha256(file: Path) -> str:
     with open(file, "rb") as content:
         return file_digest(content, "sha256").hexdigest()
 
 
-def files_of_signals(working_folder: Path) -> dict[Path, int]:
-    """Return the restart files of signals in a folder, with their times."""
-    found = {}
-    for file in working_folder.glob(f"{OF_A_SIGNAL}_*"):
+def signal_files(working_folder: Path) -> dict[Path, int]:
+    """Return the restart files of signals in a folder, with their times of modification [ns]."""
+    times = {}
+    for file in working_folder.glob(f"{SIGNAL_FILE}_*"):
         with suppress(FileNotFoundError):  # another run has moved it
-            found[file] = file.stat().st_mtime_ns
-    return found
+            times[file] = file.stat().st_mtime_ns
+    return times
 
 
-def fetch_file_of_signal(working_folder: Path, before: dict[Path, int], folder: Path) -> None:
+def fetch_signal_file(working_folder: Path, earlier: dict[Path, int], folder: Path) -> None:
     """Move the restart file of a signal, if there is one, to the results of its run.
 
-    The file belongs to the last step of the run and did not exist before. Other runs in that folder
-    may leave other files.
+    The file has the last step of the run in its name, and did not exist before the run. Other
+    files in the folder may belong to other runs.
 
     Args:
         working_folder: Folder in which LIGGGHTS ran.
-        before: Result of `files_of_signals` before the run.
+        earlier: Result of `signal_files` before the run.
         folder: Folder of the results.
     """
-    step = LogFollower(folder / LOG).read().step
-    for file, time in files_of_signals(working_folder).items():
-        if file.stem == f"{OF_A_SIGNAL}_{step}" and before.get(file) != time:
+    name = f"{SIGNAL_FILE}_{LogFollower(folder / LOG).read().step}"
+    for file, time in signal_files(working_folder).items():
+        if file.stem == name and earlier.get(file) != time:
             with suppress(FileNotFoundError):  # another run has stopped at the same step
                 shutil.move(file, folder / file.name)
 
 
-def is_whole(checkpoint: Path) -> bool:
+def is_complete(checkpoint: Path) -> bool:
     """Return whether a restart file is complete.
 
     Each rank writes the number of its values (four bytes) and the values (eight bytes each). The
-    values
-    are those of one particle after the other; the first is their number for the particle. A rank
-    without particles writes only the number 0. The function looks for the last part with particles.
-    A file that ends exactly with the part of an earlier rank passes the test.
+    values are those of one particle after the other; the first is their number for the particle.
+    A rank without particles writes only the number 0. The function looks for the last part with
+    particles. A file that ends exactly with the part of an earlier rank passes the test.
     """
     size = checkpoint.stat().st_size
     if size < 4:
         return False
     content = np.memmap(checkpoint, np.uint8, "r")
     numbers = content[size % 4 :].view("<i4", np.ndarray)
-    zeros = _zeros_at_the_end(numbers)
+    earliest_end = size - 4 * _trailing_zeros(numbers)
     for first in range(0, len(numbers), _BLOCK):
         counts = numbers[first : first + _BLOCK].astype(np.int64)
         begins = size % 4 + 4 * (first + 1 + np.arange(len(counts)))
         ends = begins + 8 * counts
-        # After the last part with particles there are only zeros.
-        for k in np.flatnonzero((counts > 0) & (ends <= size) & (ends >= size - 4 * zeros)):
+        for k in np.flatnonzero((counts > 0) & (earliest_end <= ends) & (ends <= size)):
             if _holds_particles(content[begins[k] : ends[k]].view("<f8", np.ndarray)):
                 return True
     return False
 
 
-def _zeros_at_the_end(numbers: np.ndarray) -> int:
+def _trailing_zeros(numbers: np.ndarray) -> int:
     """Return how many of the numbers (n,) are 0 at the end."""
     for end in range(len(numbers), 0, -_BLOCK):
-        if (found := np.flatnonzero(numbers[max(0, end - _BLOCK) : end])).size:
-            return len(numbers) - max(0, end - _BLOCK) - int(found[-1]) - 1
+        start = max(0, end - _BLOCK)
+        if (nonzero := np.flatnonzero(numbers[start:end])).size:
+            return len(numbers) - start - int(nonzero[-1]) - 1
     return len(numbers)
 
 

@@ -90,7 +90,8 @@ def read_contacts(
         DumpError: The file is not a local dump, or its columns do not match the fields.
     """
     ((label, _, table),) = read_tables(path, None)
-    return _contacts(path, label, table, kind, fields, touching)
+    table.columns = _column_names(path, label, table, kind, fields)
+    return _touching(table) if touching else table
 
 
 def read_contact_frames(
@@ -98,51 +99,32 @@ def read_contact_frames(
 ) -> Iterator[pd.DataFrame]:
     """Read a dump of contacts frame by frame; the file may be larger than the memory.
 
-    Args:
-        path: File.
-        kind: As for `read_contacts`.
-        fields: As for `read_contacts`.
-        touching: As for `read_contacts`.
-
-    Yields:
-        Each frame as `read_contacts` returns it.
-
-    Raises:
-        DumpError: As for `read_contacts`.
+    Arguments, frames and errors are those of `read_contacts`.
     """
     for label, counts, table in read_tables(path, BATCH):
+        table.columns = _column_names(path, label, table, kind, fields)
         for frame in split_frames(table, counts):
-            yield _contacts(path, label, frame, kind, fields, touching)
+            yield _touching(frame) if touching else frame
 
 
-def _contacts(
-    path: str | Path,
-    label: str,
-    table: pd.DataFrame,
-    kind: str | None,
-    fields: str | None,
-    touching: bool,
-) -> pd.DataFrame:
-    words = label.split()
+def _column_names(
+    path: str | Path, label: str, table: pd.DataFrame, kind: str | None, fields: str | None
+) -> list[str]:
+    """Return the names of the columns, from the label if kind or fields are not given."""
     if kind is None or fields is None:
-        if not words or words[0] not in ("PAIR", "WALL"):
+        kind, _, fields = label.partition(" ")
+        if kind not in ("PAIR", "WALL"):
             raise DumpError(f"{path}: label {label!r} names no fields. Pass kind and fields")
-        kind, fields = words[0], " ".join(words[1:])
     try:
-        names = contact_columns(kind, fields.split(), table.shape[1] - 1)
+        return ["step", *contact_columns(kind, fields.split(), table.shape[1] - 1)]
     except DumpError as error:
         raise DumpError(f"{path}: {error}") from error
-    table.columns = ["step", *names]
-    if touching:
-        keep = np.zeros(len(table), dtype=bool)
-        judged = False
-        if "overlap" in table:
-            keep |= table["overlap"].to_numpy() > 0
-            judged = True
-        for group in (("fx", "fy", "fz"), ("fnx", "fny", "fnz")):
-            if set(group) <= set(names):
-                keep |= (table[list(group)].to_numpy() != 0).any(axis=1)
-                judged = True
-        if judged:
-            table = table[keep].reset_index(drop=True)
-    return table
+
+
+def _touching(table: pd.DataFrame) -> pd.DataFrame:
+    """Return the contacts with overlap or force; all if the table has no such column."""
+    signs = [table["overlap"] > 0] if "overlap" in table else []
+    for force in (["fx", "fy", "fz"], ["fnx", "fny", "fnz"]):
+        if set(force) <= set(table):
+            signs.append((table[force] != 0).any(axis=1))
+    return table[np.any(signs, axis=0)].reset_index(drop=True) if signs else table

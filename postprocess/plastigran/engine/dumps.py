@@ -2,9 +2,8 @@
 """Read dumps of LIGGGHTS, completely or frame by frame.
 
 Every reader returns a pandas DataFrame in SI units with one row per item and time step. Columns
-have
-the names of the file. A file that was cut short by a full disk or a killed run is read as far as it
-is complete, with a `TruncatedFileWarning`.
+have the names of the file. A file that was cut short by a full disk or a killed run is read as far
+as it is complete, with a `TruncatedFileWarning`.
 """
 
 from __future__ import annotations
@@ -20,6 +19,8 @@ import pandas as pd
 
 #: Number of rows that are read together.
 BATCH = 100_000
+#: Prefixes of columns from computes, fixes and variables.
+PREFIXES = ("c_", "f_", "v_")
 
 
 class DumpError(ValueError):
@@ -39,34 +40,24 @@ class _Frame:
 
 
 def _frames(path: Path) -> Iterator[_Frame]:
-    """Scan a dump frame by frame. Only this function depends on the header format."""
+    """Read a dump frame by frame. Only this function depends on the header format."""
     with open(path, encoding="ascii", errors="replace") as file:
-        lines = enumerate(file, start=1)
+        lines, step = enumerate(file, start=1), None
 
-        def take(expected: str | None = None) -> str:
-            number, line = next(lines)  # StopIteration: end of the file
-            if not line.endswith("\n"):
-                raise StopIteration
-            if expected and not line.startswith(expected):
+        def take(start: str = "", may_end: bool = False) -> str:
+            """Return the next line, which must begin with `start`; EOFError if it is cut short."""
+            number, line = next(lines, (0, ""))
+            cut = not line.endswith("\n")
+            if not line.startswith(start[: len(line)] if cut else start):
                 raise DumpError(
-                    f"{path}, line {number}: expected '{expected}', found {line.rstrip()[:60]!r}"
+                    f"{path}, line {number}: expected '{start}', found {line.rstrip()[:60]!r}"
                 )
+            if cut and not (may_end and line == ""):
+                raise EOFError
             return line
 
-        step = None
         try:
-            while True:
-                try:
-                    number, line = next(lines)
-                except StopIteration:
-                    return
-                if not line.startswith("ITEM: TIMESTEP"):
-                    if "ITEM: TIMESTEP".startswith(line.rstrip()) and line.strip():
-                        raise StopIteration
-                    raise DumpError(
-                        f"{path}, line {number}: expected 'ITEM: TIMESTEP', "
-                        f"found {line.rstrip()[:60]!r}"
-                    )
+            while take("ITEM: TIMESTEP", may_end=True):
                 step = None
                 step = int(take())
                 take("ITEM: NUMBER OF")
@@ -74,28 +65,28 @@ def _frames(path: Path) -> Iterator[_Frame]:
                 take("ITEM: BOX BOUNDS")
                 for _ in range(3):
                     take()
-                header = take("ITEM:").removeprefix("ITEM:").split()
-                first = next(
-                    (k for k, word in enumerate(header) if k and _is_column(header, k)), len(header)
-                )
-                rows = [take() for _ in range(count)]
-                yield _Frame(step, " ".join(header[:first]), header[first:], rows)
-        except StopIteration:
-            where = "its header" if step is None else f"the frame of step {step}"
+                label, columns = _label_and_columns(take("ITEM:"))
+                yield _Frame(step, label, columns, [take() for _ in range(count)])
+        except EOFError:
+            place = "its header" if step is None else f"the frame of step {step}"
             warnings.warn(
-                f"{path} ends within {where}. Only the frames before it were read",
+                f"{path} ends within {place}. Only the frames before it were read",
                 TruncatedFileWarning,
                 stacklevel=4,
             )
+        except DumpError:
+            raise
         except ValueError as error:
-            if isinstance(error, DumpError):
-                raise
             raise DumpError(f"{path}: unreadable frame header ({error})") from error
 
 
-def _is_column(header: list[str], k: int) -> bool:
-    """Return whether an item is a column; other words may precede the columns of a local dump."""
-    return header[0] == "ATOMS" or header[k].startswith(("c_", "f_", "v_"))
+def _label_and_columns(header: str) -> tuple[str, list[str]]:
+    """Return label and columns of a frame; a local dump may have a label of several words."""
+    label, *words = header.removeprefix("ITEM:").split()
+    first = 0
+    while label != "ATOMS" and first < len(words) and words[first][:2] not in PREFIXES:
+        first += 1
+    return " ".join([label, *words[:first]]), words[first:]
 
 
 def read_tables(
@@ -106,59 +97,58 @@ def read_tables(
     Yields:
         Label of the dump, number of rows of each frame, and table of the frames.
     """
-    label, columns = "", []
-    steps, counts, text = [], [], []
+    columns: list[str] = []
+    batch: list[_Frame] = []
+    count = 0
     for frame in _frames(Path(path)):
         if columns and frame.columns != columns:
             raise DumpError(f"{path}: the columns change at step {frame.step}")
-        label, columns = frame.label, frame.columns
-        steps.append(frame.step)
-        counts.append(len(frame.rows))
-        text.extend(frame.rows)
-        if rows is not None and len(text) >= rows:
-            yield label, counts, _table(path, columns, steps, counts, text)
-            steps, counts, text = [], [], []
+        columns = frame.columns
+        batch.append(frame)
+        count += len(frame.rows)
+        if rows is not None and count >= rows:
+            yield _table(path, batch)
+            batch, count = [], 0
     if not columns:
         raise DumpError(f"{path}: no complete frame")
-    if steps:
-        yield label, counts, _table(path, columns, steps, counts, text)
+    if batch:
+        yield _table(path, batch)
 
 
-def _table(
-    path: str | Path, columns: list[str], steps: list[int], counts: list[int], text: list[str]
-) -> pd.DataFrame:
-    """Return the rows of some frames with the step of each.
+def _table(path: str | Path, frames: list[_Frame]) -> tuple[str, list[int], pd.DataFrame]:
+    """Return label, row counts and table of some frames, with the step in the first column.
 
     Raises:
         DumpError: Rows have different lengths.
     """
+    columns, counts = frames[0].columns, [len(frame.rows) for frame in frames]
+    rows = [row for frame in frames for row in frame.rows]
     try:
         table = pd.read_csv(
-            io.StringIO("".join(text) or " ".join(columns)),
+            io.StringIO("".join(rows) or " ".join(columns)),
             sep=r"\s+",
-            header=None if text else 0,
+            header=None if rows else 0,
             names=columns,
             index_col=False,
         )
     except (pd.errors.ParserError, ValueError) as error:
         raise DumpError(f"{path}: {error}") from error
-    incomplete = table.isna().any(axis=1).to_numpy()
-    if incomplete.any() and not all("nan" in text[row] for row in np.flatnonzero(incomplete)):
-        step = np.repeat(steps, counts)[incomplete.argmax()]
-        raise DumpError(f"{path}: a row of step {step} has fewer than {len(columns)} columns")
-    table.insert(0, "step", np.repeat(np.asarray(steps, dtype=np.int64), counts))
-    return table
+    steps = np.repeat(np.array([frame.step for frame in frames], dtype=np.int64), counts)
+    for row in np.flatnonzero(table.isna().any(axis=1)):
+        if "nan" not in rows[row]:
+            raise DumpError(
+                f"{path}: a row of step {steps[row]} has fewer than {len(columns)} columns"
+            )
+    table.insert(0, "step", steps)
+    return frames[0].label, counts, table
 
 
 def _without_prefix(name: str) -> str:
-    return name[2:] if name[:2] in ("c_", "f_", "v_") else name
+    return name[2:] if name[:2] in PREFIXES else name
 
 
 def read_dump(path: str | Path) -> pd.DataFrame:
     """Read a `dump custom` file.
-
-    Args:
-        path: File.
 
     Returns:
         One row per atom and frame, (N_frames * N_atoms, 1 + N_columns): `step`, then the columns of
@@ -174,13 +164,9 @@ def read_dump(path: str | Path) -> pd.DataFrame:
 def read_frames(path: str | Path) -> Iterator[pd.DataFrame]:
     """Read a `dump custom` file frame by frame; the file may be larger than the memory.
 
-    Args:
-        path: File.
-
     Yields:
         Each frame as `read_dump` returns it, (N_atoms, 1 + N_columns); a column may have integers
-        in
-        one frame and floats in another.
+        in one frame and floats in another.
 
     Raises:
         DumpError: As for `read_dump`.

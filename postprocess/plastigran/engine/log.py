@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Read the log of LIGGGHTS: progress, thermodynamic output, and errors."""
+"""Read the log of LIGGGHTS: progress, thermodynamic output, warnings and errors."""
 
 from __future__ import annotations
 
 import re
 import warnings
+from contextlib import suppress
 from dataclasses import dataclass
 from math import nan
 from pathlib import Path
@@ -58,13 +59,12 @@ def find_error(text: str) -> str | None:
 
 
 def find_warnings(text: str) -> list[str]:
-    """Return the warnings of contact models and launcher in a log, each once, in order."""
-    return list(dict.fromkeys(_WARNING.findall(text)))
+    """Return the warnings of contact models and launcher in a log, in order.
 
-
-def worst(found: list[str]) -> list[str]:
-    """Return the last of warnings that differ only in numbers, because it is the worst."""
-    return list({_NUMBER.sub("", warning): warning for warning in found}.values())
+    Warnings that differ only in numbers count as one; the last of them is returned.
+    """
+    distinct = dict.fromkeys(_WARNING.findall(text))
+    return list({_NUMBER.sub("", warning): warning for warning in distinct}.values())
 
 
 def find_models(text: str) -> list[str]:
@@ -74,8 +74,8 @@ def find_models(text: str) -> list[str]:
 
 def find_pair_style(text: str) -> str | None:
     """Return the arguments of the last `pair_style` command in a log; None without one."""
-    found = _PAIR_STYLE.findall(text)
-    return " ".join(found[-1].split()) if found else None
+    arguments = next(reversed(_PAIR_STYLE.findall(text)), None)
+    return arguments and " ".join(arguments.split())
 
 
 def find_units(text: str) -> str | None:
@@ -85,7 +85,7 @@ def find_units(text: str) -> str | None:
 
 @dataclass
 class Progress:
-    """Progress of a run from its log.
+    """Progress of LIGGGHTS from its log.
 
     Attributes:
         run: Number of the current `run` command, from 1; 0 before the first.
@@ -107,15 +107,15 @@ class Progress:
 
 
 class LogFollower:
-    """Reads a growing log; each line once and only when it is complete."""
+    """Reader of a growing log, which reads every line once and only when it is complete."""
 
     def __init__(self, log: Path) -> None:
         self.log = log
         self.progress = Progress()
         self._offset = 0
-        self._asked: tuple[int, bool] = (0, False)  # steps of the `run` command, whether upto
+        self._steps, self._upto = 0, False  # arguments of the last `run` command
         self._columns: list[str] = []
-        self._begun = False
+        self._run_has_lines = False
 
     def read(self) -> Progress:
         """Read the new lines of the log."""
@@ -124,40 +124,81 @@ class LogFollower:
         with open(self.log, "rb") as file:
             file.seek(self._offset)
             text = file.read()
-        whole = text.rfind(b"\n") + 1
-        self._offset += whole
-        for line in text[:whole].decode(errors="replace").splitlines():
-            self._take(line)
+        complete = text.rfind(b"\n") + 1
+        self._offset += complete
+        for line in text[:complete].decode(errors="replace").splitlines():
+            self._read_line(line)
         return self.progress
 
-    def _take(self, line: str) -> None:
+    def _read_line(self, line: str) -> None:
         words = line.split()
-        if found := _RUN.match(line):
-            self._asked = int(found[1]), bool(found[2])
-        elif found := _PLANNED.match(line):
-            self.progress.planned = int(found[1])
+        if command := _RUN.match(line):
+            self._steps, self._upto = int(command[1]), bool(command[2])
+        elif planned := _PLANNED.match(line):
+            self.progress.planned = int(planned[1])
         elif words[:1] == ["Step"]:
-            self._columns, self._begun = words, False
+            self._columns, self._run_has_lines = words, False
         elif line.startswith("Loop time of"):
             self._columns = []
         elif self._columns and len(words) == len(self._columns) and words[0].isdigit():
-            step, progress = int(words[0]), self.progress
-            if not self._begun:
-                steps, upto = self._asked
-                progress.earlier += progress.step - progress.first
-                progress.run, progress.first = progress.run + 1, step
-                progress.last = steps if upto else step + steps
-                self._begun = True
-            progress.step = step
-            if "Dt" in self._columns:
-                progress.timestep = float(words[self._columns.index("Dt")])
+            self._read_row(dict(zip(self._columns, words, strict=True)))
+
+    def _read_row(self, row: dict[str, str]) -> None:
+        step, progress = int(row["Step"]), self.progress
+        if not self._run_has_lines:
+            progress.earlier += progress.step - progress.first
+            progress.run, progress.first = progress.run + 1, step
+            progress.last = self._steps if self._upto else step + self._steps
+            self._run_has_lines = True
+        progress.step = step
+        progress.timestep = float(row.get("Dt", progress.timestep))
+
+
+@dataclass
+class LoggedRun:
+    """A `run` command in a log.
+
+    Attributes:
+        columns: Names of the columns.
+        rows: Complete lines.
+        timestep: Time step [s]; NaN if unknown, or if LIGGGHTS may change it.
+        simulation: Number of earlier `clear` commands.
+        finished: Whether LIGGGHTS reached the end of the run.
+    """
+
+    columns: list[str]
+    rows: list[list[float]]
+    timestep: float
+    simulation: int
+    finished: bool = False
+
+
+def read_runs(path: str | Path) -> list[LoggedRun]:
+    """Read the `run` commands of a log, in order."""
+    runs: list[LoggedRun] = []
+    timestep, adaptive, simulation = nan, False, 0
+    with open(path, encoding="utf-8", errors="replace") as file:
+        for line in file:
+            words = line.split("#")[0].split()
+            if words[:1] == ["Step"]:
+                runs.append(LoggedRun(words, [], nan if adaptive else timestep, simulation))
+            elif runs and not runs[-1].finished and line.startswith("Loop time of"):
+                runs[-1].finished = True
+            elif words[:1] == ["timestep"]:
+                timestep = _number(words[1:])  # the value of a variable is in the next line
+            elif words[:1] == ["fix"] and words[3:4] == ["dt/reset"]:
+                adaptive = True
+            elif words == ["clear"]:
+                timestep, adaptive, simulation = nan, False, simulation + 1
+            elif runs and not runs[-1].finished and len(words) == len(runs[-1].columns):
+                if line.endswith("\n"):
+                    with suppress(ValueError):  # a message between two rows
+                        runs[-1].rows.append([float(word) for word in words])
+    return runs
 
 
 def read_thermo(path: str | Path) -> pd.DataFrame:
     """Read the thermodynamic output of a log file.
-
-    Args:
-        path: Log file.
 
     Returns:
         One row per output line: `run` (0, 1, … in the order of the `run` commands), then the
@@ -166,70 +207,26 @@ def read_thermo(path: str | Path) -> pd.DataFrame:
     Raises:
         DumpError: The log has no thermodynamic output, or a step is not a whole number.
     """
-    path = Path(path)
-    tables, header, rows, whole = [], None, [], True
-    run = -1
-    with open(path, encoding="utf-8", errors="replace") as file:
-        for line in file:
-            words = line.split()
-            if words[:1] == ["Step"]:
-                header, rows, whole = words, [], False
-                run += 1
-                tables.append((run, header, rows))
-            elif header and line.startswith("Loop time of"):
-                header, whole = None, True
-            elif header and len(words) == len(header) and line.endswith("\n"):
-                try:
-                    rows.append([float(word) for word in words])
-                except ValueError:
-                    continue  # a message between two rows
-    if not tables:
+    return thermo_table(path, read_runs(path))
+
+
+def thermo_table(path: str | Path, runs: list[LoggedRun]) -> pd.DataFrame:
+    """Return the table of `read_thermo` from the runs of a log."""
+    if not runs:
         raise DumpError(f"{path}: no thermodynamic output (no line starting with 'Step')")
-    if not whole:
+    if not runs[-1].finished:
         warnings.warn(
-            f"{path} ends within run {run}; the rows before the end were read",
+            f"{path} ends within run {len(runs) - 1}; the rows before the end were read",
             TruncatedFileWarning,
-            stacklevel=2,
+            stacklevel=3,
         )
-    frames = []
-    for number, names, values in tables:
-        frame = pd.DataFrame(values, columns=_distinct(names))
-        frame.insert(0, "run", number)
-        frames.append(frame)
-    table = pd.concat(frames, ignore_index=True)
+    tables = [pd.DataFrame(run.rows, columns=_distinct(run.columns)) for run in runs]
+    for number, table in enumerate(tables):
+        table.insert(0, "run", number)
+    table = pd.concat(tables, ignore_index=True)
     for step in table["step"][~(table["step"].abs() < LARGEST_STEP) | (table["step"] % 1 != 0)]:
         raise DumpError(f"{path} is damaged: a line has step {step:g}, which is too large")
     return table.astype({"step": np.int64})
-
-
-@dataclass(frozen=True)
-class RunCommands:
-    """Effect of the commands before a run.
-
-    Attributes:
-        timestep: Time step [s]; NaN if unknown, or if LIGGGHTS may change it.
-        simulation: Number of earlier `clear` commands.
-    """
-
-    timestep: float
-    simulation: int
-
-
-def read_commands(path: str | Path) -> list[RunCommands]:
-    """Return the effect of commands on each run of a log, in the order of `read_thermo`."""
-    timestep, changes, simulation, found = nan, False, 0, []
-    with open(path, encoding="utf-8", errors="replace") as file:
-        for line in file:
-            words = line.split("#")[0].split()
-            if words[:1] == ["Step"]:
-                found.append(RunCommands(nan if changes else timestep, simulation))
-            elif words[:1] == ["timestep"]:
-                timestep = _number(words[1:])  # the value of the variable is in the next line
-            elif words[:1] == ["fix"] and words[3:4] == ["dt/reset"]:
-                changes = True
-            elif words == ["clear"]:
-                timestep, changes, simulation = nan, False, simulation + 1
-    return found
 
 
 def _number(words: list[str]) -> float:
@@ -243,9 +240,9 @@ def _number(words: list[str]) -> float:
 
 def _distinct(names: list[str]) -> list[str]:
     """Return distinct column names; LIGGGHTS truncates long ones, and equal ones get a number."""
-    seen: dict[str, int] = {}
-    columns = []
+    columns: list[str] = []
+    counts: dict[str, int] = {}
     for name in (THERMO_COLUMNS.get(name, name) for name in names):
-        seen[name] = seen.get(name, 0) + 1
-        columns.append(name if seen[name] == 1 else f"{name}.{seen[name]}")
+        counts[name] = counts.get(name, 0) + 1
+        columns.append(name if counts[name] == 1 else f"{name}.{counts[name]}")
     return columns

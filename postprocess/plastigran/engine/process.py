@@ -14,7 +14,7 @@ from pathlib import Path
 from shlex import join
 from time import monotonic
 
-from plastigran.engine.log import LOG, find_error, find_warnings, worst
+from plastigran.engine.log import LOG, find_error, find_warnings
 from plastigran.engine.watch import RunBar
 
 PROJECT = Path(__file__).resolve().parents[3]
@@ -274,7 +274,7 @@ def _reason(returncode: int, said: str) -> str:
     """Return why a run ended, from its exit code, log and screen output, including warnings."""
     if error := find_error(said):
         # The first warnings, before any step, often show the cause; the last is the latest.
-        found = worst(find_warnings(said))
+        found = find_warnings(said)
         warned = [*found[:2], *found[2:][-1:]]
         return f"{error}; it had warned: {'; '.join(warned)}" if warned else error
     # as mpirun reports the signal of a rank

@@ -10,8 +10,8 @@ import pandas as pd
 
 from plastigran.bulk import open as open_run
 from plastigran.bulk.checks import FLOWS, LEDGER_CHECKS, energy_input
-from plastigran.bulk.folder import read_series
 from plastigran.bulk.run import run_bulk
+from plastigran.bulk.series import read_series
 from plastigran.engine.checkpoints import PATTERN, step_of
 from plastigran.engine.deck import read_deck
 from plastigran.engine.log import read_thermo

@@ -15,7 +15,7 @@ from plastigran.cli.arguments import (
 )
 from plastigran.engine.checkpoints import newest_checkpoint
 from plastigran.engine.deck import deck_name, deck_names
-from plastigran.engine.log import LOG, find_warnings, worst
+from plastigran.engine.log import LOG, find_warnings
 from plastigran.engine.process import EngineError, EngineStopped
 
 if TYPE_CHECKING:
@@ -123,7 +123,8 @@ def at_its_end(run: BulkRun) -> bool:
     """Return whether a continued run had no step left."""
     import pandas as pd  # slow to load
 
-    from plastigran.bulk.folder import BEFORE, read_series
+    from plastigran.bulk.folder import BEFORE
+    from plastigran.bulk.series import read_series
 
     return len(pd.read_csv(run.folder / BEFORE)) == len(read_series(run.folder))
 
@@ -147,5 +148,5 @@ def report(run: BulkRun) -> None:
 
 
 def warnings_of(run: BulkRun) -> list[str]:
-    """Return the warnings of contact models and launcher, the worst of similar ones."""
-    return worst(find_warnings((run.folder / LOG).read_text(errors="replace")))
+    """Return the warnings of contact models and launcher."""
+    return find_warnings((run.folder / LOG).read_text(errors="replace"))

@@ -26,8 +26,7 @@ from plastigran.engine.log import (
     find_pair_style,
     find_units,
     find_warnings,
-    read_commands,
-    worst,
+    read_runs,
 )
 from plastigran.engine.process import EngineError
 from plastigran.plot.frame_files import SnapshotError
@@ -75,7 +74,7 @@ def make(results: Results, name: str) -> Section:
         missing.append(_progress(folder, log))
     elif len((folder / SERIES).read_text(errors="replace").splitlines()) < 2:
         missing.append(f"{SERIES} is empty. The page shows data from {LOG} instead.")
-    warnings = worst(find_warnings(log))
+    warnings = find_warnings(log)
     state, verdict = _verdict(run, len(warnings))
     timestep = _timestep(record, folder / LOG)
     series = run.series if run else pd.DataFrame()
@@ -142,7 +141,7 @@ def _timestep(record: dict[str, Any], log: Path) -> float | None:
     A user's deck may use the setting of that name for anything; its commands decide.
     """
     if record.get("own"):
-        said = {run.timestep for run in read_commands(log)} if log.is_file() else set()
+        said = {run.timestep for run in read_runs(log)} if log.is_file() else set()
         return said.pop() if len(said) == 1 and all(map(isfinite, said)) else None
     try:
         return float(record["settings"]["timestep"])

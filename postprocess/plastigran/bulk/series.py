@@ -1,0 +1,147 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Series of a bulk run: the lines of its log from step 0, over all its continuations."""
+
+from __future__ import annotations
+
+import warnings
+from math import nan
+from pathlib import Path
+
+import numpy as np
+import pandas as pd
+
+from plastigran.bulk.folder import BEFORE, RECORD, read_record
+from plastigran.engine.dumps import DumpError, TruncatedFileWarning
+from plastigran.engine.log import LOG, LoggedRun, read_runs, thermo_table
+
+
+def read_series(folder: str | Path) -> pd.DataFrame:
+    """Read the log of a run from step 0, including the earlier parts of a continued run.
+
+    Returns:
+        One row per line: `step`, `time` [s] from step 0, then the deck's columns in SI units. For a
+        user's deck, column `run` numbers its runs. `time` is then there if the log has it, or if
+        `timestep` commands give it; it continues over all runs. If the deck has a `clear` command,
+        `simulation` numbers the parts between them.
+
+    Raises:
+        DumpError: The log is missing or has no rows.
+    """
+    folder = Path(folder)
+    own = (folder / RECORD).is_file() and bool(read_record(folder).get("own"))
+    parts = _read_earlier_rows(folder)
+    try:
+        series = _read_own_log(folder) if own else _read_supplied_log(folder)
+        parts.append(series.rename(columns=lambda name: name.removeprefix("v_")))
+    except DumpError:
+        if not parts:  # otherwise the run was stopped before its first line
+            raise
+    parts = [part for part in parts if len(part)] or parts[-1:]
+    if own and len(parts) == 2:
+        parts = _continue_time(*_continue_simulations(*parts))
+    series = _merge_equal_steps(pd.concat(parts, ignore_index=True))
+    if "simulation" in series and not series["simulation"].any():
+        series = series.drop(columns="simulation")
+    return series
+
+
+def rows_up_to(series: pd.DataFrame, step: int) -> pd.DataFrame:
+    """Return the rows of a series up to the last one before the checkpoint of a step."""
+    (reached,) = np.nonzero(series["step"] <= step)
+    return series.iloc[: reached.max(initial=-1) + 1]
+
+
+def _read_earlier_rows(folder: Path) -> list[pd.DataFrame]:
+    if not (folder / BEFORE).exists():
+        return []
+    try:
+        return [pd.read_csv(folder / BEFORE).astype({"step": int})]
+    except (KeyError, ValueError) as error:
+        raise DumpError(f"{folder / BEFORE} is damaged: {error}") from None
+
+
+def _read_log(folder: Path) -> tuple[list[LoggedRun], pd.DataFrame]:
+    """Return the runs of the log and their table; the log of a stopped run may be cut short."""
+    if not (folder / LOG).is_file():
+        raise DumpError(f"{folder} holds no {LOG}")
+    runs = read_runs(folder / LOG)
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", TruncatedFileWarning)
+        table = thermo_table(folder / LOG, runs)
+    return runs, table
+
+
+def _read_supplied_log(folder: Path) -> pd.DataFrame:
+    """Return the last run of a supplied deck, which has one time step."""
+    _, table = _read_log(folder)
+    series = table[table["run"] == table["run"].max()].drop(columns="run").reset_index(drop=True)
+    series.insert(1, "time", series["step"] * series.pop("timestep"))
+    return series
+
+
+def _read_own_log(folder: Path) -> pd.DataFrame:
+    """Return all runs of a user's deck."""
+    runs, series = _read_log(folder)
+    series["simulation"] = [runs[number].simulation for number in series["run"]]
+    time, end = pd.Series(nan, series.index), None
+    for number, rows in series.groupby("run"):
+        time[rows.index] = _time_of_run(rows, runs[number].timestep)
+        if end is not None:  # a run may restart the count of steps
+            time[rows.index] += end - time[rows.index[0]]
+        end = time[rows.index[-1]]
+    if time.notna().all():
+        series["time"] = time
+    else:
+        series = series.drop(columns="time", errors="ignore")
+    return series
+
+
+def _time_of_run(rows: pd.DataFrame, timestep: float) -> pd.Series:
+    """Return the time of the lines of a run [s]; NaN if unknown.
+
+    Args:
+        rows: Lines of the run. Their columns `time` and `timestep` come before the command.
+        timestep: Time step of the command `timestep` [s], or NaN.
+    """
+    if "time" in rows and rows["time"].notna().all():
+        return rows["time"]
+    if "timestep" in rows and rows["timestep"].notna().all():
+        timestep = rows["timestep"].iloc[0] if rows["timestep"].nunique() == 1 else nan
+    first = rows["step"].iloc[0]
+    steps = rows["step"] - first
+    # Without steps, no time passes, whatever the time step.
+    return (first * timestep if first else 0.0) + (steps * timestep).where(steps > 0, 0.0)
+
+
+def _continue_simulations(before: pd.DataFrame, after: pd.DataFrame) -> list[pd.DataFrame]:
+    """Number the simulations of a continued log: its first one is the last of the earlier log."""
+    before = before.assign(simulation=before.get("simulation", 0))
+    last = before["simulation"].iloc[-1]
+    return [before, after.assign(simulation=after["simulation"] + last)]
+
+
+def _continue_time(before: pd.DataFrame, after: pd.DataFrame) -> list[pd.DataFrame]:
+    """Shift the time of a continued log so that it follows the earlier log.
+
+    Drop `time` if either log lacks it. LIGGGHTS restarts its clock at a checkpoint.
+    """
+    if not ("time" in before and "time" in after):
+        return [series.drop(columns="time", errors="ignore") for series in (before, after)]
+    start = before["time"].iloc[-1]
+    gap = after["step"].iloc[0] - before["step"].iloc[-1]
+    steps = after.groupby("run")["step"].diff()
+    if gap > 0 and (steps > 0).any():  # a checkpoint may lie between two lines of the earlier log
+        line = (steps > 0).idxmax()
+        start += gap * (after["time"].diff() / steps)[line]
+    return [before, after.assign(time=after["time"] + (start - after["time"].iloc[0]))]
+
+
+def _merge_equal_steps(series: pd.DataFrame) -> pd.DataFrame:
+    """Merge consecutive rows of the same step, which occur where one run ends and the next begins.
+
+    Use the earlier row, because mesh forces are missing during setup. Take columns that it lacks
+    from the later row. Merge only consecutive rows, because `reset_timestep` may repeat steps.
+    """
+    keys = series[["step", "simulation"] if "simulation" in series else ["step"]]
+    groups = (keys != keys.shift()).any(axis="columns").cumsum()
+    return series.groupby(groups).first().reset_index(drop=True)
