@@ -6,7 +6,7 @@
     ./run figures NAME ...     these
     ./run figures --again      all of them from the first
 
-Laws, experiments and papers are found and never listed.
+Laws and papers are found and never listed.
 """
 
 from __future__ import annotations
@@ -28,6 +28,7 @@ from plastigran.calibration import DropTest, calibrate
 from plastigran.calibration.figures import figure as calibration_figure
 from plastigran.cli import main as plastigran
 from plastigran.experiments import find_experiments
+from plastigran.experiments.central import PAPER_SPEEDS
 from plastigran.papers import paper_names
 from plastigran.plot.style import save
 
@@ -35,16 +36,26 @@ PROJECT = Path(__file__).parents[1]
 FIGURES = PROJECT / "docs" / "figures"
 #: The parts that a round of all has finished.
 DONE = PROJECT / "results" / "figures" / "done.txt"
+#: Settings of the study of each experiment with figures, and their files by name in `Runs.figures`.
+EXPERIMENTS = {
+    "impact": ({"speed": PAPER_SPEEDS}, {"restitution": "restitution.png"}),
+    "cylinder": ({}, {"maps_10": "cylinder_maps.png", "comparison": "cylinder_comparison.svg"}),
+    "rod": ({}, {"outcome": "rod.png"}),
+    "chung-ooi": (
+        {"benchmark": (4, 6)},
+        {"benchmark_4": "chung_ooi_4.png", "benchmark_6": "chung_ooi_6.png"},
+    ),
+}
 #: Heights of fall and rebound of a ball of steel on a rigid plate [m]: an example.
 DROPS = [(0.05, 0.0215), (0.05, 0.0222), (0.10, 0.0385), (0.20, 0.0680), (0.50, 0.1490)]
 
 
 def draw_experiment(name: str, folder: Path) -> None:
-    """The figures that an experiment has in the docs, as it names them."""
-    experiment = find_experiments()[name]
+    """Draw the figures that `EXPERIMENTS` names of an experiment."""
+    settings, files = EXPERIMENTS[name]
     with tempfile.TemporaryDirectory() as results:
-        runs = experiment.study(results, **experiment.docs)
-    for figure, file in experiment.docs_figures.items():
+        runs = find_experiments()[name].study(results, **settings)
+    for figure, file in files.items():
         save(runs.figure(figure), folder / file, (Path(file).suffix,))
 
 
@@ -87,11 +98,6 @@ def run_command(words: list[str], pages: str, folder: Path) -> None:
 
 def parts() -> dict[str, Callable[[Path], None]]:
     """What can be drawn, by name: each draws into a folder of figures."""
-    experiments = {
-        name: partial(draw_experiment, name)
-        for name, experiment in sorted(find_experiments().items())
-        if experiment.docs_figures
-    }
     papers = {
         name: partial(run_command, ["reproduce", name], "papers") for name in sorted(paper_names())
     }
@@ -102,7 +108,7 @@ def parts() -> dict[str, Callable[[Path], None]]:
             "calibration": draw_calibration,
             "universal_fit": draw_fit,
         }
-        | experiments
+        | {name: partial(draw_experiment, name) for name in sorted(EXPERIMENTS)}
         | BULK
         | {"validation": partial(run_command, ["validate"], "")}
         | papers

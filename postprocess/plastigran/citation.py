@@ -52,7 +52,5 @@ def cite(names: Iterable[str] | str = ()) -> str:
         raise ValueError(f"nothing to cite for {unknown[0]!r}; there are {', '.join(known)}")
     keys = dict.fromkeys([SOFTWARE, *(key for name in names for key in known[name])])
     own = [name for name in names if known[name] == [SOFTWARE]]
-    notes = [
-        f"'% {name} is a law of this software; cite the entry of {SOFTWARE}.\n'" for name in own
-    ]
+    notes = [f"% {name} is a law of this software; cite the entry of {SOFTWARE}.\n" for name in own]
     return "\n".join([*notes, *(KEYWORDS.sub("", found[key]) for key in keys)])

@@ -73,6 +73,8 @@ def test_command(capsys):
     said = capsys.readouterr().out
     assert said.startswith("@software{plastigran,")
     assert said.count("@article") + said.count("@book") == 5  # Zhang & Vu-Quoc 2002 is of stronge
+    assert main(["cite", "universal"]) == 0
+    assert capsys.readouterr().out.startswith("% universal is a law of this software; cite the")
     assert main(["cite", "nix"]) == 1
     assert "nothing to cite for 'nix'; there are brake_2012" in capsys.readouterr().err
 

@@ -72,6 +72,7 @@ def test_chung_ooi_writes_a_table_and_a_figure_each(tmp_path, capsys):
 def test_laws_lists_every_law_with_its_constants(capsys):
     assert main(["laws"]) == 0
     said = capsys.readouterr().out
+    assert "\nEvery law needs youngsModulus [Pa]" in said and "Further constants:\n" in said
     for name, law in laws.LAWS.items():
         assert name in said and law.source in said and law.range in said
         for constant in law.parameters():

@@ -12,7 +12,6 @@ import pytest
 
 from plastigran.bulk.outcome import BulkRun
 from plastigran.engine.process import PROJECT
-from plastigran.experiments import find_experiments
 from plastigran.papers import find_paper, paper_names
 from plastigran.validation.report import REPORT
 
@@ -52,7 +51,7 @@ def test_every_figure_of_the_docs_has_a_part():
     those of the benchmarks, which draw their own.
     """
     drawn = {f"{name}.svg" for name in make_figures.laws.LAWS}
-    drawn |= {file for found in find_experiments().values() for file in found.docs_figures.values()}
+    drawn |= {file for _, files in make_figures.EXPERIMENTS.values() for file in files.values()}
     drawn |= {f"{name}.png" for name in make_figures.BULK} - {"bed_impact.png"}
     drawn |= {"bed_impact_bed.png", "bed_impact_plate.png"}
     drawn |= {"calibrate_drops.png", "calibrate_finite_elements.png"}

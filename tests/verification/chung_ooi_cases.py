@@ -34,5 +34,5 @@ def few(number: int) -> list[BenchmarkImpact]:
 
 def steps(case: BenchmarkImpact, folder) -> pd.DataFrame:
     """Every step of an impact in the engine."""
-    case.execute(folder)
+    case.run(folder)
     return read_dump(folder / "trajectory.dump")

@@ -39,7 +39,7 @@ def add_command(subcommands: Subparsers, experiment: type[Experiment]) -> None:
     command = subcommands.add(experiment.command, experiment.help, example)
     said = declarations(experiment)
     for name, flag in experiment.all_flags().items():
-        _add_flag(command, name, flag, flag.said or said[name])
+        _add_flag(command, name, flag, flag.declaration or said[name])
     add_jobs(command)
     add_output(command, f"results/{experiment.command.replace('-', '_')}")
     add_json(command)

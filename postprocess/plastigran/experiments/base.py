@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Base class of experiments: a case with prediction and measurement, and sweeps of cases.
+"""Base class of experiments: a case with prediction and measurement, and studies of many cases.
 
 docs/add_an_experiment.md shows how to write one.
 """
@@ -33,30 +33,26 @@ def combinations(values: Mapping[str, Any]) -> list[dict[str, Any]]:
         values: Maps a name to one value or an iterable of values.
     """
     chosen = product(*map(several, values.values()))
-    return [dict(zip(values, each, strict=True)) for each in chosen]
+    return [dict(zip(values, combination, strict=True)) for combination in chosen]
 
 
 @attrs.frozen
 class Experiment:
     """One case of an experiment. Its fields are the inputs, declared with units and bounds.
 
-    Each experiment is a subclass. It must define `deck` and `measure`. A subclass with a `command`
-    is
-    registered as a `plastigran` command and appears in the documentation.
+    A subclass must define `deck` and `measure`. A subclass with a `command` is also a command of
+    `plastigran`.
 
     Attributes:
         command: Name of its command.
         help: Purpose of the command, in one line.
-        example: Example of the command; by default the command alone.
+        example: Example of the command; by default the command with its required flags.
         deck: Path of its input script in the folder of the input scripts.
         shape: Shape of the bodies, "sphere" or "cylinder".
         has_theory: Whether `theory` can run the study without LIGGGHTS.
         flags: Settings of its study by name; by default the declared fields.
-        usual_materials: Materials that select the usable laws if no flag names a material.
         quantities: Attributes of the outcome that become table columns.
         shown: Columns that are printed; by default all.
-        docs: Settings of the study for the documentation.
-        docs_figures: File names of its figures in the documentation, by name in `figures`.
     """
 
     command: ClassVar[str] = ""
@@ -66,22 +62,24 @@ class Experiment:
     shape: ClassVar[str] = "sphere"
     has_theory: ClassVar[bool] = False
     flags: ClassVar[Mapping[str, Flag]] = {}
-    usual_materials: ClassVar[tuple[str, ...]] = ()
     quantities: ClassVar[tuple[str, ...]] = ()
     shown: ClassVar[tuple[str, ...]] = ()
-    docs: ClassVar[Mapping[str, Any]] = {}
-    docs_figures: ClassVar[Mapping[str, str]] = {}
 
     # Description of one case.
 
+    def _inputs(self) -> dict[str, Any]:
+        return {name: getattr(self, name) for name in declarations(type(self))}
+
     def variables(self) -> dict[str, object]:
         """Return the deck variables of this case. A material contributes its constants by name."""
-        found: dict[str, object] = {}
-        for name in declarations(type(self)):
-            value, said = getattr(self, name), attrs.fields_dict(type(self))[name].metadata
-            material = isinstance(value, Material)
-            found |= value.variables(said["suffix"]) if material else {name: value}
-        return found
+        variables: dict[str, object] = {}
+        for name, value in self._inputs().items():
+            if isinstance(value, Material):
+                suffix = attrs.fields_dict(type(self))[name].metadata["suffix"]
+                variables |= value.variables(suffix)
+            else:
+                variables[name] = value
+        return variables
 
     @property
     def label(self) -> str:
@@ -107,8 +105,8 @@ class Experiment:
 
     def facts(self) -> dict[str, object]:
         """Return the columns that identify the case: its fields, with materials by name."""
-        values = {name: getattr(self, name) for name in declarations(type(self))}
-        return {k: v.name if isinstance(v, Material) else v for k, v in values.items()}
+        inputs = self._inputs().items()
+        return {k: v.name if isinstance(v, Material) else v for k, v in inputs}
 
     def notes(self, measured: Any, predicted: Any) -> dict[str, object]:
         """Return further columns."""
@@ -116,61 +114,45 @@ class Experiment:
 
     def row(self, measured: Any) -> dict[str, object]:
         """Return one row of the results table: the case, measured values, and `*_predicted`."""
-        predicted, line = self.predict(), self.facts()
+        predicted, row = self.predict(), self.facts()
         for name in self.quantities:
-            line[name] = getattr(measured, name)
+            row[name] = getattr(measured, name)
             if (expected := getattr(predicted, name, None)) is not None:
-                line[f"{name}_predicted"] = expected
-        return line | self.notes(measured, predicted)
+                row[f"{name}_predicted"] = expected
+        return row | self.notes(measured, predicted)
 
-    def theory_row(self, predicted: Any) -> dict[str, object]:
-        """Return one row of the results table of theory alone: the case and predicted values."""
-        found = {name: getattr(predicted, name, None) for name in (*self.quantities, "in_range")}
-        return self.facts() | {name: value for name, value in found.items() if value is not None}
-
-    def materials(self) -> dict[str, Material]:
-        """Return the materials of the bodies by name."""
-        values = (getattr(self, name) for name in declarations(type(self)))
-        return {value.name: value for value in values if isinstance(value, Material)}
+    def _theory_row(self, predicted: Any) -> dict[str, object]:
+        names = (*self.quantities, "in_range")
+        values = {name: getattr(predicted, name, None) for name in names}
+        return self.facts() | {name: value for name, value in values.items() if value is not None}
 
     # Running one case.
 
-    def execute(
-        self, folder: str | Path, timestep: float | None = None, gap: float = 0.0, ranks: int = 1
-    ) -> None:
-        """Run the deck with LIGGGHTS; arguments and errors as for `run`."""
-        run_deck(self.deck, self._settings(timestep, gap), folder, ranks=ranks)
+    def _deck_variables(self, timestep: float | None = None) -> dict[str, object]:
+        timestep = self.timestep if timestep is None else timestep
+        return self.variables() | ({} if timestep is None else {"timestep": timestep})
 
     def command_line(self, folder: Path) -> str:
         """Return shell commands that run the deck with results in `folder`."""
-        deck, settings = inputs_folder() / self.deck, self._settings(None, 0.0)
-        return typed_command(deck, settings, folder, folder)
-
-    def _settings(self, timestep: float | None, gap: float) -> dict[str, object]:
-        """Return the settings of the deck, including time step and gap."""
-        variables, step = self.variables(), self.timestep if timestep is None else timestep
-        if step is not None:
-            variables["timestep"] = step
-        if gap:
-            variables["gap"] = gap
-        return variables
+        return typed_command(inputs_folder() / self.deck, self._deck_variables(), folder, folder)
 
     def run(
-        self, folder: str | Path, timestep: float | None = None, gap: float = 0.0, ranks: int = 1
+        self, folder: str | Path, timestep: float | None = None, ranks: int = 1, **variables: object
     ) -> Any:
         """Run the deck with LIGGGHTS and measure the outcome.
 
         Args:
             folder: Folder of the results.
             timestep: Time step [s]; by default that of the case.
-            gap: Initial distance between the surfaces [m], for decks that have it.
             ranks: Number of MPI ranks.
+            variables: Further variables of the deck, such as `gap`, the initial distance between
+                the surfaces [m].
 
         Raises:
             EngineError: LIGGGHTS stopped with an error.
             ValueError: The files do not contain a complete outcome.
         """
-        self.execute(folder, timestep, gap, ranks)
+        run_deck(self.deck, self._deck_variables(timestep) | variables, folder, ranks=ranks)
         return self.measure(Path(folder))
 
     # Running many cases.
@@ -188,25 +170,33 @@ class Experiment:
         return list(dict.fromkeys(cls(**case) for case in combinations(values)))
 
     @classmethod
+    def all_flags(cls) -> Mapping[str, Flag]:
+        """Return the settings of its study; a field without default is required."""
+        defaults = {field.name: field.default for field in attrs.fields(cls)}
+        return cls.flags or {name: Flag(defaults[name]) for name in declarations(cls)}
+
+    @classmethod
     def study_settings(cls, **given: Any) -> dict[str, Any]:
         """Return the settings of a study, with defaults for omitted flags.
 
         Raises:
             ValueError: A setting is unknown, or a required setting is missing.
         """
-        if unknown := sorted(set(given) - set(cls.all_flags())):
+        flags = cls.all_flags()
+        if unknown := sorted(set(given) - set(flags)):
             raise ValueError(
-                f"{cls.command} has no setting {unknown[0]!r}; it has {' '.join(cls.all_flags())}"
+                f"{cls.command} has no setting {unknown[0]!r}; it has {' '.join(flags)}"
             )
-        usual = {name: flag.values() for name, flag in cls.all_flags().items()}
-        found = {k: value for k, value in usual.items() if not isinstance(value, attrs.Factory)}
-        found |= given
-        if missing := [name for name, value in found.items() if value is attrs.NOTHING]:
+        settings = {name: flag.values() for name, flag in flags.items()} | given
+        if missing := [name for name, value in settings.items() if value is attrs.NOTHING]:
             raise ValueError(f"{cls.command} needs {', '.join(missing)}")
-        if "law" in found and cls.all_flags()["law"].many:
-            bodies = map(read_material, several(found.get("material", cls.usual_materials)))
-            found["law"] = choose_laws(several(found["law"]), cls.shape, bodies)
-        return found
+        settings = {k: v for k, v in settings.items() if not isinstance(v, attrs.Factory)}
+        if "law" in flags and flags["law"].many:
+            defaults = {field.name: field.default for field in attrs.fields(cls)}
+            materials = settings.get("material") or defaults.get("material") or ()
+            bodies = map(read_material, several(materials))
+            settings["law"] = choose_laws(several(settings["law"]), cls.shape, bodies)
+        return settings
 
     @classmethod
     def cases(cls, **settings: Any) -> list[Experiment]:
@@ -239,20 +229,14 @@ class Experiment:
             settings: As for `study`.
 
         Raises:
-            ValueError: As for `study_settings`, or the experiment has no theory of its own.
+            ValueError: As for `study_settings`, or theory cannot replace the runs.
         """
         if not cls.has_theory:
             raise ValueError(f"{cls.command} has no theory that can replace its runs")
         settings = cls.study_settings(**settings)
-        found = {case: case.predict() for case in cls.cases(**settings)}
-        table = pd.DataFrame(case.theory_row(outcome) for case, outcome in found.items())
-        return Runs(cls, found, table, settings, by_theory=True)
-
-    @classmethod
-    def all_flags(cls) -> Mapping[str, Flag]:
-        """Return the settings of its study; a field without default is required."""
-        defaults = {field.name: field.default for field in attrs.fields(cls)}
-        return cls.flags or {name: Flag(defaults[name]) for name in declarations(cls)}
+        outcomes = {case: case.predict() for case in cls.cases(**settings)}
+        table = pd.DataFrame(case._theory_row(outcome) for case, outcome in outcomes.items())
+        return Runs(cls, outcomes, table, settings, by_theory=True)
 
     # Results of many cases.
 

@@ -26,19 +26,19 @@ class Flag:
     Attributes:
         default: Default value, or tuple of values; "all" means every usable law.
         name: Name of the flag, if it differs from the setting.
-        said: Declaration, if the setting is not a field of the case.
+        declaration: Declaration, if the setting is not a field of the case.
         many: Whether it takes several values.
-        span: Start, end and number of values of the default sweep.
+        span: Lowest value, highest value and number of values of the default sweep.
     """
 
     default: Any = None
     name: str = ""
-    said: Declaration | None = None
+    declaration: Declaration | None = None
     many: bool = True
     span: tuple[float, float, int] | None = None
 
     def values(self) -> Any:
-        """Default values; those of a span are evenly spaced in their logarithms."""
+        """Return the default values; those of a span are evenly spaced in their logarithms."""
         return tuple(np.geomspace(*self.span)) if self.span else self.default
 
 
@@ -55,24 +55,24 @@ def law_field(default: Any = attrs.NOTHING) -> Any:
     def check(case: Any, field: attrs.Attribute, name: str) -> None:
         if name not in laws.LAWS:
             raise ValueError(f"no law {name!r}; there are {', '.join(sorted(laws.LAWS))}")
-        if (meant := laws.LAWS[name].shape) != case.shape:
+        if (shape := laws.LAWS[name].shape) != case.shape:
             raise ValueError(
-                f"{name} is a law for {meant}s, not for {case.shape}s. Choose one of "
+                f"{name} is a law for {shape}s, not for {case.shape}s. Choose one of "
                 f"{', '.join(laws_for(case.shape))}"
             )
 
-    said = Declaration("a name that `plastigran laws` lists", value_type=str)
-    return attrs.field(default=default, validator=check, metadata={"declaration": said})
+    declaration = Declaration("a name that `plastigran laws` lists", value_type=str)
+    return attrs.field(default=default, validator=check, metadata={"declaration": declaration})
 
 
 def options_field() -> Any:
     """Declare a field for options of a law, which `law_options` reads."""
-    said = Declaration(
+    declaration = Declaration(
         "options such as 'yielding flat', used for the laws that have them; see `plastigran "
         "laws LAW`",
         value_type=str,
     )
-    return attrs.field(default=None, kw_only=True, metadata={"declaration": said})
+    return attrs.field(default=None, kw_only=True, metadata={"declaration": declaration})
 
 
 def law_options(law: str, text: str | None) -> dict[str, str]:
@@ -92,8 +92,7 @@ def law_options(law: str, text: str | None) -> dict[str, str]:
     choices = {option["name"]: option["choices"] for option in laws.LAWS[law].options()}
     for name, choice in chosen.items():
         if name not in choices:
-            has = f"it has {', '.join(choices)}" if choices else "it has none"
-            raise ValueError(f"{law} has no option {name!r}; {has}")
+            raise ValueError(f"{law} has no option {name!r}; it has {', '.join(choices) or 'none'}")
         if choice not in choices[name]:
             raise ValueError(f"{name} is {choice}; it must be {', '.join(choices[name])}")
     return chosen
@@ -109,10 +108,9 @@ def having_options(names: Iterable[str], text: str | None) -> list[str]:
     Raises:
         ValueError: No law has the options, or a law has an option without that choice.
     """
-    named = [names] if isinstance(names, str) else list(names)
-    asked = set((text or "").split()[::2])
-    having = [name for name in named if asked <= {o["name"] for o in laws.LAWS[name].options()}]
-    for name in having or named:
+    names, options = list(names), set((text or "").split()[::2])
+    having = [name for name in names if options <= {o["name"] for o in laws.LAWS[name].options()}]
+    for name in having or names:
         law_options(name, text)
     return having
 

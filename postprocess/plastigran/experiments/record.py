@@ -11,11 +11,13 @@ from math import isnan
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+import attrs
 import pandas as pd
+
+from plastigran.materials import Material
 
 if TYPE_CHECKING:
     from plastigran.experiments.base import Experiment
-    from plastigran.materials import Material
 
 #: Results table in the folder of a sweep.
 TABLE = "impacts.csv"
@@ -40,25 +42,24 @@ def add_row(path: Path, row: Mapping[str, object]) -> None:
 
 
 def read_table(path: Path) -> tuple[pd.DataFrame, list[str]]:
-    """Return the complete rows of a table, and sentences on rows left out.
+    """Return the complete rows of a table, and sentences on rows that are left out.
 
     Columns that the record declares as text are read as text, because a steel may be named 304.
 
     Raises:
         OSError, ValueError: The table is missing or invalid.
     """
-    whole, _, rest = path.read_text(encoding="utf-8").rpartition("\n")
-    head, *lines = whole.splitlines() or [""]
-    rows = [_cells(line) for line in lines]
+    complete, _, rest = path.read_text(encoding="utf-8").rpartition("\n")
+    head, *lines = complete.splitlines() or [""]
     words = read_study(path.parent)[0].get("words", WORDS)
-    odd = _odd_rows(_cells(head), rows, words)
-    left = [f"Line {k + 2} of {path.name} is damaged and left out." for k in odd]
+    damaged = _damaged_rows(_cells(head), [_cells(line) for line in lines], words)
+    remarks = [f"Line {k + 2} of {path.name} is damaged and left out." for k in damaged]
     if rest:
-        left.append(f"The last line of {path.name} is cut short and left out.")
-    kept = "\n".join([head, *(line for k, line in enumerate(lines) if k not in odd)])
-    kinds = dict.fromkeys(words, str)
-    table = pd.read_csv(StringIO(kept), dtype=kinds, keep_default_na=False, na_values=[""])
-    return table, left
+        remarks.append(f"The last line of {path.name} is cut short and left out.")
+    kept = "\n".join([head, *(line for k, line in enumerate(lines) if k not in damaged)])
+    types = dict.fromkeys(words, str)
+    table = pd.read_csv(StringIO(kept), dtype=types, keep_default_na=False, na_values=[""])
+    return table, remarks
 
 
 def _cells(line: str) -> list[str]:
@@ -68,21 +69,18 @@ def _cells(line: str) -> list[str]:
         return []
 
 
-def _odd_rows(head: list[str], rows: list[list[str]], words: list[str]) -> list[int]:
-    """Return rows that cannot be those of a sweep.
-
-    They have another length, lack a word, or contain text where most rows have a number.
-    """
-    odd = {k for k, row in enumerate(rows) if len(row) != len(head)}
+def _damaged_rows(head: list[str], rows: list[list[str]], words: list[str]) -> list[int]:
+    """Return rows of another length, without a word, or with text where most have a number."""
+    damaged = {k for k, row in enumerate(rows) if len(row) != len(head)}
     for place, name in enumerate(head):
-        cells = {k: row[place] for k, row in enumerate(rows) if k not in odd}
+        cells = {k: row[place] for k, row in enumerate(rows) if k not in damaged}
         filled = {k for k, cell in cells.items() if cell}
         if name in words:
-            odd |= cells.keys() - filled
+            damaged |= cells.keys() - filled
             continue
         texts = {k for k in filled if not _is_number(cells[k])}
-        odd |= texts if 2 * len(texts) < len(filled) else set()
-    return sorted(odd)
+        damaged |= texts if 2 * len(texts) < len(filled) else set()
+    return sorted(damaged)
 
 
 def _is_number(cell: str) -> bool:
@@ -93,25 +91,25 @@ def _is_number(cell: str) -> bool:
 
 
 def read_study(folder: Path) -> tuple[dict[str, Any], list[str]]:
-    """Return the readable part of a sweep's record, and sentences on the rest."""
+    """Return the valid entries of a sweep's record, and sentences on damaged ones."""
     try:
-        said = json.loads((folder / STUDY).read_text(encoding="utf-8"))
+        record = json.loads((folder / STUDY).read_text(encoding="utf-8"))
     except FileNotFoundError:
         return {}, []
     except (OSError, ValueError) as error:
         return {}, [f"{STUDY} is damaged: {error}."]
-    if not isinstance(said, dict):
+    if not isinstance(record, dict):
         return {}, [f"{STUDY} is damaged: it is not the record of a sweep."]
-    odd = [name for name, kind in _TEXTS.items() if name in said and not _holds(said[name], kind)]
-    whole = {name: value for name, value in said.items() if name not in odd}
-    return whole, [f"{STUDY} is damaged: entry {name} is left out." for name in odd]
+    damaged = [name for name in _TEXTS.keys() & record.keys() if not _is_text(name, record[name])]
+    remarks = [f"{STUDY} is damaged: entry {name} is left out." for name in sorted(damaged)]
+    return {name: value for name, value in record.items() if name not in damaged}, remarks
 
 
-def _holds(value: object, kind: type) -> bool:
-    """Return whether a value is a text, or a list or dict of texts."""
-    if not isinstance(value, kind):
+def _is_text(name: str, value: object) -> bool:
+    """Return whether an entry is a text, or a list or dict of texts, as `_TEXTS` says."""
+    if not isinstance(value, _TEXTS[name]):
         return False
-    texts = value.values() if isinstance(value, dict) else [value] if kind is str else value
+    texts = value.values() if isinstance(value, dict) else value
     return all(isinstance(text, str) for text in texts)
 
 
@@ -123,17 +121,22 @@ def write_study(
     by_theory: bool = False,
 ) -> None:
     """Record a sweep before it runs, or a study by theory."""
-    facts = [each.facts() for each in cases]
-    said = {
+    facts = [case.facts() for case in cases]
+    record = {
         "command": cases[0].command,
         "cases": len(cases),
         "by_theory": by_theory,
-        "settings": {name: _plain(value) for name, value in settings.items()},
+        "settings": settings,
         "words": sorted(k for k in facts[0] if all(isinstance(row.get(k), str) for row in facts)),
-        "materials": {name: each.variables() for name, each in materials_of(cases).items()},
+        "materials": {name: value.variables() for name, value in materials_of(cases).items()},
         "versions": made_with,
     }
-    (folder / STUDY).write_text(json.dumps(said, indent=2) + "\n")
+    (folder / STUDY).write_text(json.dumps(record, indent=2, default=_plain) + "\n")
+
+
+def _plain(value: Any) -> list | str:
+    """Return values as a list, and a material by its name, for JSON."""
+    return list(value) if isinstance(value, Iterable) else str(getattr(value, "name", value))
 
 
 def materials_of(cases: Iterable[Experiment]) -> dict[str, Material]:
@@ -142,20 +145,11 @@ def materials_of(cases: Iterable[Experiment]) -> dict[str, Material]:
     Raises:
         ValueError: Two different materials have one name, which tables could not distinguish.
     """
-    found: dict[str, Material] = {}
+    materials: dict[str, Material] = {}
     for case in cases:
-        for name, material in case.materials().items():
-            if found.setdefault(name, material) != material:
+        for value in attrs.astuple(case, recurse=False):
+            if isinstance(value, Material) and materials.setdefault(value.name, value) != value:
                 raise ValueError(
-                    f"two materials are named {name}; give their files different names"
+                    f"two materials are named {value.name}; give their files different names"
                 )
-    return found
-
-
-def _plain(value: Any) -> Any:
-    """Return a setting for JSON: numbers and words, and the name of other objects."""
-    if value is None or isinstance(value, bool | int | float | str):
-        return value
-    if isinstance(value, Iterable):
-        return [_plain(each) for each in value]
-    return str(getattr(value, "name", value))
+    return materials

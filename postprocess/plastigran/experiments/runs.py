@@ -72,10 +72,9 @@ class Runs:
         return drawings[name]()
 
     def write(self, folder: str | Path) -> list[Path]:
-        """Write every table, as CSV, and figure, as PNG and SVG, into a folder.
+        """Write every table as CSV, and every figure as PNG and SVG, into a folder.
 
-        For outcomes by theory, write `study.json`, too; a sweep has written its own before its
-        runs.
+        Outcomes by theory also get the record `study.json`. A sweep has written it before its runs.
 
         Returns:
             The files, the results table first.
@@ -139,7 +138,7 @@ def sweep(
         EngineError, ValueError: The first case that failed; the rows of the others are written
             before.
     """
-    cases, folder = list(cases), Path(folder)
+    cases, folder, settings = list(cases), Path(folder), dict(settings or {})
     if not cases:
         raise ValueError("no case to run")
     if jobs is not None and not (isinstance(jobs, int) and jobs >= 1):
@@ -147,8 +146,9 @@ def sweep(
     materials_of(cases)
     made_with = versions()  # raises EngineError if LIGGGHTS is missing, before anything is removed
     with claim(folder, force):
-        write_study(folder, cases, settings or {}, made_with)
-        return _sweep(cases, folder, jobs, progress, settings)
+        write_study(folder, cases, settings, made_with)
+        outcomes, table = _run(cases, folder, jobs, progress)
+    return Runs(type(cases[0]), outcomes, table, settings)
 
 
 def case_folders(cases: Iterable[Experiment], folder: Path) -> list[Path]:
@@ -176,39 +176,33 @@ def claim(folder: Path, force: bool) -> Iterator[None]:
         yield
 
 
-def _sweep(
-    cases: list[Experiment],
-    folder: Path,
-    jobs: int | None,
-    progress: bool,
-    settings: Mapping[str, Any] | None,
-) -> Runs:
-    path = folder / TABLE
-    measured: dict[Experiment, Any] = {}
+def _run(
+    cases: list[Experiment], folder: Path, jobs: int | None, progress: bool
+) -> tuple[dict[Experiment, Any], pd.DataFrame]:
+    """Run the cases; return their outcomes and the results table, both in the given order."""
+    outcomes: dict[Experiment, Any] = {}
     rows: dict[Experiment, dict[str, object]] = {}
-    failure: Exception | None = None
+    failures: list[Exception] = []
     pool = ThreadPoolExecutor(jobs or os.cpu_count())
-    places = zip(cases, case_folders(cases, folder), strict=True)
-    waiting = {pool.submit(case.run, place): case for case, place in places}
-    name = cases[0].command or type(cases[0]).__name__
-    bar = ProgressBar(total=len(cases), desc=name, unit="impacts", shown=progress)
+    folders = zip(cases, case_folders(cases, folder), strict=True)
+    waiting = {pool.submit(case.run, place): case for case, place in folders}
+    bar = ProgressBar(total=len(cases), desc=cases[0].command, unit="impacts", shown=progress)
     try:
         for done in as_completed(waiting):
             case = waiting[done]
             bar.update()
             try:
-                measured[case] = done.result()
-            except Exception as error:
-                failure = failure or error
+                outcomes[case] = done.result()
+            except Exception as error:  # the other cases still run
+                failures.append(error)
                 continue
-            rows[case] = case.row(measured[case])
-            add_row(path, rows[case])
+            rows[case] = case.row(outcomes[case])
+            add_row(folder / TABLE, rows[case])
     finally:  # an interrupt starts no further runs
         pool.shutdown(wait=True, cancel_futures=True)
         bar.close()
-    if failure:
-        raise failure
+    if failures:
+        raise failures[0]
     table = pd.DataFrame([rows[case] for case in cases])
-    table.to_csv(path, index=False)
-    outcomes = {case: measured[case] for case in cases}
-    return Runs(type(cases[0]), outcomes, table, dict(settings or {}))
+    table.to_csv(folder / TABLE, index=False)
+    return {case: outcomes[case] for case in cases}, table

@@ -57,20 +57,13 @@ class ObliqueImpact:
     mass: float = number("mass of the first", "kg", 0)
     coefficient_of_friction: float = number("coefficient of friction", "-", 0, lower_allowed=True)
     coefficient_of_restitution: float = number(
-        "restitution for which the dashpot is set",
-        "-",
-        0,
-        1,
-        lower_allowed=True,
-        upper_allowed=True,
+        "restitution for which the dashpot is set", "-", 0, 1, upper_allowed=True
     )
     before: Motion
     radius_other: float = attrs.field(default=inf, validator=attrs.validators.gt(0))
     mass_other: float = attrs.field(default=inf, validator=attrs.validators.gt(0))
 
     def __attrs_post_init__(self) -> None:
-        if self.coefficient_of_restitution == 0:
-            raise ValueError("coefficient_of_restitution is 0; it must be above 0 and at most 1")
         if not self.before.normal > 0:
             raise ValueError(f"the closing speed is {self.before.normal:g}; it must be positive")
 

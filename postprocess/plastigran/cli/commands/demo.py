@@ -59,7 +59,7 @@ def run(arguments: argparse.Namespace) -> None:
     print("\nA freely cooling gas of 512 grains, on two ranks:")
     gas = folder / "cooling_gas"
     report(run_bulk("cooling_gas", {"side": "8", "frames": "16"}, gas, ranks=2, force=True))
-    print("'\nHalf of 2080 yielding grains flow out of a hopper, on two ranks:'")
+    print("\nHalf of 2080 yielding grains flow out of a hopper, on two ranks:")
     hopper = folder / "hopper"
     report(run_bulk("hopper", HOPPER, hopper, ranks=2, force=True))
     picture = hopper / "figures" / "grains.png"
@@ -73,5 +73,5 @@ def run(arguments: argparse.Namespace) -> None:
         picture,
     ]
     page = write_report([folder], folder / "report.html", "The demo")
-    print("'\nAll results on one page, to open in a browser:\n  '" + str(page))
+    print(f"\nAll results on one page, to open in a browser:\n  {page}")
     print("\nFigures:\n" + "\n".join(f"  {figure}" for figure in figures))

@@ -66,9 +66,9 @@ def run(arguments: argparse.Namespace) -> None:
         table[column] = table[column].str.ljust(width)
     print(table.to_string(index=False, justify="left"))
     print(
-        "'\nEvery law needs youngsModulus [Pa] and poissonsRatio [-] of each body. A law with "
+        "\nEvery law needs youngsModulus [Pa] and poissonsRatio [-] of each body. A law with "
         "yield also needs\nyieldStrength [Pa] and yieldPressureFactor [-] (0: Hertz-von "
-        "Mises). A law with hardening needs\ntangentModulus [Pa]. Further constants:'"
+        "Mises). A law with hardening needs\ntangentModulus [Pa]. Further constants:"
     )
     for name in names:
         law = laws.LAWS[name]

@@ -96,8 +96,6 @@ class CentralImpact(Experiment):
         "contact_time",
     )
     shown = tuple(HEADS)
-    docs: ClassVar = {"speed": PAPER_SPEEDS}
-    docs_figures: ClassVar = {"restitution": "restitution.png"}
 
     def __attrs_post_init__(self) -> None:
         if self.wall is not None and self.bodies == 2:
@@ -119,15 +117,15 @@ class CentralImpact(Experiment):
     def pair(self) -> laws.MaterialPair:
         """Material pair of the contact."""
         body = self.material.body()
-        wall = self.wall.body() if self.wall is not None else RIGID
-        return laws.combine(body, body if self.bodies == 2 else wall)
+        wall = body if self.bodies == 2 else RIGID
+        return laws.combine(body, wall if self.wall is None else self.wall.body())
 
     @property
     def wall_name(self) -> str:
-        """Name of the wall's metal, or a word of `arrangement.WALLS`."""
-        if self.bodies == 2:
-            return NO_WALL
-        return self.wall.name if self.wall is not None else RIGID_WALL
+        """Name of the wall's material, or a word of `arrangement.WALLS`."""
+        if self.wall is not None:
+            return self.wall.name
+        return NO_WALL if self.bodies == 2 else RIGID_WALL
 
     @property
     def wall_yields(self) -> bool:
@@ -141,9 +139,9 @@ class CentralImpact(Experiment):
     @property
     def law_is_of_indentation(self) -> bool:
         """Whether the law, with its options, describes a hard sphere on a yielding flat."""
-        told = dented_flat(self.law).items()
+        needed = dented_flat(self.law).items()
         chosen = law_options(self.law, self.options).items()
-        return laws.LAWS[self.law].indentation or (bool(told) and told <= chosen)
+        return laws.LAWS[self.law].indentation or (bool(needed) and needed <= chosen)
 
     @property
     def radius_eff(self) -> float:
@@ -161,12 +159,14 @@ class CentralImpact(Experiment):
         return self.speed * self.bodies
 
     def contact_law(self, **others: float | str):
-        """Return the law between the two bodies, with its options.
+        """Return the law between the two bodies.
 
-        `others` are further constants of the law, or other options.
+        Args:
+            others: Further constants of the law, and options that replace those of the case.
         """
-        chosen = law_options(self.law, self.options) | others
-        return self.material.law(self.law, self.pair, **chosen)
+        return self.material.law(
+            self.law, self.pair, **law_options(self.law, self.options) | others
+        )
 
     @property
     def deck(self) -> str:
@@ -191,28 +191,29 @@ class CentralImpact(Experiment):
         return central.yield_speed(self.pair, self.radius_eff, self.mass_eff) / self.bodies
 
     def variables(self) -> dict[str, object]:
-        found = super().variables()
-        del found["geometry"]
-        return found
+        variables = super().variables()
+        del variables["geometry"]  # it selects the deck
+        return variables
 
     def predict(self) -> CollisionOutcome:
         """Return the outcome by the law alone, without LIGGGHTS."""
-        law, speed = self.contact_law(), self.closing_speed
-        found = law.central_impact(self.radius_eff, self.mass_eff, speed)
+        speed = self.closing_speed
+        impact = self.contact_law().central_impact(self.radius_eff, self.mass_eff, speed)
         return CollisionOutcome(
             closing_speed=speed,
-            coefficient_of_restitution=found.coefficient_of_restitution,
-            force_max=found.force_max,
-            overlap_max=found.overlap_max,
-            overlap_res=found.overlap_res,
-            in_range=found.in_range,
+            coefficient_of_restitution=impact.coefficient_of_restitution,
+            force_max=impact.force_max,
+            overlap_max=impact.overlap_max,
+            overlap_res=impact.overlap_res,
+            in_range=impact.in_range,
         )
 
     def theoretical_loop(self, points: int = 200) -> pd.DataFrame:
         """Return the loop by the law alone: (2 points,) rows overlap [m] and force [N]."""
-        found = self.predict()
-        up = np.linspace(0, found.overlap_max, points)
-        overlaps = np.concatenate([up, np.linspace(found.overlap_max, found.overlap_res, points)])
+        impact = self.predict()
+        loading = np.linspace(0, impact.overlap_max, points)
+        unloading = np.linspace(impact.overlap_max, impact.overlap_res, points)
+        overlaps = np.concatenate([loading, unloading])
         force = self.contact_law().follow(self.radius_eff, overlaps)["force"]
         return pd.DataFrame({"overlap": overlaps, "force": force})
 
@@ -220,18 +221,23 @@ class CentralImpact(Experiment):
         return measure(Path(folder) / "trajectory.dump")
 
     def facts(self) -> dict[str, object]:
-        said = super().facts()
-        ratio = self.speed / self.yield_speed() if laws.LAWS[self.law].yields else nan
-        return {name: said[name] for name in ("geometry", "material", "law", "radius", "speed")} | {
+        return {
+            "geometry": self.geometry,
+            "material": self.material.name,
+            "law": self.law,
+            "radius": self.radius,
+            "speed": self.speed,
             "wall": self.wall_name,
             "options": self.options or USUAL,
-            "speed_ratio": ratio,
+            "speed_ratio": self.speed / self.yield_speed() if laws.LAWS[self.law].yields else nan,
         }
 
     def notes(self, measured: CollisionOutcome, predicted: CollisionOutcome) -> dict[str, object]:
-        step = self.timestep
-        steps = round(measured.contact_time / step)
-        return {"in_range": predicted.in_range, "timestep": step, "steps": steps}
+        return {
+            "in_range": predicted.in_range,
+            "timestep": self.timestep,
+            "steps": round(measured.contact_time / self.timestep),
+        }
 
     @classmethod
     def plan(cls, **values: Any) -> list[CentralImpact]:
@@ -241,12 +247,11 @@ class CentralImpact(Experiment):
             ValueError: A case cannot be run, or no law has an option; the message gives the reason.
         """
         values = {name: several(value) for name, value in values.items()}
-        names = values.get("law", [])
-        chosen = filter(None, values.get("options", []))
-        takers = {options: having_options(names, options) for options in chosen}
+        names, texts = values.get("law", ()), filter(None, values.get("options", ()))
+        having = {options: having_options(names, options) for options in texts}
         cases = combinations(values)
         for case in cases:
-            if case["law"] not in takers.get(case.get("options"), names):
+            if case["law"] not in having.get(case.get("options"), names):
                 case["options"] = None
         return list(dict.fromkeys(cls(**case) for case in cases))
 

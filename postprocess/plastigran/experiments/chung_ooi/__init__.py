@@ -1,9 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """The eight benchmark impacts of Chung & Ooi (2011, Granular Matter 13:643), compared with theory.
 
-Each benchmark has a deck in `inputs/collision/chung_ooi`. Its impacts are in `points.csv` beside
-the
-decks.
+Each benchmark has a deck in `inputs/collision/chung_ooi`. The file `points.csv` there lists the
+impacts.
 """
 
 from __future__ import annotations
@@ -12,12 +11,13 @@ from collections.abc import Callable, Collection
 from functools import cached_property, partial
 from math import cos, inf, pi, radians, sin
 from pathlib import Path
-from typing import TYPE_CHECKING, ClassVar
+from typing import TYPE_CHECKING, Any, ClassVar
 
 import attrs
 import pandas as pd
 
-from plastigran import declared, laws
+from plastigran import laws
+from plastigran.declared import Declaration, number, whole
 from plastigran.engine.deck import index_variables
 from plastigran.engine.dumps import read_dump
 from plastigran.engine.process import inputs_folder
@@ -50,6 +50,8 @@ TITLES = {
     8: "Spinning sphere on a larger sphere",
 }
 
+DEFAULT_LAW, DEFAULT_STEPS = "vu_quoc_zhang", 1000
+
 #: Options of LIGGGHTS' own hertz that make it like the decks' models: damped, never attracting.
 HERTZ_OPTIONS = "limitForce on tangential_damping off"
 
@@ -68,12 +70,12 @@ class BenchmarkImpact(Experiment):
     """One impact of one benchmark.
 
     Attributes:
-        deck_name: Name of the deck, without `.in`; it begins with the benchmark's number.
-        material: Of the sphere, a file of `materials` beside the deck.
-        knob: The deck's variable that the benchmark sweeps.
-        value: Value of the varied quantity, in the deck's unit.
-        modulus_ratio: Young's modulus of the second sphere over the first's; None leaves it to the
-            deck.
+        deck_name: Name of the deck, without `.in`; it begins with the number of the benchmark.
+        material: Material of the sphere, a file of `materials` beside the deck.
+        knob: Variable of the deck that the benchmark varies.
+        value: Value of that variable, in its unit in the deck.
+        modulus_ratio: Young's modulus of the second sphere divided by that of the first; by default
+            that of the deck.
         law: Name of the law; `hertz` is LIGGGHTS' own.
         steps_per_contact: Time steps in an undamped contact.
     """
@@ -82,11 +84,11 @@ class BenchmarkImpact(Experiment):
     material: str
     knob: str
     value: float
-    modulus_ratio: float | None = declared.number(
+    modulus_ratio: float | None = number(
         "modulus of the second sphere / that of the first", "-", 0, default=None
     )
-    law: str = law_field("vu_quoc_zhang")
-    steps_per_contact: int = declared.whole("time steps in an undamped contact", 1, default=1000)
+    law: str = law_field(DEFAULT_LAW)
+    steps_per_contact: int = whole("time steps in an undamped contact", 1, default=DEFAULT_STEPS)
 
     command = "chung-ooi"
     help = "the eight benchmark impacts of Chung & Ooi (2011), against theory"
@@ -94,15 +96,11 @@ class BenchmarkImpact(Experiment):
     flags: ClassVar = {
         "benchmark": Flag(
             tuple(TITLES),
-            said=declared.Declaration(
-                "numbers of benchmarks", "-", 1, 8, True, True, value_type=int
-            ),
+            declaration=Declaration("numbers of benchmarks", "-", 1, 8, True, True, value_type=int),
         ),
-        "law": Flag("vu_quoc_zhang", many=False),
-        "steps_per_contact": Flag(1000, "steps", many=False),
+        "law": Flag(DEFAULT_LAW, many=False),
+        "steps_per_contact": Flag(DEFAULT_STEPS, "steps", many=False),
     }
-    docs: ClassVar = {"benchmark": (4, 6)}
-    docs_figures: ClassVar = {f"benchmark_{number}": f"chung_ooi_{number}.png" for number in (4, 6)}
 
     @property
     def benchmark(self) -> int:
@@ -130,21 +128,21 @@ class BenchmarkImpact(Experiment):
 
     @cached_property
     def settings(self) -> dict[str, str]:
-        """Return the variables of the deck as text, with the changes of this case."""
+        """Variables of the deck as text, with the changes of this case."""
         defaults = index_variables(folder() / f"{self.deck_name}.in")
-        unknown = set(self.variables()) - set(defaults)
-        if unknown:
+        changes = {name: str(value) for name, value in self.variables().items()}
+        if unknown := changes.keys() - defaults.keys():
             raise ValueError(f"{self.deck_name}.in has no variable {', '.join(sorted(unknown))}")
-        return defaults | {name: str(value) for name, value in self.variables().items()}
+        return defaults | changes
 
-    def number(self, name: str, default: float | None = None) -> float:
-        """Return a setting as a number; a reference ${} to another setting is resolved."""
-        text = self.settings.get(name)
-        if text is None and default is not None:
+    def deck_number(self, name: str, default: float | None = None) -> float:
+        """Return a variable of the deck as a number; a reference ${NAME} is resolved."""
+        if name not in self.settings and default is not None:
             return default
-        if text is None:
+        if name not in self.settings:
             raise ValueError(f"{self.deck_name}.in has no variable {name}")
-        return self.number(text[2:-1]) if text.startswith("${") else float(text)
+        text = self.settings[name]
+        return self.deck_number(text[2:-1]) if text.startswith("${") else float(text)
 
     @cached_property
     def sphere(self) -> Material:
@@ -152,31 +150,35 @@ class BenchmarkImpact(Experiment):
         return read_material(folder() / "materials" / f"{self.material}.in")
 
     def before(self) -> Motion:
-        """Motion before the impact."""
+        """Return the motion before the impact."""
         if "incident_angle" in self.settings:
-            angle, speed = radians(self.number("incident_angle")), self.number("speed")
+            angle, speed = radians(self.deck_number("incident_angle")), self.deck_number("speed")
             normal, along = speed * cos(angle), speed * sin(angle)
         else:
-            normal = self.number("speed_normal") + self.number("speed_normal_other", 0.0)
-            along = self.number("speed_tangential", 0.0)
-        return Motion(normal, along, self.number("spin"), spin_other=self.number("spin_other", 0.0))
+            normal = self.deck_number("speed_normal") + self.deck_number("speed_normal_other", 0.0)
+            along = self.deck_number("speed_tangential", 0.0)
+        return Motion(
+            normal, along, self.deck_number("spin"), spin_other=self.deck_number("spin_other", 0.0)
+        )
 
     def impact(self) -> ObliqueImpact:
-        """Impact for the theory."""
-        body, radius = self.sphere.body(), self.number("radius")
+        """Return the impact for the theory."""
+        body, radius = self.sphere.body(), self.deck_number("radius")
         mass = 4 / 3 * pi * radius**3 * self.sphere.density
         other, radius_other, mass_other = RIGID, inf, inf
         if "radius_ratio" in self.settings:
-            modulus = body.youngs_modulus * self.number("modulus_ratio")
+            modulus = body.youngs_modulus * self.deck_number("modulus_ratio")
             other = laws.Body(modulus, body.poissons_ratio)
-            radius_other = radius * self.number("radius_ratio")
-            mass_other = mass * self.number("density_ratio") * self.number("radius_ratio") ** 3
+            radius_other = radius * self.deck_number("radius_ratio")
+            mass_other = (
+                mass * self.deck_number("density_ratio") * self.deck_number("radius_ratio") ** 3
+            )
         return ObliqueImpact(
             pair=laws.combine(body, other),
             radius=radius,
             mass=mass,
-            coefficient_of_friction=self.number("coefficient_of_friction"),
-            coefficient_of_restitution=self.number("coefficient_of_restitution"),
+            coefficient_of_friction=self.deck_number("coefficient_of_friction"),
+            coefficient_of_restitution=self.deck_number("coefficient_of_restitution"),
             before=self.before(),
             radius_other=radius_other,
             mass_other=mass_other,
@@ -187,46 +189,38 @@ class BenchmarkImpact(Experiment):
         return f"{self.deck_name}_{self.material}"
 
     def predict(self) -> BenchmarkOutcome:
-        """Return the outcome by theory, spring and slider; see `comparison.predict`."""
         return predict(self.impact())
 
     def measure(self, folder: Path) -> BenchmarkOutcome:
-        """Read the outcome from the trajectory in a folder.
-
-        Raises:
-            CollisionError: The trajectory contains no collision.
-        """
         trajectory = read_dump(Path(folder) / "trajectory.dump")
         return BenchmarkOutcome(motion(trajectory, -1), measure(trajectory))
 
-    def row(self, measured: BenchmarkOutcome) -> dict[str, object]:
-        """Return the impact, and the columns of `comparison.compare`."""
+    def facts(self) -> dict[str, object]:
         names = ("benchmark", "law", "material", "modulus_ratio", "knob", "value")
-        return {name: getattr(self, name) for name in names} | compare(self.impact(), measured)
+        return {name: getattr(self, name) for name in names}
+
+    def notes(self, measured: BenchmarkOutcome, predicted: BenchmarkOutcome) -> dict[str, object]:
+        return compare(self.impact(), measured, predicted)
 
     @classmethod
     def cases(
-        cls,
-        benchmark: Collection[int] = tuple(TITLES),
-        law: str = "vu_quoc_zhang",
-        steps_per_contact: int = 1000,
+        cls, benchmark: Collection[int] = tuple(TITLES), **settings: Any
     ) -> list[BenchmarkImpact]:
         """Return every impact of some benchmarks in `points.csv`, in its order."""
         table = pd.read_csv(folder() / "points.csv", comment="#", dtype={"values": str})
-        found = [
+        cases = [
             cls(
-                sweep["deck"],
-                sweep["material"],
-                sweep["knob"],
-                float(value),
-                None if pd.isna(sweep["modulus_ratio"]) else sweep["modulus_ratio"],
-                law,
-                steps_per_contact,
+                deck_name=sweep["deck"],
+                material=sweep["material"],
+                knob=sweep["knob"],
+                value=float(value),
+                modulus_ratio=None if pd.isna(sweep["modulus_ratio"]) else sweep["modulus_ratio"],
+                **settings,
             )
             for sweep in table.to_dict("records")
             for value in sweep["values"].split()
         ]
-        return [case for case in found if case.benchmark in benchmark]
+        return [case for case in cases if case.benchmark in benchmark]
 
     @classmethod
     def tables(cls, runs: Runs) -> dict[str, pd.DataFrame]:

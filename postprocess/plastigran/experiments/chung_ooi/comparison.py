@@ -31,18 +31,13 @@ def predict(impact: ObliqueImpact) -> BenchmarkOutcome:
 
     The dashpot never attracts. Peaks and duration are Hertz' for impacts without damping, else NaN.
     """
+    force = overlap = duration = nan
     if impact.coefficient_of_restitution == 1:
-        bodies = (
-            impact.radius_eff,
-            impact.mass_eff,
-            impact.pair.youngs_modulus_eff,
-            impact.before.normal,
-        )
+        modulus, speed = impact.pair.youngs_modulus_eff, impact.before.normal
+        bodies = impact.radius_eff, impact.mass_eff, modulus, speed
         force = float(central.hertz_force_max(*bodies))
         overlap = float(central.hertz_overlap_max(*bodies))
         duration = float(central.hertz_duration(*bodies))
-    else:
-        force = overlap = duration = nan
     collision = CollisionOutcome(
         closing_speed=impact.before.normal,
         coefficient_of_restitution=impact.restitution(),
@@ -54,44 +49,43 @@ def predict(impact: ObliqueImpact) -> BenchmarkOutcome:
     return BenchmarkOutcome(impact.spring_slider(), collision)
 
 
-def compare(impact: ObliqueImpact, measured: BenchmarkOutcome) -> dict[str, object]:
+def compare(
+    impact: ObliqueImpact, measured: BenchmarkOutcome, predicted: BenchmarkOutcome
+) -> dict[str, object]:
     """Return columns of the results table: measured values, `*_predicted`, and `*_rigid`.
 
-    `*_predicted` is as of `predict`; `*_rigid` is for rigid bodies that slide.
+    The values `*_rigid` are those of rigid bodies that slide throughout the impact.
     """
-    found, collision = measured.after, measured.collision
-    predicted, rigid = predict(impact), impact.rigid_sliding()
-    expected, theory = predicted.after, predicted.collision
+    after, after_predicted, after_rigid = measured.after, predicted.after, impact.rigid_sliding()
+    collision, collision_predicted = measured.collision, predicted.collision
+    closing_speed, friction = impact.before.normal, impact.coefficient_of_friction
     return {
         "radius": impact.radius,
-        "closing_speed": impact.before.normal,
+        "closing_speed": closing_speed,
         "surface_speed_before": impact.surface_speed(impact.before),
         "slides": impact.slides(),
         "coefficient_of_restitution_set": impact.coefficient_of_restitution,
-        "coefficient_of_restitution": found.normal / impact.before.normal,
-        "coefficient_of_restitution_predicted": theory.coefficient_of_restitution,
-        "speed_along": found.along,
-        "speed_along_predicted": expected.along,
-        "speed_along_rigid": rigid.along,
-        "spin_after": found.spin,
-        "spin_after_predicted": expected.spin,
-        "spin_after_rigid": rigid.spin,
-        "speed_along_other": found.along_other,
-        "spin_after_other": found.spin_other,
-        "surface_speed": impact.surface_speed(found),
-        "surface_speed_predicted": impact.surface_speed(expected),
-        "surface_speed_rigid": impact.surface_speed(rigid),
+        "coefficient_of_restitution": after.normal / closing_speed,
+        "coefficient_of_restitution_predicted": collision_predicted.coefficient_of_restitution,
+        "speed_along": after.along,
+        "speed_along_predicted": after_predicted.along,
+        "speed_along_rigid": after_rigid.along,
+        "spin_after": after.spin,
+        "spin_after_predicted": after_predicted.spin,
+        "spin_after_rigid": after_rigid.spin,
+        "speed_along_other": after.along_other,
+        "spin_after_other": after.spin_other,
+        "surface_speed": impact.surface_speed(after),
+        "surface_speed_predicted": impact.surface_speed(after_predicted),
+        "surface_speed_rigid": impact.surface_speed(after_rigid),
         # Change of the surface speed by friction for a body that slides throughout.
-        "surface_speed_scale": 3.5
-        * impact.coefficient_of_friction
-        * (1 + impact.restitution())
-        * impact.before.normal,
+        "surface_speed_scale": 3.5 * friction * (1 + impact.restitution()) * closing_speed,
         "force_max": collision.force_max,
-        "force_max_predicted": theory.force_max,
+        "force_max_predicted": collision_predicted.force_max,
         "overlap_max": collision.overlap_max,
-        "overlap_max_predicted": theory.overlap_max,
+        "overlap_max_predicted": collision_predicted.overlap_max,
         "contact_time": collision.contact_time,
-        "contact_time_predicted": theory.contact_time,
+        "contact_time_predicted": collision_predicted.contact_time,
     }
 
 
@@ -123,27 +117,21 @@ def agreement(table: pd.DataFrame) -> pd.DataFrame:
         by the change of the surface speed of sliding bodies.
     """
 
-    def worst(part: pd.DataFrame, name: str) -> float:
+    def relative(part: pd.DataFrame, name: str) -> float:
         return (part[name] / part[f"{name}_predicted"] - 1).abs().max()
 
-    def surface(part: pd.DataFrame, against: str) -> float:
-        off = (part["surface_speed"] - part[f"surface_speed_{against}"]).abs()
-        return (off / part["surface_speed_scale"]).max()
+    def surface(part: pd.DataFrame, theory: str) -> float:
+        difference = (part["surface_speed"] - part[f"surface_speed_{theory}"]).abs()
+        return (difference / part["surface_speed_scale"]).max()
 
-    lines = {}
-    for number, part in table.groupby("benchmark"):
-        lines[number] = {
+    compared = ("coefficient_of_restitution", "force_max", "overlap_max", "contact_time")
+    rows = {
+        number: {
             "impacts": len(part),
-            **{
-                name: worst(part, name)
-                for name in (
-                    "coefficient_of_restitution",
-                    "force_max",
-                    "overlap_max",
-                    "contact_time",
-                )
-            },
+            **{name: relative(part, name) for name in compared},
             "spring_slider": surface(part, "predicted"),
             "rigid": surface(part[part["slides"]], "rigid"),
         }
-    return pd.DataFrame.from_dict(lines, orient="index").rename_axis("benchmark")
+        for number, part in table.groupby("benchmark")
+    }
+    return pd.DataFrame.from_dict(rows, orient="index").rename_axis("benchmark")

@@ -53,16 +53,11 @@ class CylinderImpact(CentralImpact):
     flags: ClassVar = {
         "points": Flag(
             30,
-            said=Declaration(
+            declaration=Declaration(
                 "radii and speeds of a map", lower=1, lower_allowed=True, value_type=int
             ),
             many=False,
         )
-    }
-    docs: ClassVar = {}
-    docs_figures: ClassVar = {
-        "maps_10": "cylinder_maps.png",
-        "comparison": "cylinder_comparison.svg",
     }
 
     def __attrs_post_init__(self) -> None:
@@ -86,9 +81,9 @@ class CylinderImpact(CentralImpact):
         )
 
     def variables(self) -> dict[str, object]:
-        found = super().variables() | {"cylinder_length": self.cylinder_length}
-        del found["length_ratio"]
-        return found
+        variables = super().variables() | {"cylinder_length": self.cylinder_length}
+        del variables["length_ratio"]
+        return variables
 
     def yield_speed(self) -> float:
         """Return the speed of the cylinder at which the mean pressure reaches 1.5 sigma_Y [m/s]."""
@@ -106,9 +101,9 @@ class CylinderImpact(CentralImpact):
     def tables(cls, runs: Runs) -> dict[str, pd.DataFrame]:
         """Return the maps of the study, and the finite elements' impact by laws and LIGGGHTS."""
         table = study.comparison()
-        for case, found in runs.outcomes.items():
+        for case, outcome in runs.outcomes.items():
             for column in ("overlap_res", "contact_time", "coefficient_of_restitution"):
-                table.loc[case.law, f"{column}_engine"] = getattr(found, column)
+                table.loc[case.law, f"{column}_engine"] = getattr(outcome, column)
         return {"maps": study.maps(runs.settings.get("points", 30)), "comparison": table}
 
     @classmethod
@@ -127,6 +122,6 @@ class CylinderImpact(CentralImpact):
     def summary(cls, runs: Runs) -> str:
         table = runs.tables["comparison"].T
         return (
-            "'Cylinder of 10 um, 0.1 mm long, at 1 m/s: laws, LIGGGHTS and finite elements\n'"
+            "Cylinder of 10 um, 0.1 mm long, at 1 m/s: laws, LIGGGHTS and finite elements\n"
             + table.to_string(float_format="{:.4g}".format, na_rep="")
         )

@@ -68,17 +68,15 @@ class RodImpact(Experiment):
     example = "plastigran rod --law thornton jackson_green"
     deck = "collision/rod.in"
     flags: ClassVar = {
-        "angle": Flag(tuple(PAPER_FRICTION), said=_ROD["angle"]),
-        "coefficient_of_friction": Flag(None, said=_FRICTION, many=False),
+        "angle": Flag(tuple(PAPER_FRICTION), declaration=_ROD["angle"]),
+        "coefficient_of_friction": Flag(None, declaration=_FRICTION, many=False),
         "law": Flag(("all",)),
         "reading": Flag("pair", many=False),
         "speed": Flag(PAPER_SPEEDS),
         "tangential": Flag("history", many=False),
     }
-    usual_materials = ("steel_gcm15",)
     quantities = tuple(name for name in attrs.fields_dict(RodOutcome) if name != "history")
     shown = tuple(HEADS)
-    docs_figures: ClassVar = {"outcome": "rod.png"}
 
     def __attrs_post_init__(self) -> None:
         if self.law == "hertz" and self.tangential == "no_history":
