@@ -6,8 +6,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from plastigran.plot.colour_scale import PARTS, colour_scale
-from plastigran.plot.prefixes import prefix
+from plastigran.plot.colour_scale import INTERVALS, colour_scale
+from plastigran.plot.quantities import prefix
 
 
 @pytest.mark.parametrize(
@@ -28,11 +28,11 @@ def test_scales_hold_the_values_with_round_numbers_beside(values, from_zero):
     low, high = np.array(values) * scale.factor
     assert scale.ends[0] <= low < high <= scale.ends[1]
     assert not from_zero or scale.ends[0] <= 0
-    assert 2 <= scale.labels <= PARTS + 1
+    assert 2 <= scale.labels <= INTERVALS + 1
     marks = np.linspace(*scale.ends, scale.labels)
     assert all(float(f"{mark:.4g}") == pytest.approx(mark, abs=1e-12 * high) for mark in marks)
 
 
 def test_one_value_has_one_number():
     scale = colour_scale("radius", "m", [5e-3, 5e-3], from_zero=False)
-    assert (scale.title, scale.ends, scale.labels) == ("radius (mm)", (5.0, 5.0), 1)
+    assert (scale.axis, scale.ends, scale.labels) == ("radius (mm)", (5.0, 5.0), 1)

@@ -24,8 +24,8 @@ from plastigran.cli import main
 from plastigran.engine.dumps import DumpError
 from plastigran.materials import read_material
 from plastigran.plot.frame_files import find_frames
+from plastigran.plot.frames import grain_values
 from plastigran.plot.grain_movie import save_grain_movie
-from plastigran.plot.snapshot import grain_values
 
 #: Laws whose memory begins with the largest overlap, and the one whose memory is another.
 LAWS = ("thornton", "universal", "vu_quoc_zhang")
@@ -144,11 +144,11 @@ def test_a_movie_has_one_scale(colour, tmp_path, monkeypatch, capsys):
     """From the least of all frames, speeds from nothing; nothing is printed unasked."""
     folder, spans = press_pairs(tmp_path), []
 
-    def draw(*arguments):
-        spans.append(arguments[6])
+    def draw(*_, span, **__):
+        spans.append(span)
         return np.zeros((4, 4, 3), np.uint8)
 
-    monkeypatch.setattr("plastigran.plot.grain_movie.render", draw)
+    monkeypatch.setattr("plastigran.plot.grain_movie.draw", draw)
     frames = find_frames(folder)
     save_grain_movie(frames, tmp_path / "x.gif", colour, progress=False)
     values = np.concatenate([grain_values(frame, colour) for frame in frames])

@@ -10,7 +10,7 @@ import numpy as np
 
 from plastigran.plot.quantities import Scale
 
-#: Colour number of black on a light page and white on a dark one.
+#: Color number of black on a light page and white on a dark one.
 INK = -1
 #: Line styles: the name in plotly, the style in matplotlib and the word in a sentence.
 DASHES = (
@@ -30,13 +30,13 @@ class Curve:
     Attributes:
         x, y: Values (N,) in SI units; x may also be words.
         name: Name in the legend; curves of one name share an entry.
-        law: Law that gives the curve its colour; "" for none.
-        colour: Number in `plastigran.plot.style.COLOURS` of a curve without law.
+        law: Law that gives the curve its color; "" for none.
+        colour: Index in `plastigran.plot.style.COLOURS`, for a curve without law.
         look: "line", "points", "joined" (points on a line), "dashes" or "cross" (a mark at each
             point), or "area" (stacked on the areas before it).
-        dash: Number of the line style in `DASHES`.
+        dash: Index of the line style in `DASHES`.
         source: Source of the values, for example "theory".
-        remarks: Text (N,) that an interactive chart shows at each point, instead of x and y.
+        remarks: Texts (N,) that an interactive chart shows at the points, instead of x and y.
     """
 
     x: np.ndarray

@@ -9,9 +9,10 @@ from __future__ import annotations
 import os
 import warnings
 from collections.abc import Iterable
-from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
+
+import attrs
 
 if TYPE_CHECKING:
     import pyvista
@@ -29,7 +30,7 @@ class DamagedFrame(SnapshotError):
         self.path = path
 
 
-@dataclass(frozen=True)
+@attrs.frozen
 class Frame:
     """VTK files of one step of a run; None for files that do not exist.
 
@@ -45,11 +46,6 @@ class Frame:
     contacts: Path | None
     mesh: Path | None
 
-    @property
-    def files(self) -> list[Path]:
-        """Files that exist."""
-        return [path for path in (self.grains, self.contacts, self.mesh) if path]
-
 
 def find_frames(folder: str | Path) -> list[Frame]:
     """Return the frames of a run, sorted by step.
@@ -64,11 +60,11 @@ def find_frames(folder: str | Path) -> list[Frame]:
     if (folder / "frames").is_dir():
         folder = folder / "frames"
 
-    def at(kind: str) -> dict[int, Path]:
-        found = folder.glob(f"{kind}_[0-9]*.vtk")  # other VTK files are bounding boxes
-        return {int(path.stem.removeprefix(f"{kind}_")): path for path in found}
+    def files_by_step(name: str) -> dict[int, Path]:
+        files = folder.glob(f"{name}_[0-9]*.vtk")  # other VTK files are bounding boxes
+        return {int(path.stem.removeprefix(f"{name}_")): path for path in files}
 
-    grains, contacts, mesh = at("grains"), at("contacts"), at("mesh")
+    grains, contacts, mesh = map(files_by_step, ("grains", "contacts", "mesh"))
     if not grains:
         raise SnapshotError(
             f"no frames (grains_STEP.vtk) in {folder}. Run the deck with -v frames=10. A deck "
@@ -100,12 +96,12 @@ def whole_frames(frames: Iterable[Frame]) -> list[Frame]:
     whole = []
     for frame in frames:
         try:
-            for path in frame.files:
-                read_vtk(path)
+            for path in (frame.grains, frame.contacts, frame.mesh):
+                if path is not None:
+                    read_vtk(path)
+            whole.append(frame)
         except DamagedFrame as error:
             warnings.warn(f"{error}; the frame of step {frame.step} is left out", stacklevel=2)
-            continue
-        whole.append(frame)
     if not whole:
         raise SnapshotError("no frame is complete")
     return whole
@@ -118,11 +114,9 @@ def read_vtk(path: Path) -> pyvista.DataSet:
         DamagedFrame: The file is incomplete.
     """
     pyvista = load_pyvista()
-    with open(path, "rb") as file:
-        head = file.read(500)
-        file.seek(max(0, path.stat().st_size - 1))
-        if not file.read().endswith(b"\n"):
-            raise DamagedFrame(path)
+    content = path.read_bytes()
+    if not content.endswith(b"\n"):
+        raise DamagedFrame(path)
     try:
         with (
             pyvista.vtk_verbosity("off"),
@@ -130,17 +124,16 @@ def read_vtk(path: Path) -> pyvista.DataSet:
             warnings.catch_warnings(),
         ):
             warnings.simplefilter("ignore")
-            found = pyvista.read(path)
+            data = pyvista.read(path)
     except (RuntimeError, ValueError, TypeError):
         raise DamagedFrame(path) from None
     # VTK does not report a file that ends between two of its parts.
-    if not found.n_points:
-        whole = b"\nPOINTS 0 " in head
+    if not data.n_points:
+        whole = b"\nPOINTS 0 " in content
     elif path.name.startswith("mesh_"):  # a mesh file may have no columns
-        points = found.n_verts if isinstance(found, pyvista.PolyData) else 0
-        whole = found.n_cells > points
+        whole = data.n_cells > getattr(data, "n_verts", 0)
     else:
-        whole = bool(found.array_names)
+        whole = bool(data.array_names)
     if not whole:
         raise DamagedFrame(path)
-    return found
+    return data

@@ -3,13 +3,78 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import attrs
 import numpy as np
 
 from plastigran.plot.frame_files import DamagedFrame, Frame, SnapshotError, read_vtk
+
+if TYPE_CHECKING:
+    import pyvista
+
+
+@attrs.frozen
+class GrainQuantity:
+    """Quantity that can color grains.
+
+    Attributes:
+        title: Name in words.
+        unit: SI unit.
+        values: Function from the grains of a frame to their values (n,).
+        from_zero: Whether the color scale starts at zero.
+    """
+
+    title: str
+    unit: str
+    values: Callable[[pyvista.DataSet], np.ndarray]
+    from_zero: bool = False
+
+
+#: Quantities that can color grains in a picture.
+GRAIN_QUANTITIES = {
+    "plastic_work": GrainQuantity(
+        "plastic work", "J", lambda grains: grains["f_plastic_work"], from_zero=True
+    ),
+    "speed": GrainQuantity("speed", "m/s", lambda grains: _norms(grains["v"]), from_zero=True),
+    "height": GrainQuantity("height", "m", lambda grains: grains.points[:, 2]),
+    "radius": GrainQuantity("radius", "m", lambda grains: grains["radius"]),
+}
+
+
+def _norms(vectors: np.ndarray) -> np.ndarray:
+    return np.linalg.norm(np.asarray(vectors, float).reshape(-1, 3), axis=1)
+
+
+def grain_values(frame: Frame, quantity: str) -> np.ndarray:
+    """Return the values of a quantity of `GRAIN_QUANTITIES` (n,); (0,) without grains.
+
+    Raises:
+        DamagedFrame: A file is incomplete.
+        SnapshotError: The frame has no such values.
+    """
+    grains = read_vtk(frame.grains)
+    if not grains.n_points:
+        return np.zeros(0)
+    try:
+        return np.asarray(GRAIN_QUANTITIES[quantity].values(grains), float)
+    except KeyError:
+        raise SnapshotError(f"{frame.grains} has no {quantity}. Choose another color") from None
+
+
+def contact_forces(frame: Frame) -> np.ndarray:
+    """Return the force of each contact (n,), N.
+
+    Raises:
+        DamagedFrame: A file is incomplete.
+        SnapshotError: The frame has no contacts.
+    """
+    if frame.contacts is None:
+        raise SnapshotError(f"{frame.grains.parent} has no contacts_{frame.step}.vtk")
+    lines = read_vtk(frame.contacts)
+    return _norms(lines["force"]) if lines.n_cells else np.zeros(0)
 
 
 @attrs.frozen(eq=False)
@@ -56,9 +121,9 @@ def read_frame(frame: Frame) -> GrainFrame:
         frame.step,
         positions,
         np.asarray(grains["radius"], float),
-        np.linalg.norm(np.asarray(grains["v"], float).reshape(-1, 3), axis=1),
+        _norms(grains["v"]),
         None if work is None else np.asarray(work, float),
-        None if frame.contacts is None else _largest_force(frame, positions),
+        None if frame.contacts is None else _largest_forces(frame, positions),
         walls,
     )
 
@@ -69,25 +134,24 @@ def read_frames(frames: Iterable[Frame]) -> tuple[list[GrainFrame], list[Path]]:
     Raises:
         SnapshotError: As for `read_frame`.
     """
-    found, damaged = [], []
+    whole, damaged = [], []
     for frame in frames:
         try:
-            found.append(read_frame(frame))
+            whole.append(read_frame(frame))
         except DamagedFrame as error:
             damaged.append(error.path)
-    return found, damaged
+    return whole, damaged
 
 
-def _largest_force(frame: Frame, positions: np.ndarray) -> np.ndarray:
+def _largest_forces(frame: Frame, positions: np.ndarray) -> np.ndarray:
     """Return the largest contact force on each grain; contact lines end in the grain centers."""
     from scipy.spatial import cKDTree
 
-    found, lines = np.zeros(len(positions)), read_vtk(frame.contacts)
-    if lines.n_cells:
-        force = np.linalg.norm(np.asarray(lines["force"], float).reshape(-1, 3), axis=1)
-        ends = np.asarray(lines.points, float).reshape(-1, 3)
+    largest, forces = np.zeros(len(positions)), contact_forces(frame)
+    if len(forces):
+        ends = np.asarray(read_vtk(frame.contacts).points, float).reshape(-1, 3)
         # A contact through a periodic side ends outside the grains. Coordinates have six digits.
         distance, grain = cKDTree(positions).query(ends)
         at_grain = distance < 1e-4 * np.ptp(positions, axis=0).max()
-        np.maximum.at(found, grain[at_grain], np.repeat(force, 2)[at_grain])
-    return found
+        np.maximum.at(largest, grain[at_grain], np.repeat(forces, 2)[at_grain])
+    return largest

@@ -9,14 +9,11 @@ from pathlib import Path
 import numpy as np
 
 from plastigran.plot.frame_files import Frame, SnapshotError, read_vtk, whole_frames
-from plastigran.plot.snapshot import FROM_ZERO, contact_forces, grain_values, render
+from plastigran.plot.frames import GRAIN_QUANTITIES, contact_forces, grain_values
+from plastigran.plot.snapshot import draw
 from plastigran.progress import ProgressBar
 
-#: Options of imageio for each file type.
-WRITERS = {
-    ".mp4": {"plugin": "pyav", "codec": "libx264"},
-    ".gif": {"plugin": "pillow", "loop": 0},
-}
+SIZE = (960, 720)  # pixels along x and y; the video codec needs even numbers
 
 
 def save_grain_movie(
@@ -25,7 +22,6 @@ def save_grain_movie(
     colour: str = "plastic_work",
     contacts: bool = False,
     view: str = "corner",
-    size: tuple[int, int] = (960, 720),
     rate: float = 10.0,
     progress: bool = True,
 ) -> None:
@@ -37,7 +33,6 @@ def save_grain_movie(
         frames: Frames in order.
         path: Name of the file, ending in .mp4 or .gif.
         colour, contacts, view: As for `plastigran.plot.snapshot.draw`.
-        size: Pixels along x and y, even numbers.
         rate: Frames per second.
         progress: Whether to show a progress bar.
 
@@ -49,27 +44,31 @@ def save_grain_movie(
         UserWarning: A frame is left out; the message names the file.
     """
     path = Path(path)
-    if path.suffix not in WRITERS:
+    writers = {
+        ".mp4": {"plugin": "pyav", "codec": "libx264", "fps": rate},
+        ".gif": {"plugin": "pillow", "loop": 0, "duration": 1000 / rate},
+    }
+    if path.suffix not in writers:
         raise SnapshotError(
-            f"{path} cannot be a movie: its name must end in {' or '.join(WRITERS)}"
+            f"{path} cannot be a movie: its name must end in {' or '.join(writers)}"
         )
     frames = whole_frames(frames)
     if not any(read_vtk(frame.grains).n_points for frame in frames):
         raise SnapshotError("no frame contains grains")
     values = [contact_forces(f) if contacts else grain_values(f, colour) for f in frames]
-    every = np.concatenate([np.zeros(0), *values])
-    low = 0.0 if contacts or colour in FROM_ZERO else every.min(initial=np.inf)
-    span = low, every.max(initial=low)
+    together = np.concatenate([np.zeros(0), *values])
+    from_zero = contacts or GRAIN_QUANTITIES[colour].from_zero
+    low = 0.0 if from_zero else together.min(initial=np.inf)
+    span = low, together.max(initial=low)
     if contacts and span == (0, 0):
         raise SnapshotError("no frame has contacts")
-    iio = _load(path.suffix)
-    bounds, pictures = _bounds(frames), []
-    for frame in ProgressBar(frames, desc="movie", unit="frames", shown=progress):
-        pictures.append(render(frame, None, colour, contacts, view, size, span, bounds))
+    imageio = _load_imageio(path.suffix)
+    common = {"colour": colour, "contacts": contacts, "view": view, "size": SIZE}
+    common |= {"span": span, "bounds": _bounds(frames)}
+    bar = ProgressBar(frames, desc="movie", unit="frames", shown=progress)
+    pictures = np.stack([draw(frame, None, **common) for frame in bar])
     path.parent.mkdir(parents=True, exist_ok=True)
-    how = dict(WRITERS[path.suffix])
-    pace = {"fps": rate} if path.suffix == ".mp4" else {"duration": 1000 / rate}
-    iio.imwrite(path, np.stack(pictures), **how, **pace)
+    imageio.imwrite(path, pictures, **writers[path.suffix])
 
 
 def _bounds(frames: Sequence[Frame]) -> list[float]:
@@ -86,7 +85,7 @@ def _bounds(frames: Sequence[Frame]) -> list[float]:
     return np.stack([low, high], axis=1).ravel().tolist()
 
 
-def _load(suffix: str):
+def _load_imageio(suffix: str):
     """Import imageio, and what it needs for the file type."""
     try:
         import imageio.v3

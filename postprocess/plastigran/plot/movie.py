@@ -10,6 +10,8 @@ import attrs
 from matplotlib.animation import PillowWriter
 from matplotlib.figure import Figure
 
+RESOLUTION = 80  # pixels per inch
+
 
 @attrs.frozen(eq=False)
 class Movie:
@@ -20,21 +22,19 @@ class Movie:
         frames: Number of frames.
         draw: Function `draw(number)` that changes the figure to a frame.
         rate: Frames per second.
-        resolution: Pixels per inch.
     """
 
     figure: Figure
     frames: int
     draw: Callable[[int], None]
-    rate: float = 15
-    resolution: int = 80
+    rate: float
 
 
 def save_movie(movie: Movie, path: Path) -> Path:
     """Write a movie as GIF and return its path."""
     path.parent.mkdir(parents=True, exist_ok=True)
     writer = PillowWriter(fps=movie.rate)
-    with writer.saving(movie.figure, path, movie.resolution):
+    with writer.saving(movie.figure, path, RESOLUTION):
         for number in range(movie.frames):
             movie.draw(number)
             writer.grab_frame()

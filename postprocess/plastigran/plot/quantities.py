@@ -4,8 +4,7 @@
 from __future__ import annotations
 
 import attrs
-
-from plastigran.plot.prefixes import prefix
+import numpy as np
 
 #: Suffix of the columns that hold predicted values.
 PREDICTED = "_predicted"
@@ -58,7 +57,8 @@ QUANTITIES = {
     "revolutions": ("revolutions", ""),
 }
 #: Units that take no prefix.
-_WHOLE = ("", "°", "m²/s²", "kg m/s", "rad/s", "kg", "m/s")
+_WITHOUT_PREFIX = ("", "°", "m²/s²", "kg m/s", "rad/s", "kg", "m/s")
+_PREFIXES = {-12: "p", -9: "n", -6: "µ", -3: "m", 0: "", 3: "k", 6: "M", 9: "G"}
 
 
 @attrs.frozen
@@ -86,11 +86,6 @@ def words(column: str) -> str:
     return QUANTITIES.get(column, (column.replace("_", " "), ""))[0]
 
 
-def unit(column: str) -> str | None:
-    """Return the SI unit of a column, "" for a pure number, None for an unknown column."""
-    return QUANTITIES[column][1] if column in QUANTITIES else None
-
-
 def scale(column: str, values: object) -> Scale:
     """Return the axis of a column, with a prefix that brings its largest value to 1 to 1000.
 
@@ -98,10 +93,24 @@ def scale(column: str, values: object) -> Scale:
         column: Name of the column. A column without known unit keeps its numbers.
         values: Numbers in SI units; infinite values and NaN are ignored.
     """
-    name, base = words(column), unit(column)
-    if base is None:
-        return Scale(name, "as in the log", 1.0)
-    if base in _WHOLE:
-        return Scale(name, base, 1.0)
-    small, factor = prefix(values)
-    return Scale(name, small + base, factor)
+    name, unit = QUANTITIES.get(column, (words(column), "as in the log"))
+    if column not in QUANTITIES or unit in _WITHOUT_PREFIX:
+        return Scale(name, unit, 1.0)
+    letter, factor = prefix(values)
+    return Scale(name, letter + unit, factor)
+
+
+def prefix(values: object) -> tuple[str, float]:
+    """Return the prefix that brings the largest absolute value to 1 to 1000, and its factor.
+
+    Prefixes range from p to G. If all values are zero, there is no prefix and the factor is 1.
+
+    Args:
+        values: Numbers in a unit without prefix; infinite values and NaN are ignored.
+    """
+    sizes = np.abs(np.asarray(values, float))
+    sizes = sizes[np.isfinite(sizes) & (sizes > 0)]
+    if not sizes.size:
+        return "", 1.0
+    power = int(np.clip(3 * np.floor(np.log10(sizes.max()) / 3), min(_PREFIXES), max(_PREFIXES)))
+    return _PREFIXES[power], 10.0**-power

@@ -15,14 +15,14 @@ def draw(axes: Axes, panel: Panel, colours: Sequence[object] = ()) -> None:
     """Draw the curves and label the axes.
 
     Args:
-        axes: Axes to draw on.
+        axes: Axes to draw in.
         panel: Data to draw.
-        colours: Colours of the curves, one for each; by default the law or `Curve.colour` decides.
+        colours: Colors of the curves, one for each; by default the law or `Curve.colour` decides.
     """
-    entries: dict[str, dict] = {}
     areas = [curve for curve in panel.curves if curve.look == "area"]
     if areas:
         _stack(axes, panel, areas)
+    entries: dict[str, dict] = {}
     for k, curve in enumerate(panel.curves):
         if curve.look == "area":
             continue

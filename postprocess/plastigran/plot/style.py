@@ -27,18 +27,19 @@ COLOURS = ["#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#8
 COLOURS += ["#882255", "#999933", "#332288", "#44AA99", "#661100", "#AA4499"]
 COLOURS += ["#117733", "#7F7F7F"]
 MARKERS = [*"osD^vPX<>dp*", (6, 1, 0), (4, 1, 0), "h", "."]
+#: Titles of laws and materials that differ from the words of their names.
+TITLES = {
+    "vu_quoc_zhang": "Vu-Quoc–Zhang",
+    "viscoelastic_hertz": "Viscoelastic Hertz",
+    "aluminium_zv02": "Aluminium",
+    "mdr": "MDR",
+}
 
 
 def title(name: str) -> str:
     """Return the name of a law or material for titles: "kogut_etsion" gives "Kogut–Etsion"."""
-    names = {
-        "vu_quoc_zhang": "Vu-Quoc–Zhang",
-        "viscoelastic_hertz": "Viscoelastic Hertz",
-        "aluminium_zv02": "Aluminium",
-        "mdr": "MDR",
-    }
     words = "–".join(word.capitalize() for word in name.split("_"))
-    return names.get(name, words.replace("–20", " 20"))
+    return TITLES.get(name, words.replace("–20", " 20"))
 
 
 def law_number(law: str) -> int:
@@ -50,8 +51,8 @@ def law_number(law: str) -> int:
 
     if law not in laws.LAWS:
         return len(COLOURS) - 1
-    alike = sorted(name for name, each in laws.LAWS.items() if each.shape == laws.LAWS[law].shape)
-    return alike.index(law)
+    shape = laws.LAWS[law].shape
+    return sorted(name for name in laws.LAWS if laws.LAWS[name].shape == shape).index(law)
 
 
 def law_colour(law: str) -> str:
@@ -60,27 +61,19 @@ def law_colour(law: str) -> str:
 
 
 def styled(changes: Mapping[str, object] | None = None) -> AbstractContextManager[None]:
-    """Return a context manager, or decorator, that applies the style.
-
-    Args:
-        changes: Further matplotlib settings.
-    """
+    """Return a context manager, or decorator, that applies the style and further settings."""
     return matplotlib.rc_context(STYLE | dict(changes or {}))
 
 
 def subplots(
     rows: int = 1, columns: int = 1, *, figsize: tuple[float, float], **arrangement: object
 ) -> tuple[Figure, Axes | np.ndarray]:
-    """Return a figure without a window, and its axes.
+    """Return a figure without a window, and one Axes or an array of them.
 
     Args:
-        rows: Rows of axes.
-        columns: Columns of axes.
+        rows, columns: Numbers of axes.
         figsize: Width and height [inch].
         **arrangement: Keywords of `matplotlib.figure.Figure.subplots`, such as height_ratios.
-
-    Returns:
-        The figure, and one Axes or an array of them.
     """
     figure = Figure(figsize=figsize, layout="constrained")
     return figure, figure.subplots(rows, columns, **arrangement)
@@ -104,15 +97,14 @@ def save(
 
     Args:
         figure: Figure to write.
-        path: Path of the files; its suffix is ignored.
+        path: Path of the files; its suffix is replaced.
         suffixes: Suffixes of the files.
         resolution: Dots per inch of bitmaps.
     """
     path.parent.mkdir(parents=True, exist_ok=True)
-    written = []
-    for suffix in suffixes:
-        written.append(path.with_suffix(suffix))
-        metadata = {"Date": None} if suffix == ".svg" else None
+    files = [path.with_suffix(suffix) for suffix in suffixes]
+    for file in files:
+        metadata = {"Date": None} if file.suffix == ".svg" else None
         with styled():  # its hash salt makes SVG files reproducible
-            figure.savefig(written[-1], dpi=resolution, metadata=metadata)
-    return written
+            figure.savefig(file, dpi=resolution, metadata=metadata)
+    return files

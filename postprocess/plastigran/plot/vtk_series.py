@@ -12,7 +12,7 @@ from xml.etree import ElementTree
 
 import numpy as np
 
-from plastigran.plot.frame_files import Frame, SnapshotError, read_vtk
+from plastigran.plot.frame_files import Frame, read_vtk
 
 #: Column names in the files of LIGGGHTS, and in ours; all in SI units.
 GRAINS = {"v": "velocity", "f_plastic_work": "plastic_work"}
@@ -20,22 +20,19 @@ CONTACTS = {"delta": "overlap"}
 
 
 def contact_table(frame: Frame) -> dict[str, np.ndarray]:
-    """Return the columns of the contacts of a frame, among them `CONTACTS` and `radius_eff` [m].
+    """Return the columns of the contacts of a frame, each (N,) or (N, 3).
 
-    Each column is (N,) or (N, 3).
-
-    Raises:
-        SnapshotError: The frame has no contacts.
+    Columns are id1, id2, overlap [m], radius_eff [m] and the others of the file.
     """
-    contacts, grains = _read(frame.contacts, frame), _read(frame.grains, frame)
-    found = {CONTACTS.get(name, name): np.asarray(contacts[name]) for name in contacts.cell_data}
+    contacts, grains = read_vtk(frame.contacts), read_vtk(frame.grains)
     if not contacts.n_cells:
         return {name: np.zeros(0) for name in ("id1", "id2", *CONTACTS.values(), "radius_eff")}
+    table = {CONTACTS.get(name, name): np.asarray(contacts[name]) for name in contacts.cell_data}
     order = np.argsort(grains["id"])
     radius = np.asarray(grains["radius"], dtype=float)[order]
-    pairs = np.stack([found["id1"], found["id2"]]).astype(int)
+    pairs = np.stack([table["id1"], table["id2"]]).astype(int)
     ends = radius[np.searchsorted(np.asarray(grains["id"])[order], pairs)]
-    return found | {"radius_eff": 1 / (1 / ends).sum(axis=0)}
+    return table | {"radius_eff": 1 / (1 / ends).sum(axis=0)}
 
 
 def write_grains(frame: Frame, path: Path) -> None:
@@ -43,7 +40,7 @@ def write_grains(frame: Frame, path: Path) -> None:
 
     A run with energy balance adds plastic_work [J].
     """
-    grains = _read(frame.grains, frame)
+    grains = read_vtk(frame.grains)
     for old, new in GRAINS.items():
         if old in grains.point_data:
             grains.rename_array(old, new, preference="point")
@@ -56,7 +53,7 @@ def write_contacts(frame: Frame, path: Path, more: Mapping[str, np.ndarray]) -> 
     Columns are id1, id2, overlap [m], force, force_normal, force_tangential [N] and those of
     `more`, each (N,).
     """
-    contacts = _read(frame.contacts, frame)
+    contacts = read_vtk(frame.contacts)
     for old, new in CONTACTS.items():
         if old in contacts.cell_data:
             contacts.rename_array(old, new, preference="cell")
@@ -67,9 +64,8 @@ def write_contacts(frame: Frame, path: Path, more: Mapping[str, np.ndarray]) -> 
 
 def write_mesh(frame: Frame, path: Path) -> None:
     """Write the walls of a frame: triangles with their IDs."""
-    _read(frame.mesh, frame).extract_surface(algorithm="dataset_surface").save(
-        path, compression=None
-    )
+    surface = read_vtk(frame.mesh).extract_surface(algorithm="dataset_surface")
+    surface.save(path, compression=None)
 
 
 def write_series(path: Path, files: Mapping[float, Path]) -> None:
@@ -80,9 +76,3 @@ def write_series(path: Path, files: Mapping[float, Path]) -> None:
         ElementTree.SubElement(collection, "DataSet", timestep=f"{time:.9g}", file=file.name)
     ElementTree.indent(root)
     ElementTree.ElementTree(root).write(path, encoding="utf-8", xml_declaration=True)
-
-
-def _read(path: Path | None, frame: Frame):
-    if path is None:
-        raise SnapshotError(f"the frame of step {frame.step} has no contacts or mesh")
-    return read_vtk(path)

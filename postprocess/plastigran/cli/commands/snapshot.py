@@ -8,8 +8,9 @@ from pathlib import Path
 
 from plastigran.cli.arguments import positive, refuse_idle
 from plastigran.plot.frame_files import SnapshotError, find_frames
+from plastigran.plot.frames import GRAIN_QUANTITIES
 from plastigran.plot.grain_movie import save_grain_movie
-from plastigran.plot.snapshot import COLOURS, VIEWS, draw
+from plastigran.plot.snapshot import VIEWS, draw
 
 HELP = "draw a picture of grains or force chains of a bulk run"
 EXAMPLE = """
@@ -32,7 +33,7 @@ def add_arguments(command: argparse.ArgumentParser) -> None:
     )
     command.add_argument(
         "--colour",
-        choices=list(COLOURS),
+        choices=list(GRAIN_QUANTITIES),
         help="quantity that colors the grains, default plastic_work",
     )
     command.add_argument("--view", choices=list(VIEWS), default="corner", help="default corner")
