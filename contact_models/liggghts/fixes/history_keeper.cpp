@@ -19,7 +19,7 @@
 namespace plastigran {
 
 HistoryKeeper::HistoryKeeper(LAMMPS_NS::LAMMPS* engine, int count, char** words)
-    : OwnFix(engine, count, words) {
+    : PluginFix(engine, count, words) {
   nevery = 1;
   restart_global = 1;
   create_attribute = 1;

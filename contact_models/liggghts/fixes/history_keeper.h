@@ -19,12 +19,12 @@
 #include <string>
 #include <vector>
 
-#include "liggghts/fixes/own_fix.h"
+#include "liggghts/fixes/plugin_fix.h"
 #include "liggghts/fixes/particle_numbers.h"
 
 namespace plastigran {
 
-class HistoryKeeper : public OwnFix {
+class HistoryKeeper : public PluginFix {
  public:
   // The line of a pair style or wall.
   struct Line {

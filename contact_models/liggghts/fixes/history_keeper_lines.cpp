@@ -164,8 +164,8 @@ HistoryKeeper::Lines HistoryKeeper::lines_of_file(const std::string& text) {
 void HistoryKeeper::restart(char* data) { in_file_ = lines_of_file(data); }
 
 HistoryKeeper* HistoryKeeper::of(LAMMPS_NS::LAMMPS* engine, const std::string& restarted) {
-  if (HistoryKeeper* const keeper = find_own_fix<HistoryKeeper>(engine)) return keeper;
-  HistoryKeeper* const keeper = own_fix<HistoryKeeper>(engine);
+  if (HistoryKeeper* const keeper = find_fix<HistoryKeeper>(engine)) return keeper;
+  HistoryKeeper* const keeper = ensure_fix<HistoryKeeper>(engine);
   keeper->in_file_ = lines_of_file(restarted);
   return keeper;
 }

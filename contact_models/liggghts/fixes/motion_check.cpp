@@ -16,7 +16,7 @@
 namespace plastigran {
 
 MotionCheck::MotionCheck(LAMMPS_NS::LAMMPS* engine, int count, char** words)
-    : OwnFix(engine, count, words) {
+    : PluginFix(engine, count, words) {
   nevery = 1;
 }
 

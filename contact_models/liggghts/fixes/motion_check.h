@@ -9,11 +9,11 @@
 
 #include <string>
 
-#include "liggghts/fixes/own_fix.h"
+#include "liggghts/fixes/plugin_fix.h"
 
 namespace plastigran {
 
-class MotionCheck : public OwnFix {
+class MotionCheck : public PluginFix {
  public:
   MotionCheck(LAMMPS_NS::LAMMPS* engine, int count, char** words);
   static const char* id() { return "plastigran_motion"; }

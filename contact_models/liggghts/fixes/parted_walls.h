@@ -9,13 +9,13 @@
 #include <string>
 #include <utility>
 
-#include "liggghts/fixes/own_fix.h"
+#include "liggghts/fixes/plugin_fix.h"
 
 namespace plastigran {
 
-class PartedWalls : public OwnFix {
+class PartedWalls : public PluginFix {
  public:
-  using OwnFix::OwnFix;
+  using PluginFix::PluginFix;
   static const char* id() { return "plastigran_parted_walls"; }
   static const char* style() { return "plastigran/parted_walls"; }
 

@@ -7,14 +7,14 @@
 
 #include "comm.h"
 #include "error.h"
-#include "liggghts/fixes/own_fix.h"
+#include "liggghts/fixes/plugin_fix.h"
 #include "liggghts/fixes/print.h"
 
 namespace plastigran {
 
 RangeCheck::Excess* RangeCheck::of(LAMMPS_NS::LAMMPS* engine, const std::string& model,
                                    const char* range) {
-  Excess& excess = own_fix<RangeCheck>(engine)->models_[model];
+  Excess& excess = ensure_fix<RangeCheck>(engine)->models_[model];
   excess.range = range;
   return &excess;
 }

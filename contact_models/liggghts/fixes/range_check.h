@@ -9,12 +9,12 @@
 #include <set>
 #include <string>
 
-#include "liggghts/fixes/own_fix.h"
+#include "liggghts/fixes/plugin_fix.h"
 #include "plastigran/pairs/range_account.h"
 
 namespace plastigran {
 
-class RangeCheck : public OwnFix {
+class RangeCheck : public PluginFix {
  public:
   // Of one model, on this rank.
   struct Excess : RangeAccount {
@@ -27,7 +27,7 @@ class RangeCheck : public OwnFix {
     std::set<std::string> said;     // warnings before a run that are given once
   };
 
-  RangeCheck(LAMMPS_NS::LAMMPS* engine, int count, char** words) : OwnFix(engine, count, words) {
+  RangeCheck(LAMMPS_NS::LAMMPS* engine, int count, char** words) : PluginFix(engine, count, words) {
     nevery = 1000;  // steps; small reductions each
   }
   static const char* id() { return "plastigran_range"; }

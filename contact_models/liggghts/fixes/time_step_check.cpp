@@ -14,7 +14,7 @@
 namespace plastigran {
 
 TimeStepCheck::TimeStepCheck(LAMMPS_NS::LAMMPS* engine, int count, char** words)
-    : OwnFix(engine, count, words) {
+    : PluginFix(engine, count, words) {
   nevery = 1000;  // steps; one small reduction each
 }
 

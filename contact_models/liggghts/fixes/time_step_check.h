@@ -8,12 +8,12 @@
 
 #include <string>
 
-#include "liggghts/fixes/own_fix.h"
+#include "liggghts/fixes/plugin_fix.h"
 #include "plastigran/pairs/impact_times.h"
 
 namespace plastigran {
 
-class TimeStepCheck : public OwnFix {
+class TimeStepCheck : public PluginFix {
  public:
   static constexpr double unknown = ImpactTimes::unknown;  // a time nobody has told yet [s]
 

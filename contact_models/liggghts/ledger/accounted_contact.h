@@ -8,7 +8,7 @@
 #include "contact_models.h"
 #include "error.h"
 #include "liggghts/fixes/history_keeper.h"
-#include "liggghts/fixes/own_fix.h"
+#include "liggghts/fixes/plugin_fix.h"
 #include "liggghts/ledger/cohesive_energy.h"
 #include "liggghts/ledger/energy_ledger.h"
 #include "liggghts/model/accounted_load.h"
@@ -66,7 +66,7 @@ class AccountedContact : private ContactSetup, public LIGGGHTS::ContactModels::C
 
   void connectToProperties(PropertyRegistry& registry) {
     if (!line_read_) restore_line();
-    ledger_ = find_own_fix<EnergyLedger>(engine_);
+    ledger_ = find_fix<EnergyLedger>(engine_);
     const char* const complaint =
         EnergyLedger::complaint(ledger_, requests_ledger_, this->is_wall());
     if (complaint) engine_->error->all(FLERR, complaint);
@@ -125,7 +125,7 @@ class AccountedContact : private ContactSetup, public LIGGGHTS::ContactModels::C
   // Takes the settings of the line from a restart file.
   void restore_line() {
     const std::string name = ContactOwner(owner(), this->is_wall()).name();
-    restore_settings(engine_, *this, own_fix<HistoryKeeper>(engine_)->restarted_settings(name),
+    restore_settings(engine_, *this, ensure_fix<HistoryKeeper>(engine_)->restarted_settings(name),
                      [&] { postSettings(owner()); });
   }
 

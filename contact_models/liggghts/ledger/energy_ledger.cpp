@@ -20,7 +20,7 @@
 namespace plastigran {
 
 EnergyLedger::EnergyLedger(LAMMPS_NS::LAMMPS* engine, int count, char** words)
-    : OwnFix(engine, count, words) {
+    : PluginFix(engine, count, words) {
   vector_flag = scalar_flag = 1;
   size_vector = ENTRIES;
   global_freq = 1;
@@ -31,8 +31,8 @@ EnergyLedger::EnergyLedger(LAMMPS_NS::LAMMPS* engine, int count, char** words)
 void EnergyLedger::open(LAMMPS_NS::LAMMPS* engine) {
   if (!engine->domain->box_exist)
     engine->error->all(FLERR, "energy_ledger on: give the pair_style line after create_box");
-  if (find_own_fix<EnergyLedger>(engine)) return;
-  own_fix<EnergyLedger>(engine);
+  if (find_fix<EnergyLedger>(engine)) return;
+  ensure_fix<EnergyLedger>(engine);
   // Restarts with the particles, needs no values on ghosts, and starts at zero.
   add_style<ParticlePlasticWork>(engine->modify);
   add_fix(engine->modify, {ParticlePlasticWork::id(), "all", ParticlePlasticWork::style(),
@@ -48,7 +48,7 @@ int EnergyLedger::setmask() {
 void EnergyLedger::init() {
   refuse_what_is_not_counted();
   acts_first_ = is_first_before_exchange();
-  particle_plastic_work_ = find_own_fix<ParticlePlasticWork>(lmp);
+  particle_plastic_work_ = find_fix<ParticlePlasticWork>(lmp);
   if (!particle_plastic_work_)
     error->all(
         FLERR,

@@ -20,7 +20,7 @@
 
 #include "atom.h"
 #include "contact_interface.h"
-#include "liggghts/fixes/own_fix.h"
+#include "liggghts/fixes/plugin_fix.h"
 #include "liggghts/ledger/particle_plastic_work.h"
 #include "liggghts/model/accounted_load.h"
 #include "liggghts/model/lossy_load.h"
@@ -29,7 +29,7 @@
 
 namespace plastigran {
 
-class EnergyLedger : public OwnFix {
+class EnergyLedger : public PluginFix {
   typedef LIGGGHTS::ContactModels::SurfacesIntersectData Contact;
   typedef LIGGGHTS::ContactModels::ForceData Load;
 

@@ -6,7 +6,7 @@
 
 #include "atom.h"
 #include "fix_property_atom.h"
-#include "liggghts/fixes/own_fix.h"
+#include "liggghts/fixes/plugin_fix.h"
 
 namespace plastigran {
 
@@ -29,7 +29,7 @@ class ParticlePlasticWork : public LAMMPS_NS::FixPropertyAtom {
   }
 
   void pre_delete(bool by_the_deck) override {
-    if (by_the_deck) set_up_anew(update, error, Fix::id);
+    if (by_the_deck) require_setup(update, error, Fix::id);
   }
 };
 

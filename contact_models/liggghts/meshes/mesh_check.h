@@ -10,11 +10,11 @@
 
 #include <optional>
 
-#include "liggghts/fixes/own_fix.h"
+#include "liggghts/fixes/plugin_fix.h"
 
 namespace plastigran {
 
-class MeshCheck : public OwnFix {
+class MeshCheck : public PluginFix {
  public:
   enum Kind { seam, ring };
 
@@ -25,7 +25,7 @@ class MeshCheck : public OwnFix {
     double angle;                // between the directions to the triangles [degrees]
   };
 
-  MeshCheck(LAMMPS_NS::LAMMPS* engine, int count, char** words) : OwnFix(engine, count, words) {}
+  MeshCheck(LAMMPS_NS::LAMMPS* engine, int count, char** words) : PluginFix(engine, count, words) {}
   static const char* id() { return "plastigran_meshes"; }
   static const char* style() { return "plastigran/meshes"; }
 

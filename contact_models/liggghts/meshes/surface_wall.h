@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "fix_wall_gran_base.h"
-#include "liggghts/fixes/own_fix.h"
+#include "liggghts/fixes/plugin_fix.h"
 #include "liggghts/meshes/mesh_contacts.h"
 
 namespace plastigran {
@@ -48,7 +48,7 @@ class SurfaceWall : public LIGGGHTS::Walls::Granular<Contact> {
       if (!std::strstr(mesh->style, "planar")) mesh->triMesh()->setCurvature(1 - 1e-12);
       meshes_.emplace_back(engine_, mesh, std::cos(feature_angle_ * M_PI / 180), spring_offsets());
     }
-    MeshCheck* const check = own_fix<MeshCheck>(engine_);
+    MeshCheck* const check = ensure_fix<MeshCheck>(engine_);
     for (MeshContacts& mesh : meshes_) mesh.begin_run(check);
   }
 

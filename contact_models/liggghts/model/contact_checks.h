@@ -14,7 +14,7 @@
 #include "contact_interface.h"
 #include "error.h"
 #include "force.h"
-#include "liggghts/fixes/own_fix.h"
+#include "liggghts/fixes/plugin_fix.h"
 #include "liggghts/fixes/print.h"
 #include "liggghts/fixes/range_check.h"
 #include "liggghts/fixes/time_step_check.h"
@@ -50,7 +50,7 @@ class ContactChecks : protected LAMMPS_NS::Pointers {
     model_ = model;
     overlap_limit_ = overlap_limit;
     excess_ = RangeCheck::of(lmp, model, Law::range);
-    time_step_check_ = own_fix<TimeStepCheck>(lmp);
+    time_step_check_ = ensure_fix<TimeStepCheck>(lmp);
     time_step_check_->forget();
   }
 

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "contact_interface.h"
-#include "liggghts/fixes/own_fix.h"
+#include "liggghts/fixes/plugin_fix.h"
 #include "liggghts/model/deck_properties.h"
 #include "liggghts/model/rate_history.h"
 #include "plastigran/shared/contact.h"
@@ -21,7 +21,7 @@ class ContactRates {
  public:
   ContactRates(LAMMPS_NS::LAMMPS* engine, bool is_wall) : engine_(engine), is_wall_(is_wall) {}
   ~ContactRates() {
-    const auto rates = find_own_fix<RateHistory>(engine_);
+    const auto rates = find_fix<RateHistory>(engine_);
     if (rates && !is_wall_) rates->end();
   }
   ContactRates(const ContactRates&) = delete;
@@ -29,14 +29,14 @@ class ContactRates {
   // As the contact model is made.
   void begin(LIGGGHTS::IContactHistorySetup& setup, const DeckProperties& deck, bool has_types) {
     if (!is_wall_ && has_types)
-      own_fix<RateHistory>(engine_)->begin();
+      ensure_fix<RateHistory>(engine_)->begin();
     else if (is_wall_ && deck.positive("rate_coefficient"))
       offset_ = setup.add_history_value("rate_factor", "0");
   }
 
   // Before a run. Stops where rates matter and contacts cannot remember them.
   void connect(const DeckProperties& deck, bool rate_matters) {
-    if (!is_wall_) offset_ = own_fix<RateHistory>(engine_)->offset();
+    if (!is_wall_) offset_ = ensure_fix<RateHistory>(engine_)->offset();
     if (offset_ < 0 && rate_matters)
       deck.fail(property_name("rate_coefficient") + " must be given before " +
                 (is_wall_ ? "the wall" : "the first run") +

@@ -20,7 +20,7 @@
 #include "global_properties.h"
 #include "liggghts/fixes/history_keeper.h"
 #include "liggghts/fixes/motion_check.h"
-#include "liggghts/fixes/own_fix.h"
+#include "liggghts/fixes/plugin_fix.h"
 #include "liggghts/fixes/parted_walls.h"
 #include "liggghts/fixes/print.h"
 #include "liggghts/model/contact_owner.h"
@@ -117,9 +117,8 @@ class NormalModelSetup : public NormalModelBase {
 
   // Adds the fix that checks motion and periodic sides.
   void add_motion_check() {
-    const bool is_late =
-        owner_.is_wall() && !plastigran::find_own_fix<plastigran::MotionCheck>(lmp);
-    const auto motion = plastigran::own_fix<plastigran::MotionCheck>(lmp);
+    const bool is_late = owner_.is_wall() && !plastigran::find_fix<plastigran::MotionCheck>(lmp);
+    const auto motion = plastigran::ensure_fix<plastigran::MotionCheck>(lmp);
     if (is_late) motion->list_fixes_again();
     if (!owner_.is_wall() && !owner_.histories().empty()) motion->check_periodic_sides(caller());
   }
@@ -127,7 +126,7 @@ class NormalModelSetup : public NormalModelBase {
   // Adds the fixes that keep histories, and takes the line's settings from a restart file if
   // the deck has no line.
   HistoryKeeper& keep_histories() {
-    const auto parted = plastigran::own_fix<plastigran::PartedWalls>(lmp);
+    const auto parted = plastigran::ensure_fix<plastigran::PartedWalls>(lmp);
     HistoryKeeper& keeper = *HistoryKeeper::of(lmp, restarted_lines_);
     parted->set_state(owner_.name(), history_offset_, Law::state_names.size());
     if (settings_.text().empty())

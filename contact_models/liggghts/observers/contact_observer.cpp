@@ -11,7 +11,7 @@
 namespace plastigran {
 
 ContactObserver::ContactObserver(LAMMPS_NS::LAMMPS* engine, int count, char** words)
-    : OwnFix(engine, count, words) {
+    : PluginFix(engine, count, words) {
   if (igroup != 0) fail(std::string("its group is ") + words[1] + "; it must be all");
 }
 

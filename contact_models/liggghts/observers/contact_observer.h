@@ -9,12 +9,12 @@
 #include <vector>
 
 #include "contact_interface.h"
-#include "liggghts/fixes/own_fix.h"
+#include "liggghts/fixes/plugin_fix.h"
 #include "liggghts/model/accounted_load.h"
 
 namespace plastigran {
 
-class ContactObserver : public OwnFix {
+class ContactObserver : public PluginFix {
  public:
   typedef LIGGGHTS::ContactModels::SurfacesIntersectData Contact;
   typedef LIGGGHTS::ContactModels::ForceData Load;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// Fixes of the plugin's own; no deck names them.
+// Fixes that the plugin adds by itself. No deck names them.
 #pragma once
 
 #include <string>
@@ -15,22 +15,22 @@
 
 namespace plastigran {
 
-// To be called where a fix that others point to is deleted. A deck may take it away (unfix): the
-// next run is then set up anew, also with `pre no`, and all pointers are found again.
-inline void set_up_anew(LAMMPS_NS::Update* update, LAMMPS_NS::Error* error, const char* id) {
-  if (update->whichflag)  // between the parts of one `run` that no set-up need part
+// For the removal of a fix that contact models point to. A deck may remove it (unfix). The next run
+// then needs a setup, also with `pre no`, which finds all pointers again.
+inline void require_setup(LAMMPS_NS::Update* update, LAMMPS_NS::Error* error, const char* id) {
+  if (update->whichflag)  // within a `run ... every`, whose parts have no setup between them
     error->all(FLERR, (std::string(id) + ": a fix the contact models point to cannot be removed "
                                          "between the parts of one run ... every")
                           .c_str());
   update->first_update = 0;
 }
 
-// A class of such a fix has static id() and style().
-class OwnFix : public LAMMPS_NS::Fix {
+// A derived class has static id() and style().
+class PluginFix : public LAMMPS_NS::Fix {
  public:
   using Fix::Fix;
   void pre_delete(bool by_the_deck) override {
-    if (by_the_deck) set_up_anew(update, error, id);
+    if (by_the_deck) require_setup(update, error, id);
   }
 };
 
@@ -40,8 +40,8 @@ inline void add_fix(LAMMPS_NS::Modify* modify, std::vector<std::string> words) {
   modify->add_fix(pointers.size(), pointers.data());
 }
 
-// Stops when a wall is made in the place of another with its ID: the engine would crash next, it
-// looks through all fixes and the place is empty.
+// Stops if a wall replaces another of the same ID. LIGGGHTS would crash, because the list of fixes
+// has a null pointer meanwhile.
 inline void refuse_replacement(LAMMPS_NS::LAMMPS* engine) {
   LAMMPS_NS::Modify* const modify = engine->modify;
   for (int k = 0; k < modify->nfix; ++k)
@@ -49,7 +49,7 @@ inline void refuse_replacement(LAMMPS_NS::LAMMPS* engine) {
       engine->error->all(FLERR, "fix wall/gran: LIGGGHTS cannot replace a wall. Use `unfix` first");
 }
 
-// Makes the engine know the class's style.
+// Registers the style of a class of fixes.
 template <class Style>
 void add_style(LAMMPS_NS::Modify* modify) {
   add_fix_style(modify, Style::style(),
@@ -58,19 +58,19 @@ void add_style(LAMMPS_NS::Modify* modify) {
                 });
 }
 
-// The engine's one fix of that class, null when there is none.
+// The fix of that class, null if there is none.
 template <class Style>
-Style* find_own_fix(LAMMPS_NS::LAMMPS* engine) {
+Style* find_fix(LAMMPS_NS::LAMMPS* engine) {
   return static_cast<Style*>(engine->modify->find_fix_id_style(Style::id(), Style::style()));
 }
 
-// The same, made when there is none. All ranks together.
+// The fix of that class, added if there is none. Collective.
 template <class Style>
-Style* own_fix(LAMMPS_NS::LAMMPS* engine) {
-  if (Style* const found = find_own_fix<Style>(engine)) return found;
+Style* ensure_fix(LAMMPS_NS::LAMMPS* engine) {
+  if (Style* const found = find_fix<Style>(engine)) return found;
   add_style<Style>(engine->modify);
   add_fix(engine->modify, {Style::id(), "all", Style::style()});
-  return find_own_fix<Style>(engine);
+  return find_fix<Style>(engine);
 }
 
 }  // namespace plastigran
