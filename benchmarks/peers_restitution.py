@@ -26,7 +26,7 @@ from plastigran.validation.spheres.metals import METALS
 
 DECKS = Path(__file__).resolve().parent / "peers"
 FIGURE = PROJECT / "docs" / "figures" / "peers.svg"
-METAL = METALS[0]
+METAL = METALS["s0.0012-nu0.3-perfect"]
 SPEED_RATIOS = np.geomspace(1.2, 500, 24)  # v/v_Y
 #: Time steps of the shortest impact, were it elastic.
 IMPACT_STEPS = 4000

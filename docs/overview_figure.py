@@ -8,12 +8,11 @@ from matplotlib.figure import Figure
 
 from plastigran import laws
 from plastigran.calibration.hardness import flow_stress, leeb_table
-from plastigran.materials import RIGID
 from plastigran.physics.central import yield_speed
 from plastigran.physics.rebound_hardness import TESTERS
 from plastigran.plot.style import law_colour, styled, subplots
 from plastigran.validation.spheres import table
-from plastigran.validation.spheres.metals import PLANE_MODULUS
+from plastigran.validation.spheres.metals import METALS
 from plastigran.validation.steel import speed_ratio
 
 #: Perfectly plastic metal of the finite elements, which the fit of `universal` did not use.
@@ -26,12 +25,11 @@ def finite_elements() -> tuple[laws.MaterialPair, np.ndarray, np.ndarray]:
     """Return the metal on a rigid plane, and v/v_Y and restitution by finite elements."""
     rows = table()
     rows = rows[rows["metal"] == METAL]
-    ratio, poissons_ratio = rows.iloc[0][["yield_strength_ratio", "poissons_ratio"]]
-    sphere = laws.Body(
-        PLANE_MODULUS * (1 - poissons_ratio**2), poissons_ratio, ratio * PLANE_MODULUS
+    return (
+        METALS[METAL].pair,
+        rows["speed_ratio"].to_numpy(),
+        rows["coefficient_of_restitution"].to_numpy(),
     )
-    pair = laws.combine(sphere, RIGID)
-    return pair, rows["speed_ratio"].to_numpy(), rows["coefficient_of_restitution"].to_numpy()
 
 
 def measured_steel() -> tuple[np.ndarray, np.ndarray]:

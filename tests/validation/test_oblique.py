@@ -17,29 +17,29 @@ def computed() -> pd.DataFrame:
 
 
 @pytest.mark.engine
-def test_how_near_partial_slip_comes_to_the_measurements(computed):
-    """The bounds were set after the result was seen, and hold it; asked were 0.02 and 10 rad/s.
+def test_errors_of_partial_slip(computed):
+    """The targets were 0.02 and 10 rad/s; the bounds here were set after the result was known.
 
-    Two readings of the measurements differ by 0.005 and 6 rad/s; at 39 degrees, where friction
-    alone sets the spin, the measured one lies 44 rad/s above what it allows."""
-    off = {
+    Two readings of the measurements differ by 0.005 and 6 rad/s. At 39 degrees, friction alone
+    determines the spin, and the measured spin is 44 rad/s larger than friction allows."""
+    error = {
         name: (part[PARTIAL_SLIP] - part["value"]).abs()
         for name, part in computed.groupby("quantity")
     }
-    assert off["restitution"].max() < 0.03
-    assert (off["restitution"] < 0.02).sum() == 10
-    assert off["spin"].max() < 45
-    assert off["rebound_angle"].max() < 1
+    assert error["restitution"].max() < 0.03
+    assert (error["restitution"] < 0.02).sum() == 10
+    assert error["spin"].max() < 45
+    assert error["rebound_angle"].max() < 1
 
 
 @pytest.mark.engine
-def test_beyond_30_degrees_all_slide_alike(computed):
+def test_beyond_30_degrees_both_theories_slide(computed):
     sliding = computed[computed["incident_angle"] > 30]
     assert sliding[SPRING].to_numpy() == pytest.approx(sliding[PARTIAL_SLIP].to_numpy(), rel=3e-3)
 
 
 @pytest.mark.engine
-def test_the_engine_has_its_spring_and_slider(computed):
+def test_liggghts_has_its_spring_and_slider(computed):
     run = computed[computed["incident_angle"].isin(FEW_ANGLES)].dropna()
     assert len(run) == len(FEW_ANGLES)
     # On a rigid plane, not on glass: the spring is 3 % softer along the surface.

@@ -10,39 +10,34 @@ from plastigran.validation import laws_on_spheres
 from plastigran.validation.spheres import table
 
 
-@pytest.fixture(scope="module")
-def compared() -> pd.DataFrame:
-    return laws_on_spheres.compare()
-
-
 def test_every_yielding_law_and_every_row_is_compared(compared):
     rows = table()
     assert len(compared) == len(laws_on_spheres.yielding_laws()) * (rows["speed_ratio"] > 1).sum()
     assert set(compared["kind"]) <= set(laws_on_spheres.KINDS)
 
 
-def test_the_errors_of_universal_are_those_of_metals_outside_its_fit(compared):
-    """The two sets of rows share no metal, and together they are all."""
-    by_law = compared.groupby("law")["metal"].unique().map(set)
-    held = set(table().query("set == 'held'")["metal"])
-    assert by_law["universal"] == held
-    assert by_law["universal"] | by_law[laws_on_spheres.ON_FITTED_METALS] == by_law["thornton"]
-    assert not by_law["universal"] & by_law[laws_on_spheres.ON_FITTED_METALS]
+def test_the_errors_of_universal_are_for_metals_outside_its_fit(compared):
+    """Those metals and the metals of the fit are disjoint, and together they are all."""
+    metals = compared.groupby("law")["metal"].unique().map(set)
+    held_out, fitted = metals["universal"], metals[laws_on_spheres.ON_FITTED_METALS]
+    assert held_out == set(table().query("set == 'held'")["metal"])
+    assert held_out | fitted == metals["thornton"]
+    assert not held_out & fitted
 
 
-def test_errors_of_a_made_up_law_are_found():
+def test_errors_of_an_invented_law():
     """Two rows in one regime and one in another; 3 and 4 % make 3.54 % together."""
     compared = pd.DataFrame(
         {
-            "law": "own",
+            "law": "invented",
             "kind": laws_on_spheres.KINDS[0],
             "speed_ratio": [20.0, 50.0, 500.0],
             "coefficient_of_restitution": [0.03, -0.04, 0.01],
             "force_max": [0.0, 0.0, 0.0],
         }
     )
-    found = laws_on_spheres.errors(compared)
-    first = found[found["quantity"] == "coefficient_of_restitution"].iloc[0]
+    errors = laws_on_spheres.errors(compared)
+    first = errors[errors["quantity"] == "coefficient_of_restitution"].iloc[0]
     assert (first["speed_ratio_from"], first["speed_ratio_to"], first["cases"]) == (10, 100, 2)
     assert first["rms"] == pytest.approx((0.0025 / 2) ** 0.5)
     assert first["max"] == pytest.approx(0.04)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Laws on steel of known hardness: nothing is fitted, and each part of the offset has its sign."""
+"""Laws on steel of known hardness, without a fit, and the sign of each cause of the mean error."""
 
 from __future__ import annotations
 
@@ -23,39 +23,36 @@ def rate(rebounds) -> pd.DataFrame:
 
 
 def test_the_nearest_law_has_the_slope_of_the_table_and_its_level_with_the_rate(rebounds, rate):
-    """The table is trusted to 5 % in restitution, its slope to the 4 % in HV, 1.7 % in restitution,
-    that other points of makers lie off it."""
+    """The uncertainty of the table is 5 % in restitution. That of its slope is 1.7 %, because other
+    points of makers differ from it by 4 % in HV."""
     nearest = steel.summary(rebounds).iloc[0]
     assert nearest["law"] == NEAREST
     assert nearest["rms about the mean"] < 1.7
     assert rate.set_index("law")["rms with rate"][NEAREST] < 5
 
 
-def test_the_rate_of_strain_moves_every_law_up(rate):
+def test_the_strain_rate_raises_the_restitution_of_every_law(rate):
     assert (rate["mean with rate (%)"] > rate["mean (%)"]).all()
 
 
-def test_parts_of_the_offset_have_the_sign_of_their_cause(monkeypatch):
-    """Stronger steel gives more back; a weaker ball yields more to the same energy."""
+def test_causes_of_the_mean_error_have_the_expected_sign(monkeypatch):
+    """Stronger steel releases more energy; a softer ball stores more of the same energy."""
     ends = steel.leeb_table().iloc[[0, -1]]
     monkeypatch.setattr(steel, "leeb_table", lambda: ends)
     parts = offset.budget(NEAREST).set_index(["source", "change"])["mean (%)"]
     assert parts["strain rate"].item() > 2
     assert parts["hardness/flow stress", "2.8 → 2.6"] > 0
     assert parts["hardness/flow stress", "2.8 → 3"] < 0
-    assert (
-        parts["scatter of a conversion", "HV +10 %"]
-        > 0
-        > parts["scatter of a conversion", "HV -10 %"]
-    )
+    assert parts["scatter of a conversion", "HV +10 %"] > 0
+    assert parts["scatter of a conversion", "HV -10 %"] < 0
     assert parts["modulus of the ball", "625 → 600 GPa"] > 0
     assert parts["modulus of the ball", "625 → 650 GPa"] < 0
     assert parts["speed of the body"].item() > 0  # slower
     assert parts["mass of the body"].item() < 0  # heavier
-    assert parts["height of the sensor"].item() < 0  # gravity takes speed twice
+    assert parts["height of the sensor"].item() < 0  # gravity lowers the speed twice
 
 
-def test_finite_elements_of_the_dent_are_within_the_scatter_of_the_table():
-    """5 % in restitution, as the table is trusted; nothing of a law is in them."""
+def test_finite_elements_are_within_the_uncertainty_of_the_table():
+    """It is 5 % in restitution. The finite elements contain no law."""
     compared = dented_steel.comparison(NEAREST)
     assert compared["finite elements vs measured (%)"].abs().max() < 5

@@ -9,7 +9,8 @@ import numpy as np
 import pandas as pd
 
 from plastigran.calibration.expected_errors import KINDS
-from plastigran.validation.laws_on_spheres import FITTED_LAW, ON_FITTED_METALS, QUANTITIES
+from plastigran.validation.laws_on_spheres import FITTED_LAW, ON_FITTED_METALS
+from plastigran.validation.tables import root_mean_square
 
 #: Regimes of the spheres: name, kind of contact, bounds of v/v_Y.
 SPHERE_REGIMES = {
@@ -27,47 +28,47 @@ INDENTATION = {
     "peening: v/v_Y 1000 and more": (1000, np.inf),
 }
 RATED = ", with the steel's strain rate"
-WORDS = {QUANTITIES[0]: "restitution", QUANTITIES[1]: "force"}
+WORDS = {"coefficient_of_restitution": "restitution", "force_max": "force"}
 
 
 def _errors(
-    compared: pd.DataFrame, rebounds: pd.DataFrame, rated: pd.DataFrame | None = None
-) -> Mapping[tuple[str, str], pd.DataFrame]:
-    """Return columns law and error for each regime and quantity."""
-    parts = {}
-    for regime, (kind, least, most) in SPHERE_REGIMES.items():
-        chosen = compared["speed_ratio"].between(least, most) & (compared["kind"] == kind)
+    compared: pd.DataFrame, rebounds: Mapping[str, pd.DataFrame]
+) -> dict[tuple[str, str], pd.DataFrame]:
+    """Return columns law and error for each regime and quantity.
+
+    `rebounds` are the tables of `steel.rebounds` by the end of the name of their regimes.
+    """
+    errors = {}
+    for regime, (contact, lowest, highest) in SPHERE_REGIMES.items():
+        inside = compared["speed_ratio"].between(lowest, highest) & (compared["kind"] == contact)
         for quantity, word in WORDS.items():
-            part = compared.loc[chosen, ["law", quantity]]
-            parts[regime, word] = part.rename(columns={quantity: "error"})
-    for added, found in (("", rebounds), (RATED, rated)):
-        if found is None:
-            continue
-        for regime, (least, most) in INDENTATION.items():
-            chosen = found["speed_ratio"].between(least, most)
-            parts[regime + added, "restitution"] = found.loc[chosen, ["law", "error"]]
-    return parts
+            part = compared.loc[inside, ["law", quantity]]
+            errors[regime, word] = part.rename(columns={quantity: "error"})
+    for ending, table in rebounds.items():
+        for regime, bounds in INDENTATION.items():
+            inside = table["speed_ratio"].between(*bounds)
+            errors[regime + ending, "restitution"] = table.loc[inside, ["law", "error"]]
+    return errors
 
 
 def by_regime(compared: pd.DataFrame, rebounds: pd.DataFrame, rated: pd.DataFrame) -> pd.DataFrame:
     """Return the three best laws and the last one for each regime.
 
     Args:
-        compared: As of `laws_on_spheres.compare`.
-        rebounds: As of `steel.rebounds`.
-        rated: The same with the strain rate.
+        compared: Table of `laws_on_spheres.compare`.
+        rebounds, rated: Tables of `steel.rebounds` without and with the strain rate.
 
     Returns:
         A row for each regime and quantity. Each law has its root mean square error and its largest
         error [%].
     """
     rows = []
-    for (regime, word), part in _errors(compared, rebounds, rated).items():
-        found = _sizes(part)
+    for (regime, word), errors in _errors(compared, {"": rebounds, RATED: rated}).items():
+        sizes = _sizes(errors)
         row = {"regime": regime, "quantity": word}
-        for place, name in enumerate(("best", "second", "third")):
-            row[name] = _cell(found.iloc[place])
-        rows.append(row | {"last": _cell(found.iloc[-1])})
+        for number, rank in enumerate(("best", "second", "third")):
+            row[rank] = _cell(sizes.iloc[number])
+        rows.append(row | {"last": _cell(sizes.iloc[-1])})
     return pd.DataFrame(rows)
 
 
@@ -80,33 +81,30 @@ def by_law(compared: pd.DataFrame, rebounds: pd.DataFrame, word: str) -> pd.Data
         compared, rebounds: As for `by_regime`.
         word: "restitution" or "force".
     """
-    parts = _errors(compared, rebounds)
+    errors = _errors(compared, {"": rebounds})
     columns = {
-        regime: _sizes(part)["rms"] for (regime, which), part in parts.items() if which == word
+        regime: _sizes(part)["rms"] for (regime, which), part in errors.items() if which == word
     }
-    found = pd.DataFrame(columns)
-    order = list(found.mean(axis="columns").drop(ON_FITTED_METALS).sort_values().index)
+    table = pd.DataFrame(columns)
+    order = list(table.mean(axis="columns").drop(ON_FITTED_METALS).sort_values().index)
     order.insert(order.index(FITTED_LAW) + 1, ON_FITTED_METALS)
-    return found.loc[order].map(_digits).rename_axis("law").reset_index()
+    return table.loc[order].map(_two_digits).rename_axis("law").reset_index()
 
 
-def _sizes(part: pd.DataFrame) -> pd.DataFrame:
+def _sizes(errors: pd.DataFrame) -> pd.DataFrame:
     """Return the errors of the laws [%], smallest first: index law, columns rms and max."""
-    groups = 100 * part.set_index("law")["error"]
-    found = pd.DataFrame(
-        {
-            "rms": (groups**2).groupby("law").mean() ** 0.5,
-            "max": groups.abs().groupby("law").max(),
-        }
+    by_law = (100 * errors.set_index("law")["error"]).groupby("law")
+    sizes = pd.DataFrame(
+        {"rms": by_law.agg(root_mean_square), "max": by_law.agg(lambda e: e.abs().max())}
     )
     # Laws that differ only by round-off are sorted by name.
-    return found.sort_values("rms", key=lambda sizes: sizes.round(6), kind="stable")
+    return sizes.sort_values("rms", key=lambda rms: rms.round(6), kind="stable")
 
 
 def _cell(row: pd.Series) -> str:
-    return f"`{row.name}` {_digits(row['rms']):g} ({_digits(row['max']):g})"
+    return f"`{row.name}` {_two_digits(row['rms']):g} ({_two_digits(row['max']):g})"
 
 
-def _digits(error: float) -> float:
+def _two_digits(error: float) -> float:
     """Return an error with two digits; from ten, without decimals."""
     return round(error) if error >= 10 else float(f"{error:.2g}")

@@ -3,9 +3,9 @@
 
     python -m plastigran.validation.dented_steel
 
-computes what is not in the cache and writes the table, `plastigran/data/finite_elements_leeb.csv`.
-The steel is perfectly plastic, with strength H/2.8. Small strain is used even if a/R exceeds 0.1,
-up to which it is accurate.
+computes the impacts that are not in the cache, and writes the table
+`plastigran/data/finite_elements_leeb.csv`. The steel is perfectly plastic, with strength H/2.8.
+Small strain is accurate up to a/R = 0.1; here it is used beyond.
 """
 
 from __future__ import annotations
@@ -29,14 +29,14 @@ from plastigran.fem.sphere.press import press
 from plastigran.fem.sphere.results import Pressing
 from plastigran.physics.rebound_hardness import TESTERS, ReboundTester
 from plastigran.report.computing import Computation, compute_all
+from plastigran.validation.spheres import kind
 from plastigran.validation.spheres import table as spheres
-from plastigran.validation.spheres.regimes import kind
 from plastigran.validation.steel import POISSONS_RATIO, YOUNGS_MODULUS, speed_ratio, steel
 
 FINITE_ELEMENTS = "finite elements"
 TABLE = "finite_elements_leeb.csv"
-#: Hardnesses of the table, HV. For softer steel, a/R exceeds 0.2 and small strain does not
-#: converge.
+#: Hardnesses of the table, HV. For softer steel, a/R exceeds 0.2, and the computation in small
+#: strain does not converge.
 HARDNESSES = (211, 304, 550, 940)
 #: Largest forces divided by that of a rigid ball at constant pressure H; the impact lies between.
 SHARES = (0.65, 0.85, 1.1)
@@ -74,16 +74,16 @@ def computation(hardness: float) -> Computation:
 
 def row(hardness: float, pressing: Pressing) -> dict[str, float]:
     """Return the impact of device D, interpolated between the unloadings."""
-    tester, found = TESTERS["D"], pressing.unloadings
-    share = np.log(found["work_loading"] / _energy(tester))
+    tester, unloadings = TESTERS["D"], pressing.unloadings
+    work = np.log(unloadings["work_loading"] / _energy(tester))
 
     def at_impact(name: str) -> float:
-        return float(np.exp(np.polyfit(share, np.log(found[name]), len(share) - 1)[-1]))
+        coefficients = np.polyfit(work, np.log(unloadings[name]), len(work) - 1)
+        return float(np.exp(coefficients[-1]))
 
-    readings = leeb_table().set_index("HV")["HLD"]
     return {
         "HV": hardness,
-        "HLD": readings[hardness],
+        "HLD": leeb_table().set_index("HV")["HLD"][hardness],
         "speed_ratio": speed_ratio(tester, float(flow_stress(hardness))),
         "restitution": at_impact("coefficient_of_restitution"),
         "force_max": at_impact("force"),
@@ -100,31 +100,30 @@ def comparison(law: str) -> pd.DataFrame:
     Returns:
         A row for each hardness of `table`; differences in per cent.
     """
-    found = table()
-    measured, own = found["HLD"] / 1000, found["restitution"]
-    narrow = narrow_restitution(found["speed_ratio"].to_numpy())
-    tester, strengths = TESTERS["D"], flow_stress(found["HV"])
-    by_law = [tester.reading(law, steel(float(each))) / 1000 for each in strengths]
+    impacts = table()
+    measured, computed = impacts["HLD"] / 1000, impacts["restitution"]
+    at_small_radius = small_radius_restitution(impacts["speed_ratio"].to_numpy())
+    samples = [steel(float(strength)) for strength in flow_stress(impacts["HV"])]
+    by_law = np.array([TESTERS["D"].reading(law, sample) / 1000 for sample in samples])
     return pd.DataFrame(
         {
-            "HV": found["HV"],
-            "v/v_Y": found["speed_ratio"],
-            "a/R": found["contact_radius_over_radius"],
+            "HV": impacts["HV"],
+            "v/v_Y": impacts["speed_ratio"],
+            "a/R": impacts["contact_radius_over_radius"],
             "measured": measured,
-            FINITE_ELEMENTS: own,
-            f"{FINITE_ELEMENTS} vs measured (%)": 100 * (own / measured - 1),
-            f"{FINITE_ELEMENTS} vs small a/R (%)": 100 * (own / narrow - 1),
-            f"{law} vs {FINITE_ELEMENTS} (%)": 100 * (by_law / own - 1),
+            FINITE_ELEMENTS: computed,
+            f"{FINITE_ELEMENTS} vs measured (%)": 100 * (computed / measured - 1),
+            f"{FINITE_ELEMENTS} vs small a/R (%)": 100 * (computed / at_small_radius - 1),
+            f"{law} vs {FINITE_ELEMENTS} (%)": 100 * (by_law / computed - 1),
         }
     )
 
 
-def narrow_restitution(ratios: np.ndarray) -> np.ndarray:
+def small_radius_restitution(ratios: np.ndarray) -> np.ndarray:
     """Return the restitution of perfectly plastic spheres at small a/R, for some v/v_Y.
 
     The values are those of the softest metal of the table of spheres, with a/R below 0.025. Beyond
-    its
-    range, the power law of its fastest impacts is continued.
+    its range, the power law of its fastest impacts is continued.
     """
     rows = spheres()
     rows = rows[kind(rows) == KINDS[0]].sort_values("speed_ratio")
@@ -142,7 +141,7 @@ def _energy(tester: ReboundTester) -> float:
 
 if __name__ == "__main__":
     warnings.simplefilter("ignore", SmallStrainWarning)
-    found = compute_all({hardness: computation(hardness) for hardness in HARDNESSES}, progress=True)
-    rows = pd.DataFrame([row(hardness, found[hardness]) for hardness in sorted(HARDNESSES)])
+    results = compute_all({hardness: computation(hardness) for hardness in HARDNESSES}, True)
+    rows = pd.DataFrame([row(hardness, results[hardness]) for hardness in sorted(HARDNESSES)])
     rows.round(5).to_csv(Path(plastigran.__file__).parent / "data" / TABLE, index=False)
     print(rows.to_string())

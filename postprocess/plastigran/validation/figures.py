@@ -7,101 +7,100 @@ from math import ceil
 
 import numpy as np
 import pandas as pd
-from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from plastigran.calibration.expected_errors import KINDS
 from plastigran.plot.style import COLOURS, MARKERS, law_colour, styled, subplots, title
 from plastigran.validation import oblique
 
-COLUMNS = 5  # columns of panels
+#: Columns of panels.
+COLUMNS = 5
 #: Half the height of a panel of errors [%]; larger errors are drawn at its edge.
 REACH = 40
 #: Incident angles [degrees] of the theoretical lines.
 FINE_ANGLES = np.linspace(1, 86, 52)
 
 
+@styled({"font.size": 8})
 def spheres_figure(compared: pd.DataFrame, quantity: str) -> Figure:
     """Draw the error over v/v_Y, a panel for each law.
 
     Args:
-        compared: As of `laws_on_spheres.compare`.
+        compared: Table of `laws_on_spheres.compare`.
         quantity: One of `laws_on_spheres.QUANTITIES`.
     """
     names = sorted(compared["law"].unique())
-    with styled({"font.size": 8}):
-        figure, panels = _grid(len(names))
-        for axes, name in zip(panels, names, strict=True):
-            part = compared[compared["law"] == name]
-            for which, colour, marker in zip(KINDS, COLOURS, "os^", strict=False):
-                chosen = part[part["kind"] == which]
-                error = np.clip(100 * chosen[quantity], -REACH, REACH)
-                axes.plot(
-                    *(chosen["speed_ratio"], error, marker),
-                    **{"color": colour, "ms": 2.5, "mfc": "none", "label": which},
-                )
-            axes.axhline(0, color="0.4", lw=0.6)
-            axes.set(xscale="log", ylim=(-1.05 * REACH, 1.05 * REACH), title=title(name))
-        panels[0].legend(fontsize=7)
-        figure.supxlabel("$v/v_Y$", fontsize=9)
-        figure.supylabel("law / finite elements − 1 (%)", fontsize=9)
+    rows = ceil(len(names) / COLUMNS)
+    size = (10.4, 2.0 * rows + 0.4)
+    figure, grid = subplots(rows, COLUMNS, figsize=size, sharex=True, sharey=True)
+    for axes in grid.flat[len(names) :]:
+        axes.set_visible(False)
+    for axes, name in zip(grid.flat, names, strict=False):
+        for contact, colour, marker in zip(KINDS, COLOURS, "os^", strict=False):
+            part = compared[(compared["law"] == name) & (compared["kind"] == contact)]
+            error = np.clip(100 * part[quantity], -REACH, REACH)
+            style = {"color": colour, "ms": 2.5, "mfc": "none", "label": contact}
+            axes.plot(part["speed_ratio"], error, marker, **style)
+        axes.axhline(0, color="0.4", lw=0.6)
+        axes.set(xscale="log", ylim=(-1.05 * REACH, 1.05 * REACH), title=title(name))
+    grid.flat[0].legend(fontsize=7)
+    figure.supxlabel("$v/v_Y$", fontsize=9)
+    figure.supylabel("law / finite elements − 1 (%)", fontsize=9)
     return figure
 
 
+@styled()
 def rebound_figure(rebounds: pd.DataFrame) -> Figure:
     """Draw the restitution of steel over its Vickers hardness, and the error of each law.
 
     Args:
-        rebounds: As of `steel.rebounds`.
+        rebounds: Table of `steel.rebounds`.
     """
-    with styled():
-        figure, (left, right) = subplots(1, 2, figsize=(10.4, 4.6))
-        for k, (name, part) in enumerate(rebounds.groupby("law")):
-            line = {"color": law_colour(name), "ls": "-" if k < 7 else "--", "lw": 1.2}
-            left.plot(part["HV"], part["restitution"], **line)
-            right.plot(part["HV"], 100 * part["error"], label=title(name), **line)
-        table = part.assign(measured=part["HLD"] / 1000)
-        left.plot(table["HV"], table["measured"], "ko", ms=3, label="Leeb D")
-        share = np.where(table["HLD"] >= 450, 5.0, 9.0)
-        right.fill_between(
-            table["HV"], -share, share, color="0.9", label="uncertainty of the table"
-        )
-        right.axhline(0, color="0.3", lw=0.8)
-        for axes in (left, right):
-            axes.set(xscale="log", xlabel="Vickers hardness (HV)")
-            axes.set_xticks([100, 200, 400, 800], ["100", "200", "400", "800"])
-        left.set(ylabel="restitution", ylim=(0, 1))
-        left.legend()
-        right.set(ylabel="error of restitution (%)", ylim=(-60, 60))
-        figure.legend(*right.get_legend_handles_labels(), loc="outside right center", fontsize=8)
+    figure, (left, right) = subplots(1, 2, figsize=(10.4, 4.6))
+    for number, (name, part) in enumerate(rebounds.groupby("law")):
+        line = {"color": law_colour(name), "ls": "-" if number < 7 else "--", "lw": 1.2}
+        left.plot(part["HV"], part["restitution"], **line)
+        right.plot(part["HV"], 100 * part["error"], label=title(name), **line)
+    left.plot(part["HV"], part["HLD"] / 1000, "ko", ms=3, label="Leeb D")
+    share = np.where(part["HLD"] >= 450, 5.0, 9.0)
+    label = "uncertainty of the table"
+    right.fill_between(part["HV"], -share, share, color="0.9", label=label)
+    right.axhline(0, color="0.3", lw=0.8)
+    for axes in (left, right):
+        axes.set(xscale="log", xlabel="Vickers hardness (HV)")
+        axes.set_xticks([100, 200, 400, 800], ["100", "200", "400", "800"])
+    left.set(ylabel="restitution", ylim=(0, 1))
+    left.legend()
+    right.set(ylabel="error of restitution (%)", ylim=(-60, 60))
+    figure.legend(*right.get_legend_handles_labels(), loc="outside right center", fontsize=8)
     return figure
 
 
+@styled()
 def budget_figure(parts: pd.DataFrame, law: str, mean: float) -> Figure:
     """Draw the possible causes of the mean error of a law on the rebound hardness of steel.
 
     Args:
-        parts: As of `offset.budget`.
+        parts: Table of `offset.budget`.
         law: Name of the law.
         mean: Its mean error [%].
     """
-    with styled():
-        figure, axes = subplots(figsize=(7.4, 4.4))
-        places = np.arange(len(parts))[::-1]
-        ends = parts[["at 80 HV (%)", "at 940 HV (%)"]].to_numpy()
-        axes.barh(places, parts["mean (%)"], color=COLOURS[0], height=0.6, label="mean")
-        reach = {"color": "0.2", "lw": 1.5, "label": "80 to 940 HV"}
-        axes.hlines(places, ends.min(axis=1), ends.max(axis=1), **reach)
-        axes.axvline(-mean, color=COLOURS[1], ls="--", label="needed to remove the mean error")
-        axes.axvline(0, color="0.4", lw=0.8)
-        said = [f"{row['source']}, {row['change']}" for row in parts.to_dict("records")]
-        axes.set_yticks(places, said)
-        axes.tick_params(axis="y", labelsize=7.5)
-        axes.set(xlabel=f"change of restitution (%), {title(law)}")
-        axes.legend(fontsize=8)
+    figure, axes = subplots(figsize=(7.4, 4.4))
+    places = np.arange(len(parts))[::-1]
+    ends = parts[["at 80 HV (%)", "at 940 HV (%)"]].to_numpy()
+    axes.barh(places, parts["mean (%)"], color=COLOURS[0], height=0.6, label="mean")
+    line = {"color": "0.2", "lw": 1.5, "label": "80 to 940 HV"}
+    axes.hlines(places, ends.min(axis=1), ends.max(axis=1), **line)
+    axes.axvline(-mean, color=COLOURS[1], ls="--", label="needed to remove the mean error")
+    axes.axvline(0, color="0.4", lw=0.8)
+    axes.set_yticks(places, parts["source"] + ", " + parts["change"])
+    axes.tick_params(axis="y", labelsize=7.5)
+    axes.set(xlabel=f"change of restitution (%), {title(law)}")
+    axes.legend(fontsize=8)
     return figure
 
 
+@styled()
 def errors_figure(table: pd.DataFrame, head: str) -> Figure:
     """Draw the errors of the laws as points, a row for each law.
 
@@ -110,51 +109,37 @@ def errors_figure(table: pd.DataFrame, head: str) -> Figure:
         head: Title of the figure.
     """
     columns = [name for name in table.columns if name.endswith("(%)")]
-    with styled():
-        figure, axes = subplots(figsize=(7.4, 1.2 + 0.3 * len(table)))
-        places = np.arange(len(table))[::-1]
-        for name, colour, marker in zip(columns, COLOURS, MARKERS, strict=False):
-            said = name.removesuffix(" (%)")
-            look = {"ls": "", "marker": marker, "color": colour, "mfc": "none"}
-            axes.plot(table[name], places, **look, label=said)
-        axes.axvline(0, color="0.4", lw=0.8)
-        axes.set_yticks(places, [title(name) for name in table["law"]])
-        axes.set(xlabel="error (%)", title=head)
-        figure.legend(loc="outside lower center", fontsize=8, ncols=2)
+    figure, axes = subplots(figsize=(7.4, 1.2 + 0.3 * len(table)))
+    places = np.arange(len(table))[::-1]
+    for name, colour, marker in zip(columns, COLOURS, MARKERS, strict=False):
+        style = {"ls": "", "marker": marker, "color": colour, "mfc": "none"}
+        axes.plot(table[name], places, **style, label=name.removesuffix(" (%)"))
+    axes.axvline(0, color="0.4", lw=0.8)
+    axes.set_yticks(places, [title(name) for name in table["law"]])
+    axes.set(xlabel="error (%)", title=head)
+    figure.legend(loc="outside lower center", fontsize=8, ncols=2)
     return figure
 
 
+@styled()
 def oblique_figure(computed: pd.DataFrame) -> Figure:
     """Draw oblique impacts: measured, and computed by each method.
 
     Args:
-        computed: As of `oblique.computed`.
+        computed: Table of `oblique.computed`.
     """
-    with styled():
-        figure, panels = subplots(1, 3, figsize=(11, 3.8))
-        for axes, (name, (said, _)) in zip(panels, oblique.QUANTITIES.items(), strict=True):
-            part = computed[computed["quantity"] == name].sort_values("incident_angle")
-            angle = part["incident_angle"]
-            impacts = [oblique.impact(float(each)) for each in FINE_ANGLES]
-            for (way, move), dashes, colour in zip(
-                oblique.THEORIES.items(), ("-", "--"), COLOURS, strict=False
-            ):
-                found = [oblique.quantity(name, each, move(each)) for each in impacts]
-                axes.plot(FINE_ANGLES, found, dashes, color=colour, label=way)
-            axes.plot(
-                angle, part[oblique.ENGINE], "s", color=COLOURS[2], mfc="none", label=oblique.ENGINE
-            )
-            axes.plot(angle, part["value"], "ko", ms=4, label="measured")
-            axes.set(xlabel="incident angle (°)", ylabel=said)
-        panels[0].legend(fontsize=8)
+    figure, panels = subplots(1, 3, figsize=(11, 3.8))
+    impacts = [oblique.impact(float(angle)) for angle in FINE_ANGLES]
+    for axes, (name, (label, _)) in zip(panels, oblique.QUANTITIES.items(), strict=True):
+        part = computed[computed["quantity"] == name].sort_values("incident_angle")
+        for (method, theory), line, colour in zip(
+            oblique.THEORIES.items(), ("-", "--"), COLOURS, strict=False
+        ):
+            values = [oblique.quantity(name, impact, theory(impact)) for impact in impacts]
+            axes.plot(FINE_ANGLES, values, line, color=colour, label=method)
+        squares = {"color": COLOURS[2], "mfc": "none", "label": oblique.ENGINE}
+        axes.plot(part["incident_angle"], part[oblique.ENGINE], "s", **squares)
+        axes.plot(part["incident_angle"], part["value"], "ko", ms=4, label="measured")
+        axes.set(xlabel="incident angle (°)", ylabel=label)
+    panels[0].legend(fontsize=8)
     return figure
-
-
-def _grid(count: int) -> tuple[Figure, list[Axes]]:
-    rows = ceil(count / COLUMNS)
-    figure, panels = subplots(
-        rows, COLUMNS, figsize=(10.4, 2.0 * rows + 0.4), sharex=True, sharey=True
-    )
-    for axes in panels.flat[count:]:
-        axes.set_visible(False)
-    return figure, list(panels.flat[:count])

@@ -3,19 +3,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-
 import numpy as np
 import pandas as pd
 
 from plastigran import laws
 from plastigran.calibration.expected_errors import KINDS
-from plastigran.materials import RIGID
 from plastigran.physics.central import yield_speed
 from plastigran.usable_laws import laws_for
-from plastigran.validation.spheres import table
-from plastigran.validation.spheres.metals import PLANE_MODULUS, RADIUS, SphereMetal
-from plastigran.validation.spheres.regimes import SPEED_RATIOS, kind
+from plastigran.validation.spheres import SPEED_RATIOS, kind, table
+from plastigran.validation.spheres.metals import RADIUS, SphereMetal
 from plastigran.validation.tables import root_mean_square
 
 #: Bounds of the speed regimes, v/v_Y.
@@ -32,38 +28,33 @@ def yielding_laws() -> list[str]:
     return [name for name in laws_for("sphere") if laws.LAWS[name].yields]
 
 
-def compare(names: Iterable[str] | None = None, rows: pd.DataFrame | None = None) -> pd.DataFrame:
-    """Compare laws with each row of the table of spheres.
-
-    Args:
-        names: Names of laws; None for all that yield.
-        rows: Rows of the table of spheres, or None for all.
+def compare() -> pd.DataFrame:
+    """Compare every yielding law with each row of the table of spheres beyond yield.
 
     Returns:
         A row for each law and row of the table: law, metal, set, kind, speed_ratio and
             `QUANTITIES`, each as law / finite elements - 1 [-]. The rows of `FITTED_LAW` for metals
             of its fit have the law `ON_FITTED_METALS`.
     """
-    rows = table() if rows is None else rows
+    rows = table()
     rows = rows[rows["speed_ratio"] > 1].assign(kind=kind)
-    found = []
-    for _, metal in rows.groupby("metal", sort=False):
-        properties = metal.iloc[0]
-        sphere = _metal(properties).sphere
-        force = sphere.yield_force
-        pair = laws.combine(_body(properties), RIGID)
-        speed = yield_speed(pair, RADIUS, MASS) * metal["speed_ratio"].to_numpy()
-        for name in yielding_laws() if names is None else names:
-            impact = laws.LAWS[name](pair).central_impact(RADIUS, MASS, speed)
-            line = metal[["metal", "set", "kind", "speed_ratio"]].assign(law=name)
-            reference = metal["coefficient_of_restitution"].to_numpy()
-            line["coefficient_of_restitution"] = impact.coefficient_of_restitution / reference - 1
-            reference = metal["force_ratio"].to_numpy() * force
-            line["force_max"] = impact.force_max / reference - 1
+    parts = []
+    for _, impacts in rows.groupby("metal", sort=False):
+        metal = SphereMetal.of(impacts.iloc[0])
+        speed = yield_speed(metal.pair, RADIUS, MASS) * impacts["speed_ratio"].to_numpy()
+        force = impacts["force_ratio"] * metal.sphere.yield_force
+        restitution = impacts["coefficient_of_restitution"]
+        for name in yielding_laws():
+            impact = laws.LAWS[name](metal.pair).central_impact(RADIUS, MASS, speed)
+            part = impacts[["metal", "set", "kind", "speed_ratio"]].assign(
+                law=name,
+                coefficient_of_restitution=impact.coefficient_of_restitution / restitution - 1,
+                force_max=impact.force_max / force - 1,
+            )
             if name == FITTED_LAW:
-                line["law"] = line["law"].mask(line["set"] == "fit", ON_FITTED_METALS)
-            found.append(line)
-    return pd.concat(found, ignore_index=True)
+                part["law"] = part["law"].mask(part["set"] == "fit", ON_FITTED_METALS)
+            parts.append(part)
+    return pd.concat(parts, ignore_index=True)
 
 
 def without_fitted_metals(compared: pd.DataFrame) -> pd.DataFrame:
@@ -82,38 +73,24 @@ def errors(compared: pd.DataFrame) -> pd.DataFrame:
         `QUANTITIES`), rms and max (relative errors [-]), and cases (their number). A regime without
         cases has no row.
     """
-    regime = pd.cut(compared["speed_ratio"], REGIMES, labels=False)
-    kinds = pd.Categorical(compared["kind"], KINDS, ordered=True)
-    compared = compared.assign(regime=regime, kind=kinds).dropna(subset="regime")
-    found = []
-    for (law, sort, step), part in compared.groupby(["law", "kind", "regime"], observed=True):
+    compared = compared.assign(
+        regime=pd.cut(compared["speed_ratio"], REGIMES, labels=False),
+        kind=pd.Categorical(compared["kind"], KINDS, ordered=True),
+    ).dropna(subset="regime")
+    rows = []
+    for (law, contact, number), part in compared.groupby(["law", "kind", "regime"], observed=True):
         for quantity in QUANTITIES:
             error = part[quantity].to_numpy()
-            found.append(
+            rows.append(
                 {
                     "law": law,
-                    "kind": sort,
-                    "speed_ratio_from": REGIMES[int(step)],
-                    "speed_ratio_to": REGIMES[int(step) + 1],
+                    "kind": contact,
+                    "speed_ratio_from": REGIMES[int(number)],
+                    "speed_ratio_to": REGIMES[int(number) + 1],
                     "quantity": quantity,
                     "rms": root_mean_square(error),
                     "max": float(np.abs(error).max()),
                     "cases": len(error),
                 }
             )
-    return pd.DataFrame(found)
-
-
-def _metal(row: pd.Series) -> SphereMetal:
-    return SphereMetal(row["yield_strength_ratio"], row["poissons_ratio"], row["hardening_ratio"])
-
-
-def _body(row: pd.Series) -> laws.Body:
-    nu, hardening = row["poissons_ratio"], row["hardening_ratio"]
-    youngs_modulus = PLANE_MODULUS * (1 - nu**2)
-    return laws.Body(
-        youngs_modulus,
-        nu,
-        row["yield_strength_ratio"] * PLANE_MODULUS,
-        tangent_modulus=youngs_modulus * hardening / (1 + hardening),
-    )
+    return pd.DataFrame(rows)

@@ -23,7 +23,7 @@ from plastigran.physics.oblique import Motion, ObliqueImpact
 from plastigran.physics.partial_slip import partial_slip
 
 GLASS = laws.Body(70e9, 0.25)
-#: Quantities by name: words for each, and the expected accuracy of a theory.
+#: Quantities by name: description, and the expected accuracy of a theory.
 QUANTITIES = {
     "restitution": ("tangential restitution", 0.02),
     "spin": ("spin (rad/s)", 10.0),
@@ -54,8 +54,9 @@ def case(angle: float) -> BenchmarkImpact:
 
 def impact(angle: float) -> ObliqueImpact:
     """Return the impact at an angle [degrees] on glass."""
-    found = case(angle)
-    return attrs.evolve(found.impact(), pair=laws.combine(found.sphere.body(), GLASS))
+    on_rigid_plane = case(angle)
+    pair = laws.combine(on_rigid_plane.sphere.body(), GLASS)
+    return attrs.evolve(on_rigid_plane.impact(), pair=pair)
 
 
 def quantity(name: str, before: ObliqueImpact, after: Motion) -> float:
@@ -78,19 +79,18 @@ def computed(engine: Iterable[float] | None = None) -> pd.DataFrame:
         EngineError: LIGGGHTS stopped with an error.
     """
     table = measured()
-    asked = table["incident_angle"] if engine is None else list(engine)
+    angles = table["incident_angle"] if engine is None else list(engine)
     with TemporaryDirectory() as folder:
-        runs = sweep([case(angle) for angle in asked], folder, progress=False)
-    moved = {run.value: outcome.after for run, outcome in runs.outcomes.items()}
+        runs = sweep([case(angle) for angle in angles], folder, progress=False)
+    in_engine = {run.value: outcome.after for run, outcome in runs.outcomes.items()}
     rows = list(zip(table["incident_angle"], table["quantity"], strict=True))
-    for way, move in THEORIES.items():
-        found = [_value(*row, move(impact(row[0]))) for row in rows]
-        table = table.assign(**{way: found})
-    return table.assign(**{ENGINE: [_value(*row, moved.get(row[0])) for row in rows]})
-
-
-def _value(angle: float, name: str, after: Motion | None) -> float:
-    return np.nan if after is None else quantity(name, impact(angle), after)
+    for method, theory in THEORIES.items():
+        values = [quantity(name, impact(a), theory(impact(a))) for a, name in rows]
+        table = table.assign(**{method: values})
+    values = [
+        quantity(name, impact(a), in_engine[a]) if a in in_engine else np.nan for a, name in rows
+    ]
+    return table.assign(**{ENGINE: values})
 
 
 def comparison(table: pd.DataFrame, name: str) -> pd.DataFrame:
@@ -99,18 +99,17 @@ def comparison(table: pd.DataFrame, name: str) -> pd.DataFrame:
     The difference is from partial slip, also given as tangential restitution.
 
     Args:
-        table: As of `computed`.
+        table: Table of `computed`.
         name: Name of the quantity.
     """
     part = table[table["quantity"] == name].reset_index(drop=True)
-    off = part["value"] - part[PARTIAL_SLIP]
-    found = part[["incident_angle", "value", PARTIAL_SLIP, SPRING, ENGINE]].rename(
+    columns = part[["incident_angle", "value", PARTIAL_SLIP, SPRING, ENGINE]].rename(
         columns={"incident_angle": "incident angle (°)", "value": "measured"}
     )
-    found["measured − partial slip"] = off.round(4)
+    columns["measured − partial slip"] = (part["value"] - part[PARTIAL_SLIP]).round(4)
     if name != "restitution":
-        found["as restitution"] = _as_restitution(part, name).round(4)
-    return found
+        columns["as restitution"] = _as_restitution(part, name).round(4)
+    return columns
 
 
 def _as_restitution(part: pd.DataFrame, name: str) -> pd.Series:
@@ -121,34 +120,34 @@ def _as_restitution(part: pd.DataFrame, name: str) -> pd.Series:
     """
     angles = part["incident_angle"]
     if name == "spin":
-        arm = [0.4 * impact(a).radius / impact(a).before.along for a in angles]
-        return -(part["value"] - part[PARTIAL_SLIP]) * arm
-    tangents = [np.tan(np.radians(part[column])) for column in ("value", PARTIAL_SLIP)]
-    # Near the normal, the angle does not determine it.
-    share = [impact(a).restitution() / np.tan(radians(a)) if a > 1 else np.nan for a in angles]
-    return (tangents[0] - tangents[1]) * share
+        arms = [0.4 * impact(a).radius / impact(a).before.along for a in angles]
+        return -(part["value"] - part[PARTIAL_SLIP]) * arms
+    measured, slip = (np.tan(np.radians(part[column])) for column in ("value", PARTIAL_SLIP))
+    # Near the normal, the rebound angle does not determine the restitution.
+    ratios = [impact(a).restitution() / np.tan(radians(a)) if a > 1 else np.nan for a in angles]
+    return (measured - slip) * ratios
 
 
 def summary(table: pd.DataFrame) -> pd.DataFrame:
     """Return the error of each method of computation.
 
     Args:
-        table: As of `computed`.
+        table: Table of `computed`.
     """
     rows = []
-    for name, (said, bound) in QUANTITIES.items():
+    for name, (description, bound) in QUANTITIES.items():
         part = table[table["quantity"] == name]
-        for way in (PARTIAL_SLIP, SPRING, ENGINE):
-            off = (part[way] - part["value"]).abs().dropna()
+        for method in (PARTIAL_SLIP, SPRING, ENGINE):
+            error = (part[method] - part["value"]).abs().dropna()
             rows.append(
                 {
-                    "quantity": said,
-                    "computed by": way,
-                    "largest difference": float(f"{off.max():.3g}"),
-                    "at (°)": part["incident_angle"][off.idxmax()],
-                    "rms": float(f"{np.sqrt(np.mean(off**2)):.3g}"),
+                    "quantity": description,
+                    "computed by": method,
+                    "largest difference": float(f"{error.max():.3g}"),
+                    "at (°)": part["incident_angle"][error.idxmax()],
+                    "rms": float(f"{np.sqrt(np.mean(error**2)):.3g}"),
                     "bound": bound,
-                    "within the bound": f"{int((off <= bound).sum())} of {len(off)}",
+                    "within the bound": f"{int((error <= bound).sum())} of {len(error)}",
                 }
             )
     return pd.DataFrame(rows)

@@ -30,9 +30,6 @@ SENSOR_HEIGHT = 1e-3
 def budget(law: str) -> pd.DataFrame:
     """Return the change of a law's restitution [%] for each uncertainty.
 
-    Args:
-        law: Name of the law.
-
     Returns:
         A row for each uncertainty: source, change (from value to value), mean change of restitution
         over the hardnesses of `leeb_table`, and the change at the softest and the hardest. For the
@@ -40,82 +37,50 @@ def budget(law: str) -> pd.DataFrame:
     """
     usual = rebound(law)
     rows = []
-    for source, change, changed in _changes(law, usual):
-        off = 100 * (changed / usual - 1)
-        rows.append(
-            {
-                "source": source,
-                "change": change,
-                "mean (%)": off.mean(),
-                "at 80 HV (%)": off[0],
-                "at 940 HV (%)": off[-1],
-            }
-        )
-    dent = 100 / (1 + dented_steel.comparison(law).iloc[:, -1] / 100) - 100
-    rows.append(
-        {
-            "source": "large a/R",
-            "change": "law → finite elements",
-            "mean (%)": dent.mean(),
-            "at 80 HV (%)": np.nan,
-            "at 940 HV (%)": dent.iloc[-1],
-        }
-    )
-    return pd.DataFrame(rows)
+    for source, change, options in _changes():
+        effect = 100 * (rebound(law, **options) / usual - 1)
+        rows.append((source, change, effect.mean(), effect[0], effect[-1]))
+    errors = dented_steel.comparison(law)[f"{law} vs {dented_steel.FINITE_ELEMENTS} (%)"]
+    effect = 100 / (1 + errors / 100) - 100
+    rows.append(("large a/R", "law → finite elements", effect.mean(), np.nan, effect.iloc[-1]))
+    columns = ["source", "change", "mean (%)", "at 80 HV (%)", "at 940 HV (%)"]
+    return pd.DataFrame(rows, columns=columns)
 
 
-def _changes(law: str, usual: np.ndarray) -> Iterator[tuple[str, str, np.ndarray]]:
-    device = TESTERS["D"]
-    yield (
-        "strain rate",
-        f"none → C = {RATE['rate_coefficient']:g}",
-        rebound(law, **RATE),
-    )
+def _changes() -> Iterator[tuple[str, str, dict[str, object]]]:
+    """Yield source and change of each uncertainty, and the options of `rebound` that have it."""
+    device, ball = TESTERS["D"], TUNGSTEN_CARBIDE
+    yield "strain rate", f"none → C = {RATE['rate_coefficient']:g}", RATE
     for factor in CONSTRAINT_FACTORS:
-        yield (
-            "hardness/flow stress",
-            f"{CONSTRAINT_FACTOR:g} → {factor:g}",
-            rebound(law, strength_factor=CONSTRAINT_FACTOR / factor),
-        )
-    for sign in (1, -1):
-        yield (
-            "scatter of a conversion",
-            f"HV {100 * sign * CONVERSION_SCATTER:+.0f} %",
-            rebound(law, strength_factor=1 + sign * CONVERSION_SCATTER),
-        )
-    ball = TUNGSTEN_CARBIDE.youngs_modulus
+        change = f"{CONSTRAINT_FACTOR:g} → {factor:g}"
+        yield "hardness/flow stress", change, {"strength_factor": CONSTRAINT_FACTOR / factor}
+    for scatter in (CONVERSION_SCATTER, -CONVERSION_SCATTER):
+        change = f"HV {100 * scatter:+.0f} %"
+        yield "scatter of a conversion", change, {"strength_factor": 1 + scatter}
     for modulus in BALL_MODULI:
-        tester = attrs.evolve(device, ball=laws.Body(modulus, TUNGSTEN_CARBIDE.poissons_ratio))
-        yield (
-            "modulus of the ball",
-            f"{1e-9 * ball:.0f} → {1e-9 * modulus:.0f} GPa",
-            rebound(law, tester),
-        )
-    yield (
-        "speed of the body",
-        f"{device.speed:.2f} → {SPEED:.2f} m/s",
-        rebound(law, attrs.evolve(device, speed=SPEED)),
-    )
-    yield (
-        "mass of the body",
-        f"{1e3 * device.mass:.2f} → {1e3 * MASS:.2f} g",
-        rebound(law, attrs.evolve(device, mass=MASS)),
-    )
-    yield (
-        "height of the sensor",
-        f"0 → {1e3 * SENSOR_HEIGHT:g} mm",
-        rebound(law, attrs.evolve(device, sensor_height=SENSOR_HEIGHT)),
-    )
+        change = f"{1e-9 * ball.youngs_modulus:.0f} → {1e-9 * modulus:.0f} GPa"
+        tester = attrs.evolve(device, ball=laws.Body(modulus, ball.poissons_ratio))
+        yield "modulus of the ball", change, {"tester": tester}
+    for source, change, field in (
+        ("speed of the body", f"{device.speed:.2f} → {SPEED:.2f} m/s", {"speed": SPEED}),
+        ("mass of the body", f"{1e3 * device.mass:.2f} → {1e3 * MASS:.2f} g", {"mass": MASS}),
+        (
+            "height of the sensor",
+            f"0 → {1e3 * SENSOR_HEIGHT:g} mm",
+            {"sensor_height": SENSOR_HEIGHT},
+        ),
+    ):
+        yield source, change, {"tester": attrs.evolve(device, **field)}
 
 
 def with_rate(rebounds: pd.DataFrame, rated: pd.DataFrame) -> pd.DataFrame:
     """Return the mean and rms error of every law [%], without and with the strain rate.
 
     Args:
-        rebounds, rated: As of `plastigran.validation.steel.rebounds`, the second with `RATE`.
+        rebounds, rated: Tables of `steel.rebounds`, the second with `RATE`.
     """
     usual, moved = (
-        (100 * found.set_index("law")["error"]).groupby("law") for found in (rebounds, rated)
+        (100 * table.set_index("law")["error"]).groupby("law") for table in (rebounds, rated)
     )
     table = pd.DataFrame(
         {

@@ -28,12 +28,12 @@ def compare() -> pd.DataFrame:
     paper = finite_elements()
     rows = []
     for name in yielding_laws():
-        found = laws.LAWS[name](pair).central_impact(RADIUS, mass, paper["speed"].to_numpy())
+        impact = laws.LAWS[name](pair).central_impact(RADIUS, mass, paper["speed"].to_numpy())
         row: dict[str, object] = {"law": name}
-        for quantity, said in QUANTITIES.items():
-            off = 100 * (getattr(found, quantity) / paper[quantity] - 1)
-            for speed, error in zip(paper["speed"], off, strict=True):
+        for quantity, word in QUANTITIES.items():
+            errors = 100 * (getattr(impact, quantity) / paper[quantity] - 1)
+            for speed, error in zip(paper["speed"], errors, strict=True):
                 if pd.notna(error):
-                    row[f"{said}, {speed:.2f} m/s (%)"] = error
+                    row[f"{word}, {speed:.2f} m/s (%)"] = error
         rows.append(row)
     return nearest_first(rows)

@@ -37,14 +37,14 @@ def impacts(names: Iterable[str] | None = None) -> pd.DataFrame:
         for rod in paper_rods():
             law = RodImpact(name, 1.0, rod=rod).contact_law()
             for speed in PAPER_SPEEDS:
-                found = simulate(rod, law, speed)
+                outcome = simulate(rod, law, speed)
                 rows.append(
                     {
                         "law": name,
                         "angle": rod.angle,
                         "speed": speed,
-                        "restitution": found.coefficient_of_restitution,
-                        "angular_velocity": found.angular_velocity,
+                        "restitution": outcome.coefficient_of_restitution,
+                        "angular_velocity": outcome.angular_velocity,
                         "measured": PAPER_RESTITUTION[rod.angle],
                     }
                 )
@@ -55,10 +55,10 @@ def summary(impacts: pd.DataFrame) -> pd.DataFrame:
     """Return the errors of each law [%].
 
     They are the errors of restitution at either angle, and of the run whose velocities the paper
-    prints. The law with the smallest of the four comes first.
+    prints. The law with the smallest sum of the four comes first.
 
     Args:
-        impacts: As of `impacts`.
+        impacts: Table of `impacts`.
     """
     rod = next(rod for rod in paper_rods() if rod.angle == MEASURED.angle)
     rebound = MEASURED.coefficient_of_restitution(rod)
@@ -71,7 +71,7 @@ def summary(impacts: pd.DataFrame) -> pd.DataFrame:
             row[f"restitution at {angle:g}° (%)"] = fmean(error[part["angle"] == angle])
         run = part[(part["angle"] == MEASURED.angle) & (part["speed"] == speed)].iloc[0]
         row["printed run, restitution (%)"] = 100 * (run["restitution"] / rebound - 1)
-        turned = run["angular_velocity"] / MEASURED.angular_velocity
-        row["printed run, angular velocity (%)"] = 100 * (turned - 1)
+        spin = run["angular_velocity"] / MEASURED.angular_velocity
+        row["printed run, angular velocity (%)"] = 100 * (spin - 1)
         rows.append(row)
     return nearest_first(rows)

@@ -45,39 +45,41 @@ def speed_ratio(tester: ReboundTester, strength: float) -> float:
     return tester.speed / yield_speed(pair, tester.ball_radius, tester.mass)
 
 
-def rebound(law: str, tester: ReboundTester = TESTERS["D"], **steel_constants: float) -> np.ndarray:
+def rebound(
+    law: str,
+    tester: ReboundTester = TESTERS["D"],
+    strength_factor: float = 1.0,
+    **steel_constants: float,
+) -> np.ndarray:
     """Return the restitution [-] of a law for each hardness of `leeb_table`, (59,).
 
     Args:
         law: Name of the law.
         tester: Impact body.
-        steel_constants: Further constants of the steel; `strength_factor` multiplies its strength.
+        strength_factor: Factor of the steel's strength.
+        steel_constants: Further constants of the steel.
     """
-    factor = steel_constants.pop("strength_factor", 1.0)
-    strengths = factor * flow_stress(leeb_table()["HV"])
-    return np.array([_restitution(law, tester, value, steel_constants) for value in strengths])
-
-
-def _restitution(law: str, tester: ReboundTester, strength: float, constants: dict) -> float:
-    return tester.reading(law, steel(strength, **constants)) / 1000
+    strengths = strength_factor * flow_stress(leeb_table()["HV"])
+    samples = [steel(strength, **steel_constants) for strength in strengths]
+    return np.array([tester.reading(law, sample) / 1000 for sample in samples])
 
 
 def rebounds(**steel_constants: float) -> pd.DataFrame:
     """Compare every law with the steel of `leeb_table`.
 
     Args:
-        steel_constants: As of `rebound`.
+        steel_constants: As for `rebound`.
 
     Returns:
         Columns HV, HLD, speed_ratio, law, restitution and error (relative to the table).
     """
     table = leeb_table()
-    ratio = [speed_ratio(TESTERS["D"], strength) for strength in flow_stress(table["HV"])]
+    ratios = [speed_ratio(TESTERS["D"], strength) for strength in flow_stress(table["HV"])]
     parts = []
     for law in yielding_laws():
-        found = rebound(law, **steel_constants)
-        error = found / (table["HLD"].to_numpy() / 1000) - 1
-        parts.append(table.assign(speed_ratio=ratio, law=law, restitution=found, error=error))
+        restitution = rebound(law, **steel_constants)
+        part = table.assign(speed_ratio=ratios, law=law, restitution=restitution)
+        parts.append(part.assign(error=restitution / (table["HLD"] / 1000) - 1))
     return pd.concat(parts, ignore_index=True)
 
 
@@ -85,7 +87,7 @@ def summary(rebounds: pd.DataFrame) -> pd.DataFrame:
     """Return the errors of each law [%], the law with the smallest rms first.
 
     Args:
-        rebounds: As of `rebounds`.
+        rebounds: Table of `rebounds`.
     """
     rows = []
     for law, part in rebounds.groupby("law"):
@@ -124,30 +126,29 @@ def single_impacts() -> pd.DataFrame:
     for law in yielding_laws():
         row: dict[str, object] = {"law": law}
         for name, measured, tester, hardness in cases:
-            found = _restitution(law, tester, float(flow_stress(hardness)), {})
-            row[f"{name}: {measured:g} (%)"] = 100 * (found / measured - 1)
+            restitution = tester.reading(law, steel(float(flow_stress(hardness)))) / 1000
+            row[f"{name}: {measured:g} (%)"] = 100 * (restitution / measured - 1)
         rows.append(row)
     return nearest_first(rows)
 
 
 def craters() -> pd.DataFrame:
-    """Return the largest contact diameter [mm] of every law under device D, with the crater's."""
-    heads = {
-        hardness: f"{hardness:g} HV: about {1e3 * measured:.2f} mm"
-        for hardness, measured in CRATERS.items()
-    }
-    rows = []
-    for law in yielding_laws():
-        row: dict[str, object] = {"law": law}
-        for hardness, head in heads.items():
-            row[head] = round(1e3 * 2 * contact_radius(law, float(flow_stress(hardness))), 3)
-        rows.append(row)
-    return pd.DataFrame(rows)
+    """Return the largest contact diameter [mm] of every law under device D.
+
+    The head of a column contains the measured diameter of the crater.
+    """
+    table = pd.DataFrame({"law": yielding_laws()})
+    for hardness, measured in CRATERS.items():
+        strength = float(flow_stress(hardness))
+        diameters = [2e3 * contact_radius(law, strength) for law in table["law"]]
+        table[f"{hardness:g} HV: about {1e3 * measured:.2f} mm"] = np.round(diameters, 3)
+    return table
 
 
 def contact_radius(law: str, strength: float) -> float:
     """Return the largest contact radius [m] under device D on steel of a strength [Pa]."""
     tester, sample = TESTERS["D"], steel(strength)
     overlap = tester.impact(law, sample).overlap_max
-    found = laws.LAWS[law](tester.pair(sample), **dented_flat(law))
-    return found.respond(tester.ball_radius, overlap, found.State()).contact_radius
+    contact_law = laws.LAWS[law](tester.pair(sample), **dented_flat(law))
+    state = contact_law.State()
+    return contact_law.respond(tester.ball_radius, overlap, state).contact_radius

@@ -29,8 +29,13 @@ from __future__ import annotations
 
 from importlib.resources import files
 
+import numpy as np
 import pandas as pd
 
+from plastigran.calibration.expected_errors import KINDS, WIDE
+
+#: Bounds of the speed regimes, v/v_Y; a table continues them to its largest speed.
+SPEED_RATIOS = (1, 3, 10, 100, 300)
 TABLE = files("plastigran") / "data" / "finite_elements_spheres.csv"
 
 
@@ -38,3 +43,9 @@ def table() -> pd.DataFrame:
     """Read the table of the package."""
     with TABLE.open() as file:
         return pd.read_csv(file, comment="#")
+
+
+def kind(rows: pd.DataFrame) -> np.ndarray:
+    """Return one of `KINDS` for each row of the table of spheres."""
+    plastic = np.where(rows["hardening_ratio"] > 0, KINDS[1], KINDS[0])
+    return np.where(rows["contact_radius_over_radius"] >= WIDE, KINDS[2], plastic)

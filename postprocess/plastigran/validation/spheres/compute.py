@@ -3,8 +3,8 @@
 
     python -m plastigran.validation.spheres.compute [metal ...]
 
-Metals in the cache are not computed again; another takes a minute or two. With names of metals, the
-table contains only these.
+Metals in the cache are not computed again; any other takes a minute or two. With names of metals,
+the table contains only these.
 """
 
 from __future__ import annotations
@@ -30,16 +30,11 @@ SETTINGS = Settings(growth=1.04, unloading_steps=10)
 
 def compute(metal: SphereMetal, settings: Settings = SETTINGS) -> pd.DataFrame:
     """Return the rows of one metal, from the cache if they are there."""
-    found = cached(
-        press_and_release,
-        metal.material,
-        RADIUS,
-        tuple(float(force) for force in metal.forces),
-        settings=settings,
-    )
-    if found.stopped:
-        print(f"{metal.name}: {found.stopped}", file=sys.stderr)
-    return rows(metal, found)
+    forces = tuple(float(force) for force in metal.forces)
+    pressing = cached(press_and_release, metal.material, RADIUS, forces, settings=settings)
+    if pressing.stopped:
+        print(f"{metal.name}: {pressing.stopped}", file=sys.stderr)
+    return rows(metal, pressing)
 
 
 def rows(metal: SphereMetal, pressing: Pressing) -> pd.DataFrame:
@@ -47,7 +42,7 @@ def rows(metal: SphereMetal, pressing: Pressing) -> pd.DataFrame:
     sphere = metal.sphere
     force, overlap = sphere.yield_force, sphere.approach(sphere.yield_force)
     radius = sphere.contact_radius(force)
-    found = pressing.unloadings
+    unloadings = pressing.unloadings
     return pd.DataFrame(
         {
             "metal": metal.name,
@@ -56,15 +51,15 @@ def rows(metal: SphereMetal, pressing: Pressing) -> pd.DataFrame:
             "poissons_ratio": metal.poissons_ratio,
             "hardening_ratio": metal.hardening_ratio,
             "strain": metal.strain,
-            "force_ratio": found["force"] / force,
-            "speed_ratio": np.sqrt(found["work_loading"] / (0.4 * force * overlap)),
-            "coefficient_of_restitution": found["coefficient_of_restitution"],
-            "overlap_ratio": found["approach"] / overlap,
-            "overlap_res_ratio": found["residual_approach"] / overlap,
-            "contact_radius_ratio": found["contact_radius"] / radius,
-            "work_loading_ratio": found["work_loading"] / (force * overlap),
-            "work_unloading_ratio": found["work_unloading"] / (force * overlap),
-            "contact_radius_over_radius": found["contact_radius"] / pressing.radius,
+            "force_ratio": unloadings["force"] / force,
+            "speed_ratio": np.sqrt(unloadings["work_loading"] / (0.4 * force * overlap)),
+            "coefficient_of_restitution": unloadings["coefficient_of_restitution"],
+            "overlap_ratio": unloadings["approach"] / overlap,
+            "overlap_res_ratio": unloadings["residual_approach"] / overlap,
+            "contact_radius_ratio": unloadings["contact_radius"] / radius,
+            "work_loading_ratio": unloadings["work_loading"] / (force * overlap),
+            "work_unloading_ratio": unloadings["work_unloading"] / (force * overlap),
+            "contact_radius_over_radius": unloadings["contact_radius"] / pressing.radius,
         }
     )
 
@@ -73,10 +68,9 @@ def main(names: Sequence[str]) -> None:
     """Compute metals by name, or all of them, and write a table of only these."""
     warnings.simplefilter("ignore", SmallStrainWarning)
     tables = []
-    for metal in METALS:
-        if not names or metal.name in names:
-            tables.append(compute(metal))
-            print(f"{metal.name}: {len(tables[-1])} releases", flush=True)
+    for name in names or METALS:
+        tables.append(compute(METALS[name]))
+        print(f"{name}: {len(tables[-1])} unloadings", flush=True)
     pd.concat(tables).to_csv(TABLE, index=False, float_format="%.6g", lineterminator="\n")
 
 

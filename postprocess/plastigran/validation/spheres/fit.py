@@ -18,14 +18,13 @@ import numpy as np
 import pandas as pd
 from scipy.optimize import least_squares
 
-from plastigran.validation.spheres import table
+from plastigran.validation.spheres import SPEED_RATIOS, kind, table
 from plastigran.validation.spheres.forms import Constants, Metals, errors, peak
-from plastigran.validation.spheres.regimes import SPEED_RATIOS, kind
 
-#: Relative scales of the differences, near the uncertainty of the finite elements.
+#: Scales of the relative differences, near the uncertainty of the finite elements.
 FORCE, CONTACT_RADIUS, WORK_UNLOADING, RECOVERY = 0.002, 0.006, 0.004, 0.008
 #: Smallest force, in yield units, with enough elements in the contact for its radius.
-LEAST_FORCE = 8.0
+SMALLEST_FORCE = 8.0
 DIGITS = 4
 
 #: Bounds of the speed regimes, v/v_Y, for which the largest errors are stated.
@@ -38,7 +37,7 @@ def fit(rows: pd.DataFrame) -> Constants:
     metals, t = Metals.of(rows), np.sqrt(rows["overlap_ratio"].to_numpy())
     names = [field.name for field in attrs.fields(Constants)]
     start = np.array(attrs.astuple(Constants()))
-    wide_enough = rows["force_ratio"].to_numpy() >= LEAST_FORCE
+    resolved = rows["force_ratio"].to_numpy() >= SMALLEST_FORCE
     measured = [
         rows["force_ratio"],
         rows["contact_radius_ratio"],
@@ -49,15 +48,15 @@ def fit(rows: pd.DataFrame) -> Constants:
     scale = np.array([FORCE, CONTACT_RADIUS, RECOVERY, WORK_UNLOADING])
 
     def residuals(values: np.ndarray) -> np.ndarray:
-        found = peak(Constants(*values), metals, t)
-        off = (np.log(attrs.astuple(found)) - measured) / scale[:, None]
-        off[1] *= wide_enough
-        return off.ravel()
+        computed = peak(Constants(*values), metals, t)
+        error = (np.log(attrs.astuple(computed)) - measured) / scale[:, None]
+        error[1] *= resolved
+        return error.ravel()
 
-    found = least_squares(
+    solution = least_squares(
         residuals, start, loss="soft_l1", x_scale=start, ftol=1e-12, xtol=1e-12, max_nfev=5000
     )
-    rounded = {name: float(f"{x:.{DIGITS}g}") for name, x in zip(names, found.x, strict=True)}
+    rounded = {name: float(f"{x:.{DIGITS}g}") for name, x in zip(names, solution.x, strict=True)}
     return Constants(**rounded)
 
 
@@ -70,9 +69,9 @@ def regimes(rows: pd.DataFrame) -> pd.DataFrame:
 
 def bands(constants: Constants, rows: pd.DataFrame) -> pd.DataFrame:
     """Return the largest errors [%] by set, kind of contact and speed regime."""
-    off = errors(constants, rows).abs()
+    error = errors(constants, rows).abs()
     where = [rows["set"], *(column for _, column in regimes(rows).items())]
-    return off.groupby(where, observed=True, sort=True).max()
+    return error.groupby(where, observed=True, sort=True).max()
 
 
 def main(arguments: list[str]) -> None:

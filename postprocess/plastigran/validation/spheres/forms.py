@@ -25,7 +25,7 @@ class Constants:
     """Constants of the law, with the starting values of the fit.
 
     Attributes:
-        q_1: Strength: depth at which the pressure at yield stops mattering.
+        q_1: Strength: depth from which the pressure at yield has no effect.
         q_2: Strength: effect of hardening.
         q_3: Strength: saturation of that effect.
         f_1: Force far from yield: 1/f_1 F_Y t^2.
@@ -122,14 +122,14 @@ def depth(constants: Constants, metals: Metals, t: np.ndarray) -> np.ndarray:
 def peak(constants: Constants, metals: Metals, t: np.ndarray) -> Peak:
     """Return force, contact radius, recovery and released energy at t >= 1 (n,)."""
     k, s = constants, depth(constants, metals, t)
-    wide = (metals.yield_radius * s) ** 2 / (1 + metals.yield_radius * s)
+    finite = (metals.yield_radius * s) ** 2 / (1 + metals.yield_radius * s)
     softening = k.f_1 * s**2 * (s + k.f_2) / ((s + k.f_3) * (s + k.f_4))
-    force = t**3 / (1 + softening * (1 + k.f_5 * wide))
+    force = t**3 / (1 + softening * (1 + k.f_5 * finite))
     widening = k.c_1 * s**2 / ((1 + k.c_4 * metals.hardening) * s**2 + k.c_2 * s + k.c_3)
-    contact_radius = t * np.sqrt(1 + widening) * (1 + k.c_5 * wide)
-    lacking = k.d_1 * s**2 / (s**2 + k.d_2 * s + k.d_3)
-    recovery = (1 - lacking) * force / contact_radius
-    work = force * recovery * unloading_work(k.g_1 * lacking)
+    contact_radius = t * np.sqrt(1 + widening) * (1 + k.c_5 * finite)
+    deficit = k.d_1 * s**2 / (s**2 + k.d_2 * s + k.d_3)
+    recovery = (1 - deficit) * force / contact_radius
+    work = force * recovery * unloading_work(k.g_1 * deficit)
     return Peak(force, contact_radius, recovery, work)
 
 
@@ -147,7 +147,7 @@ def work_ratio(work_unloading, force, contact_radius):
     return work_unloading * contact_radius / (0.4 * force**2)
 
 
-def virgin_work(constants: Constants, metals: Metals, t: np.ndarray) -> np.ndarray:
+def first_loading_work(constants: Constants, metals: Metals, t: np.ndarray) -> np.ndarray:
     """Return the loading work / (F_Y overlap_Y) at each t of an increasing grid from 1 (n,).
 
     Gauss quadrature between the points of the grid.
@@ -170,16 +170,16 @@ def errors(constants: Constants, table: pd.DataFrame) -> pd.DataFrame:
         metals = Metals.of(rows.iloc[:1])
         grid = np.linspace(1, 1.2 * np.sqrt(rows["overlap_ratio"].max()), 2000)
         work = rows["work_loading_ratio"].to_numpy()
-        impact = peak(
-            constants, metals, np.interp(work, virgin_work(constants, metals, grid), grid)
-        )
-        pressed = peak(constants, metals, np.sqrt(rows["overlap_ratio"].to_numpy()))
-        found = {
+        t = np.interp(work, first_loading_work(constants, metals, grid), grid)
+        impact = peak(constants, metals, t)
+        restitution = np.sqrt(impact.work_unloading / work)
+        static = peak(constants, metals, np.sqrt(rows["overlap_ratio"].to_numpy()))
+        recovery = rows["overlap_ratio"] - rows["overlap_res_ratio"]
+        ratios = {
             "force": impact.force / rows["force_ratio"],
-            "restitution": np.sqrt(impact.work_unloading / work)
-            / rows["coefficient_of_restitution"],
-            "contact_radius": pressed.contact_radius / rows["contact_radius_ratio"],
-            "recovery": pressed.recovery / (rows["overlap_ratio"] - rows["overlap_res_ratio"]),
+            "restitution": restitution / rows["coefficient_of_restitution"],
+            "contact_radius": static.contact_radius / rows["contact_radius_ratio"],
+            "recovery": static.recovery / recovery,
         }
-        parts.append(pd.DataFrame({name: 100 * (ratio - 1) for name, ratio in found.items()}))
+        parts.append(100 * (pd.DataFrame(ratios) - 1))
     return pd.concat(parts)

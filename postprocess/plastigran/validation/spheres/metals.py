@@ -5,11 +5,14 @@ from __future__ import annotations
 
 import attrs
 import numpy as np
+import pandas as pd
 
+from plastigran import laws
 from plastigran.fem.limits import SMALL_STRAIN, contact_reach
 from plastigran.fem.material.elastic_plastic import ElasticPlastic
 from plastigran.fem.material.hardening import LinearHardening
 from plastigran.fem.theory.hertz import HertzSphere
+from plastigran.materials import RIGID
 
 #: Constants of every sphere [Pa, m]; ratios depend on neither.
 PLANE_MODULUS, RADIUS = 100e9, 0.01
@@ -29,7 +32,7 @@ class SphereMetal:
         held: Whether it is held out of the fit.
         force_ratio_max: Largest force in yield units.
         strain: Kinematics, "small" or "finite".
-        widest: Largest a/R of the computation.
+        contact_radius_ratio_max: Largest a/R of the computation.
     """
 
     yield_strength_ratio: float
@@ -38,7 +41,12 @@ class SphereMetal:
     held: bool = False
     force_ratio_max: float = 900.0
     strain: str = "small"
-    widest: float = SMALL_STRAIN
+    contact_radius_ratio_max: float = SMALL_STRAIN
+
+    @classmethod
+    def of(cls, row: pd.Series) -> SphereMetal:
+        """Return the metal of a row of the table."""
+        return cls(row["yield_strength_ratio"], row["poissons_ratio"], row["hardening_ratio"])
 
     @property
     def name(self) -> str:
@@ -48,17 +56,39 @@ class SphereMetal:
         return f"s{self.yield_strength_ratio:g}-nu{self.poissons_ratio:g}-{hardening}{finite}"
 
     @property
+    def youngs_modulus(self) -> float:
+        """Young's modulus, Pa."""
+        return PLANE_MODULUS * (1 - self.poissons_ratio**2)
+
+    @property
+    def yield_strength(self) -> float:
+        """Yield strength, Pa."""
+        return self.yield_strength_ratio * PLANE_MODULUS
+
+    @property
     def material(self) -> ElasticPlastic:
         """Material for the finite elements."""
-        youngs_modulus = PLANE_MODULUS * (1 - self.poissons_ratio**2)
         return ElasticPlastic(
-            youngs_modulus=youngs_modulus,
+            youngs_modulus=self.youngs_modulus,
             poissons_ratio=self.poissons_ratio,
             density=7800.0,
             hardening=LinearHardening(
-                self.yield_strength_ratio * PLANE_MODULUS, self.hardening_ratio * youngs_modulus
+                self.yield_strength, self.hardening_ratio * self.youngs_modulus
             ),
         )
+
+    @property
+    def pair(self) -> laws.MaterialPair:
+        """The metal on a rigid plane, for the laws."""
+        # E_t = E H/(E + H)
+        tangent_modulus = self.youngs_modulus * self.hardening_ratio / (1 + self.hardening_ratio)
+        body = laws.Body(
+            self.youngs_modulus,
+            self.poissons_ratio,
+            self.yield_strength,
+            tangent_modulus=tangent_modulus,
+        )
+        return laws.combine(body, RIGID)
 
     @property
     def sphere(self) -> HertzSphere:
@@ -67,17 +97,17 @@ class SphereMetal:
 
     @property
     def forces(self) -> np.ndarray:
-        """Largest forces, N, up to `force_ratio_max` and `widest`."""
+        """Largest forces, N, up to `force_ratio_max` and `contact_radius_ratio_max`."""
         sphere = self.sphere
         forces = sphere.yield_force * np.array(FORCE_RATIOS)
-        reach = np.array([contact_reach(sphere, force) for force in forces])
-        asked = np.array(FORCE_RATIOS) <= self.force_ratio_max
-        return forces[asked & (reach <= self.widest * RADIUS)]
+        contact_radii = np.array([contact_reach(sphere, force) for force in forces])
+        allowed = contact_radii <= self.contact_radius_ratio_max * RADIUS
+        return forces[allowed & (np.array(FORCE_RATIOS) <= self.force_ratio_max)]
 
 
-#: Metals in the order of the computation. The held-out ones were chosen before any fit: their
-#: strengths, Poisson's ratios and hardening slopes lie between those of the fit.
-METALS = (
+#: The held-out metals were chosen before any fit: their strengths, Poisson's ratios and hardening
+#: slopes lie between those of the fit.
+_METALS = (
     SphereMetal(1.2e-3),
     SphereMetal(8e-4, 0.35, held=True),
     SphereMetal(1.2e-3, 0.3, 1 / 20),
@@ -104,6 +134,8 @@ METALS = (
     SphereMetal(1e-3, 0.3, 1 / 100, held=True, force_ratio_max=2700.0),
     SphereMetal(6e-4, 0.45, 1 / 20),
     SphereMetal(3e-4, 0.45, force_ratio_max=2700.0),
-    SphereMetal(5e-3, held=True, strain="finite", widest=0.16),
-    SphereMetal(2.5e-3, 0.3, 1 / 30, held=True, strain="finite", widest=0.16),
+    SphereMetal(5e-3, held=True, strain="finite", contact_radius_ratio_max=0.16),
+    SphereMetal(2.5e-3, 0.3, 1 / 30, held=True, strain="finite", contact_radius_ratio_max=0.16),
 )
+#: Metals by name, in the order of the computation.
+METALS = {metal.name: metal for metal in _METALS}

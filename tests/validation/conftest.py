@@ -1,0 +1,14 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""The comparison of every law with the finite elements of spheres, computed once."""
+
+from __future__ import annotations
+
+import pandas as pd
+import pytest
+
+from plastigran.validation import laws_on_spheres
+
+
+@pytest.fixture(scope="session")
+def compared() -> pd.DataFrame:
+    return laws_on_spheres.compare()
