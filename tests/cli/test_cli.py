@@ -213,7 +213,7 @@ def test_numbers_out_of_range_are_named(value, capsys):
 def test_missing_engine_is_named(tmp_path, monkeypatch, capsys):
     monkeypatch.setenv("PLASTIGRAN_ENGINE", str(tmp_path / "none"))
     assert main(["impact", "--speed", "0.1", "--output", str(tmp_path / "out")]) == 1
-    assert "no engine at" in capsys.readouterr().err
+    assert "LIGGGHTS is not at" in capsys.readouterr().err
 
 
 def test_console_script():

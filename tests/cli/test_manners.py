@@ -231,7 +231,7 @@ def test_doctor_says_what_lacks(tmp_path, monkeypatch, capsys):
     assert main(["doctor"]) == 1
     said = capsys.readouterr()
     assert (
-        f"lacks   engine      no engine at {tmp_path / 'none'}. Run `./run setup` to build it"
+        f"lacks   engine      LIGGGHTS is not at {tmp_path / 'none'}. Run `./run setup` to build it"
         in said.out
     )
     assert "failed check: engine. Apply the remedy" in said.err

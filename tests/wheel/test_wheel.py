@@ -145,12 +145,12 @@ def test_an_engine_command_says_in_a_line_what_to_install(run, line):
     done = run("plastigran", *line.split())
     assert done.returncode == 1
     assert done.stderr.count("\n") == 1, done.stderr
-    assert "engine" in done.stderr
+    assert "LIGGGHTS" in done.stderr
     assert "./run setup" in done.stderr + done.stdout
 
 
 def test_what_a_notebook_does(run, tmp_path):
     done = run("python", "-c", NOTEBOOK)
     assert done.returncode == 0, done.stderr
-    assert "no engine: liggghts-plastigran is not on PATH" in done.stdout
+    assert "LIGGGHTS is missing: liggghts-plastigran is not on PATH" in done.stdout
     assert (tmp_path / "path.png").exists()

@@ -39,18 +39,14 @@ def commands(script: Path) -> Iterator[str]:
 
 def index_variable(command: str) -> tuple[str, str] | None:
     """Return name and value of a `variable NAME index VALUE` command; None for others."""
-    if found := _SETTING.match(command):
-        name, quoted, plain = found.groups()
+    if match := _SETTING.match(command):
+        name, quoted, plain = match.groups()
         return name, quoted or plain or ""
     return None
 
 
 def index_variables(deck: str | Path) -> dict[str, str]:
-    """Return the values of a script's own `variable NAME index VALUE` lines, as text.
-
-    Args:
-        deck: Path of the input script.
-    """
+    """Return the values of a script's own `variable NAME index VALUE` lines, as text."""
     values: dict[str, str] = {}
     for name, value in index_lines(deck):
         values.setdefault(name, value)  # LIGGGHTS keeps the first value, too
@@ -91,8 +87,8 @@ class DeckSource:
         """Copy the files into a folder and return the copied script.
 
         Files keep their place in the inputs or below the folder of the script. Other files are
-        copied by
-        name, with a number if the name is taken. Run the copy with `folder` as its inputs.
+        copied by name, with a number if the name is taken. Run the copy with `folder` as its
+        inputs.
         """
         copied: dict[Path, Path] = {}
         for file in self.files:
@@ -120,23 +116,20 @@ def _with_values(text: str, settings: Mapping[str, str]) -> str:
     return _REFERENCE.sub(lambda m: settings.get(m[1], m[0]), text)
 
 
-def _choice(include: str, settings: Mapping[str, str], deck: Path) -> str:
+def _possible_values(include: str, settings: Mapping[str, str], deck: Path) -> str:
     """Return the possible values of a setting that names an include, in words; else ""."""
     names = [name for name in _REFERENCE.findall(include) if name not in ("inputs", "materials")]
     if len(names) != 1 or names[0] not in settings:
         return ""
-    others = {key: value for key, value in settings.items() if key != names[0]}
-    before, after = _with_values(include, others).split(f"${{{names[0]}}}", 1)
-    start = deck.parent / before  # a folder, or the first letters of a name
-    begins = "" if before.endswith("/") else start.name
-    folder = start if before.endswith("/") else start.parent
-    known = (file.name for file in folder.glob(f"{begins}*{after}"))
-    words = sorted(name[len(begins) : len(name) - len(after)] for name in known)
-    return (
-        f"; {names[0]} is {settings[names[0]]!r}, possible values are {', '.join(words)}"
-        if words
-        else ""
-    )
+    (name,) = names
+    others = {key: value for key, value in settings.items() if key != name}
+    before, after = _with_values(include, others).split(f"${{{name}}}", 1)
+    folder, prefix = os.path.split(os.path.join(deck.parent, before))
+    files = (file.name for file in Path(folder).glob(f"{prefix}*{after}"))
+    words = sorted(file.removeprefix(prefix).removesuffix(after) for file in files)
+    if not words:
+        return ""
+    return f"; {name} is {settings[name]!r}, possible values are {', '.join(words)}"
 
 
 def deck_names() -> list[str]:
@@ -165,9 +158,9 @@ def find_deck(deck: str | Path) -> Path:
         EngineError: There is no such deck; the message lists those of `inputs/bulk`.
     """
     given = str(deck)
-    shipped = inputs_folder() / "bulk" / f"{given}.in"
     is_path = os.sep in given or given.endswith(".in")
-    for path in (Path(deck),) if is_path else (shipped, Path(deck)):
+    supplied = [] if is_path else [inputs_folder() / "bulk" / f"{given}.in"]
+    for path in (*supplied, Path(deck)):
         if path.is_file():
             return path.resolve()
     if is_path:
@@ -197,12 +190,12 @@ def read_deck(deck: str | Path, values: Mapping[str, object], folder: Path) -> D
     references: set[str] = set()
     defined: set[str] = set()
 
-    def take_in(file: Path, included_by: str, choice: str = "") -> None:
+    def read(file: Path, included_by: str, hint: str = "") -> None:
         """Collect the settings and files of a script and its includes, in the order of LIGGGHTS."""
         if not file.is_file():
-            shipped = inputs_folder() / file.name
-            remedy = f". Write `include ${{inputs}}/{file.name}`" if shipped.is_file() else choice
-            raise EngineError(f"{included_by} includes {file}, which does not exist{remedy}")
+            if (inputs_folder() / file.name).is_file():
+                hint = f". Write `include ${{inputs}}/{file.name}`"
+            raise EngineError(f"{included_by} includes {file}, which does not exist{hint}")
         if len(files) > MOST_FILES:
             raise EngineError(
                 f"{included_by} includes {file}, and so on. Check whether a file includes itself"
@@ -214,20 +207,22 @@ def read_deck(deck: str | Path, values: Mapping[str, object], folder: Path) -> D
             if setting := index_variable(command):
                 name, value = setting
                 settings.setdefault(name, given.get(name, _with_values(value, settings)))
-            elif found := _INCLUDE.match(command):
-                if not _REFERENCE.search(included := _with_values(found[1], settings)):
-                    take_in(path.parent / included, file.name, _choice(found[1], settings, path))
+            elif include := _INCLUDE.match(command):
+                name = _with_values(include[1], settings)
+                if not _REFERENCE.search(name):
+                    hint = _possible_values(include[1], settings, path)
+                    read(path.parent / name, file.name, hint)
             else:
-                named = (word for word in command.split() if "${inputs}" in word)
-                read = [path.parent / _with_values(word, settings) for word in named]
-                if found := _MESH.search(command):
-                    read.append(path.parent / _with_values(found[1], settings))
-                files.extend(file for file in read if file.is_file())
+                names = [word for word in command.split() if "${inputs}" in word]
+                if mesh := _MESH.search(command):
+                    names.append(mesh[1])
+                others = (path.parent / _with_values(name, settings) for name in names)
+                files.extend(other for other in others if other.is_file())
 
-    take_in(path, "")
+    read(path, "")
     references -= defined
     if unknown := sorted(set(given) - set(settings) - references - {"inputs", "output"}):
         none = "has none. A setting is a line `variable NAME index VALUE`"
-        known = f"takes {' '.join(settings)}" if settings else none
-        raise ValueError(f"{path.name} has no setting {unknown[0]!r}; it {known}")
+        possible = f"takes {' '.join(settings)}" if settings else none
+        raise ValueError(f"{path.name} has no setting {unknown[0]!r}; it {possible}")
     return DeckSource(path, files, settings, frozenset(references))

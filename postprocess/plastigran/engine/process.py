@@ -49,22 +49,19 @@ def inputs_folder() -> Path:
 
 def engine_path() -> Path:
     """Return the launcher: $PLASTIGRAN_ENGINE, the project's build, or the first on PATH."""
-    if named := os.environ.get("PLASTIGRAN_ENGINE"):
-        candidates = [Path(named).absolute()]
-    else:
-        candidates = [PROJECT / "build" / "liggghts-plastigran"]
-        if found := shutil.which("liggghts-plastigran"):
-            candidates.append(Path(found))
-    for path in candidates:
-        if os.access(path, os.X_OK):
-            return path
+    named = os.environ.get("PLASTIGRAN_ENGINE")
+    path = Path(named).absolute() if named else PROJECT / "build" / "liggghts-plastigran"
+    if os.access(path, os.X_OK):
+        return path
+    if not named and (installed := shutil.which("liggghts-plastigran")):
+        return Path(installed)
     if named or (PROJECT / "run").is_file():
         raise EngineError(
-            f"no engine at {candidates[0]}. Run `./run setup` to build it, or set PLASTIGRAN_ENGINE"
+            f"LIGGGHTS is not at {path}. Run `./run setup` to build it, or set PLASTIGRAN_ENGINE"
         )
     raise EngineError(
-        "no engine: liggghts-plastigran is not on PATH. Run `./run setup` in the project's "
-        "source tree and set PLASTIGRAN_ENGINE to its build/liggghts-plastigran"
+        "LIGGGHTS is missing: liggghts-plastigran is not on PATH. Run `./run setup` in the "
+        "project's source tree and set PLASTIGRAN_ENGINE to its build/liggghts-plastigran"
     )
 
 
@@ -78,11 +75,11 @@ def command(
 
     Do not add `-screen none`: the mesh reader of LIGGGHTS then writes to a null file and crashes.
     """
-    line, links = _command(deck, variables, folder, ranks)
+    words, links = _command(deck, variables, folder, ranks)
     for link, target in links.items():
         link.unlink(missing_ok=True)
         link.symlink_to(target)
-    return line
+    return words
 
 
 def typed_command(
@@ -93,21 +90,21 @@ def typed_command(
     ranks: int = 1,
 ) -> str:
     """Return shell commands equivalent to `command`, with folders and links; create nothing."""
-    line, links = _command(deck, variables, folder, ranks)
+    words, links = _command(deck, variables, folder, ranks)
     steps = [["mkdir", "-p", folder]]
     steps += [["ln", "-sfn", target, link] for link, target in links.items()]
     steps += [["cd", working_folder]]
-    return f"{' && '.join(join(map(str, step)) for step in steps)}\n{join(line)}"
+    return f"{' && '.join(join(map(str, step)) for step in steps)}\n{join(words)}"
 
 
 def _command(
     deck: str | Path, variables: Mapping[str, object], folder: Path, ranks: int
 ) -> tuple[list[str], dict[Path, Path]]:
     """Return the words of a command line, and the links that it needs with their targets."""
-    line = [str(engine_path()), "-in", str(deck), "-log", str(folder / LOG)]
-    settings = {"inputs": inputs_folder(), "output": folder, **variables}
+    words = ["mpirun", "--oversubscribe", "-np", str(ranks)] if ranks > 1 else []
+    words += [str(engine_path()), "-in", str(deck), "-log", str(folder / LOG)]
     links = {}
-    for name, value in settings.items():
+    for name, value in {"inputs": inputs_folder(), "output": folder, **variables}.items():
         if value is None:
             continue
         text = repr(float(value)) if isinstance(value, float) else str(value)
@@ -116,10 +113,8 @@ def _command(
         elif misread(text) and Path(text).is_absolute() and Path(text).exists():
             links[folder / f".{name}"] = Path(text)
             text = f".{name}" if misread(str(folder)) else str(folder / f".{name}")
-        line += ["-var", name, text]
-    if ranks > 1:
-        line = ["mpirun", "--oversubscribe", "-np", str(ranks), *line]
-    return line, links
+        words += ["-var", name, text]
+    return words, links
 
 
 def misread(path: str) -> bool:
@@ -134,13 +129,10 @@ def environment() -> dict[str, str]:
     """Return the environment for mpirun, with the permission to run as root.
 
     Ranks that outnumber the cores yield while they wait. OMPI_MCA_mpi_yield_when_idle=1 makes all
-    ranks
-    yield. This is best on a busy machine; on an idle machine ranks are faster without it.
+    ranks yield. This is best on a busy machine; on an idle machine ranks are faster without it.
     """
-    extra = {}
-    if os.geteuid() == 0:
-        extra = {"OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1"}
-    return {**extra, **os.environ}
+    permission = {"OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1"}
+    return (permission if os.geteuid() == 0 else {}) | os.environ
 
 
 def run_deck(
@@ -157,8 +149,7 @@ def run_deck(
     """Run a deck to its end.
 
     LIGGGHTS never outlives this function: an error, Ctrl-C or the time-out stops it with all its
-    ranks,
-    and it is asked to stop if Python is killed. Files written so far stay.
+    ranks, and it is asked to stop if Python is killed. Files written so far stay.
 
     Args:
         deck: Path of the input script, absolute or relative to `inputs_folder()`.
@@ -185,50 +176,50 @@ def run_deck(
     deck = inputs_folder() / deck
     if not deck.is_file():
         raise EngineError(f"no deck {deck}")
-    line = command(deck, variables, folder, ranks)
+    words = command(deck, variables, folder, ranks)
     # Write the screen output to a file: with a pipe, a helper process of MPI that outlives LIGGGHTS
     # would block this process. Start a session of its own, so that the terminal's Ctrl-C reaches
     # LIGGGHTS only once, from here.
-    log, said = folder / LOG, folder / "screen.txt"
+    log, screen = folder / LOG, folder / "screen.txt"
     with (
-        open(said, "w") as screen,
+        open(screen, "w") as output,
         closing(RunBar(deck.stem, log, progress, planned)) as bar,
     ):
-        engine = subprocess.Popen(
-            ["setpriv", "--pdeathsig", "TERM", *line],
+        process = subprocess.Popen(
+            ["setpriv", "--pdeathsig", "TERM", *words],
             cwd=working_folder or folder,
             env=environment(),
             stdin=subprocess.DEVNULL,
-            stdout=screen,
+            stdout=output,
             stderr=subprocess.STDOUT,
             start_new_session=True,
         )
         try:
-            returncode = _wait(engine, timeout, bar, meanwhile)
+            returncode = _wait(process, timeout, bar, meanwhile)
         except subprocess.TimeoutExpired:
             raise EngineStopped(f"{deck.name}: stopped after {timeout:g} s") from None
         finally:
-            _stop(engine, folder)
+            _stop(process, folder)
     text = log.read_text(errors="replace") if log.exists() else ""
     if returncode:
-        whole = text[: text.rfind("\n") + 1]  # LIGGGHTS may stop in the middle of a line
-        reason = _reason(returncode, whole + said.read_text(errors="replace"))
-        raise EngineStopped(f"{deck.name}: {reason} (log: {log if text else said})")
+        complete = text[: text.rfind("\n") + 1]  # LIGGGHTS may stop in the middle of a line
+        reason = _reason(returncode, complete + screen.read_text(errors="replace"))
+        raise EngineStopped(f"{deck.name}: {reason} (log: {log if text else screen})")
     return text
 
 
 def engines(folder: Path) -> list[int]:
     """Return the process IDs of mpirun and LIGGGHTS that work for a folder on this machine."""
-    log, found = str(folder / LOG).encode(), []
+    log, numbers = str(folder / LOG).encode(), []
     for process in Path("/proc").glob("[0-9]*"):
         with suppress(OSError):  # the process has ended
             if log in (process / "cmdline").read_bytes().split(b"\0"):
-                found.append(int(process.name))
-    return found
+                numbers.append(int(process.name))
+    return numbers
 
 
 def _wait(
-    engine: subprocess.Popen,
+    process: subprocess.Popen,
     timeout: float | None,
     bar: RunBar,
     meanwhile: Callable[[], None],
@@ -239,46 +230,45 @@ def _wait(
         subprocess.TimeoutExpired: It has not ended in time.
     """
     started, ended = monotonic(), select.poll()
-    process = os.pidfd_open(engine.pid)
+    descriptor = os.pidfd_open(process.pid)
     try:
-        ended.register(process, select.POLLIN)
+        ended.register(descriptor, select.POLLIN)
         while not ended.poll(1000 * INTERVAL):
             bar.update()
             meanwhile()
             if timeout is not None and monotonic() - started > timeout:
-                raise subprocess.TimeoutExpired(engine.args, timeout)
+                raise subprocess.TimeoutExpired(process.args, timeout)
     finally:
-        os.close(process)
+        os.close(descriptor)
     bar.update()
-    return engine.wait()
+    return process.wait()
 
 
-def _stop(engine: subprocess.Popen, folder: Path) -> None:
+def _stop(process: subprocess.Popen, folder: Path) -> None:
     """Ask LIGGGHTS or mpirun, and thus every rank, to stop; kill them after `GRACE`."""
-    if engine.poll() is not None:
+    if process.poll() is not None:
         return
-    engine.terminate()
+    process.terminate()
     try:
-        engine.wait(GRACE)
+        process.wait(GRACE)
     except subprocess.TimeoutExpired:
         pass
-    finally:
-        if engine.poll() is None:
-            for process in engines(folder):
+    finally:  # also after a second Ctrl-C
+        if process.poll() is None:
+            for number in engines(folder):
                 with suppress(ProcessLookupError):
-                    os.kill(process, signal.SIGKILL)
-            engine.wait()
+                    os.kill(number, signal.SIGKILL)
+            process.wait()
 
 
-def _reason(returncode: int, said: str) -> str:
+def _reason(returncode: int, output: str) -> str:
     """Return why a run ended, from its exit code, log and screen output, including warnings."""
-    if error := find_error(said):
+    if error := find_error(output):
         # The first warnings, before any step, often show the cause; the last is the latest.
-        found = find_warnings(said)
-        warned = [*found[:2], *found[2:][-1:]]
-        return f"{error}; it had warned: {'; '.join(warned)}" if warned else error
-    # as mpirun reports the signal of a rank
-    killer = -returncode if returncode < 0 else returncode - 128
-    if killer in set(signal.Signals):
-        return f"LIGGGHTS was ended by {signal.Signals(killer).name}"
-    return (said.strip().splitlines() or ["no output"])[-1]
+        first, last = find_warnings(output)[:2], find_warnings(output)[2:][-1:]
+        return f"{error}; it had warned: {'; '.join(first + last)}" if first else error
+    # mpirun adds 128 to the number of the signal
+    number = -returncode if returncode < 0 else returncode - 128
+    if number in set(signal.Signals):
+        return f"LIGGGHTS was ended by {signal.Signals(number).name}"
+    return (output.strip().splitlines() or ["no output"])[-1]

@@ -17,7 +17,7 @@ def versions() -> dict[str, str]:
     """
     plugin = engine_path().parent / "libplastigran.so"
     if not plugin.exists():
-        said = f"none beside {engine_path()}"
+        identity = f"none beside {engine_path()}"
     else:
-        said = f"{plugin.name} sha256 {hashlib.sha256(plugin.read_bytes()).hexdigest()}"
-    return {"plastigran": version("plastigran"), "plugin": said}
+        identity = f"{plugin.name} sha256 {hashlib.sha256(plugin.read_bytes()).hexdigest()}"
+    return {"plastigran": version("plastigran"), "plugin": identity}

@@ -29,18 +29,18 @@ class RunBar:
         """Read the new lines of the log."""
         if self._bar.disable:
             return
-        before = self._follower.progress.run
+        earlier_run = self._follower.progress.run
         now = self._follower.read()
         if not now.run:
             return
-        said = [f"run {now.run}"] if now.run > 1 else []
+        details = [f"run {now.run}"] if now.run > 1 else []
         if now.timestep:
-            said.append(f"t = {now.step * now.timestep:.3g} s")
-        self._bar.set_postfix_str(", ".join(said), refresh=False)
+            details.append(f"t = {now.step * now.timestep:.3g} s")
+        self._bar.set_postfix_str(", ".join(details), refresh=False)
         planned = now.planned or self._planned
-        if planned and before == 0:
+        if planned and earlier_run == 0:
             self._bar.reset(planned)
-        elif not planned and now.run != before:
+        elif not planned and now.run != earlier_run:
             self._bar.reset(now.last - now.first)
         self._bar.scope = "" if planned else " in this run"
         done = now.step - now.first + (now.earlier if planned else 0)
