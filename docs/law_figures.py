@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from functools import partial
 from itertools import pairwise
 from pathlib import Path
 
@@ -127,8 +128,50 @@ def viscoelastic_figure() -> Figure:
     return figure
 
 
+def powder_figure(name: str, **constants: float) -> Figure:
+    """Draw a contact that is loaded and pulled apart, and restitution over impact speed.
+
+    The body is a sphere of 2.45 µm with the constants of ammonium fluorescein, on silicon.
+    """
+    radius = 2.45e-6
+    pair = laws.combine(laws.Body(1.2e9, 0.3, 35.3e6 / 1.6, 1.6), laws.Body(182e9, 0.3))
+    law, mass = laws.LAWS[name](pair, **constants), 4 / 3 * np.pi * radius**3 * 1350
+    with styled():
+        figure, (left, right) = subplots(1, 2, figsize=(8.2, 3.4))
+        for depth, color in zip((0.004, 0.012), COLOURS, strict=False):
+            apart = law.pull_off_distance(radius)
+            turns = [1e-12, depth * radius, -1.2 * apart - 2e-4 * radius]
+            path = np.concatenate([np.linspace(a, b, 2000) for a, b in pairwise(turns)])
+            force = law.follow(radius, path, law.State())["force"]
+            left.plot(1e9 * path, 1e6 * force, color=color)
+        left.set_xlabel("overlap (nm)")
+        left.set_ylabel("force (µN)")
+        speed = np.geomspace(0.1, 20, 200)
+        restitution = law.central_impact(radius, mass, speed).coefficient_of_restitution
+        right.semilogx(speed, restitution, color=COLOURS[0])
+        right.set_ylim(0, 1.05)
+        right.set_xlabel("impact speed (m/s)")
+        right.set_ylabel("coefficient of restitution")
+    return figure
+
+
 # Laws whose page needs another figure than a path of overlaps.
-OWN_FIGURES = {"viscoelastic_hertz": viscoelastic_figure}
+OWN_FIGURES = {
+    "viscoelastic_hertz": viscoelastic_figure,
+    "jkr": partial(powder_figure, "jkr", surface_energy=0.2),
+    "thornton_ning_1998": partial(powder_figure, "thornton_ning_1998", surface_energy=0.1),
+    "walton_braun": partial(
+        powder_figure, "walton_braun", loading_stiffness=500, unloading_stiffness=2000
+    ),
+    "luding_2008": partial(
+        powder_figure,
+        "luding_2008",
+        loading_stiffness=500,
+        unloading_stiffness=5000,
+        adhesive_stiffness=500,
+        plasticity_depth=0.01,
+    ),
+}
 
 
 def draw_law(name: str, folder: Path) -> None:

@@ -29,11 +29,14 @@ from plastigran.engine.process import PROJECT
 from plastigran.materials import RIGID, read_material
 from plastigran.usable_laws import laws_for
 
-# Laws with a model in LIGGGHTS.
+# Laws that begin with an elastic contact and never attract; all others have tests of their own.
+ELASTIC_FIRST = {n for n, law in laws.LAWS.items() if law.elastic_first and not law.adhesive}
+# Those of them with a model in LIGGGHTS.
 ENGINE_LAWS = sorted(
-    line.split()[0]
-    for line in (PROJECT / "contact_models/liggghts/plugin/laws.txt").read_text().splitlines()
-    if not line.startswith("#")
+    ELASTIC_FIRST.intersection(
+        line.split()[0]
+        for line in (PROJECT / "contact_models/liggghts/plugin/laws.txt").read_text().splitlines()
+    )
 )
 
 
@@ -57,12 +60,17 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
 
 
 def pytest_generate_tests(metafunc: pytest.Metafunc) -> None:
-    """`law_name` runs a test for every law, `engine_law` for every law with an engine model,
-    `sphere_law` for those of them for spheres, `hertzian_law` for those of these whose elastic
-    contact is Hertz's, `yielding_law` for those of these that yield,
-    `rod_law` for those the oblique rod takes."""
+    """Run a test for several laws.
+
+    `law_name`: every law that is elastic first and never attracts; `other_law`: every other law.
+    `engine_law`: every `law_name` with a model in LIGGGHTS; `sphere_law`: those of them for
+    spheres; `hertzian_law`: those of these whose elastic contact is Hertz's; `yielding_law`: those
+    of these that yield; `rod_law`: those that the oblique rod takes.
+    """
     if "law_name" in metafunc.fixturenames:
-        metafunc.parametrize("law_name", sorted(laws.LAWS))
+        metafunc.parametrize("law_name", sorted(ELASTIC_FIRST))
+    if "other_law" in metafunc.fixturenames:
+        metafunc.parametrize("other_law", sorted(laws.LAWS.keys() - ELASTIC_FIRST))
     if "rod_law" in metafunc.fixturenames:  # its equations of motion know no rate of overlap
         names = [name for name in laws_for("sphere") if not laws.LAWS[name].rate_dependent]
         metafunc.parametrize("rod_law", names)
@@ -148,7 +156,7 @@ def paper_mass(aluminium) -> float:
 def declared_jumps() -> dict[str, list[tuple[float, float]]]:
     """Jumps of the virgin force that each law's source has, in overlaps at yield of the paper's
     aluminium, and as a share of the force."""
-    return {law: impacts.jumps(law) for law in laws.LAWS}
+    return {law: impacts.jumps(law) for law in ELASTIC_FIRST}
 
 
 @pytest.fixture(scope="session")

@@ -29,4 +29,5 @@ def mapped_sphere(
         "elastic_energy": 0.4 * force * overlap * hyp2f1(-0.5, 1.5, 3.5, y / 2),
         "plastic_work": np.zeros_like(y),
         "viscous_force": np.zeros_like(y),
+        "surface_energy": np.zeros_like(y),
     }

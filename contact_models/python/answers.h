@@ -26,7 +26,7 @@ template <class Record>
 struct AnswerFields;
 template <>
 struct AnswerFields<Response> {
-  static const std::array<AnswerField<Response>, 5> all;
+  static const std::array<AnswerField<Response>, 6> all;
 };
 template <>
 struct AnswerFields<ImpactOutcome> {

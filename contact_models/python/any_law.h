@@ -32,6 +32,7 @@ class AnyLaw {
                            double overlap_rate) const = 0;
   virtual ImpactOutcome central_impact(double radius_eff, double mass_eff, double speed) const = 0;
   virtual double overlap_range() const = 0;
+  virtual double pull_off_distance(double radius_eff) const = 0;
   virtual double recommended_timestep(double radius_eff, double mass_eff, double speed) const = 0;
 };
 

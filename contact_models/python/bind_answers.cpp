@@ -7,8 +7,9 @@
 
 namespace plastigran {
 
-const std::array<AnswerField<Response>, 5> AnswerFields<Response>::all{{
-    {"force", &Response::force, nullptr, "Repulsive normal force, never negative [N]."},
+const std::array<AnswerField<Response>, 6> AnswerFields<Response>::all{{
+    {"force", &Response::force, nullptr,
+     "Normal force, negative where the bodies attract each other [N]."},
     {"contact_radius", &Response::contact_radius, nullptr,
      "Contact radius, of a line contact the half-width [m]."},
     {"elastic_energy", &Response::elastic_energy, nullptr,
@@ -17,6 +18,8 @@ const std::array<AnswerField<Response>, 5> AnswerFields<Response>::all{{
      "Energy dissipated by plastic flow since first loading [J]."},
     {"viscous_force", &Response::viscous_force, nullptr,
      "The rate's share of the force, negative while parting [N]."},
+    {"surface_energy", &Response::surface_energy, nullptr,
+     "Surface energy relative to separated bodies, never positive; 0 without adhesion [J]."},
 }};
 
 const std::array<AnswerField<ImpactOutcome>, 7> AnswerFields<ImpactOutcome>::all{{

@@ -48,6 +48,9 @@ class LawOf : public AnyLaw {
                                       mass_eff, speed);
   }
   double overlap_range() const override { return plastigran::overlap_range(law); }
+  double pull_off_distance(double radius_eff) const override {
+    return plastigran::pull_off_distance(law, radius_eff);
+  }
   double recommended_timestep(double radius_eff, double mass_eff, double speed) const override {
     const double factor = rate_factor(pair, radius_eff, speed);
     return plastigran::recommended_timestep(factor == 1 ? law : strengthened(factor).law,
@@ -155,6 +158,8 @@ Raises:
   law.attr("range") = Law::range;
   law.attr("rate_dependent") = rate_dependent<Law>;
   law.attr("yields") = yields<Law>;
+  law.attr("elastic_first") = elastic_first<Law>;
+  law.attr("adhesive") = adhesive<Law>;
   law.attr("hardens") = hardens<Law>;
   law.attr("indentation") = indentation<Law>;
   law.attr("shape") = shape<Law>;

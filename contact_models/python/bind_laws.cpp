@@ -60,6 +60,11 @@ Answer<ImpactOutcome> central_impact_of(const AnyLaw& law, const nb::object& rad
   });
 }
 
+nb::object pull_off_distance_of(const AnyLaw& law, const nb::object& radius_eff) {
+  const Broadcast given({{"radius_eff", radius_eff, positive, "m"}});
+  return column<double>(given, [&](std::size_t i) { return law.pull_off_distance(given(0, i)); });
+}
+
 nb::object recommended_timestep_of(const AnyLaw& law, const nb::object& radius_eff,
                                    const nb::object& mass_eff, const nb::object& speed) {
   const Broadcast given = impact_arguments(radius_eff, mass_eff, speed);
@@ -161,7 +166,7 @@ Args:
 
 Returns:
     Arrays of shape (..., N): force [N], contact_radius [m], elastic_energy [J], plastic_work [J],
-    viscous_force [N]. pandas.DataFrame takes a single path's as they are.
+    viscous_force [N], surface_energy [J]. pandas.DataFrame takes a single path's as they are.
 
 Raises:
     ValueError: A value is out of range (the message names it, its index and the range), or the
@@ -185,6 +190,18 @@ Returns:
 Raises:
     ValueError: A value is out of range (the message names it, its index and the range), or the
         shapes do not fit together.)");
+  law.def("pull_off_distance", &pull_off_distance_of, "radius_eff"_a,
+          nb::sig("def pull_off_distance(self, radius_eff: ArrayLike) -> Numbers"),
+          R"(Largest separation [m] at which two bodies may still be in contact; 0 for most laws.
+
+Args:
+    radius_eff: R* [m], positive, number or array.
+
+Returns:
+    A number, or an array of the shape of `radius_eff`.
+
+Raises:
+    ValueError: A radius is out of range; the message names it, its index and the range.)");
   law.def(
       "recommended_timestep", &recommended_timestep_of, "radius_eff"_a, "mass_eff"_a, "speed"_a,
       nb::sig("def recommended_timestep(self, radius_eff: ArrayLike, mass_eff: ArrayLike, speed: "

@@ -129,6 +129,11 @@ def _check_name(name: object) -> None:
         )
 
 
+def has_constants(law: str) -> bool:
+    """Return whether materials can define all constants that a law requires."""
+    return set(_needed(law)) <= {field.name for field in attrs.fields(Material)}
+
+
 def _needed(law: str) -> list[str]:
     table = laws.LAWS[law].parameters()
     return [row["name"] for row in table if row["default"] is None and not row["per_body"]]

@@ -7,18 +7,24 @@ import warnings
 from collections.abc import Iterable
 
 from plastigran import laws
-from plastigran.materials import Material
+from plastigran.materials import Material, has_constants
 
 
 def laws_for(shape: str, bodies: Iterable[Material] = ()) -> list[str]:
     """Return the names of the laws for bodies of a shape, "sphere" or "cylinder".
 
+    Laws with constants that no material can have, such as the surface energy of two bodies, are
+    left out.
+
     Args:
         shape: Shape of the bodies.
         bodies: Materials; laws that need a constant that one of them lacks are left out.
     """
-    fitting, bodies = sorted(k for k, law in laws.LAWS.items() if law.shape == shape), list(bodies)
-    return [name for name in fitting if not any(body.missing(name) for body in bodies)]
+    bodies = list(bodies)
+    fitting = [
+        name for name, law in laws.LAWS.items() if law.shape == shape and has_constants(name)
+    ]
+    return [name for name in sorted(fitting) if not any(body.missing(name) for body in bodies)]
 
 
 def choose_laws(given: Iterable[str], shape: str, bodies: Iterable[Material] = ()) -> list[str]:

@@ -28,6 +28,7 @@ def elastic(law_name: str, pair: laws.MaterialPair, overlap: np.ndarray) -> dict
         "elastic_energy": stiffness * load**2 * (2 * np.log(reach / load) - 1) / 4,
         "plastic_work": np.zeros_like(load),
         "viscous_force": np.zeros_like(load),
+        "surface_energy": np.zeros_like(load),
     }
 
 

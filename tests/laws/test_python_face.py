@@ -20,6 +20,7 @@ RADIUS, MASS = 0.01, 1e-3
 BODY = laws.Body(7e10, 0.3, 1e8, 1.61)
 PAIR = laws.combine(BODY, laws.Body(2.1e11, 0.28, 3e8))
 RESPONSE = ["force", "contact_radius", "elastic_energy", "plastic_work", "viscous_force"]
+RESPONSE += ["surface_energy"]
 IMPACT = [
     "overlap_max",
     "force_max",

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "plastigran/shared/adhesion.h"
 #include "plastigran/shared/contact.h"
 
 namespace plastigran {
@@ -15,7 +16,7 @@ struct ImpactOutcome {
   double overlap_max = 0;                 // [m]
   double force_max = 0;                   // [N]
   double overlap_res = 0;                 // overlap at which the rebound's force vanishes [m]
-  double coefficient_of_restitution = 0;  // [-]
+  double coefficient_of_restitution = 0;  // [-]; 0 if the bodies stick
   double stiffness_max = 0;               // steepest slope of force over overlap [N/m]
   double damping_max = 0;                 // slope of force over rate at overlap_max [N s/m]
   bool in_range = true;                   // the law is good for that load
@@ -135,31 +136,64 @@ Response follow_rebound(const Law& law, double radius_eff, ImpactOutcome& impact
   return peak;
 }
 
-// Bodies of effective mass mass_eff [kg] meet at relative speed `speed` [m/s]: 1/2 m* v^2 equals
-// the virgin work at the largest overlap, and what is stored elastically there is given back.
+// The contact at first touch. Without adhesion force and energies are zero.
+template <class Law>
+Response first_touch([[maybe_unused]] const Law& law, [[maybe_unused]] double radius_eff) {
+  if constexpr (adhesive<Law>) {
+    typename Law::State state;
+    return law.respond(radius_eff, std::numeric_limits<double>::min(), state);
+  } else {
+    return {};
+  }
+}
+
+// The contact just before it ends, after first loading to an overlap.
+template <class Law>
+Response end_of_contact(const Law& law, double radius_eff, double overlap_max) {
+  typename Law::State loaded;
+  law.respond(radius_eff, overlap_max, loaded);
+  const auto unloaded_to = [&](double overlap) {
+    typename Law::State state = loaded;
+    return law.respond(radius_eff, overlap, state);
+  };
+  double low = -1.001 * pull_off_distance(law, radius_eff), high = overlap_max;
+  halve(low, high, [&](double middle) { return unloaded_to(middle).contact_radius > 0; });
+  return unloaded_to(high);
+}
+
+// Bodies of effective mass mass_eff [kg] meet at relative speed `speed` [m/s]. At the largest
+// overlap the work of loading equals 1/2 m* v^2. Unloading releases the elastic energy; with
+// adhesion it does work on the contact until pull-off, and the bodies stick if that exceeds the
+// kinetic energy.
 template <class Law>
 ImpactOutcome central_impact(const Law& law, double radius_eff, double mass_eff, double speed) {
   if constexpr (rate_dependent<Law>) return rate_dependent_impact(law, radius_eff, mass_eff, speed);
   ImpactOutcome impact;
   const double energy = 0.5 * mass_eff * speed * speed;
   if (!(energy > 0)) return impact;
+  const double at_touch = contact_energy(first_touch(law, radius_eff));
   const auto excess = [&](double overlap) {
     typename Law::State state;
-    const Response r = law.respond(radius_eff, overlap, state);
-    return r.elastic_energy + r.plastic_work - energy;
+    return contact_energy(law.respond(radius_eff, overlap, state)) - at_touch - energy;
   };
   double low = 0, high = 1e-6 * radius_eff;
   for (; excess(high) < 0 && high < 1e6 * radius_eff; high *= 2) low = high;
   halve(low, high, [&](double middle) { return !(excess(middle) < 0); });
   impact.overlap_max = 0.5 * (low + high);
   const Response peak = follow_rebound(law, radius_eff, impact);
-  impact.coefficient_of_restitution = std::sqrt(peak.elastic_energy / energy);
+  double released = peak.elastic_energy;
+  if constexpr (adhesive<Law>) {
+    const Response end = end_of_contact(law, radius_eff, impact.overlap_max);
+    released = std::max(0.0, energy + at_touch - contact_energy(end));
+  }
+  impact.coefficient_of_restitution = std::sqrt(released / energy);
   return impact;
 }
 
 // What one second of time step would add to the relative error of an impact's restitution, by the
-// jumps of the virgin force: within the step in which the overlap passes one, the integrator takes
-// the force of either side for up to half a step too long.
+// jumps of the virgin force, and by those of adhesion where the contact forms and breaks: within
+// the step in which the overlap passes one, the integrator takes the force of either side for up to
+// half a step too long.
 template <class Law>
 double jump_error([[maybe_unused]] const Law& law, [[maybe_unused]] double radius_eff,
                   double mass_eff, double speed) {
@@ -174,6 +208,8 @@ double jump_error([[maybe_unused]] const Law& law, [[maybe_unused]] double radiu
       if (speed_squared > 0)
         power += std::abs(above.force - below.force) * std::sqrt(speed_squared);
     }
+  if constexpr (lasts_apart<Law>)
+    power += 2 * std::abs(first_touch(law, radius_eff).force) * speed;  // the second is smaller
   return 0.5 * power / (mass_eff * speed * speed);
 }
 

@@ -9,8 +9,8 @@
 //
 //   name         the word a user types; source, range: where it is from, how far it is good
 //   Parameters   a struct of the law's own constants, each with its default
-//   State        a struct of doubles, zero for a contact never loaded beyond yield: the extremes
-//                the contact has reached, symmetric in the two bodies
+//   State        a struct of doubles, zero before first touch: the extremes the contact has
+//                reached, symmetric in the two bodies
 //   respond(radius_eff, overlap, state)
 //                the Response on the total law; moves `state` when a new extreme is reached, so
 //                that a second call at the same overlap changes nothing; at no overlap, the
@@ -31,6 +31,10 @@
 //   overlap_range()         the largest overlap over R* it is good for
 //   overlap_breaks()        overlaps over R* at which the virgin force may jump
 //   elastic_stiffness(contact_radius)      of the elastic contact
+//   elastic_first = false   plastic from first touch; else Hertz's contact, or one like it, to
+//   yield adhesive = true         the force may attract (adhesion.h): the state tells whether the
+//   bodies
+//                are in contact, and the contact may last beyond zero overlap
 //
 // SI units throughout.
 #pragma once
@@ -65,17 +69,22 @@ struct MaterialPair {
   double reference_rate = 1;      // of the weaker body [1/s]
 };
 
-// A law's answer. Energies are totals since the contact was virgin. An energy ledger closes with
-// them: while the contact moves at `overlap_rate`, force * overlap_rate is what elastic_energy and
-// plastic_work grow by a second, plus viscous_force * overlap_rate, which is never negative and
-// lost.
+// A law's answer. Energies are totals since first touch. While the contact lasts and the overlap
+// grows at `overlap_rate`, force * overlap_rate is the growth rate of elastic_energy,
+// surface_energy and plastic_work together, plus the loss viscous_force * overlap_rate >= 0.
 struct Response {
-  double force = 0;           // repulsive normal force, never negative [N]
+  double force = 0;           // normal force, negative where the bodies attract each other [N]
   double contact_radius = 0;  // of a line contact the half-width [m]
   double elastic_energy = 0;  // what unloading from here would give back [J]
   double plastic_work = 0;    // what it will not [J]
   double viscous_force = 0;   // the rate's share of `force`, negative while parting [N]
+  double surface_energy =
+      0;  // of the contact area, relative to separated bodies; never positive [J]
 };
+
+PLASTIGRAN_DEVICE inline double contact_energy(const Response& response) {
+  return response.elastic_energy + response.plastic_work + response.surface_energy;
+}
 
 // A choice a law leaves to the user, where its sources leave it open: an index into `choices`.
 template <class Parameters>
@@ -140,6 +149,16 @@ template <class Law>
 constexpr bool yields<Law, std::void_t<decltype(Law::yields)>> = Law::yields;
 
 template <class Law, class = void>
+constexpr bool elastic_first = true;
+template <class Law>
+constexpr bool elastic_first<Law, std::void_t<decltype(Law::elastic_first)>> = Law::elastic_first;
+
+template <class Law, class = void>
+constexpr bool adhesive = false;
+template <class Law>
+constexpr bool adhesive<Law, std::void_t<decltype(Law::adhesive)>> = Law::adhesive;
+
+template <class Law, class = void>
 constexpr bool hardens = false;
 template <class Law>
 constexpr bool hardens<Law, std::void_t<decltype(Law::hardens)>> = Law::hardens;
@@ -157,6 +176,21 @@ PLASTIGRAN_DEVICE Response respond(const Law& law, double radius_eff, double ove
     return law.respond(radius_eff, overlap, state, overlap_rate);
   else
     return law.respond(radius_eff, overlap, state);
+}
+
+// Plastic work of a contact with this history [J]. A law whose history contains it has a function.
+template <class Law, class = void>
+constexpr bool keeps_plastic_work = false;
+template <class Law>
+constexpr bool keeps_plastic_work<Law, std::void_t<decltype(&Law::plastic_work_in)>> = true;
+
+template <class Law>
+PLASTIGRAN_DEVICE double plastic_work_of(const Law& law, [[maybe_unused]] double radius_eff,
+                                         typename Law::State state) {
+  if constexpr (keeps_plastic_work<Law>)
+    return law.plastic_work_in(state);
+  else
+    return law.respond(radius_eff, 0, state).plastic_work;
 }
 
 // Largest overlap over R* a law is good for. No contact law is good for overlaps of the order of

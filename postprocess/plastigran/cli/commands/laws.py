@@ -31,6 +31,8 @@ def flags(name: str) -> str:
         "LIGGGHTS' own": name == "hertz",
         "no yield": not law.yields,
         "hardens": law.hardens,
+        "adhesive": law.adhesive,
+        "plastic from first touch": not law.elastic_first,
         "indentation": law.indentation,
         "rate dependent": law.rate_dependent,
         "energy guard": "energy_guard" in options,
@@ -46,8 +48,7 @@ def constants(name: str) -> dict[str, object]:
 
 
 def run(arguments: argparse.Namespace) -> None:
-    shapes = {law.shape for law in laws.LAWS.values()}
-    names = sorted({name for shape in shapes for name in choose_laws(arguments.law, shape)})
+    names = sorted(laws.LAWS if "all" in arguments.law else set(choose_laws(arguments.law, "")))
     rows = [
         {
             "law": name,

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+//
+// The adhesive elastic contact of spheres by Johnson, Kendall & Roberts 1971 (Proc. R. Soc. Lond. A
+// 324:301), and what adhesive laws share. Gamma is the work of adhesion; with s = a^(1/2) and
+// c = (2 pi Gamma/E*)^(1/2):
+//
+//   overlap = s^4/R* - c s
+//   F = 4/3 E* s^6/R* - 2 E* c s^3
+//   elastic energy = E* (8/15 s^10/R*^2 - 4/3 c s^7/R* + c^2 s^4),   surface energy = -1/2 E* c^2
+//   s^4
+//
+// The contact breaks under displacement control at s_0 = (c R*/4)^(1/3), where overlap is least,
+// -3/4 c s_0. In u = s/s_0 and x = overlap/(3/4 c s_0), u^4 - 4 u = 3 x. Ferrari's solution of that
+// equation has the resolvent z^3 + 12 x z = 16.
+#pragma once
+
+#include <cmath>
+
+#include "plastigran/shared/contact.h"
+#include "plastigran/shared/device.h"
+
+namespace plastigran {
+
+// History of adhesive laws.
+struct AdhesiveState {
+  double in_contact = 0;          // 1 from first touch to pull-off
+  double contact_radius_max = 0;  // largest contact radius beyond yield [m]; 0 while elastic
+};
+
+template <class Law, class = void>
+constexpr bool lasts_apart = false;
+template <class Law>
+constexpr bool lasts_apart<Law, std::void_t<decltype(&Law::pull_off_distance)>> = true;
+
+// Largest separation at which two bodies may still be in contact [m]; 0 for most laws.
+template <class Law>
+double pull_off_distance([[maybe_unused]] const Law& law, [[maybe_unused]] double radius_eff) {
+  if constexpr (lasts_apart<Law>)
+    return law.pull_off_distance(radius_eff);
+  else
+    return 0;
+}
+
+class JkrContact {
+ public:
+  JkrContact() = default;
+  JkrContact(double youngs_modulus_eff, double work_of_adhesion)
+      : modulus_(youngs_modulus_eff),
+        pull_(std::sqrt(2 * pi * work_of_adhesion / youngs_modulus_eff)) {}
+
+  double modulus() const { return modulus_; }
+  PLASTIGRAN_DEVICE double pull() const { return pull_; }  // c [m^(1/2)]
+
+  // Overlap at which a contact of radius s^2 is in equilibrium.
+  PLASTIGRAN_DEVICE double overlap(double radius_eff, double s) const {
+    return (s * s * s / radius_eff - pull_) * s;
+  }
+  // Least overlap of a contact.
+  PLASTIGRAN_DEVICE double pull_off_overlap(double radius_eff) const {
+    return -0.75 * pull_ * root_at_pull_off(radius_eff);
+  }
+
+  // s at an overlap; at pull-off below the least one.
+  PLASTIGRAN_DEVICE double root(double radius_eff, double overlap) const {
+    if (pull_ == 0) return overlap > 0 ? std::sqrt(std::sqrt(radius_eff * overlap)) : 0;
+    const double least = root_at_pull_off(radius_eff), x = overlap / (0.75 * pull_ * least);
+    if (!(x > -1)) return least;
+    const double cube = 1 + std::sqrt(1 + x * x * x), part = std::cbrt(cube);
+    const double z = 4 / (part * part + x + x * x / (part * part)), half = std::sqrt(z);
+    const double rest = 8 / half - z;
+    return 0.5 * least * (half + std::sqrt(rest > 0 ? rest : 0));
+  }
+
+  PLASTIGRAN_DEVICE Response at(double radius_eff, double s) const {
+    const double square = s * s, fourth = square * square, hertz = fourth / radius_eff;
+    Response response;
+    response.force = modulus_ * square * (4.0 / 3.0 * hertz - 2 * pull_ * s);
+    response.contact_radius = square;
+    response.elastic_energy =
+        modulus_ * (square * (8.0 / 15.0 * hertz * hertz - 4.0 / 3.0 * pull_ * s * hertz) +
+                    pull_ * pull_ * fourth);
+    response.surface_energy = -0.5 * modulus_ * pull_ * pull_ * fourth;
+    return response;
+  }
+
+ private:
+  PLASTIGRAN_DEVICE double root_at_pull_off(double radius_eff) const {
+    return std::cbrt(0.25 * pull_ * radius_eff);
+  }
+
+  double modulus_ = 0;  // E*
+  double pull_ = 0;     // c
+};
+
+}  // namespace plastigran

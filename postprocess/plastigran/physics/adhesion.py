@@ -1,0 +1,76 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Impacts of adhesive spheres: the speed below which they stick."""
+
+from __future__ import annotations
+
+from math import pi
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from plastigran import laws
+
+
+def _separation_work() -> float:
+    """Return the work between zero overlap and pull-off in units of (Gamma^5 R*^4/E*^2)^(1/3).
+
+    With E* = R* = 1 and c = (2 pi Gamma)^(1/2), force and overlap are polynomials in s = a^(1/2).
+    """
+    c = (2 * pi) ** 0.5
+    overlap = np.polynomial.Polynomial([0, -c, 0, 0, 1])
+    force = np.polynomial.Polynomial([0, 0, 0, -2 * c, 0, 0, 4 / 3])
+    work = (force * overlap.deriv()).integ()
+    return float(work((c / 4) ** (1 / 3)) - work(c ** (1 / 3)))
+
+
+_SEPARATION_WORK = _separation_work()
+
+
+def jkr_sticking_speed(
+    surface_energy: ArrayLike,
+    radius_eff: ArrayLike,
+    youngs_modulus_eff: ArrayLike,
+    mass_eff: ArrayLike,
+) -> np.ndarray | float:
+    """Return the speed below which adhesive elastic spheres stick [m/s].
+
+    The work between first touch and pull-off equals 1/2 m* v^2 (Johnson, Kendall & Roberts 1971,
+    Proc. R. Soc. Lond. A 324:301; Thornton & Ning 1998, Powder Technol. 99:154).
+
+    Args:
+        surface_energy: Work of adhesion Gamma [J/m2].
+        radius_eff: R* [m].
+        youngs_modulus_eff: E* [Pa].
+        mass_eff: m* [kg].
+    """
+    gamma, radius = np.asarray(surface_energy, float), np.asarray(radius_eff, float)
+    work = _SEPARATION_WORK * np.cbrt(gamma**5 * radius**4 / np.square(youngs_modulus_eff))
+    return np.sqrt(2 * work / mass_eff)[()]
+
+
+def sticking_speed(
+    law: laws.Law, radius_eff: float, mass_eff: float, slowest: float = 1e-6, fastest: float = 1e3
+) -> float:
+    """Return the largest speed at which two bodies stick [m/s]; 0 if none between the bounds.
+
+    Args:
+        law: Law between the bodies.
+        radius_eff: R* [m].
+        mass_eff: m* [kg].
+        slowest, fastest: Bounds of the search [m/s].
+
+    Raises:
+        ValueError: The bodies stick at the fastest speed.
+    """
+
+    def sticks(speed: float) -> bool:
+        return law.central_impact(radius_eff, mass_eff, speed).coefficient_of_restitution == 0
+
+    if sticks(fastest):
+        raise ValueError(f"the bodies stick at {fastest:g} m/s, the fastest speed of the search")
+    if not sticks(slowest):
+        return 0.0
+    while fastest > slowest * (1 + 1e-12):
+        middle = (slowest * fastest) ** 0.5
+        slowest, fastest = (middle, fastest) if sticks(middle) else (slowest, middle)
+    return slowest

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+//
+// Laws that attract, on random paths with separation and a second touch.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <type_traits>
+#include <vector>
+
+#include "all_laws.h"
+#include "plastigran/impact/central_impact.h"
+
+using namespace plastigran;
+
+namespace {
+constexpr double radius = 2.5e-6;  // [m]
+
+// Fine powder: adhesion alone nearly yields it.
+const MaterialPair powder = combine({1.2e9, 0.3, 2.2e7, 1.6}, {1.8e11, 0.3, 1e30});
+
+template <class Law>
+std::vector<typename Law::Parameters> cases() {
+  if constexpr (std::is_same_v<Law, Jkr>)
+    return {{0}, {0.02}, {2}};
+  else if constexpr (std::is_same_v<Law, ThorntonNing1998>)
+    return {{0}, {0.002}, {0.02}, {0.2}, {2}};
+  else
+    return {{1e3, 5e3, 0, 0.05}, {1e3, 5e3, 2e3, 0.05}, {1e3, 1.1e3, 1e4, 0.01}};
+}
+}  // namespace
+
+// A step is random in length and direction; a tenth of the paths separate the bodies.
+TEST_CASE_TEMPLATE("plastic work never falls on a million random steps", Law, Jkr, ThorntonNing1998,
+                   Luding2008) {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> unit(0, 1);
+  for (const auto& constants : cases<Law>()) {
+    const Law law(powder, constants);
+    const double apart = 1.2 * pull_off_distance(law, radius) + 1e-3 * radius;
+    typename Law::State state;
+    double work = 0, largest = 0;
+    int formed = 0;
+    bool touching = false;
+    for (int step = 0; step < 1000000 / int(cases<Law>().size()); ++step) {
+      const double reach = std::pow(10, -4 * unit(random)) * 0.05 * radius;
+      const double overlap = unit(random) < 0.1 ? -unit(random) * apart : reach;
+      const Response response = law.respond(radius, overlap, state);
+      largest = std::max(largest, response.elastic_energy + response.plastic_work);
+      formed += response.contact_radius > 0 && !touching;
+      touching = response.contact_radius > 0;
+      // 1e-13: plastic work is a difference of works.
+      REQUIRE(response.plastic_work >= work - 1e-13 * largest);
+      REQUIRE(response.surface_energy <= 0);
+      REQUIRE(response.elastic_energy >= -1e-13 * largest);
+      work = response.plastic_work;
+    }
+    CHECK(formed > 1000);
+  }
+}
+
+// What a contact holds when it forms was released; what it holds when it breaks is lost.
+TEST_CASE_TEMPLATE("a contact that forms or breaks loses energy", Law, Jkr, ThorntonNing1998,
+                   Luding2008) {
+  for (const auto& constants : cases<Law>()) {
+    const Law law(powder, constants);
+    CHECK(contact_energy(first_touch(law, radius)) <= 0);
+    for (double depth = 1e-6; depth < 0.1; depth *= 1.1) {
+      const Response end = end_of_contact(law, radius, depth * radius);
+      typename Law::State state;
+      const Response top = law.respond(radius, depth * radius, state);
+      REQUIRE(end.elastic_energy + end.surface_energy >= -1e-12 * top.elastic_energy);
+      REQUIRE(end.force <= 1e-9 * std::abs(top.force));
+    }
+  }
+}
+
+TEST_CASE("without adhesion Thornton & Ning's law is Thornton's, without yield it is JKR") {
+  const MaterialPair strong = combine({1.2e9, 0.3, 1e20}, {1.8e11, 0.3, 1e30});
+  const ThorntonNing1998 no_adhesion(powder, {0}), no_yield(strong, {0.2});
+  const Thornton thornton(powder, {});
+  const Jkr jkr(strong, {0.2});
+  ThorntonNing1998::State first, second;
+  Thornton::State third;
+  Jkr::State fourth;
+  Thornton::State virgin;
+  const double force_max = thornton.respond(radius, 0.05 * radius, virgin).force;
+  std::mt19937 random(8);
+  std::uniform_real_distribution<double> unit(0, 1);
+  for (int step = 0; step < 20000; ++step) {
+    const double overlap = std::pow(10, -5 * unit(random)) * 0.05 * radius;
+    const Response one = no_adhesion.respond(radius, overlap, first),
+                   other = thornton.respond(radius, overlap, third);
+    REQUIRE(std::abs(one.force - other.force) <= 1e-14 * force_max);
+    REQUIRE(one.plastic_work == doctest::Approx(other.plastic_work).epsilon(1e-12));
+    const double stretched = overlap - 0.9 * jkr.pull_off_distance(radius);
+    REQUIRE(no_yield.respond(radius, stretched, second).force ==
+            jkr.respond(radius, stretched, fourth).force);
+  }
+}
