@@ -32,6 +32,7 @@ from plastigran.bulk.run import run_bulk
 from plastigran.engine.checkpoints import PATTERN
 from plastigran.engine.dumps import read_dump
 from plastigran.engine.process import PROJECT, run_deck
+from plastigran.usable_laws import laws_for
 
 WORK = PROJECT / "results" / "reliability"
 PAGE = PROJECT / "docs" / "reliability.md"
@@ -68,8 +69,8 @@ def restarts(folder: Path, count: int) -> Iterator[Row]:
     decks = PROJECT / "tests" / "conformance" / "decks"
     names = [
         name
-        for name, law in laws.LAWS.items()
-        if law.shape == "sphere" and not law.rate_dependent and name != "hertz"
+        for name in laws_for("sphere")
+        if not laws.LAWS[name].rate_dependent and name != "hertz"
     ]
     different = done = 0
     with tqdm(total=count, desc="restarts") as bar:

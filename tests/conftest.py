@@ -14,6 +14,7 @@ from hashlib import sha256
 from math import pi
 from pathlib import Path
 
+import contact_constants
 import pytest
 from attrs import evolve
 from elastic_contact import NOT_HERTZIAN
@@ -122,7 +123,8 @@ def law_between(aluminium):
     @cache
     def make(name: str, pair: laws.MaterialPair, length: float = 0.1, **options: str):
         brought = [p["name"] for p in laws.LAWS[name].parameters() if p["per_body"]]
-        return aluminium.law(name, pair, **dict.fromkeys(brought, length), **options)
+        constants = {key: contact_constants.VALUES[key] for key in aluminium.missing(name)}
+        return aluminium.law(name, pair, **dict.fromkeys(brought, length), **constants, **options)
 
     return make
 

@@ -12,6 +12,7 @@ from events import AXES, CREATED_RADIUS, Event, random_events
 
 from plastigran import laws
 from plastigran.laws import Body
+from plastigran.usable_laws import laws_for
 
 #: Overlap of the heaviest particles, over the smallest radius, beyond which all begin slower. Where
 #: several press on one it is more, and at 1 the plugin stops the run.
@@ -65,7 +66,7 @@ class Scene:
 def random_scene(seed: int) -> Scene:
     """The scene of a seed: particles that close in on each other."""
     random = np.random.default_rng(seed)
-    law_name = str(random.choice([n for n, law in laws.LAWS.items() if _in_engine(law)]))
+    law_name = str(random.choice([n for n in laws_for("sphere") if _in_engine(laws.LAWS[n])]))
     law = laws.LAWS[law_name]
     options = {o["name"]: str(random.choice(o["choices"])) for o in law.options()}
     if law.rate_dependent:

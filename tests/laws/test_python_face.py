@@ -9,6 +9,7 @@ import inspect
 import pickle
 from pathlib import Path
 
+import contact_constants
 import numpy as np
 import pandas as pd
 import pytest
@@ -251,6 +252,5 @@ def test_ranges_hold_for_a_soft_body_that_does_not_yield_first(name):
     radius."""
     steel = laws.Body(2.1e11, 0.3, 3e8)
     rubber = laws.Body(1e7, 0.49, 1e30)
-    needed = {"dissipative_constant": 1e-6} if name == "viscoelastic_hertz" else {}
-    law = laws.LAWS[name](laws.combine(steel, rubber), **needed)
+    law = laws.LAWS[name](laws.combine(steel, rubber), **contact_constants.required(name))
     assert law.overlap_range < 0.2

@@ -45,14 +45,19 @@ def title(name: str) -> str:
 def law_number(law: str) -> int:
     """Return the index of a law in `COLOURS` and `MARKERS`, the same in every figure.
 
-    Laws for one shape of bodies have different indices. Unknown laws are gray.
+    Laws for one shape of bodies have different indices. Laws that attract, or are plastic from
+    first touch, are counted apart. Unknown laws are gray.
     """
     from plastigran import laws  # compiled; figures without laws do not need it
 
     if law not in laws.LAWS:
         return len(COLOURS) - 1
-    shape = laws.LAWS[law].shape
-    return sorted(name for name in laws.LAWS if laws.LAWS[name].shape == shape).index(law)
+
+    def family(name: str) -> tuple[str, bool]:
+        law_class = laws.LAWS[name]
+        return law_class.shape, law_class.elastic_first and not law_class.adhesive
+
+    return sorted(name for name in laws.LAWS if family(name) == family(law)).index(law)
 
 
 def law_colour(law: str) -> str:

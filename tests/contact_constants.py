@@ -1,0 +1,21 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Values for constants that a law requires and materials lack."""
+
+from __future__ import annotations
+
+from plastigran import laws
+
+#: For bodies of some millimeters. The pull-off distance is near the overlap at yield.
+VALUES = {
+    "dissipative_constant": 1e-6,
+    "surface_energy": 10.0,
+    "loading_stiffness": 1e6,
+    "unloading_stiffness": 4e6,
+}
+
+
+def required(law: str) -> dict[str, float]:
+    """Return values for the constants that a law requires, per-body constants left out."""
+    table = laws.LAWS[law].parameters()
+    names = [row["name"] for row in table if row["default"] is None and not row["per_body"]]
+    return {name: VALUES[name] for name in names}
