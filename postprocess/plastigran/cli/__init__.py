@@ -18,7 +18,7 @@ from pathlib import Path
 from pkgutil import iter_modules
 
 from plastigran.cli import commands
-from plastigran.cli.arguments import Subparsers, add_verbose
+from plastigran.cli.arguments import add_subcommand, add_verbose
 from plastigran.cli.experiments import add_command
 from plastigran.engine.dumps import DumpError
 from plastigran.engine.process import EngineError
@@ -49,22 +49,22 @@ def parser(wanted: str = "") -> argparse.ArgumentParser:
     )
     top.add_argument("--version", action="version", version=f"plastigran {version('plastigran')}")
     add_verbose(top, False)
-    subcommands = Subparsers(
-        top.add_subparsers(dest="command", required=True, metavar="COMMAND", title="commands")
+    subparsers = top.add_subparsers(
+        dest="command", required=True, metavar="COMMAND", title="commands"
     )
     modules = {
-        found.name.replace("_", "-"): found.name for found in iter_modules(commands.__path__)
+        module.name.replace("_", "-"): module.name for module in iter_modules(commands.__path__)
     }
     experiments = {} if wanted in modules else find_experiments()
     names = {*modules, *experiments}
     for name in {wanted} & names or sorted(names):
         if name in experiments:
-            add_command(subcommands, experiments[name])
+            add_command(subparsers, experiments[name])
             continue
         module = import_module(f"{commands.__name__}.{modules[name]}")
-        subcommand = subcommands.add(name, module.HELP, getattr(module, "EXAMPLE", ""))
-        module.add_arguments(subcommand)
-        subcommand.set_defaults(run=module.run)
+        command = add_subcommand(subparsers, name, module.HELP, module.EXAMPLE)
+        module.add_arguments(command)
+        command.set_defaults(run=module.run)
     return top
 
 
@@ -78,10 +78,10 @@ def main(argv: list[str] | None = None) -> int:
             arguments.run(arguments)
     except BrokenPipeError:  # the reader of the output has closed it
         sys.stderr.close()
-    except KeyboardInterrupt as stop:  # a command may state which results are left
+    except KeyboardInterrupt as stop:  # its text, if any, states which results are left
         output = getattr(arguments, "output", None)
-        left = str(stop) or (output and f"finished runs are in {output}")
-        print(f"plastigran: stopped{f'; {left}' if left else ''}", file=sys.stderr)
+        results = str(stop) or (output and f"finished runs are in {output}")
+        print(f"plastigran: stopped{f'; {results}' if results else ''}", file=sys.stderr)
         return 130
     except Exception as error:
         return _report(error, arguments)
@@ -107,7 +107,7 @@ def _print_once() -> Callable[..., None]:
 def _terminate_as_interrupt() -> Iterator[None]:
     """Stop a command on SIGTERM of a batch system as on Ctrl-C.
 
-    Python handles signals only in its main thread.
+    This has no effect outside the main thread, because Python handles signals only there.
     """
     if threading.current_thread() is not threading.main_thread():
         yield
@@ -124,23 +124,18 @@ def _report(error: Exception, arguments: argparse.Namespace) -> int:
     if arguments.verbose:
         traceback.print_exception(error)
     if isinstance(error, EngineError | DumpError | ValueError | OSError):
-        print(f"plastigran: {_said(error, arguments)}", file=sys.stderr)
+        print(f"plastigran: {_message(error, arguments)}", file=sys.stderr)
         return 1
-    verbose = "" if arguments.verbose else "Repeat the command with --verbose and "
+    advice = "Please" if arguments.verbose else "Repeat the command with --verbose and"
     print(
-        f"plastigran: internal error, {type(error).__name__}: {error}. "
-        f"{verbose or 'Please '}report the output",
+        f"plastigran: internal error, {type(error).__name__}: {error}. {advice} report the output",
         file=sys.stderr,
     )
     return 70
 
 
-def _said(error: Exception, arguments: argparse.Namespace) -> str:
-    """Return the message of an error.
-
-    If the system refuses a file, the message names the file, or the folder of results, and the
-    reason.
-    """
+def _message(error: Exception, arguments: argparse.Namespace) -> str:
+    """Return the message of an error; that of the system with the file or the folder of results."""
     if isinstance(error, FileNotFoundError) and error.filename:
         return f"no file {error.filename}"
     if isinstance(error, OSError) and error.filename:

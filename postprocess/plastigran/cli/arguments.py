@@ -12,34 +12,27 @@ from typing import Any
 from plastigran import materials
 
 
-class Subparsers:
-    """Adds subcommands, each with an example in its help and --verbose.
+def add_subcommand(
+    subparsers: Any, name: str, purpose: str, example: str = ""
+) -> argparse.ArgumentParser:
+    """Add a subcommand with --verbose, and with an example in its help.
 
     Args:
-        made_by: Result of `ArgumentParser.add_subparsers`.
+        subparsers: Result of `ArgumentParser.add_subparsers`.
+        name: Name of the subcommand.
+        purpose: Purpose in one line.
+        example: One or several command lines.
     """
-
-    def __init__(self, made_by: Any) -> None:
-        self._made_by = made_by
-
-    def add(self, name: str, said: str, example: str = "") -> argparse.ArgumentParser:
-        """Add a subcommand.
-
-        Args:
-            name: Name of the subcommand.
-            said: Purpose in one line.
-            example: One or several command lines.
-        """
-        lines = "".join(f"\n  {line}" for line in example.strip().splitlines())
-        command = self._made_by.add_parser(
-            name,
-            help=said,
-            description=f"{said[0].upper()}{said[1:]}.",
-            epilog=f"example:{lines}" if lines else None,
-            formatter_class=argparse.RawDescriptionHelpFormatter,
-        )
-        add_verbose(command)
-        return command
+    lines = "".join(f"\n  {line}" for line in example.strip().splitlines())
+    command = subparsers.add_parser(
+        name,
+        help=purpose,
+        description=f"{purpose[0].upper()}{purpose[1:]}.",
+        epilog=f"example:{lines}" if lines else None,
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+    )
+    add_verbose(command)
+    return command
 
 
 def add_verbose(command: argparse.ArgumentParser, default: Any = argparse.SUPPRESS) -> None:
@@ -66,17 +59,29 @@ def add_dry_run(command: argparse.ArgumentParser) -> None:
     )
 
 
+def refuse_json_of_dry_run(arguments: argparse.Namespace) -> None:
+    """Refuse --json together with --dry-run.
+
+    Raises:
+        ValueError: Both are given.
+    """
+    if arguments.json and arguments.dry_run:
+        raise ValueError(
+            "--json cannot be used with --dry-run, which produces no results. Remove one of them"
+        )
+
+
 def print_json(numbers: Any) -> None:
     """Print numbers as JSON, with null for unknown and infinite values."""
 
-    def known(value: object) -> object:
+    def finite(value: object) -> object:
         if isinstance(value, dict):
-            return {name: known(entry) for name, entry in value.items()}
+            return {name: finite(entry) for name, entry in value.items()}
         if isinstance(value, list | tuple):
-            return [known(entry) for entry in value]
+            return [finite(entry) for entry in value]
         return None if isinstance(value, float) and not isfinite(value) else value
 
-    print(json.dumps(known(numbers), allow_nan=False, default=lambda value: value.item()))
+    print(json.dumps(finite(numbers), allow_nan=False, default=lambda value: value.item()))
 
 
 def refuse_idle(arguments: argparse.Namespace, needed: str, **idle: object) -> None:
@@ -92,8 +97,8 @@ def refuse_idle(arguments: argparse.Namespace, needed: str, **idle: object) -> N
     """
     for name, default in idle.items():
         if (value := getattr(arguments, name)) != default:
-            said = "is given" if value is True else f"is {_shown(value)}"
-            raise ValueError(f"--{name.replace('_', '-')} {said}; it needs {needed}")
+            given = "is given" if value is True else f"is {_shown(value)}"
+            raise ValueError(f"--{name.replace('_', '-')} {given}; it needs {needed}")
 
 
 def _shown(value: object) -> str:
@@ -102,31 +107,30 @@ def _shown(value: object) -> str:
     return f"{value:g}" if isinstance(value, float) else str(value)
 
 
-def positive(text: str) -> float:
-    """Return a positive, finite number.
+def read_as(value_type: type, text: str) -> Any:
+    """Return the text of an argument as a value of a type.
 
     Raises:
-        ArgumentTypeError: The text is not such a number; argparse prints the message.
+        ArgumentTypeError: The text is not such a value; argparse prints the message.
     """
     try:
-        value = float(text)
+        return value_type(text)
     except ValueError:
-        raise argparse.ArgumentTypeError(f"{text!r} is not a number") from None
+        name = "whole number" if value_type is int else "number"
+        raise argparse.ArgumentTypeError(f"{text!r} is not a {name}") from None
+
+
+def positive(text: str) -> float:
+    """Return a positive, finite number; errors as for `read_as`."""
+    value = read_as(float, text)
     if not 0 < value < inf:
         raise argparse.ArgumentTypeError(f"{text} is not positive and finite")
     return value
 
 
 def positive_integer(text: str) -> int:
-    """Return a whole number from 1.
-
-    Raises:
-        ArgumentTypeError: The text is not such a number; argparse prints the message.
-    """
-    try:
-        value = int(text)
-    except ValueError:
-        raise argparse.ArgumentTypeError(f"{text!r} is not a whole number") from None
+    """Return a whole number from 1; errors as for `read_as`."""
+    value = read_as(int, text)
     if value < 1:
         raise argparse.ArgumentTypeError(f"{text} is not 1 or more")
     return value

@@ -13,15 +13,17 @@ import attrs
 import numpy as np
 
 from plastigran.cli.arguments import (
-    Subparsers,
     add_dry_run,
     add_jobs,
     add_json,
     add_output,
+    add_subcommand,
     known_materials,
     positive,
     positive_integer,
     print_json,
+    read_as,
+    refuse_json_of_dry_run,
 )
 from plastigran.declared import Declaration, declarations
 from plastigran.engine.folder_lock import lock_folder
@@ -31,17 +33,17 @@ from plastigran.experiments.fields import Flag
 from plastigran.experiments.runs import Runs, case_folders, claim
 
 
-def add_command(subcommands: Subparsers, experiment: type[Experiment]) -> None:
+def add_command(subparsers: Any, experiment: type[Experiment]) -> None:
     """Add the command of an experiment, with a flag for each setting of its study."""
-    needed = [_word(name, flag) for name, flag in experiment.all_flags().items() if _needed(flag)]
-    words = [f"plastigran {experiment.command}", *(f"--{word} {word.upper()}" for word in needed)]
+    name, flags, declared = experiment.command, experiment.all_flags(), declarations(experiment)
+    required = [_word(setting, flag) for setting, flag in flags.items() if _required(flag)]
+    words = [f"plastigran {name}", *(f"--{word} {word.upper()}" for word in required)]
     example = experiment.example or " ".join(words)
-    command = subcommands.add(experiment.command, experiment.help, example)
-    said = declarations(experiment)
-    for name, flag in experiment.all_flags().items():
-        _add_flag(command, name, flag, flag.declaration or said[name])
+    command = add_subcommand(subparsers, name, experiment.help, example)
+    for setting, flag in flags.items():
+        _add_flag(command, setting, flag, flag.declaration or declared[setting])
     add_jobs(command)
-    add_output(command, f"results/{experiment.command.replace('-', '_')}")
+    add_output(command, f"results/{name.replace('-', '_')}")
     add_json(command)
     add_dry_run(command)
     if experiment.has_theory:
@@ -51,30 +53,32 @@ def add_command(subcommands: Subparsers, experiment: type[Experiment]) -> None:
     command.set_defaults(run=partial(run, experiment))
 
 
-def _word(name: str, flag: Flag) -> str:
-    return flag.name or name.replace("_", "-")
+def _word(setting: str, flag: Flag) -> str:
+    return flag.name or setting.replace("_", "-")
 
 
-def _needed(flag: Flag) -> bool:
-    return flag.default is attrs.NOTHING and not flag.span
+def _required(flag: Flag) -> bool:
+    return flag.values() is attrs.NOTHING
 
 
-def _add_flag(command: argparse.ArgumentParser, name: str, flag: Flag, said: Declaration) -> None:
-    word = _word(name, flag)
-    unit = f", {said.unit}" if said.unit != "-" else ""
+def _add_flag(
+    command: argparse.ArgumentParser, setting: str, flag: Flag, declaration: Declaration
+) -> None:
+    word = _word(setting, flag)
+    unit = f", {declaration.unit}" if declaration.unit != "-" else ""
     command.add_argument(
         f"--{word}",
-        dest=name,
-        type=_reader(word, said),
-        choices=said.choices or None,
+        dest=setting,
+        type=_reader(word, declaration),
+        choices=declaration.choices or None,
         nargs="+" if flag.many else None,
-        required=_needed(flag),
-        help=f"{said.meaning}{unit}{_usual(flag)}"
-        + (f"; {known_materials()}" if name == "material" else ""),
-        **({"metavar": word.upper()} if not said.choices else {}),
+        required=_required(flag),
+        help=f"{declaration.meaning}{unit}{_default(flag)}"
+        + (f"; {known_materials()}" if setting == "material" else ""),
+        **({"metavar": word.upper()} if not declaration.choices else {}),
     )
     if flag.span:
-        low, high, count = flag.span
+        lowest, highest, count = flag.span
         command.add_argument(
             f"--{word}s",
             nargs=2,
@@ -82,7 +86,7 @@ def _add_flag(command: argparse.ArgumentParser, name: str, flag: Flag, said: Dec
             metavar=("LOW", "HIGH"),
             help=(
                 f"lowest and highest {word} of the sweep if --{word} is not given, default "
-                f"{low:g} {high:g}"
+                f"{lowest:g} {highest:g}"
             ),
         )
         command.add_argument(
@@ -92,29 +96,22 @@ def _add_flag(command: argparse.ArgumentParser, name: str, flag: Flag, said: Dec
         )
 
 
-def _usual(flag: Flag) -> str:
-    if (
-        flag.span
-        or flag.default in (None, attrs.NOTHING)
-        or isinstance(flag.default, attrs.Factory)
-    ):
+def _default(flag: Flag) -> str:
+    """Return the default of a flag for its help; "" for a sweep, and without a default."""
+    values = flag.default if isinstance(flag.default, tuple) else (flag.default,)
+    if flag.span or isinstance(values[0], attrs.Factory) or values[0] in (None, attrs.NOTHING):
         return ""
-    several = flag.default if isinstance(flag.default, tuple) else (flag.default,)
-    shown = (f"{value:g}" if isinstance(value, float) else str(value) for value in several)
+    shown = (f"{value:g}" if isinstance(value, float) else str(value) for value in values)
     return f", default {' '.join(shown)}"
 
 
-def _reader(word: str, said: Declaration) -> Callable[[str], Any]:
+def _reader(word: str, declaration: Declaration) -> Callable[[str], Any]:
     """Return a function that reads the value of a flag and checks it against its declaration."""
 
     def read(text: str) -> Any:
-        try:
-            value = said.value_type(text)
-        except ValueError:
-            kind = {int: "whole number"}.get(said.value_type, "number")
-            raise argparse.ArgumentTypeError(f"{text!r} is not a {kind}") from None
-        if said.value_type is not str and not said.allows(value):
-            raise argparse.ArgumentTypeError(f"{word} is {text}; it {said.allowed()}")
+        value = read_as(declaration.value_type, text)
+        if declaration.value_type is not str and not declaration.allows(value):
+            raise argparse.ArgumentTypeError(f"{word} is {text}; it {declaration.allowed()}")
         return value
 
     return read
@@ -124,38 +121,30 @@ def run(experiment: type[Experiment], arguments: argparse.Namespace) -> None:
     """Run the study, print its summary, write its tables and figures.
 
     Raises:
-        ValueError: A value is out of range, a range is given together with values, or --jobs is
-            given with --theory.
+        ValueError: A value is out of range, or two flags exclude each other.
+        EngineError: LIGGGHTS is missing or stopped with an error.
     """
-    theory = getattr(arguments, "theory", False)
+    theory, folder = getattr(arguments, "theory", False), arguments.output
     if theory and arguments.jobs:
         raise ValueError(f"--jobs is {arguments.jobs}, but --theory starts no LIGGGHTS process")
     if theory and arguments.dry_run:
         raise ValueError("--dry-run prints the input of LIGGGHTS, but --theory starts none")
-    if arguments.json and arguments.dry_run:
-        raise ValueError(
-            "--json cannot be used with --dry-run, which produces no results. Remove one of them"
-        )
-    flags = experiment.all_flags()
-    given = {name: getattr(arguments, name) for name in flags}
-    for name, flag in flags.items():
-        if flag.span:
-            given[name] = _spanned(flag.name or name, flag, given[name], arguments)
-    given = {name: value for name, value in given.items() if value is not None}
+    refuse_json_of_dry_run(arguments)
+    settings = _settings(experiment, arguments)
     if arguments.dry_run:
-        plan_study(experiment, arguments.output, **given)
-        return
-    if theory:
-        runs = experiment.theory(**given)
-        with claim(arguments.output, arguments.force):
-            show_study(runs, arguments.output, arguments.json)
+        cases = experiment.cases(**experiment.study_settings(**settings))
+        for case, place in zip(cases, case_folders(cases, folder.resolve()), strict=True):
+            print(case.command_line(place))
+        print(f"{len(cases)} runs; nothing was started")
+    elif theory:
+        runs = experiment.theory(**settings)
+        with claim(folder, arguments.force):
+            show_study(runs, folder, arguments.json)
     else:
         _need_engine(experiment)
-        with lock_folder(arguments.output):  # keep the lock until the figures are written
-            runs = experiment.study(
-                arguments.output, arguments.jobs, force=arguments.force, **given
-            )
-            show_study(runs, arguments.output, arguments.json)
+        with lock_folder(folder):  # keep the lock until the figures are written
+            runs = experiment.study(folder, arguments.jobs, force=arguments.force, **settings)
+            show_study(runs, folder, arguments.json)
 
 
 def _need_engine(experiment: type[Experiment]) -> None:
@@ -167,45 +156,48 @@ def _need_engine(experiment: type[Experiment]) -> None:
     try:
         engine_path()
     except EngineError as error:
-        way = ". Use --theory to compute without LIGGGHTS" if experiment.has_theory else ""
-        raise EngineError(f"{error}{way}") from None
+        hint = ". Use --theory to compute without LIGGGHTS" if experiment.has_theory else ""
+        raise EngineError(f"{error}{hint}") from None
 
 
-def _spanned(
-    word: str, flag: Flag, given: list[float] | None, arguments: argparse.Namespace
+def _settings(experiment: type[Experiment], arguments: argparse.Namespace) -> dict[str, Any]:
+    """Return the settings that the arguments give."""
+    settings = {}
+    for setting, flag in experiment.all_flags().items():
+        value = getattr(arguments, setting)
+        if flag.span:
+            value = _values(_word(setting, flag), flag.span, value, arguments)
+        if value is not None:
+            settings[setting] = value
+    return settings
+
+
+def _values(
+    word: str,
+    default_range: tuple[float, float, int],
+    values: list[float] | None,
+    arguments: argparse.Namespace,
 ) -> Any:
-    """Return the values of a flag that may be given as a range."""
+    """Return the values of a flag, or of the range that --`word`s and --points give.
+
+    Raises:
+        ValueError: Values and a range are given, or a range of two ends has one point.
+    """
     ends, points = getattr(arguments, f"{word}s"), arguments.points
-    if given is not None:
+    if values is not None:
         for name, value in ((f"{word}s", ends), ("points", points)):
             if value is not None:
                 raise ValueError(
                     f"--{name} belongs to a range, but --{word} gives the values. "
                     "Remove one of them"
                 )
-        return given
-    low, high, count = flag.span
+        return values
     if points == 1 and ends and ends[0] != ends[1]:
         raise ValueError(
             f"--points is 1, but the range --{word}s {ends[0]:g} {ends[1]:g} has two ends"
         )
-    return np.geomspace(*(ends or (low, high)), points or count)
-
-
-def plan_study(experiment: type[Experiment], folder: Path, **settings: Any) -> None:
-    """Print the command line of every case and its folder; start nothing."""
-    cases = experiment.cases(**experiment.study_settings(**settings))
-    for case, place in zip(cases, case_folders(cases, folder.resolve()), strict=True):
-        print(case.command_line(place))
-    print(f"{len(cases)} runs; nothing was started")
-
-
-def run_study(
-    experiment: type[Experiment], folder: Path, jobs: int | None, force: bool, **settings: Any
-) -> None:
-    """Run a study, print its summary, write its tables and figures into a folder."""
-    with lock_folder(folder):
-        show_study(experiment.study(folder, jobs, force=force, **settings), folder)
+    lowest, highest, count = default_range
+    return np.geomspace(*(ends or (lowest, highest)), points or count)
 
 
 def show_study(runs: Runs, folder: Path, json: bool = False) -> None:

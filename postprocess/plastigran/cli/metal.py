@@ -16,25 +16,15 @@ from plastigran.fem.material.hardening import LinearHardening
 from plastigran.fem.settings import Settings
 
 
-def add_metal(
-    command: argparse.ArgumentParser, elastic: bool = False, radius: float | None = 0.1
-) -> None:
-    """Add the metal, the radius and --json.
-
-    With `elastic`, --elastic may replace --yield. Without a default `radius`, the flag is required.
-    """
+def add_metal(command: argparse.ArgumentParser, radius: float | None = 0.1) -> None:
+    """Add the metal, the radius and --json; --elastic may replace --yield."""
     add_elastic(command, radius)
     strength = command.add_mutually_exclusive_group(required=True)
     strength.add_argument(
         "--yield", type=positive, dest="yield_strength", help="yield strength, Pa"
     )
-    if elastic:
-        strength.add_argument("--elastic", action="store_true", help="nothing yields")
-    command.add_argument(
-        "--hardening",
-        type=float,
-        help="plastic modulus, Pa, default 0",
-    )
+    strength.add_argument("--elastic", action="store_true", help="nothing yields")
+    command.add_argument("--hardening", type=float, help="plastic modulus, Pa, default 0")
 
 
 def add_elastic(
@@ -42,18 +32,25 @@ def add_elastic(
 ) -> None:
     """Add an elastic material, the radius and --json.
 
-    Without a default `radius` or `density`, the flag is required.
+    Args:
+        command: Parser of the command.
+        radius: Default radius [m]; None to require the flag.
+        density: Default density [kg/m^3]; None to require the flag.
     """
     command.add_argument("--young", type=positive, required=True, help="Young's modulus, Pa")
     command.add_argument("--poisson", type=float, required=True, help="Poisson's ratio")
-    said = "density, kg/m3" if density is None else f"density, kg/m3, default {density:g}"
-    command.add_argument(
-        "--density", type=positive, default=density, required=density is None, help=said
-    )
-    said = "m" if radius is None else f"m, default {radius:g}"
-    command.add_argument(
-        "--radius", type=positive, default=radius, required=radius is None, help=said
-    )
+    for flag, default, meaning in (
+        ("--density", density, "density, kg/m3"),
+        ("--radius", radius, "radius, m"),
+    ):
+        shown = "" if default is None else f", default {default:g}"
+        command.add_argument(
+            flag,
+            type=positive,
+            default=default,
+            required=default is None,
+            help=meaning + shown,
+        )
     add_json(command)
 
 
@@ -71,46 +68,14 @@ def add_strain(command: argparse.ArgumentParser) -> None:
 
 def add_plane(command: argparse.ArgumentParser) -> None:
     """Add the metal of a half space under the sphere; without it the plane is rigid."""
-    for name, kind, said in (
+    for name, value_type, meaning in (
         ("young", positive, "Young's modulus of a half space, Pa; default: rigid plane"),
         ("poisson", float, "Poisson's ratio of the half space, default that of the sphere"),
         ("density", positive, "density of the half space, kg/m3, default that of the sphere"),
         ("yield", positive, "yield strength of the half space, Pa; default: elastic"),
         ("hardening", float, "plastic modulus of the half space, Pa, default 0"),
     ):
-        command.add_argument(f"--plane-{name}", type=kind, help=said)
-
-
-def plane(arguments: argparse.Namespace) -> ElasticPlastic | None:
-    """Return the metal of the half space; None for a rigid plane.
-
-    Raises:
-        ValueError: A number is out of range, or --plane-young is missing.
-    """
-    given = {
-        name: getattr(arguments, f"plane_{name}", None)
-        for name in ("young", "poisson", "density", "yield", "hardening")
-    }
-    if given["young"] is None:
-        for name, value in given.items():
-            if value is not None:
-                raise ValueError(f"--plane-{name} is {value:g}; it needs --plane-young")
-        return None
-    if given["hardening"] is not None and given["yield"] is None:
-        raise ValueError(f"--plane-hardening is {given['hardening']:g}; it needs --plane-yield")
-    hardening = None
-    if given["yield"] is not None:
-        hardening = LinearHardening(given["yield"], given["hardening"] or 0.0)
-
-    def own(name: str) -> float:
-        return getattr(arguments, name) if given[name] is None else given[name]
-
-    return ElasticPlastic(
-        youngs_modulus=given["young"],
-        poissons_ratio=own("poisson"),
-        density=own("density"),
-        hardening=hardening,
-    )
+        command.add_argument(f"--plane-{name}", type=value_type, help=meaning)
 
 
 def metal(arguments: argparse.Namespace) -> ElasticPlastic:
@@ -119,17 +84,46 @@ def metal(arguments: argparse.Namespace) -> ElasticPlastic:
     Raises:
         ValueError: A number is out of range, or the metal has a plastic modulus without yield.
     """
-    hardening, modulus = None, getattr(arguments, "hardening", None)
-    if getattr(arguments, "yield_strength", None) is not None:
-        hardening = LinearHardening(arguments.yield_strength, modulus or 0.0)
-    elif modulus is not None:
-        raise ValueError(f"--hardening is {modulus:g}; it needs --yield")
+    strength = getattr(arguments, "yield_strength", None)
+    modulus = getattr(arguments, "hardening", None)
     return ElasticPlastic(
         youngs_modulus=arguments.young,
         poissons_ratio=arguments.poisson,
         density=arguments.density,
-        hardening=hardening,
+        hardening=_hardening(strength, modulus, "--"),
     )
+
+
+def plane(arguments: argparse.Namespace) -> ElasticPlastic | None:
+    """Return the metal of the half space; None for a rigid plane.
+
+    Raises:
+        ValueError: As for `metal`, or --plane-young is missing.
+    """
+    names = ("young", "poisson", "density", "yield", "hardening")
+    given = {name: getattr(arguments, f"plane_{name}", None) for name in names}
+    given = {name: value for name, value in given.items() if value is not None}
+    if "young" not in given:
+        for name, value in given.items():
+            raise ValueError(f"--plane-{name} is {value:g}; it needs --plane-young")
+        return None
+    return ElasticPlastic(
+        youngs_modulus=given["young"],
+        poissons_ratio=given.get("poisson", arguments.poisson),
+        density=given.get("density", arguments.density),
+        hardening=_hardening(given.get("yield"), given.get("hardening"), "--plane-"),
+    )
+
+
+def _hardening(
+    strength: float | None, modulus: float | None, prefix: str
+) -> LinearHardening | None:
+    """Return the hardening of a metal; None for one that does not yield."""
+    if strength is not None:
+        return LinearHardening(strength, modulus or 0.0)
+    if modulus is not None:
+        raise ValueError(f"{prefix}hardening is {modulus:g}; it needs {prefix}yield")
+    return None
 
 
 def computed(compute: Callable, *arguments: object, strain: str = "small", **named: object):
@@ -146,7 +140,7 @@ def computed(compute: Callable, *arguments: object, strain: str = "small", **nam
     Raises:
         ValueError: The computation cannot start.
     """
-    with warnings.catch_warnings(record=True) as said:
+    with warnings.catch_warnings(record=True) as recorded:
         warnings.simplefilter("always", SmallStrainWarning)
         try:
             result = cached(
@@ -158,7 +152,7 @@ def computed(compute: Callable, *arguments: object, strain: str = "small", **nam
             )
         except ArithmeticError as error:
             raise ValueError(str(error)) from None
-    for line in [*(str(warning.message) for warning in said), result.stopped]:
+    for line in [*(str(warning.message) for warning in recorded), result.stopped]:
         if line:
             say(line)
     return result

@@ -12,6 +12,7 @@ from plastigran.cli.arguments import (
     add_json,
     positive_integer,
     print_json,
+    refuse_json_of_dry_run,
 )
 from plastigran.engine.checkpoints import newest_checkpoint
 from plastigran.engine.deck import deck_name, deck_names
@@ -80,10 +81,7 @@ def run(arguments: argparse.Namespace) -> None:
             earlier.with_name(f"{earlier.name}_continued") if earlier else Path("results") / name
         )
     what = (arguments.deck, dict(arguments.settings), arguments.output, arguments.ranks, earlier)
-    if arguments.json and arguments.dry_run:
-        raise ValueError(
-            "--json cannot be used with --dry-run, which produces no results. Remove one of them"
-        )
+    refuse_json_of_dry_run(arguments)
     if arguments.dry_run:
         plan = plan_bulk(*what)
         print(plan.command_line())

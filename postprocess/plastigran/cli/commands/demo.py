@@ -8,7 +8,7 @@ from pathlib import Path
 
 from plastigran.cli.arguments import add_jobs
 from plastigran.cli.commands.bulk import report
-from plastigran.cli.experiments import run_study
+from plastigran.cli.experiments import show_study
 from plastigran.experiments.central import GEOMETRIES, PAPER_SPEEDS, CentralImpact
 from plastigran.experiments.runs import sweep
 from plastigran.materials import read_material
@@ -34,12 +34,7 @@ def add_arguments(command: argparse.ArgumentParser) -> None:
 
 
 def run(arguments: argparse.Namespace) -> None:
-    """Run the tour.
-
-    It has the paper's sphere over four decades of speed, one impact in every geometry, a gas that
-    cools
-    by such impacts, a hopper of yielding grains, and a page on all of them.
-    """
+    """Run collisions, a cooling gas and a hopper of yielding grains, and write a page on them."""
     from plastigran.bulk.run import run_bulk  # matplotlib and plotly are slow to load
     from plastigran.plot.frame_files import find_frames
     from plastigran.plot.snapshot import draw
@@ -47,13 +42,14 @@ def run(arguments: argparse.Namespace) -> None:
 
     folder = arguments.output
     jobs, names = arguments.jobs, laws_for("sphere", [read_material("aluminium_zv02")])
-    run_study(CentralImpact, folder / "speeds", jobs, True, law=names, speed=PAPER_SPEEDS)
+    speeds = folder / "speeds"
+    show_study(CentralImpact.study(speeds, jobs, force=True, law=names, speed=PAPER_SPEEDS), speeds)
     print("Laws are shown beyond their range, too, so that they can be compared.")
     print("\nThe same impact, 0.1 m/s, as a pair, on a primitive wall and on a mesh:")
-    through = CentralImpact.plan(
+    impacts = CentralImpact.plan(
         geometry=GEOMETRIES, law=names, speed=0.1, material="aluminium_zv02", radius=0.1
     )
-    table = sweep(through, folder / "geometries", jobs, progress=False, force=True).table
+    table = sweep(impacts, folder / "geometries", jobs, progress=False, force=True).table
     pivot = table.pivot(index="law", columns="geometry", values="coefficient_of_restitution")
     print(pivot.rename_axis(index=None, columns=None).to_string(float_format="{:.6f}".format))
     print("\nA freely cooling gas of 512 grains, on two ranks:")
@@ -66,7 +62,7 @@ def run(arguments: argparse.Namespace) -> None:
     frames = find_frames(hopper)
     draw(frames[len(frames) // 2], picture, view="front")
     figures = [
-        folder / "speeds" / "restitution.png",
+        speeds / "restitution.png",
         gas / "figures" / "cooling_gas.png",
         hopper / "figures" / "hopper.png",
         hopper / "figures" / "ledger.png",

@@ -1,9 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """`plastigran fem`: finite elements of a sphere or a cylinder.
 
-A sphere on a plane or a half space is compressed, hits it, or hits it and vibrates. A rigid
-cylinder
-hits a body.
+A sphere is compressed on a plane or a half space, hits it, or hits it and vibrates. A rigid
+cylinder hits a body.
 """
 
 from __future__ import annotations
@@ -13,8 +12,7 @@ from itertools import pairwise
 
 import pandas as pd
 
-from plastigran.cli.arguments import Subparsers, positive, print_json
-from plastigran.cli.cylinder import add_cylinder, cylinder
+from plastigran.cli.arguments import add_subcommand, positive, print_json
 from plastigran.cli.metal import (
     add_elastic,
     add_metal,
@@ -25,6 +23,8 @@ from plastigran.cli.metal import (
     plane,
     say,
 )
+from plastigran.fem.cylinder.case import CylinderStrike
+from plastigran.fem.cylinder.strike import strike
 from plastigran.fem.sphere.press import press
 from plastigran.fem.sphere.throw import throw
 from plastigran.fem.sphere.vibrate import TRANSITS, vibrate
@@ -69,55 +69,85 @@ COLUMNS = {"frequency": "Hz", "found": "Hz", "energy": "J"}
 
 
 def add_arguments(command: argparse.ArgumentParser) -> None:
-    """Add a command for each kind of computation."""
-    kinds = Subparsers(
-        command.add_subparsers(dest="kind", required=True, metavar="press|throw|vibrate|cylinder")
+    """Add a command for each computation."""
+    computations = command.add_subparsers(
+        dest="kind", required=True, metavar="press|throw|vibrate|cylinder"
     )
     steel = "--young 2.1e11 --poisson 0.3 --density 7850"
-    slow = kinds.add(
+    press_command = add_subcommand(
+        computations,
         "press",
         "quasi-static compression and unloading of the sphere",
         f"plastigran fem press {steel} --yield 3e8 --radius 0.01 --force-ratio 10 40",
     )
-    add_metal(slow, elastic=True)
-    slow.add_argument(
+    add_metal(press_command)
+    press_command.add_argument(
         "--force-ratio",
         type=positive,
         nargs="+",
         required=True,
         help="largest forces as multiples of the yield force, increasing",
     )
-    fast = kinds.add(
+    throw_command = add_subcommand(
+        computations,
         "throw",
         "impact of the sphere on the plane",
         f"plastigran fem throw {steel} --yield 3e8 --radius 0.01 --speed 0.1",
     )
-    add_metal(fast, elastic=True)
-    fast.add_argument("--speed", type=positive, required=True, help="impact speed, m/s")
-    for command in (slow, fast):
-        add_plane(command)
-        add_strain(command)
-    add_cylinder(
-        kinds.add(
-            "cylinder",
-            "impact of a rigid cylinder on a body",
-            f"plastigran fem cylinder {steel} --yield 3e8 --radius 1e-5 --length 1e-4 \\\n"
-            "    --mass 1.6e-6 --speed 0.5",
-        )
+    add_metal(throw_command)
+    _add_speed(throw_command, "impact speed, m/s")
+    for sphere_command in (press_command, throw_command):
+        add_plane(sphere_command)
+        add_strain(sphere_command)
+    cylinder_command = add_subcommand(
+        computations,
+        "cylinder",
+        "impact of a rigid cylinder on a body",
+        f"plastigran fem cylinder {steel} --yield 3e8 --radius 1e-5 --length 1e-4 \\\n"
+        "    --mass 1.6e-6 --speed 0.5",
     )
-    ringing = kinds.add(
+    _add_cylinder(cylinder_command)
+    vibrate_command = add_subcommand(
+        computations,
         "vibrate",
         "impact of an elastic sphere, with its vibration",
         f"plastigran fem vibrate {steel} --radius 0.01 --speed 0.5",
     )
-    add_elastic(ringing)
-    ringing.add_argument("--speed", type=positive, required=True, help="impact speed, m/s")
-    ringing.add_argument(
+    add_elastic(vibrate_command)
+    _add_speed(vibrate_command, "impact speed, m/s")
+    vibrate_command.add_argument(
         "--transits",
         type=positive,
         default=TRANSITS,
         help="duration of the flight divided by the time in which a compression wave crosses "
         f"the sphere, default {TRANSITS:g}",
+    )
+    press_command.set_defaults(compute=_press)
+    throw_command.set_defaults(compute=_throw)
+    cylinder_command.set_defaults(compute=_cylinder)
+    vibrate_command.set_defaults(compute=_vibrate)
+
+
+def _add_speed(command: argparse.ArgumentParser, meaning: str) -> None:
+    command.add_argument("--speed", type=positive, required=True, help=meaning)
+
+
+def _add_cylinder(command: argparse.ArgumentParser) -> None:
+    add_metal(command, radius=None)
+    command.add_argument("--length", type=positive, required=True, help="length of the cylinder, m")
+    command.add_argument(
+        "--mass", type=positive, required=True, help="mass that moves with the cylinder, kg"
+    )
+    _add_speed(command, "speed toward the body, m/s")
+    command.add_argument(
+        "--sliding-speed", type=float, default=0.0, help="speed along the surface, m/s"
+    )
+    command.add_argument("--coefficient-of-friction", type=float, default=0.0, help="default 0")
+    add_strain(command)
+    command.add_argument(
+        "--thickness",
+        type=positive,
+        help="thickness of the body, m; by default no wave returns from its far side",
     )
 
 
@@ -127,12 +157,7 @@ def run(arguments: argparse.Namespace) -> None:
     Raises:
         ValueError: An argument is out of range, or the first increment does not converge.
     """
-    if arguments.kind == "cylinder":
-        numbers = cylinder(arguments)
-    else:
-        sphere = HertzSphere(metal(arguments), arguments.radius, plane(arguments))
-        kinds = {"press": _press, "throw": _throw, "vibrate": _vibrate}
-        numbers = kinds[arguments.kind](sphere, arguments)
+    numbers = arguments.compute(arguments)
     if arguments.json:
         print_json(numbers)
         return
@@ -151,10 +176,14 @@ def run(arguments: argparse.Namespace) -> None:
             print(f"\n{name.replace('_', ' ')}\n{shown}")
 
 
-def _press(sphere: HertzSphere, arguments: argparse.Namespace) -> dict:
+def _sphere(arguments: argparse.Namespace) -> HertzSphere:
+    return HertzSphere(metal(arguments), arguments.radius, plane(arguments))
+
+
+def _press(arguments: argparse.Namespace) -> dict:
+    sphere, ratios = _sphere(arguments), arguments.force_ratio
     if sphere.yielding is None:
         raise ValueError("neither body yields, but --force-ratio is a multiple of the yield force")
-    ratios = arguments.force_ratio
     for before, ratio in pairwise(ratios):
         if ratio <= before:
             raise ValueError(f"force-ratio {ratio:g} follows {before:g}; they must increase")
@@ -168,25 +197,46 @@ def _press(sphere: HertzSphere, arguments: argparse.Namespace) -> dict:
     return numbers
 
 
-def _throw(sphere: HertzSphere, arguments: argparse.Namespace) -> dict:
+def _throw(arguments: argparse.Namespace) -> dict:
+    sphere = _sphere(arguments)
     if sphere.yielding and arguments.speed <= sphere.yield_speed:
         say(f"{arguments.speed:g} m/s is below the yield speed, {sphere.yield_speed:.4g} m/s")
     case = (sphere.material, sphere.radius, arguments.speed)
     return computed(throw, *case, strain=arguments.strain, plane=sphere.plane).to_dict()
 
 
-def _vibrate(sphere: HertzSphere, arguments: argparse.Namespace) -> dict:
-    found: Vibration = computed(
+def _cylinder(arguments: argparse.Namespace) -> dict:
+    case = CylinderStrike(
+        material=metal(arguments),
+        radius=arguments.radius,
+        length=arguments.length,
+        mass=arguments.mass,
+        speed=arguments.speed,
+        sliding_speed=arguments.sliding_speed,
+        coefficient_of_friction=arguments.coefficient_of_friction,
+        thickness=arguments.thickness,
+    )
+    force = case.line.impact_force(case.mass, case.speed)
+    if case.material.hardening is not None and force <= case.line.yield_force:
+        say(
+            f"speed {case.speed:g} m/s is too low for yield: the contact force is "
+            f"{case.line.yield_force:.4g} N at yield, but reaches only {force:.4g} N"
+        )
+    return computed(strike, case, strain=arguments.strain).to_dict()
+
+
+def _vibrate(arguments: argparse.Namespace) -> dict:
+    sphere = _sphere(arguments)
+    result: Vibration = computed(
         vibrate, sphere.material, sphere.radius, arguments.speed, arguments.transits
     )
-    numbers = found.to_dict()
-    material = found.material
+    numbers, material = result.to_dict(), result.material
     exact = impact_modes(
         material.youngs_modulus,
         material.poissons_ratio,
         material.density,
-        found.radius,
-        1.1 * found.modes["frequency"].max(),
+        result.radius,
+        1.1 * result.modes["frequency"].max(),
     )
     for name, table in numbers.items():
         if name == "modes" or name.endswith("_peaks"):
