@@ -302,7 +302,7 @@ def test_a_deck_called_as_one_of_the_package_is_the_users_own(tmp_path, monkeypa
     """By its path; its run is opened as such, and the other's is not gone on with."""
     monkeypatch.chdir(tmp_path)
     deck = write_deck(Path("hopper"), "thornton", "steel")
-    assert plan_bulk("hopper", {}, "shipped").kind.__name__ == "Hopper"
+    assert plan_bulk("hopper", {}, "shipped").deck_type.__name__ == "Hopper"
     short = ["-v", "duration=0.002", "rows=2", "checkpoints=1"]
     assert main(["bulk", str(deck), *short]) == 0
     run = pg.open("results/hopper")
@@ -334,8 +334,8 @@ def test_any_file_given_by_its_path_is_a_deck(file, name, plain, monkeypatch):
 def test_a_name_of_the_package_is_its_deck_whatever_lies_here(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     Path("hopper").write_text("units si\n")
-    assert plan_bulk("hopper", {}, "run").kind.__name__ == "Hopper"
-    assert plan_bulk("./hopper", {}, "run").kind is None
+    assert plan_bulk("hopper", {}, "run").deck_type.__name__ == "Hopper"
+    assert plan_bulk("./hopper", {}, "run").deck_type is None
     for missing in ("./in.drop", "drop.in", "decks/drop"):
         with pytest.raises(EngineError, match=f"no input script {missing}"):
             plan_bulk(missing, {}, "run")

@@ -23,8 +23,8 @@ LEDGER_CHECKS = (
 #: grain moves by its diameter under its weight.
 FINE_ROWS = 0.25
 
-#: Energy terms of inputs/energy_ledger.in, except gravity.
-TAKEN = ["kinetic", "elastic", "plastic", "friction", "viscous"]
+#: Energy terms of inputs/energy_ledger.in whose sum is the energy input; gravity is not among them.
+ENERGIES = ["kinetic", "elastic", "plastic", "friction", "viscous"]
 #: Dissipated energy terms.
 DISSIPATED = ["plastic", "friction", "viscous"]
 #: Energy terms that accumulate.
@@ -79,7 +79,7 @@ def energy_input(series: pd.DataFrame) -> float:
     Args:
         series: Terms of inputs/energy_ledger.in [J], one row per line of the log.
     """
-    return float(series[TAKEN].sum(axis="columns").max())
+    return float(series[ENERGIES].sum(axis="columns").max())
 
 
 def last_simulation(series: pd.DataFrame) -> pd.DataFrame:

@@ -145,8 +145,7 @@ class BulkDeck:
 
         Args:
             series: Log from step 0, including earlier parts of a continued run: `step`, `time` [s],
-                and
-                the columns of the deck.
+                and the columns of the deck.
 
         Raises:
             ValueError: The series contains nothing to measure.

@@ -6,7 +6,7 @@ from __future__ import annotations
 import pandas as pd
 from matplotlib.figure import Figure
 
-from plastigran.bulk.checks import TAKEN, energy_input
+from plastigran.bulk.checks import ENERGIES, energy_input
 from plastigran.plot.chart import Curve, Panel
 from plastigran.plot.quantities import Scale, scale, words
 from plastigran.plot.static import draw
@@ -31,10 +31,10 @@ def ledger_panels(series: pd.DataFrame, total: float, limit: float) -> tuple[Pan
             x=series["time"].to_numpy(),
             y=(series[term].clip(lower=0) / total).to_numpy(),
             name=words(term),
-            colour=TAKEN.index(term),
+            colour=ENERGIES.index(term),
             look="area",
         )
-        for term in reversed(TAKEN)
+        for term in reversed(ENERGIES)
         if series[term].abs().max() > SMALL * total
     ]
     drift = Curve(x=series["time"].to_numpy(), y=(series["drift"] / total).to_numpy(), name="error")

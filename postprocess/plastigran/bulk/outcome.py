@@ -87,8 +87,8 @@ class BulkRun:
             CheckError: A check failed; the message names it.
         """
         if failed := self.analysis.failed:
-            said = "; ".join(f"{c.name} {c.value:.3g}, at most {c.limit:.3g}" for c in failed)
-            raise CheckError(f"{said} (in {self.folder})")
+            values = "; ".join(f"{c.name} {c.value:.3g}, at most {c.limit:.3g}" for c in failed)
+            raise CheckError(f"{values} (in {self.folder})")
         return self
 
 
@@ -104,21 +104,19 @@ def open_run(folder: str | Path) -> BulkRun:
     """
     folder = Path(folder).resolve()
     record, series = read_record(folder), read_series(folder)
-    kind = None if record.get("own") else deck_class(record["deck"])
-    finished = (folder / SERIES).exists()
+    name = record["deck"]
+    deck_type = None if record.get("own") else deck_class(name)
     try:
-        deck = kind.read(record["settings"] | {"output": folder}) if kind else None
+        deck = deck_type.read(record["settings"] | {"output": folder}) if deck_type else None
     except ValueError as error:
         raise EngineError(f"{folder / RECORD}: {error}") from None
+    if not (folder / SERIES).exists():
+        return BulkRun(name, folder, deck, Analysis(series), finished=False)
     try:
-        analysis = Analysis(series)
-        if finished:
-            analysis = deck.analyse(series) if deck else analyse_own(series)
-            first = range_checks(all_excess(folder))
-            analysis = attrs.evolve(analysis, checks=[*first, *analysis.checks])
+        analysis = deck.analyse(series) if deck else analyse_own(series)
+        checks = [*range_checks(all_excess(folder)), *analysis.checks]
     except (ArithmeticError, LookupError, OSError, ValueError) as error:
-        said = f"{type(error).__name__}: {error}"
         raise DumpError(
-            f"{folder}: {LOG} contains no complete run of {record['deck']} ({said})"
+            f"{folder}: {LOG} contains no complete run of {name} ({type(error).__name__}: {error})"
         ) from error
-    return BulkRun(record["deck"], folder, deck, analysis, finished)
+    return BulkRun(name, folder, deck, attrs.evolve(analysis, checks=checks))

@@ -14,8 +14,8 @@ import pandas as pd
 from plastigran import laws
 from plastigran.bulk.checks import (
     DISSIPATED,
+    ENERGIES,
     LEDGER,
-    TAKEN,
     Check,
     energy_input,
     last_simulation,
@@ -30,41 +30,54 @@ from plastigran.engine.log import LOG
 from plastigran.engine.process import EngineError, inputs_folder, misread
 
 #: Settings with which a deck continues from a restart file.
-GOES_ON = ("start", "checkpoint")
+CONTINUE_SETTINGS = ("start", "checkpoint")
 #: Requirements of a deck that can continue.
-NEEDS = (
+CONTINUE_HINT = (
     "it needs settings `start` (fresh or checkpoint) and `checkpoint` (a file), and a `restart` "
     f"command that writes ${{output}}/{PATTERN}; `plastigran new-deck` writes a deck with them"
 )
-
 #: Commands after which the number of steps cannot be predicted from the script.
 CONTROL = {"if", "jump", "next", "label", "reset_timestep", "read_restart"}
 
-_COUNTS_ANEW = re.compile(r"^reset_timestep\s", re.MULTILINE)
+#: Notes on what was not checked or drawn.
+NO_TERMS = "nothing was checked: the deck keeps no energy balance, or its log has no terms of it"
+NO_INPUT = "the energy balance was not checked, because the energy input is zero"
+NO_TIME = (
+    "the energy balance was not drawn, because the log has no time. Add `time` to thermo_style"
+)
+SEVERAL_PARTS = (
+    "the energy balance restarts at each `clear`. All parts are checked; the last one is drawn"
+)
+NO_CONTACTS = (
+    "the energy balance was not checked, because no line of the log has stored or dissipated "
+    "energy of contacts. Did grains meet?"
+)
+
+_RESET_TIMESTEP = re.compile(r"^reset_timestep\s", re.MULTILINE)
 _MODEL = re.compile(r"\bgran\s+(?:&\s*)?model\s+(\S+)")
 
 
 def planned_steps(source: DeckSource) -> int:
     """Return the steps of all `run` commands of a deck together; 0 where only LIGGGHTS can tell."""
-    included = [file for file in source.files[1:] if file.suffix.lower() not in MESHES]
-    if any(_first_words(source, file) & {"run", *CONTROL} for file in included):
-        return 0
+    for file in _scripts(source)[1:]:
+        names = {source.resolve(command).partition(" ")[0] for command in commands(file)}
+        if names & {"run", *CONTROL}:
+            return 0
     steps = 0
     for command in commands(source.path):
-        words = source.resolve(command).split()
-        if words[:1] == ["include"] and "$" in words[-1]:
+        name, *arguments = source.resolve(command).split() or [""]
+        if name in CONTROL or (name == "include" and "$" in " ".join(arguments)):
             return 0
-        if words and words[0] in CONTROL:
-            return 0
-        if words[:1] == ["run"]:
-            if not words[1:] or not words[1].isdigit():
+        if name == "run":
+            if not arguments or not arguments[0].isdigit():
                 return 0
-            steps = int(words[1]) + (0 if "upto" in words else steps)
+            steps = int(arguments[0]) + (0 if "upto" in arguments else steps)
     return steps
 
 
-def _first_words(source: DeckSource, file: Path) -> set[str]:
-    return {source.resolve(command).partition(" ")[0] for command in commands(file)}
+def _scripts(source: DeckSource) -> list[Path]:
+    """Return the script of a deck and its includes."""
+    return [file for file in source.files if file.suffix.lower() not in MESHES]
 
 
 def own_places(source: DeckSource, folder: Path) -> dict[str, object]:
@@ -73,19 +86,19 @@ def own_places(source: DeckSource, folder: Path) -> dict[str, object]:
     Raises:
         ValueError: The deck reads ${output}, and LIGGGHTS would misread its value.
     """
-    read = source.references | source.settings.keys()
-    output: str | None = None
-    if "output" in read:
-        output = str(folder)
-        if misread(output):
-            output = os.path.relpath(folder, source.path.parent)
-        if misread(output):
-            raise ValueError(
-                f"the folder of results is {output!r}, but {source.path.name} reads it as "
-                f"${{output}}, and LIGGGHTS misreads white space, % and * there. Choose "
-                "another folder"
-            )
-    return {"inputs": inputs_folder() if "inputs" in read else None, "output": output}
+    variables = source.references | source.settings.keys()
+    inputs = inputs_folder() if "inputs" in variables else None
+    if "output" not in variables:
+        return {"inputs": inputs, "output": None}
+    output = str(folder)
+    if misread(output):
+        output = os.path.relpath(folder, source.path.parent)
+    if misread(output):
+        raise ValueError(
+            f"the folder of results is {output!r}, but {source.path.name} reads it as "
+            "${output}, and LIGGGHTS misreads white space, % and * there. Choose another folder"
+        )
+    return {"inputs": inputs, "output": output}
 
 
 def check_laws(source: DeckSource) -> None:
@@ -97,21 +110,20 @@ def check_laws(source: DeckSource) -> None:
     Warns:
         UserWarning: The name of a model contains that of a law; it may be the user's own model.
     """
-    for file in source.files:
-        if file.suffix.lower() in MESHES:
-            continue
-        for found in _MODEL.finditer("\n".join(commands(file))):
-            name = source.resolve(found[1])
-            if name in laws.LAWS or not (meant := get_close_matches(name, laws.LAWS, 1, 0.85)):
+    for file in _scripts(source):
+        for model in _MODEL.finditer("\n".join(commands(file))):
+            name = source.resolve(model[1])
+            similar = get_close_matches(name, laws.LAWS, 1, 0.85)
+            if name in laws.LAWS or not similar:
                 continue
-            said = f"{file.name}: no contact model {name!r}. Possible misspelling of {meant[0]}"
-            if meant[0] not in name:
-                raise ValueError(said)
-            warnings.warn(f"{said} It is used as it is, in case it is your own", stacklevel=2)
+            text = f"{file.name}: no contact model {name!r}. Possible misspelling of {similar[0]}"
+            if similar[0] not in name:
+                raise ValueError(text)
+            warnings.warn(f"{text} It is used as it is, in case it is your own", stacklevel=2)
 
 
 def own_restart_point(source: DeckSource, earlier: Path, record: dict) -> Path:
-    """Return the `restart_point` of a run, for a deck that can continue from it.
+    """Return the `restart_point` of a run of a user's deck.
 
     Args:
         source: Deck.
@@ -119,16 +131,16 @@ def own_restart_point(source: DeckSource, earlier: Path, record: dict) -> Path:
         record: Contents of its `run.json`.
 
     Raises:
-        ValueError: The deck lacks the settings for it.
+        ValueError: The deck lacks the settings to continue.
         EngineError: There is no such point.
     """
-    if missing := [name for name in GOES_ON if name not in source.settings]:
+    if missing := [name for name in CONTINUE_SETTINGS if name not in source.settings]:
         raise ValueError(
             f"{source.path.name} has no setting {missing[0]!r}, so it cannot continue from a "
-            f"checkpoint; {NEEDS}"
+            f"checkpoint; {CONTINUE_HINT}"
         )
     log = earlier / LOG
-    if log.is_file() and _COUNTS_ANEW.search(log.read_text(errors="replace")):
+    if log.is_file() and _RESET_TIMESTEP.search(log.read_text(errors="replace")):
         raise EngineError(
             f"{log} contains `reset_timestep`, so step numbers do not identify the newest "
             "checkpoint. Choose one yourself: -v start=checkpoint checkpoint=FILE"
@@ -138,46 +150,33 @@ def own_restart_point(source: DeckSource, earlier: Path, record: dict) -> Path:
     except EngineError as error:
         if checkpoints(earlier):
             raise
-        raise EngineError(f"{error}: {NEEDS}") from None
+        raise EngineError(f"{error}: {CONTINUE_HINT}") from None
 
 
 def analyse_own(series: pd.DataFrame) -> Analysis:
     """Check the energy balance of a run whose log has the terms of inputs/energy_ledger.in."""
-    if not {*TAKEN, "drift"} <= set(series):
-        said = (
-            "nothing was checked: the deck keeps no energy balance, or its log has no terms of it"
-        )
-        return Analysis(series, notes=[said])
+    if not {*ENERGIES, "drift"} <= set(series):
+        return Analysis(series, notes=[NO_TERMS])
     if not energy_input(series) > 0:
-        return Analysis(
-            series, notes=["the energy balance was not checked, because the energy input is zero"]
-        )
+        return Analysis(series, notes=[NO_INPUT])
     figures, notes, last = {}, [], last_simulation(series)
     if "time" not in series:
-        notes.append(
-            "the energy balance was not drawn, because the log has no time. Add `time` to "
-            "thermo_style"
-        )
+        notes.append(NO_TIME)
     elif energy_input(last) > 0:
         figures["ledger"] = ledger_figure(last, LEDGER)
     if len(last) < len(series):
-        notes.append(
-            "the energy balance restarts at each `clear`. All parts are checked; the "
-            "last one is drawn"
-        )
-    if not series[["elastic", *DISSIPATED]].any(axis=None):
-        notes.append(
-            "the energy balance was not checked, because no line of the log has stored or "
-            "dissipated energy of contacts. Did grains meet?"
-        )
-        return Analysis(series, [], figures, notes=notes)
-    return Analysis(series, _worst_checks(series), figures, notes=notes)
+        notes.append(SEVERAL_PARTS)
+    if series[["elastic", *DISSIPATED]].any(axis=None):
+        return Analysis(series, _worst_checks(series), figures, notes)
+    return Analysis(series, [], figures, [*notes, NO_CONTACTS])
 
 
 def _worst_checks(series: pd.DataFrame) -> list[Check]:
     """Return the checks of the energy balance, each at its worst; `clear` restarts the balance."""
-    ledgers = [series]
+    parts = [series]
     if "simulation" in series:
-        ledgers = [ledger for _, ledger in series.groupby("simulation") if energy_input(ledger) > 0]
-    found = zip(*map(ledger_checks, ledgers), strict=True)
-    return [min(checks, key=lambda check: (check.passed, -check.value)) for checks in found]
+        parts = [part for _, part in series.groupby("simulation") if energy_input(part) > 0]
+    return [
+        min(checks, key=lambda check: (check.passed, -check.value))
+        for checks in zip(*map(ledger_checks, parts), strict=True)
+    ]

@@ -26,7 +26,7 @@ class Plan:
 
     Attributes:
         source: Deck with its includes.
-        kind: Class of the deck; None for a user's input script.
+        deck_type: Class of the deck; None for a user's input script.
         folder: Folder of the results.
         ranks: Number of MPI ranks.
         values: Settings that override those of the deck.
@@ -36,7 +36,7 @@ class Plan:
     """
 
     source: DeckSource
-    kind: type[BulkDeck] | None
+    deck_type: type[BulkDeck] | None
     folder: Path
     ranks: int
     values: dict[str, str]
@@ -47,12 +47,14 @@ class Plan:
     @property
     def working_folder(self) -> Path:
         """Folder in which LIGGGHTS runs; relative paths of the deck start there."""
-        return self.folder if self.kind else self.source.path.parent
+        return self.folder if self.deck_type else self.source.path.parent
 
     def command_line(self) -> str:
         """Command line that runs the deck itself; a run uses a copy of it."""
-        given = self.values | ({} if self.kind else self.places)
-        return typed_command(self.source.path, given, self.folder, self.working_folder, self.ranks)
+        settings = self.values if self.deck_type else self.values | self.places
+        return typed_command(
+            self.source.path, settings, self.folder, self.working_folder, self.ranks
+        )
 
 
 def plan_bulk(
@@ -71,31 +73,31 @@ def plan_bulk(
         )
     folder, script = Path(folder).resolve(), find_deck(deck)
     values = {name: str(value) for name, value in values.items()}
-    kind = deck_class(deck_name(script)) if is_shipped(script) else None
-    earlier = checkpoint = None
+    deck_type = deck_class(deck_name(script)) if is_shipped(script) else None
+    record = checkpoint = None
     if restart is not None:
         restart = Path(restart).resolve()
-        earlier = _earlier(restart, folder, script, own=kind is None)
-        if kind:
-            checkpoint = restart_point(restart, earlier)
+        record = _read_earlier_record(restart, folder, script, own=deck_type is None)
+        if deck_type:
+            checkpoint = restart_point(restart, record)
         else:
-            checkpoint = own_restart_point(read_deck(script, {}, folder), restart, earlier)
-        values = earlier["values"] | values | {"start": "checkpoint", "checkpoint": str(checkpoint)}
-    # the path is relative to the current folder, but LIGGGHTS runs elsewhere
-    if kind and "materials" in values:
+            checkpoint = own_restart_point(read_deck(script, {}, folder), restart, record)
+        values = record["values"] | values | {"start": "checkpoint", "checkpoint": str(checkpoint)}
+    # The path is relative to the current folder, but LIGGGHTS runs elsewhere.
+    if deck_type and "materials" in values:
         values["materials"] = str(Path(values["materials"]).resolve())
     source = read_deck(script, values, folder)
+    places = {"inputs": folder / "deck"} if deck_type else own_places(source, folder)
+    plan = Plan(source, deck_type, folder, ranks, values, places, restart, checkpoint)
     if source.settings.get("start") == "checkpoint":
-        working_folder = folder if kind else source.path.parent
-        refuse_damaged(working_folder / source.settings.get("checkpoint", ""))
-    places = {"inputs": folder / "deck"} if kind else own_places(source, folder)
-    if not kind:
+        refuse_damaged(plan.working_folder / source.settings.get("checkpoint", ""))
+    if deck_type is None:
         check_laws(source)
     else:
-        if earlier:
-            check_continued(source.settings, earlier["settings"], kind.continuable_settings())
-        kind.read(source.settings).check_inputs()
-    return Plan(source, kind, folder, ranks, values, places, restart, checkpoint)
+        if record:
+            check_continued(source.settings, record["settings"], deck_type.continuable_settings())
+        deck_type.read(source.settings).check_inputs()
+    return plan
 
 
 def check_continued(
@@ -114,7 +116,7 @@ def check_continued(
             )
 
 
-def _earlier(restart: Path, folder: Path, script: Path, own: bool) -> dict:
+def _read_earlier_record(restart: Path, folder: Path, script: Path, own: bool) -> dict:
     """Return the record of the run to continue.
 
     Raises:

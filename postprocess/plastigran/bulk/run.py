@@ -44,10 +44,9 @@ def run_bulk(
 ) -> BulkRun:
     """Run a deck from its start or from the newest complete checkpoint of an earlier run.
 
-    A script that is not a supplied deck runs in its own folder, so its relative paths work.
-    Plastigran sets ${output} if the script reads it. The script can continue from a checkpoint if
-    it
-    has the settings `start` and `checkpoint`.
+    A user's script runs in the folder of the script, so its relative paths work. Plastigran sets
+    ${output} if the script reads it. The script can continue from a checkpoint if it has the
+    settings `start` and `checkpoint`.
 
     Args:
         deck: Name of a deck of `inputs/bulk`, or path of an input script.
@@ -69,35 +68,35 @@ def run_bulk(
         ValueError: A setting is unknown or out of range, or `folder` contains results.
     """
     plan = plan_bulk(deck, values, folder, ranks, restart)
-    made_with = versions()  # raises EngineError if LIGGGHTS is missing, before anything is written
+    software = versions()  # raises EngineError if LIGGGHTS is missing, before anything is written
     with lock_folder(plan.folder):
         prepare_folder(plan.folder, force)
-        return _run(plan, made_with, show)
+        return _run(plan, software, show)
 
 
-def _run(plan: Plan, made_with: dict[str, str], show: bool) -> BulkRun:
+def _run(plan: Plan, software: dict[str, str], show: bool) -> BulkRun:
     """Run a plan in its folder, analyse the run and write its results."""
     source, folder, restart = plan.source, plan.folder, plan.earlier
     # Run a copy: LIGGGHTS reads the script while it runs, and the user may edit the original.
     script = source.copy(folder / "deck")
     record = {
         "deck": source.name,
-        "own": plan.kind is None,
+        "own": plan.deck_type is None,
         "values": plan.values,
         "settings": source.settings,
         "ranks": plan.ranks,
         "restart": str(restart) if restart else None,
         "derived": all_derived(restart) if restart else {},
         "excess": all_excess(restart) if restart else {},
-        "versions": made_with,
+        "versions": software,
     }
     if plan.checkpoint:
         step = step_of(plan.checkpoint)
         rows_up_to(read_series(restart), step).to_csv(folder / BEFORE, index=False)
         carry_files(restart, folder, step)
-    # last: a folder with a record counts as a run that can be continued
+    # Write the record last: a folder with a record counts as a run that can be continued.
     write_record(folder, record)
-    left = signal_files(plan.working_folder)
+    earlier_files = signal_files(plan.working_folder)
     checksums = ChecksumWriter(folder)
     try:
         run_deck(
@@ -108,16 +107,16 @@ def _run(plan: Plan, made_with: dict[str, str], show: bool) -> BulkRun:
             timeout=None,
             progress=show,
             working_folder=plan.working_folder,
-            planned=planned_steps(source) if plan.kind is None else 0,
+            planned=planned_steps(source) if plan.deck_type is None else 0,
             meanwhile=checksums.update,
         )
     finally:
         if (log := folder / LOG).exists():
             record["versions"]["engine"] = log.read_text(errors="replace").partition("\n")[0]
             write_record(folder, record)
-            fetch_signal_file(plan.working_folder, left, folder)
+            fetch_signal_file(plan.working_folder, earlier_files, folder)
             checksums.update()
-    # before the analysis, which may fail; the file also marks the run as finished
+    # Write the series before the analysis, which may fail. The file marks the run as finished.
     read_series(folder).to_csv(folder / SERIES, index=False)
     run = open_run(folder)
     write_results(run)

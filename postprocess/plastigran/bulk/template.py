@@ -20,7 +20,7 @@ NEW_DECK_RADIUS = Declaration("radius", "m", 0.0005, 0.006, True, True)
 #: Further files of the folder.
 PARTS = ("energy_ledger.in", "meshes/plate.stl", "template/fresh.in", "template/checkpoint.in")
 #: Names that these files use.
-TAKEN = [Path(file).stem for file in PARTS]
+USED_NAMES = [Path(file).stem for file in PARTS]
 
 
 def write_deck(
@@ -46,24 +46,19 @@ def write_deck(
     for name in (folder.name, material.name):
         if misread(name):
             raise ValueError(f"{name!r} contains white space, % or *, which LIGGGHTS misreads")
-        if name in TAKEN:
+        if name in USED_NAMES:
             raise ValueError(
                 f"{name!r} is the name of another file in the folder of the deck. "
                 "Choose another name"
             )
     if folder.name == material.name:
         raise ValueError(f"deck and material are both called {folder.name!r}. Choose another name")
-    fitting = [name for name in laws_for("sphere", [material]) if name != "hertz"]
-    if law == "hertz":
-        raise ValueError(
-            "hertz is LIGGGHTS' own model without energy balance, which the deck needs. "
-            f"Choose one of {', '.join(fitting)}"
-        )
-    if law not in fitting:
-        raise ValueError(
-            f"{law!r} is not a law for spheres of {material.name}. Choose one of "
-            f"{', '.join(fitting)}"
-        )
+    choices = [name for name in laws_for("sphere", [material]) if name != "hertz"]
+    if law not in choices:
+        problem = f"{law!r} is not a law for spheres of {material.name}"
+        if law == "hertz":
+            problem = "hertz is LIGGGHTS' own model without energy balance, which the deck needs"
+        raise ValueError(f"{problem}. Choose one of {', '.join(choices)}")
     source = inputs_folder() / "template"
     text = (source / "deck.in").read_text()
     contact = Contact(law, material, material, radius=radius, radius_other=radius)

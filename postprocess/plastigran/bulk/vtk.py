@@ -26,8 +26,7 @@ def write_vtk(run: BulkRun, folder: str | Path) -> list[Path]:
 
     The files are `grains_STEP.vtp`, `contacts_STEP.vtp` and `mesh_STEP.vtp`; the lists are
     `grains.pvd`, `contacts.pvd` and `mesh.pvd`. Contacts have a column `plastic_work` if the run
-    had
-    `contact_history=1`.
+    had `contact_history=1`.
 
     Args:
         run: Run with frames.
@@ -43,24 +42,24 @@ def write_vtk(run: BulkRun, folder: str | Path) -> list[Path]:
     Warns:
         UserWarning: An incomplete frame is left out; the message names the file.
     """
-    folder, written = Path(folder), []
+    folder, lists = Path(folder), []
     folder.mkdir(parents=True, exist_ok=True)
-    kinds: dict[str, Callable[[Frame, Path], None]] = {
+    writers: dict[str, Callable[[Frame, Path], None]] = {
         "grains": write_grains,
         "contacts": lambda frame, path: write_contacts(frame, path, contact_columns(run, frame)),
         "mesh": write_mesh,
     }
     frames = whole_frames(find_frames(run.folder))
-    for kind, write in kinds.items():
+    for name, write in writers.items():
         files = {}
         for frame in frames:
-            if getattr(frame, kind) is not None:
-                files[time_of(run, frame.step)] = path = folder / f"{kind}_{frame.step}.vtp"
+            if getattr(frame, name) is not None:
+                files[time_of(run, frame.step)] = path = folder / f"{name}_{frame.step}.vtp"
                 write(frame, path)
         if files:
-            written.append(folder / f"{kind}.pvd")
-            write_series(written[-1], files)
-    return written
+            lists.append(folder / f"{name}.pvd")
+            write_series(lists[-1], files)
+    return lists
 
 
 def contact_columns(run: BulkRun, frame: Frame) -> dict[str, np.ndarray]:
@@ -72,16 +71,16 @@ def contact_columns(run: BulkRun, frame: Frame) -> dict[str, np.ndarray]:
     memories = frame.contacts.with_name(f"memories_{frame.step}.dump")
     if run.deck is None or not memories.exists():
         return {}
-    contacts, remembered = contact_table(frame), read_memories(memories)
+    contacts, histories = contact_table(frame), read_memories(memories)
     # Both files list contacts in LIGGGHTS' order; a pair may also touch through a periodic side.
-    if not all(np.array_equal(contacts[name], remembered[name]) for name in ("id1", "id2")):
+    if not all(np.array_equal(contacts[name], histories[name]) for name in ("id1", "id2")):
         raise DumpError(f"{memories} and {frame.contacts} list different contacts")
-    near = contacts["overlap"] <= 0  # listed, but separated
+    separated = contacts["overlap"] <= 0
     works = plastic_works(
         run.deck.grains,
         contacts["radius_eff"],
-        np.where(near, 0.0, contacts["overlap"]),
-        np.where(near, 0.0, remembered["memory"]),
+        np.where(separated, 0.0, contacts["overlap"]),
+        np.where(separated, 0.0, histories["memory"]),
     )
     return {"plastic_work": works}
 

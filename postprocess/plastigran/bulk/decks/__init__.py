@@ -2,9 +2,8 @@
 """Bulk decks with checks and figures: one module or package for each, named after the deck.
 
 It defines one class, a `plastigran.bulk.deck.BulkDeck`. In a package, the class is in
-`__init__.py`,
-its measurements in `measurement.py` (if they are not in `plastigran.physics`), and its figure in
-`figure.py`.
+`__init__.py`, its measurements in `measurement.py` (if they are not in `plastigran.physics`), and
+its figure in `figure.py`.
 """
 
 from __future__ import annotations
@@ -29,13 +28,13 @@ def deck_class(name: str) -> type[BulkDeck] | None:
     if name not in deck_names():
         return None
     module = import_module(f"{__name__}.{name}")
-    found = [
+    classes = [
         value
         for value in vars(module).values()
         if isinstance(value, type)
         and issubclass(value, BulkDeck)
         and value.__module__ == module.__name__
     ]
-    if len(found) != 1:
-        raise TypeError(f"{module.__name__} defines {len(found)} bulk decks; it must define one")
-    return found[0]
+    if len(classes) != 1:
+        raise TypeError(f"{module.__name__} defines {len(classes)} bulk decks; it must define one")
+    return classes[0]

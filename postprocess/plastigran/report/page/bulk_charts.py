@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import pandas as pd
 
-from plastigran.bulk.checks import LEDGER, LEDGER_CHECKS, TAKEN, energy_input, last_simulation
+from plastigran.bulk.checks import ENERGIES, LEDGER, LEDGER_CHECKS, energy_input, last_simulation
 from plastigran.bulk.ledger_chart import energy_text, ledger_panels
 from plastigran.plot.chart import Curve, Panel
 from plastigran.plot.quantities import PREDICTED, scale
@@ -18,7 +18,7 @@ ROWS = 400
 def ledger_chart(name: str, series: pd.DataFrame, checks: pd.DataFrame) -> Chart | None:
     """Return the chart of the energy balance; None for a log without its terms."""
     series = last_simulation(series)
-    if not {*TAKEN, "drift", "time"} <= set(series) or not energy_input(series) > 0:
+    if not {*ENERGIES, "drift", "time"} <= set(series) or not energy_input(series) > 0:
         return None
     total = energy_input(series)
     limits = checks.loc[checks["name"] == LEDGER_CHECKS[0], "limit"]
