@@ -66,7 +66,7 @@ def test_a_run_far_beyond_the_range_fails(tmp_path, capsys):
     first = json.loads(capsys.readouterr().out)["checks"][0]
     assert first["name"] == "largest overlap, divided by the largest of universal's range"
     assert first["value"] > EXCESS == first["limit"] and not first["passed"]
-    section = make_section(collect([tmp_path / "run"])[0], "run-0")
+    section = make_section(collect([tmp_path / "run"])[0])
     assert section.state == "failed" and section.checks[0]["name"] == first["name"]
     assert any("contacts beyond the law's range" in warning for warning in section.warnings)
 
@@ -132,7 +132,7 @@ def test_a_run_without_contacts_is_no_success(tmp_path):
     """On the page it passes nothing, and the page says why."""
     deck = write(tmp_path, density=8000, velocity=1, low=0.001005, steps=10)
     assert main(["bulk", str(deck), "--output", str(tmp_path / "run")]) == 0
-    section = make_section(collect([tmp_path / "run"])[0], "run-0")
+    section = make_section(collect([tmp_path / "run"])[0])
     assert section.state == "done" and not section.checks
     assert any("Did grains meet?" in line for line in section.notes)
     page = write_report([tmp_path / "run"], tmp_path / "page.html").read_text()
@@ -144,6 +144,6 @@ def test_an_emptied_series_is_named(text, tmp_path):
     deck = write(tmp_path, density=100, velocity=-0.1, steps=2000)
     assert main(["bulk", str(deck), "--output", str(tmp_path / "run")]) == 0
     (tmp_path / "run" / "series.csv").write_text(text)
-    section = make_section(collect([tmp_path / "run"])[0], "run-0")
+    section = make_section(collect([tmp_path / "run"])[0])
     assert any("series.csv is empty" in line for line in section.missing)
     assert section.checks

@@ -36,7 +36,7 @@ from plastigran.report.page.trust import Trust, trust
 def section(folder: Path) -> Section:
     """The section of the one result in a folder."""
     (found,) = collect([folder])
-    return make_section(found, "run-0")
+    return make_section(found)
 
 
 @pytest.fixture
@@ -54,20 +54,20 @@ def test_results_are_found_in_their_order(sweep_folder, hopper, tmp_path):
     (tmp_path / "deep" / "er").mkdir(parents=True)
     (tmp_path / "deep" / "er" / "one.csv").write_text("a,b\n1,2\n")
     found = collect([hopper, tmp_path, sweep_folder])
-    assert [each.kind for each in found] == ["sweep", "tables", "bulk"]
-    assert [each.name for each in found] == ["speeds", "deep/er", hopper.name]
+    assert [results.category for results in found] == ["sweep", "tables", "bulk"]
+    assert [results.title for results in found] == ["speeds", "deep/er", hopper.name]
 
 
 def test_runs_of_one_name_are_told_apart(hopper, tmp_path):
     for name in ("a", "b"):
         shutil.copytree(hopper, tmp_path / name / "hopper")
-    names = [each.name for each in collect([tmp_path / "a/hopper", tmp_path / "b/hopper"])]
+    names = [results.title for results in collect([tmp_path / "a/hopper", tmp_path / "b/hopper"])]
     assert names == ["a/hopper", "b/hopper"]
 
 
 def test_a_whole_run_says_what_ran_and_what_was_checked(hopper):
     made = section(hopper)
-    assert made.kind == "bulk"
+    assert made.results.category == "bulk"
     assert made.facts["deck"] == "hopper"
     assert made.facts["radius"] == "0.005 m"
     assert "3.8.0" in made.facts["engine"]
@@ -75,7 +75,7 @@ def test_a_whole_run_says_what_ran_and_what_was_checked(hopper):
         "plastic work lost, divided by the energy input"
     }
     assert all(check["reason"] for check in made.checks)
-    assert [chart.name for chart in made.charts] == ["run-0-ledger", "run-0-series"]
+    assert [chart.name for chart in made.charts] == ["ledger", "series"]
     assert made.movie.frames >= 3
     given = [name for name, _, _ in made.settings if name.endswith(" *")]
     assert "layers *" in given
@@ -155,7 +155,7 @@ def test_a_deck_of_ones_own_says_law_and_time_step(tmp_path):
     assert made.facts["timestep"] == "2 × 10⁻⁶ s"
     assert made.facts["pair style"] == "gran model thornton tangential history energy_ledger on"
     head = gzip.decompress(base64.b64decode(made.movie.data)).split(b"\n", 1)[0]
-    assert [frame["said"] for frame in json.loads(head)["frames"]] == ["0 s", "1 ms"]
+    assert [frame["label"] for frame in json.loads(head)["frames"]] == ["0 s", "1 ms"]
     log = tmp_path / "run" / "log.liggghts"
     log.write_text(re.sub(r"^(pair_style|timestep|units) .*\n", "", log.read_text(), flags=re.M))
     facts = section(tmp_path / "run").facts
@@ -220,7 +220,7 @@ def test_a_frame_cut_short_is_left_out_and_named(copied, place, share):
     files[place].write_bytes(content[: int(share * len(content))])
     made = section(copied)
     assert made.missing == [
-        f"A frame is left out of the view of grains: {files[place].name} are incomplete."
+        f"A frame is left out of the view of grains, because {files[place].name} is incomplete."
     ]
     assert made.movie.frames == len(files) - 1
     assert (made.state, len(made.charts)) == ("passed", 2)
@@ -241,12 +241,12 @@ def test_a_sweep_is_recorded_and_drawn(sweep_folder):
     assert made.facts["law"] == "Kogut–Etsion, Thornton, Universal"
     assert made.facts["impact speed"] == "0.001 to 0.1 m/s"
     assert "plugin, sha256" in made.facts
-    kinds = ["measured", "loops", "verification", "validation"]
-    assert [chart.name for chart in made.charts] == [f"run-0-{kind}" for kind in kinds]
+    names = ["measured", "loops", "verification", "validation"]
+    assert [chart.name for chart in made.charts] == names
     table = pd.read_csv(sweep_folder / "impacts.csv")
-    restitution = made.charts[0].views["Coefficient of restitution"]
+    (restitution,) = made.charts[0].views["Coefficient of restitution"]
     for k, (_, rows) in enumerate(table.groupby("law")):
-        theory, points = restitution.data[2 * k : 2 * k + 2]
+        theory, points = restitution.curves[2 * k : 2 * k + 2]
         np.testing.assert_allclose(points.y, rows["coefficient_of_restitution"])
         again = np.interp(rows["speed"], theory.x, theory.y)
         np.testing.assert_allclose(again, rows["coefficient_of_restitution_predicted"], rtol=1e-9)
@@ -260,9 +260,10 @@ def test_loops_are_those_of_their_law_and_speed(sweep_folder):
     loops, table = section(sweep_folder).charts[1], pd.read_csv(sweep_folder / "impacts.csv")
     assert list(loops.views) == ["0.001 m/s", "0.01 m/s", "0.1 m/s"]
     fastest = table[table["speed"] == 0.1].sort_values("law")
-    for trace, force in zip(loops.views["0.1 m/s"].data, fastest["force_max"], strict=True):
-        # Every so many points are kept; a loop has 40 or more.
-        assert max(trace.y) == pytest.approx(force / 1e3, rel=0.02)
+    (panel,) = loops.views["0.1 m/s"]
+    for curve, force in zip(panel.curves, fastest["force_max"], strict=True):
+        # A chart keeps 40 or more points of a loop.
+        assert max(curve.y) == pytest.approx(force, rel=0.02)
 
 
 def test_a_sweep_cut_short_says_what_is_missing(copied_sweep):
@@ -273,7 +274,7 @@ def test_a_sweep_cut_short_says_what_is_missing(copied_sweep):
     made = section(copied_sweep)
     assert (made.state, made.verdict) == ("unfinished", "4 of 9 impacts")
     assert "impacts.csv has 4 of 9 impacts." in made.missing[0]
-    assert sum(len(view.data) for view in made.charts[1].views.values()) == 4
+    assert sum(len(panel.curves) for (panel,) in made.charts[1].views.values()) == 4
     assert "runs/0007" in made.missing[1] and "Could not find fix" in made.missing[1]
     (copied_sweep / "impacts.csv").unlink()
     (copied_sweep / "study.json").write_text("{")
@@ -344,7 +345,7 @@ def test_a_damaged_trajectory_is_told(copied_sweep):
     cut = next(copied_sweep.glob("runs/0004*/trajectory.dump"))
     cut.write_text(cut.read_text()[:-200])
     made = section(copied_sweep)
-    assert sum(len(view.data) for view in made.charts[1].views.values()) == 7
+    assert sum(len(panel.curves) for (panel,) in made.charts[1].views.values()) == 7
     assert any("Loops of 2 impacts" in said and "runs/0003" in said for said in made.missing)
 
 
@@ -365,7 +366,7 @@ def test_theory_alone_keeps_its_figures_and_is_named(tmp_path):
     assert made.facts["command"] == "plastigran impact"
     assert "without LIGGGHTS" in made.facts["made by"]
     assert [picture.name for picture in made.pictures] == ["loops", "restitution"]
-    assert [chart.name for chart in made.charts] == ["run-0-validation"]
+    assert [chart.name for chart in made.charts] == ["validation"]
 
 
 def test_theory_over_a_sweep_leaves_nothing_of_it(copied_sweep):
@@ -400,7 +401,7 @@ def test_errors_of_a_law_are_those_of_what_was_swept():
     table = CentralImpact.theory(law=["thornton"], speed=[2 * yields]).table
     for wrong in ({"material": "mine"}, {"material": "steel"}):
         (found,) = trust(table.assign(**wrong), {})
-        assert (found.validated, found.unread) == (unknown, [wrong["material"]])
+        assert (found.validated, found.unknown_materials) == (unknown, [wrong["material"]])
 
 
 def test_an_unknown_material_is_told(copied_sweep):
@@ -414,12 +415,14 @@ def test_the_chart_of_errors_is_of_the_table_beside_it(tmp_path):
     table = errors_table().assign(rms=1.5)
     table.to_csv(tmp_path / "errors.csv", index=False)
     (chart,) = section(tmp_path).charts
-    assert all((trace.y == 150).all() for view in chart.views.values() for trace in view.data)
+    assert all(
+        (curve.y == 1.5).all() for (panel,) in chart.views.values() for curve in panel.curves
+    )
 
 
 def test_columns_read_alike_have_views_of_their_own():
     series = pd.DataFrame({"time": [0, 1], "Temp": [1, 2], "temp": [3, 5], "kinetic": [1, 2]})
-    views = series_chart("run-0", series.assign(kinetic_energy=[5, 6])).views
+    views = series_chart(series.assign(kinetic_energy=[5, 6])).views
     assert {*views} == {"Temp", "Temp (temp)", "Kinetic energy", "Translational kinetic energy"}
     assert len(QUANTITIES) == len({name for name, _ in QUANTITIES.values()})
 

@@ -17,11 +17,11 @@ from plastigran.plot.frames import read_frame
 from plastigran.plot.quantities import scale
 from plastigran.report.page.colours import LEAST, luminance, on_dark
 from plastigran.report.page.movie import pack_movie
-from plastigran.report.page.names import number
+from plastigran.report.page.sections import number
 
 
 def test_frames_are_packed_to_16_bits(hopper):
-    movie, _ = pack_movie("m", hopper, lambda step: 2e-5 * step)
+    movie, _ = pack_movie(hopper, lambda step: 2e-5 * step)
     raw = gzip.decompress(base64.b64decode(movie.data))
     at = raw.index(b"\n") + 1
     assert at % 2 == 0  # the browser reads 16-bit numbers from there
@@ -50,9 +50,9 @@ def test_frames_are_packed_to_16_bits(hopper):
 def test_frames_count_time_as_the_charts_do(hopper):
     """From the step that is named; before it time is negative."""
     last = find_frames(hopper)[-1].step
-    movie, _ = pack_movie("m", hopper, lambda step: (step - last) * 2e-5)
+    movie, _ = pack_movie(hopper, lambda step: (step - last) * 2e-5)
     head = gzip.decompress(base64.b64decode(movie.data)).split(b"\n", 1)[0]
-    said = [frame["said"] for frame in json.loads(head)["frames"]]
+    said = [frame["label"] for frame in json.loads(head)["frames"]]
     assert said[-1] == "0 s"
     assert said[0] == f"−{2e-5 * last * 1e3:.3g} ms"
 

@@ -26,7 +26,7 @@ OPTIONS = (None, "yielding flat")
 
 def section(folder: Path):
     (results,) = collect([folder])
-    return make_section(results, "run-0")
+    return make_section(results)
 
 
 @pytest.fixture(scope="module")
@@ -47,23 +47,23 @@ def test_each_has_its_curve_and_its_loop(folder):
         for wall in ("on a rigid wall", "on Steel")
         for options in ("default", "yielding flat")
     ]
-    for quantity, view in measured.views.items():
-        assert [trace.name for trace in view.data[::2]] == names, quantity
+    for quantity, (panel,) in measured.views.items():
+        assert [curve.name for curve in panel.curves[::2]] == names, quantity
     forces = table.sort_values(["speed", "wall", "options"])["force_max"]
-    found = [max(trace.y) for view in loops.views.values() for trace in view.data]
-    assert len(loops.views) == len(found) == 8
-    # Every so many points are kept; a loop has 40 or more.
-    assert found == pytest.approx(list(forces), rel=0.03)
+    peaks = [max(curve.y) for (panel,) in loops.views.values() for curve in panel.curves]
+    assert len(loops.views) == len(peaks) == 8
+    # A chart keeps 40 or more points of a loop.
+    assert peaks == pytest.approx(list(forces), rel=0.03)
 
 
 def test_errors_are_claimed_for_the_usual_alone(folder):
     (row,) = section(folder).trust
-    assert row.beyond == [
+    assert row.not_validated == [
         "Zirconia, yielding flat",
         "Zirconia on Steel",
         "Zirconia on Steel, yielding flat",
     ]
-    assert row.unread == []
+    assert row.unknown_materials == []
     assert row.validated["force_max"] is not None
 
 
@@ -71,7 +71,7 @@ def test_no_error_is_claimed_on_a_wall_of_a_metal(tmp_path):
     """Though the ball flattens: the finite elements are of spheres on a rigid plane."""
     collide("universal", [0.1, 1], "steel", 0.005, folder=tmp_path / "own", wall="zirconia")
     (row,) = section(tmp_path / "own").trust
-    assert row.beyond == ["Steel on Zirconia"]
+    assert row.not_validated == ["Steel on Zirconia"]
     assert row.validated["force_max"] is None
 
 
@@ -90,7 +90,7 @@ def test_a_users_own_material_is_known_from_the_sweep(tmp_path):
     assert made.trust[0].validated["force_max"] is not None
     assert not any("not available" in sentence for sentence in made.missing)
     table = pd.read_csv(tmp_path / "results" / "impacts.csv")
-    assert trust(table, {})[0].unread == ["mine"]
+    assert trust(table, {})[0].unknown_materials == ["mine"]
 
 
 def test_two_materials_of_one_name_are_refused(tmp_path):
@@ -117,7 +117,7 @@ def test_names_that_look_like_numbers_or_nothing(tmp_path):
     folder = tmp_path / "results"
     collide("thornton", [0.5, 5], metals, 0.005, folder=folder, wall=metals)
     made = section(folder)
-    names = {trace.name for trace in made.charts[0].views["Coefficient of restitution"].data}
+    names = {curve.name for curve in made.charts[0].views["Coefficient of restitution"][0].curves}
     assert names == {
         f"Thornton, {ball}, on {wall}" for ball in ("304", "Null") for wall in ("304", "Null")
     }
@@ -138,6 +138,6 @@ def test_a_pair_and_a_wall_are_one_line_over_geometry(tmp_path):
     geometries = ["sphere_wall", "two_spheres"]
     table = CentralImpact.theory(law=["thornton"], speed=0.1, geometry=geometries).table
     predicted = {f"{name}_predicted": table[name] for name in ("force_max", "overlap_max")}
-    chart = measured_chart("run-0", table.assign(**predicted), {})
-    names = {trace.name for view in chart.views.values() for trace in view.data}
+    chart = measured_chart(table.assign(**predicted), {})
+    names = {curve.name for (panel,) in chart.views.values() for curve in panel.curves}
     assert names == {"Thornton"} and "Lines" not in chart.caption

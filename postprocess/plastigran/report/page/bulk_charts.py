@@ -9,13 +9,13 @@ from plastigran.bulk.checks import ENERGIES, LEDGER, LEDGER_CHECKS, energy_input
 from plastigran.bulk.ledger_chart import energy_text, ledger_panels
 from plastigran.plot.chart import Curve, Panel
 from plastigran.plot.quantities import PREDICTED, scale
-from plastigran.report.page.charts import Chart, chart_name, interactive
+from plastigran.report.page.charts import Chart
 
 #: Largest number of rows of a log that a chart shows.
 ROWS = 400
 
 
-def ledger_chart(name: str, series: pd.DataFrame, checks: pd.DataFrame) -> Chart | None:
+def ledger_chart(series: pd.DataFrame, checks: pd.DataFrame) -> Chart | None:
     """Return the chart of the energy balance; None for a log without its terms."""
     series = last_simulation(series)
     if not {*ENERGIES, "drift", "time"} <= set(series) or not energy_input(series) > 0:
@@ -23,43 +23,43 @@ def ledger_chart(name: str, series: pd.DataFrame, checks: pd.DataFrame) -> Chart
     total = energy_input(series)
     limits = checks.loc[checks["name"] == LEDGER_CHECKS[0], "limit"]
     limit = float(limits.iloc[0]) if len(limits) else LEDGER
-    panels = ledger_panels(thinned(series), total, limit)
     return Chart(
-        chart_name(name, "ledger"),
-        {"": interactive(*panels, by_time=True)},
-        "shares of the energy input, stacked over time, and the error of their sum",
-        f"Shares of the energy input, {energy_text(total)}: kinetic energy, energy stored in "
-        "contacts, and energy dissipated by yielding, friction and viscosity. The lower panel "
-        f"shows the error of their sum. Dotted lines are its limit, {100 * limit:.2g} %.",
+        name="ledger",
+        views={"": ledger_panels(_thin(series), total, limit)},
+        description="shares of the energy input, stacked over time, and the balance error",
+        caption=f"Shares of the energy input, {energy_text(total)}: kinetic energy, energy stored "
+        "in contacts, and energy dissipated by yielding, friction and viscosity. The lower panel "
+        f"shows the balance error. Dotted lines are its limit, {100 * limit:.2g} %.",
         height=460,
+        by_time=True,
     )
 
 
-def series_chart(name: str, series: pd.DataFrame) -> Chart | None:
+def series_chart(series: pd.DataFrame) -> Chart | None:
     """Return a chart of each column of the log over time, with its theory if there is one."""
     if "time" not in series or len(series) < 2:
         return None
-    series = thinned(series)
+    series = _thin(series)
     views = {}
     for column in series:
         values = pd.to_numeric(series[column], errors="coerce")
         if column in ("step", "time", "run", "simulation") or column.endswith(PREDICTED):
             continue
-        if values.isna().all() or values.nunique() < 2:
+        if values.nunique() < 2:
             continue
         panel = _series_panel(series.assign(**{column: values}), column)
         title = panel.y.title.capitalize()  # two columns of a user's log may have one title
-        view = f"{title} ({column})" if title in views else title
-        views[view] = interactive(panel, by_time=True)
+        views[f"{title} ({column})" if title in views else title] = [panel]
     if not views:
         return None
     return Chart(
-        chart_name(name, "series"),
-        views,
-        "one column of the run's log over time",
-        "A column of the log that the deck wrote. A dashed line is theory.",
-        "Column of the log",
+        name="series",
+        views=views,
+        description="one column of the log over time",
+        caption="A column of the log that the deck wrote. A dashed line is theory.",
+        menu="Column of the log",
         height=360,
+        by_time=True,
     )
 
 
@@ -71,7 +71,7 @@ def _series_panel(series: pd.DataFrame, column: str) -> Panel:
     return Panel(x=scale("time", time), y=scale(column, series[column]), curves=curves)
 
 
-def thinned(series: pd.DataFrame) -> pd.DataFrame:
+def _thin(series: pd.DataFrame) -> pd.DataFrame:
     """Return at most `ROWS` rows, evenly spaced, including the last one."""
-    every = max(1, -(-len(series) // ROWS))
-    return series.iloc[(len(series) - 1) % every :: every]
+    stride = max(1, -(-len(series) // ROWS))
+    return series.iloc[(len(series) - 1) % stride :: stride]

@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from functools import partial
 from math import isfinite
 from pathlib import Path
@@ -11,7 +10,6 @@ from typing import Any
 
 import pandas as pd
 
-from plastigran.bulk.deck import BulkDeck
 from plastigran.bulk.folder import SERIES, read_record
 from plastigran.bulk.outcome import BulkRun, open_run
 from plastigran.bulk.plan import PLACES
@@ -32,37 +30,28 @@ from plastigran.engine.process import EngineError
 from plastigran.plot.frame_files import SnapshotError
 from plastigran.plot.style import title
 from plastigran.report.page.bulk_charts import ledger_chart, series_chart
-from plastigran.report.page.charts import chart_name
 from plastigran.report.page.collect import Results
-from plastigran.report.page.movie import Movie, pack_movie
-from plastigran.report.page.names import number
+from plastigran.report.page.movie import Clock, GrainMovie, pack_movie
 from plastigran.report.page.pictures import read_pictures
-from plastigran.report.page.sections import Section, version_facts
+from plastigran.report.page.sections import Section, number, span, version_facts
 
 #: Settings in the head of the section.
 _HEAD = ("law", "material", "radius", "timestep")
 #: Settings of these that a user's deck may name differently; they are read from the log.
-_TOLD_BY_LOG = ("law", "timestep")
+_FROM_LOG = ("law", "timestep")
 #: Unit systems whose time is in seconds.
 _SECONDS = ("si", "cgs")
 
 
-def make(results: Results, name: str) -> Section:
-    """Return the section of a run of a bulk deck.
-
-    Args:
-        results: Folder of the run.
-        name: ID of the element of the page.
-    """
+def make(results: Results) -> Section:
+    """Return the section of a run of a bulk deck."""
     folder = results.folder
     try:
         record = read_record(folder)
     except EngineError as error:
-        return Section(
-            kind="bulk", name=name, title=results.name, folder=folder,
-            state="unfinished", verdict="record damaged", missing=[f"{error}."],
-        )  # fmt: skip
-    log = _read(folder / LOG)
+        sentences, verdict = [f"{error}."], "record damaged"
+        return Section(results=results, state="unfinished", verdict=verdict, missing=sentences)
+    log = (folder / LOG).read_text(errors="replace") if (folder / LOG).is_file() else ""
     missing, run = [], None
     try:
         run = open_run(folder)
@@ -77,34 +66,27 @@ def make(results: Results, name: str) -> Section:
     warnings = find_warnings(log)
     state, verdict = _verdict(run, len(warnings))
     timestep = _timestep(record, folder / LOG)
-    series = run.series if run else pd.DataFrame()
-    charts = [ledger_chart(name, series, run.checks), series_chart(name, series)] if run else []
-    movie, said = _movie(folder, name, timestep, run)
-    besides = {"ledger"} | ({"grains"} if movie else set())
-    pictures, left = read_pictures(folder / "figures", besides)
+    charts = [ledger_chart(run.series, run.checks), series_chart(run.series)] if run else []
+    movie, damaged_frames = _movie(folder, _clock(timestep, run))
+    replaced = ("ledger", "grains") if movie else ("ledger",)
+    pictures, damaged_pictures = read_pictures(folder / "figures", replaced)
     settings = record["settings"]
+    declared = declarations(type(run.deck)) if run and run.deck else {}
     return Section(
-        kind="bulk",
-        name=name,
-        title=results.name,
-        folder=folder,
+        results=results,
         state=state,
         verdict=verdict,
-        missing=missing + said + left,
+        missing=missing + damaged_frames + damaged_pictures,
         notes=[f"{note[0].upper()}{note[1:]}" for note in run.notes] if run else [],
         warnings=warnings,
-        facts=_facts(record, run, _own_facts(log, timestep) if record.get("own") else {}),
-        settings=_settings(settings, run.deck if run else None, record["values"]),
+        facts=_facts(record, run, declared, _log_facts(log, timestep)),
+        settings=_settings(settings, declared, record["values"]),
         checks=run.checks.to_dict("records") if run else [],
         charts=[chart for chart in charts if chart],
         movie=movie,
         pictures=pictures,
         laws=[settings["law"]] if "law" in settings else [],
     )
-
-
-def _read(file: Path) -> str:
-    return file.read_text(errors="replace") if file.is_file() else ""
 
 
 def _progress(folder: Path, log: str) -> str:
@@ -141,29 +123,26 @@ def _timestep(record: dict[str, Any], log: Path) -> float | None:
     A user's deck may use the setting of that name for anything; its commands decide.
     """
     if record.get("own"):
-        said = {run.timestep for run in read_runs(log)} if log.is_file() else set()
-        return said.pop() if len(said) == 1 and all(map(isfinite, said)) else None
+        timesteps = {run.timestep for run in read_runs(log)} if log.is_file() else set()
+        return timesteps.pop() if len(timesteps) == 1 and all(map(isfinite, timesteps)) else None
     try:
         return float(record["settings"]["timestep"])
     except (KeyError, ValueError):
         return None
 
 
-def _movie(
-    folder: Path, name: str, timestep: float | None, run: BulkRun | None
-) -> tuple[Movie | None, list[str]]:
+def _movie(folder: Path, clock: Clock) -> tuple[GrainMovie | None, list[str]]:
     try:
-        return pack_movie(chart_name(name, "movie"), folder, _clock(timestep, run))
+        return pack_movie(folder, clock)
     except (SnapshotError, OSError, ValueError, KeyError) as error:
         return None, [f"The frames cannot be shown: {error}."]
 
 
-def _clock(timestep: float | None, run: BulkRun | None) -> Callable[[int], float] | None:
+def _clock(timestep: float | None, run: BulkRun | None) -> Clock:
     """Return a function from step to time as in the charts of the run [s]; None if unknown.
 
     A supplied deck has one time step, and its charts may count time from a later step. A user's
-    deck
-    may have several time steps; its series contains every run.
+    deck may have several time steps; its series contains every run.
     """
     series = run.series if run else pd.DataFrame()
     timed = len(series) > 0 and {"step", "time"} <= set(series)
@@ -171,11 +150,11 @@ def _clock(timestep: float | None, run: BulkRun | None) -> Callable[[int], float
         return partial(time_of, run)
     if timestep is None:
         return None
-    begin = round(series["step"].iloc[0] - series["time"].iloc[0] / timestep) if timed else 0
-    return lambda step: (step - begin) * timestep
+    start = round(series["step"].iloc[0] - series["time"].iloc[0] / timestep) if timed else 0
+    return lambda step: (step - start) * timestep
 
 
-def _own_facts(log: str, timestep: float | None) -> dict[str, str]:
+def _log_facts(log: str, timestep: float | None) -> dict[str, str]:
     """Return facts on contacts and time step from the log of a user's deck."""
     facts = {}
     if models := find_models(log):
@@ -188,57 +167,53 @@ def _own_facts(log: str, timestep: float | None) -> dict[str, str]:
     return facts
 
 
-def _facts(record: dict[str, Any], run: BulkRun | None, own: dict[str, str]) -> dict[str, str]:
-    """Return the facts of a run; `own` are those of the log of a user's deck."""
-    settings, versions = record["settings"], record.get("versions", {})
-    units = _declared(run.deck if run else None)
+def _facts(
+    record: dict[str, Any],
+    run: BulkRun | None,
+    declared: dict[str, Declaration],
+    log_facts: dict[str, str],
+) -> dict[str, str]:
+    """Return the facts of a run; those of the log are for a user's deck."""
+    settings, user_deck = record["settings"], record.get("own")
     facts = {"deck": record["deck"]}
     for name in _HEAD:
-        if name in settings and not (record.get("own") and name in _TOLD_BY_LOG):
-            facts[name.replace("_", " ")] = _with_unit(name, settings[name], units)
-    facts |= own
+        if name in settings and not (user_deck and name in _FROM_LOG):
+            value = settings[name]
+            shown = title(value) if name == "law" else _with_unit(value, declared.get(name))
+            facts[name.replace("_", " ")] = shown
+    if user_deck:
+        facts |= log_facts
     facts["ranks"] = str(record.get("ranks", "unknown"))
     if run is not None and "atoms" in run.series and len(run.series):
         grains = run.series["atoms"]  # their number may change during a run
         first, last, most = grains.iloc[0], grains.iloc[-1], grains.max()
-        ends = [number(float(count)) for count in (first, last)]
-        facts["grains"] = " to ".join(dict.fromkeys(ends))
-        if most > max(first, last):
-            facts["grains"] += f", at most {number(float(most))}"
+        more = f", at most {number(float(most))}" if most > max(first, last) else ""
+        facts["grains"] = span(first, last) + more
     if record.get("restart"):
         facts["continues"] = Path(record["restart"]).name
-    return facts | version_facts(versions)
+    return facts | version_facts(record.get("versions", {}))
 
 
-def _declared(deck: BulkDeck | None) -> dict[str, Declaration]:
-    return declarations(type(deck)) if deck else {}
-
-
-def _with_unit(name: str, value: str, declared: dict[str, Declaration]) -> str:
-    if name == "law":
-        return title(value)
-    said = declared.get(name)
-    if said is None or said.value_type is not float:
+def _with_unit(value: str, declaration: Declaration | None) -> str:
+    if declaration is None or declaration.value_type is not float:
         return value
     try:
         shown = number(float(value))
     except ValueError:
         return value
-    return f"{shown} {said.unit}" if said.unit != "-" else shown
+    return f"{shown} {declaration.unit}" if declaration.unit != "-" else shown
 
 
 def _settings(
-    settings: dict[str, str], deck: BulkDeck | None, given: dict[str, str]
+    settings: dict[str, str], declared: dict[str, Declaration], changed: dict[str, str]
 ) -> list[tuple[str, str, str]]:
     """Return settings with unit and meaning; changed settings come first."""
-    declared = _declared(deck)
     names = [name for name in settings if name not in PLACES]
-    names.sort(key=lambda name: name not in given)
     return [
         (
-            name + (" *" if name in given else ""),
-            _with_unit(name, settings[name], declared) if name != "law" else settings[name],
+            name + (" *" if name in changed else ""),
+            _with_unit(settings[name], declared.get(name)),
             declared[name].meaning if name in declared else "",
         )
-        for name in names
+        for name in sorted(names, key=lambda name: name not in changed)
     ]

@@ -1,10 +1,9 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Interactive charts: plotly figures without colors, which the page adds for light or dark."""
+"""Interactive charts: panels drawn with plotly, without colors, which the page adds."""
 
 from __future__ import annotations
 
-import re
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 import attrs
@@ -16,54 +15,53 @@ from plastigran.plot.chart import DASHES, Curve, Panel
 
 #: Share of the height that the upper of two panels takes.
 UPPER = 0.76
-#: Marker of the look "dashes".
-DASH = {"symbol": "line-ew", "size": 22}
+#: Looks of curves: mode, marker and line in plotly.
+LOOKS = {
+    "line": ("lines", None, {"width": 1.6}),
+    "area": ("lines", None, {"width": 0.5}),
+    "joined": ("lines+markers", {"size": 6, "line": {"width": 1.6}}, {"width": 1}),
+    "points": ("markers", {"size": 8, "line": {"width": 1.6}}, None),
+    "dashes": ("markers", {"size": 22, "line": {"width": 1.6}, "symbol": "line-ew"}, None),
+    "cross": ("markers", {"size": 9, "line": {"width": 1.6}, "symbol": "x-thin"}, None),
+}
 
 
-@attrs.frozen(eq=False)
+@attrs.frozen(eq=False, kw_only=True)
 class Chart:
-    """A figure with its caption, or several figures of which the reader chooses one.
+    """Chart with a caption, or several charts of which the reader chooses one.
 
     Attributes:
-        name: ID of the element of the page.
-        views: Figures by the words in the menu.
-        said: Description of the chart for screen readers.
-        caption: One or two sentences below it.
-        choice: Label of the menu; "" for a single figure.
+        name: Name of the chart, unique in its section.
+        views: Panels of each chart, one or two with the same x axis, by the words in the menu.
+        description: Description for screen readers.
+        caption: One or two sentences below the chart.
+        menu: Label of the menu.
         start: View that is shown first; by default the first of `views`.
-        height: Height of the figure [px].
+        height: Height of the chart [px].
+        by_time: Whether a box shows the values of all curves at the time under the pointer.
     """
 
     name: str
-    views: Mapping[str, go.Figure]
-    said: str
+    views: Mapping[str, Sequence[Panel]]
+    description: str
     caption: str
-    choice: str = ""
+    menu: str = ""
     start: str = attrs.Factory(lambda self: next(iter(self.views)), takes_self=True)
     height: int = 400
+    by_time: bool = False
 
     def to_json(self) -> dict[str, Any]:
         """Return traces and layouts of the views for the script of the page."""
         views = {}
-        for name, figure in self.views.items():
-            parts = figure.to_plotly_json()
-            layout = {key: value for key, value in parts["layout"].items() if key != "template"}
-            views[name] = {"data": list(parts["data"]), "layout": layout}
+        for name, panels in self.views.items():
+            drawn = draw(panels, self.by_time).to_plotly_json()
+            layout = {key: value for key, value in drawn["layout"].items() if key != "template"}
+            views[name] = {"data": list(drawn["data"]), "layout": layout}
         return {"views": views, "height": self.height}
 
 
-def chart_name(*parts: object) -> str:
-    """Return the ID of an element, made of words."""
-    return re.sub(r"[^a-z0-9]+", "-", "-".join(map(str, parts)).lower()).strip("-")
-
-
-def interactive(*panels: Panel, by_time: bool = False) -> go.Figure:
-    """Draw panels, one below the other, with plotly.
-
-    Args:
-        panels: One or two panels, with the same x axis.
-        by_time: Whether a box shows the values of all curves at the time under the pointer.
-    """
+def draw(panels: Sequence[Panel], by_time: bool = False) -> go.Figure:
+    """Draw panels, one below the other, with plotly; see `Chart`."""
     heights = [UPPER, 1 - UPPER] if len(panels) == 2 else None
     figure = make_subplots(
         len(panels), 1, shared_xaxes=True, row_heights=heights, vertical_spacing=0.07
@@ -72,65 +70,59 @@ def interactive(*panels: Panel, by_time: bool = False) -> go.Figure:
     if by_time:
         figure.update_layout(hovermode="x unified")
     for row, panel in enumerate(panels, 1):
+        place = {"row": row, "col": 1}
         for curve in panel.curves:
-            figure.add_trace(_trace(panel, curve, by_time, row), row=row, col=1)
+            figure.add_trace(_trace(panel, curve, by_time), **place)
         for limit in panel.limits:
-            look = {"dash": "dot", "width": 1, "color": "gray"}
-            figure.add_hline(limit * panel.y.factor, row=row, col=1, line=look)
-        _axes(figure, panel, row)
+            line = {"dash": "dot", "width": 1, "color": "gray"}
+            figure.add_hline(limit * panel.y.factor, line=line, **place)
+        if row > 1:
+            figure.update_traces(showlegend=False, **place)
+        if "x" in panel.logarithmic:
+            figure.update_xaxes(**_logarithmic(), **place)
+        figure.update_yaxes(title=panel.y.axis, **place)
+        if "y" in panel.logarithmic:
+            figure.update_yaxes(**_logarithmic(), **place)
+        if panel.y_range:
+            ends = np.log10(panel.y_range) if "y" in panel.logarithmic else panel.y_range
+            figure.update_yaxes(range=list(ends), **place)
+        elif any(curve.look == "area" for curve in panel.curves):
+            figure.update_yaxes(rangemode="tozero", **place)
     figure.update_xaxes(title=panels[-1].x.axis, row=len(panels), col=1)
     return figure
 
 
-def _axes(figure: go.Figure, panel: Panel, row: int) -> None:
-    for axis, update in (("x", figure.update_xaxes), ("y", figure.update_yaxes)):
-        if axis in panel.logarithmic:  # a line for each decade
-            minor = {"ticks": "outside", "ticklen": 3}
-            update(type="log", dtick=1, tickformat="~g", minor=minor, row=row, col=1)
-    ends = panel.y_range
-    if ends and "y" in panel.logarithmic:
-        ends = np.log10(ends)
-    figure.update_yaxes(title=panel.y.axis, row=row, col=1)
-    if ends is not None:
-        figure.update_yaxes(range=list(ends), row=row, col=1)
-    elif any(curve.look == "area" for curve in panel.curves):
-        figure.update_yaxes(rangemode="tozero", row=row, col=1)
+def _logarithmic() -> dict[str, Any]:
+    """Return the settings of a logarithmic axis with a line for each decade."""
+    minor = {"ticks": "outside", "ticklen": 3}
+    return {"type": "log", "dtick": 1, "tickformat": "~g", "minor": minor}
 
 
-def _trace(panel: Panel, curve: Curve, by_time: bool, row: int) -> go.Scatter:
-    """Return the trace of a curve. Its `meta` gives the law or color number to the page."""
-    words = curve.x.dtype.kind not in "iuf"
-    trace = go.Scatter(
-        x=curve.x if words else curve.x * panel.x.factor,
+def _trace(panel: Panel, curve: Curve, by_time: bool) -> go.Scatter:
+    """Return the trace of a curve. Its `meta` gives the law or color index to the page."""
+    numeric = curve.x.dtype.kind in "iuf"
+    mode, marker, line = LOOKS[curve.look]
+    if curve.look == "line":
+        line = line | {"dash": DASHES[curve.dash][0]}
+    return go.Scatter(
+        x=curve.x * panel.x.factor if numeric else curve.x,
         y=np.asarray(curve.y) * panel.y.factor,
         name=curve.name,
         meta={"law": curve.law} if curve.law else {"colour": curve.colour},
-        hovertemplate=_hover(panel, curve, by_time, words),
+        hovertemplate=_hover(panel, curve, by_time, numeric),
+        customdata=list(curve.remarks) or None,
+        mode=mode,
+        marker=marker,
+        line=line,
+        stackgroup="energy" if curve.look == "area" else None,
     )
-    if curve.remarks:
-        trace.customdata = list(curve.remarks)
-    if curve.look in ("line", "area"):
-        trace.mode = "lines"
-    else:
-        trace.mode = "lines+markers" if curve.look == "joined" else "markers"
-        size = {"joined": {"size": 6}, "dashes": DASH, "cross": {"symbol": "x-thin", "size": 9}}
-        trace.marker = {"size": 8, "line": {"width": 1.6}} | size.get(curve.look, {})
-    if curve.look == "line":
-        trace.line = {"width": 1.6, "dash": DASHES[curve.dash][0]}
-    elif curve.look == "joined":
-        trace.line = {"width": 1}
-    elif curve.look == "area":
-        trace.stackgroup, trace.line = "energy", {"width": 0.5}
-    if row > 1:
-        trace.showlegend = False
-    return trace
 
 
-def _hover(panel: Panel, curve: Curve, by_time: bool, words: bool) -> str:
+def _hover(panel: Panel, curve: Curve, by_time: bool, numeric: bool) -> str:
     value = f"%{{y:.5g}} {panel.y.unit}".strip()
     if by_time:
         return value
     if curve.remarks:
         return f"<b>{curve.name}</b><br>%{{customdata}}<extra></extra>"
-    at = "%{x}" if words else f"{panel.x.title} %{{x:.4g}} {panel.x.unit}".strip()
+    at = f"{panel.x.title} %{{x:.4g}} {panel.x.unit}".strip() if numeric else "%{x}"
     return f"<b>{curve.name}</b><br>{at}<br>{panel.y.title} {value}<extra>{curve.source}</extra>"

@@ -15,11 +15,11 @@ from plastigran.experiments.record import STUDY, TABLE
 #: Largest depth of subfolders that are searched.
 DEPTH = 4
 #: Subfolders that belong to a run.
-_INNER = {"runs", "frames", "figures", "deck"}
-#: Order of the kinds on a page. Kinds that share the switch of laws come first.
+_PARTS_OF_RUNS = {"runs", "frames", "figures", "deck"}
+#: Categories of results in the order of the page. Those that share the switch of laws come first.
 ORDER = ("sweep", "tables", "nothing", "bulk")
 #: File types that other commands write.
-_ENDINGS = {".csv", ".png", ".svg", ".gif", ".in"}
+_SUFFIXES = {".csv", ".png", ".svg", ".gif", ".in"}
 
 
 @attrs.frozen
@@ -27,66 +27,65 @@ class Results:
     """Folder of results.
 
     Attributes:
-        kind: "sweep", "bulk" or "tables"; "nothing" for a folder without results.
+        category: "sweep", "bulk" or "tables"; "nothing" for a folder without results.
         folder: Path of the folder.
-        name: Path relative to the given folder.
+        title: Path relative to the given folder.
     """
 
-    kind: str
+    category: str
     folder: Path
-    name: str
+    title: str
 
 
 def collect(folders: Iterable[str | Path]) -> list[Results]:
-    """Return the results in folders and their subfolders, sorted by kind, argument and start time.
+    """Return the results in folders and their subfolders, by category, argument and start time.
 
     Raises:
         ValueError: A folder does not exist, or no folder is given.
     """
-    found: dict[Path, Results] = {}
-    for given in map(Path, folders):
-        if not given.is_dir():
-            raise ValueError(f"{given} is not a folder. A report needs folders of results")
-        folder = given.resolve()
-        here = sorted(_search(folder, folder), key=_begun) or [
-            Results("nothing", folder, folder.name)
-        ]
-        for each in here:
-            found.setdefault(each.folder, each)
-    if not found:
+    by_folder: dict[Path, Results] = {}
+    for argument in map(Path, folders):
+        if not argument.is_dir():
+            raise ValueError(f"{argument} is not a folder. A report needs folders of results")
+        top = argument.resolve()
+        entries = sorted(_search(top, top), key=_start_time) or [Results("nothing", top, top.name)]
+        for entry in entries:
+            by_folder.setdefault(entry.folder, entry)
+    if not by_folder:
         raise ValueError("no folder given. A report needs folders of results")
-    names = Counter(each.name for each in found.values())
-    told = [
-        attrs.evolve(each, name=f"{each.folder.parent.name}/{each.name}")
-        if names[each.name] > 1
-        else each
-        for each in found.values()
+    titles = Counter(entry.title for entry in by_folder.values())
+    distinct = [
+        attrs.evolve(entry, title=f"{entry.folder.parent.name}/{entry.title}")
+        if titles[entry.title] > 1
+        else entry
+        for entry in by_folder.values()
     ]
-    return sorted(told, key=lambda each: ORDER.index(each.kind))
+    return sorted(distinct, key=lambda entry: ORDER.index(entry.category))
 
 
-def kind(folder: Path) -> str | None:
-    """Return the kind of results that a folder itself contains; None if there are none."""
+def _category(folder: Path) -> str | None:
+    """Return the category of the results in a folder itself; None if there are none."""
     if (folder / RECORD).is_file():
         return "bulk"
     if any((folder / name).exists() for name in (TABLE, STUDY, "runs")):
         return "sweep"
-    if any(file.suffix in _ENDINGS for file in folder.iterdir() if file.is_file()):
+    if any(file.suffix in _SUFFIXES for file in folder.iterdir() if file.is_file()):
         return "tables"
     return None
 
 
-def _begun(results: Results) -> tuple[float, str]:
-    """Return the start time of results, from their files, and their name."""
+def _start_time(results: Results) -> tuple[float, str]:
+    """Return the time of the oldest file, and the title for equal times."""
     times = [file.stat().st_mtime for file in results.folder.iterdir() if file.is_file()]
-    return min(times, default=0.0), results.name
+    return min(times, default=0.0), results.title
 
 
 def _search(folder: Path, top: Path, depth: int = 0) -> Iterable[Results]:
-    if holds := kind(folder):
-        name = folder.relative_to(top).as_posix()
-        yield Results(holds, folder, folder.name if name == "." else name)
-    if depth < DEPTH and holds != "bulk":
+    category = _category(folder)
+    if category:
+        yield Results(category, folder, str(folder.relative_to(top)) if depth else folder.name)
+    if depth < DEPTH and category != "bulk":
         for inner in sorted(folder.iterdir()):
-            if inner.is_dir() and inner.name not in _INNER and not inner.name.startswith("."):
+            hidden = inner.name.startswith(".") or inner.name in _PARTS_OF_RUNS
+            if inner.is_dir() and not hidden:
                 yield from _search(inner, top, depth + 1)

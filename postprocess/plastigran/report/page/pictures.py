@@ -13,20 +13,15 @@ import attrs
 from PIL import Image, ImageSequence
 
 #: Largest SVG file [bytes] that a page contains; for a larger one it takes the bitmap.
-LARGEST_LINES = 120_000
-#: Largest picture [bytes] that a page contains.
-LARGEST = 500_000
+LARGEST_SVG = 120_000
+#: Largest bitmap [bytes] that a page contains.
+LARGEST_BITMAP = 500_000
 #: Ratio of width to height from which a picture is wide.
 WIDE = 1.7
-_KINDS = {".svg": "image/svg+xml", ".png": "image/png", ".gif": "image/gif"}
-#: Exceptions of damaged pictures.
-_DAMAGE = (
-    OSError,
-    SyntaxError,  # damaged SVG, too
-    ValueError,
-    IndexError,
-    Image.DecompressionBombError,
-)
+#: MIME types by suffix, in the order of preference.
+_MIME_TYPES = {".svg": "image/svg+xml", ".png": "image/png", ".gif": "image/gif"}
+#: Exceptions of damaged pictures; a damaged SVG file raises SyntaxError.
+_DAMAGE = (OSError, SyntaxError, ValueError, IndexError, Image.DecompressionBombError)
 
 
 @attrs.frozen
@@ -42,37 +37,45 @@ class Picture:
 
     name: str
     source: str
-    light: bool = True
-    wide: bool = False
+    light: bool
+    wide: bool
 
 
-def read_pictures(folder: Path, besides: Collection[str] = ()) -> tuple[list[Picture], list[str]]:
+def read_pictures(folder: Path, replaced: Collection[str] = ()) -> tuple[list[Picture], list[str]]:
     """Return the figures in a folder, and sentences on those left out.
 
     Args:
         folder: Folder of the files.
-        besides: Names without suffix of figures that the page shows in another form.
+        replaced: Names without suffix of figures that the page shows in another form.
     """
     if not folder.is_dir():
         return [], []
-    found, left = [], []
-    files = (file for file in folder.iterdir() if file.suffix in _KINDS)
-    for stem in sorted({file.stem for file in files} - set(besides)):
-        at_hand = {kind: file for kind in _KINDS if (file := folder / (stem + kind)).is_file()}
-        chosen = _choose(at_hand)
-        if chosen is None:
-            left.append(f"Figure {stem} is too large for this page. See {folder}.")
+    pictures, missing = [], []
+    stems = {file.stem for file in folder.iterdir() if file.suffix in _MIME_TYPES}
+    for stem in sorted(stems - set(replaced)):
+        file = _choose(folder, stem)
+        if file is None:
+            missing.append(f"Figure {stem} is too large for this page. See {folder}.")
             continue
         try:
-            wide = _is_wide(chosen)
+            wide = _is_wide(file)
         except _DAMAGE:
-            left.append(f"Figure {stem} is left out, because {chosen} is cut short or damaged.")
+            missing.append(f"Figure {stem} is left out, because {file} is cut short or damaged.")
             continue
-        content = base64.b64encode(chosen.read_bytes()).decode()
-        source = f"data:{_KINDS[chosen.suffix]};base64,{content}"
-        name, light = stem.replace("_", " "), chosen.stem != "grains"
-        found.append(Picture(name, source, light, wide))
-    return found, left
+        content = base64.b64encode(file.read_bytes()).decode()
+        source = f"data:{_MIME_TYPES[file.suffix]};base64,{content}"
+        pictures.append(Picture(stem.replace("_", " "), source, stem != "grains", wide))
+    return pictures, missing
+
+
+def _choose(folder: Path, stem: str) -> Path | None:
+    """Return the file of a figure for the page: a small SVG, otherwise a bitmap."""
+    for suffix in _MIME_TYPES:
+        file = folder / (stem + suffix)
+        limit = LARGEST_SVG if suffix == ".svg" else LARGEST_BITMAP
+        if file.is_file() and file.stat().st_size <= limit:
+            return file
+    return None
 
 
 def _is_wide(file: Path) -> bool:
@@ -87,14 +90,3 @@ def _is_wide(file: Path) -> bool:
         for frame in ImageSequence.Iterator(image):
             frame.load()
         return image.width > WIDE * image.height
-
-
-def _choose(files: dict[str, Path]) -> Path | None:
-    """Return the file of a figure for the page: a small SVG, otherwise a bitmap."""
-    sizes = {kind: file.stat().st_size for kind, file in files.items()}
-    if sizes.get(".svg", LARGEST) <= LARGEST_LINES:
-        return files[".svg"]
-    for kind in (".png", ".gif"):
-        if sizes.get(kind, LARGEST) < LARGEST:
-            return files[kind]
-    return None

@@ -3,8 +3,6 @@
 
 from __future__ import annotations
 
-import base64
-import gzip
 import json
 import os
 from collections.abc import Callable, Iterable
@@ -15,29 +13,28 @@ from importlib.resources import files
 from pathlib import Path
 from shutil import copymode
 
+import attrs
 import plotly.offline
 from jinja2 import Environment, PackageLoader, StrictUndefined
 from markupsafe import Markup
 from plotly.utils import PlotlyJSONEncoder
 
-from plastigran.plot.quantities import words
 from plastigran.plot.style import COLOURS, law_number
 from plastigran.plot.style import title as law_title
 from plastigran.report.page import bulk_section, sweep_section, table_section
 from plastigran.report.page.collect import Results, collect
 from plastigran.report.page.colours import on_dark
-from plastigran.report.page.names import number
-from plastigran.report.page.sections import Section, nothing
+from plastigran.report.page.movie import pack
+from plastigran.report.page.sections import Section, empty_section, number
 
 #: Text that identifies a page of this program.
 GENERATOR = "plastigran report"
-_MAKERS: dict[str, Callable[[Results, str], Section]] = {
+_MAKERS: dict[str, Callable[[Results], Section]] = {
     "bulk": bulk_section.make,
     "sweep": sweep_section.make,
     "tables": table_section.make,
-    "nothing": nothing,
+    "nothing": empty_section,
 }
-_STATES = ("failed", "unfinished", "passed", "done")
 
 
 def write_report(
@@ -58,9 +55,8 @@ def write_report(
         ValueError: A folder does not exist, or `path` is a file that is not a report.
     """
     path, folders = Path(path), [Path(folder) for folder in folders]
-    check_page(path, force)
-    found = collect(folders)
-    sections = [make_section(each, f"run-{k}") for k, each in enumerate(found)]
+    _check_page(path, force)
+    sections = [make_section(results) for results in collect(folders)]
     names = ", ".join(dict.fromkeys(folder.resolve().name for folder in folders))
     path.parent.mkdir(parents=True, exist_ok=True)
     _replace(path, render(sections, title or f"Results: {names}"))
@@ -83,13 +79,8 @@ def _replace(path: Path, text: str) -> None:
         draft.unlink(missing_ok=True)
 
 
-def check_page(path: Path, force: bool = False) -> None:
-    """Check that a report can be written to `path`.
-
-    Raises:
-        ValueError: The name does not end in .html, or the file is not a report and `force` is
-            false.
-    """
+def _check_page(path: Path, force: bool) -> None:
+    """Check that the name ends in .html, and that only a report is overwritten without `force`."""
     if path.suffix != ".html":
         raise ValueError(f"{path} cannot be a page: its name must end in .html")
     if path.exists() and not force:
@@ -99,9 +90,9 @@ def check_page(path: Path, force: bool = False) -> None:
             )
 
 
-def make_section(results: Results, name: str) -> Section:
+def make_section(results: Results) -> Section:
     """Return the section of a folder of results."""
-    return _MAKERS[results.kind](results, name)
+    return _MAKERS[results.category](results)
 
 
 def render(sections: list[Section], title: str) -> str:
@@ -111,40 +102,34 @@ def render(sections: list[Section], title: str) -> str:
         sections: Sections in the order of the page.
         title: Headline.
     """
-    charts = {chart.name: chart.to_json() for section in sections for chart in section.charts}
-    shades = {law: law_number(law) for section in sections for law in section.laws}
-    switched = sorted({law for s in sections if s.kind != "bulk" for law in s.laws})
+    sections = [attrs.evolve(section, name=f"run-{k}") for k, section in enumerate(sections)]
+    charts = {f"{s.name}-{chart.name}": chart.to_json() for s in sections for chart in s.charts}
+    law_colours = {law: law_number(law) for section in sections for law in section.laws}
+    switched = {law for s in sections if s.results.category != "bulk" for law in s.laws}
     colours = {"light": COLOURS, "dark": [on_dark(colour) for colour in COLOURS]}
-    numbers = {"charts": charts, "colours": colours, "laws": shades}
-    page = _environment().get_template("page.html.j2")
-    return page.render(
+    numbers = {"charts": charts, "colours": colours, "laws": law_colours}
+    return _environment().get_template("page.html.j2").render(
         title=title,
         generator=GENERATOR,
         version=version("plastigran"),
         written=datetime.now().astimezone(),
         sections=sections,
-        counts={s: k for s in _STATES if (k := sum(each.state == s for each in sections))},
-        laws=switched if len(switched) > 1 else [],
-        law_number=shades,
+        laws=sorted(switched) if len(switched) > 1 else [],
+        law_colours=law_colours,
         colours=colours,
-        numbers=packed(json.dumps(numbers, cls=PlotlyJSONEncoder)),
+        numbers=pack(json.dumps(numbers, cls=PlotlyJSONEncoder).encode()),
         plotly=_plotly() if charts else "",
-    )
-
-
-def packed(text: str) -> Markup:
-    """Pack a text for the page: gzip, in base64."""
-    return Markup(base64.b64encode(gzip.compress(text.encode(), 9, mtime=0)).decode())
+    )  # fmt: skip
 
 
 @cache
-def _plotly() -> Markup:
-    return packed(plotly.offline.get_plotlyjs())
+def _plotly() -> str:
+    return pack(plotly.offline.get_plotlyjs().encode())
 
 
 @cache
 def _environment() -> Environment:
-    made = Environment(
+    environment = Environment(
         loader=PackageLoader(__package__),
         autoescape=True,
         undefined=StrictUndefined,
@@ -152,14 +137,14 @@ def _environment() -> Environment:
         lstrip_blocks=True,
     )
     assets = files(__package__) / "assets"
-    made.globals["asset"] = lambda name: Markup((assets / name).read_text(encoding="utf-8"))
-    made.filters |= {"number": number, "words": words, "law": law_title, "percent": _percent}
-    return made
+    environment.globals["asset"] = lambda name: Markup((assets / name).read_text(encoding="utf-8"))
+    environment.filters |= {"number": number, "law": law_title, "percent": _percent}
+    return environment
 
 
-def _percent(share: float | None) -> str:
+def _percent(fraction: float | None) -> str:
     """Return a fraction in per cent, two digits; a dash for None."""
-    if share is None:
+    if fraction is None:
         return "–"
-    value = 100 * share
+    value = 100 * fraction
     return f"{value:.0f} %" if value >= 10 else f"{value:.2g} %" if value >= 1e-3 else "< 0.001 %"

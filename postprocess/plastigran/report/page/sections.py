@@ -3,16 +3,15 @@
 
 from __future__ import annotations
 
-from pathlib import Path
 from typing import Any
 
 import attrs
+import numpy as np
 import pandas as pd
 
 from plastigran.report.page.charts import Chart
 from plastigran.report.page.collect import Results
-from plastigran.report.page.movie import Movie
-from plastigran.report.page.names import number
+from plastigran.report.page.movie import GrainMovie
 from plastigran.report.page.pictures import Picture
 from plastigran.report.page.trust import Trust
 
@@ -41,10 +40,7 @@ class Section:
     """Part of a page on one folder.
 
     Attributes:
-        kind: See `Results.kind`; it selects the template.
-        name: ID of the element of the page.
-        title: Headline.
-        folder: Folder of the results, as given.
+        results: Folder of the results.
         state: "passed", "failed", "unfinished", or "done" if there are no checks.
         verdict: State in a few words.
         missing: Sentences on missing results and failures.
@@ -59,12 +55,10 @@ class Section:
         tables: Tables of numbers.
         trust: Verification and validation of each law.
         laws: Names of the laws.
+        name: ID of the element of the page.
     """
 
-    kind: str
-    name: str
-    title: str
-    folder: Path
+    results: Results
     state: str
     verdict: str
     missing: list[str] = attrs.field(factory=list)
@@ -74,20 +68,18 @@ class Section:
     settings: list[tuple[str, str, str]] = attrs.field(factory=list)
     checks: list[dict[str, Any]] = attrs.field(factory=list)
     charts: list[Chart] = attrs.field(factory=list)
-    movie: Movie | None = None
+    movie: GrainMovie | None = None
     pictures: list[Picture] = attrs.field(factory=list)
     tables: list[Table] = attrs.field(factory=list)
     trust: list[Trust] = attrs.field(factory=list)
     laws: list[str] = attrs.field(factory=list)
+    name: str = ""
 
 
-def nothing(results: Results, name: str) -> Section:
+def empty_section(results: Results) -> Section:
     """Return the section of a folder without results."""
     return Section(
-        kind="nothing",
-        name=name,
-        title=results.name,
-        folder=results.folder,
+        results=results,
         state="unfinished",
         verdict="no results",
         missing=[
@@ -111,13 +103,33 @@ def cells(table: pd.DataFrame, title: str, heads: dict[str, str] | None = None) 
     return Table(title=title, head=head, rows=rows, laws=laws)
 
 
+def number(value: object) -> str:
+    """Return a table cell as text: four digits, with powers of ten as superscripts."""
+    if isinstance(value, bool | np.bool_):
+        return "yes" if value else "no"
+    if not isinstance(value, int | float | np.integer | np.floating):
+        return "" if value is None else str(value)
+    if np.isnan(value):
+        return ""
+    mantissa, _, power = f"{value:.4g}".partition("e")
+    if power:
+        raised = str(int(power)).translate(str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹"))
+        mantissa = f"{mantissa} × 10{raised}".removeprefix("1 × ")
+    return mantissa.replace("-", "−")
+
+
+def span(smallest: float, largest: float) -> str:
+    """Return a range of numbers as text, or the number if both ends are equal."""
+    return " to ".join(dict.fromkeys(number(float(end)) for end in (smallest, largest)))
+
+
 def version_facts(versions: dict[str, str]) -> dict[str, str]:
     """Return versions as short facts that distinguish two runs."""
-    shown = {}
-    for name, said in versions.items():
-        if name == "plugin" and " sha256 " in said:
-            said = said.partition(" sha256 ")[2][:12]
-        if name == "engine" and "(Version " in said:
-            said = said.partition("(Version ")[2].partition(",")[0]
-        shown[{"plugin": "plugin, sha256"}.get(name, name)] = said
-    return shown
+    facts = {}
+    for name, text in versions.items():
+        if name == "plugin" and " sha256 " in text:
+            text = text.partition(" sha256 ")[2][:12]
+        if name == "engine" and "(Version " in text:
+            text = text.partition("(Version ")[2].partition(",")[0]
+        facts["plugin, sha256" if name == "plugin" else name] = text
+    return facts

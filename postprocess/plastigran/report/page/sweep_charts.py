@@ -24,23 +24,20 @@ from plastigran.experiments.collision import CollisionError, force_overlap_loop
 from plastigran.materials import Material
 from plastigran.plot.chart import DASHES
 from plastigran.plot.quantities import PREDICTED, words
-from plastigran.report.page.charts import Chart, chart_name, interactive
+from plastigran.report.page.charts import Chart
 
 #: Relative tolerance at which radii and speeds are equal; trajectories have 17 digits.
-DIGITS = 1e-9
+TOLERANCE = 1e-9
 #: Columns that the name of a run's folder contains.
 LABELLED = ("geometry", "material", "law", "wall", "options")
 #: Largest number of points of a loop.
 LOOP_POINTS = 80
 
 
-def measured_chart(
-    name: str, table: pd.DataFrame, materials: Mapping[str, Material]
-) -> Chart | None:
+def measured_chart(table: pd.DataFrame, materials: Mapping[str, Material]) -> Chart | None:
     """Return the chart of every predicted quantity over speed or angle.
 
     Args:
-        name: ID of the section.
         table: Results table of the sweep.
         materials: As for `central_case`.
 
@@ -59,13 +56,14 @@ def measured_chart(
     if not panels:
         return None
     return Chart(
-        chart_name(name, "measured"),
-        {words(name).capitalize(): interactive(panel) for name, panel in panels.items()},
-        f"{', '.join(map(words, quantities))} over {words(abscissa)}, a curve for each law",
-        "Points are results of LIGGGHTS with a law, lines are the law alone. If points lie on "
-        "their line, the run is verified. The accuracy of the law itself is shown below."
+        name="measured",
+        views={words(name).capitalize(): [panel] for name, panel in panels.items()},
+        description=f"{', '.join(map(words, quantities))} over {words(abscissa)}, one curve per "
+        "law",
+        caption="Points are results of LIGGGHTS with a law; lines are the law alone. If points lie "
+        "on their line, the run is verified. The accuracy of the law itself is shown below."
         f"{_dash_legend(table, abscissa)}",
-        "Quantity" if len(panels) > 1 else "",
+        menu="Quantity",
         height=440,
     )
 
@@ -74,13 +72,11 @@ def _abscissa(table: pd.DataFrame) -> str | None:
     """Return the number of the cases that has most values, else a word that varies."""
     numbers = [name for name in ("speed", "angle", "incident_angle", "radius") if name in table]
     others = [name for name in ("geometry", "material", "wall", "options") if name in table]
-    changing = [name for name in numbers + others if table[name].nunique() > 1]
-    most = max(
-        (name for name in changing if name in numbers),
-        key=lambda name: table[name].nunique(),
-        default=None,
-    )
-    return most or next(iter(changing), numbers[0] if numbers else None)
+    counts = {name: table[name].nunique() for name in numbers + others}
+    most = max(numbers, key=counts.get, default=None)
+    if most is not None and counts[most] > 1:
+        return most
+    return next((name for name in others if counts[name] > 1), most)
 
 
 def _dash_legend(table: pd.DataFrame, abscissa: str) -> str:
@@ -90,11 +86,10 @@ def _dash_legend(table: pd.DataFrame, abscissa: str) -> str:
     return f" Lines: {'; '.join(legend)}." if len(legend) > 1 else ""
 
 
-def loops_chart(name: str, folder: Path, table: pd.DataFrame) -> tuple[Chart | None, list[str]]:
+def loops_chart(folder: Path, table: pd.DataFrame) -> tuple[Chart | None, list[str]]:
     """Return the chart of force over overlap, a view for each speed, a loop for each law.
 
     Args:
-        name: ID of the section.
         folder: Folder of the sweep.
         table: Its results table.
 
@@ -113,15 +108,14 @@ def loops_chart(name: str, folder: Path, table: pd.DataFrame) -> tuple[Chart | N
     if not loops:
         return None, missing
     panels = loop_panels(loops, "speed", "law", varied(table), common_axes=False)
-    names = list(panels)
     chart = Chart(
-        chart_name(name, "loops"),
-        {name: interactive(panel) for name, panel in panels.items()},
-        "normal force over overlap during an impact, a loop for each law",
-        "The left side of a loop is loading, the right side unloading. The area between them is "
-        "the dissipated energy. The loop ends on the axis at the residual overlap.",
-        "Impact" if len(panels) > 1 else "",
-        names[len(names) // 2],
+        name="loops",
+        views={name: [panel] for name, panel in panels.items()},
+        description="normal force over overlap during an impact, one loop per law",
+        caption="The left side of a loop is loading, the right side unloading. The area between "
+        "them is the dissipated energy. The loop ends on the axis at the residual overlap.",
+        menu="Impact",
+        start=list(panels)[len(panels) // 2],
         height=440,
     )
     return chart, missing
@@ -141,10 +135,8 @@ def _loop(trajectory: Path, table: pd.DataFrame) -> list[tuple[pd.Series, pd.Dat
         motion = read_dump(trajectory)
     loop = force_overlap_loop(motion)
     speed = loop["speed"].iloc[0] / rows["geometry"].map(GEOMETRIES).astype(float)
-    same = np.isclose(rows["speed"], speed, rtol=DIGITS, atol=0)
-    same &= np.isclose(rows["radius"], motion["radius"].iloc[0], rtol=DIGITS, atol=0)
-    if not same.any():
-        return []
+    same = np.isclose(rows["speed"], speed, rtol=TOLERANCE, atol=0)
+    same &= np.isclose(rows["radius"], motion["radius"].iloc[0], rtol=TOLERANCE, atol=0)
     touching = loop[loop["overlap"] >= 0]
-    every = max(1, -(-len(touching) // LOOP_POINTS))
-    return [(rows[same].iloc[0], touching.iloc[::every])]
+    stride = max(1, -(-len(touching) // LOOP_POINTS))
+    return [(row, touching.iloc[::stride]) for _, row in rows[same].head(1).iterrows()]

@@ -9,85 +9,78 @@ from pathlib import Path
 import pandas as pd
 
 from plastigran.calibration.expected_errors import errors_table
+from plastigran.declared import declarations
 from plastigran.engine.log import LOG, find_error
 from plastigran.experiments.central.arrangement import WALLS
 from plastigran.experiments.central.curves import central_case
 from plastigran.experiments.central.remarks import dented
-from plastigran.experiments.record import TABLE, read_study, read_table
+from plastigran.experiments.record import STUDY, TABLE, read_study, read_table
 from plastigran.experiments.tables import HEADS
 from plastigran.materials import NO_WALL, USUAL, Material
 from plastigran.plot.quantities import words
 from plastigran.plot.style import title
-from plastigran.report.page.charts import chart_name
+from plastigran.report.page.charts import Chart
 from plastigran.report.page.collect import Results
-from plastigran.report.page.materials import constants, recorded
-from plastigran.report.page.names import number
 from plastigran.report.page.pictures import read_pictures
-from plastigran.report.page.sections import Section, Table, cells, version_facts
+from plastigran.report.page.sections import Section, Table, cells, span, version_facts
 from plastigran.report.page.sweep_charts import loops_chart, measured_chart
 from plastigran.report.page.trust import Trust, trust, validation_chart, verification_chart
 
 #: Largest number of laws that the head names.
 MOST_NAMED = 3
 #: Required columns of a table of impacts.
-_OF_AN_IMPACT = ("law", "material", "radius", "speed")
+_REQUIRED = ("law", "material", "radius", "speed")
 #: Figures of central impacts, each with the chart that replaces it.
-_CHARTED = {"restitution": "measured", "loops": "loops"}
+_REPLACED = {"restitution": "measured", "loops": "loops"}
 
 
-def make(results: Results, name: str) -> Section:
-    """Return the section of a sweep.
-
-    Args:
-        results: Folder of the sweep.
-        name: ID of the element of the page.
-    """
+def make(results: Results) -> Section:
+    """Return the section of a sweep."""
     folder = results.folder
     study, missing = read_study(folder)
-    table, left = _read_table(folder / TABLE)
-    missing += left
+    table, damaged = _read_table(folder / TABLE)
+    missing += damaged
     runs = sorted(path for path in folder.glob("runs/*") if path.is_dir())
     if len(table) < len(runs) and (len(table) or not missing):
-        fate = "are still running, or are left out" if missing else "or are still running"
+        left_out = ", are still running, or are left out" if missing else ", or are still running"
         missing.append(
             f"{TABLE} has {len(table)} of {len(runs)} impacts. The others failed, were "
-            f"stopped, {fate}."
+            f"stopped{left_out}."
         )
     missing += _errors(runs)
-    laws = sorted(table["law"].unique()) if "law" in table else []
-    materials, odd = recorded(study)
-    missing += odd
-    trusted = trust(table, materials)
-    charts = []
+    materials, damaged = _materials(study)
+    missing += damaged
+    by_law = trust(table, materials)
+    charts, damaged = _charts(folder, table, materials, by_law)
+    missing += damaged
+    drawn = {chart.name for chart in charts} if "geometry" in table else set()
+    pictures, damaged = read_pictures(
+        folder, {figure for figure, chart in _REPLACED.items() if chart in drawn}
+    )
+    missing += [
+        f"The constants of {name} are not available. They decide on hardening, so the error "
+        "compared with finite elements is unknown."
+        for name in sorted({name for entry in by_law for name in entry.unknown_materials})
+    ]
+    missing += damaged
+    impacts = _impacts(len(table))
+    verdict = impacts + (" by theory" if study.get("by_theory") else "")
+    tables = _constants(materials)
     if len(table):
-        loops, damaged = loops_chart(name, folder, table)
-        missing += damaged
-        charts = [measured_chart(name, table, materials), loops]
-        if "speed_ratio" in table and table["speed_ratio"].nunique() > 1:
-            errors = errors_table()
-            errors = errors[errors["law"].isin(laws)]
-            charts.append(verification_chart(name, table))
-            if not _is_unusual(table) or any(any(t.validated.values()) for t in trusted):
-                charts.append(validation_chart(name, errors))
-    drawn = {chart.name for chart in charts if chart}
-    replaced = {figure for figure, kind in _CHARTED.items() if chart_name(name, kind) in drawn}
-    pictures, left = read_pictures(folder, replaced if "geometry" in table else ())
-    by = " by theory" if study.get("by_theory") else ""
+        heads = {name: HEADS.get(name, words(name)).replace("\n", ", ") for name in table}
+        tables.append(cells(table, f"The {impacts} in numbers", heads))
     return Section(
-        kind="sweep",
-        name=name,
-        title=results.name,
-        folder=folder,
+        results=results,
         state="unfinished" if missing else "done",
-        verdict=f"{len(table)} of {_impacts(len(runs))}" if missing else _impacts(len(table)) + by,
-        missing=missing + _unread(trusted) + left,
+        verdict=f"{len(table)} of {_impacts(len(runs))}" if missing else verdict,
+        missing=missing,
         warnings=_dented(table, materials),
         facts=_facts(study, table, runs),
-        charts=[chart for chart in charts if chart],
+        charts=charts,
         pictures=pictures,
-        tables=[*constants(materials), *_rows(table)],
-        trust=trusted,
-        laws=laws,
+        tables=tables,
+        trust=by_law,
+        laws=sorted(table["law"].unique()) if "law" in table else [],
     )
 
 
@@ -96,12 +89,37 @@ def _read_table(path: Path) -> tuple[pd.DataFrame, list[str]]:
     if not path.is_file() or not path.stat().st_size:
         return pd.DataFrame(), [f"{TABLE} is missing or empty: no impact has finished."]
     try:
-        table, left = read_table(path)
-        if lost := [name for name in _OF_AN_IMPACT if "geometry" in table and name not in table]:
+        table, left_out = read_table(path)
+        if lost := [name for name in _REQUIRED if "geometry" in table and name not in table]:
             raise ValueError(f"column {lost[0]} is missing")
-        return table, left
+        return table, left_out
     except (OSError, ValueError) as error:
         return pd.DataFrame(), [f"{TABLE} is damaged and left out: {error}."]
+
+
+def _materials(study: dict) -> tuple[dict[str, Material], list[str]]:
+    """Return the recorded materials by name, and a sentence for each that cannot be read."""
+    materials, damaged = {}, []
+    recorded = study.get("materials")
+    for name, values in recorded.items() if isinstance(recorded, dict) else ():
+        try:
+            materials[name] = Material(name, **values)
+        except (TypeError, ValueError) as error:
+            damaged.append(f"{STUDY} has incomplete data for material {name}: {error}.")
+    return materials, damaged
+
+
+def _constants(materials: Mapping[str, Material]) -> list[Table]:
+    """Return a table of the constants of the materials."""
+    if not materials:
+        return []
+    table = pd.DataFrame([{"material": n} | m.variables() for n, m in materials.items()])
+    units = {name: declaration.unit for name, declaration in declarations(Material).items()}
+    heads = {
+        name: words(name) if units.get(name, "-") in ("", "-") else f"{words(name)}, {units[name]}"
+        for name in table
+    }
+    return [cells(table, "Constants of the materials", heads)]
 
 
 def _impacts(count: int) -> str:
@@ -109,39 +127,40 @@ def _impacts(count: int) -> str:
     return f"{count} impact{'' if count == 1 else 's'}"
 
 
-def _rows(table: pd.DataFrame) -> list[Table]:
-    """Return the table of all impacts."""
-    title = f"The {_impacts(len(table))} in numbers"
-    return [cells(table, title, _heads(table))] if len(table) else []
+def _charts(
+    folder: Path, table: pd.DataFrame, materials: Mapping[str, Material], by_law: list[Trust]
+) -> tuple[list[Chart], list[str]]:
+    """Return the charts of a sweep, and a sentence if trajectories cannot be read."""
+    if not len(table):
+        return [], []
+    loops, damaged = loops_chart(folder, table)
+    charts = [measured_chart(table, materials), loops]
+    if "speed_ratio" in table and table["speed_ratio"].nunique() > 1:
+        charts.append(verification_chart(table))
+        if _has_usual(table) or any(any(entry.validated.values()) for entry in by_law):
+            errors = errors_table()
+            charts.append(validation_chart(errors[errors["law"].isin(table["law"])]))
+    return [chart for chart in charts if chart], damaged
 
 
-def _is_unusual(table: pd.DataFrame) -> bool:
-    """Return whether all impacts are on metal walls or use options of their law."""
+def _has_usual(table: pd.DataFrame) -> bool:
+    """Return whether there are impacts on rigid walls with the default options of their law."""
     usual = pd.Series(True, table.index)
     if "wall" in table:
         usual &= table["wall"].isin(WALLS)
     if "options" in table:
         usual &= table["options"] == USUAL
-    return not usual.any()
+    return usual.any()
 
 
 def _errors(runs: list[Path]) -> list[str]:
     """Return the error messages of LIGGGHTS, each once."""
-    said: dict[str, str] = {}
+    errors: dict[str, str] = {}
     for run in runs:
         log = run / LOG
         if log.is_file() and (error := find_error(log.read_text(errors="replace"))):
-            said.setdefault(error.strip(), run.name)
-    return [f"LIGGGHTS stopped in runs/{run}: {error}" for error, run in said.items()]
-
-
-def _unread(trusted: list[Trust]) -> list[str]:
-    names = sorted({name for each in trusted for name in each.unread})
-    return [
-        f"The constants of {name} are not available. They decide on hardening, so the error "
-        "compared with finite elements is unknown."
-        for name in names
-    ]
+            errors.setdefault(error.strip(), run.name)
+    return [f"LIGGGHTS stopped in runs/{run}: {error}" for error, run in errors.items()]
 
 
 def _dented(table: pd.DataFrame, materials: Mapping[str, Material]) -> list[str]:
@@ -166,18 +185,12 @@ def _facts(study: dict, table: pd.DataFrame, runs: list[Path]) -> dict[str, str]
             values = [wall for wall in values if wall != NO_WALL]  # two spheres have no wall
         unit = {"radius": " m", "speed": " m/s", "angle": "°"}.get(name, "")
         if table[name].dtype.kind in "if":
-            ends = [number(float(value)) for value in (values.min(), values.max())]
-            facts[words(name)] = " to ".join(dict.fromkeys(ends)) + unit
+            facts[words(name)] = span(values.min(), values.max()) + unit
         else:
             shown = map(title, values) if name in ("material", "wall") else values
             facts[words(name)] = ", ".join(str(value).replace("_", " ") for value in shown)
     versions = dict(study.get("versions", {}))
-    logs = [run / LOG for run in runs if (run / LOG).is_file()]
-    if logs:
-        with open(logs[0], errors="replace") as log:
-            versions["engine"] = log.readline().strip()
+    if log := next((run / LOG for run in runs if (run / LOG).is_file()), None):
+        with open(log, errors="replace") as file:
+            versions["engine"] = file.readline().strip()
     return facts | version_facts(versions)
-
-
-def _heads(table: pd.DataFrame) -> dict[str, str]:
-    return {name: HEADS.get(name, words(name)).replace("\n", ", ") for name in table}

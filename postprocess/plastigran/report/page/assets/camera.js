@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Looks at a box from a direction: gravity stays down, dragging turns, pinching comes nearer.
+// Camera that looks at a box. Gravity stays down; dragging turns the box, pinching zooms.
 const VIEWS = { corner: [0.5, 0.35], front: [0, 0], side: [Math.PI / 2, 0], top: [0, Math.PI / 2] };
 const clamp = (value, low, high) => Math.min(Math.max(value, low), high);
 
 window.plastigran.Camera = class {
-  /** `extent` are the box's sides; `changed` is called after every move. */
+  /** `extent` holds the sides of the box; `changed` is called after every move. */
   constructor(canvas, extent, size, changed) {
     Object.assign(this, { canvas, extent, size, changed, zoom: 1, pointers: new Map() });
     this.look("corner");
@@ -19,7 +19,7 @@ window.plastigran.Camera = class {
     canvas.addEventListener("wheel", (event) => {
       if (!event.ctrlKey) return;
       event.preventDefault();
-      this.nearer(Math.exp(-event.deltaY / 200));
+      this.zoomBy(Math.exp(-event.deltaY / 200));
     }, { passive: false });
     canvas.addEventListener("keydown", (event) => this.key(event));
   }
@@ -29,7 +29,7 @@ window.plastigran.Camera = class {
     this.zoom = 1;
   }
 
-  nearer(factor) {
+  zoomBy(factor) {
     this.zoom = clamp(this.zoom * factor, 0.3, 20);
     this.changed();
   }
@@ -43,10 +43,10 @@ window.plastigran.Camera = class {
   drag(event) {
     const before = this.pointers.get(event.pointerId);
     if (!before) return;
-    const others = [...this.pointers.values()].filter((each) => each.pointerId !== event.pointerId);
+    const others = [...this.pointers.values()].filter(({ pointerId }) => pointerId !== event.pointerId);
     if (others.length) {
-      const away = (one) => Math.hypot(one.clientX - others[0].clientX, one.clientY - others[0].clientY);
-      this.nearer(away(event) / Math.max(away(before), 1));
+      const distance = ({ clientX, clientY }) => Math.hypot(clientX - others[0].clientX, clientY - others[0].clientY);
+      this.zoomBy(distance(event) / Math.max(distance(before), 1));
     } else this.turn((event.clientX - before.clientX) / 150, (event.clientY - before.clientY) / 150);
     this.pointers.set(event.pointerId, event);
   }
@@ -54,14 +54,14 @@ window.plastigran.Camera = class {
   key(event) {
     const moves = {
       ArrowLeft: () => this.turn(-0.1, 0), ArrowRight: () => this.turn(0.1, 0), ArrowUp: () => this.turn(0, -0.1),
-      ArrowDown: () => this.turn(0, 0.1), "+": () => this.nearer(1.2), "-": () => this.nearer(1 / 1.2),
+      ArrowDown: () => this.turn(0, 0.1), "+": () => this.zoomBy(1.2), "-": () => this.zoomBy(1 / 1.2),
     };
     if (!moves[event.key]) return;
     event.preventDefault();
     moves[event.key]();
   }
 
-  /** What the shaders take: rotation, middle and scales, so that the box fits whatever its azimuth. */
+  /** Return rotation, middle and scales for the shaders. The box fits the canvas at any azimuth. */
   view() {
     const [a, e] = [this.azimuth, this.elevation], [x, y, z] = this.extent;
     const [ca, sa, ce, se] = [Math.cos(a), Math.sin(a), Math.cos(e), Math.sin(e)];

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Charts: plotly draws them; this gives them the page's colours and the laws that are switched on.
+// Charts drawn by plotly, with the colors of the page and the laws that are switched on.
 const page = window.plastigran;
 const css = (name) => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
 const config = { displayModeBar: false, responsive: true, doubleClick: "reset" };
 
-/** Axes, type and boxes of values, by the light of the page. */
+/** Return axes, fonts and hover boxes in the colors of the page. */
 function template() {
   const [ink, muted, line, raised] = ["--ink", "--muted", "--line", "--raised"].map(css);
   const axis = {
@@ -23,15 +23,15 @@ function template() {
 function coloured(trace) {
   const { law, colour = page.laws[law] } = trace.meta ?? {};
   const shade = colour >= 0 ? page.colours[page.lit][colour] : css("--ink");
-  const made = { ...trace, visible: !page.hidden.has(law) };
-  made.line = { ...trace.line, color: shade };
+  const drawn = { ...trace, visible: !page.hidden.has(law) };
+  drawn.line = { ...trace.line, color: shade };
   if (trace.mode?.includes("markers"))
-    made.marker = { ...trace.marker, color: css("--ground"), line: { ...trace.marker?.line, color: shade } };
-  if (trace.stackgroup) made.fillcolor = shade + "b0";
-  return made;
+    drawn.marker = { ...trace.marker, color: css("--ground"), line: { ...trace.marker?.line, color: shade } };
+  if (trace.stackgroup) drawn.fillcolor = shade + "b0";
+  return drawn;
 }
 
-/** Width on paper: that of A4 within margins, which a page that is about to be printed does not know. */
+/** Width of an A4 page within its margins [px]; `beforeprint` comes before the page has this width. */
 const PAPER = 680;
 
 async function draw(element, printing = false) {
@@ -46,7 +46,7 @@ async function draw(element, printing = false) {
 }
 
 const all = () => [...document.querySelectorAll(".plot")];
-/** Charts are drawn as they come near, the others when there is time: a long page is there at once. */
+/** Draw charts when they come near the window, the others when the browser is idle. */
 const near = new IntersectionObserver((seen) => {
   for (const { isIntersecting, target } of seen)
     if (isIntersecting) { near.unobserve(target); draw(target); }
@@ -66,8 +66,8 @@ page.startCharts = () => {
       element.dataset.view = choice.value;
       draw(element);
     });
-  const again = () => all().filter(({ dataset }) => dataset.drawn).forEach((each) => draw(each));
+  const again = () => all().filter(({ dataset }) => dataset.drawn).forEach((element) => draw(element));
   document.addEventListener("lit", again);
   document.addEventListener("laws", again);
-  window.addEventListener("beforeprint", () => all().forEach((each) => draw(each, true)));
+  window.addEventListener("beforeprint", () => all().forEach((element) => draw(element, true)));
 };

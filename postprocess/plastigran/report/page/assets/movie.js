@@ -1,22 +1,22 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The view of a run's grains: frames in time, what colours them, and the values of the one pointed at.
+// View of the grains of a run: frames over time, colors, and the values of the grain under the pointer.
 const page = window.plastigran;
-const RATE = 150; // ms a frame
-const DEEPEST = 65535;
+const FRAME_TIME = 150; // ms
+const LARGEST = 65535;
 
-/** The frames of a run, as `plastigran.report.page.movie` packs them. */
+/** Unpack the frames of a run, which `plastigran.report.page.movie` packs. */
 async function unpackFrames(text) {
   const buffer = await page.unpack(text), bytes = new Uint8Array(buffer);
   let at = bytes.indexOf(10) + 1;
   const run = JSON.parse(new TextDecoder().decode(bytes.subarray(0, at)));
   const take = (count) => {
-    const found = new Uint16Array(buffer, at, count);
+    const numbers = new Uint16Array(buffer, at, count);
     at += 2 * count;
-    return found;
+    return numbers;
   };
   let walls = new Uint16Array(0);
-  run.frames = run.frames.map(({ said, grains, corners }) => {
-    const frame = { said, places: take(3 * grains), radii: take(grains), values: {} };
+  run.frames = run.frames.map(({ label, grains, corners }) => {
+    const frame = { label, places: take(3 * grains), radii: take(grains), values: {} };
     for (const { name } of run.colours) frame.values[name] = take(grains);
     if (corners !== null) walls = take(3 * corners);
     return { ...frame, walls };
@@ -61,12 +61,12 @@ class Movie {
   take() {
     const frame = this.frame = this.run.frames[Number(this.time.value)], colour = this.colour;
     this.drawing.show({ ...frame, values: frame.values[colour.name] });
-    this.find(".now").textContent = frame.said;
-    this.time.setAttribute("aria-valuetext", frame.said);
-    this.find(".scale-title").textContent = `${colour.said} (${colour.unit})`;
-    const beyond = colour.top > 1.01 * colour.spanned ? " and more" : "";
-    const ends = ["0", digits(colour.spanned / 2), digits(colour.spanned) + beyond];
-    [...this.find(".scale-ends").children].forEach((end, k) => { end.textContent = ends[k]; });
+    this.find(".now").textContent = frame.label;
+    this.time.setAttribute("aria-valuetext", frame.label);
+    this.find(".scale-title").textContent = `${colour.title} (${colour.unit})`;
+    const beyond = colour.top > 1.01 * colour.end ? " and more" : "";
+    const labels = ["0", digits(colour.end / 2), digits(colour.end) + beyond];
+    [...this.find(".scale-ends").children].forEach((label, k) => { label.textContent = labels[k]; });
     this.later();
   }
 
@@ -77,16 +77,16 @@ class Movie {
 
   draw() {
     if (!this.canvas.width) return;
-    const { spanned, top } = this.colour;
+    const { end, top } = this.colour;
     const ink = rgb(getComputedStyle(document.documentElement).getPropertyValue("--ink"));
     this.drawing.draw(this.camera.view(), {
-      span: top ? spanned / top : 1, largest: this.run.radius, ink, walls: this.find(".walls").checked,
+      span: top ? end / top : 1, largest: this.run.radius, ink, walls: this.find(".walls").checked,
     });
   }
 
   play(on) {
     clearInterval(this.timer);
-    this.timer = on ? setInterval(() => this.step(), RATE) : 0;
+    this.timer = on ? setInterval(() => this.step(), FRAME_TIME) : 0;
     const button = this.find(".play");
     button.textContent = on ? "Pause" : "Play";
     button.setAttribute("aria-pressed", String(on));
@@ -97,16 +97,16 @@ class Movie {
     this.take();
   }
 
-  /** Say the values of the grain in front at the pointer. */
+  /** Show the values of the front grain at the pointer. */
   point(event) {
     const tip = this.find(".tip"), box = this.canvas.getBoundingClientRect();
-    const found = event.buttons ? -1 : this.grainAt(event.clientX - box.left, event.clientY - box.top, box);
-    tip.hidden = found < 0;
-    if (found < 0) return;
-    const radius = (this.frame.radii[found] / DEEPEST) * this.run.radius;
-    const said = this.run.colours.map(({ name, said, unit, top }) =>
-      `${said} ${digits((this.frame.values[name][found] / DEEPEST) * top)} ${unit}`);
-    tip.replaceChildren(...[...said, `radius ${digits(1e3 * radius)} mm`].flatMap((line) => [line, document.createElement("br")]));
+    const grain = event.buttons ? -1 : this.grainAt(event.clientX - box.left, event.clientY - box.top, box);
+    tip.hidden = grain < 0;
+    if (grain < 0) return;
+    const radius = (this.frame.radii[grain] / LARGEST) * this.run.radius;
+    const lines = this.run.colours.map(({ name, title, unit, top }) =>
+      `${title} ${digits((this.frame.values[name][grain] / LARGEST) * top)} ${unit}`);
+    tip.replaceChildren(...[...lines, `radius ${digits(1e3 * radius)} mm`].flatMap((line) => [line, document.createElement("br")]));
     const left = event.clientX - box.left;
     tip.style.left = left > box.width / 2 ? "auto" : `${left + 14}px`;
     tip.style.right = left > box.width / 2 ? `${box.width - left + 14}px` : "auto";
@@ -116,14 +116,14 @@ class Movie {
   grainAt(left, top, box) {
     const { turn, middle, size, scale } = this.camera.view(), { places, radii } = this.frame;
     const x = ((2 * left) / box.width - 1) / scale[0], y = (1 - (2 * top) / box.height) / scale[1];
-    let found = -1, nearest = -Infinity;
+    let grain = -1, nearest = -Infinity;
     for (let k = 0; k < radii.length; k++) {
-      const p = [0, 1, 2].map((i) => (places[3 * k + i] / DEEPEST) * size - middle[i]);
+      const p = [0, 1, 2].map((i) => (places[3 * k + i] / LARGEST) * size - middle[i]);
       const [dx, dy, z] = [0, 1, 2].map((i) => turn[3 * i] * p[0] + turn[3 * i + 1] * p[1] + turn[3 * i + 2] * p[2]);
-      const r = (radii[k] / DEEPEST) * this.run.radius;
-      if ((dx - x) ** 2 + (dy - y) ** 2 < r * r && z > nearest) [found, nearest] = [k, z];
+      const r = (radii[k] / LARGEST) * this.run.radius;
+      if ((dx - x) ** 2 + (dy - y) ** 2 < r * r && z > nearest) [grain, nearest] = [k, z];
     }
-    return found;
+    return grain;
   }
 }
 

@@ -1,32 +1,32 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The page's light and its laws; charts and views are told of both by events.
+// Light or dark mode and the switches of laws. Events tell charts and views of changes.
 const root = document.documentElement;
 const page = window.plastigran = { hidden: new Set(), charts: {}, colours: {}, laws: {}, lit: "light" };
 
-/** Text that the page carries as gzip in base64. */
+/** Unpack content that the page holds as gzip in base64. */
 page.unpack = async (text) => {
   const bytes = Uint8Array.from(atob(text.trim()), (letter) => letter.charCodeAt(0));
   const plain = new Blob([bytes]).stream().pipeThrough(new DecompressionStream("gzip"));
   return new Response(plain).arrayBuffer();
 };
-page.tell = (name) => document.dispatchEvent(new CustomEvent(name));
+page.emit = (name) => document.dispatchEvent(new CustomEvent(name));
 
 const theme = document.getElementById("theme");
 const dark = matchMedia("(prefers-color-scheme: dark)");
 function light(mode) {
   page.lit = mode ?? (theme.value === "auto" ? (dark.matches ? "dark" : "light") : theme.value);
   root.dataset.lit = page.lit;
-  page.tell("lit");
+  page.emit("lit");
 }
-function remembered(value) {
+function storedTheme(value) {
   try { // A page opened from a file may have no storage.
     if (value === undefined) return localStorage.getItem("plastigran-theme");
     localStorage.setItem("plastigran-theme", value);
   } catch { return null; }
 }
-theme.value = remembered() ?? "auto";
+theme.value = storedTheme() ?? "auto";
 if (!theme.value) theme.value = "auto";
-theme.addEventListener("change", () => { remembered(theme.value); light(); });
+theme.addEventListener("change", () => { storedTheme(theme.value); light(); });
 dark.addEventListener("change", () => light());
 light();
 
@@ -36,14 +36,14 @@ window.addEventListener("afterprint", () => light());
 
 const switches = [...document.querySelectorAll("input[data-law]")];
 function applyLaws() {
-  page.hidden = new Set(switches.filter((each) => !each.checked).map((each) => each.dataset.law));
+  page.hidden = new Set(switches.filter(({ checked }) => !checked).map(({ dataset }) => dataset.law));
   for (const row of document.querySelectorAll("[data-of-law]"))
     row.hidden = page.hidden.has(row.dataset.ofLaw);
-  page.tell("laws");
+  page.emit("laws");
 }
-for (const each of switches) each.addEventListener("change", applyLaws);
+for (const box of switches) box.addEventListener("change", applyLaws);
 for (const [name, on] of [["all-laws", true], ["no-laws", false]])
   document.getElementById(name)?.addEventListener("click", () => {
-    for (const each of switches) each.checked = on;
+    for (const box of switches) box.checked = on;
     applyLaws();
   });

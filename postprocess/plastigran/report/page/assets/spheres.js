@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Draws spheres and translucent walls with WebGL 2. Each sphere is a square that faces the viewer, in
-// which the fragment shader finds the sphere's surface, its depth and its light: exact at any size.
+// Draws spheres and translucent walls with WebGL 2. Each sphere is a square that faces the viewer. Its
+// fragment shader computes surface, depth and light of the sphere, exact at any size.
 const VIEW = `
 uniform mat3 turn; uniform vec3 middle; uniform float size; uniform vec2 scale; uniform float reach;
 vec3 eye(vec3 place) { return turn * (place * size - middle); }
@@ -28,8 +28,8 @@ void main() {
   gl_FragDepth = clamp(0.5 - 0.5 * (centre.z + r * normal.z) / reach, 0.0, 1.0);
   float lit = 0.42 + 0.62 * max(dot(normal, normalize(vec3(-0.45, 0.6, 0.75))), 0.0);
   float glint = 0.16 * pow(max(dot(normal, normalize(vec3(-0.27, 0.36, 0.9))), 0.0), 30.0);
-  vec3 own = texture(map, vec2((share * 255.0 + 0.5) / 256.0, 0.5)).rgb;
-  colour = vec4(own * lit * smoothstep(-0.15, 0.5, normal.z) + glint, cover);
+  vec3 shade = texture(map, vec2((share * 255.0 + 0.5) / 256.0, 0.5)).rgb;
+  colour = vec4(shade * lit * smoothstep(-0.15, 0.5, normal.z) + glint, cover);
 }`;
 const WALL_VERTEX = `#version 300 es
 in vec3 place; out vec3 at;
@@ -45,21 +45,21 @@ void main() {
 }`;
 
 function program(gl, vertex, fragment) {
-  const made = gl.createProgram();
+  const shaders = gl.createProgram();
   for (const [kind, text] of [[gl.VERTEX_SHADER, vertex], [gl.FRAGMENT_SHADER, fragment]]) {
     const shader = gl.createShader(kind);
     gl.shaderSource(shader, text);
     gl.compileShader(shader);
-    gl.attachShader(made, shader);
+    gl.attachShader(shaders, shader);
   }
-  gl.linkProgram(made);
-  if (!gl.getProgramParameter(made, gl.LINK_STATUS)) throw new Error(gl.getProgramInfoLog(made));
-  return made;
+  gl.linkProgram(shaders);
+  if (!gl.getProgramParameter(shaders, gl.LINK_STATUS)) throw new Error(gl.getProgramInfoLog(shaders));
+  return shaders;
 }
 
-/** A canvas that shows one frame at a time. */
+/** Canvas that shows one frame at a time. */
 window.plastigran.Spheres = class {
-  /** Throws where the browser has no WebGL 2. `map` is a list of colours, evenly apart. */
+  /** Throws an error in a browser without WebGL 2. `map` is a list of evenly spaced colors. */
   constructor(canvas, map) {
     const gl = this.gl = canvas.getContext("webgl2", { antialias: true, preserveDrawingBuffer: true });
     if (!gl) throw new Error("no WebGL 2");
@@ -89,7 +89,7 @@ window.plastigran.Spheres = class {
     for (const name of ["WRAP_S", "WRAP_T"]) gl.texParameteri(gl.TEXTURE_2D, gl["TEXTURE_" + name], gl.CLAMP_TO_EDGE);
   }
 
-  /** Take in the numbers of a frame: 16 bits each, in shares of the run's size and largest values. */
+  /** Load a frame: 16-bit numbers, as fractions of the size of the run and of its largest values. */
   show({ places, radii, values, walls }) {
     this.count = radii.length;
     this.corners = walls.length / 3;
@@ -99,18 +99,18 @@ window.plastigran.Spheres = class {
     this.fill("wall", walls);
   }
 
-  attribute(made, name, size, kind, divisor) {
-    const gl = this.gl, place = gl.getAttribLocation(made, name);
-    gl.bindBuffer(gl.ARRAY_BUFFER, this.buffers[name === "place" && made === this.walls ? "wall" : name]);
+  attribute(shaders, name, size, kind, divisor) {
+    const gl = this.gl, place = gl.getAttribLocation(shaders, name);
+    gl.bindBuffer(gl.ARRAY_BUFFER, this.buffers[name === "place" && shaders === this.walls ? "wall" : name]);
     gl.enableVertexAttribArray(place);
     gl.vertexAttribPointer(place, size, kind, kind !== gl.FLOAT, 0, 0);
     gl.vertexAttribDivisor(place, divisor);
   }
 
-  use(made, view) {
-    const gl = this.gl, at = (name) => gl.getUniformLocation(made, name);
-    gl.useProgram(made);
-    gl.bindVertexArray(made.array ??= gl.createVertexArray());
+  use(shaders, view) {
+    const gl = this.gl, at = (name) => gl.getUniformLocation(shaders, name);
+    gl.useProgram(shaders);
+    gl.bindVertexArray(shaders.array ??= gl.createVertexArray());
     gl.uniformMatrix3fv(at("turn"), true, view.turn);
     gl.uniform3fv(at("middle"), view.middle);
     gl.uniform1f(at("size"), view.size);
@@ -119,7 +119,7 @@ window.plastigran.Spheres = class {
     return at;
   }
 
-  /** Draw the frame; `view` is made by the camera, `look` has span, largest, ink and whether walls are shown. */
+  /** Draw the frame. `view` comes from the camera; `look` has span, largest, ink and walls (shown or not). */
   draw(view, look) {
     const gl = this.gl;
     gl.viewport(0, 0, this.canvas.width, this.canvas.height);
