@@ -10,14 +10,14 @@ import pytest
 
 from plastigran.engine.process import PROJECT
 from plastigran.report.pages import fill, read_pages, read_tables
-from plastigran.validation.report import REPORT
+from plastigran.validation.report import EVIDENCE
 
 
 @pytest.fixture(scope="session")
 def page_table() -> Callable[[str], pd.DataFrame]:
     """A table of the pages, its cells as text, `page_table(name)`."""
     found: dict[str, pd.DataFrame] = {}
-    for text in read_pages(REPORT, PROJECT / "docs").values():
+    for text in read_pages(EVIDENCE, PROJECT / "docs").values():
         found |= read_tables(text)
     return found.__getitem__
 

@@ -12,16 +12,16 @@ from plastigran.calibration.expected_errors import errors_table
 from plastigran.cli import main
 from plastigran.engine.process import PROJECT
 from plastigran.report.pages import read_pages
-from plastigran.validation.report import REPORT
+from plastigran.validation.report import EVIDENCE
 from plastigran.validation.summary import summarised
 
 
 def test_the_pages_show_every_picture():
-    text = "".join(read_pages(REPORT, PROJECT / "docs").values())
+    text = "".join(read_pages(EVIDENCE, PROJECT / "docs").values())
     shown = set(re.findall(r"\(figures/validation/([\w.]+)\)", text))
-    assert shown == {f"{name}.png" for name in REPORT.figures}
+    assert shown == {f"{name}.png" for name in EVIDENCE.figures}
     for file in shown:
-        assert 0 < (PROJECT / "docs" / REPORT.pictures / file).stat().st_size < 3e5
+        assert 0 < (PROJECT / "docs" / EVIDENCE.pictures / file).stat().st_size < 3e5
 
 
 def test_results_are_not_overwritten(tmp_path, capsys):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A report's tables stand in the places of its pages, and its pictures beside them."""
+"""Evidence: tables in the places of its pages, and pictures."""
 
 from __future__ import annotations
 
@@ -8,15 +8,14 @@ import pandas as pd
 import pytest
 
 from plastigran.plot.style import subplots
-from plastigran.report.base import Findings, Report, add_difference
+from plastigran.report.base import Evidence, Findings, add_difference
 from plastigran.report.pages import fill, publish, read_pages, to_markdown
 
 
-def own_report() -> Report:
-    """One that is computed at once."""
+def small_evidence() -> Evidence:
     table = add_difference(pd.DataFrame({"paper": [2.0, 0.0], "ours": [2.1, 3.0]}), "ours", "paper")
     with_figure = {"line": subplots(figsize=(2, 2))[0]}
-    return Report(
+    return Evidence(
         name="own",
         title="Own",
         pictures="../figures/own",
@@ -29,14 +28,14 @@ def own_report() -> Report:
 PAGE = "before\n<!-- table one -->\nold\n<!-- end -->\nafter\n"
 
 
-def test_differences_are_per_cent_of_the_other_and_empty_where_it_is_zero():
-    table = own_report().run().tables["one"]
+def test_differences_are_in_per_cent_and_empty_for_zero_references():
+    table = small_evidence().run().tables["one"]
     assert list(table) == ["paper", "ours", "ours vs paper (%)"]
     assert table["ours vs paper (%)"].iloc[0] == pytest.approx(5)
     assert to_markdown(table).splitlines()[2:] == ["| 2 | 2.1 | +5.00 |", "| 0 | 3 |  |"]
 
 
-def test_tables_replace_what_stood_in_their_places():
+def test_tables_replace_the_text_in_their_places():
     tables = {"one": pd.DataFrame({"a": [1.23456, 12345.6]})}
     filled = fill(PAGE, tables)
     table = "| a |\n| --- |\n| 1.235 |\n| 12350 |\n"
@@ -45,11 +44,11 @@ def test_tables_replace_what_stood_in_their_places():
 
 
 def test_a_page_is_written_with_its_pictures(tmp_path):
-    report, folder = own_report(), tmp_path / "docs" / "pages"
+    evidence, folder = small_evidence(), tmp_path / "docs" / "pages"
     folder.mkdir(parents=True)
     (folder / "own.md").write_text(PAGE)
-    made = report.run()
-    page, picture = publish(report, made, made.write(tmp_path / "results"), folder)
+    findings = evidence.run()
+    page, picture = publish(evidence, findings, findings.write(tmp_path / "results"), folder)
     assert "+5.00" in page.read_text()
     assert picture == tmp_path / "docs" / "figures" / "own" / "line.png"
     assert picture.read_bytes().startswith(b"\x89PNG")
@@ -64,14 +63,14 @@ def test_a_page_is_written_with_its_pictures(tmp_path):
         (None, "own.md is missing"),
     ],
 )
-def test_a_page_without_the_right_places_is_refused(text, said, tmp_path):
+def test_a_page_with_wrong_places_is_refused(text, said, tmp_path):
     if text is not None:
         (tmp_path / "own.md").write_text(text)
     with pytest.raises(ValueError, match=said):
-        read_pages(own_report(), tmp_path)
+        read_pages(small_evidence(), tmp_path)
 
 
-def test_what_is_declared_must_be_made():
-    report = attrs.evolve(own_report(), tables=("one", "two"))
-    with pytest.raises(ValueError, match=r"tables of report own are not as declared: \['two'\]"):
-        report.run()
+def test_missing_results_are_refused():
+    evidence = attrs.evolve(small_evidence(), tables=("one", "two"))
+    with pytest.raises(ValueError, match="tables of own are not as declared: two"):
+        evidence.run()

@@ -13,7 +13,7 @@ import pytest
 from plastigran.bulk.outcome import BulkRun
 from plastigran.engine.process import PROJECT
 from plastigran.papers import find_paper, paper_names
-from plastigran.validation.report import REPORT
+from plastigran.validation.report import EVIDENCE
 
 #: Long enough for a steady discharge; the hopper's own tests share the run.
 HOPPER = {"orifice": 8, "layers": 10, "timestep": 1.5e-5, "duration": 0.7, "rows": 150}
@@ -64,7 +64,7 @@ def test_every_figure_of_the_docs_has_a_part():
     }
     assert there == drawn
     papers = {name: set(find_paper(name).figures) for name in paper_names()}
-    for name, named in (papers | {"validation": set(REPORT.figures)}).items():
+    for name, named in (papers | {"validation": set(EVIDENCE.figures)}).items():
         folder = figures / "validation" if name == "validation" else figures / "papers" / name
         drawn = {path.stem for path in folder.iterdir() if path.suffix != ".gif"}  # a movie
         assert drawn == named

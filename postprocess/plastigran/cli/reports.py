@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Parts of subcommands that make reports."""
+"""Parts of subcommands that compute evidence: tables and figures for pages of the docs."""
 
 from __future__ import annotations
 
@@ -7,10 +7,10 @@ import argparse
 from pathlib import Path
 
 from plastigran.cli.arguments import add_json, print_json
-from plastigran.report.base import Findings, Report
+from plastigran.report.base import Evidence, Findings
 
 
-def add_report_arguments(command: argparse.ArgumentParser, results: str, pages: str) -> None:
+def add_evidence_arguments(command: argparse.ArgumentParser, results: str, pages: str) -> None:
     """Add arguments for the folder of results and the pages.
 
     Args:
@@ -33,24 +33,24 @@ def add_report_arguments(command: argparse.ArgumentParser, results: str, pages: 
     add_json(command)
 
 
-def run_report(report: Report, head: str, arguments: argparse.Namespace) -> Findings:
-    """Make a report: print its tables, write its tables and figures, and update its pages.
+def run_evidence(evidence: Evidence, head: str, arguments: argparse.Namespace) -> Findings:
+    """Compute evidence: print its tables, write its tables and figures, and update its pages.
 
     Args:
-        report: Report.
+        evidence: Evidence to compute.
         head: Text above the tables.
-        arguments: Arguments of `add_report_arguments`.
+        arguments: Arguments of `add_evidence_arguments`.
 
     Raises:
         ValueError: The folder contains results, the pages do not match the tables, or as for
-            `Report.run`.
+            `Evidence.run`.
         EngineError: LIGGGHTS stopped with an error.
     """
     # matplotlib is slow to load
     from plastigran.report.pages import publish, read_pages, to_markdown
 
-    folder = arguments.output or Path("results") / report.name
-    taken = [name for name in report.files if (folder / name).exists()]
+    folder = arguments.output or Path("results") / evidence.name
+    taken = [name for name in evidence.files if (folder / name).exists()]
     if taken and not arguments.force:
         raise ValueError(
             f"{folder} holds results ({taken[0]}); choose another --output, or add --force"
@@ -58,20 +58,20 @@ def run_report(report: Report, head: str, arguments: argparse.Namespace) -> Find
     if arguments.docs:
         if arguments.coarse:
             raise ValueError("--docs needs complete results. Remove --coarse")
-        read_pages(report, arguments.docs)
+        read_pages(evidence, arguments.docs)
     folder.mkdir(parents=True, exist_ok=True)
-    made = report.run(True, arguments.coarse)
+    findings = evidence.run(True, arguments.coarse)
     if not arguments.json:
         print(head)
-        for name in report.tables:
-            print(f"\n{name}\n{to_markdown(made.tables[name])}", end="")
-    written = made.write(folder)
+        for name in evidence.tables:
+            print(f"\n{name}\n{to_markdown(findings.tables[name])}", end="")
+    written = findings.write(folder)
     if arguments.docs:
-        written += publish(report, made, written, arguments.docs)
+        written += publish(evidence, findings, written, arguments.docs)
     places = [str(path) for path in written]
     if arguments.json:
-        tables = {name: made.tables[name].to_dict("records") for name in report.tables}
+        tables = {name: findings.tables[name].to_dict("records") for name in evidence.tables}
         print_json({"tables": tables, "written": places})
     else:
         print(f"\nwritten: {'  '.join(places)}")
-    return made
+    return findings

@@ -10,7 +10,7 @@
         figures=(figures.restitution_figure,),
     )
 
-`compute(progress, coarse)` returns the data; see `Report.run`. Each table, figure and movie is a
+`compute(progress, coarse)` returns the data; see `Evidence.run`. Each table, figure and movie is a
 function of the data. Its name, without `_figure` or `_movie`, is the name of the result. A row of a
 table is one quantity: columns `quantity` and `unit`, or other columns that identify it, and then
 columns of numbers such as `paper`, `finite elements`, the name of a law, or `LIGGGHTS`.
@@ -39,14 +39,14 @@ from plastigran.fem.stepping.snapshot import Snapshot
 from plastigran.plot.fields import draw_field
 from plastigran.plot.movie import Movie
 from plastigran.plot.style import COLOURS
-from plastigran.report.base import Findings, Report
+from plastigran.report.base import Evidence, Findings
 
 STRESS_LEVELS = np.linspace(0, 1, 11)  # von Mises stress / flow stress
 STRESS_LABEL = "von Mises stress / flow stress"
 
 
 @attrs.frozen(kw_only=True)
-class Paper(Report):
+class Paper(Evidence):
     """Paper that can be reproduced.
 
     Attributes:

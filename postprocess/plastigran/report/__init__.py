@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Reports: computed tables and figures, and the pages that show them."""
+"""Evidence for pages of the docs, and reports: HTML pages on the user's results."""

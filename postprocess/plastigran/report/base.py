@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Declaration of a report, and the result of its computation.
+"""Evidence: computed tables and figures, and the pages of the docs that show them.
 
-    REPORT = Report(
+    EVIDENCE = Evidence(
         name="impacts",
         title="Impacts of a sphere",
         tables=("impacts",),
@@ -10,9 +10,8 @@
         compute=compute,
     )
 
-`compute(progress, coarse)` returns `Findings` with exactly these tables and figures. Use
-`plastigran.report.computing.compute_all` for finite elements; it keeps results on disk and runs one
-computation per core. Use `plastigran.experiments` for runs of LIGGGHTS.
+`compute(progress, coarse)` returns `Findings` with exactly these tables and figures. Finite
+elements are computed by `plastigran.report.computing.compute_all`, which keeps results on disk.
 """
 
 from __future__ import annotations
@@ -33,15 +32,11 @@ RESOLUTION = 100  # dots per inch; keeps the picture of a page below 150 kB
 
 @attrs.frozen(eq=False)
 class Findings:
-    """Result of the computation of a report.
+    """Computed tables, figures and movies by name.
 
-    Attributes:
-        tables: Tables by name. A row is one quantity: columns `quantity` and `unit`, or other
-            columns that identify it, and then columns of numbers such as `paper`, `finite
-            elements`, the name of a law, or `LIGGGHTS`. A column whose name ends in "(%)" is a
-            difference, see `add_difference`.
-        figures: Figures by name, made with `plastigran.plot.style`.
-        movies: Movies by name.
+    A row of a table is one quantity: columns `quantity` and `unit`, or other columns that identify
+    it, and then columns of numbers such as `paper`, `finite elements`, the name of a law, or
+    `LIGGGHTS`. A column whose name ends in "(%)" is a difference, see `add_difference`.
     """
 
     tables: Mapping[str, pd.DataFrame]
@@ -51,24 +46,21 @@ class Findings:
     def write(self, folder: Path) -> list[Path]:
         """Write tables as CSV, figures as PNG and movies as GIF; return the files."""
         folder.mkdir(parents=True, exist_ok=True)
-        written = []
-        for name, table in self.tables.items():
-            written.append(folder / f"{name}.csv")
-            table.to_csv(written[-1], index=False)
+        files = [folder / f"{name}.csv" for name in self.tables]
+        for file, table in zip(files, self.tables.values(), strict=True):
+            table.to_csv(file, index=False)
         for name, figure in self.figures.items():
-            written += save(figure, folder / name, (".png",), RESOLUTION)
-        for name, movie in self.movies.items():
-            written.append(save_movie(movie, folder / f"{name}.gif"))
-        return written
+            files += save(figure, folder / name, (".png",), RESOLUTION)
+        return files + [save_movie(m, folder / f"{name}.gif") for name, m in self.movies.items()]
 
 
 @attrs.frozen(kw_only=True)
-class Report:
+class Evidence:
     """Computed tables and figures, and the pages that show them.
 
     Attributes:
         name: Short name, as in its command.
-        title: Subject of the report.
+        title: Subject.
         tables, figures, movies: Names of the results.
         data: Names of further tables, which no page shows.
         pages: Names of the page files; together they have one place for each of `tables`.
@@ -89,8 +81,8 @@ class Report:
     @property
     def files(self) -> list[str]:
         """Names of the files that `Findings.write` writes."""
-        kinds = {".csv": self.tables + self.data, ".png": self.figures, ".gif": self.movies}
-        return [name + ending for ending, names in kinds.items() for name in names]
+        names = {".csv": self.tables + self.data, ".png": self.figures, ".gif": self.movies}
+        return [name + suffix for suffix in names for name in names[suffix]]
 
     def run(self, progress: bool = False, coarse: bool = False) -> Findings:
         """Compute every table, figure and movie.
@@ -101,16 +93,16 @@ class Report:
                 some per cent.
 
         Raises:
-            ValueError: A computation failed, or a declared result is missing.
+            ValueError: A computation failed, or the results are not those declared.
             EngineError: LIGGGHTS stopped with an error.
         """
-        made = self.compute(progress, coarse)
-        promised = {"tables": self.tables + self.data}
-        promised |= {"figures": self.figures, "movies": self.movies}
-        for kind, declared in promised.items():
-            if odd := sorted(set(declared) ^ set(getattr(made, kind))):
-                raise ValueError(f"{kind} of report {self.name} are not as declared: {odd}")
-        return made
+        findings = self.compute(progress, coarse)
+        declared = {"tables": self.tables + self.data}
+        declared |= {"figures": self.figures, "movies": self.movies}
+        for results, names in declared.items():
+            if odd := sorted(set(names) ^ set(getattr(findings, results))):
+                raise ValueError(f"{results} of {self.name} are not as declared: {', '.join(odd)}")
+        return findings
 
 
 def add_difference(table: pd.DataFrame, of: str, against: str) -> pd.DataFrame:
@@ -119,7 +111,8 @@ def add_difference(table: pd.DataFrame, of: str, against: str) -> pd.DataFrame:
     The difference from column `against` is in per cent of the latter; empty where it has no value.
     """
     position = table.columns.get_loc(of) + 1
-    ours, theirs = (table[name].astype(float) for name in (of, against))
+    values, references = (table[name].astype(float) for name in (of, against))
+    difference = 100 * (values / references.replace(0, np.nan) - 1)
     result = table.copy()
-    result.insert(position, f"{of} vs {against} (%)", 100 * (ours / theirs.replace(0, np.nan) - 1))
+    result.insert(position, f"{of} vs {against} (%)", difference)
     return result

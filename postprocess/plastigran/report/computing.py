@@ -30,7 +30,7 @@ class Computation:
         compute: Function of a module, such as `plastigran.fem.sphere.throw.throw`.
         arguments: Positional arguments.
         settings: Resolution; None for the defaults.
-        named: Keyword arguments.
+        named: Further keyword arguments.
     """
 
     compute: Callable[..., Any]
@@ -53,39 +53,39 @@ def compute_all(computations: Mapping[Key, Computation], progress: bool = False)
     Raises:
         ValueError: A computation found no equilibrium or stopped early; the message names it.
     """
-    found: dict[Key, Any] = {}
+    results: dict[Key, Any] = {}
     pool = ProcessPoolExecutor(
         os.cpu_count(),
         mp_context=get_context("spawn"),  # a fork is unsafe, because this process may have threads
-        initializer=_begin,
+        initializer=_start_worker,
         initargs=(folder(),),
     )
-    waiting = {pool.submit(each.run): name for name, each in computations.items()}
-    bar = ProgressBar(total=len(waiting), shown=progress, desc="finite elements")
+    running = {pool.submit(task.run): name for name, task in computations.items()}
+    bar = ProgressBar(total=len(running), shown=progress, desc="finite elements")
     try:
-        for done in as_completed(waiting):
-            name = waiting[done]
+        for future in as_completed(running):
+            name = running[future]
             try:
-                found[name] = done.result()
+                results[name] = future.result()
             except ArithmeticError as error:
                 raise ValueError(f"finite elements, {name}: {error}") from None
-            if stopped := getattr(found[name], "stopped", ""):
+            if stopped := getattr(results[name], "stopped", ""):
                 raise ValueError(f"finite elements, {name}: {stopped}")
             bar.update()
     finally:
         pool.shutdown(wait=True, cancel_futures=True)
         bar.close()
-    return {name: found[name] for name in computations}
+    return {name: results[name] for name in computations}
 
 
-def _begin(cache: Path) -> None:
+def _start_worker(cache: Path) -> None:
     """Prepare a worker: set the folder of the cache, and print warnings as plain lines.
 
     The worker ends with the process that started it, and at once on Ctrl-C.
     """
     signal.signal(signal.SIGINT, signal.SIG_DFL)
     os.environ["PLASTIGRAN_CACHE"] = str(cache)
-    warnings.showwarning = lambda said, *_, **__: print(f"plastigran: {said}", file=sys.stderr)
+    warnings.showwarning = lambda text, *_, **__: print(f"plastigran: {text}", file=sys.stderr)
     Thread(target=_end_with_parent, daemon=True).start()
 
 

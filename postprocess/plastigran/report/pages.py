@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Write tables and pictures into the pages of a report.
+"""Write tables and pictures into the pages that show evidence.
 
 A table stands between the lines `<!-- table NAME -->` and `<!-- end -->`.
 """
@@ -15,48 +15,42 @@ from shutil import copy
 
 import pandas as pd
 
-from plastigran.report.base import Findings, Report
+from plastigran.report.base import Evidence, Findings
 
 PLACE = re.compile(r"(<!-- table (\w+) -->\n)(.*?)(<!-- end -->)", re.DOTALL)
 
 
-def read_pages(report: Report, folder: Path) -> dict[Path, str]:
-    """Return the text of the pages of a report.
-
-    Args:
-        report: Report.
-        folder: Folder of the pages.
+def read_pages(evidence: Evidence, folder: Path) -> dict[Path, str]:
+    """Return the text of the pages of evidence that are in a folder.
 
     Raises:
-        ValueError: A page is missing, or its places do not match the tables of the report.
+        ValueError: A page is missing, or its places do not match the tables of the evidence.
     """
     pages = {}
-    for path in (folder / name for name in report.pages):
+    for path in (folder / name for name in evidence.pages):
         if not path.is_file():
             raise ValueError(f"{path} is missing. Create it before you write its tables")
         pages[path] = path.read_text()
-    said = " or ".join(str(path) for path in pages)
-    found = [place[1] for text in pages.values() for place in PLACE.findall(text)]
-    if missing := set(report.tables) - set(found):
-        raise ValueError(f"{said} has no <!-- table {min(missing)} --> ... <!-- end -->")
-    if unknown := set(found) - set(report.tables):
+    paths = " or ".join(map(str, pages))
+    places = [place[1] for text in pages.values() for place in PLACE.findall(text)]
+    if missing := set(evidence.tables) - set(places):
+        raise ValueError(f"{paths} has no <!-- table {min(missing)} --> ... <!-- end -->")
+    if unknown := set(places) - set(evidence.tables):
         raise ValueError(
-            f"{said} has a place for {min(unknown)}, which is not a table of {report.name}"
+            f"{paths} has a place for {min(unknown)}, which is not a table of {evidence.name}"
         )
-    if len(found) != len(set(found)):
-        raise ValueError(f"{said} has two places for one table")
+    if len(places) != len(set(places)):
+        raise ValueError(f"{paths} has two places for one table")
     return pages
 
 
 def read_tables(text: str) -> dict[str, pd.DataFrame]:
     """Return the tables of a page by name; cells are text."""
-    found = {}
+    tables = {}
     for _, name, table, _ in PLACE.findall(text):
-        head, _, *lines = (
-            [cell.strip() for cell in line.split("|")[1:-1]] for line in table.splitlines()
-        )
-        found[name] = pd.DataFrame(lines, columns=head)
-    return found
+        lines = [[c.strip() for c in line.split("|")[1:-1]] for line in table.splitlines()]
+        tables[name] = pd.DataFrame(lines[2:], columns=lines[0])
+    return tables
 
 
 def fill(text: str, tables: Mapping[str, pd.DataFrame]) -> str:
@@ -64,22 +58,24 @@ def fill(text: str, tables: Mapping[str, pd.DataFrame]) -> str:
     return PLACE.sub(lambda place: place[1] + to_markdown(tables[place[2]]) + place[4], text)
 
 
-def publish(report: Report, made: Findings, written: list[Path], folder: Path) -> list[Path]:
-    """Write tables into the pages of a report and copy its pictures; return the files.
+def publish(
+    evidence: Evidence, findings: Findings, written: list[Path], folder: Path
+) -> list[Path]:
+    """Write tables into the pages of evidence and copy its pictures; return the files.
 
     Args:
-        report: Report.
-        made: Results, with the tables to write.
-        written: Files that `made.write` wrote; pictures are copied.
-        folder: Folder of the pages; pictures go to `report.pictures` relative to it.
+        evidence: Evidence with the names of the pages.
+        findings: Results, with the tables to write.
+        written: Files that `findings.write` wrote; pictures are copied.
+        folder: Folder of the pages; pictures go to `evidence.pictures` relative to it.
 
     Raises:
         ValueError: As for `read_pages`.
     """
-    pages = read_pages(report, folder)
+    pages = read_pages(evidence, folder)
     for path, text in pages.items():
-        path.write_text(fill(text, made.tables))
-    pictures = Path(normpath(folder / report.pictures))
+        path.write_text(fill(text, findings.tables))
+    pictures = Path(normpath(folder / evidence.pictures))
     pictures.mkdir(parents=True, exist_ok=True)
     return [*pages, *(Path(copy(file, pictures)) for file in written if file.suffix != ".csv")]
 

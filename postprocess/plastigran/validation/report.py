@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The validation report: tables, figures and pages."""
+"""Evidence on every law: tables, figures and pages of the validation."""
 
 from __future__ import annotations
 
 from pathlib import Path
 
 import plastigran
-from plastigran.report.base import Findings, Report
+from plastigran.report.base import Evidence, Findings
 from plastigran.validation import (
     choice,
     dented_steel,
@@ -67,7 +67,7 @@ def compute(progress: bool, coarse: bool) -> Findings:
     )
 
 
-REPORT = Report(
+EVIDENCE = Evidence(
     name="validation",
     title="How far every law is off",
     tables=(

@@ -5,21 +5,21 @@ from __future__ import annotations
 
 import argparse
 
-from plastigran.cli.reports import add_report_arguments, run_report
+from plastigran.cli.reports import add_evidence_arguments, run_evidence
 
 HELP = "compute the error of every law from finite elements, papers and experiments, without fits"
 EXAMPLE = "plastigran validate --coarse"
 
 
 def add_arguments(command: argparse.ArgumentParser) -> None:
-    add_report_arguments(command, "results/validation", "docs")
+    add_evidence_arguments(command, "results/validation", "docs")
 
 
 def run(arguments: argparse.Namespace) -> None:
-    from plastigran.validation.report import ERRORS, REPORT  # matplotlib is slow to load
+    from plastigran.validation.report import ERRORS, EVIDENCE  # matplotlib is slow to load
     from plastigran.validation.summary import write_summaries
 
-    made = run_report(REPORT, REPORT.title, arguments)
+    made = run_evidence(EVIDENCE, EVIDENCE.title, arguments)
     if arguments.docs:  # the copy in the package belongs to its pages
         made.tables["errors"].to_csv(ERRORS, index=False)
         pages = write_summaries(arguments.docs / "laws", made.tables["errors"])

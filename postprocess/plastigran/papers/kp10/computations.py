@@ -115,7 +115,7 @@ def cases(coarse: bool) -> list[Case]:
 
 
 def compute(progress: bool, coarse: bool) -> Computed:
-    """Compute `Computed`, or read it from the cache; arguments as for `Report.run`."""
+    """Compute `Computed`, or read it from the cache; arguments as for `Evidence.run`."""
     strikes = compute_all(
         {
             case: Computation(strike, (case.strike(),), COARSE if coarse else case.settings())

@@ -80,7 +80,7 @@ class Computed:
 
 
 def compute(progress: bool, coarse: bool) -> Computed:
-    """Compute `Computed`, or read it from the cache; arguments as for `Report.run`."""
+    """Compute `Computed`, or read it from the cache; arguments as for `Evidence.run`."""
     usual, frames = Settings(), 50
     if coarse:
         usual, frames = Settings(divisions=4, fineness=0.5, growth=1.15, steps_of_contact=80), 12
