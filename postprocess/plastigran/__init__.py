@@ -30,18 +30,7 @@ _PUBLIC = {
     "open": ("bulk", "open"),
 }
 
-__all__ = [
-    "RIGID",
-    "Contact",
-    "bulk",
-    "calibrate",
-    "cite",
-    "collide",
-    "laws",
-    "material",
-    "open",
-]
-
+__all__ = ["RIGID", "Contact", "bulk", "calibrate", "cite", "collide", "laws", "material", "open"]
 
 if TYPE_CHECKING:
     from plastigran import bulk, laws
@@ -57,10 +46,10 @@ else:
     def __getattr__(name: str) -> object:
         if name not in _PUBLIC:
             raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
-        module, attribute = _PUBLIC[name]
-        found = import_module(f"{__name__}.{module}")
-        globals()[name] = found = found if attribute is None else getattr(found, attribute)
-        return found
+        module_name, attribute = _PUBLIC[name]
+        module = import_module(f"{__name__}.{module_name}")
+        globals()[name] = module if attribute is None else getattr(module, attribute)
+        return globals()[name]
 
 
 def __dir__() -> list[str]:

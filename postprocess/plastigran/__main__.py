@@ -8,7 +8,7 @@ import sys
 
 
 def start() -> int:
-    """Run the command; report an interrupt also while modules load."""
+    """Run the command; an interrupt while modules load is reported, too."""
     signal.signal(signal.SIGTERM, signal.default_int_handler)
     try:
         from plastigran.cli import main  # takes a second

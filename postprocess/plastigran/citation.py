@@ -16,7 +16,7 @@ SOFTWARE = "plastigran"
 def entries() -> dict[str, str]:
     """Return every entry of `plastigran/data/sources.bib` as BibTeX, by key."""
     text = (files("plastigran") / "data" / "sources.bib").read_text(encoding="utf-8")
-    return {found[2]: found[0] for found in ENTRY.finditer(text)}
+    return {match[2]: match[0] for match in ENTRY.finditer(text)}
 
 
 def fields(entry: str) -> dict[str, str]:
@@ -25,12 +25,12 @@ def fields(entry: str) -> dict[str, str]:
 
 
 def subjects() -> dict[str, list[str]]:
-    """Return the keys of entries for each law and for `rate_factor`."""
-    found: dict[str, list[str]] = {}
+    """Return the keys of the entries for each law and for `rate_factor`."""
+    keys: dict[str, list[str]] = {}
     for key, entry in entries().items():
         for subject in fields(entry)["keywords"].split(", "):
-            found.setdefault(subject, []).append(key)
-    return dict(sorted(found.items()))
+            keys.setdefault(subject, []).append(key)
+    return dict(sorted(keys.items()))
 
 
 def cite(names: Iterable[str] | str = ()) -> str:
@@ -40,17 +40,20 @@ def cite(names: Iterable[str] | str = ()) -> str:
         names: Names of laws, or `rate_factor`; without names only the software.
 
     Returns:
-        The entries, the software's first, each once. A comment line before them names each law that
-        is from this software.
+        The entry of the software and those of the sources, each once. A comment line before them
+        names each law whose only source is this software.
 
     Raises:
         ValueError: A name has no entry; the message lists those that have one.
     """
     names = [names] if isinstance(names, str) else list(names)
-    known, found = subjects(), entries()
-    if unknown := [name for name in names if name not in known]:
-        raise ValueError(f"nothing to cite for {unknown[0]!r}; there are {', '.join(known)}")
-    keys = dict.fromkeys([SOFTWARE, *(key for name in names for key in known[name])])
-    own = [name for name in names if known[name] == [SOFTWARE]]
-    notes = [f"% {name} is a law of this software; cite the entry of {SOFTWARE}.\n" for name in own]
-    return "\n".join([*notes, *(KEYWORDS.sub("", found[key]) for key in keys)])
+    sources, bibtex = subjects(), entries()
+    if unknown := [name for name in names if name not in sources]:
+        raise ValueError(f"nothing to cite for {unknown[0]!r}; there are {', '.join(sources)}")
+    keys = dict.fromkeys([SOFTWARE, *(key for name in names for key in sources[name])])
+    notes = [
+        f"% {name} is a law of this software; cite the entry of {SOFTWARE}.\n"
+        for name in names
+        if sources[name] == [SOFTWARE]
+    ]
+    return "\n".join([*notes, *(KEYWORDS.sub("", bibtex[key]) for key in keys)])

@@ -73,10 +73,12 @@ class Contact:
             mass_eff = read_number("mass_eff", mass_eff, _MASS)
         self._mass_eff, self._constants = mass_eff, constants
         self.pair = laws.combine(*(_properties(body) for body in self._bodies))
-        giver = next((body for body in self._bodies if isinstance(body, Material)), None)
-        make = giver.law if giver else lambda name, *args, **keys: laws.LAWS[name](*args, **keys)
-        self.law = make(law, self.pair, **constants)
-        self.radius_eff = 1 / sum(1 / each for each in self._radii)
+        material = next((body for body in self._bodies if isinstance(body, Material)), None)
+        if material is None:
+            self.law = laws.LAWS[law](self.pair, **constants)
+        else:
+            self.law = material.law(law, self.pair, **constants)
+        self.radius_eff = 1 / sum(1 / radius for radius in self._radii)
 
     @property
     def mass_eff(self) -> float:
@@ -116,9 +118,9 @@ class Contact:
 
         overlaps = np.array(overlaps, dtype=float, ndmin=1)
         self._warn("overlap", "m", overlaps[overlaps > self.overlap_range])
-        answer = self.law.follow(self.radius_eff, overlaps)
+        response = self.law.follow(self.radius_eff, overlaps)
         names = ("force", "contact_radius", "elastic_energy", "plastic_work")
-        return pd.DataFrame({"overlap": overlaps} | {name: answer[name] for name in names})
+        return pd.DataFrame({"overlap": overlaps} | {name: response[name] for name in names})
 
     @property
     def overlap_range(self) -> float:
@@ -131,9 +133,8 @@ class Contact:
 
         Spheres: R* (pi p_y/(2 E*))^2, where the largest Hertzian pressure is p_y, the contact yield
         pressure of the weaker body (Johnson, Contact Mechanics, 1985, sec. 6.1). Cylinders: where
-        the mean pressure is 1.5 sigma_Y (Katta & Polycarpou 2010, J. Tribol. 132). It is the same
-        for
-        every law of a shape; a law may leave its elastic curve earlier or later.
+        the mean pressure is 1.5 sigma_Y (Katta & Polycarpou 2010, J. Tribol. 132). All laws of a
+        shape have this value; a law may leave its elastic curve earlier or later.
 
         Raises:
             ValueError: The contact of a cylinder at yield is too large for the thickness of the
@@ -146,8 +147,7 @@ class Contact:
         """Force at `yield_overlap` [N]; infinite for a law without yield.
 
         Spheres: pi^3 p_y^3 R*^2/(6 E*^2). Cylinders: 36 sigma_Y^2 R* L/(pi E*). Sources and errors
-        are
-        as for `yield_overlap`.
+        are as for `yield_overlap`.
         """
         return self._yield()[0]
 
@@ -200,9 +200,9 @@ class Contact:
         Warns:
             RangeWarning: The overlap at a speed exceeds the range of the law.
         """
-        found = self.impact(speeds)
-        self._warn("speed", "m/s", np.asarray(speeds)[~np.asarray(found.in_range)])
-        return found.coefficient_of_restitution
+        outcome = self.impact(speeds)
+        self._warn("speed", "m/s", np.asarray(speeds)[~np.asarray(outcome.in_range)])
+        return outcome.coefficient_of_restitution
 
     def timestep(self, speed: ArrayLike) -> float | np.ndarray:
         """Return the time step [s] with an error of 1e-3 in restitution, at closing speeds [m/s].
@@ -216,14 +216,14 @@ class Contact:
 
     def __repr__(self) -> str:
         a, b = (_name(body) for body in self._bodies)
-        said: dict[str, Any] = {"radius": self._radii[0]}
+        values: dict[str, Any] = {"radius": self._radii[0]}
         if self._radii[1] != inf:
-            said["radius_other"] = self._radii[1]
+            values["radius_other"] = self._radii[1]
         if self._mass_eff is not None:
-            said["mass_eff"] = self._mass_eff
-        said |= self._constants
-        listed = ", ".join(f"{name}={value!r}" for name, value in said.items())
-        return f"Contact({self.law.name!r}, {a}, {b}, {listed})"
+            values["mass_eff"] = self._mass_eff
+        values |= self._constants
+        arguments = ", ".join(f"{name}={value!r}" for name, value in values.items())
+        return f"Contact({self.law.name!r}, {a}, {b}, {arguments})"
 
 
 def _read_body(name: str, body: Bodylike) -> Material | laws.Body:

@@ -2,13 +2,13 @@
 """Materials: one file each in `inputs/materials`, which decks include and Python reads.
 
 An installed package contains these files. $PLASTIGRAN_INPUTS or a path selects your own files of
-the
-same form.
+the same form.
 """
 
 from __future__ import annotations
 
 import re
+from contextlib import suppress
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -101,14 +101,14 @@ class Material:
         Raises:
             ValueError: The material lacks a constant, or one is out of range; the message names it.
         """
-        given = {key: getattr(self, key, None) for key in _needed(name)} | others
-        if missing := [key for key, value in given.items() if value is None]:
+        constants = {key: getattr(self, key, None) for key in _needed(name)} | others
+        if missing := [key for key, value in constants.items() if value is None]:
             raise ValueError(
                 f"law {name} needs {', '.join(missing)}, which material "
                 f"{self.name} does not define. Add it to the material, or use "
                 "another law"
             )
-        return laws.LAWS[name](pair, **given)
+        return laws.LAWS[name](pair, **constants)
 
     def body(self) -> laws.Body:
         """Return the constants for the laws."""
@@ -141,11 +141,11 @@ def _needed(law: str) -> list[str]:
 
 def folder() -> Path:
     """Return the folder of the materials that are found by name."""
-    try:
+    with suppress(EngineError):  # materials exist without decks
         named = inputs_folder() / "materials"
-    except EngineError:  # materials may exist without decks
-        named = own_inputs() / "materials"
-    return named if named.is_dir() else own_inputs() / "materials"
+        if named.is_dir():
+            return named
+    return own_inputs() / "materials"
 
 
 def names() -> list[str]:
@@ -189,20 +189,21 @@ def read_material(name: Material | str | Path) -> Material:
     except UnicodeDecodeError:
         raise ValueError(f"{path} is not a text file") from None
     _check_lines(path)
-    values = dict(lines)
-    if len(values) < len(lines):
-        names_given = [each for each, _ in lines]
-        twice = next(each for each in names_given if names_given.count(each) > 1)
-        raise ValueError(f"{path}: {twice} is given twice")
-    constants = attrs.fields(Material)[1:]
-    if missing := [at.name for at in constants if at.name not in values and _required(at)]:
+    values: dict[str, str] = {}
+    for constant, value in lines:
+        if constant in values:
+            raise ValueError(f"{path}: {constant} is given twice")
+        values[constant] = value
+    fields = {field.name: field for field in attrs.fields(Material)[1:]}
+    required = [name for name, field in fields.items() if field.default is attrs.NOTHING]
+    if missing := [name for name in required if name not in values]:
         raise ValueError(f"{path}: no value for {', '.join(missing)}")
-    if unknown := sorted(values.keys() - {at.name for at in constants}):
-        known = ", ".join(at.name for at in constants)
-        raise ValueError(f"{path}: {unknown[0]} is not a constant of a material; there are {known}")
-    given = {at.name: values[at.name] for at in constants if at.name in values}
+    if unknown := sorted(values.keys() - fields.keys()):
+        raise ValueError(
+            f"{path}: {unknown[0]} is not a constant of a material; there are {', '.join(fields)}"
+        )
     try:
-        return Material(path.stem, **given)
+        return Material(path.stem, **values)
     except ValueError as error:
         raise ValueError(f"{path}: {error}") from error
 
@@ -221,9 +222,9 @@ def _check_lines(file: Path) -> None:
 
 def material_lines(material: Material) -> str:
     """Return the constants that are set, as lines of a material file."""
-    units = {name: said.unit for name, said in declarations(Material).items()}
+    declared = declarations(Material)
     return "\n".join(
-        f"variable {name:22s} index {value:<18.12g} # {units[name]}"
+        f"variable {name:22s} index {value:<18.12g} # {declared[name].unit}"
         for name, value in material.variables().items()
     )
 
@@ -256,18 +257,16 @@ def check_material_file(file: Path, force: bool = False) -> None:
         raise FileExistsError(f"{file} exists. Use --force to overwrite it")
 
 
-def _required(field: attrs.Attribute) -> bool:
-    return field.default is attrs.NOTHING
-
-
 def material_field(
     meaning: str, default: str | attrs.NothingType | None = attrs.NOTHING, suffix: str = ""
 ):
     """Declare a material field of a case; it accepts a Material, a name or a file path.
 
-    With `default=None` (rigid body) the field is keyword-only and also accepts "rigid" and `RIGID`.
-    The
-    deck has its constants by name with the suffix.
+    Args:
+        meaning: Meaning in words.
+        default: Default material. With None, a rigid body, the field is keyword-only and also
+            accepts "rigid" and `RIGID`.
+        suffix: Suffix of the constants of the material in the deck.
     """
     return attrs.field(
         default=default,
@@ -278,6 +277,6 @@ def material_field(
 
 
 def _read_unless_rigid(name: Material | laws.Body | str | Path | None) -> Material | None:
-    """Return a material, or None for a rigid body, which may be "rigid" or `RIGID`."""
+    """Return a material; None for None, "rigid" and `RIGID`."""
     is_rigid = name is None or name == RIGID_WALL or (isinstance(name, laws.Body) and name == RIGID)
     return None if is_rigid else read_material(name)

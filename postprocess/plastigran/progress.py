@@ -22,7 +22,7 @@ class ProgressBar(tqdm):
     """
 
     def __init__(self, *arguments: Any, shown: bool = True, **named: Any) -> None:
-        self.scope = ""  # scope of the remaining time, such as " in this run"
+        self.scope = ""  # words after the remaining time, such as " in this run"
         self._in_place = sys.stderr.isatty()
         if not self._in_place:
             named |= {"delay": FIRST, "mininterval": EVERY, "miniters": 0}
@@ -30,11 +30,11 @@ class ProgressBar(tqdm):
 
     def reset(self, total: float | None = None) -> None:
         """Start again, with another total if given."""
-        drawn, self.display = self.display, lambda *_, **__: False
+        display, self.display = self.display, lambda *_, **__: False  # draw nothing at zero
         try:
             super().reset(total)
         finally:
-            self.display = drawn
+            self.display = display
 
     def display(self, msg: str | None = None, pos: int | None = None) -> bool:
         """Draw the bar, or print a line."""
@@ -46,23 +46,23 @@ class ProgressBar(tqdm):
         return False
 
     def close(self) -> None:
-        """Close it: the bar stays; the last line states where the work ended."""
+        """Close the bar, which stays on a terminal; in a pipe, print the final state as a line."""
         if not (self.disable or self._in_place):
-            self.leave = False  # a line ends itself
+            self.leave = False  # each line already ends with a line feed
             if self.last_print_t >= self.start_t + self.delay and self.n > self.last_print_n:
                 self.display()
         super().close()
 
     def _line(self) -> str:
         """Return the progress in words: `impact: 24/84, 00:20 so far, 00:50 to go`."""
-        shown = self.format_dict
+        elapsed = self.format_dict["elapsed"]
         number = self.format_sizeof if self.unit_scale else "{:.4g}".format
-        said = f"{number(self.n)}/{number(self.total)}" if self.total else number(self.n)
-        words = [f"{self.desc.removesuffix(': ') or 'progress'}: {said} {self.unit}".rstrip()]
+        count = f"{number(self.n)}/{number(self.total)}" if self.total else number(self.n)
+        parts = [f"{self.desc.removesuffix(': ') or 'progress'}: {count} {self.unit}".rstrip()]
         if self.postfix:
-            words.append(self.postfix)
-        words.append(f"{self.format_interval(shown['elapsed'])} so far")
+            parts.append(self.postfix)
+        parts.append(f"{self.format_interval(elapsed)} so far")
         if self.total and self.n:
-            left = shown["elapsed"] * (self.total / self.n - 1)
-            words.append(f"{self.format_interval(max(left, 0.0))} to go{self.scope}")
-        return ", ".join(words)
+            remaining = max(elapsed * (self.total / self.n - 1), 0.0)
+            parts.append(f"{self.format_interval(remaining)} to go{self.scope}")
+        return ", ".join(parts)

@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Laws for bodies of a shape and the constants of materials."""
+"""Laws that bodies of a shape and of given materials can use."""
 
 from __future__ import annotations
 
 import warnings
 from collections.abc import Iterable
+from itertools import chain
 
 from plastigran import laws
 from plastigran.materials import Material, has_constants
@@ -18,16 +19,14 @@ def laws_for(shape: str, bodies: Iterable[Material] = ()) -> list[str]:
 
     Args:
         shape: Shape of the bodies.
-        bodies: Materials; laws that need a constant that one of them lacks are left out.
+        bodies: Materials. A law that needs a constant is left out if a material lacks it.
     """
     bodies = list(bodies)
-    fitting = [
-        name for name, law in laws.LAWS.items() if law.shape == shape and has_constants(name)
-    ]
-    return [name for name in sorted(fitting) if not any(body.missing(name) for body in bodies)]
+    names = [name for name, law in laws.LAWS.items() if law.shape == shape and has_constants(name)]
+    return [name for name in sorted(names) if not any(body.missing(name) for body in bodies)]
 
 
-def choose_laws(given: Iterable[str], shape: str, bodies: Iterable[Material] = ()) -> list[str]:
+def choose_laws(names: Iterable[str], shape: str, bodies: Iterable[Material] = ()) -> list[str]:
     """Return names of laws, each once; "all" means those of `laws_for`.
 
     Raises:
@@ -36,14 +35,15 @@ def choose_laws(given: Iterable[str], shape: str, bodies: Iterable[Material] = (
     Warns:
         UserWarning: "all" leaves out a law, because the material lacks its constants.
     """
-    given, usable = list(given), laws_for(shape, bodies)
-    for name in given:
+    names, usable = list(names), laws_for(shape, bodies)
+    for name in names:
         if name not in laws.LAWS and name != "all":
             raise ValueError(f"no law {name!r}; there are {', '.join(sorted(laws.LAWS))}")
-    left = sorted(set(laws_for(shape)) - set(usable) - set(given))
-    if "all" in given and left:
+    omitted = sorted(set(laws_for(shape)) - set(usable) - set(names))
+    if "all" in names and omitted:
         warnings.warn(
-            f"left out, because the material lacks their constants: {', '.join(left)}", stacklevel=2
+            f"left out, because the material lacks their constants: {', '.join(omitted)}",
+            stacklevel=2,
         )
-    expanded = [usable if name == "all" else [name] for name in given]
-    return list(dict.fromkeys(name for some in expanded for name in some))
+    chosen = (usable if name == "all" else [name] for name in names)
+    return list(dict.fromkeys(chain.from_iterable(chosen)))

@@ -18,7 +18,9 @@ def add_evidence_arguments(command: argparse.ArgumentParser, results: str, pages
         results: Default folder of results, in words.
         pages: Folder of the pages in the project.
     """
-    command.add_argument("--output", type=Path, metavar="DIR", help=f"default {results}")
+    command.add_argument(
+        "--output", type=Path, metavar="DIR", help=f"folder of results, default {results}"
+    )
     command.add_argument("--force", action="store_true", help="overwrite results")
     command.add_argument(
         "--docs",

@@ -21,7 +21,7 @@ from plastigran.experiments.tables import format_range
 from plastigran.materials import Material
 
 #: Class of impact for each shape of bodies.
-IMPACTS = {kind.shape: kind for kind in (CentralImpact, CylinderImpact)}
+IMPACTS = {experiment.shape: experiment for experiment in (CentralImpact, CylinderImpact)}
 
 
 def collide(
@@ -70,6 +70,6 @@ def collide(
         if folder is None:
             folder = stack.enter_context(TemporaryDirectory())
         runs = sweep(cases, folder, jobs, progress=False, force=force)
-    if said := format_range(runs.table):
-        warnings.warn(said, RangeWarning, stacklevel=2)
+    if sentences := format_range(runs.table):
+        warnings.warn(sentences, RangeWarning, stacklevel=2)
     return runs

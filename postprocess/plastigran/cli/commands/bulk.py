@@ -75,41 +75,46 @@ def run(arguments: argparse.Namespace) -> None:
     from plastigran.bulk.plan import plan_bulk  # matplotlib is slow to load
     from plastigran.bulk.run import run_bulk
 
-    name, earlier = deck_name(arguments.deck), arguments.restart
-    if arguments.output is None:
-        arguments.output = (
-            earlier.with_name(f"{earlier.name}_continued") if earlier else Path("results") / name
-        )
-    what = (arguments.deck, dict(arguments.settings), arguments.output, arguments.ranks, earlier)
+    deck, settings, earlier = arguments.deck, dict(arguments.settings), arguments.restart
+    if arguments.output is None and earlier:
+        arguments.output = earlier.with_name(f"{earlier.name}_continued")
+    elif arguments.output is None:
+        arguments.output = Path("results") / deck_name(deck)
+    case = (deck, settings, arguments.output, arguments.ranks, earlier)
     refuse_json_of_dry_run(arguments)
     if arguments.dry_run:
-        plan = plan_bulk(*what)
+        plan = plan_bulk(*case)
         print(plan.command_line())
         print(f"results would be written to {plan.folder}; nothing was started")
         return
     try:
-        bulk_run = run_bulk(*what, arguments.force)
+        bulk_run = run_bulk(*case, arguments.force)
     except KeyboardInterrupt:
-        raise KeyboardInterrupt(how_to_go_on(arguments.output)) from None
+        raise KeyboardInterrupt(how_to_continue(arguments.output)) from None
     except EngineStopped as error:
-        raise EngineError(f"{error}; {how_to_go_on(arguments.output)}") from None
+        raise EngineError(f"{error}; {how_to_continue(arguments.output)}") from None
     if arguments.json:
-        checks, warned = bulk_run.checks.to_dict("records"), warnings_of(bulk_run)
-        said = {"checks": checks, "notes": bulk_run.notes, "warnings": warned}
-        print_json(said | {"written": str(arguments.output)})
+        print_json(
+            {
+                "checks": bulk_run.checks.to_dict("records"),
+                "notes": bulk_run.notes,
+                "warnings": warnings_of(bulk_run),
+                "written": str(arguments.output),
+            }
+        )
         bulk_run.raise_if_failed()
         return
-    if earlier and at_its_end(bulk_run):
-        longer = ". For a longer run, set its end, for example -v duration=0.6"
+    if earlier and has_no_new_step(bulk_run):
+        advice = ". For a longer run, set its end, for example -v duration=0.6"
         print(
             f"{earlier} has reached its end, so there was nothing to "
-            f"compute{longer if bulk_run.deck is None else ''}"
+            f"compute{advice if bulk_run.deck is None else ''}"
         )
     report(bulk_run)
     print(f"written: {arguments.output}")
 
 
-def how_to_go_on(folder: Path) -> str:
+def how_to_continue(folder: Path) -> str:
     try:
         newest_checkpoint(folder)
     except EngineError:
@@ -117,8 +122,8 @@ def how_to_go_on(folder: Path) -> str:
     return f"continue from its newest checkpoint with --restart {folder}"
 
 
-def at_its_end(run: BulkRun) -> bool:
-    """Return whether a continued run had no step left."""
+def has_no_new_step(run: BulkRun) -> bool:
+    """Return whether a continued run computed nothing beyond the earlier run."""
     import pandas as pd  # slow to load
 
     from plastigran.bulk.folder import BEFORE
@@ -134,10 +139,9 @@ def report(run: BulkRun) -> None:
         CheckError: A check failed.
     """
     for check in run.checks.itertuples():
-        word = "ok" if check.passed else "NO"
-        print(
-            f"{word}  {check.name}: {check.value:.3g}, at most {check.limit:.3g} ({check.reason})"
-        )
+        verdict = "ok" if check.passed else "NO"
+        value = f"{check.value:.3g}, at most {check.limit:.3g}"
+        print(f"{verdict}  {check.name}: {value} ({check.reason})")
     for note in run.notes:
         print(f"--  {note}")
     for warning in warnings_of(run):

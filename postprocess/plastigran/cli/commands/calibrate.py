@@ -27,7 +27,8 @@ EXAMPLE = """
 plastigran calibrate --young 206e9 --poisson 0.3 --density 7850 --hardness 45HRC --output spring.in
 """
 
-METAL = "metal"  # word for the metal itself as ball or plate
+#: Word for the calibrated metal itself, as ball or plate.
+METAL = "metal"
 #: Allowed suffixes of --figure.
 FIGURES = (".png", ".svg", ".pdf")
 #: Arguments that are passed on unchanged.
@@ -87,7 +88,9 @@ def add_arguments(command: argparse.ArgumentParser) -> None:
         type=positive,
         help="relative standard deviation of one measured restitution, default 0.02 for drops",
     )
-    command.add_argument("--law", default=DEFAULT_LAW, help=f"default {DEFAULT_LAW}")
+    command.add_argument(
+        "--law", default=DEFAULT_LAW, help=f"name of the law, default {DEFAULT_LAW}"
+    )
     command.add_argument(
         "--speeds",
         nargs=2,
@@ -129,7 +132,7 @@ def run(arguments: argparse.Namespace) -> None:
         check_material_file(output, arguments.force)
     if arguments.figure is not None and arguments.figure.suffix not in FIGURES:
         raise ValueError(f"figure is {arguments.figure}; it must end in {' or '.join(FIGURES)}")
-    found = calibrate(
+    calibrated = calibrate(
         youngs_modulus=arguments.young,
         poissons_ratio=arguments.poisson,
         drops=_drops(arguments),
@@ -139,20 +142,20 @@ def run(arguments: argparse.Namespace) -> None:
         **{name: getattr(arguments, name) for name in PASSED_ON},
     )
     if output is not None:
-        write_material(found.material, output, found.remark, arguments.force)
+        write_material(calibrated.material, output, calibrated.remark, arguments.force)
     if arguments.figure is not None:
-        _draw(found, arguments.figure)
+        _draw(calibrated, arguments.figure)
     if arguments.json:
-        print_json(found.to_dict())
+        print_json(calibrated.to_dict())
     else:
-        _print(found, output)
+        _print(calibrated, output)
 
 
 def _refuse_idle(arguments: argparse.Namespace) -> None:
     """Refuse flags that have no effect.
 
     Raises:
-        ValueError: There is such a flag; the message names it.
+        ValueError: A flag has no effect; the message names it.
     """
     finite_elements = _finite_elements(arguments)
     if arguments.output is None:

@@ -39,8 +39,8 @@ class Finding:
     Attributes:
         name: Subject of the check.
         state: "ok", "lacks", or "without" for an optional part.
-        said: What was found.
-        remedy: What to do if something is missing.
+        said: Result in words, such as a version or the missing file.
+        remedy: Advice if something is missing.
     """
 
     name: str
@@ -50,7 +50,7 @@ class Finding:
 
 
 class Lacking(Exception):
-    """Something is missing or does not work, with a remedy."""
+    """Something is missing or does not work; the arguments are what, and the remedy."""
 
 
 def add_arguments(command: argparse.ArgumentParser) -> None:
@@ -63,27 +63,27 @@ def run(arguments: argparse.Namespace) -> None:
     Raises:
         EngineError: Something is missing that runs of LIGGGHTS need.
     """
-    found = []
+    findings = []
     for finding in examine():
-        found.append(finding)
+        findings.append(finding)
         if not arguments.json:
             remedy = f"; {finding.remedy}" if finding.remedy else ""
             print(f"{finding.state:8s}{finding.name:12s}{finding.said}{remedy}", flush=True)
     if arguments.json:
-        print_json([attrs.asdict(finding) for finding in found])
-    if lacking := [finding.name for finding in found if finding.state == "lacks"]:
+        print_json([attrs.asdict(finding) for finding in findings])
+    if failed := [finding.name for finding in findings if finding.state == "lacks"]:
         raise EngineError(
-            f"failed check: {', '.join(lacking)}. Apply the remedy printed above. The commands "
+            f"failed check: {', '.join(failed)}. Apply the remedy printed above. The commands "
             "laws, timestep, soften, calibrate, fem and impact --theory do not need LIGGGHTS"
         )
 
 
 def examine() -> Iterator[Finding]:
-    """Yield one finding after the other; stop at the first fault of LIGGGHTS."""
-    said = f"{version('plastigran')}, Python {platform.python_version()}, {os.cpu_count()} cores"
-    yield Finding("plastigran", "ok", said)
+    """Yield one finding after the other; skip the remaining checks of LIGGGHTS after a fault."""
+    software = f"{version('plastigran')}, Python {platform.python_version()}"
+    yield Finding("plastigran", "ok", f"{software}, {os.cpu_count()} cores")
     yield libraries()
-    for name, look in (
+    for name, check in (
         ("inputs", _inputs),
         ("engine", _engine),
         ("plugin", _plugin),
@@ -91,7 +91,7 @@ def examine() -> Iterator[Finding]:
         ("MPI", _mpi),
     ):
         try:
-            yield Finding(name, "ok", look())
+            yield Finding(name, "ok", check())
         except Lacking as error:
             yield Finding(name, "lacks", *error.args)
             break
@@ -105,19 +105,20 @@ def examine() -> Iterator[Finding]:
 
 def libraries() -> Finding:
     """Check the required Python packages."""
-    found, missing = [], []
+    installed, missing = [], []
     for line in requires("plastigran") or ():
         name = re.split(r"[^\w.-]", line)[0]
         if "extra ==" in line:
             continue
         try:
-            found.append(f"{name} {version(name)}")
+            installed.append(f"{name} {version(name)}")
         except PackageNotFoundError:
             missing.append(name)
     if missing:
-        said = f"{', '.join(missing)} {'are' if missing[1:] else 'is'} not installed"
-        return Finding("libraries", "lacks", said, f"pip install {' '.join(missing)}")
-    return Finding("libraries", "ok", ", ".join(found))
+        verb = "are" if len(missing) > 1 else "is"
+        sentence = f"{', '.join(missing)} {verb} not installed"
+        return Finding("libraries", "lacks", sentence, f"pip install {' '.join(missing)}")
+    return Finding("libraries", "ok", ", ".join(installed))
 
 
 def _inputs() -> str:
@@ -166,23 +167,23 @@ def _collide(ranks: int) -> str:
     """Run an impact of a sphere on a plane and compare it with theory.
 
     Raises:
-        Lacking: It does not run, or its restitution differs.
+        Lacking: The impact does not run, or its restitution differs.
     """
     case = CentralImpact("thornton", 0.1, "steel", 5e-3)
-    expected, began = case.predict().coefficient_of_restitution, monotonic()
+    expected, start = case.predict().coefficient_of_restitution, monotonic()
     with TemporaryDirectory() as folder:
         try:
-            found = case.run(folder, ranks=ranks).coefficient_of_restitution
+            restitution = case.run(folder, ranks=ranks).coefficient_of_restitution
         except (EngineError, ValueError) as error:
             raise Lacking(str(error), "if a library has another version, build again") from None
         head = (Path(folder) / LOG).read_text(errors="replace").partition("\n")[0]
-    if abs(found / expected - 1) > TOLERANCE:
+    if abs(restitution / expected - 1) > TOLERANCE:
         raise Lacking(
-            f"restitution {found:.5f}, by theory {expected:.5f}",
+            f"restitution {restitution:.5f}, by theory {expected:.5f}",
             "the plugin differs from this package; build again",
         )
     engine = head.removeprefix("LIGGGHTS (Version ").split(",")[0]
     return (
-        f"{engine}: restitution {found:.5f}, by theory {expected:.5f}, "
-        f"on {ranks} rank{'s' * (ranks > 1)}, in {monotonic() - began:.1f} s"
+        f"{engine}: restitution {restitution:.5f}, by theory {expected:.5f}, "
+        f"on {ranks} rank{'s' * (ranks > 1)}, in {monotonic() - start:.1f} s"
     )

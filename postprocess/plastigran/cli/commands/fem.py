@@ -142,7 +142,12 @@ def _add_cylinder(command: argparse.ArgumentParser) -> None:
     command.add_argument(
         "--sliding-speed", type=float, default=0.0, help="speed along the surface, m/s"
     )
-    command.add_argument("--coefficient-of-friction", type=float, default=0.0, help="default 0")
+    command.add_argument(
+        "--coefficient-of-friction",
+        type=float,
+        default=0.0,
+        help="coefficient of friction, default 0",
+    )
     add_strain(command)
     command.add_argument(
         "--thickness",

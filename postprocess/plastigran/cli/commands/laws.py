@@ -24,10 +24,10 @@ def add_arguments(command: argparse.ArgumentParser) -> None:
 
 
 def flags(name: str) -> str:
-    """Return what distinguishes the use of a law, in words."""
+    """Return the features of a law, such as "hardens, indentation"."""
     law = laws.LAWS[name]
     options = {option["name"] for option in law.options()}
-    said = {
+    features = {
         "LIGGGHTS' own": name == "hertz",
         "no yield": not law.yields,
         "hardens": law.hardens,
@@ -37,14 +37,14 @@ def flags(name: str) -> str:
         "rate dependent": law.rate_dependent,
         "energy guard": "energy_guard" in options,
     }
-    return ", ".join(word for word, holds in said.items() if holds)
+    return ", ".join(word for word, holds in features.items() if holds)
 
 
 def constants(name: str) -> dict[str, object]:
-    """Print the source of a law, its constants by their names in decks, and its options."""
+    """Return the source of a law, its constants by their names in decks, and its options."""
     law = laws.LAWS[name]
-    named = [{**row, "name": property_name(row["name"])} for row in law.parameters()]
-    return {"source": law.source, "constants": named, "options": law.options()}
+    parameters = [{**row, "name": property_name(row["name"])} for row in law.parameters()]
+    return {"source": law.source, "constants": parameters, "options": law.options()}
 
 
 def run(arguments: argparse.Namespace) -> None:
@@ -74,12 +74,12 @@ def run(arguments: argparse.Namespace) -> None:
     for name in names:
         law = laws.LAWS[name]
         print(f"\n{name}: {law.source}")
-        for p in law.parameters():
-            default = "required" if p["default"] is None else f"default {p['default']:g}"
+        for row in law.parameters():
+            default = "required" if row["default"] is None else f"default {row['default']:g}"
             print(
-                f"  {property_name(p['name'])} [{p['unit']}], {default}, "
-                f"{p['lower']:g} to {p['upper']:g}: {p['meaning']}"
+                f"  {property_name(row['name'])} [{row['unit']}], {default}, "
+                f"{row['lower']:g} to {row['upper']:g}: {row['meaning']}"
             )
-        for o in law.options():
-            choices = "|".join(o["choices"])
-            print(f"  {o['name']} {choices}, default {o['default']}: {o['meaning']}")
+        for option in law.options():
+            choices = "|".join(option["choices"])
+            print(f"  {option['name']} {choices}, default {option['default']}: {option['meaning']}")

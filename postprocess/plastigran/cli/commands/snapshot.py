@@ -22,9 +22,9 @@ plastigran snapshot results/frames --movie hopper.mp4
 
 def add_arguments(command: argparse.ArgumentParser) -> None:
     command.add_argument("folder", type=Path, help="folder of a run with frames (-v frames=10)")
-    what = command.add_mutually_exclusive_group()
-    what.add_argument("--step", type=int, help="time step number, default the last frame")
-    what.add_argument(
+    frames = command.add_mutually_exclusive_group()
+    frames.add_argument("--step", type=int, help="time step number, default the last frame")
+    frames.add_argument(
         "--movie", type=Path, metavar="FILE", help="movie of all frames, .mp4 or .gif"
     )
     command.add_argument("--rate", type=positive, help="frames per second of --movie, default 10")
@@ -36,7 +36,9 @@ def add_arguments(command: argparse.ArgumentParser) -> None:
         choices=list(GRAIN_QUANTITIES),
         help="quantity that colors the grains, default plastic_work",
     )
-    command.add_argument("--view", choices=list(VIEWS), default="corner", help="default corner")
+    command.add_argument(
+        "--view", choices=list(VIEWS), default="corner", help="direction of view, default corner"
+    )
     command.add_argument(
         "--output", type=Path, help="name of the picture, default FOLDER/figures/NAME_VIEW_STEP.png"
     )
@@ -63,7 +65,7 @@ def run(arguments: argparse.Namespace) -> None:
     frames = {frame.step: frame for frame in find_frames(arguments.folder)}
     step = max(frames) if arguments.step is None else arguments.step
     if step not in frames:
-        steps = ", ".join(str(known) for known in frames)
+        steps = ", ".join(map(str, frames))
         raise SnapshotError(f"no frame of step {step} in {arguments.folder}; there are {steps}")
     name = "contacts" if arguments.contacts else colour
     picture = (

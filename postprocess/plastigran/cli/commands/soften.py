@@ -31,13 +31,15 @@ EXAMPLE = "plastigran soften --material steel --speedup 10 --radius 0.005 --spee
 
 def add_arguments(command: argparse.ArgumentParser) -> None:
     add_material(command)
-    how = command.add_mutually_exclusive_group(required=True)
-    how.add_argument(
+    softness = command.add_mutually_exclusive_group(required=True)
+    softness.add_argument(
         "--factor",
         type=positive,
         help="ratio of the softened to the original Young's modulus, at most 1",
     )
-    how.add_argument("--speedup", type=positive, help="speedup of the run, instead of the factor")
+    softness.add_argument(
+        "--speedup", type=positive, help="speedup of the run, instead of the factor"
+    )
     command.add_argument("--radius", type=positive, required=True, help="radius of the grains, m")
     command.add_argument(
         "--speed",
@@ -48,7 +50,7 @@ def add_arguments(command: argparse.ArgumentParser) -> None:
     command.add_argument(
         "--depth",
         type=positive,
-        help=("depth of a bed at rest, m; also checks the overlap under its weight"),
+        help="depth of a bed at rest, m; also checks the overlap under its weight",
     )
     add_laws(command, "spheres")
     command.add_argument("--output", type=Path, help="material file to write, NAME.in")
@@ -68,19 +70,20 @@ def run(arguments: argparse.Namespace) -> None:
     table = comparison(material, factor, arguments.radius, arguments.speed, names)
     overlaps = {"impact": [float(table[name].max()) for name in ("overlap", "overlap_softened")]}
 
-    def rest(factor: float) -> float:
-        body, lying = soften(material, factor), (arguments.radius, arguments.depth)
-        return max(resting_overlap(body, *lying, law=name) for name in names)
+    def overlap_at_rest(factor: float) -> float:
+        bed = soften(material, factor), arguments.radius, arguments.depth
+        return max(resting_overlap(*bed, law=name) for name in names)
 
     if arguments.depth:
-        overlaps["rest"] = [rest(1), rest(factor)]
-    lowest = lowest_factor(overlaps["impact"][0], rest if arguments.depth else None)
-    growth = factor**TIME_POWER
+        overlaps["rest"] = [overlap_at_rest(1), overlap_at_rest(factor)]
+    at_rest = overlap_at_rest if arguments.depth else None
+    lowest = lowest_factor(overlaps["impact"][0], at_rest)
+    speedup = factor**TIME_POWER
     numbers = {
         "factor": factor,
-        "speedup": growth,
+        "speedup": speedup,
         "material": softened.variables(),
-        "overlap_softened": {kind: after for kind, (_, after) in overlaps.items()},
+        "overlap_softened": {name: after for name, (_, after) in overlaps.items()},
         "sound_to_factor": lowest,
         "laws": table.to_dict("records"),
     }
@@ -96,9 +99,9 @@ def run(arguments: argparse.Namespace) -> None:
     if arguments.output:
         print(f"\nwritten: {arguments.output}")
     print(
-        f"\nTime steps are {growth:.4g} times as long. Overlaps divided by the radius:\n"
+        f"\nTime steps are {speedup:.4g} times as long. Overlaps divided by the radius:\n"
         + "\n".join(
-            f"  {kind:8s} {before:.2g} -> {after:.2g}" for kind, (before, after) in overlaps.items()
+            f"  {name:8s} {before:.2g} -> {after:.2g}" for name, (before, after) in overlaps.items()
         )
     )
     verdict = "sound" if factor >= lowest else "TOO SOFT: the grains do not behave as hard"
@@ -110,13 +113,12 @@ def run(arguments: argparse.Namespace) -> None:
         "\nlaw                    restitution      softened  largest change  step, s  softened, s"
     )
     for row in numbers["laws"]:
-        change = row["restitution_change"]
-        said = f"{change:.3f}" if change else "exact"
-        left = "" if row["in_range_softened"] else "  beyond the law's range"
-        if left and not row["in_range"]:
-            left += ", as before"
+        change = f"{row['restitution_change']:.3f}" if row["restitution_change"] else "exact"
+        remark = "" if row["in_range_softened"] else "  beyond the law's range"
+        if remark and not row["in_range"]:
+            remark += ", as before"
         print(
             f"{row['law']:20s} {row['coefficient_of_restitution']:13.4f} "
-            f"{row['coefficient_of_restitution_softened']:13.4f} {said:>15s} "
-            f"{row['timestep']:8.2g} {row['timestep_softened']:12.2g}{left}"
+            f"{row['coefficient_of_restitution_softened']:13.4f} {change:>15s} "
+            f"{row['timestep']:8.2g} {row['timestep_softened']:12.2g}{remark}"
         )

@@ -8,14 +8,15 @@ import sys
 
 from plastigran import materials
 from plastigran.cli.arguments import add_json, add_laws, add_material, positive, print_json
-from plastigran.experiments.central import CentralImpact
 from plastigran.experiments.collide import IMPACTS
 from plastigran.usable_laws import choose_laws
 
 HELP = "print the recommended time step of an impact"
 EXAMPLE = "plastigran timestep --law universal --material steel --radius 0.005 --speed 0.5"
 
-KINDS = {geometry: kind for kind in IMPACTS.values() for geometry in kind.geometries}
+EXPERIMENTS = {
+    geometry: experiment for experiment in IMPACTS.values() for geometry in experiment.geometries
+}
 
 
 def add_arguments(command: argparse.ArgumentParser) -> None:
@@ -25,7 +26,7 @@ def add_arguments(command: argparse.ArgumentParser) -> None:
     )
     command.add_argument(
         "--geometry",
-        choices=list(KINDS),
+        choices=list(EXPERIMENTS),
         default="sphere_wall",
         help="geometry of the contact, default sphere_wall",
     )
@@ -41,14 +42,12 @@ def add_arguments(command: argparse.ArgumentParser) -> None:
 
 
 def run(arguments: argparse.Namespace) -> None:
-    material, kind = materials.read_material(arguments.material), KINDS[arguments.geometry]
-    if arguments.wall and kind is not CentralImpact:
-        raise ValueError(f"wall is {arguments.wall}, but {arguments.geometry} has a rigid one")
-    wall = {"wall": arguments.wall} if arguments.wall else {}
+    material = materials.read_material(arguments.material)
+    experiment = EXPERIMENTS[arguments.geometry]
     case = arguments.speed, material, arguments.radius, arguments.geometry
     steps = {
-        name: kind(name, *case, **wall).timestep
-        for name in choose_laws(arguments.law, kind.shape, [material])
+        name: experiment(name, *case, wall=arguments.wall).timestep
+        for name in choose_laws(arguments.law, experiment.shape, [material])
     }
     if arguments.json:
         print_json([{"law": name, "timestep": step} for name, step in steps.items()])
@@ -56,6 +55,6 @@ def run(arguments: argparse.Namespace) -> None:
         for name, step in steps.items():
             print(f"{name:20s} {step:.4g} s")
     for shape, other in IMPACTS.items():
-        if "all" in arguments.law and shape != kind.shape:
-            known = ", ".join(other.geometries)
-            print(f"left out: laws for {shape}s. Use --geometry {known}", file=sys.stderr)
+        if "all" in arguments.law and shape != experiment.shape:
+            geometries = ", ".join(other.geometries)
+            print(f"left out: laws for {shape}s. Use --geometry {geometries}", file=sys.stderr)

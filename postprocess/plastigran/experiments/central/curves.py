@@ -16,9 +16,9 @@ from plastigran.plot.chart import DASHES, Curve, Panel
 from plastigran.plot.quantities import PREDICTED, Scale, scale
 from plastigran.plot.style import title
 
-#: Points of a line of theory, and the factor by which the line extends beyond the measured speeds.
-FINE = 120
-BEYOND = 1.3
+#: Number of speeds of a line of theory, and the factor by which it exceeds the measured speeds.
+THEORY_POINTS = 120
+THEORY_MARGIN = 1.3
 #: Columns that distinguish curves of one law.
 APART = (
     "material",
@@ -29,7 +29,7 @@ APART = (
     "angle",
     "coefficient_of_friction",
 )
-#: Range of an axis, as a natural logarithm, from which the axis is logarithmic.
+#: An axis is logarithmic if the natural logarithms of its values span more than this.
 LOGARITHMIC = 3.0
 
 Groups = dict[tuple[str, str], pd.DataFrame]
@@ -77,10 +77,11 @@ def curve_groups(table: pd.DataFrame, abscissa: str) -> Groups:
     table = _without_lone_defaults(table)
     apart = [name for name in varied(table) if name != abscissa]
     law = table["law"] if "law" in table else pd.Series("", table.index)
-    groups = {}
-    for key, rows in table.groupby([law, *(table[name] for name in apart)], dropna=False):
-        groups[str(key[0]), in_words(apart, key[1:])] = rows.sort_values(abscissa)
-    return groups
+    keys = [law, *(table[name] for name in apart)]
+    return {
+        (str(name), in_words(apart, values)): rows.sort_values(abscissa)
+        for (name, *values), rows in table.groupby(keys, dropna=False)
+    }
 
 
 def line_styles(groups: Groups) -> dict[str, int]:
@@ -138,15 +139,10 @@ def _measured(groups: Groups, theory: Groups, quantity: str, abscissa: str) -> P
         # Words have no values between them, and a lone point has no line.
         look = "line" if numeric and len(line) > 1 else "dashes"
         y_line = line[predicted if predicted in line else quantity]
+        x_line, x = _abscissae(line[abscissa]), _abscissae(rows[abscissa])
         curves += [
-            Curve(x=_abscissae(line[abscissa]), y=y_line, look=look, source="theory", **named),
-            Curve(
-                x=_abscissae(rows[abscissa]),
-                y=rows[quantity],
-                look="points",
-                source="LIGGGHTS",
-                **named,
-            ),
+            Curve(x=x_line, y=y_line, look=look, source="theory", **named),
+            Curve(x=x, y=rows[quantity], look="points", source="LIGGGHTS", **named),
         ]
     if abscissa == "speed" and _is_of_paper(table):
         curves += _paper(quantity)
@@ -166,7 +162,7 @@ def _abscissae(values: pd.Series) -> np.ndarray:
 
 
 def _is_of_paper(table: pd.DataFrame) -> bool:
-    """Return whether all impacts are those of the sphere of Zhang and Vu-Quoc (2002)."""
+    """Return whether all impacts are of the sphere of Zhang and Vu-Quoc (2002)."""
     if not {"geometry", "material", "radius", "wall", "options"} <= set(table):
         return False
     sphere = (table["material"] == "aluminium_zv02") & (table["radius"] == 0.1)
@@ -190,14 +186,13 @@ def _theory(rows: pd.DataFrame, abscissa: str, materials: Mapping[str, Material]
     case = central_case(rows.iloc[-1], materials)
     if case is None:
         return rows
-    ends = rows["speed"].min() / BEYOND, rows["speed"].max() * BEYOND
-    speeds = np.unique(np.r_[rows["speed"], np.geomspace(*ends, FINE)])
-    impacts = case.contact_law().central_impact(
-        case.radius_eff, case.mass_eff, speeds * case.bodies
-    )
+    ends = rows["speed"].min() / THEORY_MARGIN, rows["speed"].max() * THEORY_MARGIN
+    speeds = np.unique(np.r_[rows["speed"], np.geomspace(*ends, THEORY_POINTS)])
+    closing_speeds = speeds * case.bodies
+    impacts = case.contact_law().central_impact(case.radius_eff, case.mass_eff, closing_speeds)
     names = ("coefficient_of_restitution", "force_max", "overlap_max", "overlap_res")
-    fine = {f"{name}{PREDICTED}": getattr(impacts, name) for name in names}
-    return pd.DataFrame({"speed": speeds, **fine})
+    theory = {f"{name}{PREDICTED}": getattr(impacts, name) for name in names}
+    return pd.DataFrame({"speed": speeds, **theory})
 
 
 def central_case(row: pd.Series, materials: Mapping[str, Material]) -> CentralImpact | None:

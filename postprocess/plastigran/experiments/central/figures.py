@@ -28,14 +28,13 @@ RESTITUTION = "coefficient_of_restitution"
 
 
 def restitution_figure(runs: Runs) -> Figure:
-    """Draw restitution over impact speed: measured points with lines of theory.
+    """Draw restitution over impact speed: points of LIGGGHTS, and lines of theory.
 
-    In a study by theory alone, the points are theory too. The finite elements of Zhang and Vu-Quoc
-    (2002) are shown if all impacts are of their sphere.
+    In a study by theory alone, the points are theory too. If all impacts are of the sphere of Zhang
+    and Vu-Quoc (2002), the figure shows their finite elements.
     """
-    panel = measured_panels(runs.table, materials_of(runs.cases), [RESTITUTION], "speed")[
-        RESTITUTION
-    ]
+    materials = materials_of(runs.cases)
+    panel = measured_panels(runs.table, materials, [RESTITUTION], "speed")[RESTITUTION]
     crowded = len({curve.name for curve in panel.curves if curve.law}) > 6
     with styled():
         figure, axes = subplots(figsize=(8.6 if crowded else 6.4, 4.6))
@@ -77,7 +76,7 @@ def _speed_axes(axes: Axes, impacts: Sequence[CentralImpact]) -> None:
 
 
 def _plain_ticks(axes: Axes) -> None:
-    """Put few plain numbers along a logarithmic x axis."""
+    """Label a logarithmic x axis with few numbers, without powers of ten."""
     slowest, fastest = axes.get_xlim()
     subs = (1, 2, 5) if fastest < 100 * slowest else (1,)
     axes.xaxis.set_major_locator(LogLocator(subs=subs))
@@ -95,8 +94,8 @@ def loops_figure(runs: Runs) -> Figure:
         loop = impact.theoretical_loop() if collision.loop is None else collision.loop
         loops.append((impact.facts(), loop[loop["overlap"] >= 0]))
     panels = loop_panels(loops, "law", "speed", varied(runs.table), common_axes=True)
-    alike = len({(impact.material, impact.radius, impact.geometry, impact.wall)
-                 for impact in runs.cases}) == 1  # fmt: skip
+    bodies = {(case.material, case.radius, case.geometry, case.wall) for case in runs.cases}
+    alike = len(bodies) == 1
     with styled():
         figure, axes = _grid(len(panels), alike)
         for place, (name, panel) in zip(axes.flat, panels.items(), strict=False):
@@ -131,9 +130,9 @@ def _grid(count: int, alike: bool) -> tuple[Figure, np.ndarray]:
 
 
 def _label_edges(axes: np.ndarray, count: int, alike: bool) -> None:
-    """Keep axis titles at the outer panels, and a legend where it differs from the one before."""
+    """Label only the outer axes, and show a legend where it differs from the panel before."""
     columns = axes.shape[1]
-    before = None
+    previous_labels = None
     for k, place in enumerate(axes.flat):
         place.set_visible(k < count)
         if k >= count:
@@ -145,6 +144,6 @@ def _label_edges(axes: np.ndarray, count: int, alike: bool) -> None:
         else:
             place.tick_params(labelbottom=True)
         labels = place.get_legend_handles_labels()[1]
-        if labels != before:
+        if labels != previous_labels:
             place.legend(loc="upper left", fontsize=8)
-        before = labels
+        previous_labels = labels

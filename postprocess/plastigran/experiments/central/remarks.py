@@ -19,21 +19,21 @@ VISIBLE = 5e-5
 
 
 def remarks(runs: Runs) -> list[str]:
-    """Return sentences on the bodies, and on what a reader of the table must know."""
-    said = [_arrangement(runs.cases), dented(runs.cases), flattened(runs.cases)]
+    """Return sentences on the bodies, missing yield, laws for other bodies, and the time step."""
+    sentences = [_arrangement(runs.cases)]
     if (runs.table["speed_ratio"] < 1).all():
-        said.insert(
-            1,
+        sentences.append(
             "every impact is slower than its yield speed (v/v_Y < 1), so nothing yields and "
-            "the coefficient of restitution is 1",
+            "the coefficient of restitution is 1"
         )
+    sentences += [dented(runs.cases), flattened(runs.cases)]
     largest = runs.table["coefficient_of_restitution"].max()
     if largest > 1 + VISIBLE:
-        said.append(
+        sentences.append(
             f"a coefficient of restitution above 1, here up to {largest:.5g}, is an error of "
             "the time step (docs/timestep.md)"
         )
-    return [sentence for sentence in said if sentence]
+    return [sentence for sentence in sentences if sentence]
 
 
 def _arrangement(impacts: Iterable[CentralImpact]) -> str:
@@ -47,26 +47,26 @@ def _arrangement(impacts: Iterable[CentralImpact]) -> str:
 
 def flattened(impacts: Iterable[CentralImpact]) -> str:
     """Return a sentence on spheres that flatten, although the law describes a yielding flat."""
-    names = dict.fromkeys(
-        f"{title(impact.material.name)} {on_wall(impact.wall_name)}"
+    flattening = [
+        impact
         for impact in impacts
         if impact.options
         and impact.law_is_of_indentation
         and impact.bodies == 1
         and not impact.wall_yields
         and impact.speed >= impact.yield_speed()
-    )
-    if not names:
+    ]
+    if not flattening:
         return ""
     return (
-        f"{', '.join(names)}: the ball yields, but --options 'yielding flat' describes a "
+        f"{_names(flattening)}: the ball yields, but --options 'yielding flat' describes a "
         "yielding wall"
     )
 
 
 def dented(impacts: Iterable[CentralImpact]) -> str:
     """Return a sentence on walls that yield, although the law describes a yielding sphere."""
-    found = [
+    indented = [
         impact
         for impact in impacts
         if impact.wall_yields
@@ -74,15 +74,19 @@ def dented(impacts: Iterable[CentralImpact]) -> str:
         and impact.speed >= impact.yield_speed()
         and not impact.law_is_of_indentation
     ]
-    if not found:
+    if not indented:
         return ""
-    names = dict.fromkeys(
-        f"{title(impact.material.name)} {on_wall(impact.wall_name)}" for impact in found
-    )
-    constant = any(impact.wall.rate_coefficient == 0 for impact in found)
-    indentation = sorted(name for name, law in laws.LAWS.items() if law.indentation)
-    return (
-        f"{', '.join(names)}: the wall yields, not the ball. Use universal with --options "
-        f"'yielding flat'; {' and '.join(indentation)} are fits to indentations. The other "
+    indentation_laws = sorted(name for name, law in laws.LAWS.items() if law.indentation)
+    sentence = (
+        f"{_names(indented)}: the wall yields, not the ball. Use universal with --options "
+        f"'yielding flat'; {' and '.join(indentation_laws)} are fits to indentations. The other "
         "laws are for balls that flatten"
-    ) + constant * ". Give the wall its rate_coefficient (docs/rate_factor.md)"
+    )
+    if any(impact.wall.rate_coefficient == 0 for impact in indented):
+        sentence += ". Give the wall its rate_coefficient (docs/rate_factor.md)"
+    return sentence
+
+
+def _names(impacts: Iterable[CentralImpact]) -> str:
+    bodies = (f"{title(impact.material.name)} {on_wall(impact.wall_name)}" for impact in impacts)
+    return ", ".join(dict.fromkeys(bodies))

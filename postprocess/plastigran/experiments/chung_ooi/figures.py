@@ -136,39 +136,35 @@ def _loops(panels: np.ndarray, entries: list[Entry], style: dict) -> None:
     """Draw force over overlap and over time, with Hertz' curves."""
     for case, outcome in entries:
         impact, collision = case.impact(), outcome.collision
-        pair = impact.pair
-        loop = collision.loop[collision.loop["overlap"] >= 0]
-        every = max(1, len(loop) // 24)
+        radius, modulus = impact.radius_eff, impact.pair.youngs_modulus_eff
+        speed = impact.before.normal
         overlap = np.linspace(0, collision.overlap_max, 100)
-        force = central.hertz_force(impact.radius_eff, pair.youngs_modulus_eff, overlap)
-        panels[0].plot(overlap * 1e6, force / 1e3, color=style["color"], lw=1.3)
-        panels[0].plot(
-            loop["overlap"][::every] * 1e6, loop["force"][::every] / 1e3, ls="", mfc="none", **style
-        )
-        panels[0].set(xlabel="overlap (µm)", ylabel="force (kN)")
-        time, rise = central.hertz_history(
-            impact.radius_eff, impact.mass_eff, pair.youngs_modulus_eff, impact.before.normal
-        )
-        curve = central.hertz_force(impact.radius_eff, pair.youngs_modulus_eff, rise)
-        panels[1].plot(time * 1e6, curve / 1e3, color=style["color"], lw=1.3)
-        panels[1].plot(
-            loop["time"][::every] * 1e6, loop["force"][::every] / 1e3, ls="", mfc="none", **style
-        )
-        panels[1].set(xlabel="time (µs)", ylabel="force (kN)")
+        time, history = central.hertz_history(radius, impact.mass_eff, modulus, speed)
+        loop = collision.loop[collision.loop["overlap"] >= 0]
+        points = loop.iloc[:: max(1, len(loop) // 24)]
+        for axes, column, label, x, overlaps in (
+            (panels[0], "overlap", "overlap (µm)", overlap, overlap),
+            (panels[1], "time", "time (µs)", time, history),
+        ):
+            force = central.hertz_force(radius, modulus, overlaps)
+            axes.plot(x * 1e6, force / 1e3, color=style["color"], lw=1.3)
+            axes.plot(points[column] * 1e6, points["force"] / 1e3, ls="", mfc="none", **style)
+            axes.set(xlabel=label, ylabel="force (kN)")
 
 
 def _restitutions(axes: Axes, entries: list[Entry], style: dict, last: bool) -> None:
+    """Draw measured over nominal restitution; with the last series, also the lines of theory."""
     impacts = [case.impact() for case, _ in entries]
-    asked = [impact.coefficient_of_restitution for impact in impacts]
-    found = [
+    nominal = [impact.coefficient_of_restitution for impact in impacts]
+    measured = [
         outcome.after.normal / impact.before.normal
         for impact, (_, outcome) in zip(impacts, entries, strict=True)
     ]
     if last:
-        fine = np.linspace(0.02, 1, 200)
-        axes.plot(fine, central.restitution_without_pull(fine), color="0.3", lw=1.3)
-        axes.plot(fine, fine, ":", color="0.3", lw=1.3, label="a dashpot that may attract")
-    axes.plot(asked, found, ls="", mfc="none", ms=7 if last else 10, **style)
+        line = np.linspace(0.02, 1, 200)
+        axes.plot(line, central.restitution_without_pull(line), color="0.3", lw=1.3)
+        axes.plot(line, line, ":", color="0.3", lw=1.3, label="a dashpot that may attract")
+    axes.plot(nominal, measured, ls="", mfc="none", ms=7 if last else 10, **style)
     axes.set(xlabel="nominal restitution of the dashpot", ylabel="restitution", xlim=(0, 1.03))
     axes.set_ylim(0, 1.03)
 
@@ -176,39 +172,25 @@ def _restitutions(axes: Axes, entries: list[Entry], style: dict, last: bool) -> 
 def _oblique(
     axes: Axes, panel: tuple[Quantity, Quantity], entries: list[Entry], style: dict
 ) -> None:
-    across, up = panel
-    impacts = [case.impact() for case, _ in entries]
-    found = [outcome.after for _, outcome in entries]
-    axes.plot(
-        [across.value(i, m) for i, m in zip(impacts, found, strict=True)],
-        [up.value(i, m) for i, m in zip(impacts, found, strict=True)],
-        ls="",
-        mfc="none",
-        ms=5,
-        **style,
-    )
+    """Draw measured motions as points, and lines of the spring and slider and of rigid bodies."""
     values = [case.value for case, _ in entries]
-    fine = np.union1d(
-        np.geomspace(min(values), max(values), 50), np.linspace(min(values), max(values), 50)
-    )
+    ends = min(values), max(values)
+    fine = np.union1d(np.geomspace(*ends, 50), np.linspace(*ends, 50))
     swept = [evolve(entries[0][0], value=float(value)).impact() for value in fine]
-    after = [(impact, impact.spring_slider()) for impact in swept]
-    axes.plot(
-        [across.value(*pair) for pair in after],
-        [up.value(*pair) for pair in after],
-        color=style["color"],
-        lw=1.1,
-    )
+    measured = [(case.impact(), outcome.after) for case, outcome in entries]
+    theory = [(impact, impact.spring_slider()) for impact in swept]
     sliding = [(impact, impact.rigid_sliding()) for impact in swept if impact.slides()]
-    axes.plot(
-        [across.value(*pair) for pair in sliding],
-        [up.value(*pair) for pair in sliding],
-        ":",
-        color="0.3",
-        lw=1.6,
-    )
+    for motions, look in (
+        (measured, {"ls": "", "mfc": "none", "ms": 5, **style}),
+        (theory, {"color": style["color"], "lw": 1.1}),
+        (sliding, {"ls": ":", "color": "0.3", "lw": 1.6}),
+    ):
+        x, y = ([quantity.value(*motion) for motion in motions] for quantity in panel)
+        axes.plot(x, y, **look)
+    across, up = panel
     axes.set(xlabel=across.label, ylabel=up.label)
     if across is SLIDING_SHARE:
         axes.set_xlim(0, 10)
     if up is ALONG:  # only round-off is left; use the scale of the impact
-        axes.set_ylim(-impacts[0].before.normal, impacts[0].before.normal)
+        normal = measured[0][0].before.normal
+        axes.set_ylim(-normal, normal)

@@ -92,14 +92,8 @@ def comparison_figure() -> Figure:
             colour = law_colour(law)
             left.plot(rows["speed"], rows["overlap_res"] * 1e6, color=colour, label=title(law))
             right.plot(rows["speed"], rows["coefficient_of_restitution"], color=colour)
-        left.plot(
-            at["speed"],
-            FINITE_ELEMENTS_OVERLAP_RES * 1e6,
-            "kx",
-            ms=8,
-            mew=2,
-            label="finite elements (2010)",
-        )
+        overlap = FINITE_ELEMENTS_OVERLAP_RES * 1e6
+        left.plot(at["speed"], overlap, "kx", ms=8, mew=2, label="finite elements (2010)")
         left.set_ylabel("residual overlap (µm)")
         left.legend(loc="upper left")
         right.set_ylabel("coefficient of restitution")

@@ -47,45 +47,34 @@ def motion_figure(run: RodImpact, measured: RodOutcome) -> Figure:
     """
     predicted = run.predict().history
     points = measured.history.iloc[:: max(1, len(measured.history) // POINTS)]
-    panels = [
-        ("force (kN)", 1e-3, {"normal": "force", "friction": "friction_force"}, {}),
-        (
-            "displacement of the centre (µm)",
+    panels = {
+        "force (kN)": (1e-3, {"force": "normal", "friction_force": "friction"}),
+        "displacement of the centre (µm)": (
             1e6,
-            {"along the flat": "displacement_x", "normal": "displacement_y"},
-            {},
+            {"displacement_x": "along the flat", "displacement_y": "normal"},
         ),
-        (
-            "velocity of the centre (m/s)",
+        "velocity of the centre (m/s)": (
             1,
-            {"along the flat": "velocity_x", "normal": "velocity_y"},
-            {"velocity_y": MEASURED.velocity_after},
+            {"velocity_x": "along the flat", "velocity_y": "normal"},
         ),
-        (
-            "angular velocity (rad/s)",
-            1,
-            {"rod": "angular_velocity"},
-            {"angular_velocity": MEASURED.angular_velocity},
-        ),
-    ]
-    is_measured = run.rod.angle == MEASURED.angle and run.speed == -MEASURED.velocity_before
+        "angular velocity (rad/s)": (1, {"angular_velocity": "rod"}),
+    }
+    levels = {}
+    if run.rod.angle == MEASURED.angle and run.speed == -MEASURED.velocity_before:
+        levels = {
+            "velocity_y": MEASURED.velocity_after,
+            "angular_velocity": MEASURED.angular_velocity,
+        }
     with styled():
         figure, grid = subplots(2, 2, figsize=(8.2, 6), sharex=True)
-        for axes, (name, scale, columns, levels) in zip(grid.flat, panels, strict=True):
-            for colour, (label, column) in zip(COLOURS, columns.items(), strict=False):
+        for axes, (ylabel, (scale, columns)) in zip(grid.flat, panels.items(), strict=True):
+            for colour, (column, label) in zip(COLOURS, columns.items(), strict=False):
                 axes.plot(predicted["time"] * 1e6, predicted[column] * scale, color=colour)
-                axes.plot(
-                    points["time"] * 1e6,
-                    points[column] * scale,
-                    "o",
-                    ms=4,
-                    mfc="white",
-                    color=colour,
-                    label=label,
-                )
-                if is_measured and column in levels:
+                style = {"marker": "o", "ms": 4, "mfc": "white", "color": colour, "ls": ""}
+                axes.plot(points["time"] * 1e6, points[column] * scale, label=label, **style)
+                if column in levels:
                     axes.axhline(levels[column], color=colour, ls=":", label="measured after")
-            axes.set_ylabel(name)
+            axes.set_ylabel(ylabel)
             axes.legend(fontsize=8)
         for axes in grid[1]:
             axes.set_xlabel("time since first touch (µs)")
@@ -115,11 +104,10 @@ def outcome_figure(table: pd.DataFrame) -> Figure:
             if angle in PAPER_RESTITUTION:
                 column[0].axhline(PAPER_RESTITUTION[angle], color="black", ls=":")
             if angle == MEASURED.angle:
-                outcomes = (
-                    MEASURED.coefficient_of_restitution(paper_rods()[0]),
-                    MEASURED.angular_velocity,
-                )
-                for axes, outcome in zip(column, outcomes, strict=True):
+                restitution = MEASURED.coefficient_of_restitution(paper_rods()[0])
+                for axes, outcome in zip(
+                    column, (restitution, MEASURED.angular_velocity), strict=True
+                ):
                     axes.plot(-MEASURED.velocity_before, outcome, "k*", ms=11, zorder=5)
         grid[0, 0].set_ylabel("coefficient of restitution")
         grid[1, 0].set_ylabel("angular velocity (rad/s)")
@@ -169,16 +157,8 @@ def _curves(axes: Axes, table: pd.DataFrame, angle: float, column: str, scale: f
             continue  # an elastic contact has no permanent deformation
         colour, marker = law_colour(law), MARKERS[law_number(law)]
         axes.plot(rows["speed"], rows[f"{column}_predicted"] * scale, color=colour, lw=1)
-        axes.plot(
-            rows["speed"],
-            rows[column] * scale,
-            ls="",
-            marker=marker,
-            color=colour,
-            mfc="white",
-            ms=5,
-            label=title(law),
-        )
+        style = {"ls": "", "marker": marker, "color": colour, "mfc": "white", "ms": 5}
+        axes.plot(rows["speed"], rows[column] * scale, label=title(law), **style)
 
 
 def _legend(figure: Figure, grid: np.ndarray) -> None:
