@@ -20,28 +20,21 @@ def plate_figure(shot: pd.DataFrame) -> Figure:
     Args:
         shot: Columns impact_speed, rebound_speed, rebound_predicted [m/s], one row per shot.
     """
+    shown = np.unique(np.linspace(0, len(shot) - 1, SHOWN).astype(int))
+    share = (np.arange(len(shot)) + 0.5) / len(shot)
+    impact, rebound, predicted = (
+        np.sort(shot[name]) for name in ("impact_speed", "rebound_speed", "rebound_predicted")
+    )
     with styled():
         figure, (left, right) = subplots(1, 2, figsize=(9.2, 3.8))
         ordered = shot.sort_values("impact_speed")
-        shown = np.unique(np.linspace(0, len(shot) - 1, SHOWN).astype(int))
         _restitution(left, ordered, ordered.iloc[shown])
         left.set_ylim(top=1.01)
-        share = (np.arange(len(shot)) + 0.5) / len(shot)
-        right.plot(np.sort(shot["impact_speed"]), share, color="0.5", lw=1.3, label="impact")
-        right.plot(
-            np.sort(shot["rebound_predicted"]), share, color=COLOURS[0], lw=1.3, label="$v\\,e(v)$"
-        )
-        right.plot(
-            np.sort(shot["rebound_speed"])[shown],
-            share[shown],
-            "o",
-            color=COLOURS[1],
-            mfc="white",
-            ms=5,
-            label="rebound",
-        )
-        right.set_xlabel("speed (m/s)")
-        right.set_ylabel("fraction of slower shots")
+        points = {"color": COLOURS[1], "mfc": "white", "ms": 5}
+        right.plot(impact, share, color="0.5", lw=1.3, label="impact")
+        right.plot(predicted, share, color=COLOURS[0], lw=1.3, label="$v\\,e(v)$")
+        right.plot(rebound[shown], share[shown], "o", label="rebound", **points)
+        right.set(xlabel="speed (m/s)", ylabel="fraction of slower shots")
         right.legend(loc="upper left")
     return figure
 
@@ -58,14 +51,9 @@ def bed_figure(shot: pd.DataFrame, by_depth: pd.DataFrame, diameter: float) -> F
         figure, (left, right) = subplots(1, 2, figsize=(9.2, 3.8))
         _restitution(left, shot.sort_values("impact_speed"), shot)
         left.set_ylim(-0.02, 1)
-        total = by_depth["plastic_work"].sum()
-        right.barh(
-            by_depth["depth"] / diameter,
-            by_depth["plastic_work"] / total,
-            height=0.85,
-            color=COLOURS[0],
-            alpha=0.75,
-        )
+        work, total = by_depth["plastic_work"], by_depth["plastic_work"].sum()
+        bars = {"height": 0.85, "color": COLOURS[0], "alpha": 0.75}
+        right.barh(by_depth["depth"] / diameter, work / total, **bars)
         right.invert_yaxis()
         right.set_xlabel(f"fraction of the plastic work, {total:.2g} J")
         right.set_ylabel("depth (grain diameters)")
@@ -74,23 +62,10 @@ def bed_figure(shot: pd.DataFrame, by_depth: pd.DataFrame, diameter: float) -> F
 
 def _restitution(axes: Axes, ordered: pd.DataFrame, shown: pd.DataFrame) -> None:
     """Draw points of the selected shots, and the law's line, sorted by impact speed."""
-    axes.plot(
-        shown["impact_speed"],
-        shown["rebound_speed"] / shown["impact_speed"],
-        "o",
-        color=COLOURS[1],
-        mfc="none",
-        ms=5,
-        alpha=0.8,
-        label="shot",
-    )
-    axes.plot(
-        ordered["impact_speed"],
-        ordered["rebound_predicted"] / ordered["impact_speed"],
-        color=COLOURS[0],
-        lw=1.3,
-        label="the law's central impact on a plate",
-    )
-    axes.set_xlabel("impact speed (m/s)")
-    axes.set_ylabel("rebound over impact speed")
+    speed, points = shown["impact_speed"], {"color": COLOURS[1], "mfc": "none", "ms": 5}
+    axes.plot(speed, shown["rebound_speed"] / speed, "o", alpha=0.8, label="shot", **points)
+    speed, line = ordered["impact_speed"], {"color": COLOURS[0], "lw": 1.3}
+    label = "the law's central impact on a plate"
+    axes.plot(speed, ordered["rebound_predicted"] / speed, label=label, **line)
+    axes.set(xlabel="impact speed (m/s)", ylabel="rebound over impact speed")
     axes.legend(loc="best")

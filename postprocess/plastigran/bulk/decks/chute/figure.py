@@ -38,36 +38,32 @@ def chute_figure(
 
 
 def _draw_grains(figure, axes, grains) -> None:
-    held = (grains[["vx", "vy", "vz"]] == 0).all(axis="columns")
-    draw_grains(axes, grains[held])
-    discs = draw_grains(axes, grains[~held], "vx")
-    axes.set_xlim(grains["x"].min() - 0.005, grains["x"].max() + 0.005)
-    axes.set_ylim((grains["z"] - grains["radius"]).min(), (grains["z"] + grains["radius"]).max())
+    base = (grains[["vx", "vy", "vz"]] == 0).all(axis="columns")
+    draw_grains(axes, grains[base])
+    discs = draw_grains(axes, grains[~base], "vx")
+    x, z, radius = grains["x"], grains["z"], grains["radius"]
+    axes.set_xlim(x.min() - 0.005, x.max() + 0.005)
+    axes.set_ylim((z - radius).min(), (z + radius).max())
     figure.colorbar(discs, ax=axes, label="speed (m/s)", shrink=0.8)
 
 
 def _draw_profile(axes, profile) -> None:
-    table = profile.table
-    axes.plot(table["speed"], table["height"] * 1e3, "o", color=COLOURS[0], mfc="white", ms=5)
+    table, style = profile.table, {"color": COLOURS[0]}
+    axes.plot(table["speed"], table["height"] * 1e3, "o", mfc="white", ms=5, **style)
     height = np.linspace(0, profile.depth, 100)
-    lack = profile.depth**1.5 - (profile.depth - height) ** 1.5
-    axes.plot(
-        profile.slip + profile.rate * lack, height * 1e3, color=COLOURS[0], lw=1.3, label="Bagnold"
-    )
-    axes.set_xlim(0, None)
-    axes.set_xlabel("mean speed (m/s)")
-    axes.set_ylabel("height above the base (mm)")
+    speed = profile.slip + profile.rate * (profile.depth**1.5 - (profile.depth - height) ** 1.5)
+    axes.plot(speed, height * 1e3, lw=1.3, label="Bagnold", **style)
+    axes.set(xlim=(0, None), xlabel="mean speed (m/s)", ylabel="height above the base (mm)")
     axes.legend(loc="upper left")
 
 
 def _draw_powers(axes, series, settling) -> None:
-    taken = mean_power(dissipated(series), series["time"], WINDOW)
-    yielding = mean_power(series["plastic"], series["time"], WINDOW)
-    axes.plot(series["time"], series["weight_power"], color=COLOURS[0], label="weight")
-    axes.plot(taken.index, taken, color=COLOURS[1], lw=1, label="dissipated in the flow")
-    axes.plot(yielding.index, yielding, ":", color=COLOURS[1], lw=1, label="by yielding")
+    time, weight = series["time"], series["weight_power"]
+    total = mean_power(dissipated(series), time, WINDOW)
+    plastic = mean_power(series["plastic"], time, WINDOW)
+    axes.plot(time, weight, color=COLOURS[0], label="weight")
+    axes.plot(total.index, total, color=COLOURS[1], lw=1, label="dissipated in the flow")
+    axes.plot(plastic.index, plastic, ":", color=COLOURS[1], lw=1, label="by yielding")
     axes.axvline(settling, color="0.4", ls=":")
-    axes.set_ylim(0, 1.2 * series["weight_power"].max())
-    axes.set_ylabel("power (W)")
-    axes.set_xlabel("time (s)")
+    axes.set(ylim=(0, 1.2 * weight.max()), ylabel="power (W)", xlabel="time (s)")
     axes.legend(loc="center right")

@@ -21,36 +21,30 @@ def compaction_figure(runs: dict[str, pd.DataFrame], yield_strengths: list[float
     """
     with styled():
         figure, (loops, heckel) = subplots(1, 2, figsize=(9.2, 4.0))
-        highest = 0.0
         for colour, (label, table), strength in zip(
             COLOURS, runs.items(), yield_strengths, strict=False
         ):
             density, pressure = table["relative_density"], table["pressure"] / 1e3
-            loops.plot(density, pressure, color=colour, lw=1.5, label=label)
+            line, dashes = {"color": colour, "lw": 1.5, "label": label}, {"color": colour, "lw": 1}
+            loops.plot(density, pressure, **line)
             loading = slice(0, int(np.argmax(pressure)) + 1)
-            porosity = -np.log1p(-density[loading])
-            heckel.plot(pressure[loading], porosity, color=colour, lw=1.5, label=label)
-            line = heckel_line(density, table["pressure"])
+            heckel.plot(pressure[loading], -np.log1p(-density[loading]), **line)
+            fit = heckel_line(density, table["pressure"])
             ends = np.array(STRAIGHT) * pressure.max()
-            heckel.plot(
-                ends, line.intercept + line.slope * ends * 1e3, "o:", color=colour, mfc="white"
-            )
-            textbook = 1e3 / (3 * strength)
-            if textbook * pressure.max() > 0.01:
-                start = line.intercept + line.slope * ends[0] * 1e3
-                heckel.plot(ends, start + textbook * (ends - ends[0]), "--", color=colour, lw=1)
-            highest = max(highest, density.max())
-        touched = min(
-            table.loc[table["pressure"] > 0, "relative_density"].min() for table in runs.values()
-        )
-        loops.set_xlim(touched - 0.01, highest + 0.01)
+            fitted = fit.intercept + fit.slope * ends * 1e3
+            heckel.plot(ends, fitted, "o:", color=colour, mfc="white")
+            slope = 1e3 / (3 * strength)
+            if slope * pressure.max() > 0.01:
+                heckel.plot(ends, fitted[0] + slope * (ends - ends[0]), "--", **dashes)
+        densities = pd.concat([table["relative_density"] for table in runs.values()])
+        pressures = pd.concat([table["pressure"] for table in runs.values()])
+        touched = densities[pressures > 0].min()
+        loops.set(xlim=(touched - 0.01, densities.max() + 0.01), xlabel="relative density")
         loops.set_ylim(bottom=0)
-        loops.set_xlabel("relative density")
         loops.set_ylabel("pressure on the punch (kPa)")
         loops.legend(loc="upper left")
         heckel.set_ylim(bottom=-np.log1p(-touched) - 0.02)
-        heckel.set_xlabel("pressure on the punch (kPa)")
-        heckel.set_ylabel("ln 1/(1 − relative density)")
+        heckel.set(xlabel="pressure on the punch (kPa)", ylabel="ln 1/(1 − relative density)")
         heckel.plot([], [], "o:", color="0.4", mfc="white", label="Heckel's line")
         heckel.plot([], [], "--", color="0.4", lw=1, label="slope $1/(3\\sigma_Y)$")
         handles, labels = heckel.get_legend_handles_labels()

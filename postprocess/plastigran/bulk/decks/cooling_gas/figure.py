@@ -32,38 +32,26 @@ def cooling_figure(
             time, error = shown["time"] * 1e3, 2 * shown["temperature_error"]
             points = shown.iloc[np.unique(np.geomspace(1, len(shown), 28).astype(int)) - 1]
             axes.plot(time, shown["temperature_predicted"], color=colour, lw=1.3)
-            axes.plot(
-                points["time"] * 1e3,
-                points["temperature"],
-                ls="",
-                marker=marker,
-                color=colour,
-                mfc="white",
-                label=label,
-            )
+            markers = {"ls": "", "marker": marker, "color": colour, "mfc": "white"}
+            axes.plot(points["time"] * 1e3, points["temperature"], label=label, **markers)
             below.fill_between(time, 1 - error, 1 + error, color=colour, alpha=0.15, lw=0)
             ratio = shown["temperature"] / shown["temperature_predicted"]
             below.plot(time, ratio, color=colour, lw=1)
         if cooling_rate:
             first = next(iter(runs.values()))
-            course = haff(first["temperature_predicted"].iloc[0], cooling_rate, first["time"])
-            axes.plot(
-                first["time"] * 1e3, course, "--", color="0.6", lw=1, label="constant restitution"
-            )
+            time, start = first["time"], first["temperature_predicted"].iloc[0]
+            line = {"color": "0.6", "lw": 1, "label": "constant restitution"}
+            axes.plot(time * 1e3, haff(start, cooling_rate, time), "--", **line)
         if stall is not None:
             axes.axhline(stall, color="0.4", ls=":")
             place = {"xycoords": ("axes fraction", "data"), "va": "bottom"}
             axes.annotate("$v_Y^2$, yield speed squared", (0.01, stall), **place)
         axes.plot([], [], color="0.4", lw=1.3, label="mean field")
-        axes.set_xscale("log")
-        axes.set_yscale("log")
-        axes.set_ylabel("granular temperature (m²/s²)")
+        axes.set(xscale="log", yscale="log", ylabel="granular temperature (m²/s²)")
         axes.legend(title="points: LIGGGHTS", loc="lower left")
         below.axhline(1, color="0.4", lw=0.8)
-        below.fill_between(
-            [], [], [], color="0.5", alpha=0.3, lw=0, label="two standard deviations"
-        )
+        band = {"color": "0.5", "alpha": 0.3, "lw": 0, "label": "two standard deviations"}
+        below.fill_between([], [], [], **band)
         below.legend(loc="lower left", fontsize=8)
-        below.set_ylabel("over\nmean field")
-        below.set_xlabel("time (ms)")
+        below.set(ylabel="over\nmean field", xlabel="time (ms)")
     return figure

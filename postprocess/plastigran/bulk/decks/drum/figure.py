@@ -35,15 +35,9 @@ def drum_figure(
         _draw_bed(panels["bed"], grains, drum_radius, angle)
         axes = panels["angle"]
         axes.plot(series["revolutions"], series["angle"], color=COLOURS[0], lw=1)
-        axes.plot(
-            steady["revolutions"].iloc[[0, -1]],
-            [angle, angle],
-            "--",
-            color="0.2",
-            label=f"mean {angle:.1f}°",
-        )
-        axes.set_ylim(0, None)
-        axes.set_ylabel("angle of the bed (°)")
+        ends = steady["revolutions"].iloc[[0, -1]]
+        axes.plot(ends, [angle, angle], "--", color="0.2", label=f"mean {angle:.1f}°")
+        axes.set(ylim=(0, None), ylabel="angle of the bed (°)")
         axes.legend(loc="lower right")
         axes.tick_params(labelbottom=False)
         _draw_powers(panels["power"], series)
@@ -58,8 +52,8 @@ def _draw_bed(axes, grains, drum_radius, angle) -> None:
     lean = np.radians(angle)
     half_chord = drum_radius * np.array([-1, 1])
     axes.plot(half_chord * np.cos(lean), half_chord * np.sin(lean), "--", color="0.2", lw=1)
-    axes.set_xlim(-1.05 * drum_radius, 1.05 * drum_radius)
-    axes.set_ylim(-1.05 * drum_radius, 1.05 * drum_radius)
+    limits = -1.05 * drum_radius, 1.05 * drum_radius
+    axes.set(xlim=limits, ylim=limits)
     scale = axes.inset_axes((0.3, 0.82, 0.4, 0.03))  # the drum is empty there
     axes.figure.colorbar(discs, cax=scale, label="speed (m/s)", orientation="horizontal")
 
@@ -71,23 +65,14 @@ def _draw_powers(axes, series) -> None:
         return mean_power(work, series["time"], WINDOW * period) * 1e3
 
     wall, lever = power(series["wallwork"]), power(series["wallwork_predicted"])
-    taken, yielding = power(dissipated(series)), power(series["plastic"])
-    revolutions = wall.index / period
-    points = slice(None, None, max(1, round(WINDOW / 2 / series["revolutions"].iloc[1])))
-    axes.plot(revolutions, wall, color=COLOURS[0], label="wall")
-    axes.plot(
-        revolutions[points],
-        lever.iloc[points],
-        "o",
-        color=COLOURS[0],
-        mfc="white",
-        ms=4,
-        label="lever arm of the weight",
-    )
-    axes.plot(revolutions, taken, color=COLOURS[1], lw=1, label="dissipated in the bed")
-    axes.plot(revolutions, yielding, color=COLOURS[1], lw=1, ls=":", label="by yielding")
-    # without energy balance the work of the wall is unknown
-    axes.set_ylim(0, 2.2 * wall.max() or None)
-    axes.set_ylabel("power (mW)")
-    axes.set_xlabel("revolutions")
+    total, plastic = power(dissipated(series)), power(series["plastic"])
+    turns = wall.index / period
+    every = max(1, round(WINDOW / 2 / series["revolutions"].iloc[1]))
+    points = {"color": COLOURS[0], "mfc": "white", "ms": 4}
+    axes.plot(turns, wall, color=COLOURS[0], label="wall")
+    axes.plot(turns[::every], lever[::every], "o", label="lever arm of the weight", **points)
+    axes.plot(turns, total, color=COLOURS[1], lw=1, label="dissipated in the bed")
+    axes.plot(turns, plastic, color=COLOURS[1], lw=1, ls=":", label="by yielding")
+    top = 2.2 * wall.max() or None  # without energy balance the work of the wall is unknown
+    axes.set(ylim=(0, top), ylabel="power (mW)", xlabel="revolutions")
     axes.legend(loc="upper right", ncols=2, fontsize="small")

@@ -22,30 +22,21 @@ def discharge_figure(series: pd.DataFrame, discharge: Discharge | None, mass: fl
     """
     with styled():
         figure, axes = subplots(figsize=(6.4, 4.4))
-        draw_course(
-            axes,
-            series,
-            discharge,
-            mass,
-            COLOURS[0],
-            "discharge, thick where its rate is measured" if discharge else "discharge",
-        )
+        label = "discharge, thick where its rate is measured" if discharge else "discharge"
+        _draw_course(axes, series, discharge, mass, COLOURS[0], label)
         if discharge:
             time = np.array([discharge.start, discharge.stop])
             begin = mass * np.interp(discharge.start, series["time"], series["counted"])
             low, high = (begin + edge * (time - time[0]) for edge in discharge.band)
             law = begin + discharge.predicted * (time - time[0])
             axes.plot(time, law, "--", color="0.4", label="Beverloo's law")
-            axes.fill_between(
-                time, low, high, color="0.85", lw=0, label="the same, with the scatter of C and k"
-            )
-            axes.set_title(
-                f"{discharge.rate:.3g} ± {discharge.rate_error:.1g} kg/s, "
-                f"{discharge.rate / discharge.predicted:.2f} of Beverloo's",
-                fontsize=10,
-            )
+            band = {"color": "0.85", "lw": 0, "label": "the same, with the scatter of C and k"}
+            axes.fill_between(time, low, high, **band)
+            rate = f"{discharge.rate:.3g} ± {discharge.rate_error:.1g} kg/s"
+            headline = f"{rate}, {discharge.rate / discharge.predicted:.2f} of Beverloo's"
         else:
-            axes.set_title("no steady part: the rate was not measured", fontsize=10)
+            headline = "no steady part: the rate was not measured"
+        axes.set_title(headline, fontsize=10)
         axes.legend(loc="upper left")
     return figure
 
@@ -57,52 +48,35 @@ def orifices_figure(runs: list[tuple[pd.DataFrame, Discharge, float]]) -> Figure
         runs: Series, discharge and mass of a grain [kg] for three or more orifices.
     """
     discharges = [discharge for _, discharge, _ in runs]
-    constants = fit_constants(discharges)
-    diameter = discharges[0].diameter
+    fit, law = fit_constants(discharges), discharges[0]
+    diameter = law.diameter
     with styled():
         figure, (left, right) = subplots(1, 2, figsize=(9.6, 4.2))
         for colour, (series, discharge, mass) in zip(COLOURS, runs, strict=False):
-            label = f"{discharge.orifice / diameter:.3g} d"
-            draw_course(left, series, discharge, mass, colour, label)
-            right.errorbar(
-                discharge.orifice / diameter,
-                discharge.reduced / diameter,
-                2 * discharge.reduced * 0.4 * discharge.rate_error / discharge.rate / diameter,
-                fmt="o",
-                color=colour,
-                mfc="white",
-                zorder=3,
-            )
+            width, reduced = discharge.orifice / diameter, discharge.reduced
+            _draw_course(left, series, discharge, mass, colour, f"{width:.3g} d")
+            error = 2 * reduced * 0.4 * discharge.rate_error / discharge.rate / diameter
+            point = {"fmt": "o", "color": colour, "mfc": "white", "zorder": 3}
+            right.errorbar(width, reduced / diameter, error, **point)
         left.legend(title="orifice", loc="lower right")
         widest = max(discharge.orifice for discharge in discharges) / diameter
-        width = np.linspace(constants.empty_annulus, 1.05 * widest)
-        slope = constants.coefficient**0.4
-        right.plot(
-            width,
-            slope * (width - constants.empty_annulus),
-            color="0.2",
-            lw=1.3,
-            label=f"fit: C = {constants.coefficient:.3f} ± {constants.coefficient_error:.3f}, "
-            f"k = {constants.empty_annulus:.2f} ± {constants.empty_annulus_error:.2f}",
+        width = np.linspace(fit.empty_annulus, 1.05 * widest)
+        line = fit.coefficient**0.4 * (width - fit.empty_annulus)
+        constants = (
+            f"fit: C = {fit.coefficient:.3f} ± {fit.coefficient_error:.3f}, "
+            f"k = {fit.empty_annulus:.2f} ± {fit.empty_annulus_error:.2f}"
         )
-        coefficient, annulus = discharges[0].coefficient, discharges[0].empty_annulus
-        right.plot(
-            width,
-            np.clip(coefficient**0.4 * (width - annulus), 0, None),
-            "--",
-            color="0.5",
-            lw=1.3,
-            label=f"Beverloo: C = {coefficient}, k = {annulus}",
-        )
-        right.set_xlim(0)
-        right.set_ylim(0)
-        right.set_xlabel("orifice over grain, $D_0/d$")
+        right.plot(width, line, color="0.2", lw=1.3, label=constants)
+        line = np.clip(law.coefficient**0.4 * (width - law.empty_annulus), 0, None)
+        constants = f"Beverloo: C = {law.coefficient}, k = {law.empty_annulus}"
+        right.plot(width, line, "--", color="0.5", lw=1.3, label=constants)
+        right.set(xlim=0, ylim=0, xlabel="orifice over grain, $D_0/d$")
         right.set_ylabel(r"$(W/\rho_b \sqrt{g})^{2/5}/d$")
         right.legend(loc="upper left")
     return figure
 
 
-def draw_course(
+def _draw_course(
     axes: Axes,
     series: pd.DataFrame,
     discharge: Discharge | None,
@@ -116,5 +90,4 @@ def draw_course(
     if discharge:
         steady = series["time"].between(discharge.start, discharge.stop)
         axes.plot(series["time"][steady], out[steady], color=colour, lw=3)
-    axes.set_xlabel("time since the orifice opened (s)")
-    axes.set_ylabel("mass out (kg)")
+    axes.set(xlabel="time since the orifice opened (s)", ylabel="mass out (kg)")
