@@ -49,7 +49,7 @@ def plastic_works(
     """
     law = grains.contact_law()
     radius_eff, overlap, memory = (
-        np.asarray(given, dtype=float) for given in (radius_eff, overlap, memory)
+        np.asarray(array, dtype=float) for array in (radius_eff, overlap, memory)
     )
     if not type(law).yields:
         return np.zeros(overlap.shape)

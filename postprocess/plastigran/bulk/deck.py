@@ -105,8 +105,8 @@ class BulkDeck:
     def __init_subclass__(cls) -> None:
         """Refuse a setting with a name that the class itself uses, such as `grains`."""
         for name in cls.__annotations__:
-            hidden = getattr(super(cls, cls), name, None)
-            if isinstance(hidden, property) or callable(hidden):
+            inherited = getattr(super(cls, cls), name, None)
+            if isinstance(inherited, property) or callable(inherited):
                 raise TypeError(
                     f"{cls.__name__}: a setting cannot be called {name}, because decks have an "
                     "attribute of that name"
@@ -118,12 +118,10 @@ class BulkDeck:
     def check(self) -> None:
         """Check conditions between settings. A deck that adds conditions calls this one, too.
 
-        A checkpoint is written at steps that have a line of the log: `checkpoints` divides `rows`.
-
         Raises:
             ValueError: A condition is violated; the message names the setting.
         """
-        if self.rows % self.checkpoints:
+        if self.rows % self.checkpoints:  # steps of checkpoints need a line of the log
             raise ValueError(f"checkpoints is {self.checkpoints}; it must divide rows, {self.rows}")
         if self.law == "hertz" and self.ledger == "on":
             raise ValueError(
@@ -192,16 +190,12 @@ class BulkDeck:
             dissipative_constant=self.dissipative_constant or None,
             **{name: getattr(self, name) for name in BODY_CONSTANTS},
         )
-        known = {option["name"] for option in laws.LAWS[self.law].options()}
-        options = {name: choice for name, choice in self.model_options.items() if name in known}
+        names = {option["name"] for option in laws.LAWS[self.law].options()}
+        options = {name: choice for name, choice in self.model_options.items() if name in names}
         return Grains(self.law, options, material, self.radius)
 
     def derived(self, name: str) -> float:
-        """Return a number that the deck derives from its settings, `print "derived NAME = VALUE"`.
-
-        Raises:
-            ValueError: The run in `output` has not printed this name.
-        """
+        """Return a number that the script derives from its settings; errors of `read_derived`."""
         return read_derived(self.output, name)
 
     def ledger_checks(self, series: pd.DataFrame) -> list[Check]:
@@ -221,10 +215,9 @@ class BulkDeck:
         """
         grains = self.grains
         speed = sqrt(2 * energy_input(series) / (series["atoms"].max() * grains.mass))
-        recommended = grains.contact_law().recommended_timestep(
-            grains.radius / 2, grains.mass / 2, speed
-        )
-        return LEDGER * min(1.0, self.timestep / float(recommended)) ** 2
+        law, radius_eff, mass_eff = grains.contact_law(), grains.radius / 2, grains.mass / 2
+        recommended = float(law.recommended_timestep(radius_eff, mass_eff, speed))
+        return LEDGER * min(1.0, self.timestep / recommended) ** 2
 
     def ledger_figure(self, series: pd.DataFrame) -> dict[str, Figure]:
         """Return the figure of the energy balance by name; none for a run without it."""

@@ -56,10 +56,10 @@ class CoolingGas(BulkDeck):
     def check(self) -> None:
         for name, choice in self.model_options.items():
             if name not in self.grains.options and name not in HARMLESS and choice != "off":
-                known = sorted({*(o["name"] for o in laws.LAWS[self.law].options()), *HARMLESS})
+                names = sorted({*(o["name"] for o in laws.LAWS[self.law].options()), *HARMLESS})
                 raise ValueError(
                     f"options: {name} {choice} changes the restitution or is unknown; {self.law} "
-                    f"takes {', '.join(known)}"
+                    f"takes {', '.join(names)}"
                 )
         BulkDeck.check(self)
 
@@ -88,9 +88,8 @@ class CoolingGas(BulkDeck):
         series = series.assign(temperature=scale * series["kinetic_energy"])
         gas = self.gas()
         predicted = cool(gas, self.temperature, series["time"])
-        for name in ("temperature", "temperature_error", "collisions"):
-            column = "temperature_predicted" if name == "temperature" else name
-            series[column] = predicted[name]
+        series["temperature_predicted"] = predicted["temperature"]
+        series = series.assign(**predicted[["temperature_error", "collisions"]])
         ratio = series["temperature"] / series["temperature_predicted"] - 1
         elastic = gas.loss(self.temperature) < 1e-9
         stored = self.stored_share(gas)
@@ -127,10 +126,9 @@ class CoolingGas(BulkDeck):
         """Return a bound on the fraction of kinetic energy stored in impacts at the start [-].
 
         Of N grains, N s/2 pairs touch, where s is the collision rate times the elastic duration of
-        the
-        mean impact. Each pair has taken m g^2/4 of 3/2 N m T, exponentially distributed about m T,
-        and
-        stores about half of it. The mean is s/6, with a standard deviation of s^(1/2)/(3 N^(1/2)).
+        the mean impact. Each pair has taken m g^2/4 of 3/2 N m T, exponentially distributed about
+        m T, and stores about half of it. The mean is s/6, with a standard deviation of
+        s^(1/2)/(3 N^(1/2)).
         """
         grains = self.grains
         modulus, speed = grains.pair.youngs_modulus_eff, (pi * self.temperature) ** 0.5

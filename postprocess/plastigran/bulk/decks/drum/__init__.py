@@ -82,7 +82,7 @@ class Drum(FlowDeck):
         if self.spectra == "on":
             table = read_spectra(self.output / SPECTRA)
             figures["collision_spectra"] = spectra_figure(
-                {said: partner_spectra(table, name) for name, said in QUANTITIES.items()}
+                {label: partner_spectra(table, name) for name, label in QUANTITIES.items()}
             )
         return Analysis(series, checks, {**figures, **self.ledger_figure(series)})
 
@@ -111,9 +111,8 @@ class Drum(FlowDeck):
     def power_checks(self, series: pd.DataFrame, steady: pd.DataFrame) -> list[Check]:
         """Check the work of the wall against the lever arm of the weight and against dissipation.
 
-        The first check is left out with rolling friction: LIGGGHTS computes it as if the wall did
-        not
-        rotate, a couple on the grains without work of the wall.
+        With rolling friction, the check of the lever arm is left out: LIGGGHTS computes rolling
+        friction as if the wall did not rotate, a couple on the grains without work of the wall.
 
         Args:
             series: Columns time [s], wallwork, wallwork_predicted [J].
