@@ -6,12 +6,21 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
+from bulk_settings import SHORT_GAS, STEADY_FLOWS
 from own_decks import PLAIN, PROPERTIES
 
+from plastigran.bulk.outcome import BulkRun
 from plastigran.bulk.template import write_deck
 
-#: Settings of a cooling gas with many checkpoints that takes a second.
-SHORT_GAS = {"side": 5, "duration": 24, "rows": 24, "checkpoints": 12, "mixing": 1}
+
+@pytest.fixture(scope="session")
+def steady_flow(bulk_run):
+    """Runs a steady flow, `steady_flow(deck)`."""
+
+    def run(deck: str) -> BulkRun:
+        return bulk_run(deck, STEADY_FLOWS[deck])
+
+    return run
 
 
 @pytest.fixture(scope="module")

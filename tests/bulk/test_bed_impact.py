@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-import attrs
 import numpy as np
 import pandas as pd
 import pytest
@@ -14,7 +13,6 @@ from plastigran.bulk.decks.bed_impact.measurement import (
     read_grains_dump,
 )
 from plastigran.bulk.run import run_bulk
-from plastigran.bulk.series import read_series
 from plastigran.cli import main
 
 #: Settings that make a run on the plate shorter still.
@@ -57,12 +55,6 @@ def test_viscous_law(tmp_path):
     assert (shot["rebound_speed"] < 0.95 * shot["impact_speed"]).all()
 
 
-def test_another_yield_strength_is_noticed(plate):
-    stronger = attrs.evolve(plate.deck, yield_strength=1.1e5)
-    failed = stronger.analyse(read_series(plate.folder)).failed
-    assert any("restitution of a shot compared with the law" in check.name for check in failed)
-
-
 def test_command_names_the_shot_that_is_late(tmp_path, capsys):
     """Everything is written before the command fails."""
     values = [f"{name}={value}" for name, value in (FEW | {"duration": 0.004}).items()]
@@ -103,27 +95,6 @@ def test_ranks(plate, tmp_path):
         for folder in (plate.folder, other.folder)
     )
     assert two == pytest.approx(one, rel=1e-9)
-
-
-@pytest.mark.parametrize(
-    ("target", "change", "said"),
-    [
-        ("plate", {"fastest": 0.01}, r"fastest is 0.01; it must be above 0.1 and finite \[m/s\]"),
-        ("plate", {"shot_layers": 2}, "shot_layers is 2; it must be 1 for target plate"),
-        (
-            "plate",
-            {"gravitational_acceleration": 9.81},
-            "gravitational_acceleration is 9.81; it must be 0 for target plate",
-        ),
-        ("plate", {"ledger": "off"}, "ledger is off"),
-        ("plate", {"options": "viscous_damping on"}, "viscous_damping on changes the restitution"),
-        ("bed", {"bed_layers": 0}, "bed_layers is 0; it must be 1 or more"),
-        ("bed", {"filling": 0}, r"filling is 0; it must be positive and finite \[s\]"),
-    ],
-)
-def test_settings_that_do_not_go_together_are_refused(target, change, said, brief_run):
-    with pytest.raises(ValueError, match=said):
-        attrs.evolve(brief_run("bed_impact", target).deck, **change)
 
 
 def test_free_flight_is_taken_back():

@@ -21,26 +21,17 @@ from plastigran.engine.checkpoints import (
 )
 from plastigran.engine.process import EngineError
 
-#: Short enough for a test to wait for its end, and with many checkpoints.
-SHORT = {"side": 5, "duration": 24, "rows": 24, "checkpoints": 12, "mixing": 1}
-
-
-@pytest.fixture(scope="module")
-def whole(bulk_run) -> Path:
-    """Folder of a finished run on one rank."""
-    return bulk_run("cooling_gas", SHORT).folder
-
 
 @pytest.fixture
-def copied(whole, tmp_path) -> Path:
+def copied(short_gas, tmp_path) -> Path:
     """A copy of it, to be changed."""
-    return Path(shutil.copytree(whole, tmp_path / "run"))
+    return Path(shutil.copytree(short_gas, tmp_path / "run"))
 
 
 @pytest.mark.parametrize("seed", range(12))
-def test_a_flipped_bit_of_a_checkpoint_is_noticed(whole, seed, tmp_path):
+def test_a_flipped_bit_of_a_checkpoint_is_noticed(short_gas, seed, tmp_path):
     """Anywhere in the file: an earlier one is taken, and where all are damaged, none."""
-    run = Path(shutil.copytree(whole, tmp_path / "run"))
+    run = Path(shutil.copytree(short_gas, tmp_path / "run"))
     assert not list(run.glob("*.new"))
     *earlier, newest = checkpoints(run)
     assert newest_checkpoint(run) == newest
@@ -62,11 +53,11 @@ def test_a_flipped_bit_of_a_checkpoint_is_noticed(whole, seed, tmp_path):
         newest_checkpoint(run)
 
 
-def test_a_checkpoint_has_its_checksum(whole):
+def test_a_checkpoint_has_its_checksum(short_gas):
     """As `sha256sum --check` reads them."""
-    sums = sorted(whole.glob(f"{PATTERN}.sha256"))
-    assert len(sums) == len(checkpoints(whole)) > 1
-    done = subprocess.run(["sha256sum", "--check", *(file.name for file in sums)], cwd=whole)
+    sums = sorted(short_gas.glob(f"{PATTERN}.sha256"))
+    assert len(sums) == len(checkpoints(short_gas)) > 1
+    done = subprocess.run(["sha256sum", "--check", *(file.name for file in sums)], cwd=short_gas)
     assert done.returncode == 0
 
 

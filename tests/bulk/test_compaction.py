@@ -5,7 +5,6 @@ from __future__ import annotations
 
 import shutil
 
-import attrs
 import make_punch
 import numpy as np
 import pandas as pd
@@ -129,11 +128,6 @@ def test_ranks(pressed, tmp_path):
     for name in ("elastic", "plastic", "friction", "wallwork", "pressure", "relative_density"):
         difference = (other.series[name] - table[name]).to_numpy()  # one that is none fails
         assert np.abs(difference).max() < 1e-6 * np.abs(table[name]).max(), name
-
-
-def test_narrow_die_is_refused(pressed):
-    with pytest.raises(ValueError, match=r"die_radius is 0.004; it must be above 0.004 and finite"):
-        attrs.evolve(pressed.deck, die_radius=0.004)
 
 
 def test_heckels_line_is_found():

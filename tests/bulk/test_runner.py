@@ -13,6 +13,7 @@ import time
 from pathlib import Path
 
 import pytest
+from bulk_settings import SHORT_GAS
 
 import plastigran as pg
 from plastigran.bulk.run import run_bulk
@@ -24,21 +25,13 @@ from plastigran.engine.process import EngineError, engines
 from plastigran.materials import read_material, write_material
 from plastigran.plot import style
 
-#: Short enough for a test to wait for its end, and with many checkpoints.
-SHORT = {"side": 5, "duration": 24, "rows": 24, "checkpoints": 12, "mixing": 1}
 #: Long enough to be stopped on the way.
-LONG = SHORT | {"duration": 20000, "rows": 20000, "checkpoints": 5000}
+LONG = SHORT_GAS | {"duration": 20000, "rows": 20000, "checkpoints": 5000}
 
 
-@pytest.fixture(scope="module")
-def whole(bulk_run) -> Path:
-    """Folder of a finished run on one rank."""
-    return bulk_run("cooling_gas", SHORT).folder
-
-
-def cut(whole: Path, folder: Path, lines: int) -> Path:
+def cut(run: Path, folder: Path, lines: int) -> Path:
     """A run as it looks when killed that many lines of cooling before its end."""
-    shutil.copytree(whole, folder)
+    shutil.copytree(run, folder)
     log = (folder / "log.liggghts").read_text().partition("Loop time")
     cooling = log[2].partition("Loop time")[0].rstrip("\n").splitlines(keepends=True)
     (folder / "log.liggghts").write_text(log[0] + log[1] + "".join(cooling[:-lines])[:-5])
@@ -63,26 +56,26 @@ def test_backend_of_matplotlib_is_left_alone():
     subprocess.run([sys.executable, "-c", line], check=True)
 
 
-def test_checkpoint_cut_short_is_not_the_newest(whole, tmp_path):
+def test_checkpoint_cut_short_is_not_the_newest(short_gas, tmp_path):
     """A checkpoint the log has not come to was being written: the one before is taken."""
-    stopped = cut(whole, tmp_path / "stopped", lines=8)
+    stopped = cut(short_gas, tmp_path / "stopped", lines=8)
     taken = newest_checkpoint(stopped)
-    lines = read_series(whole)["step"]
+    lines = read_series(short_gas)["step"]
     # 25 lines, the last whole one is number 15; there is a checkpoint every other line.
     assert step_of(taken) == lines[14]
     assert (stopped / f"checkpoint.{lines[16]}.restart").exists()
 
 
 @pytest.mark.parametrize("ranks", [1, 2])
-def test_checkpoint_on_a_full_disk_is_not_the_newest(whole, ranks, tmp_path):
+def test_checkpoint_on_a_full_disk_is_not_the_newest(short_gas, ranks, tmp_path):
     """Cut anywhere, by any number of bytes, or filled up with zeros, though the log goes on: the
     one before is taken. Zeros alone after it are ranks without particles. Without checksums, as a
     killed run may leave its checkpoints."""
     folder = tmp_path / "full"
     if ranks == 1:
-        shutil.copytree(whole, folder)
+        shutil.copytree(short_gas, folder)
     else:
-        short = SHORT | {"duration": 2, "rows": 2, "checkpoints": 2}
+        short = SHORT_GAS | {"duration": 2, "rows": 2, "checkpoints": 2}
         run_bulk("cooling_gas", short, folder, ranks, show=False)
     for file in folder.glob(f"{PATTERN}.sha256"):
         file.unlink()
@@ -100,12 +93,12 @@ def test_checkpoint_on_a_full_disk_is_not_the_newest(whole, ranks, tmp_path):
     assert newest_checkpoint(folder) == last
 
 
-def test_going_on_with_another_timestep_is_refused(whole, tmp_path):
+def test_going_on_with_another_timestep_is_refused(short_gas, tmp_path):
     with pytest.raises(
         ValueError,
         match=r"4e-08, but the run to continue has 8.0e-8.* may change only checkpoints, contact_h",
     ):
-        run_bulk("cooling_gas", {"timestep": 4e-8}, tmp_path / "rest", restart=whole)
+        run_bulk("cooling_gas", {"timestep": 4e-8}, tmp_path / "rest", restart=short_gas)
     assert not (tmp_path / "rest").exists()
 
 
@@ -122,28 +115,28 @@ def test_no_checkpoint_is_said(tmp_path):
         newest_checkpoint(tmp_path)
 
 
-def test_a_file_that_is_no_checkpoint_is_left_alone(whole, tmp_path):
+def test_a_file_that_is_no_checkpoint_is_left_alone(short_gas, tmp_path):
     """Of a name that has no step: it is not gone on from, and force does not remove it."""
     folder = tmp_path / "run"
-    shutil.copytree(whole, folder)
+    shutil.copytree(short_gas, folder)
     newest = newest_checkpoint(folder)
     for name in ("checkpoint.old.restart", "checkpoint.999999999.old.restart"):
         shutil.copy(newest, folder / name)
     assert newest_checkpoint(folder) == newest
-    run_bulk("cooling_gas", SHORT, folder, force=True, show=False)
+    run_bulk("cooling_gas", SHORT_GAS, folder, force=True, show=False)
     assert (folder / "checkpoint.old.restart").exists()
 
 
-def test_checkpoints_beyond_the_log_are_named(whole, tmp_path):
+def test_checkpoints_beyond_the_log_are_named(short_gas, tmp_path):
     """The newest whole one; a log that is cut or missing does not reach it."""
     folder = tmp_path / "run"
-    shutil.copytree(whole, folder)
+    shutil.copytree(short_gas, folder)
     before, last = sorted(folder.glob(PATTERN), key=step_of)[-2:]
     for file in sorted(folder.glob(PATTERN), key=step_of)[:-2]:
         file.unlink()
     last.write_bytes(b"half")
     log = folder / "log.liggghts"
-    lines = read_series(whole)["step"]
+    lines = read_series(short_gas)["step"]
     text = log.read_text()
     log.write_text(text[: text.rindex(f"\n{lines[3]:8d} ") + 1])
     with pytest.raises(EngineError, match=rf"{log} ends at step {lines[2]}.* {before.name}"):
@@ -218,24 +211,23 @@ def test_killed_python_takes_the_engine_along(start, tmp_path):
         time.sleep(0.05)
 
 
-def test_going_on_at_the_end_is_said(whole, tmp_path, capsys):
-    line = ["bulk", "cooling_gas", "--restart", str(whole), "--output", str(tmp_path / "rest")]
+def test_going_on_at_the_end_is_said(short_gas, tmp_path, capsys):
+    line = ["bulk", "cooling_gas", "--restart", str(short_gas), "--output", str(tmp_path / "rest")]
     assert main(line) == 0
-    assert (
-        f"{whole} has reached its end, so there was nothing to compute" in capsys.readouterr().out
-    )
+    message = f"{short_gas} has reached its end, so there was nothing to compute"
+    assert message in capsys.readouterr().out
 
 
-def test_killed_before_its_first_checkpoint_goes_on_from_where_it_began(whole, tmp_path):
+def test_killed_before_its_first_checkpoint_goes_on_from_where_it_began(short_gas, tmp_path):
     """A run stopped twice, the second time at once: nothing of the first is lost."""
-    first = cut(whole, tmp_path / "first", lines=8)
+    first = cut(short_gas, tmp_path / "first", lines=8)
     second = tmp_path / "second"
     run_bulk("cooling_gas", {}, second, restart=first, show=False)
     for file in second.glob(PATTERN):
         file.unlink()
     (second / "log.liggghts").write_text("LIGGGHTS\n")
     run_bulk("cooling_gas", {}, tmp_path / "third", restart=second, show=False)
-    expected, found = read_series(whole), read_series(tmp_path / "third")
+    expected, found = read_series(short_gas), read_series(tmp_path / "third")
     assert (found["kinetic_energy"] == expected["kinetic_energy"]).all()
 
 
@@ -246,7 +238,7 @@ def test_a_folder_is_locked_until_figures_are_written(tmp_path, monkeypatch):
     def save(figure, path, *arguments):
         def run_again():
             with pytest.raises(ValueError, match="run is in use by another plastigran command"):
-                run_bulk("cooling_gas", SHORT, tmp_path / "run", force=True, show=False)
+                run_bulk("cooling_gas", SHORT_GAS, tmp_path / "run", force=True, show=False)
             refused.append(path)
 
         other = threading.Thread(target=run_again)
@@ -256,7 +248,7 @@ def test_a_folder_is_locked_until_figures_are_written(tmp_path, monkeypatch):
 
     style_save = style.save
     monkeypatch.setattr("plastigran.bulk.run.style.save", save)
-    run = run_bulk("cooling_gas", SHORT, tmp_path / "run", show=False)
+    run = run_bulk("cooling_gas", SHORT_GAS, tmp_path / "run", show=False)
     assert len(refused) == len(run.figures) > 0
     for name in run.figures:
         assert (tmp_path / "run" / "figures" / f"{name}.png").stat().st_size > 0
@@ -290,7 +282,7 @@ def test_materials_are_looked_for_from_the_present_folder(tmp_path, monkeypatch)
     folder.mkdir()
     write_material(read_material("soft_granules"), folder / "mine.in", "As soft as they are.")
     monkeypatch.chdir(folder)
-    settings = SHORT | {"materials": ".", "material": "mine", "duration": 2, "checkpoints": 1}
+    settings = SHORT_GAS | {"materials": ".", "material": "mine", "duration": 2, "checkpoints": 1}
     run = run_bulk("cooling_gas", settings, tmp_path / "run", show=False)
     assert run.finished and run.deck.material == "mine"
 
@@ -301,10 +293,10 @@ def test_a_setting_without_a_value_is_named(capsys):
     assert "'side' is not name=value" in capsys.readouterr().err
 
 
-def test_going_on_in_the_same_folder_is_refused(whole):
+def test_going_on_in_the_same_folder_is_refused(short_gas):
     with pytest.raises(ValueError, match="is the run to continue"):
-        run_bulk("cooling_gas", {}, whole, restart=whole, force=True)
-    assert newest_checkpoint(whole).exists()
+        run_bulk("cooling_gas", {}, short_gas, restart=short_gas, force=True)
+    assert newest_checkpoint(short_gas).exists()
 
 
 def test_progress_is_read_from_whole_lines_only(tmp_path):
