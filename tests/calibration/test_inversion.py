@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Yield strength from restitution: the value, and how often its interval holds it."""
+"""Yield strength from restitution: value, and coverage of the interval."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ SPEEDS = np.geomspace(0.02, 0.3, 6)
 
 
 def thornton(strength: float, speeds: np.ndarray = SPEEDS) -> np.ndarray:
-    """A sphere of aluminium on a rigid plane, by a law whose answer is quick."""
+    """Return restitutions of an aluminum sphere on a rigid plane."""
     pair = laws.combine(laws.Body(70e9, 0.3, strength), laws.Body(1e30, 0.3))
     mass = 4 / 3 * np.pi * 0.005**3 * 2700
     return (
@@ -26,41 +26,41 @@ def thornton(strength: float, speeds: np.ndarray = SPEEDS) -> np.ndarray:
 
 
 @pytest.mark.parametrize("count", [1, 2, 5])
-def test_the_interval_holds_the_strength_in_95_of_100(count):
-    """100 drop tests of one to six drops with 2 % noise. The interval is the wider of two that hold
-    in 95 % each (of one drop there is only the one), so 95 or more are expected; the seed is the
-    first tried."""
+def test_95_of_100_intervals_contain_the_strength(count):
+    """100 drop tests with 2 % noise. The interval is the wider of two 95 % intervals."""
     random = np.random.default_rng(count)
     true = thornton(TRUTH, SPEEDS[:count])
-    held = 0
+    contained = 0
     for _ in range(100):
         measured = true * np.exp(0.02 * random.standard_normal(count))
-        found = estimate_strength(lambda s: thornton(s, SPEEDS[:count]), measured, BOUNDS, 0.02)
-        held += found.interval[0] <= TRUTH <= found.interval[1]
-    assert held >= 95
+        estimate = estimate_strength(lambda s: thornton(s, SPEEDS[:count]), measured, BOUNDS, 0.02)
+        contained += estimate.interval[0] <= TRUTH <= estimate.interval[1]
+    assert contained >= 95
 
 
-def test_without_noise_the_strength_comes_back():
-    found = estimate_strength(thornton, thornton(TRUTH), BOUNDS, 0.02)
-    assert found.yield_strength == pytest.approx(TRUTH, rel=1e-5)  # of the search, 1e-7 in ln
-    assert found.residual_scatter < 1e-6
-    assert found.interval[0] < TRUTH < found.interval[1]
+def test_without_noise_the_strength_is_exact():
+    estimate = estimate_strength(thornton, thornton(TRUTH), BOUNDS, 0.02)
+    assert estimate.yield_strength == pytest.approx(TRUTH, rel=1e-5)  # accuracy of the search
+    assert estimate.residual_scatter < 1e-6
+    assert estimate.interval[0] < TRUTH < estimate.interval[1]
 
 
 def test_interval_of_one_drop_is_the_stated_scatter():
-    """Far beyond yield restitution goes as the strength to the power 5/8 (Thornton 1997, eq. 25:
-    (v_Y/v)^(1/4), v_Y as the strength to the power 5/2)."""
+    """Far beyond yield, restitution is proportional to the strength to the power 5/8.
+
+    Thornton 1997, eq. 25: (v_Y/v)^(1/4), with v_Y proportional to the strength to the power 5/2.
+    """
     speed = np.array([1.0])
-    found = estimate_strength(lambda s: thornton(s, speed), thornton(TRUTH, speed), BOUNDS, 0.02)
+    estimate = estimate_strength(lambda s: thornton(s, speed), thornton(TRUTH, speed), BOUNDS, 0.02)
     half = 1.96 * 0.02 / (5 / 8)
-    assert isnan(found.residual_scatter)
+    assert isnan(estimate.residual_scatter)
     # v/v_Y is about 600: the power is 5/8 within 1 %.
-    assert np.log(found.interval[1] / TRUTH) == pytest.approx(half, rel=0.02)
-    assert np.log(TRUTH / found.interval[0]) == pytest.approx(half, rel=0.02)
+    assert np.log(estimate.interval[1] / TRUTH) == pytest.approx(half, rel=0.02)
+    assert np.log(TRUTH / estimate.interval[0]) == pytest.approx(half, rel=0.02)
 
 
 def test_more_drops_narrow_the_interval():
-    few = estimate_strength(lambda s: thornton(s, SPEEDS), thornton(TRUTH), BOUNDS, 0.02)
+    few = estimate_strength(thornton, thornton(TRUTH), BOUNDS, 0.02)
     one = estimate_strength(
         lambda s: thornton(s, SPEEDS[:1]), thornton(TRUTH, SPEEDS[:1]), BOUNDS, 0.02
     )
@@ -68,28 +68,27 @@ def test_more_drops_narrow_the_interval():
 
 
 def test_impacts_near_yield_leave_the_interval_open():
-    """0.99 of the speed that comes: the strength is at least that of its lower end."""
     speed = np.array([0.01])
-    found = estimate_strength(lambda s: thornton(s, speed), np.array([0.99]), BOUNDS, 0.02)
-    assert found.interval[1] == inf
-    assert 0 < found.interval[0] < found.yield_strength
+    estimate = estimate_strength(lambda s: thornton(s, speed), np.array([0.99]), BOUNDS, 0.02)
+    assert estimate.interval[1] == inf
+    assert 0 < estimate.interval[0] < estimate.yield_strength
 
 
 def test_elastic_impacts_give_a_lower_bound_only():
     with pytest.raises(ValueError, match=r"restitution 1 .* above (\S+) Pa") as raised:
         estimate_strength(thornton, np.ones(len(SPEEDS)), BOUNDS, 0.02)
     bound = float(str(raised.value).split("above ")[1].split()[0])
-    # At the bound the misfit is just what chance allows.
+    # At the bound, the misfit is the largest that chance allows.
     misfit = np.sum(np.log(thornton(bound)) ** 2)
     assert misfit == pytest.approx((1.96 * 0.02) ** 2, rel=0.01)
 
 
-def test_restitution_out_of_the_law_s_reach_is_refused():
+def test_restitution_below_that_of_the_law_is_refused():
     with pytest.raises(ValueError, match=r"restitution 0.0001 is too low"):
         estimate_strength(thornton, np.full(len(SPEEDS), 1e-4), BOUNDS, 0.02)
 
 
-def test_a_law_that_does_not_depend_on_the_strength_says_nothing():
+def test_a_law_that_does_not_depend_on_the_strength_is_refused():
     with pytest.raises(ValueError, match="hardly depends on the yield strength"):
         estimate_strength(
             lambda s: np.full(2, 0.5 - 1e-9 * np.log(s)), np.array([0.3, 0.4]), BOUNDS, 0.02

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Softened materials keep their restitution: by theory, in the engine, from the command line."""
+"""Softened materials keep their restitution, in theory and in LIGGGHTS."""
 
 from __future__ import annotations
 
@@ -24,32 +24,31 @@ from plastigran.materials import read_material
 
 STEEL = pg.material("steel")
 RADIUS, SPEED = 1e-3, 0.5
-#: Laws of v over v_Y and nu alone: their restitution does not change at all.
+#: Laws whose restitution depends only on v/v_Y and nu, and therefore does not change.
 EXACT_LAWS = {"thornton", "vu_quoc_zhang", "kogut_etsion", "stronge", "brake_2012", "brake_2015"}
 
 
 @pytest.mark.parametrize("factor", [0.5, 1e-2, 1e-4])
 def test_restitution_stays(factor):
-    """From the equations of motion: only rounding is left for laws of v/v_Y alone."""
     table = comparison(STEEL, factor, RADIUS, SPEED).set_index("law")
     assert set(table.index) >= EXACT_LAWS
     for law in EXACT_LAWS:
         assert table.loc[law, "restitution_change"] == 0
     others = table.drop(list(EXACT_LAWS | {"hertz"}))
-    # Fits with sigma_Y/E or a/R in them change; mdr, which is written for deep contacts, the most.
+    # Laws that contain sigma_Y/E or a/R change; mdr, a law for deep contacts, changes most.
     assert (others["restitution_change"] > 0).all()
     assert (others["restitution_change"] < 0.2).all()
 
 
-def test_step_and_overlap_grow_alike():
+def test_time_step_and_overlap_grow_by_the_same_factor():
     factor = 1e-3
     row = comparison(STEEL, factor, RADIUS, SPEED, ["thornton"]).iloc[0]
     assert_allclose(row["timestep_softened"] / row["timestep"], factor**-0.4, rtol=1e-6)
     assert_allclose(row["overlap_softened"] / row["overlap"], factor**-0.4, rtol=1e-9)
 
 
-def test_softening_the_modulus_alone_is_elastic_and_both_alike_is_not_the_same():
-    """With sigma_Y kept nothing yields; with sigma_Y times s the yield speed falls."""
+def test_strength_must_be_softened_by_its_own_power():
+    """With sigma_Y unchanged nothing yields; with sigma_Y times s the yield speed decreases."""
 
     def restitution(modulus_factor, strength_factor):
         changed = attrs.evolve(
@@ -65,15 +64,15 @@ def test_softening_the_modulus_alone_is_elastic_and_both_alike_is_not_the_same()
     assert_allclose(restitution(1e-3, 1e-3**0.8), usual, rtol=1e-9)
 
 
-def test_viscous_spheres_too():
-    """Their restitution is a function of A (E*^2 v/m*^2)^(1/5)..., in which A falls as a time."""
+def test_restitution_of_viscous_spheres_stays():
+    """It is a function of A (E*^2 v/m*^2)^(1/5), and A scales like a time."""
     ice = pg.material("ice")
     speeds = np.geomspace(1e-3, 1, 5)
     before, after = (
         pg.Contact("viscoelastic_hertz", body, body, radius=0.01, radius_other=0.01)
         for body in (ice, soften(ice, 1e-3))
     )
-    # Both are integrated in time, to 1e-6.
+    # The law integrates both in time, with an accuracy of 1e-6.
     assert_allclose(after.restitution(speeds), before.restitution(speeds), rtol=1e-6)
 
 
@@ -85,8 +84,8 @@ def test_lowest_factor_reaches_the_sound_overlap():
 
 
 @pytest.mark.parametrize("law", ["hertz", "thornton", "universal"])
-def test_lowest_factor_bears_the_bed(law):
-    """By the law: the weight stays while the strength falls, so grains that yield sink deeper."""
+def test_lowest_factor_carries_the_bed(law):
+    """The weight stays while the strength decreases, so grains that yield overlap more."""
 
     def rest(factor):
         return resting_overlap(soften(STEEL, factor), RADIUS, 1.0, law)
@@ -94,27 +93,26 @@ def test_lowest_factor_bears_the_bed(law):
     factor = lowest_factor(0.0, rest)
     assert_allclose(rest(factor), SOUND_OVERLAP)
     assert rest(factor) >= resting_overlap(soften(STEEL, factor), RADIUS, 1.0) * (1 - 1e-12)
-    force = 4 * pi * RADIUS**2 * STEEL.density * 9.81 / 6  # Rumpf's, Z = 6; phi cancels
+    force = 4 * pi * RADIUS**2 * STEEL.density * 9.81 / 6  # Rumpf 1958, Z = 6; phi cancels
     soft = soften(STEEL, factor)
     pair = pg.Contact(law, soft, soft, radius=RADIUS, radius_other=RADIUS)
-    found = pair.law.follow(RADIUS / 2, [SOUND_OVERLAP * RADIUS])["force"][0]
-    assert_allclose(found, force, rtol=1e-3)  # of g
-    assert lowest_factor(1e-9, rest) == pytest.approx(factor)  # a slow impact asks for nothing
-    # A load that moves the factor by rest comes first, else the impact does.
+    at_limit = pair.law.follow(RADIUS / 2, [SOUND_OVERLAP * RADIUS])["force"][0]
+    assert_allclose(at_limit, force, rtol=1e-3)  # g = 9.81 m/s^2
+    assert lowest_factor(1e-9, rest) == pytest.approx(factor)  # slow impacts do not matter
+    # A fast impact limits the factor more than the bed.
     assert lowest_factor(SOUND_OVERLAP * 0.9, rest) == pytest.approx(0.9**2.5)
 
 
-def test_a_bed_at_rest_grows_softer_with_depth():
-    """Hertz: overlaps grow as the depth to 2/3; over R they do not depend on R."""
+def test_overlap_in_a_bed_grows_with_depth():
+    """Hertz: overlap / R grows as the depth to the power 2/3 and does not depend on R."""
     shallow, deep = (resting_overlap(STEEL, RADIUS, depth) for depth in (0.1, 0.8))
     assert_allclose(deep / shallow, 4)
     assert_allclose(resting_overlap(STEEL, 10 * RADIUS, 0.1), shallow)
 
 
 @pytest.mark.filterwarnings("ignore::plastigran.contact.RangeWarning")
-def test_engine_agrees(tmp_path):
-    """The same impact in the engine, stiff and soft, at each one's step: the same restitution
-    within what that step leaves, 1e-3."""
+def test_restitution_stays_in_liggghts(tmp_path):
+    """Both runs use their recommended time step, whose error in restitution is up to 1e-3."""
     soft = soften(STEEL, 1e-2)
     runs = [
         pg.collide(["kogut_etsion"], [SPEED], body, radius=RADIUS, folder=tmp_path / body.name)
@@ -136,13 +134,13 @@ def test_command_writes_a_material(tmp_path, capsys):
     assert_allclose(
         read_material(file).yield_strength, STEEL.yield_strength * numbers["factor"] ** 0.8
     )
-    assert main([*call, "--factor", "0.1", "--output", str(file)]) == 1  # it is there
+    assert main([*call, "--factor", "0.1", "--output", str(file)]) == 1  # the file exists
     assert "soft.in exists" in capsys.readouterr().err
-    for words, said in (
+    for options, message in (
         (["--factor", "2"], "factor is 2; it must lie from"),
         (["--speedup", "0.5"], "--speedup is 0.5; it must be at least 1"),
     ):
-        assert main([*call, *words]) == 1
-        assert said in capsys.readouterr().err
+        assert main([*call, *options]) == 1
+        assert message in capsys.readouterr().err
     with pytest.raises(ValueError, match="youngs_modulus is 210; it must be above 10000 and"):
         soften(attrs.evolve(STEEL, youngs_modulus=210.0), 0.1)
