@@ -5,6 +5,9 @@
 // line from a restart file.
 #pragma once
 
+#include <cmath>
+
+#include "atom.h"
 #include "contact_models.h"
 #include "error.h"
 #include "liggghts/fixes/history_keeper.h"
@@ -37,7 +40,8 @@ class AccountedContact : private ContactSetup, public LIGGGHTS::ContactModels::C
         Base(engine, static_cast<ContactSetup*>(this), is_wall, hash),
         engine_(engine),
         owner_(owner),
-        spring_offset_(has_model("tangential", "history") ? offset_of("shearx") : -1) {}
+        spring_offset_(has_model("tangential", "history") ? offset_of("shearx") : -1),
+        in_contact_offset_(offset_of("in_contact")) {}
 
   // LIGGGHTS needs the models of the deck here. The base class has the placeholders ANY.
   int64_t hashcode() { return hash(); }
@@ -88,6 +92,25 @@ class AccountedContact : private ContactSetup, public LIGGGHTS::ContactModels::C
       on_i = counted(contact, on_i, on_j);
     else
       compute(contact, on_i, on_j);
+  }
+
+  // Whether adhesion keeps two bodies in contact that may not overlap.
+  bool in_contact(const LIGGGHTS::ContactModels::SurfacesCloseData& contact) const {
+    return in_contact_offset_ >= 0 && contact.contact_history &&
+           contact.contact_history[in_contact_offset_] != 0;
+  }
+
+  // For LIGGGHTS' loops, which call this for bodies that are close and do not overlap.
+  void surfacesClose(LIGGGHTS::ContactModels::SurfacesCloseData& close, Load& on_i, Load& on_j) {
+    if (in_contact(close)) {
+      // All callers pass the data of a contact.
+      Contact& contact = static_cast<Contact&>(close);
+      if (!this->is_wall()) complete(contact);
+      surfacesIntersect(contact, on_i, on_j);
+      contact.has_force_update = true;
+      if (in_contact(contact)) return;
+    }
+    Base::surfacesClose(close, on_i, on_j);
   }
 
   // Computes the forces of all models.
@@ -150,7 +173,20 @@ class AccountedContact : private ContactSetup, public LIGGGHTS::ContactModels::C
   }
 
   void add_stored(const Contact& contact, const AccountedLoad& on_i) {
-    ledger_->add_stored(contact, on_i.elastic_energy, spring_energy(contact));
+    ledger_->add_stored(contact, on_i.elastic_energy, on_i.surface_energy, spring_energy(contact));
+  }
+
+  // Fills in what LIGGGHTS' loop over pairs computes for overlaps alone.
+  void complete(Contact& contact) const {
+    const LAMMPS_NS::Atom* const atom = engine_->atom;
+    contact.r = std::sqrt(contact.rsq);
+    contact.rinv = 1 / contact.r;
+    for (int axis = 0; axis < 3; ++axis) contact.en[axis] = contact.delta[axis] * contact.rinv;
+    contact.omega_i = atom->omega[contact.i];
+    contact.omega_j = atom->omega[contact.j];
+    contact.mi = atom->rmass[contact.i];
+    contact.mj = atom->rmass[contact.j];
+    contact.meff = contact.mi * contact.mj / (contact.mi + contact.mj);
   }
 
   double spring_energy(const Contact& contact) const {
@@ -164,7 +200,8 @@ class AccountedContact : private ContactSetup, public LIGGGHTS::ContactModels::C
   const void* owner_;  // the Pair or Fix, which fixes compare by address
   EnergyLedger* ledger_ = nullptr;
   std::vector<ContactObserver*> observers_;
-  int spring_offset_;  // of the tangential spring in the history, -1 if there is none
+  int spring_offset_;      // of the tangential spring in the history, -1 if there is none
+  int in_contact_offset_;  // of the law's `in_contact`, -1 if contacts end with the overlap
   bool requests_ledger_ = false;
   bool line_read_ = false;
 };

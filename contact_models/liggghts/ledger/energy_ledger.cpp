@@ -114,11 +114,13 @@ void EnergyLedger::begin_without_set_up() {
   summed_ = false;
 }
 
-void EnergyLedger::add_stored(const Contact& contact, double elastic_energy, double spring_energy) {
+void EnergyLedger::add_stored(const Contact& contact, double elastic_energy, double surface_energy,
+                              double spring_energy) {
   const bool has_local_partner = !contact.is_wall && contact.j < atom->nlocal;
   const double share = share_of(contact, has_local_partner);
   Stored& stored = contact.is_wall ? by_walls_ : by_pairs_;
   stored.elastic += share * elastic_energy;
+  stored.surface += share * surface_energy;
   stored.springs += share * spring_energy;
 }
 
@@ -156,6 +158,12 @@ void EnergyLedger::add_plastic_work(const Contact& contact, double work, bool ha
   if (has_local_partner) of_particle[contact.j] += 0.5 * work;
 }
 
+void EnergyLedger::add_adhesion_loss(const Contact& contact, double loss, bool has_local_partner) {
+  // `run 0` writes no history: the next set-up counts the loss again.
+  double& sum = update->nsteps == 0 ? adhesion_loss_of_run_0_ : adhesion_loss_;
+  sum += share_of(contact, has_local_partner) * loss;
+}
+
 void EnergyLedger::add_dashpot(const Contact& contact, double force, bool has_local_partner) {
   if (dashpots_.empty()) dashpots_.assign(atom->nlocal, Vector());
   for (int axis = 0; axis < 3; ++axis) {
@@ -174,7 +182,7 @@ void EnergyLedger::add_wall(const Contact& contact, const AccountedLoad& on_i,
 
 void EnergyLedger::begin_pass() {
   by_pairs_ = by_walls_ = Stored();
-  plastic_work_of_run_0_ = 0;
+  plastic_work_of_run_0_ = adhesion_loss_of_run_0_ = 0;
   summed_ = false;
   deferred_ = nullptr;
   walls_.clear();
@@ -242,19 +250,22 @@ void EnergyLedger::sum() {
                                  wall_work_,
                                  inserted_ + change_of_contacts(),
                                  0,
-                                 by_pairs_.springs + by_walls_.springs};
+                                 by_pairs_.springs + by_walls_.springs,
+                                 by_pairs_.surface + by_walls_.surface,
+                                 adhesion_loss_ + adhesion_loss_of_run_0_};
   MPI_Allreduce(local, sums_, ENTRIES, MPI_DOUBLE, MPI_SUM, world);
-  total_ = -sums_[WALL_WORK] - sums_[INSERTED];
+  total_ = sums_[SURFACE] + sums_[ADHESION] - sums_[WALL_WORK] - sums_[INSERTED];
   for (int entry = KINETIC; entry < WALL_WORK; ++entry) total_ += sums_[entry];
   sums_[DRIFT] = started_ ? total_ - initial_ : 0;
   summed_ = phase_ != SET_UP && (ran_ || phase_ != BETWEEN_RUNS);
 }
 
 void EnergyLedger::write_restart(FILE* file) {
-  double local[4] = {plastic_work_, friction_, viscous_, wall_work_}, kept[6];
+  double local[4] = {plastic_work_, friction_, viscous_, wall_work_}, kept[7];
   MPI_Reduce(local, kept, 4, MPI_DOUBLE, MPI_SUM, 0, world);
   MPI_Reduce(&inserted_, &kept[4], 1, MPI_DOUBLE, MPI_SUM, 0, world);
   kept[5] = initial_;
+  MPI_Reduce(&adhesion_loss_, &kept[6], 1, MPI_DOUBLE, MPI_SUM, 0, world);
   if (comm->me != 0) return;
   const int size = sizeof kept;
   fwrite(&size, sizeof size, 1, file);
@@ -262,13 +273,13 @@ void EnergyLedger::write_restart(FILE* file) {
 }
 
 void EnergyLedger::restart(char* data) {
-  double kept[6];
+  double kept[7];
   std::memcpy(kept, data, sizeof kept);
   initial_ = kept[5];
   started_ = true;
   if (comm->me != 0) return;  // a sum over ranks: the first one has it all
   plastic_work_ = kept[0], friction_ = kept[1], viscous_ = kept[2], wall_work_ = kept[3];
-  inserted_ = kept[4];
+  inserted_ = kept[4], adhesion_loss_ = kept[6];
 }
 
 }  // namespace plastigran

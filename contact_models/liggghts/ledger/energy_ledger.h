@@ -44,8 +44,11 @@ class EnergyLedger : public PluginFix {
     VISCOUS,             // taken by the normal dashpot
     WALL_WORK,           // put in by moving walls
     INSERTED,            // came with inserted particles, less what left with deleted ones
-    DRIFT,               // the first six - their sum at the start - wall work - inserted
+    DRIFT,               // the first six, surface and adhesion - their sum at the start - wall work
+                         // - inserted
     TANGENTIAL_SPRINGS,  // the part of friction that tangential springs hold at present
+    SURFACE,             // surface energy of the contacts, relative to separated bodies
+    ADHESION,            // lost where contacts with adhesion formed and broke
     ENTRIES
   };
 
@@ -69,7 +72,8 @@ class EnergyLedger : public PluginFix {
   void add(const Contact& contact, const AccountedLoad& on_i, const Load& on_j);
 
   // What a contact stores, and its tangential spring does [J].
-  void add_stored(const Contact& contact, double elastic_energy, double spring_energy);
+  void add_stored(const Contact& contact, double elastic_energy, double surface_energy,
+                  double spring_energy);
 
   // What these contacts store is not added, and will be asked for when an entry is.
   void defer(StoredEnergies& contacts) { deferred_ = &contacts; }
@@ -147,7 +151,7 @@ class EnergyLedger : public PluginFix {
 
   // What laws and tangential springs store.
   struct Stored {
-    double elastic = 0, springs = 0;
+    double elastic = 0, surface = 0, springs = 0;
   };
 
   // Of a contact's energies. One with a ghost is seen from its other side as well.
@@ -165,6 +169,7 @@ class EnergyLedger : public PluginFix {
   void end_set_up();
   void begin_without_set_up();  // of a run with `pre no`
   void add_plastic_work(const Contact& contact, double work, bool has_local_partner);
+  void add_adhesion_loss(const Contact& contact, double loss, bool has_local_partner);
   void add_dashpot(const Contact& contact, double force, bool has_local_partner);
   void add_wall(const Contact& contact, const AccountedLoad& on_i, const Vector& friction);
   void begin_pass();
@@ -173,7 +178,8 @@ class EnergyLedger : public PluginFix {
   double gravitational_energy() const;
   double mechanical_energy() const { return kinetic_energy() + gravitational_energy(); }
   double contact_energy() const {
-    return by_pairs_.elastic + by_walls_.elastic + plastic_work_ + plastic_work_of_run_0_;
+    return by_pairs_.elastic + by_walls_.elastic + by_pairs_.surface + by_walls_.surface +
+           plastic_work_ + plastic_work_of_run_0_ + adhesion_loss_ + adhesion_loss_of_run_0_;
   }
   double change_of_contacts() const;
   void report_change_of_contacts() const;
@@ -196,7 +202,9 @@ class EnergyLedger : public PluginFix {
 
   // Since the ledger was opened, on this rank.
   double plastic_work_ = 0, friction_ = 0, viscous_ = 0, wall_work_ = 0, inserted_ = 0;
-  double plastic_work_of_run_0_ = 0;  // of the last force computation, not in the sum above
+  double adhesion_loss_ = 0;
+  // Of the last force computation, not in the sums above.
+  double plastic_work_of_run_0_ = 0, adhesion_loss_of_run_0_ = 0;
   double before_ = 0;  // kinetic and gravitational energy when the particles were last known
   double contacts_before_ = 0;  // elastic energy and plastic work at the end of the last run
   bool acts_first_ = false;     // no fix that acts in pre_exchange() stands before this one
@@ -228,6 +236,7 @@ inline void EnergyLedger::add(const Contact& contact, const AccountedLoad& on_i,
     }
   }
   if (on_i.plastic_work != 0) add_plastic_work(contact, on_i.plastic_work, has_local_partner);
+  if (on_i.adhesion_loss != 0) add_adhesion_loss(contact, on_i.adhesion_loss, has_local_partner);
   if (on_i.dashpot_force != 0) add_dashpot(contact, on_i.dashpot_force, has_local_partner);
   if (contact.is_wall) add_wall(contact, on_i, friction);
 }

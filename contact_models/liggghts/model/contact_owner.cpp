@@ -2,6 +2,7 @@
 #include "liggghts/model/contact_owner.h"
 
 #include <numeric>
+#include <string_view>
 
 #include "contact_models.h"
 #include "fix_mesh_surface.h"
@@ -37,7 +38,11 @@ std::string ContactOwner::other_models() const {
   return text;
 }
 
-std::string ContactOwner::unsuitable_model(bool is_cylinder) const {
+bool ContactOwner::is_mesh_wall() const {
+  return is_wall_ && static_cast<FixWallGran*>(owner_)->is_mesh_wall();
+}
+
+std::string ContactOwner::unsuitable_model(bool is_cylinder, bool is_adhesive) const {
   std::string text;
   for (const CompanionKind& kind : companion_kinds())
     for (const Companion& companion : kind.models) {
@@ -45,6 +50,10 @@ std::string ContactOwner::unsuitable_model(bool is_cylinder) const {
       const std::string name = std::string(kind.keyword) + ' ' + companion.name;
       if (is_wall_ && name.find("easo") != std::string::npos)
         text = name + " on a wall takes the wall's velocity from some particle; leave it off here";
+      if (is_adhesive && std::string_view(kind.keyword) == "cohesion")
+        text = name + " adds to the adhesion of this law. Remove it from the line";
+      if (is_adhesive && name == "surface multicontact")
+        text = name + " is not supported with adhesion. Remove it from the line";
       const bool is_friction =
           name.rfind("tangential", 0) == 0 || name.rfind("rolling_friction", 0) == 0;
       if (is_cylinder && !is_friction)

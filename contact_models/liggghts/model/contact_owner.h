@@ -32,7 +32,9 @@ class ContactOwner {
   std::string other_models() const;
 
   // What is wrong with one of them beside ours, empty when nothing is.
-  std::string unsuitable_model(bool is_cylinder) const;
+  std::string unsuitable_model(bool is_cylinder, bool is_adhesive) const;
+
+  bool is_mesh_wall() const;
 
   // IDs of the engine's fixes that store what these contacts remember; none when they do not.
   std::vector<std::string> histories() const;

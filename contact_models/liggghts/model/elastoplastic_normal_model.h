@@ -11,11 +11,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <string>
 #include <type_traits>
 
 #include "liggghts/model/accounted_load.h"
 #include "liggghts/model/normal_model_setup.h"
 #include "plastigran/pairs/type_pair.h"
+#include "plastigran/shared/adhesion.h"
 #include "plastigran/shared/contact.h"
 #include "update.h"
 
@@ -32,7 +34,8 @@ class ElastoplasticNormalModel : public NormalModelSetup<Law> {
                 "a law's State consists of its named doubles");
 
   using Setup::checks_, Setup::damping_, Setup::history_offset_, Setup::pairs_, Setup::rates_,
-      Setup::settings_, Setup::setup_, Setup::smooth_friction_, Setup::update;
+      Setup::least_radius_eff_, Setup::settings_, Setup::setup_, Setup::smooth_friction_,
+      Setup::update;
 
  public:
   using Setup::Setup;
@@ -72,6 +75,8 @@ class ElastoplasticNormalModel : public NormalModelSetup<Law> {
     TypePair& pair = pairs_(contact.itype, contact.jtype);
     // Particles of these types may have been inserted since the check before the run.
     if (!pair.refusal.empty()) checks_.refuse(pair.refusal);
+    if constexpr (plastigran::lasts_apart<Law>)
+      if (radius_eff < least_radius_eff_) checks_.refuse(too_small(contact));
     // `run 0` moves no particle, so it does not change the history. Any other run writes the
     // history in its setup too, because the forces of the setup move the particles.
     const bool writes = contact.computeflag && (contact.shearupdate || update->nsteps > 0);
@@ -94,12 +99,20 @@ class ElastoplasticNormalModel : public NormalModelSetup<Law> {
 
     // A residual indentation carries no force and no friction. A tangential spring still needs a
     // stiffness while it is released: use the one of the undeformed sphere.
+    const bool carries =
+        plastigran::adhesive<Law> ? response.contact_radius > 0 : response.force > 0;
     const double contact_radius =
-        response.force > 0 ? response.contact_radius : std::sqrt(radius_eff * contact.deltan);
+        carries ? response.contact_radius : std::sqrt(radius_eff * std::abs(contact.deltan));
     const plastigran::Stiffness elastic = plastigran::elastic_stiffness(
         pair.law, pair.bodies.youngs_modulus_eff, pair.bodies.shear_modulus_eff, contact_radius);
     contact.kt = elastic.tangential;
-    contact.kn = contact.deltan > 0 ? response.force / contact.deltan : 0;  // secant
+    // What limits friction.
+    const double limiting =
+        response.force + plastigran::pull_off_force(pair.law, radius_eff, contact.deltan, state);
+    if constexpr (plastigran::adhesive<Law>)
+      contact.kn = contact.deltan != 0 && carries ? limiting / contact.deltan : 0;  // secant
+    else
+      contact.kn = contact.deltan > 0 ? response.force / contact.deltan : 0;  // secant
     contact.gamman = 0;
     // Friction without a spring is a viscous force, limited to mu F. Critical damping of the spring
     // that it replaces makes the limit the rule, and creep the exception.
@@ -112,9 +125,10 @@ class ElastoplasticNormalModel : public NormalModelSetup<Law> {
       contact.gamman = beta * std::sqrt(elastic.normal * contact.meff);
       if (settings_.tangential_damping && !smooth_friction_)
         contact.gammat = beta * std::sqrt(contact.kt * contact.meff);
-      force = std::max(0.0, force - contact.gamman * contact.vn);
+      force -= contact.gamman * contact.vn;
+      if (!plastigran::adhesive<Law>) force = std::max(0.0, force);
     }
-    contact.Fn = force;
+    contact.Fn = plastigran::adhesive<Law> ? (carries ? std::max(0.0, limiting) : 0) : force;
     if constexpr (counts_energies)
       i_forces.dashpot_force = force - response.force + response.viscous_force;
 
@@ -123,6 +137,14 @@ class ElastoplasticNormalModel : public NormalModelSetup<Law> {
       i_forces.delta_F[axis] += applied * contact.en[axis];
       if (!contact.is_wall) j_forces.delta_F[axis] -= applied * contact.en[axis];
     }
+  }
+
+  [[gnu::noinline]] static plastigran::Complaint too_small(const SurfacesIntersectData& contact) {
+    return plastigran::Complaint(
+        "a particle of radius " +
+        std::to_string(contact.is_wall ? contact.radi : std::min(contact.radi, contact.radj)) +
+        " is smaller than all particles before the run, for which the range of adhesion was set. "
+        "Do `run 0` after particles of new sizes were created");
   }
 
   // The state before this step, which the history holds until the end of the step.

@@ -11,6 +11,8 @@
 #ifndef PLASTIGRAN_NORMAL_MODEL_SETUP_H
 #define PLASTIGRAN_NORMAL_MODEL_SETUP_H
 
+#include <algorithm>
+#include <sstream>
 #include <string>
 
 #include "atom.h"
@@ -30,11 +32,13 @@
 #include "liggghts/model/line_settings.h"
 #include "liggghts/model/normal_model_settings.h"
 #include "liggghts/model/normal_models.h"
+#include "liggghts/model/radius_range.h"
 #include "liggghts/model/contact_rates.h"
 #include "liggghts/model/type_extremes.h"
 #include "neighbor.h"
 #include "plastigran/pairs/impact_forecast.h"
 #include "plastigran/pairs/type_pairs.h"
+#include "plastigran/shared/adhesion.h"
 #include "plastigran/shared/contact.h"
 #include "update.h"
 
@@ -81,6 +85,7 @@ class NormalModelSetup : public NormalModelBase {
     if (plastigran::yields<Law>) rates_.connect(deck, pairs_.rate_matters());
     checks_.begin(caller(), settings_.overlap_limit);
     prepare_forces(registry);
+    if constexpr (plastigran::lasts_apart<Law>) extend_contacts();
     report(deck);
     forecast_impacts(deck);
   }
@@ -95,7 +100,8 @@ class NormalModelSetup : public NormalModelBase {
   plastigran::ContactChecks<Law> checks_;
   int history_offset_ = 0;
   bool smooth_friction_ = false;
-  double** damping_ = nullptr;  // LIGGGHTS' beta(coefficientRestitution) of each type pair
+  double least_radius_eff_ = 0;  // contacts of smaller bodies are refused
+  double** damping_ = nullptr;   // LIGGGHTS' beta(coefficientRestitution) of each type pair
 
  private:
   typedef plastigran::DeckProperties DeckProperties;
@@ -111,8 +117,10 @@ class NormalModelSetup : public NormalModelBase {
 #endif
     if (is_cylinder && domain->dimension != 2)
       fail("it is for cylinders, the discs of a 2D deck (dimension 2); this deck is 3D");
-    const std::string unsuitable = owner_.unsuitable_model(is_cylinder);
+    const std::string unsuitable = owner_.unsuitable_model(is_cylinder, plastigran::adhesive<Law>);
     if (!unsuitable.empty()) fail(unsuitable);
+    if (plastigran::lasts_apart<Law> && owner_.is_mesh_wall())
+      fail("walls of meshes are not supported with adhesion. Use primitive walls");
   }
 
   // Adds the fix that checks motion and periodic sides.
@@ -159,6 +167,39 @@ class NormalModelSetup : public NormalModelBase {
     // Ask for surfacesClose() just outside contact, where the history is cleared: otherwise a pair
     // that parts and meets again before the next neighbour build would remember its dent.
     neighbor->register_contact_dist_factor(1.01);
+  }
+
+  // Makes LIGGGHTS call surfacesClose() as far apart as adhesion can keep two bodies in contact,
+  // twice that far, so that a contact ends before its bodies are out of sight.
+  void extend_contacts() {
+    if (pairs_.rate_matters())
+      fail("rateCoefficient is not supported with adhesion. Remove the property");
+    const plastigran::RadiusRange radii = plastigran::radius_range(lmp);
+    const double bodies = owner_.is_wall() ? 1 : 2, smallest = radii.smallest;
+    least_radius_eff_ = smallest / bodies * (1 - 1e-9);
+    if (radii.largest == 0) return;
+    double share = 0, distance = 0;
+    for (int type = 1; type <= pairs_.type_count(); ++type)
+      for (int other = 1; other <= pairs_.type_count(); ++other) {
+        const auto& pair = pairs_(type, other);
+        if (!pair.refusal.empty()) continue;
+        const auto pull_off = [&](double radius) {
+          return plastigran::pull_off_distance(pair.law, radius / bodies);
+        };
+        share = std::max(share, pull_off(smallest) / (bodies * smallest));
+        distance = std::max(distance, pull_off(radii.largest));
+      }
+    std::ostringstream text;
+    if (share > 0.2)
+      text << "the contact of the smallest particles, of radius " << smallest << ", lasts to a "
+           << "separation of " << share << " of their size; at most 0.2 is allowed. Reduce "
+           << "surfaceEnergy, or raise youngsModulus";
+    else if (owner_.is_wall() && neighbor->skin < distance)
+      text << "the neighbor skin is " << neighbor->skin << "; it must be at least " << distance
+           << ", the separation at which a contact with the wall breaks. Raise the skin in the "
+           << "neighbor command";
+    if (!text.str().empty()) fail(text.str());
+    neighbor->register_contact_dist_factor(1 + 2 * share);
   }
 
   // Once, on the first rank: what the deck gives and no model uses, or that looks like a slip, and

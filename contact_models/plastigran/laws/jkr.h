@@ -47,6 +47,12 @@ class Jkr {
     return -contact_.pull_off_overlap(radius_eff);
   }
 
+  PLASTIGRAN_DEVICE double pull_off_force(double radius_eff, double, const State&) const {
+    return contact_.pull_off_force(radius_eff);
+  }
+  const JkrContact& contact() const { return contact_; }
+  double unloading_radius(double radius_eff, const State&) const { return radius_eff; }
+
   PLASTIGRAN_DEVICE Response respond(double radius_eff, double overlap, State& state) const {
     if (state.in_contact == 0 && !(overlap > 0)) return {};
     if (!(overlap >= contact_.pull_off_overlap(radius_eff))) {

@@ -73,6 +73,9 @@ class Luding2008 {
     return {loading_, 2.0 / 7.0 * loading_};
   }
 
+  PLASTIGRAN_DEVICE double pull_off_force(double, double overlap, const State&) const {
+    return overlap > 0 ? adhesive_ * overlap : 0;
+  }
   PLASTIGRAN_DEVICE double plastic_work_in(const State& state) const { return state.plastic_work; }
 
   PLASTIGRAN_DEVICE Response respond(double radius_eff, double overlap, State& state) const {

@@ -53,6 +53,16 @@ class ThorntonNing1998 {
     return -contact_.pull_off_overlap(radius_eff);
   }
 
+  PLASTIGRAN_DEVICE double pull_off_force(double radius_eff, double, const State& state) const {
+    return contact_.pull_off_force(unloading_radius(radius_eff, state));
+  }
+  const JkrContact& contact() const { return contact_; }
+  PLASTIGRAN_DEVICE double unloading_radius(double radius_eff, const State& state) const {  // R_p*
+    if (state.contact_radius_max == 0) return radius_eff;
+    return flatten(radius_eff, yield_of(radius_eff, pressure_), std::sqrt(state.contact_radius_max))
+        .radius;
+  }
+
   PLASTIGRAN_DEVICE Response respond(double radius_eff, double overlap, State& state) const {
     return respond_stronger(1, radius_eff, overlap, state);
   }

@@ -48,12 +48,15 @@ class JkrContact {
       : modulus_(youngs_modulus_eff),
         pull_(std::sqrt(2 * pi * work_of_adhesion / youngs_modulus_eff)) {}
 
-  double modulus() const { return modulus_; }
+  PLASTIGRAN_DEVICE double modulus() const { return modulus_; }
   PLASTIGRAN_DEVICE double pull() const { return pull_; }  // c [m^(1/2)]
 
   // Overlap at which a contact of radius s^2 is in equilibrium.
   PLASTIGRAN_DEVICE double overlap(double radius_eff, double s) const {
     return (s * s * s / radius_eff - pull_) * s;
+  }
+  PLASTIGRAN_DEVICE double pull_off_force(double radius_eff) const {  // 3/2 pi Gamma R*
+    return 0.75 * modulus_ * pull_ * pull_ * radius_eff;
   }
   // Least overlap of a contact.
   PLASTIGRAN_DEVICE double pull_off_overlap(double radius_eff) const {
@@ -91,5 +94,37 @@ class JkrContact {
   double modulus_ = 0;  // E*
   double pull_ = 0;     // c
 };
+
+// Adds to the force in the Coulomb limit: the pull-off force, |T| <= mu (F + F_c) (Derjaguin 1934,
+// Z. Phys. 88:661; Luding 2008 with k_c overlap for F_c).
+template <class Law>
+PLASTIGRAN_DEVICE double pull_off_force([[maybe_unused]] const Law& law,
+                                        [[maybe_unused]] double radius_eff,
+                                        [[maybe_unused]] double overlap,
+                                        [[maybe_unused]] const typename Law::State& state) {
+  if constexpr (adhesive<Law>)
+    return law.pull_off_force(radius_eff, overlap, state);
+  else
+    return 0;
+}
+
+// Energy that is lost when a contact forms or breaks in a step from `before` to `now` [J].
+template <class Law>
+double lost_at_ends([[maybe_unused]] const Law& law, [[maybe_unused]] double radius_eff,
+                    [[maybe_unused]] const typename Law::State& before,
+                    [[maybe_unused]] const typename Law::State& now) {
+  if constexpr (lasts_apart<Law>) {
+    if (before.in_contact == now.in_contact) return 0;
+    const JkrContact contact = law.contact();
+    const double radius = law.unloading_radius(radius_eff, before);
+    const bool forms = now.in_contact != 0;
+    const double overlap = forms ? 0 : contact.pull_off_overlap(radius);
+    const Response end = contact.at(radius, contact.root(radius, overlap));
+    const double energy = end.elastic_energy + end.surface_energy;
+    return forms ? -energy : energy;
+  } else {
+    return 0;
+  }
+}
 
 }  // namespace plastigran

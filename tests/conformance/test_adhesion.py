@@ -1,0 +1,291 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Laws that attract, or are plastic from first touch, in LIGGGHTS: pairs and primitive walls."""
+
+from __future__ import annotations
+
+from math import pi
+from pathlib import Path
+
+import numpy as np
+import pandas as pd
+import pytest
+
+from plastigran import laws
+from plastigran.engine.dumps import read_dump
+from plastigran.engine.process import EngineError, run_deck
+from plastigran.physics import adhesion
+
+DECK = Path(__file__).parent / "decks" / "adhesion.in"
+RADIUS, DENSITY = 2.45e-6, 1350.0
+MASS = 4 / 3 * pi * RADIUS**3 * DENSITY
+GRAIN, PLANE = laws.Body(1.2e9, 0.3, 35.3e6, 1), laws.Body(182e9, 0.3)
+WALL, GRAINS = laws.combine(GRAIN, PLANE), laws.combine(GRAIN, GRAIN)
+CONSTANTS = {
+    "jkr": {"surface_energy": 0.2},
+    "thornton_ning_1998": {"surface_energy": 0.05},
+    "walton_braun": {"loading_stiffness": 1e3, "unloading_stiffness": 4e3},
+    "luding_2008": {
+        "loading_stiffness": 1e3,
+        "unloading_stiffness": 5e3,
+        "adhesive_stiffness": 500,
+        "plasticity_depth": 0.02,
+    },
+}
+BOX = "region box block -4e-5 4e-5 -4e-5 4e-5 -4e-5 4e-5 units box\ncreate_box 2 box\n"
+STRETCHED = ("jkr", "thornton_ning_1998")  # laws whose contacts last beyond zero overlap
+
+
+def property_lines(constants: dict[str, float]) -> str:
+    lines = []
+    for name, value in constants.items():
+        first, *rest = name.split("_")
+        keyword = first + "".join(word.capitalize() for word in rest)
+        lines.append(
+            f"fix {name} all property/global {keyword} peratomtypepair 2 {4 * f'{value} '}"
+        )
+    return "\n".join(lines) + "\n"
+
+
+def sphere(x: float, y: float, vx: float, radius: float = RADIUS, density: float = DENSITY) -> str:
+    """A line that creates a sphere, and two that set it; `@` is its atom ID."""
+    return (
+        f"create_atoms 1 single {x:.17g} {y:.17g} 0 units box\n"
+        f"set atom @ diameter {2 * radius:.17g} density {density:.17g}\n"
+        f"set atom @ vx {vx:.17g}\n"
+    )
+
+
+def run(law: str, folder: Path, bodies: list[str], commands: str, ranks: int = 1, **variables):
+    folder.mkdir(exist_ok=True)
+    text = "".join(body.replace("@", str(k)) for k, body in enumerate(bodies, 1))
+    constants = variables.pop("values", CONSTANTS.get(law, {}))
+    restart = variables.pop("restart", None)
+    for name, content in (
+        ("begin", f"read_restart {restart}\n" if restart else BOX),
+        ("bodies", "" if restart else text),
+        ("constants", property_lines(constants)),
+        ("commands", commands + "\n"),
+    ):
+        (folder / f"{name}.in").write_text(content)
+        variables[name] = (folder / f"{name}.in").resolve()
+    return run_deck(DECK, {"law": law, **variables}, folder, ranks=ranks)
+
+
+def table(folder: Path) -> pd.DataFrame:
+    return read_dump(folder / "trajectory.dump").drop_duplicates(["step", "id"])
+
+
+def law_of(name: str, pair: laws.MaterialPair = WALL) -> laws.Law:
+    return laws.LAWS[name](pair, **CONSTANTS[name])
+
+
+@pytest.mark.parametrize("law", CONSTANTS)
+def test_restitution_at_a_wall_is_that_of_the_law(law, tmp_path):
+    """At 10 speeds across sticking, for jkr the closed form. 1e-3 at half the recommended step."""
+    model = law_of(law)
+    speeds = np.geomspace(0.3, 6, 10)
+    bodies = [
+        sphere(-RADIUS * (1 + 1e-6), (k - 4.5) * 3 * RADIUS, speed)
+        for k, speed in enumerate(speeds)
+    ]
+    timestep = 0.5 * float(np.min(model.recommended_timestep(RADIUS, MASS, speeds)))
+    steps = int(5e-7 / timestep)  # the slowest rebound then is 1 % of the radius away
+    run(law, tmp_path, bodies, f"run {steps}", timestep=timestep, every=steps)
+    end = table(tmp_path)
+    end = end[end["step"] == steps].sort_values("id")
+    left = end["x"].to_numpy() < -1.01 * RADIUS
+    found = np.where(left, -end["vx"].to_numpy() / speeds, 0)
+    expected = model.central_impact(RADIUS, MASS, speeds).coefficient_of_restitution
+    assert found == pytest.approx(expected, abs=1e-3)
+    if law == "jkr":
+        sticking = adhesion.jkr_sticking_speed(0.2, RADIUS, WALL.youngs_modulus_eff, MASS)
+        assert 0 < (speeds < sticking).sum() < len(speeds)
+        closed = np.sqrt(np.maximum(0, 1 - (sticking / speeds) ** 2))
+        assert found == pytest.approx(closed, abs=1e-3)
+
+
+def touch_and_pull(law: str, folder: Path, bodies: list[str], **variables) -> pd.DataFrame:
+    """Press the first body against its partner to 0.004 R* in 40 steps, and pull it away in 160."""
+    commands = variables.pop(
+        "moves",
+        "unfix motion\n"
+        "fix motion all move linear 0 0 0\nrun 0\nunfix motion\n"
+        "fix press mover move linear 1 0 0\nrun 40\nunfix press\n"
+        "fix pull mover move linear -0.5 0 0\nrun 160",
+    )
+    run(law, folder, bodies, "group mover id 1\n" + commands, **variables)
+    return table(folder)
+
+
+@pytest.mark.parametrize("law", CONSTANTS)
+def test_pair_and_plane_follow_the_law(law, tmp_path):
+    """A grain is pressed and pulled off at a wall, and two grains of twice the radius likewise.
+
+    The force is that of the law at each step, to 1e-9 of the largest: positions are rounded to
+    1e-16 of 1e-5 m, which is 1e-13 of the overlap.
+    """
+    step = 0.004 * RADIUS / 40  # by speed 1 m/s
+    for name, bodies, pair in (
+        ("plane", [sphere(-RADIUS, 0, 0)], WALL),
+        (
+            "pair",
+            [
+                sphere(-16e-6 - 2 * RADIUS, 0, 0, 2 * RADIUS),
+                sphere(-16e-6 + 2 * RADIUS, 0, 0, 2 * RADIUS),
+            ],
+            GRAINS,
+        ),
+    ):
+        found = touch_and_pull(law, tmp_path / name, bodies, timestep=step)
+        mover = found[found["id"] == 1].sort_values("step")
+        contact_at = 0.0 if name == "plane" else -16e-6 + 2 * RADIUS
+        size = RADIUS if name == "plane" else 4 * RADIUS
+        overlap = size - (contact_at - mover["x"].to_numpy())
+        model = law_of(law, pair)
+        expected = model.follow(RADIUS, overlap, model.State())["force"]
+        scale = np.abs(expected).max()
+        assert -mover["fx"].to_numpy() == pytest.approx(expected, abs=1e-9 * scale)
+        if model.adhesive:
+            assert expected.min() < -0.05 * scale
+        if law in STRETCHED:
+            assert (overlap[expected < 0] < 0).any(), "the contact was not stretched"
+
+
+@pytest.mark.parametrize("law", STRETCHED)
+@pytest.mark.parametrize("geometry", ["plane", "pair"])
+@pytest.mark.parametrize(("ranks", "grid"), [(1, "1 1 1"), (2, "1 2 1"), (4, "2 2 1")])
+def test_a_stretched_contact_outlives_restarts_ranks_and_rebuilds(
+    law, geometry, ranks, grid, tmp_path
+):
+    """Pressed, stretched, then held: through a restart file and on any number of ranks.
+
+    The neighbor lists are rebuilt and the atoms sorted in every run, which would forget a contact
+    that LIGGGHTS does not see.
+    """
+    depth, model = 0.002 * RADIUS, law_of(law, WALL if geometry == "plane" else GRAINS)
+    radius_eff = RADIUS if geometry == "plane" else RADIUS / 2
+    path = np.linspace(depth, -model.pull_off_distance(radius_eff), 10001)
+    contact_radius = model.follow(radius_eff, path, model.State())["contact_radius"]
+    held_at = 0.7 * path[np.flatnonzero(contact_radius)[-1]]
+    assert held_at < 0, "the bodies overlap"
+    step = depth / 40  # by speed 1 m/s
+    back = round((depth - held_at) / step * 2)
+    bodies = [sphere(-RADIUS, 0, 0)]
+    if geometry == "pair":
+        bodies = [sphere(-2 * RADIUS - 3e-6, 0, 0), sphere(-3e-6, 0, 0)]
+    stretch = (
+        "unfix motion\nfix press mover move linear 1 0 0\nrun 40\nunfix press\n"
+        f"fix pull mover move linear -0.5 0 0\nrun {back}\nunfix pull\n"
+        f"write_restart {tmp_path.resolve()}/middle.restart\nrun 60"
+    )
+    run(
+        law,
+        tmp_path / "whole",
+        bodies,
+        "group mover id 1\n" + stretch,
+        ranks,
+        timestep=step,
+        grid=grid,
+    )
+    held = table(tmp_path / "whole").query("id == 1").sort_values("step")
+    force = -held["fx"].to_numpy()
+    assert force[-1] < 0, "the contact is lost"
+    assert force[-60:] == pytest.approx(force[-1], rel=1e-12)
+    run(
+        law,
+        tmp_path / "rest",
+        bodies,
+        "unfix motion\nrun 60",
+        ranks,
+        timestep=step,
+        grid=grid,
+        restart=tmp_path.resolve() / "middle.restart",
+    )
+    rest = table(tmp_path / "rest").query("id == 1").sort_values("step")
+    assert -rest["fx"].to_numpy() == pytest.approx(force[-1], rel=1e-12)
+
+
+@pytest.mark.parametrize("law", CONSTANTS)
+def test_the_energy_balance_closes(law, tmp_path):
+    """Ten impacts across sticking. 2e-3 of the energy: forces jump where contacts form and break,
+    which costs the integrator an error of first order in the step."""
+    speeds = np.geomspace(0.3, 6, 10)
+    bodies = [
+        sphere(-RADIUS * (1 + 1e-6), (k - 4.5) * 3 * RADIUS, speed)
+        for k, speed in enumerate(speeds)
+    ]
+    timestep = 0.5 * float(np.min(law_of(law).recommended_timestep(RADIUS, MASS, speeds)))
+    steps = int(60e-9 / timestep)
+    names = ["kinetic", "gravity", "elastic", "plastic", "friction", "viscous", "wallwork"]
+    names += ["inserted", "drift", "springs", "surface", "adhesion"]
+    columns = " ".join(f"f_energy_ledger[{k}]" for k in range(1, 13))
+    commands = (
+        f"thermo_style custom step {columns}\nthermo_modify norm no lost error format float %.12g\n"
+        f"thermo {max(1, steps // 100)}\nrun {steps}"
+    )
+    log = run(
+        law,
+        tmp_path,
+        bodies,
+        commands,
+        timestep=timestep,
+        every=steps,
+        options="energy_ledger on",
+    )
+    rows = [line.split() for line in log.splitlines()]
+    numbers = [row for row in rows if len(row) == 13 and row[0].isdigit()]
+    ledger = pd.DataFrame(np.array(numbers, float)[:, 1:], columns=names)
+    energy = ledger["kinetic"].iloc[0]
+    assert len(ledger) > 90
+    assert ledger["drift"].abs().max() < 2e-3 * energy
+    lasts = law in STRETCHED
+    assert (ledger["adhesion"].iloc[-1] > 1e-3 * energy) == lasts
+    assert (ledger["surface"].min() < -1e-3 * energy) == lasts
+    assert (ledger["plastic"].iloc[-1] > 0.05 * energy) == (law != "jkr")
+
+
+def test_friction_is_limited_by_force_and_pull_off_force(tmp_path):
+    """A grain without load slides at mu F_c: |T| <= mu (F + F_c)."""
+    law = law_of("jkr")
+    commands = "unfix motion\ngroup mover id 1\nfix slide mover move linear 0 1 0\nrun 2000"
+    step = 1e-12
+    resting = 8.3e-9  # overlap near zero force [m]
+    run(
+        "jkr",
+        tmp_path,
+        [sphere(-RADIUS + resting, 0, 0)],
+        commands,
+        timestep=step,
+        tangential="history",
+    )
+    found = table(tmp_path).query("id == 1").sort_values("step")
+    pull_off = 1.5 * pi * 0.2 * RADIUS
+    force = law.respond(RADIUS, resting).force
+    assert abs(force) < 0.2 * pull_off
+    assert found["fy"].abs().iloc[-1] == pytest.approx(0.3 * (force + pull_off), rel=1e-9)
+
+
+BAD = {
+    "surfaceEnergy is missing": ("jkr", {"values": {}}),
+    "surfaceEnergy is -1; it must be between 0 and 1000": (
+        "jkr",
+        {"values": {"surface_energy": -1}},
+    ),
+    "unloadingStiffness must be at least loadingStiffness": (
+        "walton_braun",
+        {"values": {"loading_stiffness": 2e3, "unloading_stiffness": 1e3}},
+    ),
+    "the neighbor skin is 1e-09; it must be at least": ("jkr", {"skin": 1e-9}),
+    "cohesion sjkr adds to the adhesion of this law. Remove it": (
+        "jkr",
+        {"models": "cohesion sjkr"},
+    ),
+    "contact of the smallest particles": ("jkr", {"values": {"surface_energy": 900}}),
+}
+
+
+@pytest.mark.parametrize("message", BAD)
+def test_impossible_decks_are_refused(message, tmp_path):
+    law, variables = BAD[message]
+    with pytest.raises(EngineError, match=message):
+        run(law, tmp_path, [sphere(-2 * RADIUS, 0, 0)], "run 1", **variables)
