@@ -104,8 +104,8 @@ def dissipated(series: pd.DataFrame) -> pd.Series:
 
 def since_first(series: pd.DataFrame) -> pd.DataFrame:
     """Return the series with time [s] and accumulated terms [J] counted from its first row."""
-    counted = [*FLOWS, "time"]
-    return series.assign(**{name: series[name] - series[name].iloc[0] for name in counted})
+    accumulated = [*FLOWS, "time"]
+    return series.assign(**{name: series[name] - series[name].iloc[0] for name in accumulated})
 
 
 def ledger_checks(series: pd.DataFrame, limit: float = LEDGER) -> list[Check]:
@@ -115,18 +115,18 @@ def ledger_checks(series: pd.DataFrame, limit: float = LEDGER) -> list[Check]:
         series: Terms of inputs/energy_ledger.in [J], one row per line of the log.
         limit: Largest balance error as a fraction of the energy input.
     """
-    came_in = energy_input(series)
+    total = energy_input(series)
     plastic = series["plastic"]
     return [
         Check(
             LEDGER_CHECKS[0],
-            series["drift"].abs().max() / came_in,
+            series["drift"].abs().max() / total,
             limit,
             "every impact at the largest error of the integrator for this time step",
         ),
         Check(
             LEDGER_CHECKS[1],
-            (plastic.cummax() - plastic).max() / came_in,
+            (plastic.cummax() - plastic).max() / total,
             1e-12,
             "plastic work never decreases, to round-off of its sum over ranks",
         ),
@@ -154,5 +154,5 @@ def count_check(series: pd.DataFrame, count: float) -> Check:
         series: Column `atoms`, one row per line of the log.
         count: Expected number of grains.
     """
-    lost = (series["atoms"] - count).abs().max()
-    return Check("grains lost or gained", lost, 0, "walls and periodic sides keep all grains")
+    difference = (series["atoms"] - count).abs().max()
+    return Check("grains lost or gained", difference, 0, "walls and periodic sides keep all grains")

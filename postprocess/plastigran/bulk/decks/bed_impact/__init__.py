@@ -15,7 +15,6 @@ from plastigran.bulk.decks.bed_impact.figure import bed_figure, plate_figure
 from plastigran.bulk.decks.bed_impact.measurement import (
     measure_shots,
     plastic_work_by_depth,
-    predicted_rebound,
     read_grains_dump,
 )
 from plastigran.declared import number, require, whole, word
@@ -90,24 +89,22 @@ class BedImpact(GranularDeck):
         shot = measure_shots(
             grains.iloc[int(self.derived("bed")) :], self.radius, self.gravitational_acceleration
         )
-        law = self.grains.contact_law()
-        shot["rebound_predicted"] = predicted_rebound(
-            law, self.radius, self.grains.mass, shot["impact_speed"]
-        )
-        return shot
+        speed = shot["impact_speed"].to_numpy()
+        impact = self.grains.contact_law().central_impact(self.radius, self.grains.mass, speed)
+        return shot.assign(rebound_predicted=speed * impact.coefficient_of_restitution)
 
     def analyse(self, series: pd.DataFrame) -> Analysis:
         """Analyse the impact part of the run; arguments as for `BulkDeck.analyse`."""
         table = since_first(series)  # when the shots start
         grains = read_grains_dump(self.output / "grains.dump")
         shot = self.shots(grains)
-        of_grains, in_all = grains["plastic_work"].sum(), table["plastic"].iloc[-1]
+        sum_over_grains, total = grains["plastic_work"].sum(), table["plastic"].iloc[-1]
         checks = [
             count_check(table, self.derived("grains")),
             *self.ledger_checks(table),
             Check(
                 "plastic work of the grains compared with the energy balance, relative",
-                abs(of_grains - in_all) / max(in_all, 1e-300),
+                abs(sum_over_grains - total) / max(total, 1e-300),
                 STEP,
                 "the same work, summed by grain and in total, except for one step of pouring",
             ),
@@ -116,11 +113,10 @@ class BedImpact(GranularDeck):
             checks += plate_checks(shot, self.grains.mass, table["plastic"] + table["viscous"])
             figure = plate_figure(shot)
         else:
-            before = grains["z_before"].iloc[int(self.derived("bed")) :]
-            by_depth = plastic_work_by_depth(
-                grains, before.min() - 2 * self.radius, 2 * self.radius
-            )
-            figure = bed_figure(shot, by_depth, 2 * self.radius)
+            lowest_shot = grains["z_before"].iloc[int(self.derived("bed")) :].min()
+            diameter = 2 * self.radius
+            by_depth = plastic_work_by_depth(grains, lowest_shot - diameter, diameter)
+            figure = bed_figure(shot, by_depth, diameter)
         return Analysis(table, checks, {"bed_impact": figure, **self.ledger_figure(table)})
 
 

@@ -49,12 +49,12 @@ def measure_shots(
     fall = 2 * gravitational_acceleration * (shot["z_before"] - surface)
     rise = 2 * gravitational_acceleration * (shot["z"] - surface)
     speed = np.sqrt(shot["vz"] ** 2 + rise.clip(lower=0))
-    come_back = (shot["z"] > surface) & (shot["touching"] == 0)
-    come_back &= (shot["vz"] > 0) | (gravitational_acceleration > 0)
+    rebounded = (shot["z"] > surface) & (shot["touching"] == 0)
+    rebounded &= (shot["vz"] > 0) | (gravitational_acceleration > 0)
     return pd.DataFrame(
         {
             "impact_speed": np.sqrt(shot["vz_before"] ** 2 + fall),
-            "rebound_speed": speed.where(come_back, 0.0),
+            "rebound_speed": speed.where(rebounded, 0.0),
             "plastic_work": shot["plastic_work"],
         }
     )
@@ -74,16 +74,3 @@ def plastic_work_by_depth(grains: pd.DataFrame, surface: float, diameter: float)
     layer = np.floor((surface - grains["z"]) / diameter).clip(lower=0)
     work = grains["plastic_work"].groupby(layer).sum()
     return pd.DataFrame({"depth": (work.index + 0.5) * diameter, "plastic_work": work.to_numpy()})
-
-
-def predicted_rebound(law, radius: float, mass: float, speeds: pd.Series) -> np.ndarray:
-    """Return v e(v) of central impacts on a plate of the same material [m/s], one per speed.
-
-    Args:
-        law: Law of `plastigran.laws` between the two bodies.
-        radius: Radius of a shot [m].
-        mass: Mass of a shot [kg].
-        speeds: Impact speeds (n,) [m/s].
-    """
-    speeds = np.asarray(speeds)
-    return speeds * law.central_impact(radius, mass, speeds).coefficient_of_restitution

@@ -3,18 +3,18 @@
 
 from __future__ import annotations
 
-from math import radians
+from math import cos, radians, sin
 from typing import ClassVar
 
 import attrs
 import numpy as np
 import pandas as pd
+from scipy.integrate import cumulative_trapezoid
 from scipy.stats import linregress
 
 from plastigran.bulk.checks import Check, count_check, dissipated, trapezia_factor
 from plastigran.bulk.deck import Analysis, Brief, FlowDeck
 from plastigran.bulk.decks.chute.figure import chute_figure
-from plastigran.bulk.decks.chute.measurement import add_mechanics
 from plastigran.declared import number, whole
 from plastigran.engine.dumps import read_dump
 from plastigran.physics.bagnold import Profile, fit_profile
@@ -50,7 +50,7 @@ class Chute(FlowDeck):
 
     def analyse(self, series: pd.DataFrame) -> Analysis:
         """Analyse profile and power of the flow; arguments as for `BulkDeck.analyse`."""
-        series = add_mechanics(series, radians(self.angle), self.gravitational_acceleration)
+        series = self.with_weight(series)
         steady = series[series["time"] >= self.settling]
         grains = read_dump(self.output / "grains.dump")
         grains = grains[grains["step"] >= steady["step"].iloc[0]]
@@ -60,6 +60,24 @@ class Chute(FlowDeck):
             checks += [*self.ledger_checks(series), *self.power_checks(series, steady)]
         figure = chute_figure(series, grains, profile, self.settling)
         return Analysis(series, checks, {"chute": figure, **self.ledger_figure(series)})
+
+    def with_weight(self, series: pd.DataFrame) -> pd.DataFrame:
+        """Return the series with potential energy and power of the weight.
+
+        Args:
+            series: Columns time [s], mass [kg], z [m] and speed [m/s] of the center of mass.
+
+        Returns:
+            The series with `gravity_predicted` [J], the change of potential energy, and
+            `weight_power` [W], m g v sin(angle).
+        """
+        angle, weight = radians(self.angle), self.gravitational_acceleration * series["mass"]
+        along = cumulative_trapezoid(series["speed"], series["time"], initial=0)
+        up = series["z"] - series["z"].iloc[0]
+        return series.assign(
+            gravity_predicted=weight * (cos(angle) * up - sin(angle) * along),
+            weight_power=weight * sin(angle) * series["speed"],
+        )
 
     def power_checks(self, series: pd.DataFrame, steady: pd.DataFrame) -> list[Check]:
         """Check the work of the weight, and its power against dissipation.

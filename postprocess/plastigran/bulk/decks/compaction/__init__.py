@@ -98,11 +98,11 @@ class Compaction(GranularDeck):
 def energy_checks(table: pd.DataFrame, loop: Loop) -> list[Check]:
     """Check the work of the punch against the energy balance, and that the stroke is slow."""
     loaded = table[table["pressure"] > LOADED * loop.pressure]
-    missed = (table["wallwork"] - table["punch_work"]).abs().max() / table["wallwork"].max()
+    difference = (table["wallwork"] - table["punch_work"]).abs().max() / table["wallwork"].max()
     return [
         Check(
             "work of the punch compared with force times travel, relative",
-            missed,
+            difference,
             HUNDRED_ROWS * max(1, 100 / len(table)) ** 2,
             f"trapezoids between {len(table)} rows",
         ),

@@ -7,13 +7,14 @@ from math import atan, degrees, pi
 from typing import ClassVar
 
 import attrs
+import numpy as np
 import pandas as pd
+from scipy.integrate import cumulative_trapezoid
 from scipy.stats import linregress
 
 from plastigran.bulk.checks import Check, count_check, dissipated, trapezia_factor
 from plastigran.bulk.deck import Analysis, Brief, FlowDeck
 from plastigran.bulk.decks.drum.figure import drum_figure
-from plastigran.bulk.decks.drum.measurement import add_mechanics
 from plastigran.bulk.folder import SPECTRA
 from plastigran.declared import number, require, word
 from plastigran.engine.dumps import read_dump
@@ -71,7 +72,7 @@ class Drum(FlowDeck):
 
     def analyse(self, series: pd.DataFrame) -> Analysis:
         """Analyse angle and wall work; arguments as for `BulkDeck.analyse`."""
-        series = add_mechanics(series, self.angular_velocity, self.gravitational_acceleration)
+        series = self.with_angle(series)
         steady = series[series["time"] >= self.settled]
         dump = read_dump(self.output / "grains.dump")
         last = dump[dump["step"] == dump["step"].max()]
@@ -85,6 +86,27 @@ class Drum(FlowDeck):
                 {label: partner_spectra(table, name) for name, label in QUANTITIES.items()}
             )
         return Analysis(series, checks, {**figures, **self.ledger_figure(series)})
+
+    def with_angle(self, series: pd.DataFrame) -> pd.DataFrame:
+        """Return the series with revolutions, the angle of the bed, and the work of the wall.
+
+        Args:
+            series: Columns time [s], mass [kg], x, z [m] of the center of mass, and momentum, the
+                angular momentum about the axis [kg m^2/s].
+
+        Returns:
+            The series with `revolutions`; `angle`, the inclination of the line from the axis to the
+            center of mass [degrees]; and `wallwork_predicted`, the work of the torque that balances
+            the weight and changes the angular momentum of the bed [J].
+        """
+        torque = self.gravitational_acceleration * series["mass"] * series["x"]
+        impulse = cumulative_trapezoid(torque, series["time"], initial=0)
+        momentum = series["momentum"] - series["momentum"].iloc[0]
+        return series.assign(
+            revolutions=series["time"] / (2 * pi / self.angular_velocity),
+            angle=np.degrees(np.arctan2(series["x"], -series["z"])),
+            wallwork_predicted=self.angular_velocity * (impulse + momentum),
+        )
 
     def angle_checks(self, steady: pd.DataFrame) -> list[Check]:
         """Check that the mean angle is between zero and what friction can hold.
@@ -128,14 +150,14 @@ class Drum(FlowDeck):
             )
         ]
         if self.rolling_friction == "off":
-            missed = (series["wallwork"] - series["wallwork_predicted"]).abs().max()
+            difference = (series["wallwork"] - series["wallwork_predicted"]).abs().max()
             trapezia = trapezia_factor(
                 series["time"], 2 * self.radius, self.gravitational_acceleration
             )
             checks.append(
                 Check(
                     "difference between work of the wall and lever arm of the weight, relative",
-                    missed / series["wallwork"].abs().max(),
+                    difference / series["wallwork"].abs().max(),
                     LEVER_ARM * trapezia,
                     "m g x omega and the change of angular momentum, integrated over lines of the "
                     "log",

@@ -74,16 +74,9 @@ class Hopper(GranularDeck):
 
     def discharge(self, series: pd.DataFrame) -> Discharge | None:
         """Return the steady discharge of a series from the opening of the orifice, or None."""
-        diameter = 2 * self.radius
-        return measure_discharge(
-            series,
-            float(self.orifice) * 2 * self.radius,
-            diameter,
-            self.density,
-            self.gravitational_acceleration,
-            self.beverloo_coefficient,
-            self.empty_annulus,
-        )
+        orifice, diameter = float(self.orifice) * 2 * self.radius, 2 * self.radius
+        bed = orifice, diameter, self.density, self.gravitational_acceleration
+        return measure_discharge(series, *bed, self.beverloo_coefficient, self.empty_annulus)
 
     def analyse(self, series: pd.DataFrame) -> Analysis:
         """Analyse the discharge; arguments as for `BulkDeck.analyse`."""
