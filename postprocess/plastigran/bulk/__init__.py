@@ -29,7 +29,7 @@ from plastigran.engine.deck import deck_name
 
 
 class _Package(ModuleType):
-    """Class of this module; calling the module runs a deck."""
+    """Class of this module, which can be called to run a deck."""
 
     def __call__(
         self,

@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Checks of bulk decks, and checks that several decks share."""
+"""Checks that several bulk decks share.
+
+A `series` has one row per line of the log, and the energy terms of inputs/energy_ledger.in [J].
+"""
 
 from __future__ import annotations
 
@@ -59,15 +62,11 @@ def range_checks(excess: dict[str, float]) -> list[Check]:
     Args:
         excess: For each law, its largest overlap divided by the largest of its range.
     """
+    reason = "beyond the range the law's fit does not hold; check units, softness and time step"
     return [
-        Check(
-            f"largest overlap, divided by the largest of {law}'s range",
-            furthest,
-            EXCESS,
-            "beyond the range the law's fit does not hold; check units, softness and time step",
-        )
-        for law, furthest in excess.items()
-        if furthest > EXCESS
+        Check(f"largest overlap, divided by the largest of {law}'s range", ratio, EXCESS, reason)
+        for law, ratio in excess.items()
+        if ratio > EXCESS
     ]
 
 
@@ -75,30 +74,19 @@ def energy_input(series: pd.DataFrame) -> float:
     """Return the energy input by gravity, walls, inserted grains and initial motion [J].
 
     It is the largest sum of kinetic, stored and dissipated energy.
-
-    Args:
-        series: Terms of inputs/energy_ledger.in [J], one row per line of the log.
     """
     return float(series[ENERGIES].sum(axis="columns").max())
 
 
 def last_simulation(series: pd.DataFrame) -> pd.DataFrame:
-    """Return the rows since the last `clear` command; all rows if there is none.
-
-    Args:
-        series: Series of a run, with column `simulation` if the deck has `clear`.
-    """
+    """Return the rows since the last `clear` command, by the column `simulation` if it exists."""
     if "simulation" not in series:
         return series
     return series[series["simulation"] == series["simulation"].iloc[-1]]
 
 
 def dissipated(series: pd.DataFrame) -> pd.Series:
-    """Return the energy dissipated by yielding, friction and viscosity [J].
-
-    Args:
-        series: These terms of inputs/energy_ledger.in [J].
-    """
+    """Return the energy dissipated by yielding, friction and viscosity [J]."""
     return series[DISSIPATED].sum(axis="columns")
 
 
@@ -112,11 +100,10 @@ def ledger_checks(series: pd.DataFrame, limit: float = LEDGER) -> list[Check]:
     """Check that the energy balance closes, and that plastic work never decreases.
 
     Args:
-        series: Terms of inputs/energy_ledger.in [J], one row per line of the log.
+        series: Terms of the energy balance [J].
         limit: Largest balance error as a fraction of the energy input.
     """
-    total = energy_input(series)
-    plastic = series["plastic"]
+    total, plastic = energy_input(series), series["plastic"]
     return [
         Check(
             LEDGER_CHECKS[0],
@@ -148,11 +135,6 @@ def trapezia_factor(time: pd.Series, diameter: float, gravitational_acceleration
 
 
 def count_check(series: pd.DataFrame, count: float) -> Check:
-    """Check that no grain is lost or gained.
-
-    Args:
-        series: Column `atoms`, one row per line of the log.
-        count: Expected number of grains.
-    """
+    """Check that the column `atoms` always has the expected number of grains."""
     difference = (series["atoms"] - count).abs().max()
     return Check("grains lost or gained", difference, 0, "walls and periodic sides keep all grains")

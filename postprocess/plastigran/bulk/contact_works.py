@@ -48,9 +48,7 @@ def plastic_works(
         rate, because then one value of the history is not enough.
     """
     law = grains.contact_law()
-    radius_eff, overlap, memory = (
-        np.asarray(array, dtype=float) for array in (radius_eff, overlap, memory)
-    )
+    radius_eff, overlap, memory = (np.asarray(a, float) for a in (radius_eff, overlap, memory))
     if not type(law).yields:
         return np.zeros(overlap.shape)
     if grains.material.rate_coefficient:

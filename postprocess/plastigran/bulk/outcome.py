@@ -74,8 +74,8 @@ class BulkRun:
         state = "finished" if self.finished else "not finished"
         if failed := self.analysis.failed:
             state += f", failed: {'; '.join(check.name for check in failed)}"
-        elif self.analysis.checks:
-            state += f", {len(self.analysis.checks)} checks passed"
+        elif checks := self.analysis.checks:
+            state += f", {len(checks)} checks passed"
         if self.notes:
             state += ", not all measured: see notes"
         return f"<run of {self.name} in {self.folder}: {len(self.series)} rows, {state}>"
