@@ -60,9 +60,9 @@ def test_command_names_the_shot_that_is_late(tmp_path, capsys):
     values = [f"{name}={value}" for name, value in (FEW | {"duration": 0.004}).items()]
     line = ["bulk", "bed_impact", "--output", str(tmp_path / "run"), "-v", *values]
     assert main(line) == 1
-    said = capsys.readouterr()
-    assert "shots that have not left the plate" in said.err and str(tmp_path) in said.err
-    assert "NO  shots that have not left the plate: " in said.out
+    message = capsys.readouterr()
+    assert "shots that have not left the plate" in message.err and str(tmp_path) in message.err
+    assert "NO  shots that have not left the plate: " in message.out
     assert (tmp_path / "run" / "checks.csv").exists()
     assert (tmp_path / "run" / "figures" / "bed_impact.png").exists()
 
@@ -102,7 +102,7 @@ def test_free_flight_is_taken_back():
     surface, and one that lies on another, have not come back."""
     shot = pd.DataFrame({"z": [0.101, 0.0005, 0.003], "vz": [(4 - 0.2 * 9.81) ** 0.5, 0.0, 0.0]})
     shot = shot.assign(z_before=0.002, vz_before=-1.0, plastic_work=3.0, touching=[0, 1, 1])
-    found = measure_shots(shot, 1e-3, 9.81)
-    assert found["rebound_speed"].tolist() == pytest.approx([2, 0, 0])
-    assert found["impact_speed"].tolist() == pytest.approx([(1 + 0.002 * 9.81) ** 0.5] * 3)
-    assert found["plastic_work"].tolist() == [3, 3, 3]
+    measured = measure_shots(shot, 1e-3, 9.81)
+    assert measured["rebound_speed"].tolist() == pytest.approx([2, 0, 0])
+    assert measured["impact_speed"].tolist() == pytest.approx([(1 + 0.002 * 9.81) ** 0.5] * 3)
+    assert measured["plastic_work"].tolist() == [3, 3, 3]

@@ -42,10 +42,10 @@ def course(rate: float, packing: float = 0.6, last: float = 1.5) -> pd.DataFrame
 
 def test_steady_rate_is_found():
     """Neither start nor end enters, and a discharge without scatter has no error."""
-    found = measure_discharge(course(800.0), 0.08, DIAMETER, DENSITY, GRAVITY, *SPHERES)
-    assert found.rate == pytest.approx(800 * MASS, rel=1e-9)
-    assert found.rate_error < 1e-9 * found.rate
-    assert found.bulk_density == pytest.approx(900)
+    discharge = measure_discharge(course(800.0), 0.08, DIAMETER, DENSITY, GRAVITY, *SPHERES)
+    assert discharge.rate == pytest.approx(800 * MASS, rel=1e-9)
+    assert discharge.rate_error < 1e-9 * discharge.rate
+    assert discharge.bulk_density == pytest.approx(900)
 
 
 def test_change_of_the_rate_is_told_from_scatter():
@@ -54,9 +54,9 @@ def test_change_of_the_rate_is_told_from_scatter():
     # It runs from 51 grains out to 500.
     half = series["counted"].between(275, 500)
     series.loc[half, "counted"] = 275 + 0.9 * (series.loc[half, "counted"] - 275)
-    found = measure_discharge(series, 0.08, DIAMETER, DENSITY, GRAVITY, *SPHERES)
-    assert found.change == pytest.approx(-80 * MASS, rel=0.05)  # a row off the middle
-    assert abs(found.change) > 4 * found.change_error
+    discharge = measure_discharge(series, 0.08, DIAMETER, DENSITY, GRAVITY, *SPHERES)
+    assert discharge.change == pytest.approx(-80 * MASS, rel=0.05)  # a row off the middle
+    assert abs(discharge.change) > 4 * discharge.change_error
     steady = measure_discharge(course(800.0), 0.08, DIAMETER, DENSITY, GRAVITY, *SPHERES)
     assert abs(steady.change) < 1e-9 * steady.rate
 
@@ -69,8 +69,8 @@ def test_scatter_is_in_the_error():
         series = course(800.0)
         steps = rng.poisson(np.diff(series["counted"], prepend=0))
         series["counted"] = np.cumsum(steps)
-        found = measure_discharge(series, 0.08, DIAMETER, DENSITY, GRAVITY, *SPHERES)
-        ratios.append([found.rate / MASS / 800 - 1, found.rate_error / found.rate])
+        discharge = measure_discharge(series, 0.08, DIAMETER, DENSITY, GRAVITY, *SPHERES)
+        ratios.append([discharge.rate / MASS / 800 - 1, discharge.rate_error / discharge.rate])
     off, error = np.array(ratios).T
     # About 440 grains are in the steady part: 0.048. A fitted line scatters somewhat more (6/5 in
     # variance) than the mean of blocks does; 100 runs know it to a tenth.
@@ -98,9 +98,9 @@ def discharges(coefficient: float, annulus: float) -> list[Discharge]:
 
 
 def test_constants_are_recovered():
-    found = fit_constants(discharges(0.5, 1.7))
-    assert found.coefficient == pytest.approx(0.5, rel=1e-6)
-    assert found.empty_annulus == pytest.approx(1.7, rel=1e-6)
+    fit = fit_constants(discharges(0.5, 1.7))
+    assert fit.coefficient == pytest.approx(0.5, rel=1e-6)
+    assert fit.empty_annulus == pytest.approx(1.7, rel=1e-6)
 
 
 def test_constants_need_three_orifices():

@@ -78,10 +78,10 @@ def test_a_checksum_that_cannot_be_written_stops_no_run(copied):
         file.unlink()
         (copied / f"{file.name}.new").mkdir()
     writer = ChecksumWriter(copied)
-    with pytest.warns(UserWarning, match="no checksum is written: Is a directory") as said:
+    with pytest.warns(UserWarning, match="no checksum is written: Is a directory") as message:
         writer.update()
         writer.update()
-    assert len(said) == 1
+    assert len(message) == 1
 
 
 def test_a_damaged_checkpoint_named_from_the_decks_folder_is_refused(copied, tmp_path):

@@ -86,7 +86,7 @@ def test_results_are_not_overwritten_unless_forced(whole, tmp_path, monkeypatch)
 
 
 @pytest.mark.parametrize(
-    ("file", "damage", "said"),
+    ("file", "damage", "message"),
     [
         ("run.json", lambda text: text.replace('"radius"', '"width"'), "run.json: .* radius"),
         ("log.liggghts", lambda text: None, "holds no log.liggghts"),
@@ -96,12 +96,12 @@ def test_results_are_not_overwritten_unless_forced(whole, tmp_path, monkeypatch)
         ("before.csv", lambda text: "", "before.csv is damaged: No columns"),
     ],
 )
-def test_a_damaged_folder_is_said(file, damage, said, whole, tmp_path):
+def test_a_damaged_folder_is_said(file, damage, message, whole, tmp_path):
     """By folder and file."""
     folder = tmp_path / "run"
     shutil.copytree(whole, folder)
     path = folder / file
     left = damage(path.read_text() if path.exists() else "")
     path.unlink() if left is None else path.write_text(left)
-    with pytest.raises((DumpError, EngineError), match=f"{folder}.*{said}"):
+    with pytest.raises((DumpError, EngineError), match=f"{folder}.*{message}"):
         pg.open(folder)

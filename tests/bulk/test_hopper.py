@@ -25,8 +25,8 @@ def test_discharge_follows_beverloo(discharged):
     assert discharged.passed and len(discharged.checks) == 5
     assert any("Beverloo" in name for name in discharged.checks["name"])
     series = discharged.series
-    found = discharged.deck.discharge(series)
-    assert found.rate_error < 0.05 * found.rate
+    discharge = discharged.deck.discharge(series)
+    assert discharge.rate_error < 0.05 * discharge.rate
     assert series["counted"].iloc[-1] > 0.5 * series["atoms"].iloc[0]
     # Spheres at rest: from loose with much friction to dense, some hundredths denser for softness.
     assert 0.54 < series["packing"].iloc[0] < 0.67

@@ -28,22 +28,22 @@ def test_constant_restitution_is_haffs_law(e):
     gas, start = Gas(RADIUS, 0.2, constant(e), 1000), 3.0
     rate = float(gas.collision_rate(start))
     times = np.linspace(0, 300, 40) / rate
-    found = cool(gas, start, times)
+    course = cool(gas, start, times)
     expected = start / (1 + times * (1 - e**2) * rate / 6) ** 2
-    assert found["temperature"].to_numpy() == pytest.approx(expected, rel=1e-5)
+    assert course["temperature"].to_numpy() == pytest.approx(expected, rel=1e-5)
     assert haff(start, gas.cooling_rate(start), times) == pytest.approx(expected, rel=1e-6)
     # Impacts so far: the rate goes with T^(1/2), so its integral is a logarithm.
     tau = 6 / ((1 - e**2) * rate)
-    assert found["collisions"].to_numpy() == pytest.approx(
+    assert course["collisions"].to_numpy() == pytest.approx(
         rate * tau * np.log1p(times / tau), rel=1e-5
     )
 
 
 def test_elastic_gas_keeps_its_energy_and_is_certain():
     gas = Gas(RADIUS, 0.2, constant(1.0), 1000)
-    found = cool(gas, 3.0, [0.0, 1.0])
-    assert found["temperature"].iloc[-1] == pytest.approx(3.0, rel=1e-12)
-    assert found["temperature_error"].iloc[-1] == 0
+    course = cool(gas, 3.0, [0.0, 1.0])
+    assert course["temperature"].iloc[-1] == pytest.approx(3.0, rel=1e-12)
+    assert course["temperature_error"].iloc[-1] == 0
 
 
 @pytest.mark.parametrize("temperature", [10.0, 1.0, 0.1, 0.02])
@@ -70,8 +70,8 @@ def test_collision_rate_in_the_dilute_limit():
     number_density = phi / (4 / 3 * pi * RADIUS**3)
     free_path = 1 / (2**0.5 * pi * (2 * RADIUS) ** 2 * number_density)
     expected = (8 * temperature / pi) ** 0.5 / free_path
-    found = Gas(RADIUS, phi, constant(1.0), 1000).collision_rate(temperature)
-    assert found == pytest.approx(expected, rel=1e-8)
+    rate = Gas(RADIUS, phi, constant(1.0), 1000).collision_rate(temperature)
+    assert rate == pytest.approx(expected, rel=1e-8)
 
 
 def test_contact_value_has_the_hard_spheres_virial_coefficients():
@@ -101,16 +101,16 @@ def test_statistical_error_goes_with_the_number_of_grains():
 
 
 @pytest.mark.parametrize(
-    ("change", "said"),
+    ("change", "message"),
     [
         ({"radius": -1.0}, "radius is -1.0 m"),
         ({"volume_fraction": 0.6}, "volume_fraction is 0.6; it must lie between 0 and 0.494"),
         ({"count": 1}, "count is 1; a gas needs 2"),
     ],
 )
-def test_impossible_gases_are_refused(change, said):
+def test_impossible_gases_are_refused(change, message):
     grains = {"radius": RADIUS, "volume_fraction": 0.1, "restitution": yielding, "count": 10}
-    with pytest.raises(ValueError, match=said):
+    with pytest.raises(ValueError, match=message):
         Gas(**grains | change)
 
 

@@ -170,9 +170,9 @@ def test_interrupt_stops_every_rank_and_keeps_what_is_written(start, ranks, sent
     run = start(tmp_path / "run", ranks)
     assert len(engines(tmp_path / "run")) == (1 if ranks == 1 else 3)
     run.send_signal(sent)
-    _, said = run.communicate(timeout=60)
+    _, message = run.communicate(timeout=60)
     assert run.returncode == 130
-    assert f"stopped; continue from its newest checkpoint with --restart {tmp_path}" in said
+    assert f"stopped; continue from its newest checkpoint with --restart {tmp_path}" in message
     assert not engines(tmp_path / "run")
     assert newest_checkpoint(tmp_path / "run").stat().st_size > 0
     assert read_series(tmp_path / "run")["atoms"].eq(125).all()
@@ -181,10 +181,10 @@ def test_interrupt_stops_every_rank_and_keeps_what_is_written(start, ranks, sent
 def test_killed_engine_is_said_and_goes_on_from_its_newest_checkpoint(start, tmp_path):
     run = start(tmp_path / "run", ranks=2)
     os.kill(max(engines(tmp_path / "run")), signal.SIGKILL)  # a rank: they start after mpirun
-    _, said = run.communicate(timeout=60)
-    assert run.returncode == 1 and "cooling_gas.in" in said
-    assert "LIGGGHTS was ended by SIGKILL" in said
-    assert f"continue from its newest checkpoint with --restart {tmp_path}" in said
+    _, message = run.communicate(timeout=60)
+    assert run.returncode == 1 and "cooling_gas.in" in message
+    assert "LIGGGHTS was ended by SIGKILL" in message
+    assert f"continue from its newest checkpoint with --restart {tmp_path}" in message
     assert not engines(tmp_path / "run")
     before = read_series(tmp_path / "run")
     checkpoint = newest_checkpoint(tmp_path / "run")
@@ -227,8 +227,8 @@ def test_killed_before_its_first_checkpoint_goes_on_from_where_it_began(short_ga
         file.unlink()
     (second / "log.liggghts").write_text("LIGGGHTS\n")
     run_bulk("cooling_gas", {}, tmp_path / "third", restart=second, show=False)
-    expected, found = read_series(short_gas), read_series(tmp_path / "third")
-    assert (found["kinetic_energy"] == expected["kinetic_energy"]).all()
+    expected, series = read_series(short_gas), read_series(tmp_path / "third")
+    assert (series["kinetic_energy"] == expected["kinetic_energy"]).all()
 
 
 def test_a_folder_is_locked_until_figures_are_written(tmp_path, monkeypatch):
@@ -262,7 +262,7 @@ def test_a_record_nested_too_deeply_is_named(tmp_path, capsys):
 
 
 @pytest.mark.parametrize(
-    ("line", "said"),
+    ("line", "message"),
     [
         (["cooling_gass"], "no deck 'cooling_gass'; there are "),
         (["cooling_gas", "-v", "siide=3"], "has no setting 'siide'; it takes law"),
@@ -271,9 +271,9 @@ def test_a_record_nested_too_deeply_is_named(tmp_path, capsys):
         (["bed_impact", "-v", "target=Plate"], "target is 'Plate', possible values are bed, plate"),
     ],
 )
-def test_wrong_words_are_named(line, said, tmp_path, capsys):
+def test_wrong_words_are_named(line, message, tmp_path, capsys):
     assert main(["bulk", *line, "--output", str(tmp_path / "run")]) == 1
-    assert said in capsys.readouterr().err
+    assert message in capsys.readouterr().err
 
 
 def test_materials_are_looked_for_from_the_present_folder(tmp_path, monkeypatch):

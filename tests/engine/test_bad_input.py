@@ -7,7 +7,7 @@ import re
 from pathlib import Path
 
 import pytest
-from deck_head import head
+from deck_text import head, run_text
 
 from plastigran import laws
 from plastigran.engine.process import PROJECT, EngineError, run_deck
@@ -55,9 +55,7 @@ def run(folder: Path, **changes: str) -> str:
     if values["law"] in laws.LAWS and laws.LAWS[values["law"]].shape == "cylinder":
         values = {"space": "dimension 2\nboundary f f p", "more": LENGTHS} | changes
         values = GOOD | values
-    deck = folder / "deck.in"
-    deck.write_text(DECK.format(**values))
-    return run_deck(deck, {}, folder)
+    return run_text(folder, DECK.format(**values))
 
 
 def strength(value: str) -> str:
@@ -90,7 +88,7 @@ def test_tangent_modulus_of_a_law_that_hardens_is_told(tmp_path):
 
 
 @pytest.mark.parametrize(
-    ("changes", "said"),
+    ("changes", "message"),
     [
         ({"yield_strength": ""}, "yieldStrength is missing; give it for every atom type \\[Pa\\]"),
         ({"yield_strength": strength("0")}, "yieldStrength is 0; it must be positive and finite"),
@@ -126,12 +124,12 @@ def test_tangent_modulus_of_a_law_that_hardens_is_told(tmp_path):
         ({"settings": "dampnig on"}, "Unknown argument or wrong keyword order: 'dampnig'"),
     ],
 )
-def test_wrong_input_is_refused(changes, said, tmp_path):
-    with pytest.raises(EngineError, match=said) as refusal:
+def test_wrong_input_is_refused(changes, message, tmp_path):
+    with pytest.raises(EngineError, match=message) as refusal:
         run(tmp_path, **changes)
     log = (tmp_path / "log.liggghts").read_text(errors="replace")
     assert "Step" not in log, "it ran"
-    if "it must be" in said:
+    if "it must be" in message:
         assert "(atom type 1)" in str(refusal.value)
 
 
@@ -141,7 +139,7 @@ def test_every_model_names_itself(engine_law, tmp_path):
 
 
 @pytest.mark.parametrize(
-    ("more", "said"),
+    ("more", "message"),
     [
         (constant("contactRadiusCoefficient", "-0.1"), "contactRadiusCoefficient is -0.1; it must"),
         (constant("curvatureCoefficient", "-0.1"), "curvatureCoefficient is -0.1; it must be"),
@@ -149,13 +147,13 @@ def test_every_model_names_itself(engine_law, tmp_path):
         (constant("curvatureCoefficient", "0.01", "scalar"), "matrix|peratomtypepair"),
     ],
 )
-def test_vu_quoc_zhang_refuses(more, said, tmp_path):
-    with pytest.raises(EngineError, match=said):
+def test_vu_quoc_zhang_refuses(more, message, tmp_path):
+    with pytest.raises(EngineError, match=message):
         run(tmp_path, more=more)
 
 
 @pytest.mark.parametrize(
-    ("law", "more", "said"),
+    ("law", "more", "message"),
     [
         ("brake_2012", constant("indentationPressure", "105"), BRINELL),
         ("brake_2015", constant("indentationPressure", "327"), BRINELL),
@@ -168,16 +166,18 @@ def test_vu_quoc_zhang_refuses(more, said, tmp_path):
         ),
     ],
 )
-def test_brake_refuses(law, more, said, tmp_path):
-    with pytest.raises(EngineError, match=f"model {law}: .*{said}"):
+def test_brake_refuses(law, more, message, tmp_path):
+    with pytest.raises(EngineError, match=f"model {law}: .*{message}"):
         run(tmp_path, law=law, more=more)
 
 
 def test_viscoelastic_hertz_asks_for_its_constant_and_no_strength(tmp_path):
     law = {"law": "viscoelastic_hertz", "yield_strength": ""}
     assert "yield pressure" not in run(tmp_path, **law)
-    said = r"dissipativeConstant is missing; it must be given, between 0 and 1 \[s\].*types 1 and 1"
-    with pytest.raises(EngineError, match=f"model viscoelastic_hertz: {said}"):
+    message = (
+        r"dissipativeConstant is missing; it must be given, between 0 and 1 \[s\].*types 1 and 1"
+    )
+    with pytest.raises(EngineError, match=f"model viscoelastic_hertz: {message}"):
         run(tmp_path, **law, dissipative_constant="")
     with pytest.raises(EngineError, match="dissipativeConstant is 2; it must be between 0 and 1"):
         run(tmp_path, **law, dissipative_constant=constant("dissipativeConstant", "2"))
@@ -193,12 +193,12 @@ def test_cylinder_deck_names_what_must_be_positive(name, tmp_path):
 
 
 @pytest.mark.parametrize(
-    ("deck", "said"),
+    ("deck", "message"),
     [("cylinder_wall", "the wall of a cylinder is rigid"), ("two_spheres", "are of one material")],
 )
 @pytest.mark.parametrize("name", BODY_CONSTANTS)
-def test_decks_without_a_wall_of_metal_refuse_its_constants(deck, said, name, tmp_path):
-    with pytest.raises(EngineError, match=f"{name}_other is 0.25; .*{said}: leave it out"):
+def test_decks_without_a_wall_of_metal_refuse_its_constants(deck, message, name, tmp_path):
+    with pytest.raises(EngineError, match=f"{name}_other is 0.25; .*{message}: leave it out"):
         run_deck(f"collision/{deck}.in", {f"{name}_other": 0.25}, tmp_path)
 
 
@@ -234,18 +234,15 @@ def test_constants_of_an_included_file_may_be_set(tmp_path):
 def test_viscous_damping_is_the_classic_dashpot(hertzian_law, tmp_path):
     """Below yield, the model with viscous_damping is the engine's own hertz that never pulls."""
     stock = (PROJECT / "inputs/collision/two_spheres.in").read_text()
-    found = []
+    restitutions = []
     for law, settings in ((hertzian_law, "viscous_damping on"), ("hertz", "limitForce on")):
         deck = stock.replace("tangential ${tangential}", f"tangential off {settings}")
         deck = deck.replace("pair_style", f"unfix restitution\nfix {DAMPED}\npair_style", 1)
         folder = tmp_path / law
-        folder.mkdir()
-        (folder / "deck.in").write_text(deck)
-        variables = {"law": law, "speed": 5e-4, "dissipative_constant": 1e-30}
-        run_deck(folder / "deck.in", variables, folder)
-        found.append(measure(folder / "trajectory.dump").coefficient_of_restitution)
-    assert 0.75 < found[0] < 0.85
-    assert found[0] == pytest.approx(found[1], rel=1e-9)  # sums in another order
+        run_text(folder, deck, law=law, speed=5e-4, dissipative_constant=1e-30)
+        restitutions.append(measure(folder / "trajectory.dump").coefficient_of_restitution)
+    assert 0.75 < restitutions[0] < 0.85
+    assert restitutions[0] == pytest.approx(restitutions[1], rel=1e-9)  # sums in another order
 
 
 @pytest.mark.parametrize(

@@ -6,17 +6,14 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
-from deck_head import head
+from deck_text import error_of, head, material, run_text
 
 from plastigran.engine.dumps import read_dump
-from plastigran.engine.process import EngineStopped, run_deck
 
 DECK = (
     head("0 1 -0.1 0.1 -0.1 0.1", skin=1e-3)
+    + material("7.0e10", "1.0e8")
     + """
-fix m1 all property/global youngsModulus peratomtype 7.0e10
-fix m2 all property/global poissonsRatio peratomtype 0.3
-fix m3 all property/global yieldStrength peratomtype 1.0e8
 pair_style gran model thornton tangential off
 pair_coeff * *
 create_atoms 1 single 0.1 0 0 units box
@@ -31,20 +28,17 @@ run 1000
 )
 
 
-def last_position(folder: Path, more: str, ranks: int = 1) -> float:
-    (folder / "deck.in").write_text(DECK + more)
-    run_deck(folder / "deck.in", {}, folder, ranks=ranks)
+def last_position(folder: Path, more: str) -> float:
+    run_text(folder, DECK + more)
     return read_dump(folder / "path.dump")["x"].iloc[-1]
 
 
 @pytest.mark.parametrize("ranks", [1, 2])
 def test_a_time_step_without_a_setup_is_refused(ranks, tmp_path):
     """Particles would move by the earlier step, and all else would use the new one."""
-    with pytest.raises(EngineStopped) as stopped:
-        last_position(tmp_path, "timestep 1e-6\nrun 1000 pre no", ranks)
-    said = str(stopped.value)
-    assert "run ... pre no: timestep is 1e-06, but particles would move by 1e-05" in said
-    assert "Remove `pre no`" in said
+    message = error_of(tmp_path, DECK + "timestep 1e-6\nrun 1000 pre no", ranks)
+    assert "run ... pre no: timestep is 1e-06, but particles would move by 1e-05" in message
+    assert "Remove `pre no`" in message
 
 
 def test_a_time_step_with_a_setup_is_taken(tmp_path):

@@ -7,18 +7,14 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from deck_head import head
+from deck_text import head, material, run_text
 
 from plastigran.engine.dumps import read_dump
-from plastigran.engine.process import run_deck
 
 # Spheres that fall on a plane three times and meet each other twice.
-DECK = """
+DECK = f"""
 neigh_modify    delay 0
-fix youngs  all property/global youngsModulus peratomtype 7e9
-fix poisson all property/global poissonsRatio peratomtype 0.3
-fix strength all property/global yieldStrength peratomtype 1e7
-fix friction all property/global coefficientFriction peratomtypepair 1 0.5
+{material(7e9, 1e7, friction=0.5)}
 create_atoms    1 single 0 0 0.0101
 create_atoms    1 single 0.05 0 0.0101
 create_atoms    1 single 0.05 0 0.0311
@@ -49,13 +45,10 @@ SURFACES = {
 
 def trajectory(skin: float, surface: str, folder: Path) -> np.ndarray:
     """Of all spheres: z, vx, vz, fz, omegay, (step and sphere, quantity)."""
-    folder.mkdir()
-    deck = folder / "deck.in"
     text = head("-0.1 0.2 -0.1 0.1 -0.01 0.1", skin) + DECK
     for words, others in SURFACES[surface].items():
         text = text.replace(words, others)
-    deck.write_text(text)
-    run_deck(deck, {}, folder)
+    run_text(folder, text)
     table = read_dump(folder / "trajectory.dump").sort_values(["step", "id"])
     return table[["z", "vx", "vz", "fz", "omegay"]].to_numpy()
 
@@ -68,7 +61,7 @@ def test_a_small_skin_changes_no_contact(skin, surface, tmp_path):
     expected = trajectory(2e-3, surface, tmp_path / "usual")
     pressed = expected[0::3, 3] > 0  # the sphere that meets the plane alone
     assert np.count_nonzero(np.diff(pressed.astype(int)) == 1) >= 3
-    found = trajectory(skin, surface, tmp_path / "small")
+    small_skin = trajectory(skin, surface, tmp_path / "small")
     counted = slice(0, None, 3 if surface == "multicontact" else 1)
-    off = np.abs(found - expected)[counted]
+    off = np.abs(small_skin - expected)[counted]
     assert (off <= 1e-9 * np.abs(expected).max(axis=0)).all()

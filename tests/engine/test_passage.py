@@ -5,12 +5,9 @@ overlap with it exceeds the radius."""
 from __future__ import annotations
 
 import re
-from pathlib import Path
 
 import pytest
-from deck_head import head
-
-from plastigran.engine.process import EngineStopped, run_deck
+from deck_text import error_of, head, run_text
 
 #: The README's balls above a floor, with a modulus typed in GPa or a step that is too long.
 DECK = (
@@ -42,29 +39,21 @@ TYPED_IN_GPA = {"youngs_modulus": "210", "yield_strength": "3e8", "timestep": "1
 STEP_TOO_LONG = {"youngs_modulus": "2.1e11", "yield_strength": "3e8", "timestep": "2e-4"}
 
 
-def run(folder: Path, **changes: object) -> str:
+def deck(**changes: object) -> str:
     values = {"law": "kogut_etsion", "settings": "", "mesh": "", "wall": PLANE, "velocity": 0}
-    values |= {"steps": 3000} | changes
-    (folder / "deck.in").write_text(DECK.format(**values))
-    return run_deck(folder / "deck.in", {}, folder)
-
-
-def said(folder: Path, **changes: object) -> str:
-    with pytest.raises(EngineStopped) as stopped:
-        run(folder, **changes)
-    return str(stopped.value)
+    return DECK.format(**values | {"steps": 3000} | changes)
 
 
 def test_a_modulus_typed_in_gpa(engine_wall, tmp_path):
     """With the warning before it, which says what the cause is."""
-    text = said(tmp_path, **TYPED_IN_GPA, **engine_wall)
-    found = re.search(
+    text = error_of(tmp_path, deck(**TYPED_IN_GPA, **engine_wall))
+    place = re.search(
         r"particle \d+ at \(\S+ \S+ (\S+)\) is about to pass through a wall: it overlaps it by "
         r"(\S+) of its radius",
         text,
     )
-    assert 0 < float(found[1]) < 0.05 * 0.005
-    assert float(found[2]) == pytest.approx(1 - float(found[1]) / 0.005, abs=1e-4)
+    assert 0 < float(place[1]) < 0.05 * 0.005
+    assert float(place[2]) == pytest.approx(1 - float(place[1]) / 0.005, abs=1e-4)
     assert "it had warned: model kogut_etsion: youngsModulus is 210 [Pa]" in text
 
 
@@ -82,16 +71,16 @@ def engine_wall(request):
 def test_a_step_that_is_too_long(tmp_path):
     """A wall hit at 10 m/s, in steps of 0.4 of the radius: the first contact is too strong, or the
     second step through the wall. The warnings before it are quoted."""
-    text = said(tmp_path, **STEP_TOO_LONG, velocity=-10)
+    text = error_of(tmp_path, deck(**STEP_TOO_LONG, velocity=-10))
     assert "is about to pass through a wall" in text or "of its radius in a step" in text
     assert "the time step 0.0002 is too long for rebound from wall impacts" in text
 
 
 def test_a_wall_that_may_be_passed(tmp_path):
     """The user allows overlaps beyond the radius: the run goes on."""
-    run(tmp_path, **TYPED_IN_GPA, settings="overlap_limit 2")
+    run_text(tmp_path, deck(**TYPED_IN_GPA, settings="overlap_limit 2"))
 
 
 def test_sound_balls_pass_nothing(tmp_path):
     sound = {"youngs_modulus": "2.1e8", "yield_strength": "3e6", "timestep": "3e-6"}
-    assert "WARNING" not in run(tmp_path, **sound, steps=20000)
+    assert "WARNING" not in run_text(tmp_path, deck(**sound, steps=20000))

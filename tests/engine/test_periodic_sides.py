@@ -4,18 +4,11 @@ contact history for each pair of particles."""
 
 from __future__ import annotations
 
-from pathlib import Path
+import re
 
 import pytest
-from deck_head import head
+from deck_text import error_of, head, material, run_text
 
-from plastigran.engine.process import EngineStopped, run_deck
-
-MATERIAL = """
-fix m1 all property/global youngsModulus peratomtype 7.0e10
-fix m2 all property/global poissonsRatio peratomtype 0.3
-fix m3 all property/global yieldStrength peratomtype 1.0e8
-"""
 MODEL = "pair_style gran model thornton tangential off\npair_coeff * *\n"
 TWO_SPHERES = """
 create_atoms 1 single 0.01 0 0 units box
@@ -38,47 +31,44 @@ NOT_INSERTED = TWO_SPHERES + "".join(INSERTED.replace("0.01\n", "0.02\n").splitl
 END = "fix integrate all nve/sphere\ntimestep 1e-8\nrun 5\n"
 
 
-def run(
-    folder: Path, side: float, particles: str = TWO_SPHERES, ranks: int = 1, more: str = ""
-) -> str:
-    box = f"0 {side} -0.05 0.05 -0.05 0.05"
-    start = head(box, skin=1e-4, space="boundary p f f")
-    (folder / "deck.in").write_text(start + MATERIAL + MODEL + particles + END + more)
-    return run_deck(folder / "deck.in", {}, folder, ranks=ranks)
+def deck(side: float, particles: str = TWO_SPHERES, more: str = "") -> str:
+    start = head(f"0 {side} -0.05 0.05 -0.05 0.05", skin=1e-4, space="boundary p f f")
+    return start + material("7.0e10", "1.0e8") + MODEL + particles + END + more
 
 
 @pytest.mark.parametrize("ranks", [1, 2])
 @pytest.mark.parametrize("particles", [TWO_SPHERES, INSERTED])
 def test_a_short_periodic_side_is_refused(particles, ranks, tmp_path):
     """Shorter than two diameters of 20 mm and the skin of 0.1 mm, by 0.4 mm."""
-    with pytest.raises(EngineStopped) as stopped:
-        run(tmp_path, 0.0397, particles, ranks)
-    said = str(stopped.value)
-    assert "model thornton: the periodic side x is 0.0397 long; it must be at least 0.0401" in said
-    assert "(0.02 and 0.02) and the neighbor skin (0.0001)" in said and "Enlarge the box" in said
+    message = error_of(tmp_path, deck(0.0397, particles), ranks)
+    assert (
+        "model thornton: the periodic side x is 0.0397 long; it must be at least 0.0401" in message
+    )
+    assert (
+        "(0.02 and 0.02) and the neighbor skin (0.0001)" in message and "Enlarge the box" in message
+    )
 
 
 @pytest.mark.parametrize("ranks", [1, 2])
 def test_a_longer_periodic_side_runs(ranks, tmp_path):
-    run(tmp_path, 0.0402, ranks=ranks)
+    run_text(tmp_path, deck(0.0402), ranks)
 
 
 @pytest.mark.parametrize("runs", [1, 2])
 def test_one_large_sphere_to_be_inserted_is_one(runs, tmp_path):
     """Among spheres of 4 mm one of 20 mm needs 24.1 mm, before and after it is inserted."""
-    log = run(tmp_path, 0.025, INTRUDER, more="run 5\n" * (runs - 1))
+    log = run_text(tmp_path, deck(0.025, INTRUDER, "run 5\n" * (runs - 1)))
     assert "inserted 1 particle templates" in log
-    with pytest.raises(EngineStopped, match=r"must be at least 0\.0241"):
-        run(tmp_path, 0.024, INTRUDER)
+    assert "must be at least 0.0241" in error_of(tmp_path, deck(0.024, INTRUDER))
 
 
 @pytest.mark.parametrize("ranks", [1, 2])
 def test_a_box_that_shrinks_in_a_run_is_refused(ranks, tmp_path):
     """By a fix, from 42 to 38 mm."""
     shrink = "fix deform all deform 10 x final 0 0.038\nrun 1000\n"
-    with pytest.raises(EngineStopped, match=r"the periodic side x is 0\.040.* must be at least"):
-        run(tmp_path, 0.042, ranks=ranks, more=shrink)
+    message = error_of(tmp_path, deck(0.042, more=shrink), ranks)
+    assert re.search(r"the periodic side x is 0\.040.* must be at least", message)
 
 
 def test_a_size_that_nothing_inserts_does_not_count(tmp_path):
-    run(tmp_path, 0.0402, NOT_INSERTED)
+    run_text(tmp_path, deck(0.0402, NOT_INSERTED))

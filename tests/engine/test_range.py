@@ -57,18 +57,18 @@ def test_the_range_is_the_published_one(law, speed, limit, aluminium, tmp_path):
     """The excess is the largest overlap over the range's; 1e-3 for the step's error and for the
     frames between which the largest overlap lies."""
     model = CentralImpact(law, speed, aluminium, 0.1)
-    found = excess("sphere_wall", law, speed, tmp_path, timestep=model.timestep)
-    assert [line[:2] for line in found] == [(law, "1")]
+    reports = excess("sphere_wall", law, speed, tmp_path, timestep=model.timestep)
+    assert [line[:2] for line in reports] == [(law, "1")]
     expected = model.predict().overlap_max / limit(model.pair, model.radius_eff)
     assert expected > 1
-    assert float(found[0][2]) == pytest.approx(expected, rel=1e-3)
+    assert float(reports[0][2]) == pytest.approx(expected, rel=1e-3)
 
 
 @pytest.mark.parametrize("ranks", [1, 2])
 def test_a_contact_is_counted_once(ranks, tmp_path):
     """Also where each of two ranks has one of the spheres."""
-    found = excess("two_spheres", "vu_quoc_zhang", 0.2, tmp_path, ranks=ranks)
-    assert [line[1] for line in found] == ["1"]
+    reports = excess("two_spheres", "vu_quoc_zhang", 0.2, tmp_path, ranks=ranks)
+    assert [line[1] for line in reports] == ["1"]
 
 
 def test_nothing_is_said_within_the_range(tmp_path):

@@ -8,19 +8,17 @@ from pathlib import Path
 import numpy as np
 import pandas as pd
 import pytest
-from deck_head import head
+from deck_text import head, material, run_text
 
 from plastigran.engine.dumps import read_dump
 from plastigran.engine.log import read_thermo
-from plastigran.engine.process import PROJECT, run_deck
+from plastigran.engine.process import PROJECT
 
 DECK = (
     head("-0.1 0.1 -0.1 0.1 -0.01 0.1", skin=2e-3)
+    + material(7e10, 1e8)
     + """
 hard_particles  yes
-fix youngs  all property/global youngsModulus peratomtype 7e10
-fix poisson all property/global poissonsRatio peratomtype 0.3
-fix strength all property/global yieldStrength peratomtype 1e8
 fix coefficient all property/global rateCoefficient peratomtype {rate_coefficient}
 fix reference all property/global referenceRate peratomtype 1.0
 fix factors all property/global taylorQuinneyFactor peratomtype 0.9
@@ -55,9 +53,7 @@ TOUCHING = {"height": 0.01 - 1e-11, "other_height": 0.03 - 3e-11}
 def run(folder: Path, first: str, **values: object) -> tuple[np.ndarray, pd.DataFrame]:
     """Of the last run: z, vz, fz and temperature by step and sphere behind the first, where
     `run 0` already wrote its own, and the printed entries."""
-    folder.mkdir()
-    (folder / "deck.in").write_text(DECK.format(first=first, **values))
-    run_deck(folder / "deck.in", {"inputs": PROJECT / "inputs"}, folder)
+    run_text(folder, DECK.format(first=first, **values), inputs=PROJECT / "inputs")
     dump = read_dump(folder / "trajectory.dump").sort_values(["step", "id"])
     table = read_thermo(folder / "log.liggghts")
     entries = table[table["run"] == table["run"].max()].reset_index()

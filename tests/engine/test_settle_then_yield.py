@@ -81,8 +81,8 @@ def test_a_bed_settled_with_a_law_continues_with_hertz(wall, ranks, tmp_path):
     deck = deck.replace("fix m1", f"{restitution}fix m1").replace(INCLUDE, "")
     log = run(tmp_path, deck.replace("fix m5", "#"), "continue", ranks, wall)
     for owner in ("pair_style", "fix floor"):
-        said = rf"{owner}: the restart file has contacts of `model universal.*`, which"
-        assert re.search(f"WARNING: plastigran: {said}", log)
+        message = rf"{owner}: the restart file has contacts of `model universal.*`, which"
+        assert re.search(f"WARNING: plastigran: {message}", log)
     table = read_thermo(tmp_path / "continue" / "log.liggghts")
     assert table["atoms"].iloc[-1] == 48
     assert 0 < table["kinetic_energy"].iloc[-1] < 48 * 1.3e-3 * 0.1**2  # 1.3 g below 0.14 m/s

@@ -7,10 +7,10 @@ import re
 from pathlib import Path
 
 import pytest
-from deck_head import head
+from deck_text import head, run_text
 
 from plastigran.engine.log import find_models
-from plastigran.engine.process import EngineError, run_deck
+from plastigran.engine.process import EngineError
 
 DECK = (
     head("-1 1 -1 1 -1 1", skin=0.01, types=2, units="{units}")
@@ -48,8 +48,7 @@ GOOD = {
 def run(folder: Path, **changes: str) -> str:
     values = GOOD | changes
     values.setdefault("floor", f"fix floor all wall/gran model {values['model']} {FLOOR}")
-    (folder / "deck.in").write_text(DECK.format(**values))
-    return run_deck(folder / "deck.in", {}, folder)
+    return run_text(folder, DECK.format(**values))
 
 
 def property_global(name: str, values: str, shape: str = "peratomtype") -> str:
@@ -68,7 +67,7 @@ def test_a_good_deck_is_told_nothing(tmp_path):
 
 
 @pytest.mark.parametrize(
-    ("changes", "said"),
+    ("changes", "message"),
     [
         (
             {"youngs_modulus": "210", "yield_strength": "2.5e8"},
@@ -112,11 +111,11 @@ def test_a_good_deck_is_told_nothing(tmp_path):
         ),
     ],
 )
-def test_what_looks_like_a_slip_is_said_once(changes, said, tmp_path):
+def test_what_looks_like_a_slip_is_said_once(changes, message, tmp_path):
     """Pairs and walls have the same bodies: one warning in all."""
     log = run(tmp_path, **changes)
     assert log.count("WARNING: plastigran: model ") == 1
-    assert said in log
+    assert message in log
 
 
 def test_cohesion_that_no_model_asks_for_is_no_slip(tmp_path):
@@ -136,35 +135,35 @@ def test_messages_are_in_the_units_of_the_deck(tmp_path):
 
 
 def test_a_misspelt_property_that_must_be_there_is_named(tmp_path):
-    said = r"yieldStrength is missing; .*\. The deck has yieldStrenght"
-    with pytest.raises(EngineError, match=said):
+    message = r"yieldStrength is missing; .*\. The deck has yieldStrenght"
+    with pytest.raises(EngineError, match=message):
         run(tmp_path, strength_name="yieldStrenght")
 
 
 def test_restitution_that_nothing_uses_is_said(tmp_path):
     given = matrix("coefficientRestitution", "0.9")
-    said = "model thornton: coefficientRestitution is not used"
-    assert run(tmp_path, more=given).count(said) == 1
+    message = "model thornton: coefficientRestitution is not used"
+    assert run(tmp_path, more=given).count(message) == 1
     damped = run(tmp_path, more=given, model="thornton tangential off viscous_damping on", floor="")
-    assert said not in damped
+    assert message not in damped
 
 
 @pytest.mark.parametrize(
-    ("pairs", "wall", "said"),
+    ("pairs", "wall", "message"),
     [
         ("thornton", "hertz", "pair_style has thornton; fix floor has a model of LIGGGHTS"),
         ("hertz", "thornton", "pair_style has a model of LIGGGHTS; fix floor has thornton"),
         ("thornton", "stronge", "pair_style has thornton; fix floor has stronge"),
     ],
 )
-def test_different_models_of_pairs_and_walls_are_said_once(pairs, wall, said, tmp_path):
+def test_different_models_of_pairs_and_walls_are_said_once(pairs, wall, message, tmp_path):
     log = run(
         tmp_path,
         model=f"{pairs} tangential off",
         floor=f"fix floor all wall/gran model {wall} tangential off {FLOOR}",
         more="hard_particles yes\n" + matrix("coefficientRestitution", "0.9"),
     )
-    assert log.count(f"lines have different normal models: {said}") == 1
+    assert log.count(f"lines have different normal models: {message}") == 1
     # Right only where no line has a model of LIGGGHTS.
     assert ("coefficientRestitution is not used" in log) == (wall == "stronge")
 
@@ -185,8 +184,10 @@ def test_constants_stand_once_and_name_their_lines(tmp_path):
 
 
 def test_a_refused_combination_names_the_word(tmp_path):
-    said = "surface superquadric is not available with this model; possible: default multicontact"
-    with pytest.raises(EngineError, match=f"model thornton: {said}"):
+    message = (
+        "surface superquadric is not available with this model; possible: default multicontact"
+    )
+    with pytest.raises(EngineError, match=f"model thornton: {message}"):
         run(tmp_path, model="thornton surface superquadric")
 
 
@@ -204,8 +205,8 @@ def test_a_wall_does_not_meet_itself(tmp_path):
     bad = {"model": "brake_2012 tangential off", "more": matrix("indentationPressure", "1e9")}
     assert "atom types 1 and 2" in run(tmp_path, **bad)
     particle = "create_atoms 2 single -0.5 0 0.5\nset group all diameter 0.2 density 2700"
-    said = r"indentationPressure 1e\+09 .*two thirds .*\(atom types 2 and 2\)"
-    with pytest.raises(EngineError, match=said):
+    message = r"indentationPressure 1e\+09 .*two thirds .*\(atom types 2 and 2\)"
+    with pytest.raises(EngineError, match=message):
         run(tmp_path, **bad, velocities=particle)
 
 

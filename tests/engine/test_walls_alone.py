@@ -8,18 +8,14 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from deck_head import head
+from deck_text import error_of, head, material, run_text
 
 from plastigran.engine.dumps import read_dump
-from plastigran.engine.process import EngineStopped, run_deck
 
 BOX = "-0.1 0.2 -0.1 0.1 -0.01 0.1"
-MATERIAL = """
+MATERIAL = f"""
 neigh_modify    delay 0
-fix youngs  all property/global youngsModulus peratomtype 7e9
-fix poisson all property/global poissonsRatio peratomtype 0.3
-fix strength all property/global yieldStrength peratomtype 1e7
-fix friction all property/global coefficientFriction peratomtypepair 1 0.5
+{material(7e9, 1e7, friction=0.5)}
 fix restitution all property/global coefficientRestitution peratomtypepair 1 0.9
 pair_style      gran model hertz tangential history
 pair_coeff      * *
@@ -46,9 +42,7 @@ def start(skin: float = 2e-3) -> str:
 
 def trajectory(folder: Path, deck: str) -> np.ndarray:
     """Of the sphere: z, vx, vz, fz, omegay, (step, quantity)."""
-    folder.mkdir()
-    (folder / "deck.in").write_text(deck)
-    run_deck(folder / "deck.in", {}, folder)
+    run_text(folder, deck)
     return read_dump(folder / "trajectory.dump")[["z", "vx", "vz", "fz", "omegay"]].to_numpy()
 
 
@@ -83,12 +77,12 @@ def test_a_wall_given_again_keeps_its_contacts(tmp_path):
 def test_a_wall_given_before_a_run_without_setup_is_there(again, pairs, tmp_path):
     """A new line has its set-up: with `pre no` the run is the one without."""
     wall = next(line for line in MATERIAL.splitlines() if line.startswith("fix floor"))
-    material = MATERIAL.replace("gran model hertz", f"gran model {pairs}", 1)
+    models = MATERIAL.replace("gran model hertz", f"gran model {pairs}", 1)
     lines = f"unfix floor\n{wall}" if again else wall
     if not again:
-        material = material.replace(wall, "")
+        models = models.replace(wall, "")
     decks = [
-        start() + material + SPHERE + DUMP + f"run 300\n{lines}\nrun 700{pre}\n"
+        start() + models + SPHERE + DUMP + f"run 300\n{lines}\nrun 700{pre}\n"
         for pre in ("", " pre no")
     ]
     one, other = (trajectory(tmp_path / str(k), deck) for k, deck in enumerate(decks))
@@ -97,16 +91,14 @@ def test_a_wall_given_before_a_run_without_setup_is_there(again, pairs, tmp_path
 
 
 @pytest.mark.parametrize(
-    ("lines", "said"),
+    ("lines", "message"),
     [
         ("run 10\ntimestep 1e-7\nrun 10 pre no\n", "run ... pre no: timestep is 1e-07"),
         ("set group all vx 30000\nrun 10\n", "moves 3 of its radius in a step"),
     ],
 )
-def test_the_first_run_is_checked(lines, said, tmp_path):
-    (tmp_path / "deck.in").write_text(start() + MATERIAL + SPHERE + lines)
-    with pytest.raises(EngineStopped, match=said):
-        run_deck(tmp_path / "deck.in", {}, tmp_path)
+def test_the_first_run_is_checked(lines, message, tmp_path):
+    assert message in error_of(tmp_path, start() + MATERIAL + SPHERE + lines)
 
 
 @pytest.mark.parametrize("pairs", ["hertz", "universal"])
@@ -121,31 +113,24 @@ def test_the_first_run_is_checked(lines, said, tmp_path):
 )
 def test_a_restart_with_other_models_on_the_wall_is_refused(pairs, models, others, tmp_path):
     rolling = "fix rolling all property/global coefficientRollingFriction peratomtypepair 1 0.1\n"
-    material = rolling + MATERIAL.replace("gran model hertz", f"gran model {pairs}", 1)
+    properties = rolling + MATERIAL.replace("gran model hertz", f"gran model {pairs}", 1)
     first, second = (
-        material.replace("wall/gran model universal tangential history", f"wall/gran model {line}")
+        properties.replace(
+            "wall/gran model universal tangential history", f"wall/gran model {line}"
+        )
         for line in (models, others)
     )
-    (tmp_path / "first.in").write_text(
-        start() + first + SPHERE + "run 540\nwrite_restart middle.restart\n"
-    )
-    run_deck(tmp_path / "first.in", {}, tmp_path)
+    run_text(tmp_path, start() + first + SPHERE + "run 540\nwrite_restart middle.restart\n")
     create = start().split("region")[0] + "hard_particles yes\nread_restart middle.restart\n"
-    (tmp_path / "second.in").write_text(create + second + "run 10\n")
-    with pytest.raises(EngineStopped) as stopped:
-        run_deck(tmp_path / "second.in", {}, tmp_path)
-    said = str(stopped.value)
+    message = error_of(tmp_path, create + second + "run 10\n")
     models, others = (line.replace(" tangential off", "") for line in (models, others))
-    assert f"fix floor: the restart file has contacts of `model {models}" in said
-    assert f"but the line has `model {others}" in said
+    assert f"fix floor: the restart file has contacts of `model {models}" in message
+    assert f"but the line has `model {others}" in message
 
 
 def test_a_wall_elsewhere_after_a_restart_has_new_contacts(tmp_path):
     """A floor 2 um lower, within the overlap, with the ID of the former one or with another."""
-    (tmp_path / "first.in").write_text(
-        start() + MATERIAL + SPHERE + "run 540\nwrite_restart middle.restart\n"
-    )
-    run_deck(tmp_path / "first.in", {}, tmp_path)
+    run_text(tmp_path, start() + MATERIAL + SPHERE + "run 540\nwrite_restart middle.restart\n")
     create = (
         start().split("region")[0] + f"hard_particles yes\nread_restart {tmp_path}/middle.restart\n"
     )
@@ -155,5 +140,5 @@ def test_a_wall_elsewhere_after_a_restart_has_new_contacts(tmp_path):
     assert np.abs(one[:, 3]).max() > 0
     np.testing.assert_array_equal(one, other)
     log = (tmp_path / "one" / "log.liggghts").read_text()
-    said = "fix floor: contacts start without history, because the wall stands elsewhere"
-    assert log.count(said) == 1
+    message = "fix floor: contacts start without history, because the wall stands elsewhere"
+    assert log.count(message) == 1

@@ -10,10 +10,9 @@ from math import pi, sqrt
 from pathlib import Path
 
 import pytest
-from deck_head import head
+from deck_text import error_of, head, material, run_text
 
 from plastigran import laws
-from plastigran.engine.process import EngineError, run_deck
 from plastigran.physics import central
 
 RADIUS, GAP = 0.0025, 0.01
@@ -23,11 +22,9 @@ MASS = 4 / 3 * pi * RADIUS**3 * DENSITY
 
 DECK = (
     head("-0.1 0.1 -0.1 0.1 -0.1 0.1", skin=0.001)
+    + material(5e6, 1e5)
     + """
 neigh_modify    delay 0
-fix youngs   all property/global youngsModulus peratomtype 5e6
-fix poisson  all property/global poissonsRatio peratomtype 0.3
-fix strength all property/global yieldStrength peratomtype 1e5
 pair_style      gran model thornton tangential off {settings}
 pair_coeff      * *
 {grains}
@@ -42,62 +39,63 @@ run             {steps}
 )
 
 
-def run(folder: Path, grains: list[tuple], ranks: int = 1, **changes) -> str:
+def deck(grains: list[tuple], **changes) -> str:
     values = {"timestep": 1e-5, "settings": "", "more": "", "steps": 2000} | changes
     lines = "\n".join(f"create_atoms 1 single {x} {y} {z}" for x, y, z in grains)
-    (folder / "deck.in").write_text(DECK.format(grains=lines, **values))
-    return run_deck(folder / "deck.in", {}, folder, ranks=ranks)
+    return DECK.format(grains=lines, **values)
 
 
-def stopped(folder: Path, grains: list[tuple], **changes) -> str:
-    with pytest.raises(EngineError) as error:
-        run(folder, grains, **changes)
-    return str(error.value)
+def run(folder: Path, grains: list[tuple], ranks: int = 1, **changes) -> str:
+    return run_text(folder, deck(grains, **changes), ranks)
+
+
+def stopped(folder: Path, grains: list[tuple], ranks: int = 1, **changes) -> str:
+    return error_of(folder, deck(grains, **changes), ranks)
 
 
 @pytest.mark.parametrize("ranks", [1, 2])
 def test_force_that_is_no_number(ranks, tmp_path):
     """A grain whose centre lies in the wall, where such overlaps are allowed: no normal."""
     grains = [(0.05, 0.01, 0.05), (0.04, 0.02, 0)]
-    said = stopped(tmp_path, grains, ranks=ranks, settings="overlap_limit 2")
+    message = stopped(tmp_path, grains, ranks=ranks, settings="overlap_limit 2")
     assert (
         "particle 2 at (0.04 0.02 0) has a force that is NaN or infinite. Check for particles"
-        in said
+        in message
     )
 
 
 def test_velocity_that_is_no_number(tmp_path):
     """A force beyond all bounds half-way: the place is the one of before."""
     more = "variable wild equal 1e300*(step>500)\nfix wild all addforce v_wild 0 0"
-    said = stopped(tmp_path, [(0, 0, 0.05)], more=more)
-    assert "particle 1 at (0 0 0.05) has a velocity that is NaN or infinite" in said
+    message = stopped(tmp_path, [(0, 0, 0.05)], more=more)
+    assert "particle 1 at (0 0 0.05) has a velocity that is NaN or infinite" in message
 
 
 @pytest.mark.parametrize("ranks", [1, 2])
 def test_overlap(ranks, tmp_path):
     """By 1.04 of the radius, across the border of two ranks; allowed when the deck says so."""
     grains = [(0, -0.48 * RADIUS, 0.05), (0, 0.48 * RADIUS, 0.05)]
-    said = stopped(tmp_path, grains, ranks=ranks)
-    assert re.search(r"particle [12] at \(0 \S+ 0.05\) overlaps particle [12] at", said)
-    assert "by 1.04 of the smaller radius, more than overlap_limit 1." in said
+    message = stopped(tmp_path, grains, ranks=ranks)
+    assert re.search(r"particle [12] at \(0 \S+ 0.05\) overlaps particle [12] at", message)
+    assert "by 1.04 of the smaller radius, more than overlap_limit 1." in message
     run(tmp_path, grains, ranks=ranks, settings="overlap_limit 1.2", steps=1)
 
 
 @pytest.mark.parametrize("limit", ["0", "-0.5", "3"])
 def test_overlap_limit_out_of_range(limit, tmp_path):
-    said = stopped(tmp_path, [(0, 0, 0.05)], settings=f"overlap_limit {limit}")
-    assert "overlap_limit is" in said and "must be above 0 and at most 2" in said
+    message = stopped(tmp_path, [(0, 0, 0.05)], settings=f"overlap_limit {limit}")
+    assert "overlap_limit is" in message and "must be above 0 and at most 2" in message
 
 
 def test_overlap_with_a_wall(tmp_path):
-    said = stopped(tmp_path, [(0, 0, 0.06 * RADIUS)], settings="overlap_limit 0.9")
-    assert "particle 1 at (0 0 0.00015) overlaps a wall by 0.94 of the smaller radius" in said
+    message = stopped(tmp_path, [(0, 0, 0.06 * RADIUS)], settings="overlap_limit 0.9")
+    assert "particle 1 at (0 0 0.00015) overlaps a wall by 0.94 of the smaller radius" in message
 
 
 def test_particle_that_outruns_its_contacts(tmp_path):
-    said = stopped(tmp_path, [(0, 0, 0.05)], more=f"velocity all set {1.5 * RADIUS / 1e-5} 0 0")
-    assert "particle 1 at (0.00375 0 0.05) moves 1.5 of its radius in a step" in said
-    assert "timestep" in said
+    message = stopped(tmp_path, [(0, 0, 0.05)], more=f"velocity all set {1.5 * RADIUS / 1e-5} 0 0")
+    assert "particle 1 at (0.00375 0 0.05) moves 1.5 of its radius in a step" in message
+    assert "timestep" in message
 
 
 @pytest.mark.parametrize("ranks", [1, 2])
@@ -106,11 +104,11 @@ def test_lost_particle(ranks, tmp_path):
     grains = [(0, 0, 0.05), (-0.09, 0.03, 0.05)]
     away = "velocity all set -100 0 0\n"
     changes = {"ranks": ranks, "steps": 100}
-    said = stopped(tmp_path, grains, more=away + "thermo_modify lost error", **changes)
+    message = stopped(tmp_path, grains, more=away + "thermo_modify lost error", **changes)
     assert re.search(
-        r"particle 2 at \(-0\.1\S* 0.03 0.05\) leaves the box at its lower x side", said
+        r"particle 2 at \(-0\.1\S* 0.03 0.05\) leaves the box at its lower x side", message
     )
-    assert "thermo_modify lost ignore" in said
+    assert "thermo_modify lost ignore" in message
     run(tmp_path, grains, more=away, **changes)
 
 
@@ -126,12 +124,12 @@ def test_step_is_compared_with_known_times(tmp_path):
     rayleigh = pi * RADIUS / 0.9274 * sqrt(DENSITY * 2 * 1.3 / 5e6)
     hertz = central.hertz_duration(RADIUS, MASS, pair.youngs_modulus_eff, speed)
     law = laws.Thornton(pair).recommended_timestep(RADIUS, MASS, speed)
-    found = re.search(
+    line = re.search(
         r"time step 1e-06: (\S+) of the Rayleigh time, (\S+) of the shortest Hertz impact at the "
         r"present speeds, (\S+) of the recommended step for those\n",
         text,
     )
-    shares = [float(share) for share in found.groups()]
+    shares = [float(share) for share in line.groups()]
     assert shares == pytest.approx([step / rayleigh, step / hertz, step / law], rel=0.06)
 
 
@@ -158,13 +156,13 @@ def test_contact_shows_that_the_step_is_too_long(ranks, tmp_path):
     changes = {"more": gravity, "steps": 4000, "ranks": ranks}
     text = run(tmp_path, [(0, 0, GAP)], timestep=2 * expected, **changes)
     assert "impacts at the present speeds" not in text
-    found = re.findall(
+    reports = re.findall(
         r"too long for the contact of particle 1 with a wall at \(0 0 0.002\d+\), loaded as by an "
         r"impact at ([^:]+): (\S+) times the recommended .* Recommended: timestep (\S+)",
         text,
     )
-    assert len(found) == 1
-    assert float(found[0][0]) == pytest.approx(speed, rel=0.1)
-    assert float(found[0][1]) == pytest.approx(2, rel=0.05)
-    assert float(found[0][2]) == pytest.approx(expected, rel=0.05)
+    assert len(reports) == 1
+    assert float(reports[0][0]) == pytest.approx(speed, rel=0.1)
+    assert float(reports[0][1]) == pytest.approx(2, rel=0.05)
+    assert float(reports[0][2]) == pytest.approx(expected, rel=0.05)
     assert "WARNING" not in run(tmp_path, [(0, 0, GAP)], timestep=0.9 * expected, **changes)

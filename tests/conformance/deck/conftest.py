@@ -17,8 +17,8 @@ def pytest_generate_tests(metafunc: pytest.Metafunc) -> None:
         pairs = [
             pytest.param(case, field, id=f"{case.name}-{case.label}-{field}")
             for case in CASES
-            for field, said in declarations(case.kind).items()
-            if said.choices or said.value_type is not str
+            for field, message in declarations(case.kind).items()
+            if message.choices or message.value_type is not str
         ]
         metafunc.parametrize(("case", "field"), pairs)
     elif "case" in metafunc.fixturenames and metafunc.module.__name__ != "test_exercise_deck":

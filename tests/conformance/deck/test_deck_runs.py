@@ -94,15 +94,15 @@ def test_restart_goes_on(case, whole, tmp_path):
         file.unlink()
     step = step_of(checkpoints[len(checkpoints) // 2 - 1])
     rest = run_bulk(case.name, {}, tmp_path / "rest", restart=stopped, show=False)
-    expected, found = read_series(whole.folder), read_series(rest.folder)
+    expected, continued = read_series(whole.folder), read_series(rest.folder)
     assert expected["step"].iloc[0] <= step < expected["step"].iloc[-1]
-    assert found["step"].tolist() == expected["step"].tolist()
+    assert continued["step"].tolist() == expected["step"].tolist()
     assert len(rest.checks) == len(whole.checks)
     columns = [name for name in expected if name not in ROUNDING]
     sums = [name for name in FLOWS if name in columns]
     scale = expected[columns].abs().max()
     scale[sums] = energy_input(expected)
-    difference = (found - expected)[columns].abs()
+    difference = (continued - expected)[columns].abs()
     if case.brief.restart == 0:
         exact = [name for name in columns if name not in sums]
         assert (difference[exact] == 0).all(axis=None)

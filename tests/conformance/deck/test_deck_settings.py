@@ -52,7 +52,7 @@ def test_impossible_values_are_refused_by_name(case, field):
 
 
 @pytest.mark.parametrize(
-    ("change", "said"),
+    ("change", "message"),
     [
         ({"law": "lim_stronge"}, "law is 'lim_stronge'; it must be brake_2012, "),
         ({"law": "hertz"}, "ledger is on, but LIGGGHTS' own hertz has no energy balance"),
@@ -63,8 +63,8 @@ def test_impossible_values_are_refused_by_name(case, field):
         ({"colour": "red"}, "has no setting 'colour'; it takes "),
     ],
 )
-def test_impossible_runs_are_refused_before_anything_runs(case, change, said, tmp_path):
-    with pytest.raises((ValueError, RuntimeError), match=said):
+def test_impossible_runs_are_refused_before_anything_runs(case, change, message, tmp_path):
+    with pytest.raises((ValueError, RuntimeError), match=message):
         run_bulk(case.name, {**case.brief.settings, **change}, tmp_path / "run", show=False)
     assert not (tmp_path / "run").exists()
 

@@ -28,7 +28,7 @@ TESTS += [test_deck_runs.test_another_law_runs]
 
 
 @pytest.fixture(scope="module")
-def found(tmp_path_factory):
+def exercise_deck(tmp_path_factory):
     """The deck's files lie where those of other decks do."""
     inputs = tmp_path_factory.mktemp("exercise") / "inputs"
     shutil.copytree(inputs_folder(), inputs)
@@ -41,7 +41,7 @@ def found(tmp_path_factory):
 
 
 @pytest.fixture
-def case(found) -> Case:
+def case(exercise_deck) -> Case:
     kind = decks.deck_class("falling")
     return Case("falling", "", kind.briefs[""], kind)
 
