@@ -11,13 +11,13 @@ from plastigran.plot.fields import draw_field, draw_mesh
 from plastigran.plot.movie import Movie, save_movie
 from plastigran.plot.style import subplots
 
-#: Two squares beside each other.
+#: Two adjacent squares.
 VERTICES = np.array([[0, 0], [1, 0], [2, 0], [0, 1], [1, 1], [2, 1]], float)
 QUADS = np.array([[0, 1, 4, 3], [1, 2, 5, 4]])
 
 
 @pytest.mark.parametrize(("mirror", "left"), [(True, -2), (False, 0)])
-def test_a_field_is_drawn_on_both_sides_of_the_axis(mirror, left):
+def test_field_is_mirrored_at_the_axis(mirror, left):
     _, axes = subplots(figsize=(3, 2))
     levels = [0, 1, 2]
     contours = draw_field(axes, VERTICES, QUADS, VERTICES[:, 0], levels, mirror=mirror)
@@ -26,7 +26,7 @@ def test_a_field_is_drawn_on_both_sides_of_the_axis(mirror, left):
     assert list(contours.levels) == levels
 
 
-def test_a_side_between_two_elements_is_drawn_once_and_through_its_middle():
+def test_common_side_is_drawn_once_and_through_its_middle_node():
     _, axes = subplots(figsize=(3, 2))
     middles = np.array([[0.5, 0], [1, 0.5], [0.5, 1.2], [0, 0.5], [1.5, 0], [2, 0.5], [1.5, 1]])
     points = np.concatenate([VERTICES, middles])
@@ -38,7 +38,7 @@ def test_a_side_between_two_elements_is_drawn_once_and_through_its_middle():
     assert np.isclose(drawn, [0.5, 1.2]).all(axis=1).sum() == 1
 
 
-def test_a_movie_has_its_frames(tmp_path):
+def test_movie_has_all_frames(tmp_path):
     figure, axes = subplots(figsize=(1, 1))
     (point,) = axes.plot([0], [0], "o")
     movie = Movie(figure, 4, lambda k: point.set_data([k / 100], [0]), rate=10)

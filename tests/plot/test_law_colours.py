@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A law is known by its colour and marker in every figure."""
+"""Colors and markers of laws."""
 
 from __future__ import annotations
 
@@ -11,8 +11,8 @@ from plastigran.usable_laws import laws_for
 
 
 @pytest.mark.parametrize("shape", sorted({law.shape for law in laws.LAWS.values()}))
-def test_laws_of_a_shape_are_told_apart(shape):
-    """And from a law that is not this package's."""
+def test_laws_of_a_shape_have_distinct_colours_and_markers(shape):
+    """A law of another package also differs."""
     names = [*laws_for(shape), "hooke"]
     assert len({law_colour(name) for name in names}) == len(names)
     assert len({MARKERS[law_number(name)] for name in names}) == len(names)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Collision spectra: a gap where there is no impact, whatever the scale, and no rounding."""
+"""Figure of collision spectra."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from plastigran.plot.spectra import spectra_figure
 
 
 def test_classes_without_impacts_are_a_gap():
-    """Energies far below what is small to numpy by default; the class of 1e-24 is rounding."""
+    """The energies are below the default tolerance of numpy; the class of 1e-24 is round-off."""
     lower = np.array([1e-24, 1e-15, 2e-15, 8e-15, 1e-3])
     classes = pd.DataFrame({"lower": lower, "upper": 2 * lower, "count": [7, 1, 2, 3, 4]})
     none = classes[:0]

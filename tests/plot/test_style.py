@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Figures are made without pyplot, which would choose a backend for whoever imports us."""
+"""Style of figures. No module loads pyplot, which would select a backend for the user."""
 
 from __future__ import annotations
 
@@ -28,8 +28,8 @@ def settings() -> list[object]:
     return [matplotlib.rcParams[name] for name in STYLE]
 
 
-def test_the_style_is_left_with_the_figure(tmp_path):
-    """Settings of the user are the same afterwards, and the same figure is the same file."""
+def test_style_keeps_the_settings_of_the_user(tmp_path):
+    """Equal figures give equal files."""
     before, backend = settings(), matplotlib.get_backend(auto_select=False)
     written = []
     for name in ("one", "two"):

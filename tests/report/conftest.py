@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Results of each kind, whole, broken and cut short, and the page on them in a browser."""
+"""Results of a sweep and of a bulk run, and their page in a browser."""
 
 from __future__ import annotations
 
@@ -9,15 +9,15 @@ from fcntl import LOCK_EX, flock
 from pathlib import Path
 
 import pytest
-from playwright.sync_api import Browser, ConsoleMessage, Page, Request, expect, sync_playwright
+from playwright.sync_api import Browser, Page, expect, sync_playwright
 
 from plastigran.experiments.central import CentralImpact
 from plastigran.report.page import write_report
 
-#: A loaded machine draws slowly [ms].
-PATIENCE = 60_000
+#: Longest time that a loaded machine may take to draw [ms].
+TIMEOUT = 60_000
 #: Sides of the window [px].
-DESK = {"width": 1000, "height": 700}
+WINDOW = {"width": 1000, "height": 700}
 LAWS = ("kogut_etsion", "thornton", "universal")
 SPEEDS = (0.001, 0.01, 0.1)
 
@@ -30,7 +30,7 @@ def hopper(brief_run) -> Path:
 
 @pytest.fixture(scope="session")
 def shared(workers_folder) -> Path:
-    """A folder for these tests that pytest's workers share."""
+    """Folder that the workers of pytest share."""
     folder = workers_folder / "report"
     folder.mkdir(exist_ok=True)
     return folder
@@ -38,7 +38,7 @@ def shared(workers_folder) -> Path:
 
 @pytest.fixture(scope="session")
 def sweep_folder(shared) -> Path:
-    """Folder of a sweep of three laws over three speeds."""
+    """Folder of a sweep of three laws and three speeds."""
     folder = shared / "speeds"
     with open(shared / "speeds.lock", "w") as lock:
         flock(lock, LOCK_EX)
@@ -51,7 +51,7 @@ def sweep_folder(shared) -> Path:
 
 @pytest.fixture(scope="session")
 def page_file(shared, sweep_folder, hopper) -> Path:
-    """A page on both, and on a folder that holds nothing."""
+    """Page on the sweep, the hopper and an empty folder."""
     page = shared / "report.html"
     with open(shared / "report.lock", "w") as lock:
         flock(lock, LOCK_EX)
@@ -65,9 +65,9 @@ def page_file(shared, sweep_folder, hopper) -> Path:
 
 @pytest.fixture(scope="session")
 def browser() -> Iterator[Browser]:
-    """Chromium without a screen, which draws in three dimensions by software."""
+    """Chromium without a screen, with WebGL in software."""
     drawing = ["--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"]
-    expect.set_options(timeout=PATIENCE)
+    expect.set_options(timeout=TIMEOUT)
     with sync_playwright() as driver:
         chromium = shutil.which("chromium")
         assert chromium, "Debian's chromium is missing: ./run setup installs it"
@@ -77,24 +77,18 @@ def browser() -> Iterator[Browser]:
 
 
 class Visit:
-    """A page that was opened, and what the browser said and asked for meanwhile."""
+    """Page in the browser, with its console messages and requests."""
 
     def __init__(self, page: Page) -> None:
         self.page = page
-        self.said: list[str] = []
-        self.asked: list[str] = []
-        page.on("console", self._take_word)
-        page.on("pageerror", lambda error: self.said.append(str(error)))
-        page.on("request", self._take_request)
-
-    def _take_word(self, message: ConsoleMessage) -> None:
-        self.said.append(message.text)
-
-    def _take_request(self, request: Request) -> None:
-        self.asked.append(request.url)
+        self.messages: list[str] = []
+        self.requests: list[str] = []
+        page.on("console", lambda message: self.messages.append(message.text))
+        page.on("pageerror", lambda error: self.messages.append(str(error)))
+        page.on("request", lambda request: self.requests.append(request.url))
 
     def open(self, file: Path) -> Page:
-        """Open a file and wait until every chart is drawn."""
+        """Open a file and wait until all charts are drawn."""
         self.page.goto(file.as_uri())
         self.page.wait_for_selector("html[data-ready]")
         expect(self.page.locator(".plot:not([data-drawn])")).to_have_count(0)
@@ -103,12 +97,12 @@ class Visit:
 
 @pytest.fixture(scope="session")
 def visit(browser, page_file) -> Iterator[Visit]:
-    """The page, opened once; tests leave its switches as they find them."""
-    with browser.new_context(viewport=DESK) as context:
-        context.set_default_timeout(PATIENCE)
-        visited = Visit(context.new_page())
-        visited.open(page_file)
-        yield visited
+    """The page, opened once; each test resets the switches that it uses."""
+    with browser.new_context(viewport=WINDOW) as context:
+        context.set_default_timeout(TIMEOUT)
+        visit = Visit(context.new_page())
+        visit.open(page_file)
+        yield visit
 
 
 @pytest.fixture

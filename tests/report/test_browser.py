@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The page in a browser: quiet, without network, and every switch does what it says."""
+"""The page in a browser: no errors, no network, and every control works."""
 
 from __future__ import annotations
 
@@ -13,19 +13,19 @@ from playwright.sync_api import Locator, Page, expect
 
 
 def pixels(element: Locator) -> np.ndarray:
-    """An element as it is seen, (height, width, 3)."""
+    """Return the picture of an element, (height, width, 3)."""
     element.scroll_into_view_if_needed()
     return np.asarray(Image.open(BytesIO(element.screenshot())).convert("RGB"), int)
 
 
 def drawn(seen: np.ndarray) -> float:
-    """Share of the pixels that are not the ground's colour."""
+    """Return the fraction of pixels that differ from the background."""
     ground = seen[2, 2]
     return float((np.abs(seen - ground).max(axis=2) > 24).mean())
 
 
 def settle(page: Page) -> None:
-    """Two frames of the browser, in which what was asked for is drawn."""
+    """Wait for two frames of the browser, in which it draws."""
     page.evaluate(
         "() => new Promise(done => requestAnimationFrame(() => requestAnimationFrame(done)))"
     )
@@ -41,9 +41,9 @@ def shown_laws(page: Page, chart: str) -> set[str]:
     )
 
 
-def test_the_page_is_quiet_small_and_needs_no_network(visit, page_file):
-    assert visit.said == []
-    assert visit.asked == [page_file.as_uri()]
+def test_page_is_small_and_needs_no_network(visit, page_file):
+    assert visit.messages == []
+    assert visit.requests == [page_file.as_uri()]
     assert page_file.stat().st_size < 5e6
 
 
@@ -59,37 +59,38 @@ def test_every_chart_has_lines_and_titles_with_units(page):
         assert drawn(pixels(chart)) > 0.01
 
 
-def test_values_are_shown_where_a_chart_is_pointed_at(page):
+def test_chart_shows_values_under_the_pointer(page):
     chart = page.locator("#run-0-measured")
     point = chart.locator(".point").nth(2)
     point.scroll_into_view_if_needed()
     point.hover(force=True)
-    said = chart.locator(".hoverlayer .hovertext")
-    expect(said.first).to_contain_text("coefficient of restitution")
-    expect(said.first).to_contain_text("m/s")
+    hover = chart.locator(".hoverlayer .hovertext")
+    expect(hover.first).to_contain_text("coefficient of restitution")
+    expect(hover.first).to_contain_text("m/s")
 
 
 def test_laws_are_switched_on_and_off(page):
     row = page.locator("tr[data-of-law=thornton]").first
-    everything = {"kogut_etsion", "thornton", "universal"}
-    for chart in ("run-0-measured", "run-0-loops", "run-0-verification", "run-0-validation"):
-        assert shown_laws(page, chart) == everything
+    laws = {"kogut_etsion", "thornton", "universal"}
+    charts = [f"run-0-{name}" for name in ("measured", "loops", "verification", "validation")]
+    for chart in charts:
+        assert shown_laws(page, chart) == laws
     page.get_by_label("Thornton").uncheck()
     expect(row).to_be_hidden()
     settle(page)
-    for chart in ("run-0-measured", "run-0-loops", "run-0-verification", "run-0-validation"):
-        assert shown_laws(page, chart) == everything - {"thornton"}
+    for chart in charts:
+        assert shown_laws(page, chart) == laws - {"thornton"}
     page.get_by_role("button", name="None").click()
     settle(page)
     assert shown_laws(page, "run-0-measured") == set()
     page.get_by_role("button", name="All").click()
     settle(page)
-    assert shown_laws(page, "run-0-measured") == everything
+    assert shown_laws(page, "run-0-measured") == laws
     expect(row).to_be_visible()
 
 
 @pytest.mark.parametrize(
-    ("chart", "choice", "said"),
+    ("chart", "choice", "title"),
     [
         ("run-0-measured", "Largest force", "largest force"),
         ("run-0-verification", "Largest force", "difference"),
@@ -97,32 +98,32 @@ def test_laws_are_switched_on_and_off(page):
         ("run-2-series", "Plastic work", "plastic work"),
     ],
 )
-def test_another_quantity_is_shown(page, chart, choice, said):
-    chosen, element = page.locator(f"[data-chart={chart}]"), page.locator(f"#{chart}")
-    before, first = pixels(element), chosen.input_value()
-    chosen.select_option(label=choice)
-    expect(element.locator(".ytitle")).to_contain_text(said)
+def test_menu_selects_another_quantity(page, chart, choice, title):
+    menu, element = page.locator(f"[data-chart={chart}]"), page.locator(f"#{chart}")
+    before, first = pixels(element), menu.input_value()
+    menu.select_option(label=choice)
+    expect(element.locator(".ytitle")).to_contain_text(title)
     settle(page)
     assert (pixels(element) != before).any()
-    chosen.select_option(first)
+    menu.select_option(first)
 
 
 def test_the_movie_plays_and_stops(page):
     movie = page.locator("[data-movie]")
     canvas, now = movie.locator("canvas"), movie.locator(".now")
-    before, when = pixels(canvas), now.inner_text()
+    before, last_time = pixels(canvas), now.inner_text()
     assert drawn(before) > 0.02
     movie.get_by_role("button", name="Play").click()
-    expect(now).not_to_have_text(when)
+    expect(now).not_to_have_text(last_time)
     movie.get_by_role("button", name="Pause").click()
     movie.locator(".time").fill("0")
     settle(page)
     assert (np.abs(pixels(canvas) - before).max(axis=2) > 24).mean() > 0.01
     movie.locator(".time").fill(movie.locator(".time").get_attribute("max"))
-    expect(now).to_have_text(when)
+    expect(now).to_have_text(last_time)
 
 
-def test_grains_are_turned_by_pointer_and_keys(page):
+def test_pointer_and_keys_turn_and_zoom_the_grains(page):
     canvas = page.locator("[data-movie] canvas")
     before = pixels(canvas)
     box = canvas.bounding_box()
@@ -136,13 +137,13 @@ def test_grains_are_turned_by_pointer_and_keys(page):
     canvas.press("+")
     settle(page)
     assert drawn(pixels(canvas)) > 1.2 * drawn(turned)
-    canvas.dblclick()  # as it was at first
+    canvas.dblclick()  # resets the view
     settle(page)
     np.testing.assert_allclose(drawn(pixels(canvas)), drawn(before), rtol=0.05)
 
 
 @pytest.mark.parametrize("view", ["front", "side", "top"])
-def test_grains_are_seen_from_a_side(page, view):
+def test_grains_are_shown_from_every_side(page, view):
     canvas, choice = page.locator("[data-movie] canvas"), page.locator("[data-movie] .view")
     before = pixels(canvas)
     choice.select_option(view)
@@ -153,14 +154,14 @@ def test_grains_are_seen_from_a_side(page, view):
     choice.select_option("corner")
 
 
-def test_grains_are_coloured_and_say_their_values(page):
+def test_grains_have_colours_and_show_their_values(page):
     movie = page.locator("[data-movie]")
     canvas, colour = movie.locator("canvas"), movie.locator(".colour")
     title, before = movie.locator(".scale-title"), pixels(canvas)
     assert "plastic work (" in title.inner_text()
-    for name, said in (("force", "largest contact force ("), ("speed", "speed (m/s)")):
+    for name, text in (("force", "largest contact force ("), ("speed", "speed (m/s)")):
         colour.select_option(name)
-        expect(title).to_contain_text(said)
+        expect(title).to_contain_text(text)
         settle(page)
         assert (pixels(canvas) != before).any()
     colour.select_option("plastic_work")
@@ -169,8 +170,8 @@ def test_grains_are_coloured_and_say_their_values(page):
     row, column = bright[len(bright) // 2]
     canvas.hover(position={"x": int(column), "y": int(row)})
     tip = movie.locator(".tip")
-    for said in ("plastic work", "largest contact force", "m/s", "radius 5 mm"):
-        expect(tip).to_contain_text(said)
+    for text in ("plastic work", "largest contact force", "m/s", "radius 5 mm"):
+        expect(tip).to_contain_text(text)
 
 
 def test_walls_are_switched_off(page):
@@ -182,8 +183,8 @@ def test_walls_are_switched_off(page):
     walls.check()
 
 
-def test_the_page_is_dark_and_light(page):
-    def ground() -> int:
+def test_page_has_a_dark_and_a_light_theme(page):
+    def background() -> int:
         return int(pixels(page.locator("h1"))[0, 0].sum())
 
     def text() -> str:
@@ -192,11 +193,11 @@ def test_the_page_is_dark_and_light(page):
     theme = page.get_by_label("Theme")
     theme.select_option("light")
     settle(page)
-    light, ink = ground(), text()
+    light, ink = background(), text()
     theme.select_option("dark")
     page.wait_for_selector("#run-0-measured[data-drawn=dark]")
     assert light > 720
-    assert ground() < 120
+    assert background() < 120
     assert text() != ink
     assert drawn(pixels(page.locator("[data-movie] canvas"))) > 0.02
     page.emulate_media(media="print")
@@ -207,7 +208,7 @@ def test_the_page_is_dark_and_light(page):
     page.wait_for_selector("#run-0-measured[data-drawn=light]")
 
 
-#: Adds so many switches of laws, or takes them away.
+#: Adds switches of laws, or removes them if the number is negative.
 MORE_LAWS = """number => {
   const row = document.querySelector(".chips");
   for (let k = 0; k < number; k++) row.append(row.lastElementChild.cloneNode(true));
@@ -215,8 +216,8 @@ MORE_LAWS = """number => {
 }"""
 
 
-def test_a_phone_shows_it_without_moving_sideways(page):
-    desk = page.viewport_size
+def test_phone_needs_no_horizontal_scrolling(page):
+    window = page.viewport_size
     page.evaluate(MORE_LAWS, 17)
     page.set_viewport_size({"width": 390, "height": 844})
     chart = page.locator("#run-0-measured .main-svg[width^='3']").first  # 300 to 399 wide
@@ -224,14 +225,14 @@ def test_a_phone_shows_it_without_moving_sideways(page):
     assert page.evaluate("document.documentElement.scrollWidth") <= 390
     assert page.locator("[data-movie] canvas").bounding_box()["width"] > 300
     page.evaluate(MORE_LAWS, -17)
-    page.set_viewport_size(desk)
+    page.set_viewport_size(window)
     expect(chart).not_to_be_attached()
 
 
 @pytest.mark.parametrize("mode", ["light", "dark"])
-def test_accessibility_lint_passes(page, mode):
+def test_page_meets_accessibility_rules(page, mode):
     page.get_by_label("Theme").select_option(mode)
     page.wait_for_selector(f"#run-0-measured[data-drawn={mode}]")
-    found = Axe().run(page)
+    results = Axe().run(page)
     page.get_by_label("Theme").select_option("auto")
-    assert found.violations_count == 0, found.generate_report()
+    assert results.violations_count == 0, results.generate_report()

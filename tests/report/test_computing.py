@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Computations side by side."""
+"""Parallel finite-element computations."""
 
 from __future__ import annotations
 
@@ -26,39 +26,38 @@ class Stopped:
     stopped: str = "no step from here"
 
 
-def give_up(settings, progress):
+def stop_early(settings, progress):
     return Stopped()
 
 
 @pytest.fixture(autouse=True)
-def cache_of_its_own(tmp_path, monkeypatch):
+def empty_cache(tmp_path, monkeypatch):
     monkeypatch.setenv("PLASTIGRAN_CACHE", str(tmp_path))
 
 
-def test_results_come_by_name_in_the_order_asked_for_and_are_kept(tmp_path):
-    asked = {
+def test_results_are_in_order_and_cached(tmp_path):
+    computations = {
         force: Computation(press, (METAL, 0.1, [force]), COARSE) for force in (20.0, 10.0, 30.0)
     }
-    found = compute_all(asked)
-    assert {name: result.history["force"].max() for name, result in found.items()} == {
-        name: pytest.approx(name) for name in asked
-    }
-    assert list(found) == list(asked)
-    assert len(list(tmp_path.glob("press_*.result"))) == len(asked)
+    results = compute_all(computations)
+    assert list(results) == list(computations)
+    for force, result in results.items():
+        assert result.history["force"].max() == pytest.approx(force)
+    assert len(list(tmp_path.glob("press_*.result"))) == len(computations)
 
 
-def test_one_that_gives_up_is_named():
+def test_computation_that_stops_early_is_named():
     with pytest.raises(ValueError, match="finite elements, the sphere: no step from here"):
-        compute_all({"the sphere": Computation(give_up, ())})
+        compute_all({"the sphere": Computation(stop_early, ())})
 
 
-def tell(settings, progress):
+def warn(settings, progress):
     warnings.warn("the contact is wide", stacklevel=1)
     return 1.0
 
 
-def test_a_warning_is_told_in_one_plain_line(capfd):
-    compute_all({"the sphere": Computation(tell, ())})
+def test_warnings_of_workers_are_plain_lines(capfd):
+    compute_all({"the sphere": Computation(warn, ())})
     assert capfd.readouterr().err == "plastigran: the contact is wide\n"
 
 
@@ -75,12 +74,12 @@ if __name__ == "__main__":
 """
 
 
-@pytest.mark.parametrize("said", [signal.SIGTERM, signal.SIGINT])
-def test_workers_end_with_the_process_that_started_them(said, tmp_path):
+@pytest.mark.parametrize("stop", [signal.SIGTERM, signal.SIGINT])
+def test_workers_end_with_their_parent(stop, tmp_path):
     script = tmp_path / "waiting.py"
     script.write_text(WAITING)
     started = subprocess.Popen(
-        # A parent in the background ignores Ctrl-C, and so would what it starts.
+        # A background process ignores Ctrl-C, and its children inherit this.
         ["env", "--default-signal=INT", sys.executable, script],
         stdout=subprocess.PIPE,
         stderr=subprocess.DEVNULL,
@@ -88,9 +87,9 @@ def test_workers_end_with_the_process_that_started_them(said, tmp_path):
         process_group=0,
     )
     assert started.stdout.readline() == "started\n"
-    if said == signal.SIGINT:  # of a terminal, to all of them
-        os.killpg(started.pid, said)
+    if stop == signal.SIGINT:  # a terminal sends it to all processes
+        os.killpg(started.pid, stop)
     else:
-        started.send_signal(said)
-    # The worker's end of the pipe is closed when the worker has ended.
+        started.send_signal(stop)
+    # The pipe closes when the worker has ended.
     assert started.communicate(timeout=30) == ("", None)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Numbers of the page: frames as they are packed, cells, axes, colours."""
+"""Numbers of the page: packed frames, cells, axes, colors."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ def test_frames_are_packed_to_16_bits(hopper):
     movie, _ = pack_movie(hopper, lambda step: 2e-5 * step)
     raw = gzip.decompress(base64.b64decode(movie.data))
     at = raw.index(b"\n") + 1
-    assert at % 2 == 0  # the browser reads 16-bit numbers from there
+    assert at % 2 == 0  # the browser reads 16-bit numbers from here
     head = json.loads(raw[:at])
     numbers = np.frombuffer(raw[at:], "<u2") / 65535
     frames = [read_frame(frame) for frame in find_frames(hopper)]
@@ -47,20 +47,20 @@ def test_frames_are_packed_to_16_bits(hopper):
         np.testing.assert_allclose(values * top, expected, atol=half * top)
 
 
-def test_frames_count_time_as_the_charts_do(hopper):
-    """From the step that is named; before it time is negative."""
+def test_times_of_frames_are_those_of_the_charts(hopper):
+    """Times before the start of the charts are negative."""
     last = find_frames(hopper)[-1].step
     movie, _ = pack_movie(hopper, lambda step: (step - last) * 2e-5)
     head = gzip.decompress(base64.b64decode(movie.data)).split(b"\n", 1)[0]
-    said = [frame["label"] for frame in json.loads(head)["frames"]]
-    assert said[-1] == "0 s"
-    assert said[0] == f"−{2e-5 * last * 1e3:.3g} ms"
+    labels = [frame["label"] for frame in json.loads(head)["frames"]]
+    assert labels[-1] == "0 s"
+    assert labels[0] == f"−{2e-5 * last * 1e3:.3g} ms"
 
 
-def test_the_largest_force_on_a_grain_is_that_of_its_contacts(hopper):
+def test_force_of_a_grain_is_the_largest_of_its_contacts(hopper):
     files = find_frames(hopper)[-1]
     frame = read_frame(files)
-    assert 0.3 < (frame.force > 0).mean() < 1  # some fall
+    assert 0.3 < (frame.force > 0).mean() < 1  # some grains are falling
     contacts = pyvista.read(files.contacts)
     largest = dict.fromkeys(pyvista.read(files.grains)["id"], 0.0)
     for one, other, force in zip(contacts["id1"], contacts["id2"], contacts["force"], strict=True):
@@ -70,20 +70,20 @@ def test_the_largest_force_on_a_grain_is_that_of_its_contacts(hopper):
 
 
 @pytest.mark.parametrize(
-    ("value", "said"),
+    ("value", "text"),
     [(1234.5, "1234"), (-2e-6, "−2 × 10⁻⁶"), (1e-9, "10⁻⁹"), (float("nan"), ""), (True, "yes")],
 )
-def test_numbers_are_written_as_people_do(value, said):
-    assert number(value) == said
+def test_numbers_are_written_with_superscripts(value, text):
+    assert number(value) == text
 
 
-def test_axes_have_units_of_a_size_to_read():
-    found = scale("overlap_max", [1e-9, 3e-6])
-    assert (found.axis, found.factor) == ("largest overlap (µm)", pytest.approx(1e6))
+def test_axes_have_prefixes_of_units():
+    axis = scale("overlap_max", [1e-9, 3e-6])
+    assert (axis.axis, axis.factor) == ("largest overlap (µm)", pytest.approx(1e6))
     assert scale("speed", [2e-3]).axis == "impact speed (m/s)"
     assert scale("unheard_of", [1.0]).axis == "unheard of (as in the log)"
 
 
 @pytest.mark.parametrize("colour", ["#000000", "#332288", "#661100", "#0072B2"])
-def test_colours_are_seen_on_a_dark_ground(colour):
+def test_colours_are_light_on_a_dark_background(colour):
     assert luminance(on_dark(colour)) >= LEAST

@@ -1,7 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A report on impacts that differ in wall, options and material: each has its curve, its loop and
-its errors.
-"""
+"""Report on impacts that differ in wall, options and material."""
 
 from __future__ import annotations
 
@@ -31,14 +29,14 @@ def section(folder: Path):
 
 @pytest.fixture(scope="module")
 def folder(tmp_path_factory) -> Path:
-    """Zirconia on a rigid wall and on steel, which it dents."""
+    """Sweep of zirconia on a rigid wall and on steel, where the wall yields."""
     folder = tmp_path_factory.mktemp("walls")
     fields = {"radius": 0.0025, "wall": WALLS, "options": OPTIONS}
     collide("universal", [1, 3], "zirconia", folder=folder, **fields)
     return folder
 
 
-def test_each_has_its_curve_and_its_loop(folder):
+def test_every_wall_and_option_has_a_curve_and_a_loop(folder):
     measured, loops = section(folder).charts[:2]
     table = pd.read_csv(folder / "impacts.csv")
     assert not table["wall"].isna().any() and not table["options"].isna().any()
@@ -56,7 +54,7 @@ def test_each_has_its_curve_and_its_loop(folder):
     assert peaks == pytest.approx(list(forces), rel=0.03)
 
 
-def test_errors_are_claimed_for_the_usual_alone(folder):
+def test_errors_are_known_only_for_rigid_walls_and_default_options(folder):
     (row,) = section(folder).trust
     assert row.not_validated == [
         "Zirconia, yielding flat",
@@ -67,38 +65,38 @@ def test_errors_are_claimed_for_the_usual_alone(folder):
     assert row.validated["force_max"] is not None
 
 
-def test_no_error_is_claimed_on_a_wall_of_a_metal(tmp_path):
-    """Though the ball flattens: the finite elements are of spheres on a rigid plane."""
-    collide("universal", [0.1, 1], "steel", 0.005, folder=tmp_path / "own", wall="zirconia")
-    (row,) = section(tmp_path / "own").trust
+def test_error_is_unknown_on_a_metal_wall(tmp_path):
+    """The finite elements are of spheres on a rigid plane."""
+    collide("universal", [0.1, 1], "steel", 0.005, folder=tmp_path / "metal", wall="zirconia")
+    (row,) = section(tmp_path / "metal").trust
     assert row.not_validated == ["Steel on Zirconia"]
     assert row.validated["force_max"] is None
 
 
-def test_a_users_own_material_is_known_from_the_sweep(tmp_path):
-    """Its constants are in the page, and errors of its impacts."""
+def test_sweep_records_the_material_of_the_user(tmp_path):
+    """The page shows its constants and the errors of its impacts without its file."""
     steel = read_material("steel").variables()
-    own = Material("mine", **steel | {"yield_strength": 7e8})
-    write_material(own, tmp_path / "mine.in", "By a tensile test.")
+    material = Material("mine", **steel | {"yield_strength": 7e8})
+    write_material(material, tmp_path / "mine.in", "By a tensile test.")
     collide("thornton", [0.5, 5], tmp_path / "mine.in", 0.005, folder=tmp_path / "results")
     (tmp_path / "mine.in").unlink()
     made = section(tmp_path / "results")
     constants = made.tables[0]
     assert constants.title == "Constants of the materials"
-    said = dict(zip(constants.head, constants.rows[0], strict=True))
-    assert said["material"] == "mine" and said["yield strength, Pa"] == "7 × 10⁸"
+    row = dict(zip(constants.head, constants.rows[0], strict=True))
+    assert row["material"] == "mine" and row["yield strength, Pa"] == "7 × 10⁸"
     assert made.trust[0].validated["force_max"] is not None
     assert not any("not available" in sentence for sentence in made.missing)
     table = pd.read_csv(tmp_path / "results" / "impacts.csv")
     assert trust(table, {})[0].unknown_materials == ["mine"]
 
 
-def test_two_materials_of_one_name_are_refused(tmp_path):
-    """Tables know materials by their names."""
+def test_two_materials_with_one_name_are_refused(tmp_path):
     for k, strength in enumerate((3e8, 4e8)):
         (tmp_path / str(k)).mkdir()
-        own = Material("mine", **read_material("steel").variables() | {"yield_strength": strength})
-        write_material(own, tmp_path / str(k) / "mine.in", "One of two.")
+        steel = read_material("steel").variables()
+        material = Material("mine", **steel | {"yield_strength": strength})
+        write_material(material, tmp_path / str(k) / "mine.in", "One of two.")
     files = [tmp_path / str(k) / "mine.in" for k in (0, 1)]
     with pytest.raises(ValueError, match="two materials are named mine; give their files differ"):
         collide("thornton", 0.1, files, 0.005, folder=tmp_path / "results")
@@ -107,13 +105,13 @@ def test_two_materials_of_one_name_are_refused(tmp_path):
     assert not list((tmp_path / "theory").iterdir())
 
 
-def test_names_that_look_like_numbers_or_nothing(tmp_path):
-    """Steel 304 is a name as any other, and so is null: of a ball and of its wall."""
+def test_material_names_may_look_like_numbers_or_missing_values(tmp_path):
     metals = []
     for name, strength in (("304", 3e8), ("null", 9e8)):
-        own = Material(name, **read_material("steel").variables() | {"yield_strength": strength})
+        steel = read_material("steel").variables()
+        material = Material(name, **steel | {"yield_strength": strength})
         metals.append(tmp_path / f"{name}.in")
-        write_material(own, metals[-1], "A name on purpose.")
+        write_material(material, metals[-1], "An unusual name.")
     folder = tmp_path / "results"
     collide("thornton", [0.5, 5], metals, 0.005, folder=folder, wall=metals)
     made = section(folder)
@@ -127,14 +125,13 @@ def test_names_that_look_like_numbers_or_nothing(tmp_path):
     assert not left and set(table["material"]) == set(table["wall"]) == {"304", "null"}
 
 
-def test_what_dents_its_wall_is_said(folder):
-    """As the command does."""
-    (said,) = section(folder).warnings
-    assert said.startswith("Zirconia on Steel: the wall yields, not the ball")
+def test_yielding_wall_gives_a_warning(folder):
+    (warning,) = section(folder).warnings
+    assert warning.startswith("Zirconia on Steel: the wall yields, not the ball")
 
 
-def test_a_pair_and_a_wall_are_one_line_over_geometry(tmp_path):
-    """The word for the geometry says that two spheres have no wall."""
+def test_wall_does_not_split_a_curve_over_geometry():
+    """Two spheres have no wall, which the geometry already states."""
     geometries = ["sphere_wall", "two_spheres"]
     table = CentralImpact.theory(law=["thornton"], speed=0.1, geometry=geometries).table
     predicted = {f"{name}_predicted": table[name] for name in ("force_max", "overlap_max")}

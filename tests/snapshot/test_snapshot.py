@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Pictures of a run: VTK frames from the engine, drawn without a screen."""
+"""Pictures of the VTK frames of a run, drawn without a screen."""
 
 from __future__ import annotations
 
@@ -25,12 +25,12 @@ def run(tmp_path_factory) -> Path:
 
 
 def drawn(path: Path) -> np.ndarray:
-    """Where a picture of 1000 times 800 pixels is not white, left of the scale."""
+    """Return where a picture of 1000 times 800 pixels is not white, left of the scale."""
     return (imread(path)[220:, :840, :3] < 0.97).any(axis=2)
 
 
 def halves(shown: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Left and right of the widest gap between columns."""
+    """Return the parts left and right of the widest gap between columns."""
     columns = np.flatnonzero(shown.any(axis=0))
     middle = columns[np.argmax(np.diff(columns))] + 1
     return shown[:, :middle], shown[:, middle:]
@@ -44,7 +44,7 @@ def test_frames_are_found_by_step(run):
 
 
 def test_grains_have_their_size(run, tmp_path):
-    """Seen from above each pair is one disc: areas as 4 to 1. 3 % for facets and pixels."""
+    """Seen from above, each pair is one disc; the areas are 4 to 1, within 3 % for facets."""
     draw(find_frames(run)[-1], tmp_path / "top.png", colour="height", view="top", size=(1000, 800))
     large, small = halves(drawn(tmp_path / "top.png"))
     width = np.flatnonzero(large.any(axis=0)).size
@@ -53,8 +53,10 @@ def test_grains_have_their_size(run, tmp_path):
 
 
 def test_force_chains_are_where_grains_touch(run, tmp_path):
-    """One tube a pair, from centre to centre, its section as the force: the engine's forces at the
-    same overlap are 0.049 and 0.024 N. Some pixels' error."""
+    """Each pair has a tube from center to center, whose cross section is proportional to the force.
+
+    LIGGGHTS computes 0.049 and 0.024 N. Tolerances are some pixels.
+    """
     draw(find_frames(run)[-1], tmp_path / "c.png", contacts=True, view="front", size=(1000, 800))
     large, small = halves(drawn(tmp_path / "c.png"))
     high, low = (np.flatnonzero(tube.any(axis=1)).size for tube in (large, small))
@@ -63,19 +65,19 @@ def test_force_chains_are_where_grains_touch(run, tmp_path):
 
 
 @pytest.mark.parametrize(
-    ("line", "said"),
+    ("options", "message"),
     [
         (["--step", "70"], "no frame of step 70 in .*; there are 0, 50, 100"),
         (["--colour", "red"], "invalid choice: 'red'"),
     ],
 )
-def test_wrong_words_are_named(run, line, said, capsys):
-    with suppress(SystemExit):  # argparse's own refusal
-        assert main(["snapshot", str(run), *line]) == 1
-    assert re.search(said, capsys.readouterr().err)
+def test_wrong_options_are_refused(run, options, message, capsys):
+    with suppress(SystemExit):  # argparse exits
+        assert main(["snapshot", str(run), *options]) == 1
+    assert re.search(message, capsys.readouterr().err)
 
 
-def test_no_frames_is_said(tmp_path):
+def test_folder_without_frames_is_refused(tmp_path):
     with pytest.raises(SnapshotError, match=r"no frames .* -v frames=10"):
         find_frames(tmp_path)
 

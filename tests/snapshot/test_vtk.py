@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Frames for ParaView and OVITO: what VTK reads of them, and each contact's plastic work."""
+"""Frames for ParaView and OVITO, plastic work of contacts, and movies."""
 
 from __future__ import annotations
 
@@ -27,13 +27,13 @@ from plastigran.plot.frame_files import find_frames
 from plastigran.plot.frames import grain_values
 from plastigran.plot.grain_movie import save_grain_movie
 
-#: Laws whose memory begins with the largest overlap, and the one whose memory is another.
+#: Laws whose contact history starts with the largest overlap, and vu_quoc_zhang, which differs.
 LAWS = ("thornton", "universal", "vu_quoc_zhang")
 STEPS = (0, 50, 100)
 
 
 def read_run(folder, law):
-    """The run of pressed pairs as `open_run` would hand over a deck's."""
+    """Return the run of pressed pairs as `open_run` returns the run of a deck."""
     deck = SimpleNamespace(grains=Grains(law, {}, read_material("soft_granules"), 2e-3))
     series = pd.DataFrame({"step": STEPS, "time": np.multiply(STEPS, 1e-7)})
     return BulkRun("pressed_pairs", folder, deck, Analysis(series))
@@ -41,41 +41,39 @@ def read_run(folder, law):
 
 @pytest.fixture(scope="module", params=LAWS)
 def vtk(request, tmp_path_factory):
-    """Folder of the written files, by law."""
+    """Folder of the files of each law."""
     folder = press_pairs(tmp_path_factory.mktemp("run"), law=request.param, contact_history=1)
     write_vtk(read_run(folder, request.param), folder / "vtk")
     return folder / "vtk"
 
 
-def test_contacts_have_the_plastic_work_that_their_grains_have_taken(vtk):
-    """Each grain has half its one contact's work: a sum over all steps, of a contact that has only
-    been loaded. The files have ten digits.
-    """
+def test_plastic_work_of_a_contact_is_that_of_its_grains(vtk):
+    """Each grain has half the work of its only contact. The files have ten digits."""
     grains, contacts = (pyvista.read(vtk / f"{kind}_100.vtp") for kind in ("grains", "contacts"))
     work = dict(zip(grains["id"], grains["plastic_work"], strict=True))
     assert contacts.n_cells == 2
     for row in range(2):
         ends = [int(contacts[name][row]) for name in ("id1", "id2")]
-        taken = sum(work[end] for end in ends)
-        assert taken > 0
-        assert contacts["plastic_work"][row] == pytest.approx(taken, rel=1e-6)
+        expected = sum(work[end] for end in ends)
+        assert expected > 0
+        assert contacts["plastic_work"][row] == pytest.approx(expected, rel=1e-6)
 
 
 def test_columns_have_their_names(vtk):
     grains, contacts = (pyvista.read(vtk / f"{kind}_50.vtp") for kind in ("grains", "contacts"))
     assert {"id", "type", "radius", "velocity", "plastic_work"} <= set(grains.point_data)
-    named = {"id1", "id2", "overlap", "force", "force_normal", "force_tangential", "plastic_work"}
-    assert set(contacts.cell_data) == named
-    for kind in ("grains", "contacts", "mesh"):  # OVITO reads no others
-        assert "compressor" not in (vtk / f"{kind}_50.vtp").read_text().partition("<Piece")[0]
+    names = {"id1", "id2", "overlap", "force", "force_normal", "force_tangential", "plastic_work"}
+    assert set(contacts.cell_data) == names
+    for name in ("grains", "contacts", "mesh"):  # OVITO reads only uncompressed files
+        assert "compressor" not in (vtk / f"{name}_50.vtp").read_text().partition("<Piece")[0]
     assert contacts["overlap"] == pytest.approx([1e-4, 1e-4], rel=0.01)
 
 
-def test_series_lists_states_by_time(vtk):
-    for kind in ("grains", "contacts", "mesh"):
-        listed = pyvista.get_reader(vtk / f"{kind}.pvd")
+def test_series_lists_frames_by_time(vtk):
+    for name in ("grains", "contacts", "mesh"):
+        listed = pyvista.get_reader(vtk / f"{name}.pvd")
         assert listed.time_values == pytest.approx([step * 1e-7 for step in STEPS])
-        for entry in ElementTree.parse(vtk / f"{kind}.pvd").iter("DataSet"):
+        for entry in ElementTree.parse(vtk / f"{name}.pvd").iter("DataSet"):
             assert (vtk / entry.get("file")).exists()
 
 
@@ -88,7 +86,7 @@ def test_without_history_there_is_no_plastic_work(tmp_path):
 
 
 @pytest.mark.parametrize("damage", ["a row", "another contact"])
-def test_a_memory_that_is_missing_is_said(damage, tmp_path):
+def test_missing_contact_history_is_refused(damage, tmp_path):
     folder = press_pairs(tmp_path, contact_history=1)
     file = folder / "frames" / "memories_100.dump"
     text = file.read_text()
@@ -101,8 +99,8 @@ def test_a_memory_that_is_missing_is_said(damage, tmp_path):
         write_vtk(read_run(folder, "vu_quoc_zhang"), folder / "vtk")
 
 
-def test_the_command_writes_a_decks_contacts(bulk_run, tmp_path, capsys):
-    """Of a run with walls, and frames of which some have no contacts."""
+def test_command_writes_the_contacts_of_a_deck(bulk_run, tmp_path, capsys):
+    """The run has walls, and some frames have no contacts."""
     settings = {**deck_class("hopper").briefs[""].settings, "frames": 2, "contact_history": 1}
     run = bulk_run("hopper", settings)
     assert main(["vtk", str(run.folder), "--output", str(tmp_path)]) == 0
@@ -116,18 +114,17 @@ def test_the_command_writes_a_decks_contacts(bulk_run, tmp_path, capsys):
         plan_bulk("hopper", settings | {"contact_history": 2}, tmp_path / "run")
 
 
-def test_a_memory_stands_for_the_path(yielding_law):
-    """Plastic work from memory and overlap is that of the whole path, unloading included."""
+def test_plastic_work_follows_from_history_and_overlap(yielding_law):
+    """It equals the plastic work of the whole path, which includes unloading."""
     grains = Grains(yielding_law, {}, read_material("aluminium_zv02"), 0.1)
     state = laws.LAWS[yielding_law].State()
     path = grains.contact_law().follow(0.05, np.array([5e-6, 2e-5, 1.2e-5, 1.5e-5]), state)
-    found = plastic_works(grains, [0.05], [1.5e-5], [state.values()[0]])
-    assert found[0] == pytest.approx(path["plastic_work"][-1], rel=1e-9)
+    work = plastic_works(grains, [0.05], [1.5e-5], [state.values()[0]])
+    assert work[0] == pytest.approx(path["plastic_work"][-1], rel=1e-9)
 
 
 @pytest.mark.parametrize("name", ["grains.gif", "grains.mp4"])
-def test_movie(name, tmp_path, capsys):
-    """A movie has a picture of every frame."""
+def test_movie_has_a_picture_of_every_frame(name, tmp_path, capsys):
     import imageio.v3 as iio
 
     folder = press_pairs(tmp_path)
@@ -140,8 +137,8 @@ def test_movie(name, tmp_path, capsys):
 
 
 @pytest.mark.parametrize("colour", ["height", "radius", "speed"])
-def test_a_movie_has_one_scale(colour, tmp_path, monkeypatch, capsys):
-    """From the least of all frames, speeds from nothing; nothing is printed unasked."""
+def test_frames_of_a_movie_have_one_scale(colour, tmp_path, monkeypatch, capsys):
+    """It starts at the smallest value of all frames, for speeds at zero."""
     folder, spans = press_pairs(tmp_path), []
 
     def draw(*_, span, **__):
@@ -158,7 +155,7 @@ def test_a_movie_has_one_scale(colour, tmp_path, monkeypatch, capsys):
     assert capsys.readouterr().err == ""
 
 
-def test_another_kind_of_movie_is_refused(tmp_path, capsys):
+def test_unknown_movie_type_is_refused(tmp_path, capsys):
     folder = press_pairs(tmp_path)
     assert main(["snapshot", str(folder), "--movie", "grains.avi"]) == 1
     assert (
