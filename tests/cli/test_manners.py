@@ -28,8 +28,6 @@ from plastigran.cli.commands.bulk import warnings_of
 from plastigran.experiments.central import CentralImpact
 from plastigran.progress import ProgressBar
 
-STEEL = ["--young", "2.1e11", "--poisson", "0.3", "--density", "7850"]
-
 
 def test_every_command_has_an_example_that_is_understood():
     top = parser()
@@ -139,29 +137,6 @@ def test_dry_runs_print_what_would_run_and_leave_nothing(tmp_path, capsys):
     assert main(["impact", "--law", "thornton", "--points", "3", *line]) == 0
     assert "3 runs; nothing was started" in capsys.readouterr().out
     assert not folder.exists()
-
-
-@pytest.mark.parametrize(
-    ("line", "said"),
-    [
-        (["--yield", "3e8", "--ball-radius", "0.01"], "--ball-radius is 0.01; it needs --drop"),
-        (["--yield", "3e8", "--scatter", "0.1"], "--scatter is 0.1; it needs --drop or --leeb"),
-        (["--yield", "3e8", "--plate", "rigid"], "--plate is rigid; it needs --drop"),
-        (["--yield", "3e8", "--radius", "0.2"], "--radius is 0.2; it needs --fem"),
-        (["--yield", "3e8", "--finite-strain"], "--finite-strain needs --fem"),
-        (["--yield", "3e8", "--figure", "x.png"], "--figure is x.png; it needs --drop or --fem"),
-        (["--yield", "3e8", "--force"], "--force is given; it needs --output"),
-    ],
-)
-def test_calibrate_refuses_idle_options(line, said, capsys):
-    assert main(["calibrate", *STEEL, *line]) == 1
-    assert said in capsys.readouterr().err
-
-
-def test_a_range_of_speeds_beside_speeds_is_refused(tmp_path, capsys):
-    line = ["impact", "--speed", "1", "--speeds", "1", "2", "--output", str(tmp_path)]
-    assert main(line) == 1
-    assert "--speeds belongs to a range, but --speed gives the values" in capsys.readouterr().err
 
 
 def test_a_limit_of_file_sizes_names_the_folder(tmp_path, capsys):

@@ -11,9 +11,9 @@ from pathlib import Path
 
 import pandas as pd
 import pytest
+from commands import exit_code
 
 from plastigran import experiments
-from plastigran.cli import main
 
 OWN = Path(__file__).parent / "own"
 
@@ -50,10 +50,7 @@ def test_one_file_is_an_experiment(tmp_path):
 )
 def test_the_command_follows_from_the_fields(line, said, monkeypatch, capsys):
     monkeypatch.setattr(experiments, "__path__", [*experiments.__path__, str(OWN)])
-    try:
-        assert main(line) == 1
-    except SystemExit:  # from reading the command line
-        pass
+    exit_code(line)
     assert said in " ".join("".join(capsys.readouterr()).split())
 
 

@@ -1,8 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Experiments: single impacts that LIGGGHTS runs, compared with theory.
 
-One module or package per experiment. `find_experiments` finds those here and in the folders of
-$PLASTIGRAN_EXPERIMENTS.
+Each experiment is a module or package, here or in a folder of $PLASTIGRAN_EXPERIMENTS.
 """
 
 from __future__ import annotations
@@ -20,9 +19,9 @@ __path__ += filter(None, os.environ.get("PLASTIGRAN_EXPERIMENTS", "").split(os.p
 
 def find_experiments() -> dict[str, type[Experiment]]:
     """Return every experiment that has a command, by the name of the command."""
-    found = {}
-    for place in iter_modules(__path__):
-        for value in vars(import_module(f"{__name__}.{place.name}")).values():
+    experiments = {}
+    for module in iter_modules(__path__):
+        for value in vars(import_module(f"{__name__}.{module.name}")).values():
             if isinstance(value, type) and vars(value).get("command"):
-                found[value.command] = value
-    return dict(sorted(found.items()))
+                experiments[value.command] = value
+    return dict(sorted(experiments.items()))

@@ -93,11 +93,9 @@ def force_overlap_loop(trajectory: pd.DataFrame) -> pd.DataFrame:
 def measure(trajectory: str | Path | pd.DataFrame) -> CollisionOutcome:
     """Measure the collision in a trajectory.
 
-    Times and extremes between two frames are interpolated. The overlap follows the cubic that
-    matches
-    positions and speeds at both ends. The residual overlap follows the power law of unloading
-    through
-    the last three loaded frames.
+    Times and extremes between two frames are interpolated. The largest overlap is that of the cubic
+    through the overlaps and speeds of two frames. The residual overlap is where the unloading curve
+    through the last loaded frames has no force.
 
     Args:
         trajectory: A custom dump written every step, or its table of `read_dump`.
@@ -164,23 +162,26 @@ def _residual(overlap, force) -> float:
     """Return the overlap at zero force from the last frames of a rebound, in order of time.
 
     Laws unload as (overlap - overlap_res)^n with n near 3/2, or as Hertz' power 3/2 divided by a
-    linear
-    function of (overlap - overlap_res)^(1/2). Three frames determine either; a fourth selects the
-    form.
+    linear function of (overlap - overlap_res)^(1/2). Three frames determine the constants of either
+    form. A fourth frame, if there is one, selects the form.
     """
     last = overlap[-3:], force[-3:]
     residual, power = _end_of_power(*last)
     if len(overlap) < 4:
         return residual
-    other, bent = _end_of_bent_power(*last)
-    before, found = overlap[-4], force[-4]
-    return other if abs(bent(before) - found) < abs(power(before) - found) else residual
+    bent_residual, bent_power = _end_of_bent_power(*last)
+    power_error = abs(power(overlap[-4]) - force[-4])
+    bent_error = abs(bent_power(overlap[-4]) - force[-4])
+    return bent_residual if bent_error < power_error else residual
 
 
 def _end_of_power(overlap, force) -> tuple[float, Callable]:
-    """Return where c (overlap - overlap_res)^n through up to three frames is zero, and that force.
+    """Fit force = c (overlap - overlap_res)^n to three frames, or n = 3/2 to fewer.
 
-    With the right n, force^(1/n) is a straight line.
+    With the right n, force^(1/n) is a straight line over the overlap.
+
+    Returns:
+        The residual overlap, and the fitted force as a function of the overlap.
     """
 
     def slopes(n: float):
@@ -201,9 +202,13 @@ def _end_of_power(overlap, force) -> tuple[float, Callable]:
 
 
 def _end_of_bent_power(overlap, force) -> tuple[float, Callable]:
-    """Return the same for c z^3/(1 + g z), z = (overlap - overlap_res)^(1/2), through three frames.
+    """Fit force = c z^3/(1 + g z) with z = (overlap - overlap_res)^(1/2) to three frames.
 
-    With the right residual, z^3/force is a straight line over z. NaN if there is none.
+    With the right residual overlap, z^3/force is a straight line over z. Without a solution, the
+    results are NaN.
+
+    Returns:
+        As for `_end_of_power`.
     """
 
     def line(residual: float):

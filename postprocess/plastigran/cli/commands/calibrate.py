@@ -189,21 +189,21 @@ def _drops(arguments: argparse.Namespace) -> DropTest | None:
     return DropTest(**drops, ball=ball, plate=plate, radius=arguments.ball_radius or BALL_RADIUS)
 
 
-def _draw(found: CalibratedMetal, path: Path) -> None:
+def _draw(calibrated: CalibratedMetal, path: Path) -> None:
     from plastigran.calibration.figures import figure  # slow to load
     from plastigran.plot.style import save
 
-    save(figure(found, progress=True), path, (path.suffix,))
+    save(figure(calibrated, progress=True), path, (path.suffix,))
 
 
-def _print(found: CalibratedMetal, output: Path | None) -> None:
-    print(found)
-    if found.pressed is not None:
+def _print(calibrated: CalibratedMetal, output: Path | None) -> None:
+    print(calibrated)
+    if calibrated.pressed is not None:
         print()
-        for name, value in found.pressed.fitted.to_dict().items():
+        for name, value in calibrated.pressed.fitted.to_dict().items():
             print(f"{name:28s} {value:.5g}")
     print("\nLines for a deck:")
-    print("\n".join(found.deck_lines()))
+    print("\n".join(calibrated.deck_lines()))
     if output is not None:
         print(f"\nwritten: {output}")
-    print(f"\nMaterial file:\n# {found.remark}\n{material_lines(found.material)}")
+    print(f"\nMaterial file:\n# {calibrated.remark}\n{material_lines(calibrated.material)}")

@@ -48,8 +48,9 @@ def impact(name: str, radius: float, speed: float, length_ratio: float) -> dict[
     pair, length = laws.combine(material.body(), RIGID), length_ratio * radius
     lengths = {"cylinder_length": length, "body_thickness": BODY_THICKNESS}
     law = material.law(name, pair, **lengths, energy_guard="off")
-    found = law.central_impact(radius, MASS, speed)
-    contact_radius = law.respond(radius, found.overlap_max, law.State()).contact_radius
+    outcome = law.central_impact(radius, MASS, speed)
+    contact_radius = law.respond(radius, outcome.overlap_max, law.State()).contact_radius
+    pressure = outcome.force_max / (2 * contact_radius * length)
     *_, work = central.line_yield(pair, radius, length, BODY_THICKNESS)
     loading, total = contact_time(law, radius, MASS, speed)
     return {
@@ -58,15 +59,15 @@ def impact(name: str, radius: float, speed: float, length_ratio: float) -> dict[
         "radius": radius,
         "speed": speed,
         "speed_ratio": speed / sqrt(2 * work / MASS),
-        "overlap_max": found.overlap_max,
-        "overlap_res": found.overlap_res,
-        "force_max": found.force_max,
+        "overlap_max": outcome.overlap_max,
+        "overlap_res": outcome.overlap_res,
+        "force_max": outcome.force_max,
         "contact_radius": contact_radius,
-        "pressure_ratio": found.force_max / (2 * contact_radius * length) / material.yield_strength,
+        "pressure_ratio": pressure / material.yield_strength,
         "loading_time": loading,
         "contact_time": total,
-        "coefficient_of_restitution": min(1.0, found.coefficient_of_restitution),
-        "in_range": found.in_range,
+        "coefficient_of_restitution": min(1.0, outcome.coefficient_of_restitution),
+        "in_range": outcome.in_range,
     }
 
 

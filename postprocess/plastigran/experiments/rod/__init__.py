@@ -12,7 +12,7 @@ import attrs
 from plastigran import laws
 from plastigran.declared import declarations, number, speed_field, word
 from plastigran.experiments.base import Experiment
-from plastigran.experiments.fields import SPHERE_OVERLAP, Flag, check_overlap, law_field
+from plastigran.experiments.fields import SPHERE_OVERLAP, Flag, check_overlap, law_field, several
 from plastigran.experiments.rod.measurement import measure_rod
 from plastigran.experiments.rod.paper import PAPER_FRICTION, PAPER_SPEEDS
 from plastigran.experiments.runs import Runs
@@ -37,9 +37,9 @@ _FRICTION = attrs.evolve(
 class RodImpact(Experiment):
     """One impact of a rod that falls vertically.
 
-    The friction of LIGGGHTS is `tangential`. With `history`, a spring holds the tip until it pulls
-    with
-    mu F. With `no_history`, friction is mu F as soon as the tip slides, as in the paper.
+    `tangential` selects the friction of LIGGGHTS. With `history`, a spring holds the tip until its
+    force reaches mu F. With `no_history`, friction is mu F as soon as the tip slides, as in the
+    paper.
 
     Raises:
         ValueError: A field is out of range, LIGGGHTS cannot run it, or the tip would overlap too
@@ -52,7 +52,7 @@ class RodImpact(Experiment):
     tangential: str = word("friction", ("history", "no_history", "off"), default="history")
     material: Material = material_field("material of the rod", "steel_gcm15")
     flat: Material = material_field("material of the flat", "iron_gcm15")
-    # The paper uses E* and R* of the pair in all laws.
+    # In the paper, all laws take E* and R* of the pair.
     reading: str = word(
         "body whose modulus and radius enter laws fitted to one sphere",
         ("pair", "yielding_body"),
@@ -92,7 +92,7 @@ class RodImpact(Experiment):
         return laws.combine(self.material.body(), self.flat.body())
 
     def contact_law(self, **options: str | float):
-        """Return the law between rod and flat; `options` are its own."""
+        """Return the law between rod and flat; `options` replace those of the case."""
         if any(row["name"] == "indentation_pressure" for row in laws.LAWS[self.law].parameters()):
             options = {"indentation_pressure": self.indentation_pressure, **options}
         return self.material.law(self.law, self.pair, **self.options | options)
@@ -100,8 +100,8 @@ class RodImpact(Experiment):
     @property
     def options(self) -> dict[str, str]:
         """Options of the law that the case chooses, by name."""
-        known = {option["name"] for option in laws.LAWS[self.law].options()}
-        return {"reading": self.reading} if "reading" in known else {}
+        names = {option["name"] for option in laws.LAWS[self.law].options()}
+        return {"reading": self.reading} if "reading" in names else {}
 
     def frozen(self) -> laws.ImpactOutcome:
         """Central impact with the effective mass of the tip, `Rod.mass_eff`."""
@@ -114,22 +114,25 @@ class RodImpact(Experiment):
 
     @property
     def timestep(self) -> float:
-        """Half of the recommended time step of the tip's sphere [s], a sixth of the rod's mass.
+        """Half of the recommended time step of the sphere at the tip [s].
 
-        The time step check of LIGGGHTS uses only the mass of that sphere.
+        The sphere has a sixth of the mass of the rod. The time step check of LIGGGHTS uses only the
+        mass of this sphere.
         """
         rod = self.rod
-        law = self.contact_law()
-        return 0.5 * law.recommended_timestep(rod.tip_radius, rod.tip_mass, self.speed)
+        return 0.5 * self.contact_law().recommended_timestep(
+            rod.tip_radius, rod.tip_mass, self.speed
+        )
 
     def variables(self) -> dict[str, object]:
+        names = ("law", "speed", "tangential", "indentation_pressure")
+        variables: dict[str, object] = {name: getattr(self, name) for name in names}
+        if self.options:
+            pairs = (" ".join(option) for option in self.options.items())
+            variables["options"] = " ".join(pairs)
         flat = {f"flat_{name}": value for name, value in self.flat.variables().items()}
         del flat["flat_density"]  # the flat does not move
-        names = ("law", "speed", "tangential", "indentation_pressure")
-        own: dict[str, object] = {name: getattr(self, name) for name in names}
-        if self.options:
-            own["options"] = " ".join(word for option in self.options.items() for word in option)
-        return own | attrs.asdict(self.rod) | self.material.variables() | flat
+        return variables | attrs.asdict(self.rod) | self.material.variables() | flat
 
     def predict(self) -> RodOutcome:
         """Return the outcome by the equations of motion with the same friction."""
@@ -156,22 +159,28 @@ class RodImpact(Experiment):
 
     @classmethod
     def cases(
-        cls, angle: Iterable[float], coefficient_of_friction: float | None = None, **settings: Any
+        cls,
+        angle: float | Iterable[float],
+        coefficient_of_friction: float | None = None,
+        **settings: Any,
     ) -> list[RodImpact]:
-        """Return the paper's rod at some angles [degrees], with its or another friction.
+        """Return impacts of the paper's rod at some angles [degrees].
+
+        Without a coefficient of friction, it is that of the paper for the angle.
 
         Raises:
             ValueError: The paper gives no friction for an angle.
         """
-        frictions = {each: PAPER_FRICTION.get(each, coefficient_of_friction) for each in angle}
-        if coefficient_of_friction is not None:
-            frictions = dict.fromkeys(frictions, coefficient_of_friction)
-        if None in frictions.values():
-            known = " and ".join(f"{paper:g}" for paper in PAPER_FRICTION)
+        angle = several(angle)
+        if coefficient_of_friction is None and not set(angle) <= PAPER_FRICTION.keys():
+            angles = " and ".join(f"{paper_angle:g}" for paper_angle in PAPER_FRICTION)
             raise ValueError(
-                f"the paper gives friction only at {known} degrees. Give coefficient_of_friction"
+                f"the paper gives friction only at {angles} degrees. Give coefficient_of_friction"
             )
-        return cls.plan(rod=[Rod(*set_up) for set_up in frictions.items()], **settings)
+        frictions = PAPER_FRICTION
+        if coefficient_of_friction is not None:
+            frictions = dict.fromkeys(angle, coefficient_of_friction)
+        return cls.plan(rod=[Rod(value, frictions[value]) for value in angle], **settings)
 
     @classmethod
     def figures(cls, runs: Runs) -> dict[str, Callable[[], Figure]]:
