@@ -1,14 +1,14 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Whether two states of the project compute the same: byte by byte.
+"""Compare the results of two states of the project byte by byte.
 
     ./run compare HEAD~20          # that commit, checked out and built in build/compare
     ./run compare ../elsewhere     # or a built tree
 
-Each state runs its own decks through its own engine with the same settings: every law through every
-collision deck, the benchmark impacts, and each bulk deck as briefly as its class says, on one rank
-and, cut shorter, on two. Dumps must be the same bytes, lines of the log the same text, refusals the
-same words. What differs is listed, and the command ends with 1.
+Each state runs its own decks in its own launcher with the same settings. The runs are every law in
+every collision deck, the benchmark impacts, and each bulk deck with the brief settings of its
+class, on one rank and, shorter, on two. Dumps, rows of the log and error messages must be
+identical. The command lists the differences and ends with 1 if there are any.
 """
 
 from __future__ import annotations
@@ -46,8 +46,8 @@ class Run:
 
 
 def runs(tree: Path) -> list[Run]:
-    """What is run: laws that both states have, the tree's decks, settings that make them short."""
-    inputs, found = tree / "inputs", []
+    """Return the runs: laws of both states and decks of the tree, with settings for short runs."""
+    inputs, chosen = tree / "inputs", []
     for law in sorted(
         {*laws_for("sphere"), *laws_for("cylinder")}
         & {page.stem for page in (tree / "docs" / "laws").glob("*.md")}
@@ -55,28 +55,28 @@ def runs(tree: Path) -> list[Run]:
         for deck in sorted((inputs / "collision").glob("*.in")):
             settings = {"law": law, **material_with(law, deck)}
             ranks = (1, 2) if deck.stem == "two_spheres" else (1,)
-            found += [Run(f"collision/{deck.name}", n, settings, law) for n in ranks]
+            chosen += [Run(f"collision/{deck.name}", n, settings, law) for n in ranks]
     for deck in sorted((inputs / "collision" / "chung_ooi").glob("*.in")):
-        found += [Run(f"collision/chung_ooi/{deck.name}")]
+        chosen += [Run(f"collision/chung_ooi/{deck.name}")]
     for deck in sorted((inputs / "bulk").glob("*.in")):
-        kind = deck_class(deck.stem)
-        for label, brief in kind.briefs.items() if kind else ():
+        definition = deck_class(deck.stem)
+        for label, brief in definition.briefs.items() if definition else ():
             for ranks, settings in ((1, brief.settings), (2, {**brief.settings, **brief.start})):
-                found += [Run(f"bulk/{deck.name}", ranks, settings, label)]
-    return found
+                chosen += [Run(f"bulk/{deck.name}", ranks, settings, label)]
+    return chosen
 
 
 def material_with(law: str, deck: Path) -> dict[str, str]:
-    """The setting of a material that has what the law needs, empty where the deck's own has it."""
-    usual = index_variables(deck)["material"]
-    for name in (usual, *materials.names()):
+    """Return the setting of a material with the constants of the law; empty for the deck's own."""
+    default = index_variables(deck)["material"]
+    for name in (default, *materials.names()):
         if not materials.read_material(name).missing(law):
-            return {} if name == usual else {"material": name}
-    sys.exit(f"no material has what {law} needs")
+            return {} if name == default else {"material": name}
+    sys.exit(f"no material has the constants of {law}")
 
 
 def execute(tree: Path, run: Run, folder: Path) -> dict[str, bytes]:
-    """Run a deck in a tree; what it leaves that must not change, by name."""
+    """Run a deck in a tree, and return the results that must not change, by name."""
     folder.mkdir(parents=True)
     line = [str(tree / "build" / "liggghts-plastigran"), "-in", str(tree / "inputs" / run.deck)]
     line += ["-log", str(folder / "log.liggghts")]
@@ -91,14 +91,16 @@ def execute(tree: Path, run: Run, folder: Path) -> dict[str, bytes]:
     )
     log = folder / "log.liggghts"
     text = log.read_text(errors="replace") if log.exists() else ""
-    left = {file.name: file.read_bytes() for file in sorted(folder.glob("*.dump"))}
-    left["log"] = "\n".join(lines_that_stay(text, done.stdout.decode(errors="replace"))).encode()
-    left["end"] = str(done.returncode).encode()
-    return left
+    results = {file.name: file.read_bytes() for file in sorted(folder.glob("*.dump"))}
+    results["log"] = "\n".join(
+        lines_to_compare(text, done.stdout.decode(errors="replace"))
+    ).encode()
+    results["end"] = str(done.returncode).encode()
+    return results
 
 
-def lines_that_stay(log: str, screen: str) -> list[str]:
-    """Rows of numbers, and errors without their place in a source."""
+def lines_to_compare(log: str, screen: str) -> list[str]:
+    """Return rows of numbers, and errors without their source file."""
     rows = [
         line for line in log.splitlines() if re.fullmatch(r"\s*\d+(\s+[-+.\deE]+|\s+nan)+\s*", line)
     ]
@@ -107,7 +109,7 @@ def lines_that_stay(log: str, screen: str) -> list[str]:
 
 
 def built(state: str) -> Path:
-    """The folder of a built tree: the one named, or a commit checked out and built."""
+    """Return the folder of a built tree: the given one, or a commit after checkout and build."""
     if (Path(state) / "build" / "liggghts-plastigran").exists():
         return Path(state).resolve()
     commit = subprocess.run(
@@ -131,13 +133,13 @@ def built(state: str) -> Path:
 def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__.partition("\n")[0])
     parser.add_argument("state", help="a commit, or the folder of a built tree")
-    parser.add_argument("--only", default="", help="runs whose name holds this word")
+    parser.add_argument("--only", default="", help="only runs whose name contains this word")
     parser.add_argument("--jobs", type=int, default=os.cpu_count())
     arguments = parser.parse_args()
     other = built(arguments.state)
     chosen = [run for run in runs(other) if arguments.only in run.name]
     if not chosen:
-        sys.exit(f"no run is called {arguments.only}")
+        sys.exit(f"no run has {arguments.only!r} in its name")
     differing = []
     with tempfile.TemporaryDirectory() as scratch, ThreadPoolExecutor(arguments.jobs) as pool:
 
@@ -146,12 +148,12 @@ def main() -> int:
             after = execute(PROJECT, run, Path(scratch) / "after" / run.name)
             names = sorted(before.keys() | after.keys())
             size = sum(map(len, before.values()))
-            said = f"{size:9d} bytes" + (", refused" if before["end"] != b"0" else "")
-            return said, [name for name in names if before.get(name) != after.get(name)]
+            summary = f"{size:9d} bytes" + (", refused" if before["end"] != b"0" else "")
+            return summary, [name for name in names if before.get(name) != after.get(name)]
 
-        for run, (said, different) in zip(chosen, pool.map(compare, chosen), strict=True):
+        for run, (summary, different) in zip(chosen, pool.map(compare, chosen), strict=True):
             verdict = f"differs: {', '.join(different)}" if different else "same"
-            print(f"{run.name:48s} {said:26s} {verdict}", flush=True)
+            print(f"{run.name:48s} {summary:26s} {verdict}", flush=True)
             differing += [run.name] if different else []
     print(f"{len(chosen)} runs, {len(differing)} differ")
     return 1 if differing else 0

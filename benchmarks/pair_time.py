@@ -1,28 +1,25 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""What a law costs: time of the pair forces over that of LIGGGHTS' own `hertz`.
+"""Measure the cost of a law: time of its pair forces / time of stock `hertz`.
 
-One bed of spheres, 20 000 unless told, is made once (bed.in, kept in build/bench) and compressed
-and half released along given paths (pair_time.in), so that every law sees the same contacts at
-every step. It is done with a yield strength at which nearly all contacts are plastic and with one
-at which none is. All laws run once per round, in an order that turns from round to round; a law's
-ratio is taken within each round, so that slow changes of the machine's speed cancel. `hertz` runs
-twice per round: the ratio of the two is the noise.
+A bed of spheres (bed.in, kept in build/bench) is compressed and half released along given paths
+(pair_time.in), so that every law has the same contacts at every step. One yield strength makes
+nearly all contacts plastic, another keeps all elastic. All laws run once per round, and every round
+begins with another law. Ratios are taken within a round, so that slow changes of the machine's
+speed cancel. `hertz` runs twice per round, and the ratio of the two is the noise.
 
-The reference is stock `hertz` with restitution 0.6, with `tangential history` as everywhere here;
-it computes a viscous damping that the laws do not have.
+The reference is stock `hertz` with restitution 0.6. It computes viscous damping, which the laws do
+not have. All runs have `tangential history`.
 
     .venv/bin/python benchmarks/pair_time.py --repeats 5 --law thornton
     .venv/bin/python benchmarks/pair_time.py --copies 3 --law universal
     .venv/bin/python benchmarks/pair_time.py --law thornton --ledger
 
-With `--ledger` every law runs with the energy ledger, too. With `--copies 3` the bed is 3 by 3 by 3
-of them, 540 000 spheres.
+With `--ledger`, every law also runs with energy balance. With `--copies 3`, the bed consists of
+3 by 3 by 3 copies, 540 000 spheres.
 
-Cylinders have a bed of their own, of discs in two dimensions (bed_of_discs.in); `hertz`, which is
-for spheres, is the reference there as well.
-
-Times depend on the machine, ratios far less; only ratios are reported.
+Cylinders have a bed of discs in two dimensions (bed_of_discs.in). Its reference is also `hertz`,
+although that is for spheres. Only ratios are reported, because times depend on the machine.
 """
 
 from __future__ import annotations
@@ -34,8 +31,8 @@ from pathlib import Path
 import pandas as pd
 from attrs import frozen
 from pair_time_figure import BOTH, cost_figure
+from rounds import start, turns
 from size_beds import widen
-from tqdm import tqdm
 
 from plastigran import laws
 from plastigran.cli.arguments import positive_integer
@@ -55,12 +52,12 @@ PHASES = ("compression", "release")
 
 @frozen
 class Bed:
-    """Bodies of one shape.
+    """Bed of bodies of one shape.
 
     Attributes:
-        deck: That makes it.
-        dimension: Of it.
-        variables: What pair_time.in has to know of it.
+        deck: Deck that makes the bed.
+        dimension: Number of dimensions.
+        variables: Further variables of pair_time.in.
     """
 
     deck: Path
@@ -68,7 +65,7 @@ class Bed:
     variables: dict[str, object]
 
     def make(self, grains: int) -> Path:
-        """The data file, made when missing or older than its deck, of about so many bodies."""
+        """Return the data file of about `grains` bodies; make it if it is missing or old."""
         folder = WORK / (f"{grains}" if self.dimension == 3 else f"{grains}_discs")
         data = folder / "bed.data"
         if not data.exists() or data.stat().st_mtime < self.deck.stat().st_mtime:
@@ -95,7 +92,7 @@ BEDS = {
 
 
 def known_laws() -> list[str]:
-    """Names of the laws in LIGGGHTS."""
+    """Return the names of the laws in LIGGGHTS."""
     lines = (PROJECT / "contact_models/liggghts/plugin/laws.txt").read_text().splitlines()
     return sorted(line.split()[0] for line in lines if not line.startswith("#"))
 
@@ -108,7 +105,7 @@ def make_bed(grains: int) -> Path:
 def bed_variables(
     contender: str, state: str, bed: Path, steps: int, shape: str = "sphere"
 ) -> dict[str, object]:
-    """What pair_time.in is told of a law, or of a law with the ledger."""
+    """Return the variables of pair_time.in for a law, or for a law with energy balance."""
     law = REFERENCE if contender == CONTROL else contender.removesuffix(WITH_LEDGER)
     return {
         "law": law,
@@ -139,7 +136,7 @@ def run_bed(
 
 
 def pair_times(log: str) -> list[float]:
-    """Time in the pair forces of each phase [s], from the engine's own timers."""
+    """Return the time in the pair forces of each phase [s], from LIGGGHTS' own timers."""
     times = [float(time) for time in re.findall(r"^Pair  time \(%\) = (\S+)", log, re.MULTILINE)]
     if len(times) != len(PHASES):
         raise EngineError(f"the log has {len(times)} pair times instead of {len(PHASES)}")
@@ -149,7 +146,7 @@ def pair_times(log: str) -> list[float]:
 def count_contacts(
     law: str, state: str, bed: Path, steps: int, shape: str = "sphere"
 ) -> dict[str, object]:
-    """Contacts carrying force at full compression, and the share of them that has yielded.
+    """Count the contacts that carry force at full compression, and the share that has yielded.
 
     A law's state is zero until first yield and comes first in the contact history.
     """
@@ -162,35 +159,30 @@ def count_contacts(
 def measure(
     names: list[str], bed: Path, steps: int, repeats: int, shape: str = "sphere"
 ) -> pd.DataFrame:
-    """Pair times of laws in all rounds.
+    """Return the pair times of laws in all rounds.
 
     Args:
-        names: Of the laws.
+        names: Names of the laws.
         bed: Data file of the bodies.
         steps: Time steps of each phase.
-        repeats: Rounds; a round is one run of every law and two of the reference, in both states.
-        shape: Of the bodies.
+        repeats: Number of rounds. A round is one run of every law and two of the reference, in both
+            states.
+        shape: Shape of the bodies.
 
     Returns:
         One row per run and phase: round, state, law, phase, time [s].
     """
-    contenders = [REFERENCE, *names, CONTROL]
     rows = []
-    runs = tqdm(total=repeats * len(YIELD_STRENGTH) * len(contenders), unit="run")
-    for round_ in range(repeats):
+    for round_, law in turns([REFERENCE, *names, CONTROL], repeats):
         for state in YIELD_STRENGTH:
-            turn = round_ % len(contenders)
-            for law in contenders[turn:] + contenders[:turn]:
-                log = run_bed(law, state, bed, steps, shape=shape)
-                for phase, time in zip(PHASES, pair_times(log), strict=True):
-                    rows.append((round_, state, law, phase, time))
-                runs.update()
-    runs.close()
+            log = run_bed(law, state, bed, steps, shape=shape)
+            for phase, time in zip(PHASES, pair_times(log), strict=True):
+                rows.append((round_, state, law, phase, time))
     return pd.DataFrame(rows, columns=["round", "state", "law", "phase", "time"])
 
 
 def compare(named: list[str], shape: str, bed: Path, options: argparse.Namespace) -> pd.DataFrame:
-    """Pair times of laws for bodies of one shape over the reference's, with what they were of."""
+    """Return pair times of laws / that of the reference for one shape, with counts of contacts."""
     names = named + [law + WITH_LEDGER for law in named if options.ledger]
     counts = pd.DataFrame(
         count_contacts(law, state, bed, options.steps, shape)
@@ -205,7 +197,7 @@ def compare(named: list[str], shape: str, bed: Path, options: argparse.Namespace
 
 
 def summarize(times: pd.DataFrame) -> pd.DataFrame:
-    """Ratio to the reference of the same round: median and quartiles, by state, law and phase."""
+    """Return ratios to the reference of the same round: median and quartiles."""
     both = times.groupby(["round", "state", "law"], as_index=False)["time"].sum()
     times = pd.concat([times, both.assign(phase=BOTH)])
     wide = times.pivot(index=["state", "phase", "round"], columns="law", values="time")
@@ -216,7 +208,7 @@ def summarize(times: pd.DataFrame) -> pd.DataFrame:
 
 
 def report(table: pd.DataFrame) -> str:
-    """The table to print: one row per state and law, one column per phase."""
+    """Return the table as text: one row per state and law, one column per phase."""
     text = table.assign(
         cell=[
             f"{row.ratio:.2f} ({row.ratio_q25:.2f}-{row.ratio_q75:.2f})"
@@ -236,10 +228,15 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=(__doc__ or "").splitlines()[0])
     names = known_laws()
     parser.add_argument("--law", nargs="+", choices=names, default=names, help="default: all")
-    parser.add_argument("--ledger", action="store_true", help="laws with the energy ledger, too")
+    parser.add_argument(
+        "--ledger", action="store_true", help="also run every law with energy balance"
+    )
     parser.add_argument("--grains", type=int, default=20_000, help="default: %(default)s")
     parser.add_argument(
-        "--copies", type=positive_integer, default=1, help="of the bed along each side, of spheres"
+        "--copies",
+        type=positive_integer,
+        default=1,
+        help="copies of the bed of spheres along each side",
     )
     parser.add_argument(
         "--repeats", type=positive_integer, default=10, help="rounds (default: %(default)s)"
@@ -256,7 +253,7 @@ def main() -> None:
     flat = [law for law in options.law if laws.LAWS[law].shape == "cylinder"]
     if options.copies > 1 and flat:
         parser.error(f"--copies is {options.copies}; name laws for spheres, and not {flat[0]}")
-    engine_path()  # says what to do when there is none
+    engine_path()  # fails with a remedy if LIGGGHTS is missing
 
     tables = []
     for shape, bed in BEDS.items():
@@ -272,21 +269,18 @@ def main() -> None:
     RESULTS.parent.mkdir(parents=True, exist_ok=True)
     table.to_csv(RESULTS, index=False, float_format="%.4f")
     print(
-        f"\npair time over that of stock {REFERENCE} (restitution 0.6), tangential history for all"
-        f": median (quartiles) of {options.repeats} rounds\n"
+        f"\npair time / pair time of stock {REFERENCE} (restitution 0.6), with tangential history: "
+        f"median (quartiles) of {options.repeats} rounds\n"
     )
     for shape, part in table.groupby("shape", sort=False):
         print(f"a bed of {shape}s\n\n{report(part)}\n")
     control = table.loc[table["law"] == CONTROL, ["ratio_q25", "ratio_q75"]]
     noise = (control - 1).abs().max(axis=None)
-    print(f"\n'{CONTROL}' over {REFERENCE} should be 1; its quartiles are off by up to {noise:.0%}")
+    print(f"\n'{CONTROL}' / {REFERENCE} should be 1; its quartiles differ by up to {noise:.0%}")
     figure = RESULTS.with_suffix(".svg")
     save(cost_figure(table, CONTROL), figure.with_suffix(""), (".svg",))
     print(f"wrote {RESULTS}, {figure}")
 
 
 if __name__ == "__main__":
-    try:
-        main()
-    except EngineError as error:
-        raise SystemExit(f"ERROR: {error}") from None
+    start(main)

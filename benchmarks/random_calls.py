@@ -1,16 +1,16 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Random calls of every law: what must hold whatever it is asked.
+"""Test rules that every law must satisfy, with random calls.
 
     .venv/bin/python benchmarks/random_calls.py --calls 10000000
 
-Contacts of random bodies and sizes are led along random paths of overlaps, from far apart to deeper
-than the bodies, some as small as numbers get. Every answer must be a number; no force, energy or
-contact radius may be negative. While the energy guard is on, the plastic work of a contact may
-neither fall nor be negative. No force may exceed the largest the contact has borne but on the
-virgin curve; asked the same again a contact answers the same. What does not hold is printed with
-all that makes it again. Pairs of bodies that a law refuses are not counted among its calls; a law
-without a call is a failure, too.
+Contacts of random bodies and sizes follow random paths of overlaps, from far apart to deeper than
+the bodies. Some overlaps are as small as floating-point numbers can be. All results must be finite,
+and no force, energy or contact radius may be negative. With the energy guard, the plastic work of a
+contact may neither decrease nor be negative. Below the largest overlap, no force may exceed the
+largest earlier force. A repeated call must return the same result. The script prints each violation
+with its seed and law. Pairs of bodies that a law rejects do not count as calls, and a law without a
+call counts as a failure.
 """
 
 from __future__ import annotations
@@ -24,21 +24,21 @@ from tqdm import tqdm
 from plastigran import laws
 from plastigran.usable_laws import laws_for
 
-CONTACTS, STEPS = 200, 100  # of one random pair of bodies
-#: Of a contact's energies, in which differences of sums are rounded.
-ROUNDING = 1e-11
+CONTACTS, STEPS = 200, 100  # for one random pair of bodies
+#: Round-off of differences of energies, relative to the energies of a contact.
+ROUND_OFF = 1e-11
 
 
-def random_law(random: np.random.Generator, kind: type[laws.Law]) -> laws.Law:
-    """A law between two random bodies, with random options; constants where they must be given."""
+def random_law(random: np.random.Generator, law: type[laws.Law]) -> laws.Law:
+    """Return a law between two random bodies, with random options and required constants."""
     options: dict[str, object] = {
-        o["name"]: str(random.choice(o["choices"])) for o in kind.options()
+        o["name"]: str(random.choice(o["choices"])) for o in law.options()
     }
-    for parameter in kind.parameters():
+    for parameter in law.parameters():
         if parameter["default"] is None:
             lower, upper = max(parameter["lower"], 1e-6), min(parameter["upper"], 1e3)
             options[parameter["name"]] = float(np.exp(random.uniform(*np.log([lower, upper]))))
-    return kind(laws.combine(random_body(random), random_body(random)), **options)
+    return law(laws.combine(random_body(random), random_body(random)), **options)
 
 
 def random_body(random: np.random.Generator) -> laws.Body:
@@ -53,7 +53,7 @@ def random_body(random: np.random.Generator) -> laws.Body:
 
 
 def random_paths(random: np.random.Generator, radius: np.ndarray) -> np.ndarray:
-    """Overlaps of shape (CONTACTS, STEPS) [m]: steps of all sizes about a depth of each contact."""
+    """Return overlaps (CONTACTS, STEPS) [m]: steps of all sizes about a depth of each contact."""
     depth = 10 ** random.uniform(-14, 0.5, (CONTACTS, 1))
     walk = np.cumsum(random.standard_normal((CONTACTS, STEPS)), axis=1) / 5
     jumps = random.choice([-1.0, 0.0, 1e-300, 1e-8, 1.0], (CONTACTS, STEPS))
@@ -61,65 +61,72 @@ def random_paths(random: np.random.Generator, radius: np.ndarray) -> np.ndarray:
     return path * depth * radius[:, None]
 
 
-def broken(law: laws.Law, radius: np.ndarray, paths: np.ndarray, rate: np.ndarray) -> Iterator[str]:
-    """What does not hold along the paths, as sentences."""
+def violations(
+    law: laws.Law, radius: np.ndarray, paths: np.ndarray, rate: np.ndarray
+) -> Iterator[str]:
+    """Yield the rules that a law violates along the paths."""
     states = np.array([law.State() for _ in radius], dtype=object)
-    answer = law.follow(radius, paths, states, rate)
-    for name, values in answer.items():
+    response = law.follow(radius, paths, states, rate)
+    for name, values in response.items():
         if not np.isfinite(values).all():
             yield f"{name} is not finite"
-    scale = np.maximum.accumulate(answer["elastic_energy"] + np.abs(answer["plastic_work"]), axis=1)
+    scale = np.maximum.accumulate(
+        response["elastic_energy"] + np.abs(response["plastic_work"]), axis=1
+    )
     for name in ("force", "contact_radius", "elastic_energy"):
-        if (answer[name] < 0).any():
+        if (response[name] < 0).any():
             yield f"{name} is negative"
     guarded = "energy_guard='off'" not in repr(law)
-    if guarded and (np.diff(answer["plastic_work"]) < -ROUNDING * scale[:, 1:]).any():
-        yield "plastic work falls"
-    if guarded and (answer["plastic_work"] < -ROUNDING * scale).any():
+    if guarded and (np.diff(response["plastic_work"]) < -ROUND_OFF * scale[:, 1:]).any():
+        yield "plastic work decreases"
+    if guarded and (response["plastic_work"] < -ROUND_OFF * scale).any():
         yield "plastic work is negative"
-    if (answer["force"][paths <= 0] > 0).any():
-        yield "a force without overlap"
+    if (response["force"][paths <= 0] > 0).any():
+        yield "there is a force without overlap"
     deepest = np.maximum.accumulate(paths, axis=1)
     inside = paths < deepest
-    largest = np.maximum.accumulate(answer["force"] - answer["viscous_force"], axis=1)
-    if (inside & (answer["force"] - answer["viscous_force"] > largest * (1 + 1e-12))).any():
-        yield "an inner force beyond the largest"
+    largest = np.maximum.accumulate(response["force"] - response["viscous_force"], axis=1)
+    if (inside & (response["force"] - response["viscous_force"] > largest * (1 + 1e-12))).any():
+        yield "a force below the largest overlap exceeds the earlier forces"
     before = [repr(state) for state in states]
     again = law.respond(radius, paths[:, -1], states, rate[:, -1])
     if [repr(state) for state in states] != before:
-        yield "asked again, a history changes"
-    if (again.force != answer["force"][:, -1]).any():
-        yield "asked again, a force changes"
+        yield "a repeated call changes the history"
+    if (again.force != response["force"][:, -1]).any():
+        yield "a repeated call changes the force"
 
 
 def main() -> None:
     parser = argparse.ArgumentParser(description=(__doc__ or "").splitlines()[0])
     parser.add_argument(
-        "--calls", type=int, default=10_000_000, help="at most (default: %(default)s)"
+        "--calls",
+        type=int,
+        default=10_000_000,
+        help="largest number of calls (default: %(default)s)",
     )
     parser.add_argument(
-        "--seed", type=int, default=1, help="of the first pair (default: %(default)s)"
+        "--seed", type=int, default=1, help="seed of the first pair (default: %(default)s)"
     )
     options = parser.parse_args()
     pairs = -(-options.calls // (CONTACTS * STEPS))
     names = [*laws_for("sphere"), *laws_for("cylinder")]
-    kinds, failures = [laws.LAWS[name] for name in names], 0
+    all_laws, failures = [laws.LAWS[name] for name in names], 0
     calls = dict.fromkeys(names, 0)
     for seed in tqdm(range(options.seed, options.seed + pairs), unit="pair"):
-        random, kind = np.random.default_rng(seed), kinds[seed % len(kinds)]
+        random, law_class = np.random.default_rng(seed), all_laws[seed % len(all_laws)]
         try:
-            law = random_law(random, kind)
-        except ValueError:  # bodies that the law refuses
+            law = random_law(random, law_class)
+        except ValueError:  # the law rejects these bodies
             continue
         radius = 10 ** random.uniform(-7, 1, CONTACTS)
         rate = random.standard_normal((CONTACTS, STEPS))
-        calls[kind.name] += CONTACTS * STEPS
-        for sentence in broken(law, radius, random_paths(random, radius), rate):
+        calls[law_class.name] += CONTACTS * STEPS
+        for violation in violations(law, radius, random_paths(random, radius), rate):
             failures += 1
-            tqdm.write(f"seed {seed}: {sentence}: {law!r}")
+            tqdm.write(f"seed {seed}: {violation}: {law!r}")
     for name, count in calls.items():
         print(f"{name}: {count} calls")
-    print(f"{sum(calls.values())} calls of {len(kinds)} laws: {failures} sentences broken")
+    print(f"{sum(calls.values())} calls of {len(all_laws)} laws: {failures} violations")
     raise SystemExit(bool(failures) or not all(calls.values()))
 
 

@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""What bulk runs can be trusted with: kills, restarts, ranks, the energy ledger, and size.
+"""Test bulk runs: kills, restarts, ranks, energy balance, and size.
 
-    ./run reliability                    # everything; about half an hour on two cores
-    ./run reliability kills restarts     # some of it
+    ./run reliability                    # all parts; about half an hour on two cores
+    ./run reliability kills restarts     # these parts
 
-The table of docs/reliability.md is written anew, the rows of what was run; so is
-results/reliability. It ends with an error when a figure is not as it should be.
+The script writes the rows of these parts into docs/reliability.md, and results into
+results/reliability. It ends with an error if a value exceeds its limit.
 """
 
 from __future__ import annotations
@@ -42,7 +42,9 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.partition("\n")[0])
     parser.add_argument("parts", nargs="*", metavar="PART", help=", ".join(PARTS))
     parser.add_argument("--count", type=int, default=100, help="kills, and restarts; default 100")
-    parser.add_argument("--seed", type=int, default=1, help="of moments, laws and geometries")
+    parser.add_argument(
+        "--seed", type=int, default=1, help="seed of the random moments, laws and geometries"
+    )
     arguments = parser.parse_args()
     if unknown := set(arguments.parts) - set(PARTS):
         parser.error(f"no part {unknown.pop()!r}; there are {', '.join(PARTS)}")
@@ -58,14 +60,11 @@ def main() -> None:
         failed += [row for row in rows if not row.passed]
         write_rows(PAGE, part, rows)
     if failed:
-        raise SystemExit("\n".join(["not as it should be:", *(row.cells() for row in failed)]))
-
-
-# Restarts in mid-contact.
+        raise SystemExit("\n".join(["above the limit:", *(row.cells() for row in failed)]))
 
 
 def restarts(folder: Path, count: int) -> Iterator[Row]:
-    """Oblique collisions cut at random steps while bodies touch, through pair, plane and mesh."""
+    """Restart oblique collisions at random steps of the contact, for pair, plane and mesh."""
     decks = PROJECT / "tests" / "conformance" / "decks"
     names = [
         name
@@ -82,9 +81,9 @@ def restarts(folder: Path, count: int) -> Iterator[Row]:
             whole = read_dump(folder / "whole" / "trajectory.dump")
             whole = whole[whole["step"] >= before].drop_duplicates(["step", "id"])
             if whole["fx"].iloc[0] == 0:
-                continue  # they have parted before
-            # A run's first forces are those at the speeds of that moment, not of half a step ago:
-            # friction may differ in its last digit, and nothing after it does.
+                continue  # the bodies separated before
+            # The first forces of a run use the present velocities, not those of half a step ago.
+            # Friction may differ by round-off there, and the motion after it does not.
             whole = whole[whole["step"] > before]
             case["restart"] = folder / "whole" / "middle.restart"
             run_deck(decks / "restart_read.in", case, folder / "rest")
@@ -94,18 +93,15 @@ def restarts(folder: Path, count: int) -> Iterator[Row]:
             done += 1
             bar.update()
     yield Row(
-        f"of {count} collisions of random laws and geometries, gone on from a restart file of a "
-        "random step of the contact, those that differ from the whole run in any digit",
+        f"collisions that are not bitwise identical to the whole run after a restart at a random "
+        f"step of the contact, of {count} with random laws and geometries",
         different,
         0,
     )
 
 
-# Ranks.
-
-
 def ranks(folder: Path, _: int) -> Iterator[Row]:
-    """One gas on 1, 2 and 4 ranks."""
+    """Compare one gas on 1, 2 and 4 ranks."""
     values = {"side": "8", "mixing": "0.1", "duration": "60", "rows": "240", "checkpoints": "1"}
     runs = {}
     for count in (1, 2, 4):
@@ -114,11 +110,11 @@ def ranks(folder: Path, _: int) -> Iterator[Row]:
     one = runs.pop(1)
     for count, other in runs.items():
         ratio = (other["kinetic_energy"] / one["kinetic_energy"] - 1).abs()
-        # Rounding grows tenfold an impact: six impacts are 1e-10.
+        # Round-off grows tenfold per impact; six impacts give 1e-10.
         early = one["collisions"] < 1
         yield Row(
-            f"kinetic energy of 512 grains, {count} ranks against one, over each grain's first "
-            "collision: relative difference",
+            f"kinetic energy of 512 grains until each grain's first collision, {count} ranks "
+            "compared with one: relative difference",
             ratio[early].max(),
             1e-9,
         )
@@ -130,11 +126,8 @@ def ranks(folder: Path, _: int) -> Iterator[Row]:
         )
 
 
-# Ledger.
-
-
 def ledger(folder: Path, _: int) -> Iterator[Row]:
-    """Every bulk deck at its default size, on two ranks."""
+    """Run every bulk deck at its default size, on two ranks."""
     for deck in sorted(file.stem for file in (PROJECT / "inputs" / "bulk").glob("*.in")):
         began = time.monotonic()
         run = run_bulk(deck, {}, folder / deck, ranks=2).raise_if_failed()
@@ -151,11 +144,8 @@ def ledger(folder: Path, _: int) -> Iterator[Row]:
             yield Row(f"`{deck}`, {name}", checks.value[name], checks.limit[name])
 
 
-# Size.
-
-
 def size(folder: Path, _: int) -> Iterator[Row]:
-    """A gas of more than 200 000 grains for 20 000 steps, on two ranks."""
+    """Run a gas of more than 200 000 grains for 20 000 steps, on two ranks."""
     log = folder / "log.liggghts"
     values = {"side": "59", "mixing": "0.1", "duration": "1e9", "rows": "1000000000"}
     values |= {"checkpoints": "1"}
@@ -181,11 +171,7 @@ def size(folder: Path, _: int) -> Iterator[Row]:
 
 
 def _largest_rank(deck: Path, values: dict[str, str], folder: Path) -> int:
-    """Run a deck on two ranks, which share the grains alike.
-
-    Returns:
-        Most memory one of them held [bytes], libraries included.
-    """
+    """Return the largest memory of a rank [bytes], with libraries, in a run on two equal ranks."""
     run_deck(deck, values, folder, ranks=2, timeout=7200)
     return 1024 * resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Bulk runs that are killed at random moments and go on from their newest checkpoint."""
+"""Bulk runs that are killed at random moments and continue from their newest checkpoint."""
 
 from __future__ import annotations
 
@@ -29,11 +29,11 @@ SMALL = {"side": "5", "duration": "100", "rows": "200", "checkpoints": "50", "mi
 
 
 class RunLost(RuntimeError):
-    """A run could not go on from its newest checkpoint."""
+    """A run could not continue from its newest checkpoint."""
 
 
 def kills(folder: Path, count: int) -> Iterator[Row]:
-    """SIGKILL to mpirun and every rank at random moments; on from the newest checkpoint."""
+    """Kill mpirun and every rank at random moments, and continue from the last checkpoint."""
     for ranks in (1, 2):
         words = f"{ranks} rank{'s' * (ranks > 1)}"
         whole = folder / f"whole_{ranks}"
@@ -58,11 +58,13 @@ def kills(folder: Path, count: int) -> Iterator[Row]:
         yield Row(f"{words}: most steps lost to a kill; between checkpoints", max(losses), interval)
         if ranks == 1:
             other = len(ends) - sum(ends)
-            yield Row(f"{words}: ends that are not, in every digit, that without kills", other, 0)
+            yield Row(
+                f"{words}: ends that are not bitwise identical to the run without kills", other, 0
+            )
 
 
 def kill_until_done(work: Path, ranks: int, whole: Path) -> tuple[list[int], Path]:
-    """A run from its start, killed and continued until it ends.
+    """Run a deck from its start; kill and continue it until it ends.
 
     Args:
         work: Folder for the parts of the run.
@@ -73,7 +75,7 @@ def kill_until_done(work: Path, ranks: int, whole: Path) -> tuple[list[int], Pat
         Steps each kill cost, and the folder of the last part.
 
     Raises:
-        RunLost: A part could not go on from the one before.
+        RunLost: A part could not continue from the previous one.
     """
     last, at, earlier, losses = read_series(whole)["step"].iloc[-1], 0, None, []
     while True:
@@ -81,13 +83,13 @@ def kill_until_done(work: Path, ranks: int, whole: Path) -> tuple[list[int], Pat
         process = get_context("fork").Process(target=_run_part, args=(folder, ranks, earlier))
         process.start()
         log, until = LogFollower(folder / "log.liggghts"), at + random.uniform(0, 0.15) * last
-        # A fresh run counts the steps of its mixing first.
+        # A new run first counts the steps of its mixing.
         while process.is_alive() and (log.read().step < until or log.progress.run < 1 + (at == 0)):
             time.sleep(0.002)
         time.sleep(random.uniform(0, 0.02))
         by_itself = not process.is_alive()
         for engine in engines(folder):
-            with suppress(ProcessLookupError):  # gone with another
+            with suppress(ProcessLookupError):  # ended with another process
                 os.kill(engine, signal.SIGKILL)
         process.join(60)
         if process.exitcode == 0:
@@ -96,7 +98,7 @@ def kill_until_done(work: Path, ranks: int, whole: Path) -> tuple[list[int], Pat
             raise RunLost(f"{folder}: {(folder / 'error.txt').read_text()}")
         try:
             at = step_of(restart_point(folder, read_record(folder)))
-        except EngineError:  # killed before it had written anything: it begins again
+        except EngineError:  # killed before it wrote anything: it starts again
             shutil.rmtree(folder)
             continue
         losses.append(log.read().step - at)

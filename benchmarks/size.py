@@ -5,16 +5,16 @@
     ./run bench size                                        # 50 000 and 200 000 grains
     ./run bench size --part cost --grains 1000000 --repeats 1
 
-A bed of 25 by 25 by 20 grains settles once on a floor (size/settle.in, kept in build/bench/size);
-wider ones are copies of it side by side, as deep and as dense. Contenders take turns within a
-round; times are of the processor unless ranks are compared, and ratios are taken within a round.
+A bed of 25 by 25 by 20 grains settles once on a floor (size/settle.in, kept in build/bench/size).
+Wider beds are copies of it side by side. All contenders run once per round, and ratios are taken
+within a round. Times are processor times, except where ranks are compared.
 
-    cost        time and memory of laws, the ledger off and on; a checkpoint and the way on from it
-    ranks       strong and weak scaling on two ranks, and what two beds cost that run side by side
-    settings    where a step's time goes, and what the deck's settings change
-    many        one bed on 1 and on 64 ranks that share the cores: how equal the ends are
+    cost        time and memory of laws, without and with energy balance; checkpoint and restart
+    ranks       strong and weak scaling on two ranks, and the cost of two beds at the same time
+    settings    parts of the time of a step, and the effect of the deck's settings
+    many        differences between one bed on 1 and on 64 ranks that share the cores
     calls       messages and reductions of a step on four ranks (size/mpi_calls.c)
-    maps        memory of the table of all grains' numbers, which every rank has
+    maps        memory of the table of all atom IDs, which every rank has
 """
 
 from __future__ import annotations
@@ -23,11 +23,12 @@ import argparse
 from pathlib import Path
 
 import pandas as pd
-from size_beds import DECKS, SECTIONS, WIDTHS, WORK, base, run, turns, widen, write
+from rounds import start, turns
+from size_beds import DECKS, SECTIONS, WIDTHS, WORK, base, run, widen, write
 from size_parallel import calls, many, maps, ranks
 
 from plastigran.cli.arguments import positive_integer
-from plastigran.engine.process import EngineError, run_deck
+from plastigran.engine.process import run_deck
 
 REFERENCE = "hertz"
 LAWS = {
@@ -38,7 +39,7 @@ LAWS = {
     "universal, ledger": {"law": "universal", "ledger": 1},
     "hertz again": {"law": "hertz"},
 }
-#: One change each from a settled bed's usual settings.
+#: Changes of the usual settings of a settled bed, one at a time.
 SETTINGS = {
     "as it is": {},
     "again": {},
@@ -51,7 +52,7 @@ SETTINGS = {
 
 
 def cost(options: argparse.Namespace) -> None:
-    """Time and memory of every law; a checkpoint of the first plastic one."""
+    """Measure time and memory of every law, and test a restart with `thornton`."""
     for grains in options.grains:
         bed, rows = widen(base(), *WIDTHS[grains]), []
         for round_, name in turns(options.law, options.repeats, f"{grains} grains"):
@@ -62,21 +63,21 @@ def cost(options: argparse.Namespace) -> None:
 
 
 def print_cost(table: pd.DataFrame) -> None:
-    """Medians of the rounds, and of ratios to the reference of the round."""
+    """Print medians of the rounds, and of ratios to the reference of the same round."""
     table["microseconds"] = 1e6 * table["processor"] / table["steps"] / table["grains"]
     memory = ["first", "later", "peak"]
     wide = table.set_index(["round", "law"])[["processor", *memory]].unstack("law")
     ratio = {key: wide[key].div(wide[key][REFERENCE], axis=0) for key in ("processor", *memory)}
-    found = table.groupby("law", sort=False)
+    by_law = table.groupby("law", sort=False)
     shown = pd.DataFrame(
         {
-            "microseconds a grain and step": found["microseconds"].median().map("{:.3f}".format),
+            "microseconds a grain and step": by_law["microseconds"].median().map("{:.3f}".format),
             "time over hertz": ratio["processor"].median().map("{:.2f}".format),
             "lowest": ratio["processor"].min().map("{:.2f}".format),
             "highest": ratio["processor"].max().map("{:.2f}".format),
         }
         | {
-            f"bytes a grain, {key}": (found[key].median() / table["grains"].iloc[0]).round()
+            f"bytes a grain, {key}": (by_law[key].median() / table["grains"].iloc[0]).round()
             for key in memory
         }
         | {f"{key} over hertz": ratio[key].median().round(3) for key in memory}
@@ -98,13 +99,13 @@ def print_restart(bed: Path, steps: int) -> None:
     ends = [(folder / "end.dump").read_bytes() for folder in (whole, again)]
     print(
         f"checkpoint: {written / done.grains:.0f} bytes a grain, {done.checkpoint:.2f} s of the "
-        f"processor; {steps} steps on from it: "
-        f"{'the same in every digit' if ends[0] == ends[1] else 'NOT the same'}"
+        f"processor; {steps} steps after it: "
+        f"{'bitwise identical' if ends[0] == ends[1] else 'NOT the same'}"
     )
 
 
 def settings(options: argparse.Namespace) -> None:
-    """What the settings of a deck change, over enough steps that neighbours are listed anew."""
+    """Measure the effect of settings over enough steps that neighbor lists are rebuilt."""
     bed, rows = widen(base(), *WIDTHS[options.grains[0]]), []
     for round_, name in turns(list(SETTINGS), options.repeats, "settings"):
         changed = LAWS["thornton"] | {"steps": options.steps} | SETTINGS[name]
@@ -119,7 +120,7 @@ def settings(options: argparse.Namespace) -> None:
     ratio = wide.div(wide["as it is"], axis=0)
     shown["time"] = ratio.median().map("{:.2f}".format)
     shown["lowest"], shown["highest"] = ratio.min().round(2), ratio.max().round(2)
-    shown["pairs listed"] = table.groupby("setting")["neighbours"].median()
+    shown["pairs listed"] = table.groupby("setting")["neighbors"].median()
     print(shown.loc[list(SETTINGS)].to_string())
 
 
@@ -128,17 +129,19 @@ PARTS = {part.__name__: part for part in (cost, ranks, settings, many, calls, ma
 
 def main() -> None:
     parser = argparse.ArgumentParser(description=(__doc__ or "").partition("\n")[0])
-    parser.add_argument("--part", nargs="+", choices=PARTS, default=list(PARTS), help="all")
+    parser.add_argument(
+        "--part", nargs="+", choices=PARTS, default=list(PARTS), help="default: all"
+    )
     parser.add_argument(
         "--grains", type=int, nargs="+", choices=WIDTHS, default=[50_000, 200_000], metavar="N",
-        help=f"of {', '.join(map(str, WIDTHS))}; ranks and settings take the first",
+        help=f"grains: {', '.join(map(str, WIDTHS))}; ranks and settings use the first number",
     )  # fmt: skip
     parser.add_argument("--law", nargs="+", choices=LAWS, default=list(LAWS), help="default: all")
     parser.add_argument(
         "--repeats", type=positive_integer, default=3, help="rounds (default: %(default)s)"
     )
     parser.add_argument(
-        "--steps", type=positive_integer, default=100, help="timed (default: %(default)s)"
+        "--steps", type=positive_integer, default=100, help="timed steps (default: %(default)s)"
     )
     options = parser.parse_args()
     options.law = [REFERENCE, *(law for law in options.law if law != REFERENCE)]
@@ -147,7 +150,4 @@ def main() -> None:
 
 
 if __name__ == "__main__":
-    try:
-        main()
-    except EngineError as error:
-        raise SystemExit(f"ERROR: {error}") from None
+    start(main)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Settled beds of any width, and what a run of one took."""
+"""Settled beds of any width, and time and memory of their runs."""
 
 from __future__ import annotations
 
@@ -10,7 +10,6 @@ from pathlib import Path
 
 import numpy as np
 import pandas as pd
-from tqdm import tqdm
 
 from plastigran.engine.process import PROJECT, EngineError, run_deck
 
@@ -20,22 +19,12 @@ WORK = PROJECT / "build" / "bench" / "size"
 RESULTS = PROJECT / "results" / "bench"
 #: Copies of the base along x and y, by grains.
 WIDTHS = {12_500: (1, 1), 25_000: (2, 1), 50_000: (2, 2), 200_000: (4, 4), 1_000_000: (8, 10)}
-#: Rows of the engine's table of times.
+#: Rows of LIGGGHTS' table of times.
 SECTIONS = ("Pair", "Neigh", "Comm", "Outpt", "Other")
 
 
-def turns(names: list[str], repeats: int, bar: str) -> list[tuple[int, str]]:
-    """Rounds in which every name has its turn, beginning with another each time."""
-    order = [
-        (round_, name)
-        for round_ in range(repeats)
-        for name in names[round_ % len(names) :] + names[: round_ % len(names)]
-    ]
-    return tqdm(order, desc=bar, unit="run")
-
-
 def write(rows: list[dict], name: str) -> pd.DataFrame:
-    """Keep all rounds as results/bench/size_<name>.csv."""
+    """Write all rounds to results/bench/size_NAME.csv, and return them as a table."""
     table = pd.DataFrame(rows)
     RESULTS.mkdir(parents=True, exist_ok=True)
     table.to_csv(RESULTS / f"size_{name}.csv", index=False, float_format="%.6g")
@@ -44,20 +33,21 @@ def write(rows: list[dict], name: str) -> pd.DataFrame:
 
 @dataclass(frozen=True)
 class Run:
-    """What a run of bed.in took.
+    """Time and memory of a run of bed.in.
 
     Attributes:
-        grains: In the bed.
-        ranks: MPI ranks.
-        steps: That were timed.
-        clock: Of these steps [s].
-        processor: Of the first rank in these steps [s].
+        grains: Number of grains.
+        ranks: Number of MPI ranks.
+        steps: Number of timed steps.
+        clock: Elapsed time of these steps [s].
+        processor: Processor time of the first rank in these steps [s].
         first: Memory of the first rank in its first run, before these steps [bytes].
-        later: In these steps.
-        peak: The most it had; after a run the plugin keeps contacts for the next.
-        sections: Seconds by the engine's own table, by name of `SECTIONS`.
-        ghosts: Copies of other ranks' or periodic grains, mean of the ranks.
-        neighbours: Pairs that are listed.
+        later: Memory of the first rank in these steps [bytes].
+        peak: Largest memory of the first rank [bytes]; after a run, the plugin keeps contacts for
+            the next one.
+        sections: Times from LIGGGHTS' own table [s], by name of `SECTIONS`.
+        ghosts: Mean number of ghost atoms of a rank.
+        neighbors: Number of pairs in the neighbor lists.
         checkpoint: Processor time of the checkpoint [s]; nan without one.
     """
 
@@ -71,17 +61,17 @@ class Run:
     peak: float
     sections: dict[str, float]
     ghosts: float
-    neighbours: int
+    neighbors: int
     checkpoint: float = float("nan")
 
     def row(self) -> dict[str, float]:
-        """All of it, flat."""
+        """All values by name."""
         flat = asdict(self)
         return flat | flat.pop("sections")
 
 
 def base(across: int = 25, high: int = 20, steps: int = 8000) -> Path:
-    """A settled bed of across * across * high grains, made when it is missing."""
+    """Return the data file of a settled bed of across^2 * high grains; make it if missing."""
     folder = WORK / f"{across}_{across}_{high}"
     settled = folder / "settled.data"
     if not settled.exists():
@@ -98,17 +88,15 @@ def base(across: int = 25, high: int = 20, steps: int = 8000) -> Path:
 
 
 def widen(settled: Path, along_x: int, along_y: int, first: int = 1, along_z: int = 1) -> Path:
-    """A bed of copies of another side by side, made when it is missing or older than that.
+    """Return the data file of copies of a bed side by side; make it if it is missing or older.
 
     Args:
-        settled: Its data file, of `base` say; periodic in the directions in which it is copied.
-        along_x: Copies.
-        along_y: Copies.
-        first: Number of the first grain.
-        along_z: Copies.
+        settled: Data file of the bed, periodic in the directions in which it is copied.
+        along_x, along_y, along_z: Numbers of copies.
+        first: ID of the first grain.
 
     Returns:
-        Its data file. Grains are at rest, contacts without a past.
+        Data file. Grains are at rest, and contacts have no history.
     """
     sides = (along_x, along_y, along_z)
     file = settled.parent / f"{'_'.join(map(str, sides))}_{first}.data"
@@ -140,20 +128,20 @@ def run(
     """Run a bed.
 
     Args:
-        bed: Its data file.
-        settings: Of the deck: law, ledger, steps and so on.
-        folder: For what it leaves.
-        ranks: MPI ranks.
-        deck: Of benchmarks/size.
+        bed: Data file.
+        settings: Variables of the deck, such as law, ledger and steps.
+        folder: Folder of the results.
+        ranks: Number of MPI ranks.
+        deck: Name of a deck in benchmarks/size.
 
     Raises:
-        EngineError: It failed, or its log is not as expected.
+        EngineError: The run failed, or its log has no table of times.
     """
     variables = {"bed": bed, "here": DECKS, **settings}
     log = run_deck(DECKS / deck, variables, folder, ranks, timeout=None)
     stamps = np.array([line.split() for line in (folder / "stamps").read_text().splitlines()])
     processor, clock = stamps[:, 0].astype(float) / 1e9, stamps[:, -1].astype(float)
-    # The first run is to warm up, the second is the one.
+    # The first run warms up; the second is measured.
     part = log.split("Loop time of")[2]
     head = re.search(r"for (\d+) steps with (\d+) atoms", part)
     found = {
@@ -174,12 +162,12 @@ def run(
         peak=_bytes(folder / "peak"),
         sections={name: float(match[1]) for name, match in found.items() if match},
         ghosts=float(ghosts[1]),
-        neighbours=int(pairs[1]),
+        neighbors=int(pairs[1]),
         checkpoint=processor[3] - processor[2] if len(stamps) > 3 else float("nan"),
     )
 
 
 def _bytes(file: Path) -> float:
-    """The median of what the kernel said of a process' memory; nan when it was gone before."""
-    found = [int(line.split()[1]) for line in file.read_text().splitlines()]
-    return 1024 * float(np.median(found)) if found else float("nan")
+    """Return the median memory that the kernel reported; nan if the process had ended before."""
+    kilobytes = [int(line.split()[1]) for line in file.read_text().splitlines()]
+    return 1024 * float(np.median(kilobytes)) if kilobytes else float("nan")

@@ -1,15 +1,15 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""What a step of a dense bed takes on a cluster, from what it took here.
+"""Predict the time of a step of a dense bed on a cluster from runs on this machine.
 
     .venv/bin/python benchmarks/size_model.py    # after ./run bench size --part cost
 
-A rank owns a cube of n grains. It computes its contacts, those across its faces too (with `newton
-off` both sides do), sends the grains near its faces to six neighbours, and takes part in one
-reduction, by which all ranks learn whether neighbours must be listed anew. Times of contacts and of
-copies are fitted to the runs of size.py; faces and copies follow from geometry and agree with those
-counted on four ranks; bytes and calls were counted by size/mpi_calls.c. What was not measured here
-is an assumption and a field of `Cluster`.
+A rank owns a cube of n grains. It computes its contacts, also those across its faces, because with
+`newton off` both sides compute them. It sends the grains near its faces to six ranks. One reduction
+decides whether all ranks rebuild their neighbor lists. The times of contacts and of ghost atoms are
+fitted to the runs of size.py. The numbers of contacts and ghost atoms follow from geometry and
+agree with a count on four ranks. size/mpi_calls.c counted bytes and calls. Values that were not
+measured are assumptions, the fields of `Cluster`.
 """
 
 from __future__ import annotations
@@ -24,26 +24,28 @@ import pandas as pd
 from plastigran.engine.process import PROJECT
 
 RESULTS = PROJECT / "results" / "bench"
-#: Range at which neighbours are listed over the mean distance of grains: diameter of the largest
-#: and skin over (volume of box/grains)^(1/3), of bed.in.
+#: Range of the neighbor lists / mean distance of grains in bed.in: (largest diameter + skin) /
+#: (volume of the box / grains)^(1/3).
 REACH = 1.29
-#: Position, velocity and spin of a copy, eight bytes each number.
+#: Position, velocity and spin of a ghost atom, eight bytes each number.
 COPY_BYTES = 72
-#: From memory, a grain and step, of a bed that no cache holds: cachegrind's misses of a last level
-#: of 1 MiB, in lines of 64 bytes; `hertz`, `thornton` and `universal` alike within 1 %.
+#: Bytes from memory per grain and step of a bed that no cache can hold: misses of a last-level
+#: cache of 1 MiB in cachegrind, in lines of 64 bytes. `hertz`, `thornton` and `universal` agree
+#: to 1 %.
 TRAFFIC_BYTES = 970
-#: Of `atom_modify map array`, for each grain of the whole bed on every rank; of a checkpoint.
+#: Bytes of `atom_modify map array` per grain of the whole bed, on every rank; bytes of a checkpoint
+#: per grain.
 MAP_BYTES, CHECKPOINT_BYTES = 4, 415
 
 
 @dataclass(frozen=True)
 class Costs:
-    """Of one rank, measured.
+    """Measured costs of one rank.
 
     Attributes:
-        grain: Time a grain and step, its share of contacts included [s].
-        copy: Time a copy and step, to pack, hand over and unpack it in memory [s].
-        bytes: Memory a grain.
+        grain: Time per grain and step, with its share of contacts [s].
+        copy: Time per ghost atom and step, to pack, send and unpack it in memory [s].
+        bytes: Memory per grain [bytes].
     """
 
     grain: float
@@ -53,16 +55,16 @@ class Costs:
 
 @dataclass(frozen=True)
 class Cluster:
-    """What is assumed of the machine.
+    """Assumed properties of the machine.
 
     Attributes:
-        ranks: A node has.
+        ranks: Number of ranks of a node.
         message: Latency of a message [s].
-        hop: Of a reduction, for each doubling of the ranks [s].
-        network: Of a node [bytes/s].
-        memory: Of a node [bytes/s].
-        imbalance: Grains of the fullest rank over the mean.
-        disk: Of a checkpoint through one rank [bytes/s].
+        hop: Time of a reduction for each doubling of the ranks [s].
+        network: Network bandwidth of a node [bytes/s].
+        memory: Memory bandwidth of a node [bytes/s].
+        imbalance: Grains of the fullest rank / mean.
+        disk: Bandwidth of a checkpoint through one rank [bytes/s].
     """
 
     ranks: int = 64
@@ -75,7 +77,7 @@ class Cluster:
 
 
 def copies(grains: float) -> float:
-    """Of other ranks' grains around a cube of so many."""
+    """Return the number of ghost atoms around a cube of grains."""
     return (grains ** (1 / 3) + 2 * REACH) ** 3 - grains
 
 
@@ -88,13 +90,13 @@ def contacts_factor(grains: float) -> float:
 
 
 def step_time(grains: float, ranks: int, costs: Costs, cluster: Cluster) -> dict[str, float]:
-    """Parts of a step's time [s]: contacts, copies, network, reduction."""
-    each = cluster.imbalance * grains / ranks
-    sent = copies(each) if ranks > 1 else 0.0
+    """Return the parts of the time of a step [s]: contacts, copies, network, reduction."""
+    per_rank = cluster.imbalance * grains / ranks
+    sent = copies(per_rank) if ranks > 1 else 0.0
     on_node = min(ranks, cluster.ranks)
     grain = max(costs.grain, TRAFFIC_BYTES * on_node / cluster.memory)
     return {
-        "contacts": grain * each * contacts_factor(each),
+        "contacts": grain * per_rank * contacts_factor(per_rank),
         "copies": costs.copy * sent,
         "network": (6 * cluster.message if ranks > 1 else 0)
         + COPY_BYTES * sent * on_node / cluster.network,
@@ -118,11 +120,11 @@ def fit(table: pd.DataFrame, law: str = "thornton") -> Costs:
 
 
 def predict(costs: Costs, cluster: Cluster) -> pd.DataFrame:
-    """Grains, ranks and what they take, from a million grains to a thousand million."""
+    """Return time and memory from a million grains to a thousand million, on various ranks."""
     rows = []
     for grains in (1e6, 1e7, 1e8, 1e9):
-        for each in (100_000, 10_000, 1000):
-            ranks = round(grains / each)
+        for per_rank in (100_000, 10_000, 1000):
+            ranks = round(grains / per_rank)
             parts = step_time(grains, ranks, costs, cluster)
             total = sum(parts.values())
             ideal = costs.grain * grains / ranks
@@ -135,7 +137,7 @@ def predict(costs: Costs, cluster: Cluster) -> pd.DataFrame:
                     "efficiency": f"{ideal / total:.0%}",
                     "hours for 1e6 steps": total * 1e6 / 3600,
                     "map array, GB a node": MAP_BYTES * grains * min(ranks, cluster.ranks) / 1e9,
-                    "grains, GB a node": costs.bytes * each * min(ranks, cluster.ranks) / 1e9,
+                    "grains, GB a node": costs.bytes * per_rank * min(ranks, cluster.ranks) / 1e9,
                     "checkpoint, s": CHECKPOINT_BYTES * grains / cluster.disk,
                 }
             )

@@ -13,7 +13,8 @@ from time import monotonic
 from unittest.mock import patch
 
 import numpy as np
-from size_beds import DECKS, WIDTHS, WORK, base, run, turns, widen, write
+from rounds import turns
+from size_beds import DECKS, WIDTHS, WORK, base, run, widen, write
 
 from plastigran.engine.dumps import read_dump
 from plastigran.engine.process import EngineError
@@ -22,7 +23,7 @@ LAW = {"law": "thornton"}
 
 
 def ranks(options: argparse.Namespace) -> None:
-    """Measure strong and weak scaling by the clock.
+    """Measure strong and weak scaling by elapsed time.
 
     Two beds of half the size on one rank each, run at the same time, show the cost of sharing the
     machine without communication.
@@ -31,38 +32,38 @@ def ranks(options: argparse.Namespace) -> None:
     along = WIDTHS[grains]
     whole, half = (widen(base(), *copies) for copies in (along, (along[0] // 2, along[1])))
     settings = LAW | {"steps": options.steps}
-    ways: dict[str, Callable[[], float]] = {
+    runs: dict[str, Callable[[], float]] = {
         "whole, 1 rank": lambda: run(whole, settings, WORK / "ranks").clock,
         "whole, 2 ranks": lambda: run(whole, settings, WORK / "ranks", ranks=2).clock,
         "half, 1 rank": lambda: run(half, settings, WORK / "ranks").clock,
-        "two halves side by side": lambda: side_by_side(half, settings),
+        "two halves at the same time": lambda: two_at_once(half, settings),
         "whole, 1 rank again": lambda: run(whole, settings, WORK / "ranks").clock,
     }
     rows = [
-        {"round": round_, "way": way, "clock": ways[way]()}
-        for round_, way in turns(list(ways), options.repeats, "ranks")
+        {"round": round_, "way": way, "clock": runs[way]()}
+        for round_, way in turns(list(runs), options.repeats, "ranks")
     ]
     wide = write(rows, "ranks").pivot(index="round", columns="way", values="clock")
     one, two = wide["whole, 1 rank"], wide["whole, 2 ranks"]
     for name, ratio in {
-        "strong: 1 rank over 2": one / two,
-        "what two beds side by side allow": one / wide["two halves side by side"],
-        "2 ranks over two beds side by side": two / wide["two halves side by side"],
-        "weak: half on 1 rank over whole on 2": wide["half, 1 rank"] / two,
-        "noise: 1 rank again over 1 rank": wide["whole, 1 rank again"] / one,
+        "strong scaling: 1 rank / 2 ranks": one / two,
+        "limit: 1 rank / two halves at the same time": one / wide["two halves at the same time"],
+        "2 ranks / two halves at the same time": two / wide["two halves at the same time"],
+        "weak scaling: half on 1 rank / whole on 2": wide["half, 1 rank"] / two,
+        "noise: 1 rank again / 1 rank": wide["whole, 1 rank again"] / one,
     }.items():
         print(f"{name}: {ratio.median():.2f} ({ratio.min():.2f} to {ratio.max():.2f})")
 
 
-def side_by_side(bed: Path, settings: dict[str, object]) -> float:
-    """Mean time by the clock of a bed of which two run at once [s]."""
+def two_at_once(bed: Path, settings: dict[str, object]) -> float:
+    """Return the mean elapsed time of two runs of a bed at the same time [s]."""
     with ThreadPoolExecutor() as pool:
         runs = pool.map(lambda name: run(bed, settings, WORK / name), ("left", "right"))
         return float(np.mean([done.clock for done in runs]))
 
 
 def many(options: argparse.Namespace, count: int = 64) -> None:
-    """The base on 1 and on many ranks, and the largest differences of any grain."""
+    """Print the largest differences of any grain between the base on 1 and on many ranks."""
     ends = {}
     for number in (1, count):
         began = monotonic()
@@ -74,18 +75,18 @@ def many(options: argparse.Namespace, count: int = 64) -> None:
     one, other = ends[1], ends[count]
     if list(one["id"]) != list(other["id"]):
         raise EngineError(f"{len(one)} grains on one rank, {len(other)} on {count}")
-    for words, columns, scale in (
-        ("positions, over the smallest radius", ["xu", "yu", "zu"], 2e-3),
-        ("velocities, over the largest", ["vx", "vy", "vz"], None),
-        ("forces, over the largest", ["fx", "fy", "fz"], None),
+    for quantity, columns, scale in (
+        ("positions / smallest radius", ["xu", "yu", "zu"], 2e-3),
+        ("velocities / largest velocity", ["vx", "vy", "vz"], None),
+        ("forces / largest force", ["fx", "fy", "fz"], None),
     ):
         scale = scale or one[columns].abs().max(axis=None)
         difference = (one[columns] - other[columns]).abs().max(axis=None)
-        print(f"{words}: at most {difference / scale:.1e} apart")
+        print(f"{quantity}: at most {difference / scale:.1e} apart")
 
 
 def calls(options: argparse.Namespace) -> None:
-    """What the base's first of four ranks hands to MPI, a step."""
+    """Print messages and bytes per step that the first of four ranks passes to MPI."""
     program = WORK / "mpi_calls.so"
     source = DECKS / "mpi_calls.c"
     subprocess.run(["mpicc", "-O2", "-shared", "-fPIC", "-o", program, source], check=True)
@@ -98,17 +99,17 @@ def calls(options: argparse.Namespace) -> None:
             lines = (WORK / "calls" / "mpi_calls.0").read_text().splitlines()
             counts.append(np.array([line.split()[1:] for line in lines], float))
         a_step = (counts[-1] - counts[-2]) / (10 * options.steps)
-        print(f"{law}, ledger {ledger}, {done.ghosts:.0f} copies a rank:")
+        print(f"{law}, ledger {ledger}, {done.ghosts:.0f} ghost atoms per rank:")
         for line, (number, size) in zip(lines, a_step, strict=True):
             if number:
-                print(f"  {line.split()[0]}: {number:.4g} a step, {size:.4g} bytes")
+                print(f"  {line.split()[0]}: {number:.4g} per step, {size:.4g} bytes")
 
 
 def maps(options: argparse.Namespace) -> None:
-    """Memory of the base when its grains have the numbers they would have in a huge bed."""
+    """Print the memory of the base if its grains have the IDs of grains in a huge bed."""
     for first in (1, 250_000_000):
         for way in ("array", "hash"):
             bed = widen(base(), 1, 1, first)
             done = run(bed, LAW | {"steps": options.steps, "map": way}, WORK / "maps")
-            words = f"numbers up to {first + done.grains - 1}, map {way}"
-            print(f"{words}: {done.peak / 1e6:.0f} MB, {done.processor:.2f} s of the processor")
+            case = f"IDs up to {first + done.grains - 1}, map {way}"
+            print(f"{case}: {done.peak / 1e6:.0f} MB, {done.processor:.2f} s of the processor")

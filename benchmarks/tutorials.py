@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Run LIGGGHTS' own tutorials, shortened, with a law in place of their normal model; print a table.
+"""Run shortened tutorials of LIGGGHTS with a law instead of their normal model; print a table.
 
     .venv/bin/python benchmarks/tutorials.py [TREE] [--laws universal thornton] [--rounds 3]
 
-TREE is LIGGGHTS' source tree, which tests/in_tree/build_upstream.sh fetches. To each deck a yield
-strength is added, nothing else.
+TREE is LIGGGHTS' source tree, which tests/in_tree/build_upstream.sh fetches. Each deck gets a yield
+strength; the rest stays.
 """
 
 from __future__ import annotations
@@ -25,13 +25,13 @@ from plastigran.engine.process import PROJECT, EngineError, run_deck
 
 @frozen
 class Tutorial:
-    """A tutorial and how it is made short.
+    """Tutorial, and the changes that make it short.
 
     Attributes:
-        folder: Below examples/LIGGGHTS/Tutorials_public, with the name of its deck after `in.`.
-        share: Of the steps of each of its runs.
-        steps: A variable whose steps are many, and the steps to give it.
-        strength: Yield strength over Young's modulus: grains this soft yield in most contacts.
+        folder: Folder in examples/LIGGGHTS/Tutorials_public, and name of its deck after `in.`.
+        share: Fraction of the steps of each run.
+        steps: Variable with a number of steps, and its new value.
+        strength: Yield strength / Young's modulus; such soft grains yield in most contacts.
     """
 
     folder: str
@@ -47,7 +47,7 @@ class Tutorial:
 
 TUTORIALS = (
     Tutorial("chute_wear/chute_wear", 0.1),
-    Tutorial("cohesion/cohesion", 0.4, strength=0.1),  # its cohesion would draw others together
+    Tutorial("cohesion/cohesion", 0.4, strength=0.1),  # cohesion would pull softer grains together
     Tutorial("contactModels/newModels", 0.2),
     Tutorial("conveyor/conveyor", 0.4),
     Tutorial("heatTransfer_1/heatGran", 0.1),
@@ -65,12 +65,12 @@ TUTORIALS = (
 
 
 def shortened(text: str, tutorial: Tutorial) -> str:
-    """The deck with fewer steps, no dumps and no say in the number of ranks."""
+    """Return the deck with fewer steps, without dumps and without a grid of ranks."""
     text = re.sub(r"&\s*\n", " ", text.replace("\r", ""))
     text = re.sub(r"(?m)^\s*(dump|processors).*\n", "", text)
     if tutorial.steps:
         name, steps = tutorial.steps
-        # As many as are run; what moves in them goes as fast as before.
+        # Only the number of steps changes; speeds of moving parts stay.
         text = re.sub(rf"(?m)^(\s*run\s+)\${{{name}}}", rf"\g<1>{steps}", text)
     return re.sub(
         r"(?m)^(\s*run\s+)(\d+)",
@@ -80,7 +80,7 @@ def shortened(text: str, tutorial: Tutorial) -> str:
 
 
 def ported(text: str, law: str, strength: float) -> str:
-    """The deck with the law in place of its normal models, and a yield strength."""
+    """Return the deck with the law instead of its normal models, and a yield strength."""
     moduli = re.search(r"property/global youngsModulus peratomtype([^#\n]+)", text)[1].split()
     strengths = " ".join(f"{strength * float(modulus):g}" for modulus in moduli)
     line = f"fix yield_strength all property/global yieldStrength peratomtype {strengths}\n"
@@ -89,20 +89,20 @@ def ported(text: str, law: str, strength: float) -> str:
 
 
 def run(text: str, source: Path, folder: Path, ranks: int = 1) -> tuple[float, str]:
-    """Processor time of a deck [s] and its log; `source` holds what it reads."""
+    """Return the processor time of a deck [s] and its log; `source` contains its input files."""
     shutil.rmtree(folder, ignore_errors=True)
     shutil.copytree(source, folder)
     (folder / "post").mkdir(exist_ok=True)
     (folder / "deck.in").write_text(text)
     before = getrusage(RUSAGE_CHILDREN).ru_utime
-    # A tutorial has no variable of ours.
+    # A tutorial does not have the variables of this project's decks.
     none = {"inputs": None, "output": None}
     log = run_deck(folder / "deck.in", none, folder, ranks=ranks, working_folder=folder)
     return getrusage(RUSAGE_CHILDREN).ru_utime - before, log
 
 
 def outcome(text: str, source: Path, folder: Path, ranks: int) -> str:
-    """`runs`, or what the engine says of why not."""
+    """Return `runs`, or the error of LIGGGHTS."""
     try:
         run(text, source, folder, ranks)
     except EngineError as error:
@@ -111,17 +111,17 @@ def outcome(text: str, source: Path, folder: Path, ranks: int) -> str:
 
 
 def row(tutorial: Tutorial, tree: Path, laws: list[str], rounds: int, folder: Path) -> str:
-    """Of the table: outcomes on one and two ranks with the first law, and what each law costs."""
+    """Return a row: outcomes on one and two ranks with the first law, and the cost of each law."""
     deck = tree / "examples/LIGGGHTS/Tutorials_public" / tutorial.deck
-    own = shortened(deck.read_text(), tutorial)
-    texts = [own, *(ported(own, law, tutorial.strength) for law in laws), own]
+    original = shortened(deck.read_text(), tutorial)
+    texts = [original, *(ported(original, law, tutorial.strength) for law in laws), original]
     cells = [outcome(texts[1], deck.parent, folder, ranks) for ranks in (1, 2)]
     costs: list[list[float]] = [[] for _ in texts[1:]]
     for _ in range(rounds if cells[0] == "runs" else 0):
         times = [run(text, deck.parent, folder)[0] for text in texts]
-        for found, time in zip(costs, times[1:], strict=True):
-            found.append(time / times[0])
-    cells += [f"{median(found):.2f}" if found else "" for found in costs]
+        for ratios, time in zip(costs, times[1:], strict=True):
+            ratios.append(time / times[0])
+    cells += [f"{median(ratios):.2f}" if ratios else "" for ratios in costs]
     return f"| {' | '.join([tutorial.folder.split('/')[1], *cells])} |"
 
 
@@ -130,15 +130,18 @@ def main() -> None:
     parser.add_argument("tree", nargs="?", type=Path, default=PROJECT / "build/in-tree/liggghts")
     parser.add_argument("--laws", nargs="+", default=["universal", "thornton"])
     parser.add_argument("--rounds", type=int, default=3)
-    parser.add_argument("--only", default="", help="tutorials whose folder has this in its name")
-    given = parser.parse_args()
-    columns = ["tutorial", "1 rank", "2 ranks", *(f"`{law}`" for law in given.laws), "again"]
+    parser.add_argument("--only", default="", help="only tutorials whose folder contains this word")
+    arguments = parser.parse_args()
+    columns = ["tutorial", "1 rank", "2 ranks", *(f"`{law}`" for law in arguments.laws), "again"]
     print(f"| {' | '.join(columns)} |\n{'|---' * len(columns)}|")
     with TemporaryDirectory() as folder:
         for tutorial in TUTORIALS:
-            if given.only in tutorial.folder:
+            if arguments.only in tutorial.folder:
                 work = Path(folder) / "run"
-                print(row(tutorial, given.tree, given.laws, given.rounds, work), flush=True)
+                print(
+                    row(tutorial, arguments.tree, arguments.laws, arguments.rounds, work),
+                    flush=True,
+                )
 
 
 if __name__ == "__main__":

@@ -20,7 +20,7 @@ from plastigran.plot.style import save, title
 
 #: Yield strengths of the compacted grains [Pa].
 STRENGTHS = [5e4, 1e5, 2e5]
-#: Settings of the cooling gas by law; the dissipative constant gives 0.93 at 1 m/s.
+#: Settings of the cooling gas by law; the dissipative constant gives restitution 0.93 at 1 m/s.
 COOLING = {
     "vu_quoc_zhang": {},
     "viscoelastic_hertz": {"dissipative_constant": 1e-7, "timestep": 7e-8},
@@ -28,13 +28,13 @@ COOLING = {
 
 
 def bulk(deck: str, **settings: object) -> BulkRun:
-    """A run of a bulk deck whose checks have passed; its folder is gone."""
+    """Run a bulk deck in a temporary folder; its checks must pass."""
     with tempfile.TemporaryDirectory() as folder:
         return run_bulk(deck, settings, Path(folder) / deck).raise_if_failed()
 
 
 def cooling_gases() -> Figure:
-    """A gas that yields beside a viscoelastic one of the same grains: a minute or two each."""
+    """Draw a plastic and a viscoelastic gas of the same grains: a minute or two each."""
     runs = {law: bulk("cooling_gas", law=law, side=10, **given) for law, given in COOLING.items()}
     gas = runs["vu_quoc_zhang"].deck
     rate = gas.gas().cooling_rate(gas.temperature)
@@ -42,7 +42,7 @@ def cooling_gases() -> Figure:
 
 
 def compactions() -> Figure:
-    """Grains of three strengths pressed to the same density: a minute each."""
+    """Draw grains of three strengths, compressed to the same density: a minute each."""
     settings = {"die_radius": 0.0075, "layers": 9, "relative_density": 0.7, "release": 0.3}
     runs = {
         f"$\\sigma_Y$ = {strength / 1e3:g} kPa": bulk(
@@ -54,7 +54,7 @@ def compactions() -> Figure:
 
 
 def shot_figures() -> dict[str, Figure]:
-    """Shot on a plate and on a bed, at the deck's defaults: a minute or two each."""
+    """Draw shot on a plate and on a bed with the deck's defaults: a minute or two each."""
     return {
         f"bed_impact_{target}": bulk("bed_impact", target=target).figures["bed_impact"]
         for target in ("plate", "bed")
@@ -62,24 +62,22 @@ def shot_figures() -> dict[str, Figure]:
 
 
 def hoppers() -> Figure:
-    """The same bed run out of every orifice: one to four minutes each, narrow ones the longest."""
+    """Draw the discharge of one bed from every orifice: one to four minutes each."""
     runs = [bulk("hopper", orifice=orifice) for orifice in orifices()]
     courses = [(r.series, r.deck.discharge(r.series), r.deck.grains.mass) for r in runs]
     return orifices_figure(courses)
 
 
 def draw_cooling_gas(folder: Path) -> None:
-    """A gas that yields beside a viscoelastic one."""
     save(cooling_gases(), folder / "cooling_gas", (".png",))
 
 
 def draw_drum(folder: Path) -> None:
-    """The drum at its defaults."""
     save(bulk("drum").figures["drum"], folder / "drum", (".png",))
 
 
 def draw_collision_spectra(folder: Path) -> None:
-    """Impacts in a drum, of a run too brief for its check of power, which they do not need."""
+    """Draw the impacts in a drum; the run is too short for its check of power."""
     settings = {"spectra": "on", "length": "0.03", "duration": "0.4"}
     with tempfile.TemporaryDirectory() as results:
         run = run_bulk("drum", settings, Path(results) / "drum")
@@ -87,28 +85,24 @@ def draw_collision_spectra(folder: Path) -> None:
 
 
 def draw_chute(folder: Path) -> None:
-    """The chute at its defaults."""
     save(bulk("chute").figures["chute"], folder / "chute", (".png",))
 
 
 def draw_compaction(folder: Path) -> None:
-    """Grains of three strengths."""
     save(compactions(), folder / "compaction", (".png",))
 
 
 def draw_bed_impact(folder: Path) -> None:
-    """Shot on a plate and on a bed."""
     for name, figure in shot_figures().items():
         save(figure, folder / name, (".png",))
 
 
 def draw_hopper(folder: Path) -> None:
-    """The hopper run out of every orifice."""
     save(hoppers(), folder / "hopper", (".png",))
 
 
 def draw_hopper_grains(folder: Path) -> None:
-    """Grains of a hopper half-way, by plastic work."""
+    """Draw the grains of a hopper half-way, colored by plastic work."""
     with tempfile.TemporaryDirectory() as run:
         run_bulk("hopper", {"layers": "10", "frames": "8"}, Path(run) / "run")
         frames = find_frames(Path(run) / "run")

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Print the tables of docs/finite_elements.md: how far off Hertz, and what each setting changes.
+"""Print the tables of docs/finite_elements.md: error from Hertz, and effect of each setting.
 
     .venv/bin/python docs/convergence.py [elastic] [press] [throw] [vibrate] [strike]
 
@@ -31,15 +31,15 @@ from plastigran.fem.sphere.press import press
 from plastigran.fem.sphere.vibrate import vibrate
 from plastigran.fem.theory.hertz import HertzSphere
 
-#: The sphere of Zhang & Vu-Quoc 2002 (Int. J. Impact Eng. 27:317), pressed and thrown [m, N, m/s].
+#: The sphere of Zhang & Vu-Quoc 2002 (Int. J. Impact Eng. 27:317), its largest force and speed.
 METAL = ElasticPlastic(
     youngs_modulus=70e9, poissons_ratio=0.3, density=2699.0, hardening=LinearHardening(100e6)
 )
-RADIUS, FORCE, SPEED = 0.1, 1500.0, 0.02
+RADIUS, FORCE, SPEED = 0.1, 1500.0, 0.02  # m, N, m/s
 
-#: The sphere of ice of docs/papers/chamoli.md, thrown [m, m/s].
+#: The sphere of ice of docs/papers/chamoli.md and its speed.
 ICE = ElasticPlastic(youngs_modulus=9.3e9, poissons_ratio=0.25, density=900.0)
-ICE_RADIUS, ICE_SPEED = 0.01, 5.0
+ICE_RADIUS, ICE_SPEED = 0.01, 5.0  # m, m/s
 VIBRATE_VARIATIONS = {
     "divisions": (8,),
     "fineness": (2.0,),
@@ -94,14 +94,12 @@ def elastic_table(
 def press_table(
     variations: Variations = PRESS_VARIATIONS, settings: Settings | None = None
 ) -> pd.DataFrame:
-    """What each setting changes of a press."""
     return convergence(press_measure(METAL, RADIUS, [FORCE]), variations, settings)
 
 
 def throw_table(
     variations: Variations = THROW_VARIATIONS, settings: Settings | None = None
 ) -> pd.DataFrame:
-    """What each setting changes of a throw."""
     return convergence(throw_measure(METAL, RADIUS, SPEED), variations, settings)
 
 
@@ -110,27 +108,25 @@ def tables(
     throw: Variations = THROW_VARIATIONS,
     settings: Settings | None = None,
 ) -> dict[str, pd.DataFrame]:
-    """What each setting changes, by name of the computation; see `convergence`."""
+    """Return the effect of each setting on a compression and on an impact; see `convergence`."""
     return {"press": press_table(press, settings), "throw": throw_table(throw, settings)}
 
 
 def vibrate_table() -> pd.DataFrame:
-    """What each setting changes of the vibration that is left."""
-
     def measure(settings: Settings) -> dict[str, float]:
-        found = vibrate(ICE, ICE_RADIUS, ICE_SPEED, 1.0, settings)
-        return {"vibration_energy": found.vibration_energy, "force_max": found.force_max}
+        vibration = vibrate(ICE, ICE_RADIUS, ICE_SPEED, 1.0, settings)
+        names = ("vibration_energy", "force_max")
+        return {name: getattr(vibration, name) for name in names}
 
     return convergence(measure, VIBRATE_VARIATIONS)
 
 
 def strike_table() -> pd.DataFrame:
-    """What each setting changes of a strike."""
     names = ("residual_depth", "coefficient_of_restitution", "force_max")
 
     def measure(settings: Settings) -> dict[str, float]:
-        found = strike(STRIKE, settings)
-        return {name: float(getattr(found, name)) for name in names}
+        struck = strike(STRIKE, settings)
+        return {name: float(getattr(struck, name)) for name in names}
 
     return convergence(measure, STRIKE_VARIATIONS, STRIKE_SETTINGS)
 

@@ -34,7 +34,7 @@ from plastigran.plot.style import save
 
 PROJECT = Path(__file__).parents[1]
 FIGURES = PROJECT / "docs" / "figures"
-#: The parts that a round of all has finished.
+#: Names of the parts that the present round has drawn.
 DONE = PROJECT / "results" / "figures" / "done.txt"
 #: Settings of the study of each experiment with figures, and their files by name in `Runs.figures`.
 EXPERIMENTS = {
@@ -46,7 +46,7 @@ EXPERIMENTS = {
         {"benchmark_4": "chung_ooi_4.png", "benchmark_6": "chung_ooi_6.png"},
     ),
 }
-#: Heights of fall and rebound of a ball of steel on a rigid plate [m]: an example.
+#: Heights of fall and rebound of a steel ball on a rigid plate [m], as an example.
 DROPS = [(0.05, 0.0215), (0.05, 0.0222), (0.10, 0.0385), (0.20, 0.0680), (0.50, 0.1490)]
 
 
@@ -60,7 +60,7 @@ def draw_experiment(name: str, folder: Path) -> None:
 
 
 def draw_calibration(folder: Path) -> None:
-    """The law against the drops of docs/calibrate.md, and against finite elements: a minute."""
+    """Draw the law with the drops of docs/calibrate.md, and with finite elements: a minute."""
     steel = {"youngs_modulus": 206e9, "poissons_ratio": 0.3, "density": 7850.0}
     falls, rebounds = np.array(DROPS).T
     drops = DropTest(np.sqrt(2 * 9.81 * falls), np.sqrt(rebounds / falls))
@@ -73,7 +73,7 @@ def draw_calibration(folder: Path) -> None:
 
 
 def draw_fit(folder: Path) -> None:
-    """The finite elements on one curve and the errors of `universal`: some minutes."""
+    """Draw the finite elements on one curve and the errors of `universal`: some minutes."""
     from plastigran.validation.spheres.fit import main as fit
 
     fit(["--figures", str(folder)])
@@ -85,10 +85,10 @@ def draw_overview(folder: Path) -> None:
 
 
 def run_command(words: list[str], pages: str, folder: Path) -> None:
-    """A report of `plastigran`, whose pages stand beside the folder of figures.
+    """Run a report of `plastigran` that writes its pages and their pictures.
 
     Raises:
-        RuntimeError: The command failed; it has said why.
+        RuntimeError: The command failed and printed the reason.
     """
     with tempfile.TemporaryDirectory() as results:
         places = ["--output", results, "--force", "--docs", str(folder.parent / pages)]
@@ -97,7 +97,7 @@ def run_command(words: list[str], pages: str, folder: Path) -> None:
 
 
 def parts() -> dict[str, Callable[[Path], None]]:
-    """What can be drawn, by name: each draws into a folder of figures."""
+    """Return functions that draw the parts into a folder of figures, by name."""
     papers = {
         name: partial(run_command, ["reproduce", name], "papers") for name in sorted(paper_names())
     }
@@ -115,35 +115,37 @@ def parts() -> dict[str, Callable[[Path], None]]:
     )
 
 
-def draw_all(found: dict[str, Callable[[Path], None]], folder: Path, again: bool) -> None:
-    """Draw what a round of all has not finished; after the last the next round begins anew."""
+def draw_all(all_parts: dict[str, Callable[[Path], None]], folder: Path, again: bool) -> None:
+    """Draw the parts that the present round has not drawn; the last part ends the round."""
     if again:
         DONE.unlink(missing_ok=True)
     done = set(DONE.read_text().split()) if DONE.exists() else set()
     DONE.parent.mkdir(parents=True, exist_ok=True)
-    for name in (name for name in found if name not in done):
+    for name in (name for name in all_parts if name not in done):
         print(f"drawing {name}", flush=True)
-        found[name](folder)
+        all_parts[name](folder)
         with DONE.open("a") as file:
             file.write(f"{name}\n")
     DONE.unlink(missing_ok=True)
 
 
 def main(words: list[str], folder: Path = FIGURES) -> None:
-    """Draw the parts that are named, or all."""
+    """Draw the named parts, or all."""
     parser = argparse.ArgumentParser(prog="./run figures", description=__doc__.splitlines()[0])
-    found = parts()
-    parser.add_argument("name", nargs="*", choices=[[], *found], metavar="NAME", help="a part")
-    parser.add_argument("--list", action="store_true", help="say which parts there are")
-    parser.add_argument("--again", action="store_true", help="all from the first")
+    all_parts = parts()
+    parser.add_argument(
+        "name", nargs="*", choices=[[], *all_parts], metavar="NAME", help="name of a part"
+    )
+    parser.add_argument("--list", action="store_true", help="list the parts")
+    parser.add_argument("--again", action="store_true", help="draw all parts from the start")
     arguments = parser.parse_args(words)
     if arguments.list:
-        print("\n".join(found))
+        print("\n".join(all_parts))
     elif arguments.name:
         for name in arguments.name:
-            found[name](folder)
+            all_parts[name](folder)
     else:
-        draw_all(found, folder, arguments.again)
+        draw_all(all_parts, folder, arguments.again)
 
 
 if __name__ == "__main__":

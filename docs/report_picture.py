@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Draw docs/figures/report.png: the demo's report in Chromium, light beside dark.
+"""Draw docs/figures/report.png: the demo's report in Chromium, in light and dark mode.
 
 python docs/report_picture.py [results/demo/report.html]
 """
@@ -17,7 +17,7 @@ from playwright.sync_api import Browser, expect, sync_playwright
 FIGURE = Path(__file__).parent / "figures" / "report.png"
 PAGE = Path("results/demo/report.html")
 SIZE = {"width": 960, "height": 1330}
-#: Brings an element to the top; paths begin at `results`, wherever the demo ran.
+#: Scrolls to an element, and shortens paths so that they begin at `results`.
 TO_TOP = """at => {
   for (const path of document.querySelectorAll("code"))
     path.textContent = path.textContent.replace(/^.*(?=results)/, "");
@@ -25,22 +25,22 @@ TO_TOP = """at => {
   document.documentElement.style.scrollPaddingTop = element.style.scrollMarginTop = 0;
   element.scrollIntoView();
 }"""
-#: A loaded machine draws slowly [ms].
-PATIENCE = 120_000
+#: Time-out [ms]; a busy machine draws slowly.
+TIMEOUT = 120_000
 
 
 def look(browser: Browser, page_file: Path, mode: str, at: str, frame: float) -> Image.Image:
-    """The page as a browser shows it.
+    """Return a picture of the page in a browser.
 
     Args:
-        browser: That opens it.
-        page_file: The page.
+        browser: Browser.
+        page_file: File of the page.
         mode: "light" or "dark".
         at: Selector of the element at the top.
-        frame: Share of a movie's frames that is shown.
+        frame: Position in the movies, from 0 to 1.
     """
     with browser.new_context(viewport=SIZE, color_scheme=mode) as context:
-        context.set_default_timeout(PATIENCE)
+        context.set_default_timeout(TIMEOUT)
         page = context.new_page()
         page.goto(page_file.resolve().as_uri())
         page.wait_for_selector("html[data-ready]")
@@ -54,8 +54,8 @@ def look(browser: Browser, page_file: Path, mode: str, at: str, frame: float) ->
 
 
 def draw(page_file: Path, figure: Path) -> None:
-    """Write the picture: the page's head in the light beside the hopper in the dark."""
-    expect.set_options(timeout=PATIENCE)
+    """Write the picture: the head of the page in light mode, and the hopper in dark mode."""
+    expect.set_options(timeout=TIMEOUT)
     drawing = ["--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"]
     with sync_playwright() as driver:
         browser = driver.chromium.launch(

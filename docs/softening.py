@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Print what two bulk decks measure with a stiff material, and with it softened.
+"""Print the measurements of two bulk decks with a stiff material, and with the softened one.
 
     .venv/bin/python docs/softening.py [--decks drum hopper] [--factors 1 0.01 0.001 0.0001]
                                        [--seeds 1 2 3] [--output FOLDER]
 
-With the defaults about 25 minutes of one core, most of it in the stiff runs. Runs that have
-finished in the folder are read, not run again.
+The defaults take about 25 minutes of one core, most of it in the stiff runs. The script reads
+finished runs of the folder instead of repeating them.
 """
 
 from __future__ import annotations
@@ -26,9 +26,9 @@ from plastigran.calibration.softening import TIME_POWER, soften
 from plastigran.materials import Material, read_material, write_material
 
 LAW = "thornton"
-#: Factor that makes of the stiff material the decks' own granules.
+#: Factor that turns the stiff material into the granules of the decks.
 SOFTEST = 1e-4
-#: Small decks, with the time steps [s] of the softest material: 600 grains and 110.
+#: Small decks with 600 and 110 grains, and the time steps [s] of the softest material.
 HOPPER = {"orifice": 8, "layers": 3, "timestep": 1.0e-5, "duration": 0.6, "rows": 150}
 HOPPER |= {"filling": 0.1, "checkpoints": 1}
 DRUM = {"drum_radius": 0.05, "length": 0.03, "froude": 0.2, "duration": 0.9, "settling": 0.3}
@@ -38,7 +38,7 @@ SHARES = ("plastic", "friction", "viscous")
 
 
 def stiff_material() -> Material:
-    """The granules of the decks, 10 000 times as stiff, with their restitution."""
+    """Return granules that are 10 000 times as stiff as those of the decks; same restitution."""
     granules = read_material("soft_granules")
     return attrs.evolve(
         granules,
@@ -67,7 +67,7 @@ def measure(run: BulkRun) -> dict[str, float]:
 def compared(
     folder: Path, decks: list[str], factors: list[float], seeds: list[int]
 ) -> pd.DataFrame:
-    """Mean and standard deviation over seeds of what each deck measures at each factor."""
+    """Return mean and standard deviation over seeds of the measured values, by deck and factor."""
     rows = []
     for deck, factor, seed in product(decks, factors, seeds):
         run = _run(folder / f"{deck}_{factor:g}_{seed}", deck, DECKS[deck], factor, seed)

@@ -1,15 +1,15 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Random scenes in the engine against a replay: forces, memory and ledger.
+"""Compare random scenes in LIGGGHTS with a replay: forces, contact history and energy balance.
 
     .venv/bin/python benchmarks/random_scenes --scenes 1000
 
-Each scene has a random sphere law with random options, one to three materials, two to fourteen
-particles that close in on each other, periodic sides or walls, one of them perhaps a mesh, one to
-four ranks, and up to four runs with something done between them: particles deleted or created, all
-displaced, steps counted anew, the pair style given again, a restart on other ranks. Each frame's
-forces must be those that follow from its positions alone, and so must elastic energy and plastic
-work of the ledger. A scene is made from its seed: `--seed 17 --scenes 1 --keep` shows one again.
+Each scene has a random sphere law with random options, one to three materials, and two to fourteen
+particles that approach each other. Its sides are periodic or walls, of which one may be a mesh. It
+runs on one to four ranks, in up to four runs. Between runs, an event deletes, creates or displaces
+particles, resets the step, repeats the pair style, or restarts on other ranks. The positions of
+each frame alone determine the expected forces, elastic energy and plastic work. A scene follows
+from its seed, so `--seed 17 --scenes 1 --keep FOLDER` repeats one.
 """
 
 from __future__ import annotations
@@ -36,15 +36,15 @@ from tqdm import tqdm
 from plastigran.engine.log import LOG, read_thermo
 from plastigran.engine.process import PROJECT, run_deck
 
-#: Of the largest force or energy of a scene. An overlap of 1e-5 of the box is rounded to 1e-11 of
-#: itself, and steep branches make of it ten times as much.
+#: Largest difference, relative to the largest force or energy of a scene. An overlap of 1e-5 of the
+#: box has a round-off of 1e-11, and steep curves multiply it by ten.
 TOLERANCE = 1e-9
 RESULTS = PROJECT / "results" / "random_scenes.csv"
 
 
 @dataclass(frozen=True)
 class Verdict:
-    """What came of a scene: largest differences, relative; or why there are none."""
+    """Result of a scene: largest relative differences, or the error that prevented them."""
 
     seed: int
     law: str
@@ -65,7 +65,7 @@ class Verdict:
 def judge(seed: int, folder: Path) -> Verdict:
     """Run a scene in a folder and compare it with its replay."""
     scene = random_scene(seed)
-    events = ", ".join(event.kind for event in scene.events)
+    events = ", ".join(event.action for event in scene.events)
     head = (seed, scene.law_name, max(int(np.prod(e.grid)) for e in scene.events), events)
     try:
         logs = []
@@ -74,18 +74,18 @@ def judge(seed: int, folder: Path) -> Verdict:
             logs.append(folder / f"log_{number}")
             (folder / LOG).rename(logs[-1])
         return Verdict(*head, *compare(scene, folder, logs))
-    except Exception as error:  # the others go on; a fault of the replay shows as one
+    except Exception as error:  # other scenes continue; an error of the replay counts, too
         return Verdict(*head, error=f"{type(error).__name__}: {error}")
 
 
 def compare(scene: Scene, folder: Path, logs: list[Path]) -> tuple[int, int, float, float, float]:
-    """Contacts, frames, and the largest differences of force, elastic energy and plastic work."""
+    """Return contacts, frames and largest differences of force, elastic energy, plastic work."""
     ledger = [read_thermo(log) for log in logs]
-    told = pd.concat(ledger, ignore_index=True)[ledger[0].columns].dropna()  # the run 0 has others
-    told = told.set_axis(["run", "step", "kinetic", "elastic", "plastic", "drift"], axis=1)
+    lines = pd.concat(ledger, ignore_index=True)[ledger[0].columns].dropna()  # without `run 0`
+    lines = lines.set_axis(["run", "step", "kinetic", "elastic", "plastic", "drift"], axis=1)
     replay, last = Replay(scene), None
     scale, worst, energy, frames = 0.0, 0.0, 0.0, 0
-    energies = []  # elastic and plastic, at begin and end of each run
+    energies = []  # elastic and plastic, at start and end of each run
     for number, event in enumerate(scene.events):
         run = list(read(folder / f"run_{number}.dump"))
         for frame in run:
@@ -98,43 +98,43 @@ def compare(scene: Scene, folder: Path, logs: list[Path]) -> tuple[int, int, flo
             if frame is run[0] or frame is run[-1]:
                 energies.append(stored)
         frames += len(run)
-    assert len(told) == len(energies), f"{len(told)} lines of the ledger, {len(energies)} due"
-    off = np.abs(told[["elastic", "plastic"]].to_numpy() - energies).max(axis=0) / energy
-    return (replay.touched, frames, float(worst / (scale or 1)), *map(float, off))
+    assert len(lines) == len(energies), f"{len(lines)} lines of energies instead of {len(energies)}"
+    difference = np.abs(lines[["elastic", "plastic"]].to_numpy() - energies).max(axis=0) / energy
+    return (replay.contacts_begun, frames, float(worst / (scale or 1)), *map(float, difference))
 
 
 def match(
     scene: Scene, event: Event, frame: Frame, last: tuple[np.ndarray, np.ndarray, int] | None
 ) -> np.ndarray:
-    """Names of a frame's particles: those of the nearest ones before, moved by the event."""
+    """Return the names of a frame's particles: those of the nearest particles before it."""
     if last is None:
         return frame.ids
     names, before, step = last
     if frame.step == step + 1:
         return names
-    if event.kind == "displace":
+    if event.action == "displace":
         before = before + event.shift
     periodic = np.array([axis not in scene.walled for axis in AXES])
     apart = frame.place[:, None] - before[None]
     side = scene.high - scene.low
     apart -= np.where(periodic, side * np.round(apart / side), 0)
     distance = np.sqrt((apart**2).sum(axis=-1))
-    found = np.zeros(len(distance), int)
+    matched = np.zeros(len(distance), int)
     for k, row in enumerate(distance):
         if row.min(initial=1) < 1e-9:
-            found[k] = names[row.argmin()]
-    fresh = np.flatnonzero(found == 0)
-    assert len(fresh) == ("create" in event.kind), (
-        f"{len(fresh)} particles appeared at {event.kind}"
+            matched[k] = names[row.argmin()]
+    new = np.flatnonzero(matched == 0)
+    assert len(new) == ("create" in event.action), f"{len(new)} new particles at {event.action}"
+    matched[new] = 1 + names.max(initial=0) + step  # a name that no particle had
+    lost = np.setdiff1d(names, matched)
+    assert "delete" in event.action or not len(lost), (
+        f"{len(lost)} particles lost at {event.action}"
     )
-    found[fresh] = 1 + names.max(initial=0) + step  # a name that nobody had
-    gone = np.setdiff1d(names, found)
-    assert "delete" in event.kind or not len(gone), f"{len(gone)} particles went at {event.kind}"
-    return found
+    return matched
 
 
 def judge_in(root: Path, seed: int) -> Verdict:
-    """`judge` in a folder of its own, which is kept when the scene differs."""
+    """Call `judge` in a new folder, which stays if the scene differs."""
     folder = root / str(seed)
     folder.mkdir(parents=True, exist_ok=True)
     verdict = judge(seed, folder)
@@ -145,13 +145,19 @@ def judge_in(root: Path, seed: int) -> Verdict:
 
 def main() -> None:
     parser = argparse.ArgumentParser(description=(__doc__ or "").splitlines()[0])
-    parser.add_argument("--scenes", type=int, default=1000, help="how many (default: %(default)s)")
-    parser.add_argument("--seed", type=int, default=1, help="of the first (default: %(default)s)")
-    parser.add_argument("--workers", type=int, default=2, help="at a time (default: %(default)s)")
+    parser.add_argument(
+        "--scenes", type=int, default=1000, help="number of scenes (default: %(default)s)"
+    )
+    parser.add_argument(
+        "--seed", type=int, default=1, help="seed of the first scene (default: %(default)s)"
+    )
+    parser.add_argument(
+        "--workers", type=int, default=2, help="scenes at the same time (default: %(default)s)"
+    )
     parser.add_argument("--keep", type=Path, help="folder for the runs of scenes that differ")
     parser.add_argument("--output", type=Path, default=RESULTS, help="table (default: %(default)s)")
     options = parser.parse_args()
-    os.environ.setdefault("OMPI_MCA_mpi_yield_when_idle", "1")  # other scenes want the cores
+    os.environ.setdefault("OMPI_MCA_mpi_yield_when_idle", "1")  # other scenes need the cores
     seeds = range(options.seed, options.seed + options.scenes)
     options.output.parent.mkdir(parents=True, exist_ok=True)
     with (
@@ -172,7 +178,7 @@ def main() -> None:
 
 
 def report(table: pd.DataFrame) -> int:
-    """Print what came of all scenes; returns how many differ."""
+    """Print the results of all scenes, and return the number of scenes that differ."""
     passed = table["passed"]
     if not passed.all():
         print(table[~passed].to_string(index=False, max_colwidth=60))

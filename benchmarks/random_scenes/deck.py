@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A scene as input scripts: one for each engine process, a restart file between two."""
+"""Write the input scripts of a scene: one for each process, with a restart file between two."""
 
 from __future__ import annotations
 
@@ -14,10 +14,10 @@ from scene import Scene
 
 from plastigran.laws import hertz_yield_pressure_factor
 
-#: How far from a place particles are deleted [m].
+#: Distance from a place within which particles are deleted [m].
 NEAR = 0.13
-_VARIABLES = ("variable inputs index inputs", "variable output index .")  # given to every deck
-MESH_CELLS = 3  # of the meshed wall along a side
+_VARIABLES = ("variable inputs index inputs", "variable output index .")  # every deck has them
+MESH_CELLS = 3  # cells of the meshed wall along a side
 
 
 def write_decks(scene: Scene, folder: Path) -> list[tuple[Path, tuple[int, int, int]]]:
@@ -32,7 +32,7 @@ def write_decks(scene: Scene, folder: Path) -> list[tuple[Path, tuple[int, int, 
         (list(_begin(scene)), scene.events[0].grid)
     ]
     for number, event in enumerate(scene.events):
-        if event.kind.startswith("restart"):
+        if event.action.startswith("restart"):
             decks[-1][0].append("write_restart middle.restart")
             decks.append((list(_again(scene, event)), event.grid))
         else:
@@ -97,16 +97,16 @@ def _again(scene: Scene, event: Event) -> Iterator[str]:
     yield "neighbor 0.02 bin"
     yield "neigh_modify delay 0"
     yield from _properties(scene)
-    if event.kind == "restart with its line":
+    if event.action == "restart with its line":
         yield from _pair_style(scene)
     yield from _surroundings(scene)
-    if event.kind == "restart":
-        yield "run 0"  # opens the ledger that the restart file asks for
+    if event.action == "restart":
+        yield "run 0"  # opens the energy balance of the restart file
     yield from _thermo()
 
 
 def _properties(scene: Scene) -> Iterator[str]:
-    # The engine asks that something has type 1, whatever is deleted.
+    # LIGGGHTS requires that something has type 1, whatever is deleted.
     yield (
         "fix first all particletemplate/sphere 15485863 atom_type 1 density constant 1000 "
         "radius constant 0.05"
@@ -163,13 +163,13 @@ def _thermo() -> Iterator[str]:
 
 
 def _do(scene: Scene, event: Event) -> Iterator[str]:
-    if "delete" in event.kind:
+    if "delete" in event.action:
         yield f"region gone sphere {_words(event.where[0])} {NEAR} units box"
         yield "group gone region gone"
         yield f"delete_atoms group gone compress {event.compress}"
         yield "group gone delete"
         yield "region gone delete"
-    if "create" in event.kind:
+    if "create" in event.action:
         yield f"create_atoms 1 single {_words(event.where[1])} units box"
         yield f"region new sphere {_words(event.where[1])} 1e-6 units box"
         yield "group new region new"
@@ -179,11 +179,11 @@ def _do(scene: Scene, event: Event) -> Iterator[str]:
         )
         yield "group new delete"
         yield "region new delete"
-    if event.kind == "displace":
+    if event.action == "displace":
         yield f"displace_atoms all move {_words(event.shift)} units box"
-    if event.kind == "steps anew":
+    if event.action == "reset steps":
         yield "reset_timestep 5000000"
-    if event.kind == "pair_style again":
+    if event.action == "pair_style again":
         yield from _pair_style(scene)
 
 
@@ -199,7 +199,7 @@ def _words(values) -> str:
 
 
 def _plane(scene: Scene) -> str:
-    """An STL file of the lower z wall."""
+    """Return an STL file of the lower z wall."""
     edges = np.linspace(scene.low, scene.high, MESH_CELLS + 1)
     lines = ["solid floor"]
     for x, x_next in pairwise(edges[:, 0]):

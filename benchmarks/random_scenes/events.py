@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""What is done to a random scene between its runs."""
+"""Events between the runs of a random scene."""
 
 from __future__ import annotations
 
@@ -9,16 +9,16 @@ from dataclasses import dataclass
 import numpy as np
 
 AXES = "xyz"
-#: Radius of particles that are created between runs, the least of all [m].
+#: Radius of particles that are created between runs, the smallest of all [m].
 CREATED_RADIUS = 0.04
-#: What may be done between two runs; `displace` moves all together and so needs no walls.
-EVENTS = (
-    "go on",
+#: Actions between two runs. `displace` moves all particles and is not possible with walls.
+ACTIONS = (
+    "nothing",
     "delete",
     "create",
     "delete and create",
     "displace",
-    "steps anew",
+    "reset steps",
     "pair_style again",
     "restart",
     "restart with its line",
@@ -27,18 +27,18 @@ EVENTS = (
 
 @dataclass(frozen=True)
 class Event:
-    """What is done before a run.
+    """Action before a run.
 
     Attributes:
-        kind: One of EVENTS.
-        where: Near the first place particles are deleted, at the second one is created [m].
-        compress: The word of delete_atoms.
-        shift: Of all particles [m].
-        steps: Time steps of the run after it.
-        grid: Ranks along x, y and z; it changes at restarts alone.
+        action: One of ACTIONS.
+        where: Places [m] near which particles are deleted, and at which one is created (2, 3).
+        compress: Option `compress` of delete_atoms.
+        shift: Displacement of all particles [m].
+        steps: Number of time steps of the run that follows.
+        grid: Numbers of ranks along x, y and z, which change only at restarts.
     """
 
-    kind: str
+    action: str
     where: np.ndarray
     compress: str
     shift: np.ndarray
@@ -63,16 +63,16 @@ def random_events(
     side = np.where([axis in walled for axis in AXES], 1e30, high - low)
     moved = np.zeros(3)
     for k in range(random.integers(1, 5)):
-        kind = str(random.choice(EVENTS)) if k else "go on"
-        if kind == "displace" and walled:
-            kind = "go on"
-        if kind.startswith("restart"):
+        action = str(random.choice(ACTIONS)) if k else "nothing"
+        if action == "displace" and walled:
+            action = "nothing"
+        if action.startswith("restart"):
             grid = _grid(random)
-        shift = random.uniform(-0.1, 0.1, 3) * (kind == "displace")
+        shift = random.uniform(-0.1, 0.1, 3) * (action == "displace")
         moved += shift
         free = _free_place(random, positions + moved, radius, low, high, side, gap)
         yield Event(
-            kind,
+            action,
             where=np.array([random.uniform(low, high), free]),
             compress=str(random.choice(["yes", "no"])),
             shift=shift,
@@ -90,15 +90,15 @@ def _free_place(
     side: np.ndarray,
     gap: float,
 ) -> np.ndarray:
-    """Return where to create a particle [m]: anywhere, or beside another.
+    """Return a place for a new particle [m]: anywhere, or near another particle.
 
-    Of twenty tries, the place farthest from touching a particle of the start is chosen. `side` is
-    the length of the box on periodic axes, otherwise infinite.
+    The place is the one of twenty random places that is farthest from the particles at the start.
+    `side` is the length of the box on periodic axes, otherwise infinite.
     """
-    beside, best = random.random() < 0.5, (-np.inf, low)
+    near_another, best = random.random() < 0.5, (-np.inf, low)
     for _ in range(20):
         place = random.uniform(low, high)
-        if beside:
+        if near_another:
             near = random.integers(len(radius))
             away = random.standard_normal(3)
             away *= (radius[near] + CREATED_RADIUS + gap * random.uniform(-1, 1)) / np.linalg.norm(
@@ -109,7 +109,7 @@ def _free_place(
         apart = positions - place
         apart -= side * np.round(apart / side)
         clearance = (np.linalg.norm(apart, axis=1) - radius - CREATED_RADIUS).min()
-        best = max(best, (clearance, place), key=lambda found: found[0])
+        best = max(best, (clearance, place), key=lambda clearance_and_place: clearance_and_place[0])
         if clearance > -gap:
             break
     return best[1]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The frames of a dump as arrays: a scene has hundreds, with a few particles each."""
+"""Read the frames of a dump as arrays; a scene has hundreds, with a few particles each."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from pathlib import Path
 
 import numpy as np
 
-#: What a scene's dumps hold.
+#: Columns of the dumps.
 COLUMNS = "id type radius mass x y z vx vy vz fx fy fz"
 
 
@@ -19,9 +19,9 @@ class Frame:
 
     Attributes:
         step: Time step.
-        ids, types: Of each particle.
-        radius, mass: Of each particle [m, kg].
-        place, velocity, force: Of each particle along each axis [m, m/s, N].
+        ids, types: IDs and types of the particles (n,).
+        radius, mass: Radii [m] and masses [kg] (n,).
+        place, velocity, force: Positions [m], velocities [m/s] and forces [N] (n, 3).
     """
 
     step: int
@@ -35,12 +35,12 @@ class Frame:
 
     @property
     def kinetic_energy(self) -> float:
-        """Without rotation, which these scenes have none of [J]."""
+        """Translational kinetic energy [J]; the particles do not rotate."""
         return 0.5 * float(self.mass @ (self.velocity**2).sum(axis=1))
 
 
 def read(path: Path) -> Iterator[Frame]:
-    """The frames of a whole dump of COLUMNS; one may be without particles."""
+    """Yield the frames of a complete dump of COLUMNS; a frame may have no particles."""
     for text in path.read_text().split("ITEM: TIMESTEP\n")[1:]:
         head, rows = text.split(f"ITEM: ATOMS {COLUMNS}")
         values = np.array(rows.split(), float).reshape(-1, len(COLUMNS.split()))

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""What a scene's positions say of its forces and energies: numpy and the laws, without the engine.
+"""Compute the forces and energies of a scene from its positions, with numpy and the laws.
 
-Contacts are found anew in every frame from the centres alone. A contact's history begins at its
-first overlap and ends when none is left; nothing else changes it, whatever the deck does.
+The centers alone determine the contacts of every frame. The history of a contact begins at its
+first overlap and ends without overlap. No command of the deck changes it.
 """
 
 from __future__ import annotations
@@ -20,8 +20,8 @@ from plastigran import laws
 
 
 @dataclass
-class Memory:
-    """A contact's law, with its strength at the rate of the first touch, and its history."""
+class Contact:
+    """Law of a contact, with its strength at the rate of first touch, and history."""
 
     law: laws.Law
     state: object = None
@@ -30,19 +30,19 @@ class Memory:
 
 @dataclass
 class Replay:
-    """Follows a scene frame by frame.
+    """Replay of a scene, frame by frame.
 
     Attributes:
-        scene: What is followed.
-        contacts: By the names of two particles, or of one and a wall.
-        plastic_work: Of all contacts since the begin [J].
-        touched: How many contacts began.
+        scene: Scene.
+        contacts: Contacts by the names of two particles, or of a particle and a wall.
+        plastic_work: Plastic work of all contacts since the start [J].
+        contacts_begun: Number of contacts that began.
     """
 
     scene: Scene
-    contacts: dict[tuple, Memory] = field(default_factory=dict)
+    contacts: dict[tuple, Contact] = field(default_factory=dict)
     plastic_work: float = 0.0
-    touched: int = 0
+    contacts_begun: int = 0
     _laws: dict[tuple[int, int], laws.Law] = field(default_factory=dict)
 
     def forces(
@@ -50,58 +50,58 @@ class Replay:
     ) -> tuple[np.ndarray, float, float]:
         """Return forces [N], elastic energy and plastic work [J]; update the histories.
 
-        The engine asks for forces in the middle of a step, when velocities are half a step old. At
-        the begin of a run it asks with those of the frame, and histories stay as they are: what
-        plastic work a new overlap would do is told and not kept.
+        LIGGGHTS computes forces in the middle of a step, with velocities from half a step earlier.
+        At the start of a run, it uses the velocities of the frame and does not update histories.
+        The plastic work of a new overlap is then returned, but not stored.
 
         Args:
-            names: Of each particle, the same in all runs.
-            frame: A row for each particle.
-            begins: Whether a run begins with it.
+            names: Names of the particles, the same in all runs.
+            frame: Frame of the dump.
+            begins: Whether a run begins with the frame.
         """
-        radius, kinds = frame.radius, frame.types
+        radius, types = frame.radius, frame.types
         velocity = frame.velocity
         if not begins:
             velocity = velocity - 0.5 * self.scene.timestep * frame.force / frame.mass[:, None]
-        force, elastic, passing, seen = np.zeros_like(frame.place), 0.0, 0.0, set()
+        force, elastic, unstored, touching = np.zeros_like(frame.place), 0.0, 0.0, set()
         for i, j, normal, overlap in self._meetings(frame.place, radius):
             if isinstance(j, str):
                 name, other = (names[i], j), self.scene.wall_type
                 radius_eff, closing = radius[i], -velocity[i] @ normal
             else:
-                name, other = tuple(sorted((names[i], names[j]))), kinds[j]
+                name, other = tuple(sorted((names[i], names[j]))), types[j]
                 radius_eff = radius[i] * radius[j] / (radius[i] + radius[j])
                 closing = -(velocity[i] - velocity[j]) @ normal
-            seen.add(name)
-            answer, kept = self._ask(
-                name, (kinds[i], other), radius_eff, overlap, closing, not begins
+            touching.add(name)
+            response, stored_work = self._respond(
+                name, (types[i], other), radius_eff, overlap, closing, not begins
             )
-            force[i] += answer.force * normal
+            force[i] += response.force * normal
             if not isinstance(j, str):
-                force[j] -= answer.force * normal
-            elastic += answer.elastic_energy
-            passing += answer.plastic_work - kept if begins else 0
-        for name in self.contacts.keys() - seen:
+                force[j] -= response.force * normal
+            elastic += response.elastic_energy
+            unstored += response.plastic_work - stored_work if begins else 0
+        for name in self.contacts.keys() - touching:
             del self.contacts[name]
-        return force, elastic, self.plastic_work + passing
+        return force, elastic, self.plastic_work + unstored
 
-    def _ask(self, name, kinds, radius_eff, overlap, closing, remember):
+    def _respond(self, name, types, radius_eff, overlap, closing, update):
         contact = self.contacts.get(name)
         if contact is None:
-            law = self._law(*sorted(kinds))
+            law = self._law(*sorted(types))
             if law.pair.rate_coefficient > 0 and closing > 0:
                 law = law.at_impact(radius_eff, closing)
-            contact = Memory(law, law.State())
-            if remember:
+            contact = Contact(law, law.State())
+            if update:
                 self.contacts[name] = contact
-                self.touched += 1
-        state = contact.state if remember else copy(contact.state)
-        answer = contact.law.respond(radius_eff, overlap, state, closing)
-        if remember:
+                self.contacts_begun += 1
+        state = contact.state if update else copy(contact.state)
+        response = contact.law.respond(radius_eff, overlap, state, closing)
+        if update:
             work = contact.law.respond(radius_eff, 0.0, state).plastic_work
             self.plastic_work += work - contact.plastic_work
             contact.plastic_work = work
-        return answer, contact.plastic_work
+        return response, contact.plastic_work
 
     def _law(self, one: int, other: int) -> laws.Law:
         if (one, other) not in self._laws:
@@ -109,7 +109,7 @@ class Replay:
         return self._laws[one, other]
 
     def _meetings(self, place, radius) -> Iterator[tuple[int, int | str, np.ndarray, float]]:
-        """Pairs and walls with an overlap: i, j or the wall, unit vector towards i, overlap [m]."""
+        """Yield contacts: particle i, particle j or a wall, unit vector towards i, overlap [m]."""
         periodic = np.array([axis not in self.scene.walled for axis in AXES])
         apart = place[:, None] - place[None]
         side = self.scene.high - self.scene.low

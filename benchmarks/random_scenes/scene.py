@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A random scene: bodies, materials, walls, ranks, and what is done to them between runs."""
+"""A random scene: bodies, materials, walls, ranks, and events between runs."""
 
 from __future__ import annotations
 
@@ -14,29 +14,29 @@ from plastigran import laws
 from plastigran.laws import Body
 from plastigran.usable_laws import laws_for
 
-#: Overlap of the heaviest particles, over the smallest radius, beyond which all begin slower. Where
-#: several press on one it is more, and at 1 the plugin stops the run.
+#: Largest overlap of the heaviest particles / smallest radius; at higher speeds all start slower.
+#: Overlaps are larger where several particles act on one, and at 1 the plugin stops the run.
 DEEPEST = 0.6
 
 
 @dataclass(frozen=True)
 class Scene:
-    """Everything a deck and its replay need; made from a seed alone.
+    """Input of a deck and its replay, which follows from the seed alone.
 
     Attributes:
-        seed: It makes the scene.
-        law_name: The contact law.
-        options: The law's options and constants.
-        bodies: Of each atom type.
-        densities: Of each atom type [kg/m3].
-        radius, types, positions, velocities: Of each particle [m, -, m, m/s].
+        seed: Seed of the random numbers.
+        law_name: Name of the contact law.
+        options: Options and constants of the law.
+        bodies: Body of each atom type.
+        densities: Density of each atom type [kg/m3].
+        radius, types, positions, velocities: Arrays over the particles [m, -, m, m/s].
         low, high: Corners of the box [m].
         walled: Axes with walls at both ends; the others are periodic.
         wall_type: Atom type of the walls.
-        meshed: The lower z wall is a plane of triangles, between other walls.
-        timestep: [s].
-        sort: Steps between sorts of particles in memory, 0 for never.
-        events: The first has no effect but its run.
+        meshed: Whether the lower z wall is a plane of triangles, between other walls.
+        timestep: Time step [s].
+        sort: Number of steps between sorts of particles in memory; 0 for never.
+        events: Events, each followed by a run; the first event does nothing.
     """
 
     seed: int
@@ -58,13 +58,13 @@ class Scene:
     events: list[Event] = field(repr=False)
 
     def law(self, one: int, other: int) -> laws.Law:
-        """The law between two atom types."""
+        """Return the law between two atom types."""
         pair = laws.combine(self.bodies[one - 1], self.bodies[other - 1])
         return laws.LAWS[self.law_name](pair, **self.options)
 
 
 def random_scene(seed: int) -> Scene:
-    """The scene of a seed: particles that close in on each other."""
+    """Return the scene of a seed, in which particles approach each other."""
     random = np.random.default_rng(seed)
     law_name = str(random.choice([n for n in laws_for("sphere") if _in_engine(laws.LAWS[n])]))
     law = laws.LAWS[law_name]
@@ -112,7 +112,7 @@ def random_scene(seed: int) -> Scene:
 
 
 def _in_engine(law: type[laws.Law]) -> bool:
-    return law.shape == "sphere" and law.name != "hertz"  # that name is the engine's own
+    return law.shape == "sphere" and law.name != "hertz"  # LIGGGHTS has its own `hertz`
 
 
 def _body(random: np.random.Generator, yields: bool) -> Body:
@@ -131,14 +131,14 @@ def _body(random: np.random.Generator, yields: bool) -> Body:
 def _deepest(
     between: list[tuple[laws.Law, float]], density: float, radius: np.ndarray, speed: float
 ) -> float:
-    """Largest overlap of two of the heaviest particles, as curved as the smallest [m]."""
+    """Return the largest overlap [m] of particles with the largest mass and smallest radius."""
     mass = 4 / 3 * pi * radius.max() ** 3 * density / 2
     impacts = (law.central_impact(radius.min() / 2, mass, speed) for law, _ in between)
     return max(float(impact.overlap_max) for impact in impacts)
 
 
 def _timestep(between: list[tuple[laws.Law, float]], smallest: float, speed: float) -> float:
-    """A third of what the stiffest possible impact needs [s]; of laws and least densities."""
+    """Return a third of the time step that the stiffest possible impact needs [s]."""
     volume = 4 / 3 * pi * smallest**3
     steps = (
         law.recommended_timestep(smallest / 2, volume * density / 2, speed)
@@ -148,7 +148,7 @@ def _timestep(between: list[tuple[laws.Law, float]], smallest: float, speed: flo
 
 
 def _cluster(random: np.random.Generator, radius: np.ndarray, gap: float) -> np.ndarray:
-    """Centres [m]: each particle lies within `gap` of an earlier one and touches none."""
+    """Return centers [m] such that each particle is within `gap` of another and touches none."""
     places = [np.zeros(3)]
     while len(places) < len(radius):
         k, near = len(places), random.integers(len(places))
@@ -163,7 +163,7 @@ def _cluster(random: np.random.Generator, radius: np.ndarray, gap: float) -> np.
 def _box(
     random: np.random.Generator, positions: np.ndarray, radius: np.ndarray, walled: str, gap: float
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Corners [m]. Walls are near; a periodic side is longer than twice what neighbours need."""
+    """Return the corners [m]; periodic sides exceed twice the range of the neighbor lists."""
     low = (positions - radius[:, None]).min(axis=0) - gap * random.random(3)
     high = (positions + radius[:, None]).max(axis=0) + gap * random.random(3)
     periodic = np.array([axis not in walled for axis in AXES])

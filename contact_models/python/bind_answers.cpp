@@ -70,10 +70,10 @@ void bind_answer(nb::module_& module, const char* name, const char* meaning) {
 
 void bind_answers(nb::module_& module) {
   bind_answer<Response>(module, "Response",
-                        "A law's answer: fields of the shape that was asked for. Immutable.");
+                        "Response of a law: fields of the broadcast shape. Immutable.");
   bind_answer<ImpactOutcome>(
       module, "ImpactOutcome",
-      "What a law says about a central impact: fields of the shape that was asked for. Immutable.");
+      "Outcome of a central impact by a law: fields of the broadcast shape. Immutable.");
 }
 
 }  // namespace plastigran

@@ -136,8 +136,9 @@ void bind_bodies(nb::module_& module) {
       R"(The constants of a body: name, symbol, unit, lower and upper bound, `above` if the lower
 bound is not allowed, default (None if it must be given; it is always allowed), and meaning.)");
 
-  nb::class_<MaterialPair> pair(module, "MaterialPair",
-                                "What two bodies bring to a contact: see `combine`. Immutable.");
+  nb::class_<MaterialPair> pair(
+      module, "MaterialPair",
+      "Combined constants of two bodies in contact: see `combine`. Immutable.");
   bind_fields(pair, pair_fields);
 
   module.def("combine", &combine, "a"_a, "b"_a,

@@ -185,7 +185,7 @@ Args:
     speed: Relative speed [m/s], positive.
 
 Returns:
-    What came of it: numbers, or arrays of the shape all have together.
+    Outcome of the impact: numbers, or arrays of the broadcast shape.
 
 Raises:
     ValueError: A value is out of range (the message names it, its index and the range), or the

@@ -57,7 +57,8 @@ def stage(source: Path) -> Path:
 def navigation(pages: Path) -> str:
     """The table of contents of toc.yml, its patterns filled in; pages it does not name come last.
 
-    A page found by a pattern is called by what its title says before a colon: a law by its name.
+    If the title of a page found by a pattern has a colon, the text before it is the entry, such as
+    the name of a law.
     """
     contents = yaml.safe_load((PROJECT / "docs" / "site" / "toc.yml").read_text())
     found = [path.relative_to(pages).with_suffix("") for path in sorted(pages.rglob("*.[mr][ds]*"))]

@@ -69,7 +69,7 @@ def process_docstring(app, what, name, found, options, lines):
 
 
 def rejoin_sentence(app, what, name, found, options, lines):
-    """A property's docstring is a sentence; what stands before its colon is no type."""
+    """Undo the split of a property's docstring at a colon: the text before it is not a type."""
     kinds = [line for line in lines if line.startswith(":type: ")]
     if what in ("property", "attribute") and kinds:
         rest = [line for line in lines if line not in kinds]
@@ -77,7 +77,7 @@ def rejoin_sentence(app, what, name, found, options, lines):
 
 
 def skip_member(app, what, name, found, skip, options):
-    """What a module imports from elsewhere is not its own."""
+    """Skip the names that a module imports from other packages."""
     module = getattr(found, "__module__", None) or ""
     return True if what == "module" and not module.startswith("plastigran") else None
 

@@ -24,8 +24,8 @@ def write_pages(folder: Path, write: Callable[[Path, str], None]) -> list[Path]:
     """Write every page that is made of the code; returns their paths.
 
     Args:
-        folder: Of all pages; these go to its `reference`.
-        write: Writes a text to a path.
+        folder: Folder of all pages; these go to its folder `reference`.
+        write: Function `write(path, text)`.
     """
     texts = {"commands.md": commands()}
     for room in rooms():
@@ -39,14 +39,14 @@ def write_pages(folder: Path, write: Callable[[Path, str], None]) -> list[Path]:
 
 
 def commands() -> str:
-    """What `plastigran COMMAND --help` says, of every command."""
+    """Return the page with the help of every command."""
     os.environ["COLUMNS"] = "92"  # argparse folds its lines there
-    lines = ["# Commands", "", "What `plastigran COMMAND --help` says.", ""]
+    lines = ["# Commands", "", "The output of `plastigran COMMAND --help`.", ""]
     return "\n".join([*lines, *_subcommands(parser(), "##")])
 
 
 def _subcommands(above: ArgumentParser, mark: str) -> Iterator[str]:
-    """Lines on the commands of a command, and on theirs; `mark` is that of a headline."""
+    """Yield the lines on the subcommands of a command; `mark` begins their headings."""
     for action in above._actions:
         if isinstance(action, _SubParsersAction):
             helps = {choice.dest: choice.help for choice in action._choices_actions}

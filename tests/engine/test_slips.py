@@ -95,11 +95,11 @@ def test_a_good_deck_is_told_nothing(tmp_path):
         ),
         (
             {"more": property_global("yieldPresureFactor", "2.0 2.0")},
-            "nothing asks for the property yieldPresureFactor; is it yieldPressureFactor?",
+            "no model uses the property yieldPresureFactor; is it yieldPressureFactor?",
         ),
         (
             {"more": matrix("indentatonPressure", "1e9"), "model": "brake_2012 tangential off"},
-            "nothing asks for the property indentatonPressure; is it indentationPressure?",
+            "no model uses the property indentatonPressure; is it indentationPressure?",
         ),
         (
             {"more": COHESION, "model": "thornton tangential off cohesion sjkr"},

@@ -157,7 +157,7 @@ def test_a_misspelt_factor_is_named(tmp_path):
     line = "fix f all property/global taylorQuinneyFaktor peratomtype 0.5"
     deck.write_text(f"{bed}\n{line}\ninclude ${{heat_decks}}/warming_on.in\nrun 1\n")
     log = run_deck(deck, {"decks": LEDGER_DECKS, "heat_decks": DECKS}, tmp_path)
-    said = "nothing asks for the property taylorQuinneyFaktor; is it taylorQuinneyFactor?"
+    said = "no model uses the property taylorQuinneyFaktor; is it taylorQuinneyFactor?"
     assert log.count(said) == 1
 
 

@@ -130,14 +130,14 @@ def test_size(tmp_path, monkeypatch, capsys):
     assert (len(forces[0]), len(forces[1])) == (1, 6)
     assert_allclose(forces[1], forces[0].repeat(6, axis=0), atol=1e-9 * np.abs(forces[0]).max())
     script.print_restart(script.widen(settled, 1, 1), steps=20)
-    assert "the same in every digit" in capsys.readouterr().out
+    assert "bitwise identical" in capsys.readouterr().out
     words = ["size.py", "--part", "cost", "calls", "--grains", "12500", "--repeats", "1"]
     monkeypatch.setattr(sys, "argv", [*words, "--steps", "5"])
     script.main()
     costs = load("benchmarks/size_model.py").fit(pd.read_csv(tmp_path / "size_cost_12500.csv"))
     assert costs.grain > 0 and costs.copy > 0 and costs.bytes > 0
     said = capsys.readouterr().out
-    assert "thornton, ledger 1" in said and "allreduce: 1 a step" in said
+    assert "thornton, ledger 1" in said and "allreduce: 1 per step" in said
     script.many(SimpleNamespace(steps=5), count=4)
     apart = re.findall(r"at most (\S+) apart", capsys.readouterr().out)
     assert len(apart) == 3 and max(map(float, apart)) < 1e-9  # rounding grows for ten steps
@@ -168,7 +168,7 @@ def test_random_calls(monkeypatch, capsys):
     counts = {name: int(count) for name, count in re.findall(r"^(\w+): (\d+) calls", said, re.M)}
     assert counts.keys() == laws.LAWS.keys()
     assert sorted(counts.values())[:-1] == [0] * (len(counts) - 1)
-    assert f"{sum(counts.values())} calls of {len(counts)} laws: 0 sentences broken" in said
+    assert f"{sum(counts.values())} calls of {len(counts)} laws: 0 violations" in said
     assert stop.value.code == 1
 
 

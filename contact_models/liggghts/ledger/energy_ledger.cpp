@@ -127,9 +127,9 @@ void EnergyLedger::add_stored(const Contact& contact, double elastic_energy, dou
 double EnergyLedger::compute_vector(int entry) {
   if (phase_ == STEP)
     error->all(FLERR,
-               "energy_ledger: an entry was asked for within a step, before all forces are known. "
-               "Outputs ask at its end; what acts in a step can take the entry of the step before "
-               "from a fix ave/time 1 1 1");
+               "energy_ledger: a term was read within a step, before all forces are known. Read it "
+               "at the end of a step, or take the term of the previous step from a fix ave/time 1 "
+               "1 1");
   if (!summed_) sum();
   return sums_[entry];
 }

@@ -47,7 +47,7 @@ void EnergyLedger::warn_of_strangers() {
   strangers_ = strangers;
   if (comm->me == 0 && !strangers.empty())
     warn(lmp,
-         "energy_ledger: what these walls store, dissipate and put in shows as drift, they have no "
+         "energy_ledger: the balance error includes the energies of these walls, which have no "
          "energy_ledger on: " +
              strangers);
 }

@@ -40,7 +40,7 @@ class ContactRates {
     if (offset_ < 0 && rate_matters)
       deck.fail(property_name("rate_coefficient") + " must be given before " +
                 (is_wall_ ? "the wall" : "the first run") +
-                ", when it is decided what contacts remember");
+                ", when the values of the contact history are chosen");
   }
 
   // Whether contacts remember a rate factor.

@@ -166,7 +166,7 @@ std::vector<std::string> DeckProperties::misspellings() const {
   std::vector<std::string> sentences;
   for (const std::string& name : asked_)
     for (const std::string& other : misspelt(name))
-      sentences.push_back("nothing asks for the property " + other + "; is it " + name + '?');
+      sentences.push_back("no model uses the property " + other + "; is it " + name + '?');
   return sentences;
 }
 

@@ -31,7 +31,7 @@ class Analysis:
         series: One row per line of the log, with measured and predicted quantities.
         checks: Checks of the deck.
         figures: Figures by name.
-        notes: Sentences on what could not be measured.
+        notes: Sentences on quantities that could not be measured.
     """
 
     series: pd.DataFrame

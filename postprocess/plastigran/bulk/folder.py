@@ -101,8 +101,8 @@ def prepare_folder(folder: Path, force: bool) -> None:
     """Create the folder of a run, or remove the files of an earlier run from it. Other files stay.
 
     Raises:
-        ValueError: The folder contains files and `force` is not given; the files are not those of a
-            run; or LIGGGHTS is writing there.
+        ValueError: The folder contains files and `force` is not given, or files that no run wrote.
+            LIGGGHTS is writing there.
     """
     if processes := engines(folder):
         raise ValueError(

@@ -62,7 +62,7 @@ class BulkRun:
 
     @property
     def notes(self) -> list[str]:
-        """Sentences on what could not be measured."""
+        """Sentences on quantities that could not be measured."""
         return self.analysis.notes
 
     @property

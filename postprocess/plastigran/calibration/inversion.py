@@ -4,9 +4,10 @@
 A measured restitution is the law's restitution times a log-normal factor. The strength has the
 least squares of the logarithm. Its 95 % interval contains every strength whose sum of squares
 exceeds the least one only by chance (profile likelihood). This needs no linearization; the interval
-may be open if the impacts are nearly elastic. The larger of two scatters is used: the stated
-scatter of one measurement (normal distribution), and the scatter of the measurements about the law
-(Student's t with one degree of freedom less than measurements).
+may be open if the impacts are nearly elastic. The interval uses the larger of two
+scatters: the stated scatter of one measurement (normal distribution), and the scatter of the
+measurements about the law. For the latter, it uses Student's t
+distribution with n - 1 degrees of freedom.
 """
 
 from __future__ import annotations
@@ -56,9 +57,9 @@ def estimate_strength(
         scatter: Relative standard deviation of one measurement.
 
     Raises:
-        ValueError: No impact yields at the best strength, and the message has the lower bound; or a
-            restitution is below that at the smallest strength, or the restitution does not depend
-            on the strength.
+        ValueError: No impact yields at the best strength (the message has the lower bound). A
+            restitution is below that at the smallest strength. The restitution does not depend on
+            the strength.
     """
     measured = np.asarray(measured, dtype=float)
     target = np.log(measured)

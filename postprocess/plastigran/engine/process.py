@@ -149,7 +149,7 @@ def run_deck(
     """Run a deck to its end.
 
     LIGGGHTS never outlives this function: an error, Ctrl-C or the time-out stops it with all its
-    ranks, and it is asked to stop if Python is killed. Files written so far stay.
+    ranks, and it stops if Python is killed. Files written so far stay.
 
     Args:
         deck: Path of the input script, absolute or relative to `inputs_folder()`.

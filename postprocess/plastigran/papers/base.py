@@ -11,9 +11,8 @@
     )
 
 `compute(progress, coarse)` returns the data; see `Evidence.run`. Each table, figure and movie is a
-function of the data. Its name, without `_figure` or `_movie`, is the name of the result. A row of a
-table is one quantity: columns `quantity` and `unit`, or other columns that identify it, and then
-columns of numbers such as `paper`, `finite elements`, the name of a law, or `LIGGGHTS`.
+function of the data. Its name, without `_figure` or `_movie`, is the name of the result; see also
+`plastigran.report.base.Findings`.
 
 `plastigran.papers` finds `PAPER` in each module or package. The page is docs/papers/NAME.md.
 """

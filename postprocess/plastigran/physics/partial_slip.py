@@ -2,9 +2,9 @@
 """Oblique elastic impacts with partial slip (Maw, Barber & Fawcett 1976, Wear 38:101).
 
 The contact sticks in its middle and slips at its edge. Each ring of the contact keeps its share of
-friction. Cattaneo's and Mindlin's tangential contact is a superposition of normal contacts: a ring
-by
-which the contact grew while the overlap changed from d to d + dd holds the force D F'(d) dd. It
+friction. Cattaneo's and Mindlin's tangential contact is a superposition of normal contacts.
+While the overlap changes from d to d + dd, the contact grows by a ring. It holds the force
+D F'(d) dd. It
 stretches the surfaces by D (E*/4G*) dd, with -mu <= D <= mu (Jaeger 1993, Arch. Appl. Mech. 63:402;
 method of memory diagrams, Aleshin, Bou Matar & Van Den Abeele 2015, Int. J. Solids Struct. 60).
 """

@@ -124,16 +124,15 @@ class _Motion:
 def simulate(rod: Rod, law, speed: float, shear_modulus_eff: float | None = None) -> RodOutcome:
     """Integrate a rod's impact from first touch until the tip separates.
 
-    With r = (-x_c, -y_c) from center to contact, normal force F_n and friction F_f:
-    m x'' = F_f, m y'' = F_n - m g, I turn'' = r_x F_n - r_y F_f (Ghaednia, Cermik & Marghitu 2015,
-    eqs 1-7, with the two forces along their own axes).
+    The equations are those of Ghaednia, Cermik & Marghitu 2015, eqs 1-7, with the two forces along
+    their own axes. r = (-x_c, -y_c) is the vector from center to contact, F_n the normal force and
+    F_f the friction: m x'' = F_f, m y'' = F_n - m g, I turn'' = r_x F_n - r_y F_f.
 
     Without a spring, friction is Coulomb's, as in the paper. A sliding tip has mu F_n against its
     slip. A tip that friction can hold is held. Slip below `STICKING_SLIP` of the impact speed
-    returns
-    to rest. With a spring, friction is LIGGGHTS' `tangential history`: a spring of stiffness 8 G*
-    a,
-    with the contact radius a of the law, holds the tip up to the force mu F_n.
+    returns to rest. With a spring, friction is LIGGGHTS' `tangential history`. The spring has the
+    stiffness 8 G* a, with the contact radius a of the law, and holds the tip up to the force
+    mu F_n.
 
     Args:
         rod: Rod.

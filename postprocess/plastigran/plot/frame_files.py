@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
 
 class SnapshotError(ValueError):
-    """A picture cannot be drawn, because data or pyvista is missing; the message says which."""
+    """A picture cannot be drawn, because data or pyvista is missing; the message names it."""
 
 
 class DamagedFrame(SnapshotError):

@@ -34,9 +34,9 @@ RESOLUTION = 100  # dots per inch; keeps the picture of a page below 150 kB
 class Findings:
     """Computed tables, figures and movies by name.
 
-    A row of a table is one quantity: columns `quantity` and `unit`, or other columns that identify
-    it, and then columns of numbers such as `paper`, `finite elements`, the name of a law, or
-    `LIGGGHTS`. A column whose name ends in "(%)" is a difference, see `add_difference`.
+    A row of a table is one quantity. Columns `quantity` and `unit`, or others, identify it. Columns
+    of numbers follow, such as `paper`, `finite elements`, the name of a law, or `LIGGGHTS`. The
+    name of a difference ends in "(%)", see `add_difference`.
     """
 
     tables: Mapping[str, pd.DataFrame]

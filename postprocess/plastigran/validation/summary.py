@@ -40,9 +40,9 @@ def how_far_off(law: str, table: pd.DataFrame) -> str:
             start = end
         parts.append(f"{word} {', '.join(errors)} %")
     ends = ", ".join(str(end) for end in UPPER_ENDS)
-    metals = " of metals outside its fit" if law == FITTED_LAW else ""
+    outside = " outside its fit" if law == FITTED_LAW else ""
     return (
-        f"{'; '.join(parts)} up to {ends} yield speeds, of perfectly plastic spheres{metals} by "
+        f"{'; '.join(parts)} up to {ends} yield speeds, of perfectly plastic spheres{outside} by "
         "finite elements (rms) ([all regimes](../validation.md))"
     )
 

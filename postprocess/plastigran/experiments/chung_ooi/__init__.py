@@ -74,8 +74,8 @@ class BenchmarkImpact(Experiment):
         material: Material of the sphere, a file of `materials` beside the deck.
         knob: Variable of the deck that the benchmark varies.
         value: Value of that variable, in its unit in the deck.
-        modulus_ratio: Young's modulus of the second sphere divided by that of the first; by default
-            that of the deck.
+        modulus_ratio: Young's modulus of the second sphere divided by that of the first. The
+            default is the value of the deck.
         law: Name of the law; `hertz` is LIGGGHTS' own.
         steps_per_contact: Time steps in an undamped contact.
     """

@@ -111,10 +111,10 @@ def agreement(table: pd.DataFrame) -> pd.DataFrame:
         table: Results table, `Runs.table`.
 
     Returns:
-        One row per benchmark: `impacts`; relative deviations of `coefficient_of_restitution` and,
-        without damping, `force_max`, `overlap_max`, `contact_time`; deviations of the surface speed
-        from the `spring_slider` and, for bodies that slide throughout, from `rigid` bodies, divided
-        by the change of the surface speed of sliding bodies.
+        One row per benchmark, with the number of `impacts`. Columns `coefficient_of_restitution`
+        and, without damping, `force_max`, `overlap_max` and `contact_time` are relative deviations.
+        Columns `spring_slider` and, for bodies that slide throughout, `rigid` are deviations of the
+        surface speed, divided by the change of the surface speed of sliding bodies.
     """
 
     def relative(part: pd.DataFrame, name: str) -> float:

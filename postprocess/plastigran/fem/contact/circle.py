@@ -2,12 +2,10 @@
 """A rigid circle on the surface of a body, with Coulomb friction: penalty at the Gauss points.
 
 The center of the circle adds two degrees of freedom; the circle does not rotate. d is the vector
-from
-the center to a point of the deformed surface, n = d/|d| the normal and g = |d| - R the gap. The
-surface has the pressure p = k <-g> along n. Along the tangent t it has the traction of the last
-equilibrium minus k times the slip since then, at most mu p: a return of elastic stick to the cone
-of
-friction (Wriggers, Computational Contact Mechanics, 2006, sec. 5.2).
+from the center to a point of the deformed surface, n = d/|d| the normal and g = |d| - R the gap.
+The surface has the pressure p = k <-g> along n. Along the tangent t it has the traction of the last
+equilibrium minus k times the slip since then, at most mu p. This returns elastic stick to the cone
+of friction (Wriggers, Computational Contact Mechanics, 2006, sec. 5.2).
 """
 
 from __future__ import annotations

@@ -26,9 +26,9 @@ class Strike:
         case: Input.
         history: One row per step: time s, force N (upward on the cylinder), drag N (on the
             cylinder, along its motion), approach m (of its lowest point below the surface), way m
-            (along the surface), velocity m/s (upward), sliding_velocity m/s, half_width m (of the
-            contact), plastic_top m and plastic_bottom m (depths of the first and last yielded
-            point; NaN before yield), energies J, friction_work J.
+            (along the surface), velocity m/s (upward), sliding_velocity m/s and half_width m (of
+            the contact). Further columns are plastic_top m and plastic_bottom m (depths of the
+            first and last yielded point; NaN before yield), energies J and friction_work J.
         coefficient_of_restitution: Separation speed / approach speed.
         force_max: Largest force, N.
         overlap_max: Largest approach, m.

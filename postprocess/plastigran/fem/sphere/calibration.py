@@ -55,9 +55,9 @@ def calibrate(pressing: Pressing) -> Calibration:
     """Fit C_a and K_c to the loading of a compression, from P_Y to its largest force.
 
     Raises:
-        ValueError: The largest force is below LEAST_RATIO times the yield force; the plane is a
-            half space, for which the law's yield force does not hold; or a constant is not
-            positive, because the metal hardens so much that it hardly flows.
+        ValueError: The largest force is below LEAST_RATIO times the yield force. The plane is a
+            half space, for which the law's yield force does not hold. A constant is not positive,
+            because the metal hardens so much that it hardly flows.
     """
     if pressing.plane is not None:
         raise ValueError(

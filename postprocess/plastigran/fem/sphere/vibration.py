@@ -31,13 +31,13 @@ class Vibration:
         timestep: Time step, s.
         history: One row per step: time s, force N (mean over the step that ends there), approach m
             and velocity m/s (of the center of mass, upward), contact_radius m, kinetic_energy,
-            centre_kinetic_energy, elastic_energy, penalty_energy J, middle_elastic_energy J (of the
-            mean displacement of the step, which filters vibrations that the steps do not resolve),
-            top_displacement and equator_displacement m (of the pole far from the plane, upward,
-            and of the equator, outward, relative to the center of mass).
+            centre_kinetic_energy, elastic_energy, penalty_energy and middle_elastic_energy J. The
+            last one belongs to the mean displacement of the step, which filters vibrations that the
+            steps do not resolve. Further columns are top_displacement m (upward, of the pole far
+            from the plane) and equator_displacement m (outward), relative to the center of mass.
         modes: One row for each of the lowest free vibrations of the mesh: frequency Hz, energy J at
-            the end, and contact_displacement kg^-1/2, its normal displacement at the contact point
-            for unit modal mass.
+            the end, and contact_displacement kg^-1/2. This column is the normal displacement at
+            the contact point for unit modal mass.
         coefficient_of_restitution: Momentum after / before.
         kinetic_restitution: Square root of the total kinetic energy after (mean over the flight) /
             before. It counts half of the vibration energy as rebound.

@@ -44,7 +44,7 @@ class Section:
         state: "passed", "failed", "unfinished", or "done" if there are no checks.
         verdict: State in a few words.
         missing: Sentences on missing results and failures.
-        notes: Sentences on what the deck could not measure or check.
+        notes: Sentences on quantities that the deck could not measure or check.
         warnings: Warnings of LIGGGHTS, or on the use of a law.
         facts: Facts on the run, by name.
         settings: Further settings: name, value with unit, meaning.
