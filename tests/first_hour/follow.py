@@ -1,13 +1,13 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Follow docs/first_hour.md: its commands in its order, as a newcomer types them.
+"""Run the commands of docs/first_hour.md in their order.
 
-    tests/first_hour/follow.py             in this tree, as the page has them
-    tests/first_hour/follow.py --brief     the hopper smaller, nothing installed: half a minute
-    tests/first_hour/follow.py --chroot    in a new Debian 12, its base system alone, as root
+    tests/first_hour/follow.py             in this tree, unchanged
+    tests/first_hour/follow.py --brief     with a smaller hopper, without installation: 30 s
+    tests/first_hour/follow.py --chroot    in the base system of a new Debian 12, as root
 
-A command that fails ends it with 1. Of the system this needs Python 3.11 alone, and `mmdebstrap`
-for --chroot; the clean system fetches Debian's packages and Python's as the page says.
+The script ends with 1 if a command fails. It needs only Python 3.11, and `mmdebstrap` for --chroot.
+The new system downloads the packages of Debian and of Python as on the page.
 """
 
 from __future__ import annotations
@@ -20,19 +20,20 @@ import subprocess
 import sys
 import tempfile
 from pathlib import Path
+from shlex import quote
 
 PROJECT = Path(__file__).resolve().parents[2]
 PAGE = PROJECT / "docs" / "first_hour.md"
-#: What a brief round changes in a command: a pattern, and what stands there instead.
+#: Changes of the commands in a brief round: patterns and their replacements.
 BRIEF = {
     r"^\./run setup$": "true",
     r"--ranks 2": "--ranks 1",
     r"layers=9 frames=8": "layers=5 frames=2 orifice=8 duration=0.2 rows=48 filling=0.1",
 }
-#: How this machine reaches the network, which the new system needs too.
+#: Network settings of this machine, which the new system needs, too.
 NETWORK = ("etc/resolv.conf", "etc/hosts", "etc/pip.conf", "etc/ssl/certs/ca-certificates.crt")
-#: What the page promises, as files left behind.
-LEFT = (
+#: Files that the commands must write.
+RESULTS = (
     "results/two_laws/impacts.csv",
     "results/two_laws/loops.png",
     "results/spring.in",
@@ -44,29 +45,24 @@ LEFT = (
 
 
 def commands(page: Path = PAGE) -> list[str]:
-    """The lines of the page's `sh` blocks, in order; one that ends with a backslash goes on."""
+    """Return the lines of the page's `sh` blocks; a backslash at the end joins two lines."""
     blocks = re.findall(r"^```sh\n(.*?)^```", page.read_text(encoding="utf-8"), re.M | re.S)
     folded = "".join(blocks).replace("\\\n", "")
     return [" ".join(line.split()) for line in folded.splitlines() if line.strip()]
 
 
 def script(lines: list[str], brief: bool) -> str:
-    """One shell for all lines, as at a terminal, which shows each and stops at the first error."""
+    """Return a shell script that prints and runs each line and stops at the first error."""
     if brief:
-        for pattern, instead in BRIEF.items():
-            lines = [re.sub(pattern, instead, line) for line in lines]
-    typed = "\n".join(f"printf '\\n$ %s\\n' {quoted(line)}; {line}" for line in lines)
-    left = "\n".join(f"test -s {quoted(name)}" for name in LEFT)
-    return f"set -e\n{typed}\n{left}\n"
-
-
-def quoted(text: str) -> str:
-    """A word of the shell."""
-    return "'" + text.replace("'", "'\\''") + "'"
+        for pattern, replacement in BRIEF.items():
+            lines = [re.sub(pattern, replacement, line) for line in lines]
+    typed = "\n".join(f"printf '\\n$ %s\\n' {quote(line)}; {line}" for line in lines)
+    checks = "\n".join(f"test -s {quote(name)}" for name in RESULTS)
+    return f"set -e\n{typed}\n{checks}\n"
 
 
 def follow_here(brief: bool) -> int:
-    """In this tree's environment, results in a folder that is gone afterwards."""
+    """Run the commands in this tree's environment, with results in a temporary folder."""
     with tempfile.TemporaryDirectory(prefix="first_hour_") as folder:
         for name in ("run", ".venv", "build"):
             (Path(folder) / name).symlink_to(PROJECT / name)
@@ -74,7 +70,7 @@ def follow_here(brief: bool) -> int:
 
 
 def follow_in_chroot(folder: Path) -> int:
-    """In a new Debian 12, from a copy of the tree's tracked files.
+    """Run the commands in a new Debian 12, on a copy of the tree's tracked files.
 
     Raises:
         SystemExit: mmdebstrap is missing.
@@ -102,7 +98,7 @@ def follow_in_chroot(folder: Path) -> int:
 
 
 def clean_environment() -> dict[str, str]:
-    """What a fresh login has, and how to reach the network where that is said by variables."""
+    """Return the variables of a new login, and those of the network."""
     path = "/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin"
     names = ("http_proxy", "https_proxy", "no_proxy", "PIP_CERT", "PIP_INDEX_URL", "SSL_CERT_FILE")
     passed = {name: os.environ[name] for name in names if name in os.environ}
@@ -110,13 +106,15 @@ def clean_environment() -> dict[str, str]:
 
 
 def main() -> int:
-    """0 when every command of the page succeeded and left what it promises."""
+    """Return 0 if every command of the page succeeded and wrote its files."""
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument(
-        "--brief", action="store_true", help="the hopper smaller, nothing installed"
+        "--brief", action="store_true", help="with a smaller hopper, without installation"
     )
     parser.add_argument("--chroot", action="store_true", help="in a new Debian 12, as root")
-    parser.add_argument("--folder", type=Path, help="where the new Debian is made, and stays")
+    parser.add_argument(
+        "--folder", type=Path, help="folder in which the new Debian is made and stays"
+    )
     arguments = parser.parse_args()
     if not arguments.chroot:
         return follow_here(arguments.brief)

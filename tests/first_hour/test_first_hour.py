@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The first page of the site works as it is written, command by command."""
+"""The commands of the page "The first hour" work as written."""
 
 from __future__ import annotations
 
@@ -18,14 +18,14 @@ FOLLOW = PROJECT / "tests" / "first_hour" / "follow.py"
 
 @pytest.mark.engine
 def test_the_first_hour_briefly():
-    """Everything but the installation, with a small hopper; what it promises is there."""
+    """All commands except the installation, with a small hopper."""
     done = subprocess.run(
         [sys.executable, FOLLOW, "--brief"], capture_output=True, text=True, timeout=900
     )
     assert done.returncode == 0, done.stdout[-3000:] + done.stderr[-3000:]
     page = (PROJECT / "docs" / "first_hour.md").read_text()
     for line in re.findall(r"^ +steel +\w+ +\S+ +\S+ +(\S+)", page, re.MULTILINE):
-        assert line in done.stdout  # restitutions of the page are those the engine finds
+        assert line in done.stdout  # LIGGGHTS computes the restitutions of the page
 
 
 def test_the_page_installs_first_and_shows_every_kind_of_run():
@@ -35,13 +35,12 @@ def test_the_page_installs_first_and_shows_every_kind_of_run():
     assert {"impact", "calibrate", "bulk", "snapshot", "report"} <= commands
 
 
-def test_brief_changes_something_of_the_page():
-    """Each of its patterns is still found there."""
+def test_the_page_has_the_patterns_of_a_brief_round():
     text = "\n".join(follow.commands())
     assert all(re.search(pattern, text, re.MULTILINE) for pattern in follow.BRIEF)
 
 
-def test_a_failing_command_is_seen(tmp_path):
+def test_a_failing_command_ends_the_script(tmp_path):
     page = tmp_path / "page.md"
     page.write_text("```sh\ntrue\nfalse\n```\n\n```\nnot a command\n```\n")
     lines = follow.commands(page)

@@ -1,13 +1,13 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-2.0-or-later
 #
-# Builds upstream LIGGGHTS with our models in its source tree, in the folder WORK. The last line on
-# stdout is the path of the binary; all else goes to stderr.
+# Build upstream LIGGGHTS with our models in its source tree, in the folder WORK. The last line on
+# stdout is the path of the binary; all other output goes to stderr.
 #
 #   build_upstream.sh WORK
 #
-# What WORK holds already is kept: nothing is done while our files are older than the last build,
-# and changed ones are compiled anew, not the engine.
+# Earlier results in WORK stay. The script does nothing if our files are older than the last build;
+# otherwise it compiles only the changed files.
 set -eu
 exec 3>&1 1>&2
 
@@ -18,15 +18,15 @@ here=$(cd "$(dirname "$0")" && pwd)
 models=$here/../../contact_models
 mkdir -p "$1"
 work=$(cd "$1" && pwd)
-# Test processes side by side: the first builds, the others wait and find it done.
+# Of several test processes, the first builds and the others wait.
 exec 9>"$work/lock"
 flock 9
 tree=$work/liggghts
 
-# The tarball of Debian's source package, with private lists: no root, no change to the machine.
+# Download the tarball of Debian's source package with private package lists, without root.
 fetch() {
   command -v apt-get >/dev/null || fail "apt-get is needed to download the LIGGGHTS source package"
-  # The mirror this machine uses, as "URI SUITE/COMPONENT"; without package lists, Debian's own.
+  # The mirror of this machine as "URI SUITE/COMPONENT"; Debian's own if there are no package lists.
   repository=$(LC_ALL=C apt-cache policy liggghts | awk '/ Packages$/ { print $2, $3; exit }')
   [ -n "$repository" ] ||
     repository="http://deb.debian.org/debian $(. /etc/os-release && echo "$VERSION_CODENAME")/main"
@@ -56,20 +56,20 @@ unpack() {
 
   # Since g++ 11 `stream() << x` is a temporary, which binds to a reference to const only.
   sed -i 's/static_cast< std::ostringstream & >/static_cast< const std::ostringstream \& >/' utils.h
-  # A pointer cannot be ordered against 0; "is there a list?" was meant.
+  # A pointer cannot be compared with 0 by order; the test is for an existing list.
   sed -i 's/numneigh > 0)/numneigh != NULL)/' finish.cpp
-  # The one VTK writer that is compiled even when VTK is absent.
+  # This VTK writer is compiled even without VTK.
   rm -f dump_mesh_vtk.cpp dump_mesh_vtk.h
-  # The combinations LIGGGHTS picks for itself; an empty list keeps its own models to the generic
-  # class and saves half a minute at each build.
+  # The combinations of LIGGGHTS' own models; an empty list uses the generic class and saves half a
+  # minute per build.
   : >style_contact_model.whitelist
-  # The file that all combinations are compiled in: to optimise it takes longer than all it is for.
+  # This file contains all combinations; its optimization takes longer than the tests gain.
   sed -i '1i #pragma GCC optimize("O0")' lammps.cpp
   touch "$tree/unpacked"
 }
 
-# What nearly every source of the engine includes is compiled once, and without MPI's C++ classes,
-# which nothing uses: a third of the time.
+# Precompile the headers of nearly every source, without MPI's unused C++ classes; this
+# shortens the build.
 flags="-O1 -std=c++17 -w -DOMPI_SKIP_MPICXX -DSUPERQUADRIC_ACTIVE_FLAG -DNONSPHERICAL_ACTIVE_FLAG"
 precompile() {
   printf '#include <%s>\n' mpi.h algorithm cmath cstring fstream iostream list map set sstream \
@@ -81,21 +81,21 @@ precompile() {
 }
 
 # Superquadrics are on as in LIGGGHTS' `make auto`, and off in Debian's package: between them the
-# plugin and this binary cover both layouts of the engine's contact data.
+# plugin and this binary cover both layouts of LIGGGHTS' contact data.
 build() {
-  export CCACHE_SLOPPINESS=pch_defines,time_macros  # without it a ccache refuses what is precompiled
+  export CCACHE_SLOPPINESS=pch_defines,time_macros  # otherwise ccache rejects precompiled headers
   [ -e "$work/build/build.ninja" ] || {
     precompile
     cmake -S "$tree/src" -B "$work/build" -G Ninja -Wno-dev \
       -DCMAKE_CXX_FLAGS="$flags -fpch-preprocess -include \"$work/common.h\"" \
       -DCMAKE_DISABLE_FIND_PACKAGE_VTK=ON -DCMAKE_DISABLE_FIND_PACKAGE_JPEG=ON
   }
-  # By themselves first: ninja does not look again at headers that a step of the same run rewrote.
+  # A separate run, because ninja does not check headers again that the same run rewrote.
   cmake --build "$work/build" --target GenerateHeaders
   cmake --build "$work/build" --target liggghts_bin --parallel "$(nproc)"
 }
 
-# The stamp is as old as the start of the build it tells of: an edit during a build is not lost.
+# The stamp has the time of the start of the build, so that an edit during a build counts.
 if [ ! -e "$work/built" ] ||
   [ -n "$(find "$models" "$here" \( -name '*.h' -o -name '*.cpp' -o -name '*.in' -o -name '*.txt' -o -name '*.sh' \) -newer "$work/built")" ]; then
   touch "$work/begun"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The upstream build begins with the tests and runs beside them; the tests of it come last."""
+"""Build upstream LIGGGHTS in the background of the other tests; its own tests come last."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from pathlib import Path
 import pytest
 
 HERE = Path(__file__).parent
-#: Builds upstream LIGGGHTS with our models, once for all that ask.
+#: Command that builds upstream LIGGGHTS with our models.
 BUILD = (HERE / "build_upstream.sh", HERE.parents[1] / "build/in-tree")
 
 
@@ -38,11 +38,11 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
 
 
 def _begin(config: pytest.Config) -> None:
-    """Start the build on what the tests leave of the machine; it ends with them."""
+    """Start the build at low priority; stop it at the end of the tests."""
     build = subprocess.Popen(
         ["nice", "-n", "10", *BUILD],
         stdout=subprocess.DEVNULL,
-        stderr=subprocess.DEVNULL,  # a build that fails is begun again, and quoted, by its tests
+        stderr=subprocess.DEVNULL,  # its tests repeat a failed build and quote it
         process_group=0,
     )
 

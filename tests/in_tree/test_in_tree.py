@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The in-tree route: the models in LIGGGHTS' own sources give what the plugin gives."""
+"""Models in LIGGGHTS' source tree: the same results as the plugin, and their installation."""
 
 import re
 import shutil
@@ -15,7 +15,8 @@ from plastigran.engine.process import command, inputs_folder
 from plastigran.experiments.collide import IMPACTS
 from plastigran.experiments.collision import measure
 
-PROJECT = Path(__file__).parents[2]
+TESTS = Path(__file__).parents[1]
+PROJECT = TESTS.parent
 INSTALL = PROJECT / "contact_models/in_tree/install.sh"
 PLUGIN = PROJECT / "build/liggghts-plastigran"
 MODELS = re.findall(
@@ -30,115 +31,89 @@ COMBINATIONS = len(
         re.MULTILINE,
     )
 )
-# Both programs compile the same files, with other optimisation and another layout of the
-# engine's data. Rounding may differ, and some 1e4 steps may add it up to 1e-12; a property, a
-# history value or a combination that went astray changes far earlier digits.
+# Both programs compile the same files, with other optimization and another layout of LIGGGHTS'
+# data. Round-off may differ, and some 1e4 steps may add it up to 1e-12. A wrong property, history
+# value or combination would change much earlier digits.
 TOLERANCE = 1e-12
 
 
-def collide(program, deck: str, law: str, output: Path):
-    """Run a collision deck; what it did, and its log."""
-    output.mkdir()
-    log = output / "log.liggghts"
-    script = inputs_folder() / "collision" / deck
-    words = command(script, {"law": law, "dissipative_constant": 3e-5}, output)
-    words[0] = program
-    run = subprocess.run(words, cwd=output, capture_output=True, text=True, errors="replace")
-    assert run.returncode == 0, run.stdout[-3000:] + run.stderr[-3000:]
-    return measure(output / "trajectory.dump"), log.read_text()
+def run(program, deck: Path, variables: dict[str, object], folder: Path):
+    """Run a deck in a new folder with one of the two programs."""
+    folder.mkdir(parents=True)
+    words = [str(program), *command(deck, variables, folder)[1:]]
+    return subprocess.run(words, cwd=folder, capture_output=True, text=True, errors="replace")
+
+
+def run_both(in_tree, deck: Path, variables: dict[str, object], folder: Path) -> tuple[Path, Path]:
+    """Run a deck with both programs; return the folders of the in-tree one and of the plugin."""
+    folders = folder / "in_tree", folder / "plugin"
+    for program, place in zip((in_tree, PLUGIN), folders, strict=True):
+        done = run(program, deck, variables, place)
+        assert done.returncode == 0, done.stdout[-3000:] + done.stderr[-3000:]
+    return folders
 
 
 @pytest.mark.parametrize(
     ("law", "deck"),
     [(law, f"{deck}.in") for law in MODELS for deck in IMPACTS[laws.LAWS[law].shape].geometries],
 )
-def test_restitution_is_the_plugins(in_tree, law, deck, tmp_path):
-    ours, log = collide(in_tree, deck, law, tmp_path / "in_tree")
-    plugin, _ = collide(PLUGIN, deck, law, tmp_path / "plugin")
-    assert ours.coefficient_of_restitution == pytest.approx(
-        plugin.coefficient_of_restitution, rel=TOLERANCE, abs=0
-    )
-    assert "not located in any whitelist" not in log  # compiled in, not the generic class
-
-
-def test_the_ledger_is_the_plugins(in_tree, tmp_path):
-    """Every account of an oblique impact on a mesh: its plastic work, its friction, its springs."""
-    decks = PROJECT / "tests/ledger/decks"
-    tables = []
-    for program in (in_tree, PLUGIN):
-        folder = tmp_path / Path(program).name
-        folder.mkdir()
-        words = command(decks / "impact.in", {"decks": decks, "geometry": "mesh"}, folder)
-        words[0] = str(program)
-        run = subprocess.run(words, cwd=folder, capture_output=True, text=True, errors="replace")
-        assert run.returncode == 0, run.stdout[-3000:] + run.stderr[-3000:]
-        tables.append(read_thermo(folder / "log.liggghts"))
-    ours, plugins = tables
-    began = plugins["kinetic"].iloc[0]
-    for entry in ("plastic", "friction"):
-        assert plugins[entry].iloc[-1] > 1e-3 * began
-    assert list(ours) == list(plugins)
-    for entry in ours:  # the accounts add up some hundred steps
-        assert ours[entry].to_numpy() == pytest.approx(
-            plugins[entry].to_numpy(), rel=1e-9, abs=TOLERANCE * began
-        )
-
-
-def test_heat_and_spectra_are_the_plugins(in_tree, tmp_path):
-    """Of an oblique impact on a mesh, and of a gas."""
-    heat, ledger, spectra = (
-        PROJECT / "tests" / room / "decks" for room in ("heat", "ledger", "spectra")
-    )
-    decks = {
-        heat / "impact.in": {"decks": ledger, "heat_decks": heat, "geometry": "mesh"},
-        spectra / "gas.in": {"decks": spectra},
-    }
-    for deck, variables in decks.items():
-        tables = []
-        for program in (in_tree, str(PLUGIN)):
-            folder = tmp_path / deck.stem / Path(program).name
-            folder.mkdir(parents=True)
-            words = command(deck, variables, folder)
-            words[0] = program
-            run = subprocess.run(
-                words, cwd=folder, capture_output=True, text=True, errors="replace"
-            )
-            assert run.returncode == 0, run.stdout[-3000:] + run.stderr[-3000:]
-            tables.append(read_thermo(folder / "log.liggghts"))
-        ours, plugins = tables
-        assert list(ours) == list(plugins)
-        for entry in plugins:  # sums over some hundred steps
-            scale = plugins[entry].abs().max()
-            assert ours[entry].to_numpy() == pytest.approx(
-                plugins[entry].to_numpy(), rel=1e-9, abs=1e-9 * scale
-            ), entry
-
-
-def slide(program, folder: Path, **variables: str):
-    """The conformance suite's oblique impact of a spinning sphere; its end, or what was said."""
-    folder.mkdir()
-    deck = PROJECT / "tests/conformance/decks/slide.in"
-    words = command(deck, {"law": "thornton", "spin": -50.0, **variables}, folder)
-    words[0] = program
-    run = subprocess.run(words, cwd=folder, capture_output=True, text=True, errors="replace")
-    if run.returncode:
-        return run.stdout + run.stderr
-    return read_dump(folder / "trajectory.dump").iloc[-1]
-
-
-def test_a_combination_of_any_models_is_the_plugins(in_tree, tmp_path):
-    """Models that are not among the usual ones are compiled once, for all combinations."""
+def test_restitution_is_that_of_the_plugin(in_tree, law, deck, tmp_path):
+    variables = {"law": law, "dissipative_constant": 3e-5}
+    folders = run_both(in_tree, inputs_folder() / "collision" / deck, variables, tmp_path)
     ours, plugin = (
-        slide(program, tmp_path / name, rolling="epsd")
-        for program, name in ((in_tree, "in_tree"), (PLUGIN, "plugin"))
+        measure(folder / "trajectory.dump").coefficient_of_restitution for folder in folders
+    )
+    assert ours == pytest.approx(plugin, rel=TOLERANCE, abs=0)
+    # The law is compiled in, not the generic class.
+    assert "not located in any whitelist" not in (folders[0] / "log.liggghts").read_text()
+
+
+LEDGER, HEAT, SPECTRA = (TESTS / name / "decks" for name in ("ledger", "heat", "spectra"))
+
+
+@pytest.mark.parametrize(
+    ("deck", "variables"),
+    [
+        (LEDGER / "impact.in", {"decks": LEDGER, "geometry": "mesh"}),
+        (HEAT / "impact.in", {"decks": LEDGER, "heat_decks": HEAT, "geometry": "mesh"}),
+        (SPECTRA / "gas.in", {"decks": SPECTRA}),
+    ],
+    ids=["energy balance", "heat", "collision spectra"],
+)
+def test_outputs_are_those_of_the_plugin(in_tree, deck, variables, tmp_path):
+    """Energies and heat of an oblique impact on a mesh, and collision spectra of a gas."""
+    ours, plugin = (
+        read_thermo(folder / "log.liggghts")
+        for folder in run_both(in_tree, deck, variables, tmp_path)
+    )
+    assert list(ours) == list(plugin)
+    energy_balance = deck.parent == LEDGER
+    if energy_balance:
+        for term in ("plastic", "friction"):
+            assert plugin[term].iloc[-1] > 1e-3 * plugin["kinetic"].iloc[0]
+    for name in plugin:  # sums over some hundred steps
+        scale = plugin[name].abs().max()
+        allowed = TOLERANCE * plugin["kinetic"].iloc[0] if energy_balance else 1e-9 * scale
+        expected = pytest.approx(plugin[name].to_numpy(), rel=1e-9, abs=allowed)
+        assert ours[name].to_numpy() == expected, name
+
+
+def test_a_combination_of_any_models_is_that_of_the_plugin(in_tree, tmp_path):
+    """The generic class serves all combinations of models that are not among the usual ones."""
+    deck = TESTS / "conformance/decks/slide.in"
+    variables = {"law": "thornton", "spin": -50.0}
+    ours, plugin = (
+        read_dump(folder / "trajectory.dump").iloc[-1]
+        for folder in run_both(in_tree, deck, variables | {"rolling": "epsd"}, tmp_path)
     )
     assert ours.to_numpy() == pytest.approx(plugin.to_numpy(), rel=TOLERANCE)
-    assert ours["omegaz"] != slide(PLUGIN, tmp_path / "plain")["omegaz"]
+    assert run(PLUGIN, deck, variables, tmp_path / "plain").returncode == 0
+    assert ours["omegaz"] != read_dump(tmp_path / "plain" / "trajectory.dump").iloc[-1]["omegaz"]
 
 
 @pytest.fixture
 def bare_tree(tmp_path):
-    """A folder that looks like LIGGGHTS' sources to install.sh."""
+    """A folder that install.sh accepts as LIGGGHTS' sources."""
     sources = tmp_path / "tree/src"
     sources.mkdir(parents=True)
     for name in ["Make.sh", "contact_models.h", "normal_model_base.h"]:
@@ -152,7 +127,7 @@ def install(tree: Path):
 
 
 def contents(tree: Path):
-    """Time and text of every file, by its path below src/."""
+    """Time and text of every file, by its path in src/."""
     sources = tree / "src"
     return {
         path.relative_to(sources).as_posix(): (path.stat().st_mtime_ns, path.read_text())
@@ -176,14 +151,14 @@ def test_every_model_is_installed(bare_tree):
 
 
 def test_every_include_of_ours_is_installed(bare_tree):
-    """A file is included by its way from the including one: the engine's builds know no other."""
+    """The paths are relative to the including file, because LIGGGHTS' builds have no other."""
     install(bare_tree)
     files = contents(bare_tree)
     included = [
-        (bare_tree / "src" / name).parent / way
+        (bare_tree / "src" / name).parent / path
         for name, (_, text) in files.items()
-        for way in re.findall(r'^#include "(.*)"', text, re.MULTILINE)
-        if "plastigran/" in way or "liggghts/" in way
+        for path in re.findall(r'^#include "(.*)"', text, re.MULTILINE)
+        if "plastigran/" in path or "liggghts/" in path
     ]
     assert len(included) > len(files)
     assert [path for path in included if not path.exists()] == []
@@ -196,9 +171,9 @@ def test_installing_twice_changes_nothing(bare_tree):
     assert contents(bare_tree) == before
 
 
-def test_what_an_earlier_version_left_is_cleared(bare_tree):
+def test_files_of_an_earlier_version_are_removed(bare_tree):
     assert install(bare_tree).returncode == 0
-    law = bare_tree / "src/law_one_of_before.cpp"
+    law = bare_tree / "src/law_of_an_earlier_version.cpp"
     law.write_text("// of plastigran\n")
     with open(bare_tree / "src/plastigran_files.txt", "a") as files:
         files.write(f"./{law.name}\n")
@@ -206,10 +181,10 @@ def test_what_an_earlier_version_left_is_cleared(bare_tree):
     assert not law.exists()
 
 
-def test_a_model_of_a_fork_with_the_name_of_ours_stays(bare_tree):
-    """Also in the list for the engine to compile."""
+def test_a_model_of_a_fork_with_the_same_name_stays(bare_tree):
+    """It also stays in the list of models to compile."""
     model = bare_tree / "src/normal_model_stronge.h"
-    model.write_text("// a fork's own\nNORMAL_MODEL(STRONGE,stronge,77)\n")
+    model.write_text("// of a fork\nNORMAL_MODEL(STRONGE,stronge,77)\n")
     whitelist = bare_tree / "src/style_contact_model_user.whitelist"
     whitelist.write_text("GRAN_MODEL(STRONGE, TANGENTIAL_OFF)\n")
     before = contents(bare_tree)
@@ -219,18 +194,18 @@ def test_a_model_of_a_fork_with_the_name_of_ours_stays(bare_tree):
 
 
 def test_another_folder_is_refused_by_name(tmp_path):
-    refusal = install(tmp_path)
-    assert refusal.returncode != 0
-    assert f"{tmp_path} is not a LIGGGHTS source tree" in refusal.stderr
+    done = install(tmp_path)
+    assert done.returncode != 0
+    assert f"{tmp_path} is not a LIGGGHTS source tree" in done.stderr
     assert not list(tmp_path.iterdir())
 
 
 def test_files_of_others_are_not_overwritten(bare_tree):
-    (bare_tree / "src/range_check.cpp").write_text("// a fork's own\n")
+    (bare_tree / "src/range_check.cpp").write_text("// of a fork\n")
     before = contents(bare_tree)
-    refusal = install(bare_tree)
-    assert refusal.returncode != 0
-    assert "range_check.cpp" in refusal.stderr
+    done = install(bare_tree)
+    assert done.returncode != 0
+    assert "range_check.cpp" in done.stderr
     assert contents(bare_tree) == before
 
 

@@ -63,41 +63,41 @@ def test_the_page_of_universal_shows_its_largest_errors():
                 assert not cell.strip()
 
 
-def test_finite_elements_of_the_dent_are_those_of_the_page(page_table, assert_on_page):
+def test_finite_elements_of_steel_are_those_of_the_page(page_table, assert_on_page):
     nearest = page_table("leeb")["law"][0]
     assert_on_page("leeb_finite_elements", dented_steel.comparison(nearest))
 
 
-def test_the_papers_sphere_is_as_far_off_as_the_page_says(assert_on_page):
+def test_errors_for_the_sphere_of_the_paper_are_those_of_the_page(assert_on_page):
     assert_on_page("paper_sphere", paper_sphere.compare())
 
 
-def test_single_impacts_and_craters_are_as_the_page_says(assert_on_page):
+def test_single_impacts_and_craters_are_those_of_the_page(assert_on_page):
     assert_on_page("single_impacts", steel.single_impacts())
     assert_on_page("craters", steel.craters())
 
 
-def test_parts_of_the_offset_are_those_of_the_page(page_table, monkeypatch):
+def test_causes_of_the_mean_error_are_those_of_the_page(page_table, monkeypatch):
     nearest = page_table("leeb")["law"][0]
     table = steel.leeb_table().iloc[[0, -1]]
     monkeypatch.setattr(steel, "leeb_table", lambda: table)
-    found, shown = offset.budget(nearest), page_table("leeb_offset")
-    assert list(found["source"]) == list(shown["source"])
+    parts, shown = offset.budget(nearest), page_table("leeb_offset")
+    assert list(parts["source"]) == list(shown["source"])
     for column in ("at 80 HV (%)", "at 940 HV (%)"):
-        said = pd.to_numeric(shown[column])
-        assert found[column].to_numpy() == pytest.approx(said.to_numpy(), abs=0.011, nan_ok=True)
+        expected = pytest.approx(pd.to_numeric(shown[column]).to_numpy(), abs=0.011, nan_ok=True)
+        assert parts[column].to_numpy() == expected
 
 
 @pytest.mark.engine
-def test_the_page_shows_what_theory_has(page_table):
+def test_theories_of_oblique_impacts_are_those_of_the_page(page_table):
     computed = oblique.computed(FEW_ANGLES)
     for name in oblique.QUANTITIES:
-        found, shown = oblique.comparison(computed, name), page_table(f"oblique_{name}")
+        table, shown = oblique.comparison(computed, name), page_table(f"oblique_{name}")
         for column in ("measured", PARTIAL_SLIP, SPRING):
-            said = pd.to_numeric(shown[column])
-            assert found[column].to_numpy() == pytest.approx(said, rel=1e-3, abs=1e-3)
+            expected = pytest.approx(pd.to_numeric(shown[column]), rel=1e-3, abs=1e-3)
+            assert table[column].to_numpy() == expected
 
 
-def test_the_rod_is_as_far_off_as_the_page_says(page_table, assert_on_page):
+def test_errors_for_the_rod_are_those_of_the_page(page_table, assert_on_page):
     law = page_table("rod")["law"][0]
     assert_on_page("rod", rod.summary(rod.impacts([law])))

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The Python on every page runs, as it is printed: the blocks of a page in order, beside results
-such as the page speaks of. Bulk runs are the decks' brief ones."""
+"""The Python blocks of every page run in their order, next to results that the page mentions.
+
+Bulk runs have the brief settings of their decks.
+"""
 
 from __future__ import annotations
 
@@ -43,14 +45,14 @@ def results(tmp_path_factory, brief_run, bulk_run) -> Path:
     shutil.copy(trajectory, place)
     drum = bulk_run("drum", deck_class("drum").briefs[""].settings | {"spectra": "on"})
     spectra = pd.read_csv(drum.folder / "collision_spectra.csv")
-    spectra["step"] *= 1000  # the page leaves out the first 100 000 steps
+    spectra["step"] *= 1000  # the page skips the first 100 000 steps
     spectra.to_csv(place / "collision_spectra.csv", index=False)
     return place
 
 
 @attrs.frozen
 class Discharge:
-    """A run of the hopper with another orifice: the rate goes as Beverloo's law has it."""
+    """Run of the hopper whose discharge rate changes with the orifice by Beverloo's law."""
 
     run: object
     orifice: float
@@ -77,12 +79,8 @@ def test_python_of_a_page_runs(page, results, tmp_path, monkeypatch):
 
     def bulk(deck, *, orifice=None, **settings):
         assert deck == "hopper"
-        names = {field.name for field in attrs.fields(deck_class("hopper"))} | {
-            "folder",
-            "ranks",
-            "show",
-        }
-        assert settings.keys() <= names
+        names = {field.name for field in attrs.fields(deck_class("hopper"))}
+        assert settings.keys() <= names | {"folder", "ranks", "show"}
         if orifice is not None:
             return Discharge(recorded, orifice)
         return pg.open("results/hopper")
@@ -91,7 +89,7 @@ def test_python_of_a_page_runs(page, results, tmp_path, monkeypatch):
     monkeypatch.syspath_prepend(str(place))
     names = {"__name__": "page"}
     for block in blocks(page):
-        if "class ElasticImpact(Experiment)" in block:  # the file that the page names
+        if "class ElasticImpact(Experiment)" in block:  # the page names this file
             (place / "touch.py").write_text(block)
         with warnings.catch_warnings():
             warnings.simplefilter("ignore", RangeWarning)
@@ -99,7 +97,7 @@ def test_python_of_a_page_runs(page, results, tmp_path, monkeypatch):
 
 
 def test_yield_strength_of_the_rate_factor():
-    """The numbers beside the lines of docs/rate_factor.md."""
+    """The numbers of docs/rate_factor.md."""
     names: dict = {}
     exec(blocks(PROJECT / "docs" / "rate_factor.md")[0], names)
     laws, pair, law = names["laws"], names["pair"], names["law"]

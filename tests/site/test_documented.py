@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Every public function, class, method and option says what it is."""
+"""Every public function, class, method and option has a description."""
 
 from __future__ import annotations
 
@@ -15,38 +15,37 @@ from plastigran.cli import parser
 
 
 def modules() -> list[str]:
-    """Every module but the commands, whose two functions `plastigran.cli` describes."""
-    found = [module.name for module in walk_packages(plastigran.__path__, "plastigran.")]
-    return [name for name in found if ".commands." not in name and "__main__" not in name]
+    """Every module except the commands, whose two functions `plastigran.cli` describes."""
+    names = [module.name for module in walk_packages(plastigran.__path__, "plastigran.")]
+    return [name for name in names if ".commands." not in name and "__main__" not in name]
 
 
 def public(module: object) -> Iterator[tuple[str, object]]:
     """The functions, classes, methods and properties that a module defines, without `_`."""
-    for name, found in vars(module).items():
-        own = getattr(found, "__module__", None) == module.__name__
-        if name.startswith("_") or not own:
+    for name, member in vars(module).items():
+        defined_here = getattr(member, "__module__", None) == module.__name__
+        if name.startswith("_") or not defined_here:
             continue
-        if inspect.isfunction(found) or inspect.isclass(found):
-            yield f"{module.__name__}.{name}", found
-        if inspect.isclass(found):
-            for part, value in vars(found).items():
+        if inspect.isfunction(member) or inspect.isclass(member):
+            yield f"{module.__name__}.{name}", member
+        if inspect.isclass(member):
+            for part, value in vars(member).items():
                 value = value.fget if isinstance(value, property) else value
                 if not part.startswith("_") and inspect.isroutine(value):
-                    yield f"{module.__name__}.{name}.{part}", getattr(found, part)
+                    yield f"{module.__name__}.{name}.{part}", getattr(member, part)
 
 
-def test_everything_public_has_a_docstring():
-    """Its own, or that of the method it overrides."""
-    found = [item for name in modules() for item in public(import_module(name))]
-    assert len(found) > 500
-    assert not [name for name, what in found if not inspect.getdoc(what)]
+def test_every_public_name_has_a_docstring():
+    """An overriding method may inherit its docstring."""
+    members = [member for name in modules() for member in public(import_module(name))]
+    assert len(members) > 500
+    assert not [name for name, member in members if not inspect.getdoc(member)]
 
 
 def test_the_laws_have_docstrings():
-    found = [(name, what) for name, what in vars(laws).items() if not name.startswith("_")]
-    found = [(name, what) for name, what in found if callable(what)]
-    assert len(found) > len(laws.LAWS)
-    assert not [name for name, what in found if not inspect.getdoc(what)]
+    members = {n: m for n, m in vars(laws).items() if not n.startswith("_") and callable(m)}
+    assert len(members) > len(laws.LAWS)
+    assert not [name for name, member in members.items() if not inspect.getdoc(member)]
 
 
 def test_every_option_of_the_command_line_has_a_help():
@@ -57,11 +56,11 @@ def test_every_option_of_the_command_line_has_a_help():
                 for inner in action.choices.values():
                     yield from actions(inner)
 
-    found = list(actions(parser()))
-    assert len(found) > 100
-    bare = [
+    options = list(actions(parser()))
+    assert len(options) > 100
+    undescribed = [
         f"{prog} {'/'.join(action.option_strings) or action.dest}"
-        for prog, action in found
+        for prog, action in options
         if not action.help and not isinstance(action, argparse._SubParsersAction)
     ]
-    assert not bare
+    assert not undescribed

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The site builds without a warning, its notebooks run, and nothing in it leads nowhere."""
+"""The site builds without warnings, its notebooks run, and all its links have targets."""
 
 from __future__ import annotations
 
@@ -18,12 +18,12 @@ from plastigran.cli import parser
 from plastigran.engine.process import PROJECT
 
 SITE = PROJECT / "build" / "site"
-#: Attributes of elements by which a browser fetches something of its own accord.
+#: Attributes of elements whose files a browser loads by itself.
 FETCHED = {"script": "src", "img": "src", "iframe": "src", "source": "src", "link": "href"}
 
 
 class Page(HTMLParser):
-    """What a page points to, what it fetches and what can be pointed to in it."""
+    """Links of a page, files that it loads, and targets of links in it."""
 
     def __init__(self, path: Path):
         super().__init__()
@@ -43,7 +43,7 @@ class Page(HTMLParser):
 
 @pytest.fixture(scope="module")
 def pages() -> dict[Path, Page]:
-    """Builds the site as `./run site` does; what did not change since the last time stays."""
+    """Build the site as `./run site` does; unchanged pages stay."""
     SITE.parent.mkdir(exist_ok=True)
     with open(SITE.with_suffix(".lock"), "w") as lock:
         flock(lock, LOCK_EX)
@@ -69,8 +69,8 @@ def test_no_link_is_dead(pages):
     assert not dead
 
 
-def test_nothing_comes_from_elsewhere(pages):
-    """Scripts, styles, pictures and fonts are the site's own."""
+def test_the_site_loads_no_foreign_file(pages):
+    """This holds for scripts, styles, pictures and fonts."""
     foreign = {f for page in pages.values() for f in page.fetched if urlsplit(f).netloc}
     for sheet in (SITE / "_static").rglob("*.css"):
         foreign |= set(
@@ -79,23 +79,23 @@ def test_nothing_comes_from_elsewhere(pages):
     assert not foreign
 
 
-def test_every_room_law_and_command_has_its_place(pages):
-    """The reference names the public face; every law has its page and its header's."""
-    from plastigran import __all__ as face
+def test_commands_public_names_and_laws_have_their_pages(pages):
+    """Every law has a page, and one for its header."""
+    from plastigran import __all__ as public_names
     from plastigran import laws
 
     reference = (SITE / "reference" / "commands.html").read_text()
     missing = [c.prog for c in all_commands(parser()) if f"usage: {c.prog} " not in reference]
     assert not missing
     text = (SITE / "python.html").read_text()
-    assert not [name for name in face if f"pg.{name}" not in text]
+    assert not [name for name in public_names if f"pg.{name}" not in text]
     for name in laws.LAWS:
         assert SITE / "laws" / f"{name}.html" in pages
         assert SITE / "reference" / "cpp" / "laws" / f"{name}.html" in pages
 
 
 def test_the_notebooks_ran(pages):
-    """Each shows pictures and what its cells print."""
+    """Each notebook shows pictures and the output of its cells."""
     notebooks = sorted((PROJECT / "docs" / "notebooks").glob("*.md"))
     assert len(notebooks) >= 5
     for notebook in notebooks:

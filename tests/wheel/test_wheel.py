@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The wheel where there is no LIGGGHTS and nothing of this project beside it.
+"""The wheel in an environment without LIGGGHTS and without the source tree.
 
-The environment borrows the libraries of the one that runs the tests; `./run wheel` gives one that
-has fetched its own, in $PLASTIGRAN_WHEEL_VENV.
+The environment uses the libraries of the one that runs the tests. `./run wheel` gives another one
+with libraries from the network, in $PLASTIGRAN_WHEEL_VENV.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ from packaging.utils import canonicalize_name
 
 from plastigran.engine.process import PROJECT
 
-#: What a newcomer without an engine does in a notebook.
+#: First cells of a notebook without LIGGGHTS.
 NOTEBOOK = """
 import numpy as np, plastigran as pg
 from plastigran.physics.modes import sphere_modes
@@ -46,14 +46,14 @@ except Exception as error:
 
 
 def free_of_the_project() -> dict[str, str]:
-    """The environment without an engine or a way to this tree."""
-    kept = {k: v for k, v in os.environ.items() if not k.startswith(("PLASTIGRAN", "PYTHON"))}
-    return kept | {"PATH": "/usr/bin:/bin", "MPLBACKEND": "agg"}
+    """The variables of the environment without LIGGGHTS and without a path to this tree."""
+    variables = {k: v for k, v in os.environ.items() if not k.startswith(("PLASTIGRAN", "PYTHON"))}
+    return variables | {"PATH": "/usr/bin:/bin", "MPLBACKEND": "agg"}
 
 
 @pytest.fixture(scope="session")
 def wheel(tmp_path_factory) -> Path:
-    """The wheel, built in the folder that the environment's own package was built in."""
+    """The wheel; its build shares the folder of the build of the environment's own package."""
     folder = tmp_path_factory.mktemp("wheel")
     build = ["pip", "wheel", "-q", "--no-build-isolation", "--no-deps", "--no-index"]
     with open(PROJECT / "build" / "wheel.lock", "w") as lock:
@@ -75,15 +75,15 @@ def here(wheel, tmp_path_factory) -> Path:
     subprocess.run(
         [sys.executable, "-m", "pip", "--python", folder / "bin/python", *install], check=True
     )
-    # A folder named in a .pth file is searched after the wheel's, and its own .pth files are not
-    # read: neither is the way to this tree among them.
+    # Python searches the folders of a .pth file after that of the wheel, and ignores their own .pth
+    # files, one of which has the path to this tree.
     (target / "libraries.pth").write_text("\n".join(site.getsitepackages()) + "\n")
     return folder
 
 
 @pytest.fixture
 def run(here, tmp_path):
-    """Runs a program of the environment in an empty folder."""
+    """Run a program of the environment in an empty folder."""
 
     def start(program: str, *words: str) -> subprocess.CompletedProcess:
         line = [here / "bin" / program, *words]
@@ -102,19 +102,19 @@ def test_one_wheel_serves_every_python_from_3_11(wheel):
     assert not [name for name in inside if name.startswith(("tests/", "contact_models/"))]
 
 
-def test_what_it_imports_it_requires():
-    """Each library that a module of the package imports is asked for, by itself or as an extra."""
-    asked = {canonicalize_name(Requirement(line).name) for line in requires("plastigran")}
-    brings, unasked = packages_distributions(), set()
+def test_all_imported_libraries_are_required():
+    """Each imported library is a dependency, or one of an extra."""
+    required = {canonicalize_name(Requirement(line).name) for line in requires("plastigran")}
+    distributions, missing = packages_distributions(), set()
     for path in (PROJECT / "postprocess" / "plastigran").rglob("*.py"):
         for node in ast.walk(ast.parse(path.read_text())):
             names = [alias.name for alias in node.names] if isinstance(node, ast.Import) else []
             names += [node.module] if isinstance(node, ast.ImportFrom) and not node.level else []
             for name in {name.partition(".")[0] for name in names} - sys.stdlib_module_names:
-                given = {canonicalize_name(found) for found in brings.get(name, [name])}
-                if not given & (asked | {"plastigran"}):
-                    unasked.add((path.name, name))
-    assert unasked == set()
+                providers = set(map(canonicalize_name, distributions.get(name, [name])))
+                if not providers & (required | {"plastigran"}):
+                    missing.add((path.name, name))
+    assert missing == set()
 
 
 def test_laws(run):
@@ -141,7 +141,7 @@ def test_calibrate(run):
 @pytest.mark.parametrize(
     "line", ["impact --law thornton", "bulk hopper", "rod --law thornton", "demo", "doctor"]
 )
-def test_an_engine_command_says_in_a_line_what_to_install(run, line):
+def test_a_command_without_liggghts_names_the_remedy_in_one_line(run, line):
     done = run("plastigran", *line.split())
     assert done.returncode == 1
     assert done.stderr.count("\n") == 1, done.stderr
@@ -149,7 +149,7 @@ def test_an_engine_command_says_in_a_line_what_to_install(run, line):
     assert "./run setup" in done.stderr + done.stdout
 
 
-def test_what_a_notebook_does(run, tmp_path):
+def test_a_notebook(run, tmp_path):
     done = run("python", "-c", NOTEBOOK)
     assert done.returncode == 0, done.stderr
     assert "LIGGGHTS is missing: liggghts-plastigran is not on PATH" in done.stdout
