@@ -20,7 +20,7 @@ def ledger_panels(series: pd.DataFrame, total: float, limit: float) -> tuple[Pan
     """Return the energies as fractions of the energy input, stacked over time, and the error.
 
     Args:
-        series: Columns time [s], and the terms of the energy balance with drift [J].
+        series: Columns time [s], the terms of the energy balance and their error `drift` [J].
         total: Energy input [J], positive.
         limit: Largest error allowed, as a fraction of the energy input.
     """

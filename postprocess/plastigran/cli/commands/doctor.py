@@ -50,7 +50,7 @@ class Finding:
 
 
 class Lacking(Exception):
-    """Something is missing or does not work; the arguments are what, and the remedy."""
+    """Something is missing or does not work; the arguments are the fault and the remedy."""
 
 
 def add_arguments(command: argparse.ArgumentParser) -> None:

@@ -95,9 +95,9 @@ class Drum(FlowDeck):
                 angular momentum about the axis [kg m^2/s].
 
         Returns:
-            The series with `revolutions`; `angle`, the inclination of the line from the axis to the
-            center of mass [degrees]; and `wallwork_predicted`, the work of the torque that balances
-            the weight and changes the angular momentum of the bed [J].
+            The series with `revolutions`, `angle` and `wallwork_predicted`. The angle [degrees] is
+            the inclination of the line from the axis to the center of mass. The work [J] is that of
+            the torque that balances the weight and changes the angular momentum of the bed.
         """
         torque = self.gravitational_acceleration * series["mass"] * series["x"]
         impulse = cumulative_trapezoid(torque, series["time"], initial=0)
