@@ -125,8 +125,7 @@ def from_leeb(leeb: float | str, law: str, metal: Material, scatter: float | Non
 
     Args:
         leeb: Reading, see `read_leeb`.
-        law: Name of the law.
-        metal: Material of the sample; its strength is not used.
+        law, metal: Law, and material of the sample, whose strength is not used.
         scatter: Relative standard deviation of the restitution; None for that of conversions.
 
     Raises:
@@ -160,8 +159,7 @@ def from_drops(drops: DropTest, law: str, metal: Material, scatter: float | None
 
     Args:
         drops: Drop test.
-        law: Name of the law.
-        metal: Material of ball or plate; its strength is not used.
+        law, metal: Law, and material of ball or plate, whose strength is not used.
         scatter: Relative standard deviation of one restitution; None for `DROP_SCATTER`.
 
     Raises:

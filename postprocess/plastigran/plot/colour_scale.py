@@ -27,13 +27,9 @@ class ColourScale(Scale):
 
 
 def colour_scale(title: str, unit: str, values: object, from_zero: bool) -> ColourScale:
-    """Return a scale that contains some values and has round labels.
+    """Return a scale that contains one or more values and has round labels.
 
-    Args:
-        title: Name of the quantity.
-        unit: SI unit without prefix.
-        values: One or more values to show.
-        from_zero: Whether the scale starts at zero even if the smallest value is larger.
+    `unit` has no prefix. With `from_zero`, the scale starts at zero or below.
     """
     letter, factor = prefix(values)
     low, high = float(np.min(values)) * factor, float(np.max(values)) * factor

@@ -16,8 +16,8 @@ from plastigran.plot.style import COLOURS, styled, subplots
 def spectra_figure(spectra: Mapping[str, Mapping[str, pd.DataFrame]]) -> Figure:
     """Draw the number of impacts per class: a panel for each quantity, a curve for each partner.
 
-    Left out are impacts with values that are not positive, which logarithmic axes cannot show, and
-    values below the round-off of the largest, which mean zero loss.
+    Classes that are not positive are left out, because axes are logarithmic. Classes below the
+    round-off of the largest value are left out, because they mean zero loss.
 
     Args:
         spectra: Axis title, then partner (particles or a wall), to a table with columns lower,
@@ -40,14 +40,15 @@ def spectra_figure(spectra: Mapping[str, Mapping[str, pd.DataFrame]]) -> Figure:
 
 def _draw(axes: Axes, classes: pd.DataFrame, label: str, colour: str) -> None:
     """Draw a step for each class; classes without impacts are gaps."""
-    if classes.empty:
-        axes.plot([], [], color=colour, label=label)
-        return
-    lower, upper, count = (classes[name].to_numpy() for name in ("lower", "upper", "count"))
-    gap = np.full(len(count), np.nan)
-    x = np.stack([lower, upper, upper], axis=1).ravel()
-    y = np.stack([count, count, gap], axis=1).ravel()
-    # Adjacent classes have no gap between them.
-    keep = np.ones(len(x), dtype=bool)
-    keep[2::3][:-1] = ~np.isclose(upper[:-1], lower[1:], rtol=1e-6, atol=0)
-    axes.plot(x[keep], y[keep], color=colour, label=label)
+    edges, counts = [], []
+    for lower, upper, count in zip(*(classes[n] for n in ("lower", "upper", "count")), strict=True):
+        if not edges:
+            edges.append(lower)
+        elif not np.isclose(lower, edges[-1], rtol=1e-6, atol=0):
+            edges.append(lower)
+            counts.append(np.nan)
+        edges.append(upper)
+        counts.append(count)
+    if counts:
+        axes.stairs(counts, edges, baseline=None, color=colour, lw=1.5, zorder=2)
+    axes.plot([], [], color=colour, label=label)

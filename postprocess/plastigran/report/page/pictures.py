@@ -44,9 +44,7 @@ class Picture:
 def read_pictures(folder: Path, replaced: Collection[str] = ()) -> tuple[list[Picture], list[str]]:
     """Return the figures in a folder, and sentences on those left out.
 
-    Args:
-        folder: Folder of the files.
-        replaced: Names without suffix of figures that the page shows in another form.
+    `replaced` are names without suffix of figures that the page shows in another form.
     """
     if not folder.is_dir():
         return [], []

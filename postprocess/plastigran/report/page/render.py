@@ -96,12 +96,7 @@ def make_section(results: Results) -> Section:
 
 
 def render(sections: list[Section], title: str) -> str:
-    """Return the page as text.
-
-    Args:
-        sections: Sections in the order of the page.
-        title: Headline.
-    """
+    """Return the page as text, with the sections in the given order below the headline."""
     sections = [attrs.evolve(section, name=f"run-{k}") for k, section in enumerate(sections)]
     charts = {f"{s.name}-{chart.name}": chart.to_json() for s in sections for chart in s.charts}
     law_colours = {law: law_number(law) for section in sections for law in section.laws}

@@ -90,13 +90,7 @@ def empty_section(results: Results) -> Section:
 
 
 def cells(table: pd.DataFrame, title: str, heads: dict[str, str] | None = None) -> Table:
-    """Return a table of numbers as text.
-
-    Args:
-        table: Numbers.
-        title: Title of the table.
-        heads: Column titles that differ from the column names.
-    """
+    """Return a table of numbers as text; `heads` are column titles that differ from the names."""
     rows = [[number(value) for value in row] for row in table.itertuples(index=False)]
     laws = [str(law) for law in table["law"]] if "law" in table else None
     head = [(heads or {}).get(str(name), str(name)) for name in table]

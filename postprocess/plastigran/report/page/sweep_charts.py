@@ -35,14 +35,9 @@ LOOP_POINTS = 80
 
 
 def measured_chart(table: pd.DataFrame, materials: Mapping[str, Material]) -> Chart | None:
-    """Return the chart of every predicted quantity over speed or angle.
+    """Return the chart of every predicted quantity over speed or angle; None without predictions.
 
-    Args:
-        table: Results table of the sweep.
-        materials: As for `central_case`.
-
-    Returns:
-        Points from LIGGGHTS with lines of theory; None for a table without such curves.
+    `materials` are those that the sweep recorded, as for `central_case`.
     """
     abscissa = _abscissa(table)
     quantities = [
@@ -89,12 +84,7 @@ def _dash_legend(table: pd.DataFrame, abscissa: str) -> str:
 def loops_chart(folder: Path, table: pd.DataFrame) -> tuple[Chart | None, list[str]]:
     """Return the chart of force over overlap, a view for each speed, a loop for each law.
 
-    Args:
-        folder: Folder of the sweep.
-        table: Its results table.
-
-    Returns:
-        The chart, None without trajectories; and a sentence if some of them cannot be read.
+    It is None without trajectories. Also return a sentence if some of them cannot be read.
     """
     loops, damaged = [], []
     if not {"geometry", "law", "speed", "material", "radius"} <= set(table):

@@ -42,10 +42,9 @@ def make(results: Results) -> Section:
     missing += damaged
     runs = sorted(path for path in folder.glob("runs/*") if path.is_dir())
     if len(table) < len(runs) and (len(table) or not missing):
-        left_out = ", are still running, or are left out" if missing else ", or are still running"
         missing.append(
-            f"{TABLE} has {len(table)} of {len(runs)} impacts. The others failed, were "
-            f"stopped{left_out}."
+            f"{TABLE} has {len(table)} of {len(runs)} impacts. The others failed, were stopped, "
+            "are still running, or are left out."
         )
     missing += _errors(runs)
     materials, damaged = _materials(study)

@@ -56,11 +56,9 @@ class Trust:
 
 
 def trust(table: pd.DataFrame, materials: Mapping[str, Material]) -> list[Trust]:
-    """Return the known errors of each law of a sweep.
+    """Return the known errors of each law in the results table of a sweep.
 
-    Args:
-        table: Results table of the sweep.
-        materials: As for `central_case`.
+    `materials` are those that the sweep recorded, as for `central_case`.
     """
     if "law" not in table:
         return []
@@ -181,8 +179,7 @@ def verification_chart(table: pd.DataFrame) -> Chart | None:
 def validation_chart(table: pd.DataFrame) -> Chart | None:
     """Return the chart of errors of laws against finite elements over speed; None without errors.
 
-    Args:
-        table: Errors of the laws, columns as of `plastigran.calibration.expected_errors`.
+    The columns of the table are those of `plastigran.calibration.expected_errors.errors_table`.
     """
     views = {}
     for quantity in QUANTITIES:
