@@ -8,14 +8,16 @@ import signal
 import subprocess
 import sys
 import warnings
+from functools import partial
 
 import attrs
 import pytest
 
+from plastigran.fem.cache import cached
 from plastigran.fem.material.elastic_plastic import ElasticPlastic
 from plastigran.fem.settings import Settings
 from plastigran.fem.sphere.press import press
-from plastigran.report.computing import Computation, compute_all
+from plastigran.report.computing import compute_all
 
 METAL = ElasticPlastic(youngs_modulus=70e9, poissons_ratio=0.3)
 COARSE = Settings(divisions=3, fineness=0.5, unloading_steps=4)
@@ -26,7 +28,7 @@ class Stopped:
     stopped: str = "no step from here"
 
 
-def stop_early(settings, progress):
+def stop_early():
     return Stopped()
 
 
@@ -37,7 +39,8 @@ def empty_cache(tmp_path, monkeypatch):
 
 def test_results_are_in_order_and_cached(tmp_path):
     computations = {
-        force: Computation(press, (METAL, 0.1, [force]), COARSE) for force in (20.0, 10.0, 30.0)
+        force: partial(cached, press, METAL, 0.1, [force], settings=COARSE)
+        for force in (20.0, 10.0, 30.0)
     }
     results = compute_all(computations)
     assert list(results) == list(computations)
@@ -48,29 +51,29 @@ def test_results_are_in_order_and_cached(tmp_path):
 
 def test_computation_that_stops_early_is_named():
     with pytest.raises(ValueError, match="finite elements, the sphere: no step from here"):
-        compute_all({"the sphere": Computation(stop_early, ())})
+        compute_all({"the sphere": stop_early})
 
 
-def warn(settings, progress):
+def warn():
     warnings.warn("the contact is wide", stacklevel=1)
     return 1.0
 
 
 def test_warnings_of_workers_are_plain_lines(capfd):
-    compute_all({"the sphere": Computation(warn, ())})
+    compute_all({"the sphere": warn})
     assert capfd.readouterr().err == "plastigran: the contact is wide\n"
 
 
 WAITING = """
 from time import sleep
-from plastigran.report.computing import Computation, compute_all
+from plastigran.report.computing import compute_all
 
-def wait(settings, progress):
+def wait():
     print("started", flush=True)
     sleep(600)
 
 if __name__ == "__main__":
-    compute_all({"the sphere": Computation(wait, ())})
+    compute_all({"the sphere": wait})
 """
 
 

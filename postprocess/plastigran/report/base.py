@@ -10,8 +10,8 @@
         compute=compute,
     )
 
-`compute(progress, coarse)` returns `Findings` with exactly these tables and figures. Finite
-elements are computed by `plastigran.report.computing.compute_all`, which keeps results on disk.
+`compute(progress, coarse)` returns `Findings` with exactly these tables and figures. Use
+`plastigran.report.computing.compute_all` for finite elements; it runs one computation per core.
 """
 
 from __future__ import annotations

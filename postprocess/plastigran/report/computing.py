@@ -14,40 +14,20 @@ from pathlib import Path
 from threading import Thread
 from typing import Any, TypeVar
 
-import attrs
-
-from plastigran.fem.cache import cached, folder
+from plastigran.fem.cache import folder
 from plastigran.progress import ProgressBar
 
 Key = TypeVar("Key", bound=Hashable)
 
 
-@attrs.frozen
-class Computation:
-    """Call `compute(*arguments, settings, progress)` for `plastigran.fem.cache.cached`.
-
-    Attributes:
-        compute: Function of a module, such as `plastigran.fem.sphere.throw.throw`.
-        arguments: Positional arguments.
-        settings: Resolution; None for the defaults.
-        named: Further keyword arguments.
-    """
-
-    compute: Callable[..., Any]
-    arguments: tuple[object, ...]
-    settings: Any = None
-    named: Mapping[str, object] = attrs.field(factory=dict)
-
-    def run(self) -> Any:
-        """Return the result; read it from disk if it was computed before."""
-        return cached(self.compute, *self.arguments, settings=self.settings, **self.named)
-
-
-def compute_all(computations: Mapping[Key, Computation], progress: bool = False) -> dict[Key, Any]:
+def compute_all(
+    computations: Mapping[Key, Callable[[], Any]], progress: bool = False
+) -> dict[Key, Any]:
     """Return the results by name, computed in one process per core.
 
     Args:
-        computations: Computations by name. Put the longest first to use the cores well.
+        computations: Functions by name that other processes can import, usually a `partial` of
+            `plastigran.fem.cache.cached`. Put the longest first to use the cores well.
         progress: Whether to show a bar.
 
     Raises:
@@ -60,7 +40,7 @@ def compute_all(computations: Mapping[Key, Computation], progress: bool = False)
         initializer=_start_worker,
         initargs=(folder(),),
     )
-    running = {pool.submit(task.run): name for name, task in computations.items()}
+    running = {pool.submit(function): name for name, function in computations.items()}
     bar = ProgressBar(total=len(running), shown=progress, desc="finite elements")
     try:
         for future in as_completed(running):

@@ -11,6 +11,8 @@ Small strain is accurate up to a/R = 0.1; here it is used beyond.
 from __future__ import annotations
 
 import warnings
+from collections.abc import Callable
+from functools import partial
 from importlib.resources import files
 from math import pi, sqrt
 from pathlib import Path
@@ -21,6 +23,7 @@ import pandas as pd
 import plastigran
 from plastigran.calibration.expected_errors import KINDS
 from plastigran.calibration.hardness import flow_stress, indentation_pressure, leeb_table
+from plastigran.fem.cache import cached
 from plastigran.fem.limits import SmallStrainWarning
 from plastigran.fem.material.elastic_plastic import ElasticPlastic
 from plastigran.fem.material.hardening import LinearHardening
@@ -28,7 +31,7 @@ from plastigran.fem.settings import Settings
 from plastigran.fem.sphere.press import press
 from plastigran.fem.sphere.results import Pressing
 from plastigran.physics.rebound_hardness import TESTERS, ReboundTester
-from plastigran.report.computing import Computation, compute_all
+from plastigran.report.computing import compute_all
 from plastigran.validation.spheres import kind
 from plastigran.validation.spheres import table as spheres
 from plastigran.validation.steel import POISSONS_RATIO, YOUNGS_MODULUS, speed_ratio, steel
@@ -54,7 +57,7 @@ def table() -> pd.DataFrame:
         return pd.read_csv(file)
 
 
-def computation(hardness: float) -> Computation:
+def computation(hardness: float) -> Callable[[], Pressing]:
     """Return the computation of the ball on steel of a hardness, HV."""
     tester, strength = TESTERS["D"], float(flow_stress(hardness))
     ball = ElasticPlastic(
@@ -69,7 +72,7 @@ def computation(hardness: float) -> Computation:
     pressure = float(indentation_pressure(hardness))
     guess = 2 * sqrt(pi * tester.ball_radius * pressure * _energy(tester))
     forces = tuple(share * guess for share in SHARES)
-    return Computation(press, (ball, tester.ball_radius, forces), SETTINGS, {"plane": plane})
+    return partial(cached, press, ball, tester.ball_radius, forces, settings=SETTINGS, plane=plane)
 
 
 def row(hardness: float, pressing: Pressing) -> dict[str, float]:

@@ -3,10 +3,13 @@
 
 from __future__ import annotations
 
+from functools import partial
+
 import attrs
 import numpy as np
 import pandas as pd
 
+from plastigran.fem.cache import cached
 from plastigran.fem.material.elastic_plastic import ElasticPlastic
 from plastigran.fem.settings import Settings
 from plastigran.fem.sphere.vibrate import vibrate
@@ -15,7 +18,7 @@ from plastigran.fem.theory.hertz import HertzSphere
 from plastigran.materials import Material, read_material
 from plastigran.papers.base import run_impacts
 from plastigran.physics.impact_modes import impact_modes
-from plastigran.report.computing import Computation, compute_all
+from plastigran.report.computing import compute_all
 
 RADIUS = 0.01
 HARD, SOFT = 9.3e9, 6e6  # Young's moduli, Pa
@@ -67,7 +70,7 @@ def compute(progress: bool, coarse: bool) -> Computed:
         modulus, speed = impact
         flight = SHORT if coarse or impact not in SHOWN else LONG
         arguments = (sphere(modulus).material, RADIUS, speed, flight)
-        computations[impact] = Computation(vibrate, arguments, settings)
+        computations[impact] = partial(cached, vibrate, *arguments, settings=settings)
     vibrations = compute_all(computations, progress)
     hard, ice = material(HARD), read_material("ice")
     runs = [

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from functools import partial
 from tempfile import TemporaryDirectory
 
 import attrs
@@ -11,6 +12,7 @@ from plastigran.experiments.collision import CollisionOutcome
 from plastigran.experiments.cylinder import CylinderImpact
 from plastigran.experiments.cylinder.study import BODY_THICKNESS, MASS, MATERIAL
 from plastigran.experiments.runs import sweep
+from plastigran.fem.cache import cached
 from plastigran.fem.cylinder.case import CylinderStrike
 from plastigran.fem.cylinder.strike import strike
 from plastigran.fem.cylinder.struck import Strike
@@ -18,7 +20,7 @@ from plastigran.fem.material.elastic_plastic import ElasticPlastic
 from plastigran.fem.material.hardening import LinearHardening
 from plastigran.fem.settings import Settings
 from plastigran.materials import read_material
-from plastigran.report.computing import Computation, compute_all
+from plastigran.report.computing import compute_all
 from plastigran.usable_laws import laws_for
 
 RADIUS = 1e-5
@@ -118,7 +120,9 @@ def compute(progress: bool, coarse: bool) -> Computed:
     """Compute `Computed`, or read it from the cache; arguments as for `Evidence.run`."""
     strikes = compute_all(
         {
-            case: Computation(strike, (case.strike(),), COARSE if coarse else case.settings())
+            case: partial(
+                cached, strike, case.strike(), settings=COARSE if coarse else case.settings()
+            )
             for case in cases(coarse)
         },
         progress,

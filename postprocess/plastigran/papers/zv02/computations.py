@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from functools import partial
 from math import pi
 
 import attrs
@@ -11,6 +12,7 @@ from skfem import MeshQuad2
 from plastigran import laws
 from plastigran.experiments.collision import CollisionOutcome
 from plastigran.experiments.runs import Runs
+from plastigran.fem.cache import cached
 from plastigran.fem.limits import force_of_impact
 from plastigran.fem.material.elastic_plastic import ElasticPlastic
 from plastigran.fem.material.hardening import LinearHardening
@@ -21,7 +23,7 @@ from plastigran.fem.sphere.throw import throw
 from plastigran.fem.theory.hertz import HertzSphere
 from plastigran.materials import RIGID, read_material
 from plastigran.papers.base import run_impacts
-from plastigran.report.computing import Computation, compute_all
+from plastigran.report.computing import compute_all
 
 RADIUS = 0.1
 MATERIAL = read_material("aluminium_zv02")
@@ -90,12 +92,15 @@ def compute(progress: bool, coarse: bool) -> Computed:
     speeds = (SHOWN, 0.02) if coarse else SPEEDS
     forces = list(FORCES[:4] if coarse else FORCES)
     computations = {
-        **{("impact", v): Computation(throw, (METAL, RADIUS, v), long) for v in speeds},
-        "pressing": Computation(press, (METAL, RADIUS, forces), usual),
-        **{("elastic", v): Computation(throw, (ELASTIC, RADIUS, v), usual) for v in ELASTIC_SPEEDS},
-        "elastic_pressing": Computation(press, (ELASTIC, RADIUS, forces), usual),
-        "fit": Computation(press, (METAL, RADIUS, [CALIBRATION_FORCE]), usual),
-        "onset": Computation(press, (METAL, RADIUS, [1.04 * SPHERE.yield_force]), fine),
+        **{("impact", v): partial(cached, throw, METAL, RADIUS, v, settings=long) for v in speeds},
+        "pressing": partial(cached, press, METAL, RADIUS, forces, settings=usual),
+        **{
+            ("elastic", v): partial(cached, throw, ELASTIC, RADIUS, v, settings=usual)
+            for v in ELASTIC_SPEEDS
+        },
+        "elastic_pressing": partial(cached, press, ELASTIC, RADIUS, forces, settings=usual),
+        "fit": partial(cached, press, METAL, RADIUS, [CALIBRATION_FORCE], settings=usual),
+        "onset": partial(cached, press, METAL, RADIUS, [1.04 * SPHERE.yield_force], settings=fine),
     }
     results = compute_all(computations, progress)
     return Computed(
