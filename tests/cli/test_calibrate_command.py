@@ -27,13 +27,13 @@ def drops(tmp_path):
 
 @pytest.fixture
 def coarse(monkeypatch, tmp_path):
-    """Finite elements that take a second or two, kept nowhere else."""
+    """Finite elements that take a second or two, with a cache in a temporary folder."""
     monkeypatch.setenv("PLASTIGRAN_CACHE", str(tmp_path / "cache"))
     coarse = partial(Settings, divisions=3, fineness=0.5)
     monkeypatch.setattr("plastigran.calibration.finite_elements.Settings", coarse)
 
 
-def test_numbers_as_json_are_those_of_the_function(capsys):
+def test_json_has_the_numbers_of_the_function(capsys):
     assert main([*STEEL, "--hardness", "45HRC", "--json"]) == 0
     numbers = json.loads(capsys.readouterr().out)
     found = pg.calibrate(youngs_modulus=206e9, poissons_ratio=0.3, density=7850, hardness="45HRC")
@@ -42,8 +42,8 @@ def test_numbers_as_json_are_those_of_the_function(capsys):
     assert least < numbers["yield_strength"] < largest
 
 
-def test_what_is_printed_can_be_pasted(capsys, tmp_path):
-    """The material's file reads back; lines of a deck name properties that the law asks for."""
+def test_printed_lines_can_be_used_in_a_deck(capsys, tmp_path):
+    """The material file can be read, and the lines have the properties of the law."""
     file = tmp_path / "spring.in"
     assert main([*STEEL, "--hardness", "45HRC", "--output", str(file)]) == 0
     printed = capsys.readouterr().out
@@ -69,8 +69,8 @@ def test_drops_have_a_figure(capsys, tmp_path, drops):
     assert figure.read_bytes().startswith(b"\x89PNG")
 
 
-def test_ball_and_plate_are_named(capsys, drops):
-    """A plate of the metal under a ball of a material yields where the softer does."""
+def test_materials_of_ball_and_plate(capsys, drops):
+    """The weaker body of ball and plate yields."""
     found = {}
     for bodies in (["--plate", "metal"], ["--ball", "alumina"], ["--plate", "alumina"], []):
         line = [*STEEL, "--drop", str(drops), "--law", "thornton", *bodies, "--json"]
@@ -92,8 +92,8 @@ def test_finite_elements_fit_the_constants_and_have_a_figure(capsys, tmp_path, c
     figure = tmp_path / "fem.png"
     assert main([*line, "--law", "thornton", "--figure", str(figure), "--json"]) == 0
     numbers = json.loads(capsys.readouterr().out)
-    # What fine elements give; the coarse ones alone are 5 % off in contact radius, which K_c holds
-    # squared.
+    # Reference: fine elements. Coarse elements have an error of 5 % in contact radius, and K_c
+    # contains its square.
     assert numbers["contact_radius_coefficient"] == pytest.approx(0.025534, rel=0.05)
     assert numbers["curvature_coefficient"] == pytest.approx(0.010643, rel=0.10)
     assert numbers["force_max"] == pytest.approx(41 * numbers["yield_force"], rel=1e-6)

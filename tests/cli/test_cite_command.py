@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""What to cite: the same works in BibTeX, in CITATION.cff and on the laws' pages."""
+"""Sources are the same in BibTeX, in CITATION.cff and on the pages of the laws."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ SOURCES = {key: fields(entry) for key, entry in entries().items() if key != SOFT
 
 
 def plain(text: str) -> str:
-    """A field of BibTeX without braces and accents, which BibTeX writes as letters of their own."""
+    """Return a field of BibTeX without braces and accents."""
     text = re.sub(r"""\\["'`^]""", "", re.sub(r"[{}]", "", text))
     return normalize("NFKD", text).encode("ascii", "ignore").decode()
 
@@ -59,8 +59,7 @@ def test_the_version_is_the_package_s():
 
 @pytest.mark.parametrize("law", sorted(set(laws.LAWS) - {"universal"}))
 def test_a_law_s_page_names_its_sources(law):
-    """Family name of the first author, and the year, of every work it is made of, except those it
-    shares with `jackson_green` and the like by way of a collection."""
+    """The page has the family name of the first author and the year of each source."""
     page = plain((PROJECT / "docs" / "laws" / f"{law}.md").read_text())
     for key in subjects()[law]:
         source = SOURCES[key]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The command line as a user types it."""
+"""Commands as a user types them."""
 
 from __future__ import annotations
 
@@ -82,15 +82,15 @@ def test_laws_lists_every_law_with_its_constants(capsys):
             assert property_name(constant["name"]) in said
 
 
-def test_a_command_waits_for_its_own_module_alone():
-    """Others load finite elements, optimisers and figures."""
+def test_a_command_loads_only_its_module():
+    """Other commands load finite elements, optimizers and figures."""
     code = "import sys; from plastigran.cli import main; main(['laws']); print(*sys.modules)"
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
     assert not {"matplotlib", "scipy.optimize", "skfem"} & set(done.stdout.split())
 
 
 def test_modes(capsys):
-    """The gravest modes of the sphere of docs/elastic_sphere.md."""
+    """The fundamental modes of the sphere of docs/elastic_sphere.md."""
     assert main(["modes", "--material", "ice", "--radius", "0.01", "--degree", "2"]) == 0
     lines = [line.split() for line in capsys.readouterr().out.splitlines()]
     assert lines[1][:3] == ["toroidal", "2", "0"]
@@ -103,7 +103,7 @@ def test_timestep(capsys):
     assert float(capsys.readouterr().out.split()[1]) == pytest.approx(1.835e-5, rel=1e-2)
 
 
-def test_timestep_of_every_law_says_which_bodies_it_leaves_out(capsys):
+def test_timestep_of_every_law_reports_laws_that_are_left_out(capsys):
     line = ["timestep", "--law", "all", "--speed", "0.1", "--material", "aluminium_zv02"]
     assert main(line) == 0
     said = capsys.readouterr()
@@ -139,7 +139,7 @@ def test_wrong_values_are_named(line, message, tmp_path, capsys):
     assert code == (2 if error.startswith("usage:") else 1)
 
 
-def test_leaving_the_range_is_said(tmp_path, capsys):
+def test_an_impact_beyond_the_range_of_its_law_is_reported(tmp_path, capsys):
     line = ["impact", "--law", "vu_quoc_zhang", "--speed", "0.02", "0.2"]
     assert main([*line, "--output", str(tmp_path / "out")]) == 0
     assert "outside the range of vu_quoc_zhang (F <= 41 P_Y" in capsys.readouterr().out
@@ -150,12 +150,12 @@ def test_the_material_that_leaves_the_range_is_named(tmp_path, capsys):
     line = ["impact", "--law", "universal", "--speed", "2", "--radius", "0.0025"]
     line += ["--material", "steel_bearing", "steel", "--output", str(tmp_path / "out")]
     assert main(line) == 0
-    said = [each for each in capsys.readouterr().out.splitlines() if "outside the range" in each]
+    said = [row for row in capsys.readouterr().out.splitlines() if "outside the range" in row]
     assert len(said) == 1 and said[0].endswith("with steel: 2 m/s and faster")
 
 
-def test_a_material_of_ones_own(tmp_path):
-    """A file given by its path reaches the engine: the same figures as theory, not a namesake's."""
+def test_a_material_file_outside_the_inputs(tmp_path):
+    """LIGGGHTS gets the constants of the file, not those of the material with the same name."""
     steel = (inputs_folder() / "materials" / "steel.in").read_text()
     own = tmp_path / "steel.in"
     own.write_text(steel.replace("3.0e8", "3.0e9"))
@@ -168,7 +168,7 @@ def test_a_material_of_ones_own(tmp_path):
 
 
 @pytest.mark.parametrize("sent", [signal.SIGINT, signal.SIGTERM])
-def test_a_stop_while_the_command_loads_is_no_fault(sent, monkeypatch, capsys):
+def test_an_interrupt_while_the_command_loads(sent, monkeypatch, capsys):
     # A shell's background jobs ignore SIGINT.
     before = {signal.SIGTERM: signal.getsignal(signal.SIGTERM)}
     before[signal.SIGINT] = signal.signal(signal.SIGINT, signal.default_int_handler)
@@ -176,15 +176,14 @@ def test_a_stop_while_the_command_loads_is_no_fault(sent, monkeypatch, capsys):
     try:
         assert start() == 130
     finally:
-        for each, handler in before.items():
-            signal.signal(each, handler)
+        for number, handler in before.items():
+            signal.signal(number, handler)
     assert capsys.readouterr().err == "plastigran: stopped\n"
 
 
 @pytest.mark.parametrize("sent", [signal.SIGINT, signal.SIGTERM])
-def test_interrupt_stops_and_keeps_what_is_finished(sent, start_plastigran, tmp_path):
-    """Ctrl-C, or a batch system's SIGTERM: no further engine is started, finished rows stay, the
-    exit code says so."""
+def test_an_interrupt_keeps_finished_results(sent, start_plastigran, tmp_path):
+    """After Ctrl-C, or SIGTERM of a batch system, no further run starts and finished rows stay."""
     line = ["impact", "--law", "thornton", "--points", "300", "--jobs", "1", "--output", tmp_path]
     run = start_plastigran(*line)
     table = tmp_path / "impacts.csv"

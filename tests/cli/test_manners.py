@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Manners of the command line: help, JSON, dry runs, completion, errors in a line, progress."""
+"""All commands: help, JSON, dry runs, completion, one-line errors, progress."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ from plastigran.experiments.central import CentralImpact
 from plastigran.progress import ProgressBar
 
 
-def test_every_command_has_an_example_that_is_understood():
+def test_every_command_has_a_valid_example():
     top = parser()
     for command in all_commands(top):
         head, marker, example = command.format_help().partition("example:\n")
@@ -39,7 +39,7 @@ def test_every_command_has_an_example_that_is_understood():
         own = [shlex.split(line.partition(">")[0]) for line in lines]
         assert any(line[: len(command.prog.split())] == command.prog.split() for line in own)
         for words in own:
-            top.parse_args(words[1:])  # exits where it is wrong
+            top.parse_args(words[1:])  # exits if it is invalid
 
 
 def test_help_lists_the_exit_codes(capsys):
@@ -70,13 +70,13 @@ def test_tables_as_json(capsys):
     assert {"kind", "degree", "frequency"} <= json.loads(capsys.readouterr().out)[0].keys()
 
 
-def test_json_has_null_where_a_number_is_none(capsys):
+def test_json_has_null_for_unknown_and_infinite_numbers(capsys):
     print_json({"known": [1.5, np.float64(2)], "not": (np.nan, np.inf, -np.inf)})
     assert json.loads(capsys.readouterr().out) == {"known": [1.5, 2.0], "not": [None] * 3}
 
 
-def test_every_warning_is_told_once_at_its_worst(tmp_path):
-    """Those that are alike but for their numbers are one; a fix's are among them."""
+def test_similar_warnings_are_reported_once_with_the_worst_value(tmp_path):
+    """Warnings that differ only in numbers are similar. Those of fixes are included."""
     said = [
         "plastigran: model thornton: an overlap of 1.5e-6 m, step 10 (../pair.cpp:12)",
         "plastigran: energy_ledger: an atom was lost (../fix.cpp:1)",
@@ -122,12 +122,12 @@ def test_impact_by_theory_needs_no_engine(tmp_path, monkeypatch, capsys):
     assert main([*line, "--force"]) == 0
 
 
-def test_dry_runs_print_what_would_run_and_leave_nothing(tmp_path, capsys):
+def test_dry_runs_print_commands_and_write_nothing(tmp_path, capsys):
     folder = tmp_path / "with a space"
     line = ["--output", str(folder), "--dry-run"]
     assert main(["bulk", "cooling_gas", "--ranks", "2", "-v", "side=4", *line]) == 0
     place, typed, _ = capsys.readouterr().out.splitlines()
-    # Between them, where the inputs' own path has a space, a link to them is made.
+    # If the path of the inputs has a space, a link to them is created between these steps.
     steps = shlex.split(place)
     assert steps[:4] == ["mkdir", "-p", str(folder), "&&"]
     assert steps[-2:] == ["cd", str(folder)]
@@ -140,7 +140,7 @@ def test_dry_runs_print_what_would_run_and_leave_nothing(tmp_path, capsys):
 
 
 def test_a_limit_of_file_sizes_names_the_folder(tmp_path, capsys):
-    """Python's error names no file."""
+    """The error of Python does not contain the file."""
     output = tmp_path / "out"
     line = ["impact", "--law", "thornton", "--theory", "--speed", "1", "--output", str(output)]
     limits = resource.getrlimit(resource.RLIMIT_FSIZE)
@@ -153,14 +153,14 @@ def test_a_limit_of_file_sizes_names_the_folder(tmp_path, capsys):
     assert f"cannot write a file in {output}: File too large. Free space there" in said
 
 
-def test_a_file_without_its_ending_is_hinted_at(tmp_path, monkeypatch, capsys):
+def test_a_material_file_without_its_suffix_gets_a_hint(tmp_path, monkeypatch, capsys):
     (tmp_path / "own.in").write_text("")
     monkeypatch.chdir(tmp_path)
     assert main(["modes", "--material", "./own", "--radius", "1"]) == 1
     assert "no material './own'; is it own.in?" in capsys.readouterr().err
 
 
-def test_a_fault_of_ours_is_a_line_and_with_v_a_trace(monkeypatch, capsys):
+def test_an_internal_error_is_one_line_and_with_v_a_trace(monkeypatch, capsys):
     monkeypatch.setattr("plastigran.cli.commands.modes.sphere_modes", lambda *_: 1 / 0)
     line = ["modes", "--material", "ice", "--radius", "0.1"]
     assert main(line) == 70
@@ -174,7 +174,7 @@ def test_a_fault_of_ours_is_a_line_and_with_v_a_trace(monkeypatch, capsys):
 
 
 @pytest.mark.parametrize("shell", ["bash", "zsh"])
-def test_completion_knows_every_command(shell, capsys):
+def test_completion_has_every_command(shell, capsys):
     assert main(["completion", shell]) == 0
     script = capsys.readouterr().out
     for command in all_commands(parser()):
@@ -193,15 +193,15 @@ def test_bash_completes(capsys):
     assert done.stdout.split()[-1] == "--geometry"
 
 
-def test_doctor_lets_a_sphere_fall(capsys):
-    """On one rank and on two; nothing that runs need is amiss where the tests run."""
+def test_doctor_runs_an_impact(capsys):
+    """On one rank and on two. The machine of the tests has everything that runs need."""
     assert main(["doctor", "--json"]) == 0
     found = {row["name"]: row for row in json.loads(capsys.readouterr().out)}
     assert {found[name]["state"] for name in ("engine", "plugin", "impact", "MPI")} == {"ok"}
     assert "LIGGGHTS-PUBLIC 3.8.0: restitution 0.42" in found["impact"]["said"]
 
 
-def test_doctor_says_what_lacks(tmp_path, monkeypatch, capsys):
+def test_doctor_reports_a_missing_engine(tmp_path, monkeypatch, capsys):
     monkeypatch.setenv("PLASTIGRAN_ENGINE", str(tmp_path / "none"))
     assert main(["doctor"]) == 1
     said = capsys.readouterr()
@@ -212,7 +212,7 @@ def test_doctor_says_what_lacks(tmp_path, monkeypatch, capsys):
     assert "failed check: engine. Apply the remedy" in said.err
 
 
-def test_doctor_names_a_library_that_is_missing(monkeypatch):
+def test_doctor_reports_a_missing_library(monkeypatch):
     asked = ["numpy>=2", "no-such-library>=1", 'also-missing>=3; extra == "test"']
     monkeypatch.setattr(doctor, "requires", lambda name: asked)
     found = doctor.libraries()
@@ -225,15 +225,15 @@ def test_doctor_names_a_library_that_is_missing(monkeypatch):
 
 
 @pytest.mark.engine
-def test_doctor_finds_a_plugin_that_is_another(monkeypatch):
-    monkeypatch.setattr(doctor, "TOLERANCE", 1e-9)  # as if its laws were others
+def test_doctor_finds_a_plugin_of_another_version(monkeypatch):
+    monkeypatch.setattr(doctor, "TOLERANCE", 1e-9)  # the plugin then appears to have other laws
     found = {finding.name: finding for finding in doctor.examine()}
     assert found["impact"].state == "lacks"
     assert "by theory" in found["impact"].said
     assert "MPI" not in found
 
 
-def test_progress_is_lines_in_a_pipe_and_nothing_for_brief_work(monkeypatch, capsys):
+def test_progress_in_a_pipe_is_lines_and_nothing_for_short_work(monkeypatch, capsys):
     with ProgressBar(total=4, desc="brief") as bar:
         bar.update(4)
     assert capsys.readouterr().err == ""
@@ -252,7 +252,7 @@ BAR = "from plastigran.progress import ProgressBar as Bar; [*Bar('abc', desc='he
 
 @pytest.mark.parametrize("line", [["-m", "plastigran", "impact", "--help"], ["-c", BAR]])
 def test_no_output_has_colours(line):
-    """On a terminal, where colours are wanted: texts and bars."""
+    """Help and progress bars have none, even on a terminal with FORCE_COLOR."""
     ours, theirs = pty.openpty()
     termios.tcsetwinsize(theirs, (24, 80))
     run = [sys.executable, *line]
@@ -261,7 +261,7 @@ def test_no_output_has_colours(line):
         started = subprocess.Popen(run, stdin=theirs, stdout=theirs, stderr=theirs, env=wanted)
         os.close(theirs)
         said = b""
-        with suppress(OSError):  # so a terminal ends
+        with suppress(OSError):  # the end of a terminal
             while more := terminal.read(65536):
                 said += more
         assert started.wait() == 0

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""What a notebook calls: `import plastigran as pg`."""
+"""The functions that a notebook calls: `import plastigran as pg`."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ STEEL = pg.material("steel")
 
 
 def test_the_readmes_example_runs():
-    """As printed; LIGGGHTS meets the law as the recommended time step promises."""
+    """As printed; LIGGGHTS agrees with the law to the error of the recommended time step."""
     example = re.search(r"```python\n(.*?)```", (PROJECT / "README.md").read_text(), re.DOTALL)[1]
     names = {}
     exec(example, names)
@@ -38,15 +38,15 @@ def test_the_readmes_example_runs():
 
 
 def test_import_is_light():
-    """What is slow to load is loaded when it is first used."""
+    """Modules that are slow to load are loaded when they are first used."""
     code = "import sys, plastigran; print(*sys.modules)"
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
     assert not {"numpy", "pandas", "scipy", "matplotlib", "pyvista"} & set(done.stdout.split())
 
 
 @pytest.mark.parametrize("law", ["thornton", "viscoelastic_hertz"])
-def test_a_contact_is_the_case_without_the_engine(law):
-    """The same law, radius and mass as the impact of an experiment: equal to rounding."""
+def test_a_contact_agrees_with_an_experiment(law):
+    """The law, radius and mass are those of the impact of an experiment: equal to round-off."""
     ice = pg.material("ice")
     body = evolve(STEEL, dissipative_constant=1e-6) if law == "thornton" else ice
     case = CentralImpact(law, 0.1, body, 0.01, "two_spheres")
@@ -67,7 +67,7 @@ def test_a_contact_of_cylinders_has_their_mass():
     assert found.overlap_max[0] == pytest.approx(case.predict().overlap_max, rel=1e-12)
 
 
-def test_where_a_contact_of_spheres_yields():
+def test_yield_of_a_contact_of_spheres():
     """Johnson's closed forms, sec. 6.1, and on the elastic curve of the law."""
     contact = pg.Contact("thornton", STEEL, "steel", radius=5e-3, radius_other=0.02)
     pressure, modulus = contact.pair.yield_pressure, contact.pair.youngs_modulus_eff
@@ -85,7 +85,7 @@ def test_where_a_contact_of_spheres_yields():
     assert contact.restitution(1.1 * contact.yield_speed) < 1
 
 
-def test_where_a_contact_of_cylinders_yields():
+def test_yield_of_a_contact_of_cylinders():
     """F_Y = 36 sigma_Y^2 R* L/(pi E*), and on the elastic curve of the law."""
     lengths = {"cylinder_length": 1e-4, "body_thickness": 1e-4}
     glass = pg.material("glass_kp10")
@@ -100,7 +100,7 @@ def test_where_a_contact_of_cylinders_yields():
     assert elastic["elastic_energy"] == pytest.approx(work, rel=1e-8)
 
 
-def test_a_law_without_yield_yields_nowhere():
+def test_a_law_without_yield_has_an_infinite_yield_speed():
     contact = pg.Contact("hertz", STEEL, pg.RIGID, radius=5e-3)
     found = contact.yield_overlap, contact.yield_force, contact.yield_speed
     assert found == (np.inf, np.inf, np.inf)
@@ -115,7 +115,7 @@ def test_speeds_of_any_shape():
 
 
 def test_a_path_accounts_for_its_work():
-    """Work of the force along it = what is stored and what is lost; 1e-4: the trapezoidal rule."""
+    """Work of the force = elastic energy + plastic work; 1e-4: error of the trapezoidal rule."""
     path = pg.Contact("thornton", STEEL, "steel", radius=5e-3).path(np.linspace(0, 2e-5, 2000))
     work = np.trapezoid(path["force"], path["overlap"])
     last = path.iloc[-1]
@@ -142,25 +142,25 @@ def test_a_path_accounts_for_its_work():
         ({"meyer_index": 2.0}, "has no constant 'meyer_index'"),
     ],
 )
-def test_impossible_contacts_are_named(changes, said):
+def test_impossible_contacts_are_refused(changes, said):
     given = {"law": "thornton", "a": STEEL, "b": pg.RIGID, "radius": 1e-3} | changes
     with pytest.raises(ValueError, match=said):
         pg.Contact(**given)
 
 
-def test_bodies_without_mass_are_named():
+def test_bodies_without_mass_are_refused():
     with pytest.raises(ValueError, match="no body has a density and a radius"):
         pg.Contact("hertz", pg.RIGID, STEEL.body(), radius=1e-3).restitution(1.0)
 
 
-def test_a_contact_says_what_it_is():
+def test_the_representation_of_a_contact():
     contact = pg.Contact("thornton", STEEL, pg.RIGID, radius=1e-3)
     for one in (contact, pickle.loads(pickle.dumps(contact))):
         assert repr(one) == "Contact('thornton', steel, RIGID, radius=0.001)"
 
 
-def test_leaving_the_range_is_said_once_a_call():
-    """kogut_etsion is good up to 110 times the overlap at yield; its impacts say so themselves."""
+def test_a_call_beyond_the_range_of_a_law_warns_once():
+    """kogut_etsion is valid up to 110 times the overlap at yield."""
     contact = pg.Contact("kogut_etsion", STEEL, pg.RIGID, radius=5e-3)
     speeds = np.geomspace(1e-3, 1, 40)
     outcome = contact.impact(speeds)
@@ -176,7 +176,7 @@ def test_leaving_the_range_is_said_once_a_call():
 
 
 def test_without_input_scripts(monkeypatch, tmp_path, capsys):
-    """Laws, materials, contacts and help need none."""
+    """Laws, materials, contacts and help work without input scripts."""
     monkeypatch.setenv("PLASTIGRAN_INPUTS", str(tmp_path / "none"))
     assert materials.table().loc["steel", "youngs_modulus"] == 2.1e11
     assert pg.Contact("thornton", "steel", pg.RIGID, radius=1e-3).restitution(1.0) < 1
@@ -188,15 +188,16 @@ def test_without_input_scripts(monkeypatch, tmp_path, capsys):
 
 
 def test_rubber_is_a_material(tmp_path):
-    """Incompressible: laws and decks take it."""
+    """An incompressible material, Poisson's ratio 0.5, is allowed."""
     text = (materials.folder() / "steel.in").read_text().replace("0.3 ", "0.5 ")
     (tmp_path / "rubber.in").write_text(text)
     contact = pg.Contact("hertz", pg.material(tmp_path / "rubber.in"), pg.RIGID, radius=1e-3)
     assert contact.pair.youngs_modulus_eff == pytest.approx(2.1e11 / 0.75)
 
 
-def test_a_relative_engine_is_where_it_was_asked_for(monkeypatch, tmp_path):
-    """Engines run in other folders."""
+@pytest.mark.engine
+def test_relative_paths_start_at_the_current_folder(monkeypatch, tmp_path):
+    """LIGGGHTS runs in other folders."""
     engine = engine_path()
     monkeypatch.chdir(engine.parents[1])
     monkeypatch.setenv("PLASTIGRAN_ENGINE", str(engine.relative_to(engine.parents[1])))
@@ -233,7 +234,7 @@ def test_a_relative_engine_is_where_it_was_asked_for(monkeypatch, tmp_path):
         (("variable density", "\ufeffvariable density"), "begins with a byte order mark"),
     ],
 )
-def test_material_files_that_cannot_be_are_named(change, said, tmp_path):
+def test_wrong_material_files_are_refused(change, said, tmp_path):
     text = (materials.folder() / "steel.in").read_text()
     assert change[0] in text
     own = tmp_path / "steel.in"

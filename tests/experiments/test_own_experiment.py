@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A file in a folder of $PLASTIGRAN_EXPERIMENTS is an experiment with its command, as
-docs/add_an_experiment.md says."""
+"""An experiment in a folder of $PLASTIGRAN_EXPERIMENTS has a command; see
+docs/add_an_experiment.md."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ OWN = Path(__file__).parent / "own"
 
 
 def test_one_file_is_an_experiment(tmp_path):
-    """Hertz to 2e-3: second order in a time step of 1/200 of the contact."""
+    """Hertz to 2e-3: the error is of second order in the time step, 1/200 of the contact time."""
     line = ["touch", "--speed", "0.05", "0.2", "--output", str(tmp_path)]
     done = subprocess.run(
         [sys.executable, "-m", "plastigran", *line],
@@ -55,7 +55,7 @@ def test_the_command_follows_from_the_fields(line, said, monkeypatch, capsys):
 
 
 def test_the_page_shows_this_experiment():
-    """docs/add_an_experiment.md has the file as it is here, but for its figure."""
+    """docs/add_an_experiment.md contains this file without its figure."""
     page = (OWN.parents[2] / "docs" / "add_an_experiment.md").read_text()
     code = (OWN / "touch.py").read_text()
     shown = code[code.index("@attrs.frozen") : code.index("    @classmethod")].strip()

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Sweeps of cases: what they keep, what they refuse, what they print and draw."""
+"""Sweeps of cases: files that they keep, input that they refuse, tables and figures."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ def impacts(**changes: object) -> list[CentralImpact]:
 
 
 def test_finished_impacts_survive_a_failure(tmp_path):
-    """One impact fails; the others' rows are written."""
+    """One impact fails; the rows of the others are written."""
 
     class Broken(CentralImpact):
         def run(self, folder, *_args, **_keys):
@@ -33,7 +33,7 @@ def test_finished_impacts_survive_a_failure(tmp_path):
 
 
 def test_a_folder_of_results_is_refused_unless_forced(tmp_path):
-    """One whose sweep has not written its table yet, too."""
+    """A folder whose sweep has not written its table yet is refused, too."""
     runs = sweep(impacts(speed=0.1), tmp_path, progress=False)
     for left in (TABLE, "nothing more"):
         with pytest.raises(ValueError, match=f"{tmp_path} holds results; choose another"):
@@ -70,8 +70,8 @@ def test_jobs_out_of_range_are_refused(jobs, tmp_path):
     assert not (tmp_path / "runs").exists()
 
 
-def test_what_is_swept_is_shown(tmp_path):
-    """Rows and curves of two radii are told apart; what is the same for all is not said."""
+def test_varied_quantities_are_shown(tmp_path):
+    """Rows and curves of two radii are distinguished; a common geometry is not shown."""
     runs = sweep(impacts(radius=[0.05, 0.1]), tmp_path, progress=False)
     head = str(runs).splitlines()[0].split()
     assert "radius" in head and "geometry" not in head

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""What type checkers and editors know of `import plastigran as pg`."""
+"""Type checkers and editors find the public names of `import plastigran as pg`."""
 
 from __future__ import annotations
 
@@ -15,8 +15,8 @@ import pytest
 
 import plastigran as pg
 
-#: Each public name and what mypy knows it as.
-KNOWN = {
+#: Type that mypy reports for each public name, or its beginning.
+TYPES = {
     "RIGID": "plastigran.laws.Body",
     "Contact": "def (law: str, a: plastigran.materials.Material",
     "bulk": "types.ModuleType",
@@ -37,37 +37,39 @@ head = "import plastigran as pg\\n"
 found = {{}}
 for name in {pg.__all__}:
     script = jedi.Script(head + "pg." + name, environment=here)
-    found[name] = [each.full_name for each in script.goto(2, 4, follow_imports=True)]
+    found[name] = [definition.full_name for definition in script.goto(2, 4, follow_imports=True)]
 contact = head + 'pg.Contact("mdr", "steel", pg.RIGID, radius=1.0).'
-members = [each.name for each in jedi.Script(contact, environment=here).complete()]
+members = [member.name for member in jedi.Script(contact, environment=here).complete()]
 print(json.dumps({{"definitions": found, "contact": members}}))
 """
 
 
 def test_public_names_have_types():
     assert sorted(pg.__all__) == sorted(pg._PUBLIC)
-    assert set(pg.__all__) == {name for name in KNOWN if name.isidentifier()}
+    assert set(pg.__all__) == {name for name in TYPES if name.isidentifier()}
 
 
 def test_a_type_checker_knows_every_name(tmp_path):
-    """And calls a name that does not exist an error."""
+    """It reports a name that does not exist as an error."""
     script = tmp_path / "script.py"
-    lines = [f"reveal_type({re.sub(r'^|(?<=, )(?=RIGID)', 'pg.', name)})" for name in KNOWN]
+    lines = [f"reveal_type({re.sub(r'^|(?<=, )(?=RIGID)', 'pg.', name)})" for name in TYPES]
     script.write_text("\n".join(["import plastigran as pg", *lines, "pg.Kontact", ""]))
     command = [sys.executable, "-m", "mypy", "--follow-imports", "silent", script.name]
     done = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True)
     found = re.findall(r'note: Revealed type is "(.*)"', done.stdout)
-    assert len(found) == len(KNOWN), done.stdout + done.stderr
-    for name, kind in zip(KNOWN, found, strict=True):
-        assert kind.startswith(KNOWN[name]), name
+    assert len(found) == len(TYPES), done.stdout + done.stderr
+    for name, revealed in zip(TYPES, found, strict=True):
+        assert revealed.startswith(TYPES[name]), name
     assert 'Module has no attribute "Kontact"' in done.stdout
     assert "Found 1 error" in done.stdout
 
 
 @pytest.fixture(scope="module")
 def editor():
-    """What jedi finds, without running code of the package: without `site`, which starts the import
-    hook of an editable installation."""
+    """Definitions that jedi finds without running code of the package.
+
+    Python starts without `site`, because `site` runs the import hook of an editable installation.
+    """
     paths = [Path(pg.__file__).parents[1], Path(jedi.__file__).parents[1]]
     environment = os.environ | {"PYTHONPATH": os.pathsep.join(map(str, paths))}
     done = subprocess.run(

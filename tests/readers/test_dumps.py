@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Readers against what the engine really writes, whole and cut short."""
+"""Readers of files that LIGGGHTS writes, complete and truncated."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ def mesh_run(tmp_path_factory) -> Path:
     return folder
 
 
-def test_dump_has_the_columns_the_deck_names(pair_run):
+def test_the_columns_of_a_dump_are_those_of_the_deck(pair_run):
     table = read_dump(pair_run / "trajectory.dump")
     deck = (inputs_folder() / "collision/parts/record.in").read_text().replace("&\n", " ")
     named = re.search(r"trajectory\.dump\s+(.*)", deck)[1].split()
@@ -42,7 +42,7 @@ def test_dump_has_the_columns_the_deck_names(pair_run):
 
 
 def test_pair_contacts_match_the_trajectory(pair_run):
-    """Overlap and force of the contact dump against the trajectory's."""
+    """Overlap and force of the contact dump are those of the trajectory."""
     contacts = read_contacts(pair_run / "contacts.dump").set_index("step")
     assert {"x_i", "id_j", "periodic", "fx", "overlap"} <= set(contacts.columns)
     atom = read_dump(pair_run / "trajectory.dump").query("id == 1").set_index("step")
@@ -56,8 +56,8 @@ def test_pair_contacts_match_the_trajectory(pair_run):
     )
 
 
-def test_near_walls_are_dropped_unless_asked_for(mesh_run):
-    """The models ask the engine for walls just out of contact; the engine lists them too."""
+def test_near_walls_are_left_out_by_default(mesh_run):
+    """LIGGGHTS also lists walls just out of contact, because the models request them."""
     touching = read_contacts(mesh_run / "contacts.dump")
     every = read_contacts(mesh_run / "contacts.dump", touching=False)
     assert len(every) > len(touching)
@@ -137,7 +137,7 @@ def test_truncated_dump_is_read_as_far_as_it_is_whole(pair_run, tmp_path, keep):
 
 
 def test_every_cut_is_noticed(pair_run, tmp_path):
-    """Cut anywhere in the third frame: always the first two, and always said."""
+    """A cut anywhere in the third frame leaves the first two, and a warning."""
     text = (pair_run / "trajectory.dump").read_text()
     starts = [match.start() for match in re.finditer("ITEM: TIMESTEP", text)]
     cut = tmp_path / "cut.dump"

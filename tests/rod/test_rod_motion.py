@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The equations of motion of the oblique rod: numbers found independently, closed forms, limits."""
+"""The equations of motion of the oblique rod: independent results, closed forms, limits."""
 
 from __future__ import annotations
 
@@ -26,25 +26,25 @@ def law_of(name: str, **options: str):
 
 
 @pytest.mark.parametrize("case", CASES, ids=lambda case: f"{case.law}-{case.speed:g}")
-def test_independent_numbers(case):
-    """1e-5: the table keeps six digits. The energy guard, on here, changes none of them."""
+def test_independent_results(case):
+    """1e-5: the table has six digits. The energy guard, on here, does not change them."""
     found = simulate(STEEP, law_of(case.law), case.speed)
     for name in case._fields[3:]:
         assert getattr(found, name) == pytest.approx(getattr(case, name), rel=1e-5), name
 
 
-def test_mass_the_tip_feels():
-    """1/m + x_c (x_c - mu y_c)/I by hand, six digits."""
+def test_effective_mass_of_the_tip():
+    """1/m_eff = 1/m + x_c (x_c - mu y_c)/I, calculated by hand to six digits."""
     assert STEEP.mass_eff == pytest.approx(0.201260, rel=3e-6)
     assert FLAT.mass_eff == pytest.approx(0.130322, rel=3e-6)
 
 
 @pytest.mark.parametrize("rod", paper_rods(), ids=lambda rod: f"{rod.angle:g}")
 def test_frozen_geometry(rod, rod_law):
-    """A central impact of that mass: what gravity and the rod's turning during contact add.
+    """A central impact with the effective mass neglects gravity and the rotation during contact.
 
-    To first order no more than the rod's turn and the share of its speed that gravity adds while in
-    contact: some 0.6 % for the softest laws, which are off by half of that, less for all others.
+    To first order, the error is at most the angle by which the rod turns plus the relative change
+    of its speed by gravity during the contact. This is 0.6 % for the softest laws.
     """
     for speed in (0.5, 4.0):
         law = law_of(rod_law)
@@ -60,8 +60,9 @@ def test_frozen_geometry(rod, rod_law):
 
 
 def test_energy_balance(rod_law):
-    """Kinetic energy lost = plastic work + work of friction (gravity off). 1e-5: the quadrature of
-    the history's 600 rows.
+    """Lost kinetic energy = plastic work + friction work, without gravity.
+
+    1e-5: quadrature of the 600 rows of the history.
     """
     rod = Rod(gravitational_acceleration=0)
     law = law_of(rod_law)
@@ -80,8 +81,10 @@ def test_energy_balance(rod_law):
 
 
 def test_measured_run():
-    """The paper's velocities before and after are an impulse; it turns the rod at -19.52 rad/s, the
-    paper measured -19.67. Both say e = 0.50 to 0.51, not the 0.43 the paper quotes for 45°.
+    """The velocities of the paper give the impulse, which turns the rod at -19.52 rad/s.
+
+    The paper measured -19.67 rad/s. Both values give a restitution of 0.50 to 0.51, while the paper
+    quotes 0.43 for 45°.
     """
     run = MeasuredRun()
     assert STEEP.angular_velocity(run.impulse(STEEP)) == pytest.approx(-19.522, abs=1e-3)
@@ -91,15 +94,17 @@ def test_measured_run():
     assert by_spin == pytest.approx(0.513, abs=1e-3)
 
 
-def test_the_paper_claims_all_laws_below_experiment_at_17_degrees():
-    """They are not: 0.579 at 0.5 m/s by Kogut and Etsion, against 0.55 measured."""
+def test_a_law_above_the_experiment_at_17_degrees():
+    """The paper claims that all laws are below. Kogut and Etsion give 0.579 at 0.5 m/s, where 0.55
+    was measured.
+    """
     found = simulate(FLAT, law_of("kogut_etsion"), 0.5)
     assert found.coefficient_of_restitution == pytest.approx(0.579, abs=1e-3)
 
 
 @pytest.mark.parametrize("spring", [False, True])
 def test_upright_rod_is_a_central_impact(spring, rod_law):
-    """At 90° the rod falls along its axis: its whole mass, no slip, no turning (gravity off)."""
+    """At 90° the rod falls along its axis: all of its mass acts, without slip and rotation."""
     rod = Rod(angle=90, gravitational_acceleration=0)
     law = law_of(rod_law)
     found = simulate(rod, law, 1.0, PAIR.shear_modulus_eff if spring else None)
@@ -112,7 +117,7 @@ def test_upright_rod_is_a_central_impact(spring, rod_law):
 
 
 def test_friction_holds_a_steep_rod():
-    """At 80° friction of 0.5 is more than sticking needs, r_x r_y/(I/m + r_y^2) F_n = 0.127 F_n."""
+    """At 80°, the tip sticks: it needs r_x r_y/(I/m + r_y^2) F_n = 0.127 F_n, less than 0.5 F_n."""
     rod = Rod(angle=80, coefficient_of_friction=0.5)
     h = simulate(rod, law_of("thornton"), 1.0).history.iloc[1:-1]
     x_c, y_c = rod.arm
@@ -130,16 +135,16 @@ def test_the_papers_rods_slide_throughout():
         assert (h["slip_velocity"] < 0).all()
 
 
-def test_a_rod_that_stays_down_is_said():
-    """400 times its weight: the tip sinks in and swings, loading and unloading on one curve."""
+def test_a_rod_that_does_not_rebound_is_an_error():
+    """With 400 times its weight, the tip oscillates in contact on the unloading curve."""
     rod = Rod(angle=90, gravitational_acceleration=4e3)
     with pytest.raises(ValueError, match="keeps its tip in contact"):
         simulate(rod, law_of("thornton"), 0.05)
 
 
-def test_reloading_runs_back_to_where_it_left():
-    """Below the largest overlap the force is the same on the way out and on the way back, and
-    trial steps beyond it leave no trace.
+def test_reloading_follows_the_unloading_curve():
+    """Below the largest overlap, unloading and reloading have the same force. Trial steps beyond it
+    do not change the state.
     """
     rod = Rod(angle=90)
     body = _Motion(rod, law_of("thornton"), 0.05, None)
@@ -165,12 +170,12 @@ def test_reloading_runs_back_to_where_it_left():
         ({"angle": 17.2, "coefficient_of_friction": 5}, "would jam the rod"),
     ],
 )
-def test_impossible_rods_are_named(change, said):
+def test_impossible_rods_are_refused(change, said):
     with pytest.raises(ValueError, match=said):
         Rod(**change)
 
 
-def test_bad_laws_and_speeds_are_named():
+def test_bad_laws_and_speeds_are_refused():
     with pytest.raises(ValueError, match="no law 'cheese'"):
         law_of("cheese")
     with pytest.raises(ValueError, match="lim_stronge is a law for cylinders"):
@@ -181,8 +186,7 @@ def test_bad_laws_and_speeds_are_named():
         simulate(STEEP, law_of("thornton"), 0)
 
 
-def test_every_law_of_the_paper_has_numbers():
-    """None may drop out of the table unseen."""
+def test_the_table_has_every_law_of_the_paper():
     assert {case.law for case in CASES} == {
         "brake_2012", "brake_2015", "ghaednia", "jackson_green", "kogut_etsion",
         "kogut_komvopoulos", "stronge", "thornton", "ye_komvopoulos",

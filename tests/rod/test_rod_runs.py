@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The oblique rod in the engine, against the equations of motion."""
+"""The oblique rod in LIGGGHTS, compared with the equations of motion."""
 
 from __future__ import annotations
 
@@ -22,10 +22,11 @@ STEEP, FLAT = paper_rods()
 
 
 @pytest.mark.parametrize("rod", paper_rods(), ids=lambda rod: f"{rod.angle:g}")
-def test_engine_meets_the_equations_of_motion(rod, rod_law, tmp_path):
-    """1e-3, what the time step promises; the residual overlap and the end of contact are
-    extrapolated from the last loaded frames: 5e-3. The peak force is not asked: it may lie on
-    either side of a law's jump."""
+def test_agreement_with_the_equations_of_motion(rod, rod_law, tmp_path):
+    """1e-3: error at the recommended time step. 5e-3: extrapolation of residual overlap and end of
+    contact from the last loaded frames. The peak force is not compared, because it may lie on
+    either side of a jump of the law.
+    """
     run = RodImpact(rod_law, 1.0, rod)
     found, expected = run.run(tmp_path), run.predict()
     for name in ("coefficient_of_restitution", "angular_velocity"):
@@ -39,9 +40,10 @@ def test_engine_meets_the_equations_of_motion(rod, rod_law, tmp_path):
 
 @pytest.mark.parametrize("speed", [0.5, 4.0])
 @pytest.mark.parametrize("rod", paper_rods(), ids=lambda rod: f"{rod.angle:g}")
-def test_engine_without_spring_is_the_papers_friction(rod, speed, tmp_path):
-    """`no_history` is mu F once the tip slides at all: pure slip to 2e-3; the springs of `history`
-    keep the tip at first, 1.5 % of restitution for this law, 0.3 % of angular velocity."""
+def test_friction_without_spring_is_that_of_the_paper(rod, speed, tmp_path):
+    """With `no_history`, friction is mu F as soon as the tip slides: 2e-3. With `history`, a spring
+    holds the tip at first, which changes restitution by 1.5 % and angular velocity by 0.3 %.
+    """
     paper = RodImpact("ghaednia", speed, rod, "no_history").predict()
     found = RodImpact("ghaednia", speed, rod, "no_history").run(tmp_path)
     spring = RodImpact("ghaednia", speed, rod).predict()
@@ -55,7 +57,7 @@ def test_engine_without_spring_is_the_papers_friction(rod, speed, tmp_path):
 
 
 def test_options_reach_the_law(tmp_path):
-    """The deck at its own defaults, but for the law's options: 1e-3 as above."""
+    """The deck has its defaults except for the options of the law: 1e-3 as above."""
     run_deck(
         "collision/rod.in", {"law": "stronge", "options": "unloading original_radius"}, tmp_path
     )
@@ -76,8 +78,9 @@ def test_without_friction(tmp_path):
 
 @pytest.mark.parametrize("rod", [STEEP, Rod(angle=30, length=0.2, mass=1.0, tip_radius=0.01)])
 def test_three_spheres_are_the_rod(rod, tmp_path):
-    """Mass and inertia by what forces and torques do to velocities. Velocity Verlet sums them by
-    the trapezoidal rule, so impulses are exact: 1e-9 is rounding over some hundred steps."""
+    """Mass and inertia follow from forces, torques and velocities. Velocity Verlet integrates by
+    the trapezoidal rule, so impulses are exact: 1e-9 is round-off over some hundred steps.
+    """
     RodImpact("thornton", 1.0, rod).run(tmp_path)
     trajectory = read_dump(tmp_path / "trajectory.dump")
     parts = {number: part.reset_index(drop=True) for number, part in trajectory.groupby("id")}
@@ -122,12 +125,12 @@ def test_command_writes_table_and_figures(tmp_path, capsys):
         (["--law", "hertz", "--tangential", "no_history"], "has no friction with"),
     ],
 )
-def test_what_cannot_be_run_is_named(line, said, tmp_path, capsys):
+def test_impossible_runs_are_refused(line, said, tmp_path, capsys):
     assert exit_code(["rod", *line, "--output", str(tmp_path / "out")]) in (1, 2)
     assert said in capsys.readouterr().err
 
 
-def test_a_trajectory_that_is_no_rods_is_named():
+def test_a_trajectory_of_one_sphere_is_refused():
     one = pd.DataFrame({"id": [1], "time": [0.0]})
     with pytest.raises(CollisionError, match="1 spheres; the rod"):
         measure_rod(one, 9.81)

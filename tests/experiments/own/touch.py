@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""How long and how hard does an elastic sphere touch a rigid plane? An experiment in one file."""
+"""Contact time and largest force of an elastic sphere on a rigid plane: an experiment."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from plastigran.physics import central
 
 @attrs.frozen
 class Touch:
-    """What came of it: contact time [s] and largest force [N]."""
+    """Outcome of an impact: contact time [s] and largest force [N]."""
 
     contact_time: float
     force_max: float
@@ -26,11 +26,11 @@ class Touch:
 
 @attrs.frozen
 class ElasticImpact(Experiment):
-    """A sphere hits a rigid plane head-on, by the engine's own hertz."""
+    """Central impact of a sphere on a rigid plane, with LIGGGHTS' own hertz."""
 
     speed: float = number("impact speed", "m/s", 0)
     radius: float = number("radius of the sphere", "m", 0, default=0.01)
-    material: Material = material_field("of the sphere", "steel")
+    material: Material = material_field("material of the sphere", "steel")
 
     command = "touch"
     help = "elastic impacts of a sphere, against Hertz"
@@ -53,8 +53,8 @@ class ElasticImpact(Experiment):
         )
 
     def measure(self, folder: Path) -> Touch:
-        found = measure(folder / "trajectory.dump")
-        return Touch(found.contact_time, found.force_max)
+        collision = measure(folder / "trajectory.dump")
+        return Touch(collision.contact_time, collision.force_max)
 
     @classmethod
     def figures(cls, runs):
