@@ -16,9 +16,9 @@ def small_evidence() -> Evidence:
     table = add_difference(pd.DataFrame({"paper": [2.0, 0.0], "ours": [2.1, 3.0]}), "ours", "paper")
     with_figure = {"line": subplots(figsize=(2, 2))[0]}
     return Evidence(
-        name="own",
-        title="Own",
-        pictures="../figures/own",
+        name="small",
+        title="Small",
+        pictures="../figures/small",
         tables=("one",),
         figures=("line",),
         compute=lambda progress, coarse: Findings({"one": table}, with_figure),
@@ -46,31 +46,31 @@ def test_tables_replace_the_text_in_their_places():
 def test_a_page_is_written_with_its_pictures(tmp_path):
     evidence, folder = small_evidence(), tmp_path / "docs" / "pages"
     folder.mkdir(parents=True)
-    (folder / "own.md").write_text(PAGE)
+    (folder / "small.md").write_text(PAGE)
     findings = evidence.run()
     page, picture = publish(evidence, findings, findings.write(tmp_path / "results"), folder)
     assert "+5.00" in page.read_text()
-    assert picture == tmp_path / "docs" / "figures" / "own" / "line.png"
+    assert picture == tmp_path / "docs" / "figures" / "small" / "line.png"
     assert picture.read_bytes().startswith(b"\x89PNG")
 
 
 @pytest.mark.parametrize(
-    ("text", "said"),
+    ("text", "message"),
     [
         ("nothing", "has no <!-- table one -->"),
-        (PAGE + PAGE.replace("one", "two"), "has a place for two, which is not a table of own"),
+        (PAGE + PAGE.replace("one", "two"), "has a place for two, which is not a table of small"),
         (PAGE + PAGE, "two places for one table"),
-        (None, "own.md is missing"),
+        (None, "small.md is missing"),
     ],
 )
-def test_a_page_with_wrong_places_is_refused(text, said, tmp_path):
+def test_a_page_with_wrong_places_is_refused(text, message, tmp_path):
     if text is not None:
-        (tmp_path / "own.md").write_text(text)
-    with pytest.raises(ValueError, match=said):
+        (tmp_path / "small.md").write_text(text)
+    with pytest.raises(ValueError, match=message):
         read_pages(small_evidence(), tmp_path)
 
 
 def test_missing_results_are_refused():
     evidence = attrs.evolve(small_evidence(), tables=("one", "two"))
-    with pytest.raises(ValueError, match="tables of own are not as declared: two"):
+    with pytest.raises(ValueError, match="tables of small are not as declared: two"):
         evidence.run()

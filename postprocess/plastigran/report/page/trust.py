@@ -7,7 +7,7 @@ finite elements of spheres; its errors are those of `plastigran validate`.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 
 import attrs
 import numpy as np
@@ -152,18 +152,15 @@ def verification_chart(table: pd.DataFrame) -> Chart | None:
     yielding = table.dropna(subset=["speed_ratio"]).sort_values("speed_ratio")
     views = {}
     for quantity in QUANTITIES:
-        if f"{quantity}{PREDICTED}" not in table:
-            continue
-        curves = []
-        for law, rows in yielding.groupby("law"):
-            difference = _difference(rows, quantity)
+        if f"{quantity}{PREDICTED}" in table:
+            difference = _difference(yielding, quantity)
             remarks = [
                 f"v/v<sub>Y</sub> {ratio:.3g}<br>run and theory differ by {100 * value:.2g} %"
-                for ratio, value in zip(rows["speed_ratio"], difference, strict=True)
+                for ratio, value in zip(yielding["speed_ratio"], difference, strict=True)
             ]
             shown = difference.clip(lower=ERROR_AXIS[0] / 100)
-            curves.append(_curve(str(law), rows["speed_ratio"], shown, remarks))
-        views[words(quantity).capitalize()] = _panels(curves)
+            errors = yielding.assign(ratio=yielding["speed_ratio"], error=shown, remark=remarks)
+            views[words(quantity).capitalize()] = _panels(errors)
     if not views:
         return None
     return Chart(
@@ -181,20 +178,19 @@ def validation_chart(table: pd.DataFrame) -> Chart | None:
 
     The columns of the table are those of `plastigran.calibration.expected_errors.errors_table`.
     """
+    remarks = [
+        f"v/v<sub>Y</sub> {row.speed_ratio_from:.3g} to {row.speed_ratio_to:.3g}<br>law and finite "
+        f"elements differ by {100 * row.rms:.2g} % rms, {100 * row.max:.2g} % at most"
+        for row in table.itertuples()
+    ]
+    middle = np.sqrt(table["speed_ratio_from"] * table["speed_ratio_to"])
+    errors = table.assign(ratio=middle, error=table["rms"], remark=remarks).sort_values("ratio")
     views = {}
     for quantity in QUANTITIES:
-        for contacts, rows in table[table["quantity"] == quantity].groupby("kind", sort=False):
-            curves = []
-            for law, errors in rows.sort_values("speed_ratio_from").groupby("law"):
-                middle = np.sqrt(errors["speed_ratio_from"] * errors["speed_ratio_to"])
-                remarks = [
-                    f"v/v<sub>Y</sub> {row.speed_ratio_from:.3g} to "
-                    f"{row.speed_ratio_to:.3g}<br>law and finite elements differ by "
-                    f"{100 * row.rms:.2g} % rms, {100 * row.max:.2g} % at most"
-                    for row in errors.itertuples()
-                ]
-                curves.append(_curve(str(law), middle, errors["rms"], remarks))
-            views[f"{words(quantity).capitalize()}, {contacts}"] = _panels(curves)
+        of_quantity = errors[errors["quantity"] == quantity]
+        for contacts in table["kind"].unique():
+            if len(rows := of_quantity[of_quantity["kind"] == contacts]):
+                views[f"{words(quantity).capitalize()}, {contacts}"] = _panels(rows)
     if not views:
         return None
     return Chart(
@@ -207,12 +203,19 @@ def validation_chart(table: pd.DataFrame) -> Chart | None:
     )
 
 
-def _curve(law: str, ratio: pd.Series, error: pd.Series, remarks: Sequence[str]) -> Curve:
-    x, y = ratio.to_numpy(), error.to_numpy()
-    return Curve(x=x, y=y, name=title(law), law=law, look="joined", remarks=remarks)
-
-
-def _panels(curves: list[Curve]) -> list[Panel]:
+def _panels(errors: pd.DataFrame) -> list[Panel]:
+    """Return the panel of a table with columns law, ratio (to the yield speed), error, remark."""
+    curves = [
+        Curve(
+            x=rows["ratio"].to_numpy(),
+            y=rows["error"].to_numpy(),
+            name=title(str(law)),
+            law=str(law),
+            look="joined",
+            remarks=list(rows["remark"]),
+        )
+        for law, rows in errors.groupby("law")
+    ]
     x = Scale("impact speed / yield speed", "", 1)
     y = Scale("difference", "%", 100)
     return [Panel(x=x, y=y, curves=curves, logarithmic="xy", y_range=ERROR_AXIS)]
