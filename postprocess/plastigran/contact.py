@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike
 
 from plastigran import laws
 from plastigran.declared import RADIUS, Declaration, read_number
-from plastigran.materials import RIGID, Material, read_material
+from plastigran.materials import RIGID, Material, law_class, read_material
 from plastigran.physics import central
 
 if TYPE_CHECKING:
@@ -63,8 +63,7 @@ class Contact:
         mass_eff: float | None = None,
         **constants: float | str,
     ) -> None:
-        if not isinstance(law, str) or law not in laws.LAWS:
-            raise ValueError(f"no law {law!r}; there are {', '.join(sorted(laws.LAWS))}")
+        law_type = law_class(law)
         self._bodies = [_read_body(name, body) for name, body in (("a", a), ("b", b))]
         self._radii = [read_number("radius", radius, RADIUS), inf]
         if radius_other is not None and radius_other != inf:
@@ -75,7 +74,7 @@ class Contact:
         self.pair = laws.combine(*(_properties(body) for body in self._bodies))
         material = next((body for body in self._bodies if isinstance(body, Material)), None)
         if material is None:
-            self.law = laws.LAWS[law](self.pair, **constants)
+            self.law = law_type(self.pair, **constants)
         else:
             self.law = material.law(law, self.pair, **constants)
         self.radius_eff = 1 / sum(1 / radius for radius in self._radii)

@@ -129,6 +129,17 @@ def _check_name(name: object) -> None:
         )
 
 
+def law_class(name: str) -> type:
+    """Return the class of a law.
+
+    Raises:
+        ValueError: The law does not exist; the message lists those that do.
+    """
+    if not isinstance(name, str) or name not in laws.LAWS:
+        raise ValueError(f"no law {name!r}; there are {', '.join(sorted(laws.LAWS))}")
+    return laws.LAWS[name]
+
+
 def has_constants(law: str) -> bool:
     """Return whether materials can define all constants that a law requires."""
     return set(_needed(law)) <= {field.name for field in attrs.fields(Material)}

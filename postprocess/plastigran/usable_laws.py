@@ -8,7 +8,7 @@ from collections.abc import Iterable
 from itertools import chain
 
 from plastigran import laws
-from plastigran.materials import Material, has_constants
+from plastigran.materials import Material, has_constants, law_class
 
 
 def laws_for(shape: str, bodies: Iterable[Material] = ()) -> list[str]:
@@ -37,8 +37,8 @@ def choose_laws(names: Iterable[str], shape: str, bodies: Iterable[Material] = (
     """
     names, usable = list(names), laws_for(shape, bodies)
     for name in names:
-        if name not in laws.LAWS and name != "all":
-            raise ValueError(f"no law {name!r}; there are {', '.join(sorted(laws.LAWS))}")
+        if name != "all":
+            law_class(name)
     omitted = sorted(set(laws_for(shape)) - set(usable) - set(names))
     if "all" in names and omitted:
         warnings.warn(

@@ -12,7 +12,7 @@ import numpy as np
 
 from plastigran import laws
 from plastigran.declared import Declaration
-from plastigran.materials import Material
+from plastigran.materials import Material, law_class
 from plastigran.usable_laws import laws_for
 
 #: Largest overlap / effective radius allowed for spheres.
@@ -53,9 +53,7 @@ def law_field(default: Any = attrs.NOTHING) -> Any:
     """Declare a field for the name of a law for bodies of the case's `shape`."""
 
     def check(case: Any, field: attrs.Attribute, name: str) -> None:
-        if name not in laws.LAWS:
-            raise ValueError(f"no law {name!r}; there are {', '.join(sorted(laws.LAWS))}")
-        if (shape := laws.LAWS[name].shape) != case.shape:
+        if (shape := law_class(name).shape) != case.shape:
             raise ValueError(
                 f"{name} is a law for {shape}s, not for {case.shape}s. Choose one of "
                 f"{', '.join(laws_for(case.shape))}"
