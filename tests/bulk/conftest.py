@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import shutil
 from pathlib import Path
 
 import pytest
@@ -27,6 +28,20 @@ def steady_flow(bulk_run):
 def short_gas(bulk_run) -> Path:
     """Folder of a finished run on one rank."""
     return bulk_run("cooling_gas", SHORT_GAS).folder
+
+
+@pytest.fixture
+def cut_log(short_gas, tmp_path):
+    """Copies the run as if killed some lines before its end, `cut_log(lines)`."""
+
+    def cut(lines: int) -> Path:
+        folder = Path(shutil.copytree(short_gas, tmp_path / "stopped"))
+        mixing, mark, rest = (folder / "log.liggghts").read_text().partition("Loop time")
+        cooling = rest.partition("Loop time")[0].rstrip("\n").splitlines(keepends=True)
+        (folder / "log.liggghts").write_text(mixing + mark + "".join(cooling[:-lines])[:-5])
+        return folder
+
+    return cut
 
 
 @pytest.fixture

@@ -1,10 +1,9 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""`plastigran bulk`: stopping, going on from checkpoints, and what it leaves."""
+"""`plastigran bulk`: it runs, stops, continues from checkpoints, and refuses wrong words."""
 
 from __future__ import annotations
 
 import os
-import shutil
 import signal
 import subprocess
 import sys
@@ -21,25 +20,16 @@ from plastigran.bulk.series import read_series
 from plastigran.cli import main
 from plastigran.engine.checkpoints import PATTERN, newest_checkpoint, step_of
 from plastigran.engine.log import LogFollower
-from plastigran.engine.process import EngineError, engines
+from plastigran.engine.process import engines
 from plastigran.materials import read_material, write_material
 from plastigran.plot import style
 
-#: Long enough to be stopped on the way.
+#: A run that lasts long enough to be stopped.
 LONG = SHORT_GAS | {"duration": 20000, "rows": 20000, "checkpoints": 5000}
 
 
-def cut(run: Path, folder: Path, lines: int) -> Path:
-    """A run as it looks when killed that many lines of cooling before its end."""
-    shutil.copytree(run, folder)
-    log = (folder / "log.liggghts").read_text().partition("Loop time")
-    cooling = log[2].partition("Loop time")[0].rstrip("\n").splitlines(keepends=True)
-    (folder / "log.liggghts").write_text(log[0] + log[1] + "".join(cooling[:-lines])[:-5])
-    return folder
-
-
 def test_package_is_called(tmp_path, monkeypatch):
-    """By the deck's name and settings, into results/DECK; the run is read again from there."""
+    """Call `pg.bulk` with name and settings; read the run again from results/DECK."""
     monkeypatch.chdir(tmp_path)
     settings = {"side": 4, "duration": 2, "rows": 10, "checkpoints": 1, "mixing": 0.1}
     run = pg.bulk("cooling_gas", law="thornton", show=False, **settings)
@@ -56,44 +46,7 @@ def test_backend_of_matplotlib_is_left_alone():
     subprocess.run([sys.executable, "-c", line], check=True)
 
 
-def test_checkpoint_cut_short_is_not_the_newest(short_gas, tmp_path):
-    """A checkpoint the log has not come to was being written: the one before is taken."""
-    stopped = cut(short_gas, tmp_path / "stopped", lines=8)
-    taken = newest_checkpoint(stopped)
-    lines = read_series(short_gas)["step"]
-    # 25 lines, the last whole one is number 15; there is a checkpoint every other line.
-    assert step_of(taken) == lines[14]
-    assert (stopped / f"checkpoint.{lines[16]}.restart").exists()
-
-
-@pytest.mark.parametrize("ranks", [1, 2])
-def test_checkpoint_on_a_full_disk_is_not_the_newest(short_gas, ranks, tmp_path):
-    """Cut anywhere, by any number of bytes, or filled up with zeros, though the log goes on: the
-    one before is taken. Zeros alone after it are ranks without particles. Without checksums, as a
-    killed run may leave its checkpoints."""
-    folder = tmp_path / "full"
-    if ranks == 1:
-        shutil.copytree(short_gas, folder)
-    else:
-        short = SHORT_GAS | {"duration": 2, "rows": 2, "checkpoints": 2}
-        run_bulk("cooling_gas", short, folder, ranks, show=False)
-    for file in folder.glob(f"{PATTERN}.sha256"):
-        file.unlink()
-    before, last = sorted(folder.glob(PATTERN), key=step_of)[-2:]
-    assert newest_checkpoint(folder) == last
-    content = last.read_bytes()
-    half = len(content) // 2
-    cuts = [content[:kept] for kept in (0, 3, 500, *range(half, len(content), 97))]
-    cuts += [content[:-1], content[:half] + bytes(half), content[:half] + bytes(10**6)]
-    for cut_short in cuts:
-        last.write_bytes(cut_short)
-        with pytest.warns(UserWarning, match=f"{last.name} is cut short"):
-            assert newest_checkpoint(folder) == before
-    last.write_bytes(content + bytes(4 * 3))
-    assert newest_checkpoint(folder) == last
-
-
-def test_going_on_with_another_timestep_is_refused(short_gas, tmp_path):
+def test_continuing_with_another_timestep_is_refused(short_gas, tmp_path):
     with pytest.raises(
         ValueError,
         match=r"4e-08, but the run to continue has 8.0e-8.* may change only checkpoints, contact_h",
@@ -102,56 +55,9 @@ def test_going_on_with_another_timestep_is_refused(short_gas, tmp_path):
     assert not (tmp_path / "rest").exists()
 
 
-def test_no_checkpoint_is_said(tmp_path):
-    """The log has not come to the first; the second is cut."""
-    (tmp_path / "checkpoint.100.restart").write_bytes(b"half")
-    with pytest.raises(EngineError, match="no whole checkpoint"):
-        newest_checkpoint(tmp_path)
-    (tmp_path / "checkpoint.0.restart").write_bytes(b"half")
-    with (
-        pytest.warns(UserWarning, match="cut short"),
-        pytest.raises(EngineError, match="no whole checkpoint"),
-    ):
-        newest_checkpoint(tmp_path)
-
-
-def test_a_file_that_is_no_checkpoint_is_left_alone(short_gas, tmp_path):
-    """Of a name that has no step: it is not gone on from, and force does not remove it."""
-    folder = tmp_path / "run"
-    shutil.copytree(short_gas, folder)
-    newest = newest_checkpoint(folder)
-    for name in ("checkpoint.old.restart", "checkpoint.999999999.old.restart"):
-        shutil.copy(newest, folder / name)
-    assert newest_checkpoint(folder) == newest
-    run_bulk("cooling_gas", SHORT_GAS, folder, force=True, show=False)
-    assert (folder / "checkpoint.old.restart").exists()
-
-
-def test_checkpoints_beyond_the_log_are_named(short_gas, tmp_path):
-    """The newest whole one; a log that is cut or missing does not reach it."""
-    folder = tmp_path / "run"
-    shutil.copytree(short_gas, folder)
-    before, last = sorted(folder.glob(PATTERN), key=step_of)[-2:]
-    for file in sorted(folder.glob(PATTERN), key=step_of)[:-2]:
-        file.unlink()
-    last.write_bytes(b"half")
-    log = folder / "log.liggghts"
-    lines = read_series(short_gas)["step"]
-    text = log.read_text()
-    log.write_text(text[: text.rindex(f"\n{lines[3]:8d} ") + 1])
-    with pytest.raises(EngineError, match=rf"{log} ends at step {lines[2]}.* {before.name}"):
-        newest_checkpoint(folder)
-    log.write_text("LIGGGHTS\n")
-    with pytest.raises(EngineError, match=rf"{log} shows no step.* {before.name}"):
-        newest_checkpoint(folder)
-    log.unlink()
-    with pytest.raises(EngineError, match=rf"{log} is missing.* {before.name}"):
-        newest_checkpoint(folder)
-
-
 @pytest.fixture
 def start(start_plastigran):
-    """Starts a long run by the command line and waits for its second checkpoint."""
+    """Start a long run from the command line and wait for its second checkpoint."""
 
     def begin(folder: Path, ranks: int) -> subprocess.Popen:
         values = [f"{name}={value}" for name, value in LONG.items()]
@@ -166,7 +72,7 @@ def start(start_plastigran):
 
 
 @pytest.mark.parametrize(("ranks", "sent"), [(1, signal.SIGTERM), (2, signal.SIGINT)])
-def test_interrupt_stops_every_rank_and_keeps_what_is_written(start, ranks, sent, tmp_path):
+def test_interrupt_stops_every_rank_and_keeps_the_files(start, ranks, sent, tmp_path):
     run = start(tmp_path / "run", ranks)
     assert len(engines(tmp_path / "run")) == (1 if ranks == 1 else 3)
     run.send_signal(sent)
@@ -178,7 +84,7 @@ def test_interrupt_stops_every_rank_and_keeps_what_is_written(start, ranks, sent
     assert read_series(tmp_path / "run")["atoms"].eq(125).all()
 
 
-def test_killed_engine_is_said_and_goes_on_from_its_newest_checkpoint(start, tmp_path):
+def test_run_continues_after_a_kill_of_liggghts(start, tmp_path):
     run = start(tmp_path / "run", ranks=2)
     os.kill(max(engines(tmp_path / "run")), signal.SIGKILL)  # a rank: they start after mpirun
     _, message = run.communicate(timeout=60)
@@ -188,7 +94,7 @@ def test_killed_engine_is_said_and_goes_on_from_its_newest_checkpoint(start, tmp
     assert not engines(tmp_path / "run")
     before = read_series(tmp_path / "run")
     checkpoint = newest_checkpoint(tmp_path / "run")
-    # Two lines more: the settings that say where it ends may change.
+    # Settings for the end of the run may change: run for two more lines.
     lines = int(before["step"].iloc[1])
     rows = step_of(checkpoint) // lines + 2
     values = {"duration": rows, "rows": rows, "checkpoints": 1}
@@ -201,26 +107,28 @@ def test_killed_engine_is_said_and_goes_on_from_its_newest_checkpoint(start, tmp
     assert kept["kinetic_energy"].tolist() == before["kinetic_energy"].tolist()[: len(kept)]
 
 
-def test_killed_python_takes_the_engine_along(start, tmp_path):
+def test_liggghts_ends_with_a_killed_python(start, tmp_path):
     run = start(tmp_path / "run", ranks=2)
     run.kill()
     run.communicate(timeout=60)
     deadline = time.monotonic() + 30
     while engines(tmp_path / "run"):
-        assert time.monotonic() < deadline, "the engine runs on"
+        assert time.monotonic() < deadline, "LIGGGHTS still runs"
         time.sleep(0.05)
 
 
-def test_going_on_at_the_end_is_said(short_gas, tmp_path, capsys):
+def test_continuing_a_finished_run_computes_nothing(short_gas, tmp_path, capsys):
     line = ["bulk", "cooling_gas", "--restart", str(short_gas), "--output", str(tmp_path / "rest")]
     assert main(line) == 0
     message = f"{short_gas} has reached its end, so there was nothing to compute"
     assert message in capsys.readouterr().out
 
 
-def test_killed_before_its_first_checkpoint_goes_on_from_where_it_began(short_gas, tmp_path):
-    """A run stopped twice, the second time at once: nothing of the first is lost."""
-    first = cut(short_gas, tmp_path / "first", lines=8)
+def test_run_killed_before_its_first_checkpoint_continues_from_its_start(
+    short_gas, cut_log, tmp_path
+):
+    """The run is stopped twice; nothing of its first part is lost."""
+    first = cut_log(lines=8)
     second = tmp_path / "second"
     run_bulk("cooling_gas", {}, second, restart=first, show=False)
     for file in second.glob(PATTERN):
@@ -231,8 +139,8 @@ def test_killed_before_its_first_checkpoint_goes_on_from_where_it_began(short_ga
     assert (series["kinetic_energy"] == expected["kinetic_energy"]).all()
 
 
-def test_a_folder_is_locked_until_figures_are_written(tmp_path, monkeypatch):
-    """Another run that would overwrite it by force is refused, and deletes nothing."""
+def test_folder_is_locked_until_figures_are_written(tmp_path, monkeypatch):
+    """A second run with `force` is refused, and deletes nothing."""
     refused = []
 
     def save(figure, path, *arguments):
@@ -254,7 +162,7 @@ def test_a_folder_is_locked_until_figures_are_written(tmp_path, monkeypatch):
         assert (tmp_path / "run" / "figures" / f"{name}.png").stat().st_size > 0
 
 
-def test_a_record_nested_too_deeply_is_named(tmp_path, capsys):
+def test_record_nested_too_deeply_is_refused(tmp_path, capsys):
     (tmp_path / "run.json").write_text("[" * 100_000 + "]" * 100_000)
     line = ["bulk", "cooling_gas", "--restart", str(tmp_path), "--output", str(tmp_path / "rest")]
     assert main(line) == 1
@@ -271,13 +179,13 @@ def test_a_record_nested_too_deeply_is_named(tmp_path, capsys):
         (["bed_impact", "-v", "target=Plate"], "target is 'Plate', possible values are bed, plate"),
     ],
 )
-def test_wrong_words_are_named(line, message, tmp_path, capsys):
+def test_wrong_words_are_refused(line, message, tmp_path, capsys):
     assert main(["bulk", *line, "--output", str(tmp_path / "run")]) == 1
     assert message in capsys.readouterr().err
 
 
-def test_materials_are_looked_for_from_the_present_folder(tmp_path, monkeypatch):
-    """The engine runs elsewhere and is told the whole path; a link where that has white space."""
+def test_materials_are_found_from_the_current_folder(tmp_path, monkeypatch):
+    """LIGGGHTS runs elsewhere; it gets the absolute path, or a link if that has white space."""
     folder = tmp_path / "my metals"
     folder.mkdir()
     write_material(read_material("soft_granules"), folder / "mine.in", "As soft as they are.")
@@ -287,20 +195,20 @@ def test_materials_are_looked_for_from_the_present_folder(tmp_path, monkeypatch)
     assert run.finished and run.deck.material == "mine"
 
 
-def test_a_setting_without_a_value_is_named(capsys):
+def test_setting_without_a_value_is_refused(capsys):
     with pytest.raises(SystemExit):
         main(["bulk", "cooling_gas", "-v", "side"])
     assert "'side' is not name=value" in capsys.readouterr().err
 
 
-def test_going_on_in_the_same_folder_is_refused(short_gas):
+def test_continuing_in_the_same_folder_is_refused(short_gas):
     with pytest.raises(ValueError, match="is the run to continue"):
         run_bulk("cooling_gas", {}, short_gas, restart=short_gas, force=True)
     assert newest_checkpoint(short_gas).exists()
 
 
 def test_progress_is_read_from_whole_lines_only(tmp_path):
-    """Two runs, the second `upto`; a line still being written does not count."""
+    """The second of two runs is `upto`; an incomplete line does not count."""
     log, follower = tmp_path / "log", LogFollower(tmp_path / "log")
     assert follower.read().run == 0
     with open(log, "w") as file:
