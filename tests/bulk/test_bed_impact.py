@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Shot on a plate and on a bed in the engine: each against the law, all against the ledger."""
+"""Shots on a plate and on a bed in LIGGGHTS, compared with the law and the energy balance."""
 
 from __future__ import annotations
 
@@ -30,24 +30,24 @@ def bed(brief_run):
 
 
 def test_every_shot_rebounds_as_the_law_says(plate):
-    """To 1e-4, a tenth of what the check allows: some hundred steps an impact."""
+    """The error is below a tenth of the limit of the check: an impact has some hundred steps."""
     assert plate.passed
     checks = plate.checks.set_index("name")
     assert checks.loc["restitution of a shot compared with the law, relative", "value"] < 1e-4
     shot = measure_shots(read_grains_dump(plate.folder / "grains.dump"), 1e-3, 0)
-    # Speeds are spread, and the law's curve bends over them.
+    # Speeds are spread, and restitution changes over them.
     speed = shot["impact_speed"]
     assert speed.min() < 0.25 and speed.max() > 0.85 and speed.between(0.1, 1).all()
     restitution = shot["rebound_speed"] / speed
     assert restitution[speed.idxmin()] - restitution[speed.idxmax()] > 0.1
-    # What a shot loses is its plastic work.
+    # A shot loses its plastic work.
     mass = 4 / 3 * np.pi * 1e-9 * 1500
     lost = 0.5 * mass * (speed**2 - shot["rebound_speed"] ** 2)
     assert shot["plastic_work"].to_numpy() == pytest.approx(lost, rel=1e-3)
 
 
 def test_viscous_law(tmp_path):
-    """It loses what it loses without plastic work."""
+    """It dissipates energy without plastic work."""
     viscous = FEW | {"law": "viscoelastic_hertz"}
     run = run_bulk("bed_impact", viscous, tmp_path / "run", show=False)
     assert run.passed
@@ -55,8 +55,8 @@ def test_viscous_law(tmp_path):
     assert (shot["rebound_speed"] < 0.95 * shot["impact_speed"]).all()
 
 
-def test_command_names_the_shot_that_is_late(tmp_path, capsys):
-    """Everything is written before the command fails."""
+def test_command_names_a_late_shot(tmp_path, capsys):
+    """The command writes all results before it fails."""
     values = [f"{name}={value}" for name, value in (FEW | {"duration": 0.004}).items()]
     line = ["bulk", "bed_impact", "--output", str(tmp_path / "run"), "-v", *values]
     assert main(line) == 1
@@ -67,15 +67,15 @@ def test_command_names_the_shot_that_is_late(tmp_path, capsys):
     assert (tmp_path / "run" / "figures" / "bed_impact.png").exists()
 
 
-def test_bed_takes_what_the_plate_gives_back(bed):
-    """Of the shot's energy next to nothing returns; plastic work lies near the surface."""
+def test_bed_absorbs_the_shots(bed):
+    """Shots return with little energy; plastic work is near the surface."""
     assert bed.passed
     grains = read_grains_dump(bed.folder / "grains.dump")
     count = int(bed.deck.derived("bed"))
     assert len(grains) - count == 16
     shot = measure_shots(grains.iloc[count:], 1e-3, 9.81)
     assert (shot["rebound_speed"] ** 2).sum() < 0.1 * (shot["impact_speed"] ** 2).sum()
-    # Each falls the radius to the surface under gravity.
+    # Each shot falls by its radius to the surface.
     fallen = shot["impact_speed"] ** 2 - grains["vz_before"].iloc[count:] ** 2
     assert fallen.to_numpy() == pytest.approx(2 * 9.81 * 1e-3, rel=1e-6)
     surface = grains["z_before"].iloc[count:].min() - 2e-3
@@ -85,7 +85,7 @@ def test_bed_takes_what_the_plate_gives_back(bed):
 
 
 def test_ranks(plate, tmp_path):
-    """Shot does not meet shot: 1 and 2 ranks agree to rounding, whatever the grains' numbers."""
+    """Shots do not meet, so 1 and 2 ranks agree to round-off, whatever the atom IDs."""
     settings = plate.deck.briefs["plate"].settings
     other = run_bulk("bed_impact", settings, tmp_path / "run", ranks=2, show=False)
     one, two = (
@@ -97,9 +97,9 @@ def test_ranks(plate, tmp_path):
     assert two == pytest.approx(one, rel=1e-9)
 
 
-def test_free_flight_is_taken_back():
-    """A shot thrown up at 2 m/s from the surface, seen 0.1 m above it, left at 2 m/s; one below the
-    surface, and one that lies on another, have not come back."""
+def test_speeds_are_those_at_the_surface():
+    """A shot at a height of 0.1 m had left the surface at 2 m/s; shots below the surface or on
+    another shot have not rebounded."""
     shot = pd.DataFrame({"z": [0.101, 0.0005, 0.003], "vz": [(4 - 0.2 * 9.81) ** 0.5, 0.0, 0.0]})
     shot = shot.assign(z_before=0.002, vz_before=-1.0, plastic_work=3.0, touching=[0, 1, 1])
     measured = measure_shots(shot, 1e-3, 9.81)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Beverloo's law, a discharge's rate, C and k of several, against what they were made of."""
+"""Beverloo's law, the rate of a discharge, and fits of C and k, on synthetic data."""
 
 from __future__ import annotations
 
@@ -17,13 +17,13 @@ from plastigran.physics.beverloo import (
 )
 
 DIAMETER, DENSITY, GRAVITY = 0.01, 1500.0, 9.81
-#: C and k.
+#: C and k of spheres.
 SPHERES = 0.58, 1.4
 MASS = pi / 6 * DIAMETER**3 * DENSITY
 
 
-def test_rate_grows_with_the_power_five_halves_of_what_is_open():
-    """W = 0.58 rho_b sqrt(g) (D0 - 1.4 d)^(5/2); twice what is open lets 2^2.5 as much pass."""
+def test_rate_grows_with_the_power_five_halves_of_the_opening():
+    """W = 0.58 rho_b sqrt(g) (D0 - 1.4 d)^(5/2); twice the opening gives 2^2.5 times the rate."""
     rate = discharge_rate(0.064, DIAMETER, 900.0, GRAVITY, *SPHERES)
     assert rate == pytest.approx(0.58 * 900 * 9.81**0.5 * 0.05**2.5, rel=1e-12)
     assert discharge_rate(0.114, DIAMETER, 900.0, GRAVITY, *SPHERES) == pytest.approx(2**2.5 * rate)
@@ -32,7 +32,7 @@ def test_rate_grows_with_the_power_five_halves_of_what_is_open():
 
 
 def course(rate: float, packing: float = 0.6, last: float = 1.5) -> pd.DataFrame:
-    """1000 grains run out: at half the rate at first, then steadily, and ever slower from half."""
+    """Return a discharge of 1000 grains: at half the rate first, then steady, slower after half."""
     time = np.arange(0, last, 0.005)
     start = (2 * 0.08 / GRAVITY) ** 0.5
     out = np.where(time < start, rate / 2 * time, rate * (time - start / 2))
@@ -40,18 +40,18 @@ def course(rate: float, packing: float = 0.6, last: float = 1.5) -> pd.DataFrame
     return pd.DataFrame({"time": time, "atoms": 1000.0, "counted": out, "packing": packing})
 
 
-def test_steady_rate_is_found():
-    """Neither start nor end enters, and a discharge without scatter has no error."""
+def test_steady_rate():
+    """Start and end do not count, and a discharge without scatter has no error."""
     discharge = measure_discharge(course(800.0), 0.08, DIAMETER, DENSITY, GRAVITY, *SPHERES)
     assert discharge.rate == pytest.approx(800 * MASS, rel=1e-9)
     assert discharge.rate_error < 1e-9 * discharge.rate
     assert discharge.bulk_density == pytest.approx(900)
 
 
-def test_change_of_the_rate_is_told_from_scatter():
-    """A rate that falls by a tenth half way: the halves' scatter does not hold the change."""
+def test_change_of_the_rate_differs_from_scatter():
+    """The rate falls by a tenth halfway, which exceeds the scatter of the halves."""
     series = course(800.0)
-    # It runs from 51 grains out to 500.
+    # The steady part extends from 51 to 500 grains.
     half = series["counted"].between(275, 500)
     series.loc[half, "counted"] = 275 + 0.9 * (series.loc[half, "counted"] - 275)
     discharge = measure_discharge(series, 0.08, DIAMETER, DENSITY, GRAVITY, *SPHERES)
@@ -62,7 +62,7 @@ def test_change_of_the_rate_is_told_from_scatter():
 
 
 def test_scatter_is_in_the_error():
-    """Grains that leave one by one, independently: the error of 500 is near 500^(-1/2)."""
+    """Grains leave independently, so the relative error of 500 is about 500^(-1/2)."""
     rng = np.random.default_rng(7)
     ratios = []
     for _ in range(100):
@@ -80,7 +80,7 @@ def test_scatter_is_in_the_error():
 
 @pytest.mark.parametrize("change", [{"last": 0.5}, {"packing": 0.3}])
 def test_no_rate_without_a_steady_part(change):
-    """The run ended before half was out; the bed did not fill the volume it was weighed in."""
+    """The run ended before half of the grains were out, or the bed did not fill its volume."""
     assert (
         measure_discharge(course(800.0, **change), 0.08, DIAMETER, DENSITY, GRAVITY, *SPHERES)
         is None

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The chute in the engine: steady flow, weight's power, Bagnold's profile."""
+"""The chute in LIGGGHTS: steady flow, power of the weight, Bagnold's profile."""
 
 from __future__ import annotations
 
@@ -17,32 +17,32 @@ from plastigran.physics.bagnold import fit_profile
 
 @pytest.fixture(scope="module")
 def flowed(steady_flow):
-    """A flow that has come to its speed."""
+    """A flow that has become steady."""
     return steady_flow("chute")
 
 
 @pytest.fixture
 def steady(flowed):
-    """Its rows after settling."""
+    """Rows of the series after settling."""
     return flowed.series[flowed.series["time"] > 0.8]
 
 
-def test_flows_with_bagnolds_profile_and_dissipates_what_weight_gives(flowed, steady):
+def test_flow_has_bagnolds_profile_and_dissipates_the_power_of_the_weight(flowed, steady):
     assert flowed.passed
     assert flowed.deck.derived("grains") == 2 * 5 * 4 * (9 + 1)  # the base is a cell deep
     assert steady["speed"].min() > 0.05
-    taken = steady[["plastic", "friction"]].iloc[-1] - steady[["plastic", "friction"]].iloc[0]
-    assert (taken > 0.03 * taken.sum()).all()
+    work = steady[["plastic", "friction"]].iloc[-1] - steady[["plastic", "friction"]].iloc[0]
+    assert (work > 0.03 * work.sum()).all()
 
 
 def test_missing_dissipation_is_noticed(flowed, steady):
-    """Without friction the flow takes a fraction of what weight gives."""
-    weight, taken = flowed.deck.power_checks(flowed.series, steady.assign(friction=0.0))
-    assert weight.passed and not taken.passed
+    """Without friction, the flow dissipates only a part of the power of the weight."""
+    weight, dissipation = flowed.deck.power_checks(flowed.series, steady.assign(friction=0.0))
+    assert weight.passed and not dissipation.passed
 
 
-def test_fewer_rows_leave_the_weight_its_trapezia(flowed):
-    """Every twelfth row, 0.06 s: trapezia miss 5e-3 of the work, as they may."""
+def test_fewer_rows_widen_the_limit_of_the_weight(flowed):
+    """With every twelfth row, 0.06 s, trapezia miss 5e-3 of the work, which the limit allows."""
     sparse = read_series(flowed.folder).iloc[::12].reset_index(drop=True)
     weight = flowed.deck.analyse(sparse).checks[-2]
     assert "weight's work" in weight.name and weight.passed
@@ -50,24 +50,24 @@ def test_fewer_rows_leave_the_weight_its_trapezia(flowed):
 
 
 def test_flow_that_stops_is_noticed(tmp_path):
-    """Far below the angle of friction it comes to rest."""
+    """Far below the angle of friction, the flow comes to rest."""
     settings = STEADY_FLOWS["chute"] | {"angle": 12, "duration": 1.2}
     run = run_bulk("chute", settings, tmp_path / "run", show=False)
     assert any("mean / smallest speed of the flow" in check.name for check in run.analysis.failed)
 
 
 def test_glued_base_stays(flowed):
-    """Two layers, a cell deep, where they were while the others flow."""
+    """Two layers, a cell deep, stay in place while the other grains flow."""
     frames = read_dump(flowed.folder / "grains.dump").set_index("id")
     first, last = (frames[frames["step"] == step] for step in frames["step"].agg(["min", "max"]))
-    held = last[(last[["vx", "vy", "vz"]] == 0).all(axis="columns")]
-    assert len(held) == 2 * 5 * 4
-    assert (first.loc[held.index, ["x", "y", "z"]] == held[["x", "y", "z"]]).all(axis=None)
+    base = last[(last[["vx", "vy", "vz"]] == 0).all(axis="columns")]
+    assert len(base) == 2 * 5 * 4
+    assert (first.loc[base.index, ["x", "y", "z"]] == base[["x", "y", "z"]]).all(axis=None)
     assert flowed.series["speed"].iloc[-1] > 0.1
 
 
 @pytest.mark.parametrize(("power", "fits"), [(1.5, True), (0.5, False), (3.0, False)])
-def test_profile_is_told_from_others(power, fits):
+def test_profile_differs_from_others(power, fits):
     """Grains at every height with speed h^p - (h - z)^p: only p = 3/2 is Bagnold's.
 
     0.01: heights are taken in bins, and the depth from their mean.

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Die compaction in the engine: the punch's work, permanent densification, the elastic limit."""
+"""Die compaction in LIGGGHTS: work of the punch, permanent densification, elastic limit."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ def pressed(brief_run) -> BulkRun:
 
 @pytest.fixture
 def press(pressed, tmp_path):
-    """Runs it with other settings."""
+    """Run it with other settings."""
 
     def run(ranks: int = 1, **changes) -> BulkRun:
         settings = {**pressed.deck.briefs[""].settings, **changes}
@@ -39,22 +39,22 @@ def press(pressed, tmp_path):
 
 
 def test_loop(pressed):
-    """Pressed to the density asked for; most of the densification stays, some springs back."""
+    """The density is the set one; most of the densification stays, some springs back."""
     assert pressed.passed  # the punch's work among the checks
     loop = loop_of(pressed)
     assert loop.peak == pytest.approx(0.7, abs=2e-3)  # the highest pressure, a row off the turn
     assert loop.touch < loop.released < loop.peak
     assert loop.permanent > 0.05 and loop.spring_back > 0.05
-    # Of the punch's work at its lowest, a share comes back; the rest is plastic and friction.
+    # A part of the work of the punch is recovered; the rest is plastic and friction work.
     table = pressed.series
     work = table["wallwork"]
     assert 0.5 * work.max() < work.iloc[-1] < 0.9 * work.max()
-    taken = table["plastic"] + table["friction"]
-    assert taken.iloc[-1] == pytest.approx(work.iloc[-1], rel=0.01)  # 1 %: gravity, motion
+    dissipation = table["plastic"] + table["friction"]
+    assert dissipation.iloc[-1] == pytest.approx(work.iloc[-1], rel=0.01)  # 1 %: gravity, motion
 
 
 def test_stronger_grains_spring_back_more(pressed, press):
-    """At the same density: higher pressure, more spring back, less stays, less plastic work."""
+    """At the same density: higher pressure, more spring-back, less plastic work."""
     other = press(yield_strength=2e5)
     weak, strong = loop_of(pressed), loop_of(other)
     assert strong.pressure > 1.2 * weak.pressure
@@ -66,11 +66,11 @@ def test_stronger_grains_spring_back_more(pressed, press):
     assert share[1] < 0.8 * share[0]
 
 
-def test_elastic_smooth_grains_come_back(press):
-    """Without yield and friction the loop closes: the punch gets its work back.
+def test_elastic_smooth_grains_recover(press):
+    """Without yield and friction the loop closes, and the work of the punch is recovered.
 
-    All but what grains keep as motion that nothing damps, which breaks the check of slowness: 5 %,
-    against 75 % that stay with grains that yield.
+    5 % stays in undamped motion, which fails the check of slowness; with grains that yield, 75 %
+    stays.
     """
     run = press(yield_strength=1e18, coefficient_of_friction=0, release=0.6)
     assert any("kinetic over elastic energy" in check.name for check in run.analysis.failed)
@@ -81,7 +81,7 @@ def test_elastic_smooth_grains_come_back(press):
 
 
 def test_wrong_force_is_noticed(pressed):
-    """The punch's work misses by 1 % when its force does."""
+    """An error of 1 % in the force gives one of 1 % in the work."""
     series = read_series(pressed.folder)
     series["force"] *= 1.01
     (check,) = pressed.deck.analyse(series).failed
@@ -103,9 +103,9 @@ def test_punch_that_stays_is_noticed(pressed):
 
 
 def test_punch_is_where_it_was_after_a_restart(pressed, tmp_path):
-    """To every digit; the mesh with it: else the punch's work would not be its force times travel.
+    """Heights are bitwise identical. The mesh is there, too: the work equals force times travel.
 
-    The run goes on from its last checkpoint but one, on the way up.
+    The run continues from its last checkpoint but one, while the punch moves up.
     """
     rest = run_bulk("compaction", {}, tmp_path / "rest", restart=pressed.folder, show=False)
     assert rest.series["height"].tolist() == pressed.series["height"].tolist()
@@ -113,9 +113,9 @@ def test_punch_is_where_it_was_after_a_restart(pressed, tmp_path):
 
 
 def test_ranks(pressed, tmp_path):
-    """A poured bed is pressed on 2 ranks as on 1: to 1e-6 of the largest value of each column.
+    """Compaction of a poured bed on 2 ranks and 1 agrees to 1e-6 of the largest values.
 
-    Rounding grows to 1e-8 meanwhile. (While grains are poured it grows until they lie otherwise.)
+    Round-off grows to 1e-8 meanwhile. During pouring it grows until the grains lie differently.
     """
     poured = tmp_path / "poured"
     shutil.copytree(pressed.folder, poured)
@@ -126,12 +126,12 @@ def test_ranks(pressed, tmp_path):
     assert other.series["step"].tolist() == table["step"].tolist()
     assert table["plastic"].iloc[-1] > 3 * table["plastic"].iloc[0]
     for name in ("elastic", "plastic", "friction", "wallwork", "pressure", "relative_density"):
-        difference = (other.series[name] - table[name]).to_numpy()  # one that is none fails
+        difference = (other.series[name] - table[name]).to_numpy()  # NaN fails
         assert np.abs(difference).max() < 1e-6 * np.abs(table[name]).max(), name
 
 
-def test_heckels_line_is_found():
-    """Through data that lie on one."""
+def test_heckels_line():
+    """The data lie on a line."""
     pressure = np.linspace(0, 1e5, 50)
     density = 1 - np.exp(-(0.8 + 4e-6 * pressure))
     line = heckel_line(density, pressure)
@@ -141,7 +141,7 @@ def test_heckels_line_is_found():
 
 
 def test_loop_of_a_triangle():
-    """Up from 0.5 to 0.7 and down to 0.6, all straight: touched and released at 1 % of the peak."""
+    """Lines from 0.5 to 0.7 and back to 0.6: touch and release are at 1 % of the peak."""
     density = np.array([0.5, 0.5, 0.7, 0.6, 0.5])
     loop = measure_loop(density, [0.0, 0.0, 100.0, 0.0, 0.0])
     assert (loop.touch, loop.peak, loop.released) == pytest.approx((0.502, 0.7, 0.601))
@@ -151,7 +151,7 @@ def test_loop_of_a_triangle():
 
 
 def test_punch_work_of_a_spring():
-    """K x^2/2, and nothing after the way back."""
+    """The work is k x^2/2, and zero after unloading."""
     travel = np.concatenate([np.linspace(0, 1, 1001), np.linspace(1, 0, 1001)])
     work = punch_work(-travel, 5 * travel)
     assert work[1000] == pytest.approx(2.5)
@@ -159,12 +159,12 @@ def test_punch_work_of_a_spring():
 
 
 def test_punch_covers_the_die():
-    """Its sides touch the circle it is scaled to: the die's rim lies on or within the triangle."""
+    """The sides of the triangle touch the circle of the die."""
     corners = make_punch.triangle()
     assert np.linalg.norm((corners + np.roll(corners, 1, axis=0)) / 2, axis=1) == pytest.approx(1)
 
 
-def test_stroke_begins_at_nothing(pressed):
-    """What filling has dissipated, and its drag, are not the stroke's."""
+def test_stroke_begins_at_zero(pressed):
+    """Dissipation during filling does not belong to the stroke."""
     first: pd.Series = pressed.series.iloc[0]
     assert first[["time", "plastic", "friction", "wallwork", "drift", "punch_work"]].eq(0).all()

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The cooling gas in the engine: mean field, the elastic limit, ranks."""
+"""The cooling gas in LIGGGHTS: mean field, elastic limit, ranks."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from plastigran.engine.deck import read_deck
 
 @pytest.fixture(scope="module")
 def yielding_gas(brief_run):
-    """A run of 216 grains that cool fourfold."""
+    """A run of 216 grains whose temperature falls to a quarter."""
     return brief_run("cooling_gas")
 
 
@@ -30,7 +30,7 @@ def test_follows_mean_field(yielding_gas):
 
 
 def test_viscoelastic_gas(tmp_path):
-    """Its dissipation begins at step 0 too, not while the grains mix; one that never stalls."""
+    """Dissipation begins at step 0, after the mixing, and never stops."""
     values = {"law": "viscoelastic_hertz", "dissipative_constant": 1e-7, "timestep": 7e-8}
     values |= {"side": 6, "duration": 10, "rows": 10, "checkpoints": 1}
     run = run_bulk("cooling_gas", values, tmp_path / "run", show=False)
@@ -40,20 +40,20 @@ def test_viscoelastic_gas(tmp_path):
     assert temperature.iloc[-1] < 0.8 * temperature.iloc[0]
 
 
-def test_ledger_tells_where_the_energy_went(yielding_gas):
-    """What the gas has lost is plastic work, to the drift the checks allow."""
+def test_lost_energy_is_plastic_work(yielding_gas):
+    """The difference is within the balance error that the checks allow."""
     first, last = yielding_gas.series.iloc[0], yielding_gas.series.iloc[-1]
     lost = first["kinetic"] + first["elastic"] - last["kinetic"] - last["elastic"]
     assert last["plastic"] - first["plastic"] == pytest.approx(lost, rel=2e-3)
     assert lost > 0.5 * first["kinetic"]
 
 
-def test_unyielding_gas_is_the_engines_hertz(tmp_path):
-    """Yield strength without end: energy stays, and the gas moves as with stock hertz.
+def test_unyielding_gas_equals_stock_hertz(tmp_path):
+    """With a huge yield strength, energy is conserved, and the gas moves as with stock hertz.
 
-    1e-9 over the first impacts: rounding, tenfold an impact. Later the two gases differ in what
-    impacts under way store, 0.4 % of the energy: four deviations of the difference of two means of
-    10 rows, 0.7 %.
+    They agree to 1e-9 over the first impacts; an impact multiplies round-off by ten. Later they
+    differ in the energy stored in impacts, 0.4 %: 0.7 % is four standard deviations of the
+    difference between two means of 10 rows.
     """
     runs = {}
     for law in ("hertz", "vu_quoc_zhang"):
@@ -69,8 +69,8 @@ def test_unyielding_gas_is_the_engines_hertz(tmp_path):
 
 
 def test_ranks_agree_in_the_course(tmp_path):
-    """One gas on 1 and 2 ranks, two independent ones once they have parted: sqrt(2) of one's error,
-    four times, and what impacts under way store."""
+    """After some impacts, the gases on 1 and 2 ranks are independent: the limit is four times
+    sqrt(2) times the error of one, and the energy stored in impacts."""
     values = {"side": 5, "mixing": 0.1, "duration": 16, "rows": 32, "checkpoints": 1}
     runs = [
         run_bulk("cooling_gas", values, tmp_path / str(ranks), ranks, show=False)
@@ -85,17 +85,17 @@ def test_ranks_agree_in_the_course(tmp_path):
 
 
 def test_options_reach_the_theory():
-    """Options of the law change its restitution; settings of the model that do not are let be."""
-    taken = gas(law="stronge", options="unloading area energy_ledger on")
-    assert taken.grains.options == {"unloading": "area"}
+    """Options of the law change its restitution; other options of the model are ignored."""
+    deck = gas(law="stronge", options="unloading area energy_ledger on")
+    assert deck.grains.options == {"unloading": "area"}
     book, area = (
         gas(law="stronge", options=options).gas().loss(16.0) for options in ("", "unloading area")
     )
     assert area < 0.9 * book
 
 
-def test_deck_lasts_as_many_collision_times_as_it_says(yielding_gas):
-    """The deck's own formula of the rate is that of theory: to the row its end is rounded to."""
+def test_duration_is_in_collision_times(yielding_gas):
+    """The collision rate in the deck is that of theory; the end is rounded to a row."""
     deck, series = yielding_gas.deck, yielding_gas.series
     times = series["time"].iloc[-1] * float(deck.gas().collision_rate(deck.temperature))
     assert times == pytest.approx(deck.duration, rel=1e-3)

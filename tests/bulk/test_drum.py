@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The rotating drum in the engine: angle of repose, lever arm, moving shell."""
+"""The rotating drum in LIGGGHTS: angle of repose, lever arm, moving shell."""
 
 from __future__ import annotations
 
@@ -33,14 +33,14 @@ def test_bed_leans_and_the_wall_carries_its_weight(turned):
 
 
 def test_missing_dissipation_is_noticed(turned):
-    """Without the plastic work the bed takes less than the wall gives."""
+    """Without plastic work, the bed dissipates less than the work of the wall."""
     steady = turned.series.query("revolutions > 0.3")
-    taken, lever = turned.deck.power_checks(steady, steady.assign(plastic=0.0))
-    assert lever.passed and not taken.passed
+    dissipation, lever = turned.deck.power_checks(steady, steady.assign(plastic=0.0))
+    assert lever.passed and not dissipation.passed
 
 
-def test_fewer_rows_make_the_lever_arm_no_tighter_than_its_trapezia(turned):
-    """Every thirty-second row: trapezia miss 3e-3 of the work, more than half overlaps do."""
+def test_fewer_rows_widen_the_limit_of_the_lever_arm(turned):
+    """With every 32nd row, trapezia miss 3e-3 of the work, more than half an overlap does."""
     sparse = read_series(turned.folder).iloc[::32].reset_index(drop=True)
     analysis = turned.deck.analyse(sparse)
     lever = analysis.checks[-1]
@@ -66,13 +66,13 @@ def begun(bulk_run) -> BulkRun:
 
 @pytest.fixture(scope="module")
 def rest(begun, tmp_path_factory) -> BulkRun:
-    """The end of it once more, from its last checkpoint but one."""
+    """The end of it again, from its last checkpoint but one."""
     folder = tmp_path_factory.mktemp("drum") / "rest"
     return run_bulk("drum", {}, folder, restart=begun.folder, show=False)
 
 
 def test_impacts_before_a_checkpoint_are_counted_after_it(begun, rest):
-    """All tables are there again; the figure has every impact whose value is not rounding."""
+    """All tables are identical; the figure shows every impact whose value exceeds round-off."""
     spectra = [read_spectra(run.folder / "collision_spectra.csv") for run in (begun, rest)]
     assert spectra[0]["step"].nunique() > 1
     pd.testing.assert_frame_equal(*spectra)
@@ -88,7 +88,7 @@ def test_impacts_before_a_checkpoint_are_counted_after_it(begun, rest):
 
 
 def test_shell_turns_on_after_a_restart(begun, rest):
-    """Its last frame is the same to every byte, and not the first."""
+    """Its last frames are identical, and differ from the first one."""
     last = begun.series["step"].iloc[-1]
     frames = [
         (folder / "frames" / f"mesh_{step}.vtk").read_bytes()

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The folder of a bulk run: what it tells, what another run may overwrite, and damaged ones."""
+"""The folder of a bulk run: its files, overwriting them, and damaged ones."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ def whole(bulk_run) -> Path:
     return bulk_run("cooling_gas", SHORT).folder
 
 
-def test_folder_tells_the_whole(whole):
+def test_folder_contains_deck_record_and_results(whole):
     record = json.loads((whole / "run.json").read_text())
     assert record["settings"]["side"] == "6" and record["settings"]["youngs_modulus"] == "9.6e10"
     assert record["versions"]["engine"].startswith("LIGGGHTS (Version LIGGGHTS-PUBLIC 3.8.0")
@@ -43,8 +43,8 @@ def test_folder_tells_the_whole(whole):
         assert (whole / name).stat().st_size > 0
 
 
-def test_frames_up_to_the_checkpoint_are_carried_along(tmp_path):
-    """Whole frames before its step; the engine adds that step's own."""
+def test_frames_up_to_the_checkpoint_are_copied(tmp_path):
+    """Only complete frames before its step; LIGGGHTS writes that of the step itself."""
     box = "ITEM: BOX BOUNDS ff ff ff\n" + 3 * "0 1\n"
     frames = [
         f"ITEM: TIMESTEP\n{step}\nITEM: NUMBER OF ATOMS\n2\n{box}"
@@ -96,8 +96,7 @@ def test_results_are_not_overwritten_unless_forced(whole, tmp_path, monkeypatch)
         ("before.csv", lambda text: "", "before.csv is damaged: No columns"),
     ],
 )
-def test_a_damaged_folder_is_said(file, damage, message, whole, tmp_path):
-    """By folder and file."""
+def test_damaged_folder_is_refused(file, damage, message, whole, tmp_path):
     folder = tmp_path / "run"
     shutil.copytree(whole, folder)
     path = folder / file

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The hopper in the engine: Beverloo's law, its ledger, the elastic limit, ranks, restart."""
+"""The hopper in LIGGGHTS: Beverloo's law, energy balance, elastic limit, restart."""
 
 from __future__ import annotations
 
@@ -15,13 +15,13 @@ from plastigran.engine.process import run_deck
 
 @pytest.fixture(scope="module")
 def discharged(steady_flow):
-    """A run that is half out."""
+    """A run in which half of the grains flow out."""
     return steady_flow("hopper")
 
 
 def test_discharge_follows_beverloo(discharged):
-    """The ledger over filling and discharge, grains counted, and the rate are within their bounds,
-    and the discharge is steady: its rate is known to 5 %."""
+    """Energy balance, number of grains and rate are within their limits. The discharge is steady:
+    its rate has an error below 5 %."""
     assert discharged.passed and len(discharged.checks) == 5
     assert any("Beverloo" in name for name in discharged.checks["name"])
     series = discharged.series
@@ -32,9 +32,9 @@ def test_discharge_follows_beverloo(discharged):
     assert 0.54 < series["packing"].iloc[0] < 0.67
 
 
-def test_deleted_grains_leave_the_ledger(discharged):
-    """Each takes the energy it has at the orifice, where height is zero: that of a free fall from
-    somewhere within an orifice's diameter above, as Beverloo's law has it."""
+def test_deleted_grains_leave_the_energy_balance(discharged):
+    """A grain takes the energy that it has at the orifice, at height zero: that of a free fall from
+    at most one orifice diameter above, as in Beverloo's law."""
     series, deck = discharged.series, discharged.deck
     gone = series["atoms"].iloc[0] - series["atoms"].iloc[-1]
     assert gone > 100
@@ -43,8 +43,8 @@ def test_deleted_grains_leave_the_ledger(discharged):
 
 
 def test_a_rate_that_falls_is_noticed(discharged):
-    """1.6 times as fast until 0.37 of the grains are out, about half of the steady part: the rate
-    in the mean is still in Beverloo's band."""
+    """The discharge is 1.6 times as fast for about half of the steady part; its mean rate is still
+    in Beverloo's band."""
     series = discharged.series
     time, counted = series["time"], series["counted"]
     turn = time[counted < 0.37 * series["atoms"].iloc[0]].iloc[-1]
@@ -55,16 +55,16 @@ def test_a_rate_that_falls_is_noticed(discharged):
     assert check.name.startswith("change of the rate between the halves")
 
 
-def test_unyielding_grains_are_the_engines_hertz(tmp_path):
-    """Yield strength without end, with dashpots and friction: as stock hertz that does not pull, to
-    1e-9 over the first impacts, in which the dashpots already tell."""
+def test_unyielding_grains_equal_stock_hertz(tmp_path):
+    """With a huge yield strength, dashpots and friction, they agree with hertz and limitForce to
+    1e-9 over the first impacts, in which the dashpots already have an effect."""
     damped = {"yield_strength": 1e18, "coefficient_of_restitution": 0.5, "ledger": "off"}
     few = {"orifice": 8, "layers": 2, "timestep": 2e-5, "filling": 0.02, "duration": 0.01}
     few |= {"rows": 4, "checkpoints": 1}
     options = {"hertz": "limitForce on", "thornton": "viscous_damping on"}
 
     def early(name: str, law: str, **changes) -> np.ndarray:
-        """Kinetic energy in the first steps of 416 grains that fall: all of them meet others."""
+        """Return the kinetic energy of 416 grains in the first steps; all of them collide."""
         values = few | damped | {"law": law, "options": options[law]} | changes
         run_deck("bulk/hopper.in", values, tmp_path / name)
         log = read_thermo(tmp_path / name / "log.liggghts")
@@ -76,8 +76,8 @@ def test_unyielding_grains_are_the_engines_hertz(tmp_path):
     assert undamped[-1] > 1.001 * stock[-1]
 
 
-def test_restart_without_friction_is_the_same_to_every_digit(tmp_path, brief_run):
-    """Grains, mesh contacts and counter, from the last checkpoint but one on."""
+def test_restart_without_friction_is_bitwise_identical(tmp_path, brief_run):
+    """Grains, mesh contacts and counter, from the last checkpoint but one."""
     settings = {**brief_run("hopper").deck.briefs[""].settings, "tangential": "off"}
     whole = run_bulk("hopper", settings, tmp_path / "whole", show=False)
     rest = run_bulk("hopper", {}, tmp_path / "rest", restart=whole.folder, show=False)
@@ -86,15 +86,15 @@ def test_restart_without_friction_is_the_same_to_every_digit(tmp_path, brief_run
     assert (rest.series[columns] == whole.series[columns]).all(axis=None)
 
 
-def test_a_rate_that_was_not_measured_is_said(discharged, brief_run):
+def test_unmeasured_rate_gives_a_note(discharged, brief_run):
     run = brief_run("hopper")
     assert "the discharge rate was not measured" in run.notes[0]
     assert "not all measured" in repr(run) and not run.checks["name"].str.contains("rate").any()
     assert not discharged.notes and "not all" not in repr(discharged)
 
 
-def test_meshes_come_along():
-    """Every orifice has its mesh among the files that are copied beside a run."""
+def test_meshes_are_files_of_the_deck():
+    """The mesh of every orifice is copied to the results."""
     for orifice in orifices():
         files = read_deck("hopper", {"orifice": orifice}, ".").files
         assert {f"hopper_{orifice}.stl", "plate.stl"} <= {file.name for file in files}

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The hoppers are whole, of the sizes they claim, and smooth to the engine."""
+"""The meshes of the hoppers are closed, have the stated sizes, and are smooth for LIGGGHTS."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from plastigran.engine.process import PROJECT
 
 @pytest.mark.parametrize("size", make_hopper.ORIFICES)
 def test_surface_has_two_openings_only(size):
-    """Every edge has two triangles but those of orifice and top, whose areas are a circle's."""
+    """Every edge has two triangles, except those of orifice and top, which are circles."""
     corners = np.round(make_hopper.triangles(size), 9)
     edges = Counter(
         frozenset(map(tuple, (triangle[k], triangle[k - 1])))
@@ -32,9 +32,9 @@ def test_surface_has_two_openings_only(size):
 
 
 @pytest.mark.parametrize("size", make_hopper.ORIFICES)
-def test_facets_are_smooth_to_the_engine(size):
-    """It hands a contact's dent on where facets meet at less than `curvature`, which it wants below
-    every corner: otherwise a yielding grain that rests on such an edge is a source of energy."""
+def test_facets_are_smooth_for_liggghts(size):
+    """Contact history passes between facets that meet at less than `curvature`, which must be below
+    every corner. Otherwise a yielding grain on such an edge creates energy."""
     deck = (PROJECT / "inputs" / "bulk" / "hopper" / "grains.in").read_text()
     curvature = float(re.search(r"hopper_\S+ .* curvature (\S+)", deck)[1])
     assert curvature > 360 / make_hopper.SEGMENTS  # of the barrel; the cone's are smaller

@@ -18,7 +18,7 @@ def constant(e: float):
 
 
 def yielding(speed):
-    """Yields at 1 m/s: 1 - e^2 = (1 - 1/g^2)/2 beyond, so that the mean loss is exp(-1/4T)/2."""
+    """Return e of a law with 1 - e^2 = (1 - 1/g^2)/2 above 1 m/s: its mean loss is exp(-1/4T)/2."""
     return np.sqrt(1 - 0.5 * (1 - 1 / np.maximum(speed, 1) ** 2))
 
 
@@ -32,14 +32,14 @@ def test_constant_restitution_is_haffs_law(e):
     expected = start / (1 + times * (1 - e**2) * rate / 6) ** 2
     assert course["temperature"].to_numpy() == pytest.approx(expected, rel=1e-5)
     assert haff(start, gas.cooling_rate(start), times) == pytest.approx(expected, rel=1e-6)
-    # Impacts so far: the rate goes with T^(1/2), so its integral is a logarithm.
+    # The rate is proportional to T^(1/2), so the number of impacts is a logarithm.
     tau = 6 / ((1 - e**2) * rate)
     assert course["collisions"].to_numpy() == pytest.approx(
         rate * tau * np.log1p(times / tau), rel=1e-5
     )
 
 
-def test_elastic_gas_keeps_its_energy_and_is_certain():
+def test_elastic_gas_keeps_its_energy():
     gas = Gas(RADIUS, 0.2, constant(1.0), 1000)
     course = cool(gas, 3.0, [0.0, 1.0])
     assert course["temperature"].iloc[-1] == pytest.approx(3.0, rel=1e-12)
@@ -54,7 +54,7 @@ def test_loss_of_a_yielding_gas(temperature):
 
 
 def test_yielding_gas_stalls():
-    """Impacts that lose anything are exponentially few: T falls with the logarithm of time.
+    """Impacts that dissipate are exponentially few: T falls with the logarithm of time.
 
     x = 1/4T grows as x^(1/2) exp(-x), so x - ln(x)/2 grows as ln t; 2 %: the next term, 1/x.
     """
@@ -82,7 +82,7 @@ def test_contact_value_has_the_hard_spheres_virial_coefficients():
 
 
 def test_statistical_error_goes_with_the_number_of_grains():
-    """Four times the grains, half the error; and it is that of a random walk of losses at first.
+    """Four times the grains give half the error; at first it is that of a random walk of losses.
 
     For e = 0 an impact of N grains takes m T l, l exponential with mean square 2, from 3/2 N m T:
     after x impacts a grain, var = x/2N (2/3)^2 2.

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Committed meshes are what the scripts beside them make."""
+"""Committed meshes equal the output of their scripts."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ SCRIPTS = sorted(FOLDER.glob("make_*.py"))
 
 @pytest.fixture
 def elsewhere(tmp_path):
-    """The scripts in a folder without meshes."""
+    """Folder with the scripts, without meshes."""
     without = shutil.ignore_patterns("*.stl")
     return shutil.copytree(inputs_folder(), tmp_path / "inputs", ignore=without) / "meshes"
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A run far beyond its law's range says so first: in its summary, its JSON and its report."""
+"""A run far beyond the range of its law fails: in its summary, its JSON and its report."""
 
 from __future__ import annotations
 
@@ -55,7 +55,7 @@ def write(folder: Path, **values: float) -> Path:
 
 
 def test_a_run_far_beyond_the_range_fails(tmp_path, capsys):
-    """The grain is pressed by a third of its radius: 15 times the range, a/R 0.1."""
+    """The overlap is a third of the radius, 15 times the range a/R = 0.1."""
     line = ["bulk", str(write(tmp_path, density=8000, velocity=-5, steps=200))]
     line += ["--output", str(tmp_path / "run")]
     assert main(line) == 1
@@ -74,7 +74,7 @@ def test_a_run_far_beyond_the_range_fails(tmp_path, capsys):
 
 
 def test_the_range_is_that_of_all_runs_and_simulations():
-    """Of a deck, and of the runs it continues."""
+    """Also of the runs that it continues."""
     lines = "plastigran range universal contacts=1 furthest={}\n"
     text = (
         lines.format(30) + lines.format(1.2) + "plastigran range thornton contacts=2 furthest=3\n"
@@ -83,8 +83,7 @@ def test_the_range_is_that_of_all_runs_and_simulations():
 
 
 def test_contacts_that_go_deeper_in_a_later_run_count(tmp_path):
-    """The grain is pressed in one run, or passes the range in a first one. 1e-9: digits of the
-    log."""
+    """The grain is compressed in one run or in two; 1e-9 is the precision of the log."""
     whole, split = (
         run_bulk(
             write(tmp_path, density=8000, velocity=-5, steps=steps), {}, tmp_path / name, show=False
@@ -96,7 +95,7 @@ def test_contacts_that_go_deeper_in_a_later_run_count(tmp_path):
     assert split.checks["value"].iloc[0] == pytest.approx(whole.checks["value"].iloc[0], rel=1e-9)
 
 
-def test_contacts_beyond_the_range_and_still_elastic_are_warned_of(tmp_path):
+def test_elastic_contacts_beyond_the_range_give_a_warning(tmp_path):
     deck = write(tmp_path, density=8000, velocity=-5, steps=250)
     deck.write_text(deck.read_text().replace("peratomtype 1.0e5", "peratomtype 5.0e6"))
     log = (run_bulk(deck, {}, tmp_path / "run", show=False).folder / "log.liggghts").read_text()
@@ -105,13 +104,13 @@ def test_contacts_beyond_the_range_and_still_elastic_are_warned_of(tmp_path):
 
 
 def test_the_range_is_in_the_log_before_a_run_ends(tmp_path):
-    """For the run that is killed."""
+    """A killed run needs it."""
     deck = write(tmp_path, density=8000, velocity=-1, steps=1500)
     log = (run_bulk(deck, {}, tmp_path / "run", show=False).folder / "log.liggghts").read_text()
     assert find_excess(log.split("Loop time")[0])["universal"] > 5
 
 
-def test_a_run_that_goes_on_keeps_what_its_start_has_left(tmp_path):
+def test_a_continued_run_keeps_the_largest_excess(tmp_path):
     deck = write(tmp_path, density=8000, velocity=-5, steps=200)
     text = deck.read_text()
     grains = text[text.index("create_atoms") : text.index("fix integrate")]
@@ -130,8 +129,8 @@ def test_a_run_that_goes_on_keeps_what_its_start_has_left(tmp_path):
     assert limit > EXCESS and rest.checks["value"].iloc[0] >= limit
 
 
-def test_a_run_without_contacts_is_no_success(tmp_path):
-    """On the page it passes nothing, and the page says why."""
+def test_a_run_without_contacts_passes_no_check(tmp_path):
+    """The page of the report states the reason."""
     deck = write(tmp_path, density=8000, velocity=1, low=0.001005, steps=10)
     assert main(["bulk", str(deck), "--output", str(tmp_path / "run")]) == 0
     section = make_section(collect([tmp_path / "run"])[0])

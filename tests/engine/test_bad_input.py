@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Bad input stops before the first step, naming what is wrong, its value and what is allowed."""
+"""Bad input stops before the first step; the message names property, value and allowed range."""
 
 from __future__ import annotations
 
@@ -70,7 +70,7 @@ BRINELL = r"indentationPressure is \d+; it must be between 100000 .* a hardness 
 
 
 def test_good_input_runs(tmp_path, engine_law):
-    """The log says which constants the model took, and that the step was made."""
+    """The log states the constants of the model, and LIGGGHTS makes the step."""
     log = run(tmp_path, law=engine_law)
     modulus = 7.0e10 / (2 * (1 - 0.3**2))  # of two equal bodies
     assert f"model {engine_law}, atom types 1 and 1: effective modulus {modulus:.6g} Pa" in log
@@ -78,7 +78,7 @@ def test_good_input_runs(tmp_path, engine_law):
     assert "for 1 steps with 1 atoms" in log
 
 
-def test_tangent_modulus_of_a_law_that_hardens_is_told(tmp_path):
+def test_log_states_the_tangent_modulus_of_a_law_that_hardens(tmp_path):
     given = constant("tangentModulus", "2e9", "peratomtype")
     log = run(tmp_path, law="ghaednia_2019", more=given)
     assert "Pa, tangent modulus 2e+09 Pa, unloading brake_2015" in log
@@ -203,7 +203,7 @@ def test_decks_without_a_wall_of_metal_refuse_its_constants(deck, message, name,
 
 
 def test_options_are_words(engine_law, tmp_path):
-    """Every choice of every option is taken, any other word refused."""
+    """Every choice of every option is accepted, and any other word refused."""
     for option in laws.LAWS[engine_law].options():
         for choice in option["choices"]:
             setting = f"{option['name']} {choice}"
@@ -215,7 +215,7 @@ def test_options_are_words(engine_law, tmp_path):
 
 @pytest.mark.parametrize("name", ["coefficientFriction", "coefficientRollingFriction"])
 def test_negative_friction_is_refused(name, tmp_path):
-    """The engine takes it, and it gives energy."""
+    """LIGGGHTS accepts it, and such friction creates energy."""
     with pytest.raises(EngineError, match=rf"{name} is -0.3; it must be 0 or more \(atom types 1"):
         run(tmp_path, law="thornton", more=constant(name, "-0.3"))
 
@@ -232,7 +232,7 @@ def test_constants_of_an_included_file_may_be_set(tmp_path):
 
 
 def test_viscous_damping_is_the_classic_dashpot(hertzian_law, tmp_path):
-    """Below yield, the model with viscous_damping is the engine's own hertz that never pulls."""
+    """Below yield, the model with viscous_damping equals LIGGGHTS' hertz with limitForce."""
     stock = (PROJECT / "inputs/collision/two_spheres.in").read_text()
     restitutions = []
     for law, settings in ((hertzian_law, "viscous_damping on"), ("hertz", "limitForce on")):
@@ -267,6 +267,6 @@ def test_an_impact_out_of_range_is_named(deck, tmp_path):
         ("mass", -1, r"be positive \[kg\]"),
     ],
 )
-def test_a_rod_that_is_none_is_named(name, value, allowed, tmp_path):
+def test_an_impossible_rod_is_named(name, value, allowed, tmp_path):
     with pytest.raises(EngineError, match=f"{name} is {value}; it must {allowed}"):
         run_deck("collision/rod.in", {name: value}, tmp_path)

@@ -35,7 +35,7 @@ def last_position(folder: Path, more: str) -> float:
 
 @pytest.mark.parametrize("ranks", [1, 2])
 def test_a_time_step_without_a_setup_is_refused(ranks, tmp_path):
-    """Particles would move by the earlier step, and all else would use the new one."""
+    """Particles would move by the earlier step; everything else would use the new one."""
     message = error_of(tmp_path, DECK + "timestep 1e-6\nrun 1000 pre no", ranks)
     assert "run ... pre no: timestep is 1e-06, but particles would move by 1e-05" in message
     assert "Remove `pre no`" in message
@@ -48,7 +48,7 @@ def test_a_time_step_with_a_setup_is_taken(tmp_path):
 
 
 def test_a_fix_may_change_the_time_step(tmp_path):
-    """`fix dt/reset` sets 2 us at the set-up, for all integrators, and the next part of the run
-    goes on with it: 1000 steps of 10 us and 200 of 2 us at 1 m/s from 0.1 m."""
+    """`fix dt/reset` sets 2 us during setup for all integrators, also for the next run: 1000
+    steps of 10 us and 200 of 2 us at 1 m/s from 0.1 m."""
     x = last_position(tmp_path, "fix reset all dt/reset 10 1e-6 2e-6 1.0\nrun 100\nrun 100 pre no")
     assert x == pytest.approx(0.1104, rel=1e-12)

@@ -44,7 +44,7 @@ SURFACES = {
 
 
 def trajectory(skin: float, surface: str, folder: Path) -> np.ndarray:
-    """Of all spheres: z, vx, vz, fz, omegay, (step and sphere, quantity)."""
+    """Return z, vx, vz, fz and omegay of all spheres, (steps * spheres, quantities)."""
     text = head("-0.1 0.2 -0.1 0.1 -0.01 0.1", skin) + DECK
     for words, others in SURFACES[surface].items():
         text = text.replace(words, others)
@@ -56,8 +56,8 @@ def trajectory(skin: float, surface: str, folder: Path) -> np.ndarray:
 @pytest.mark.parametrize("surface", ["default", "multicontact"])
 @pytest.mark.parametrize("skin", [0.0, 1e-9])
 def test_a_small_skin_changes_no_contact(skin, surface, tmp_path):
-    """1e-9 of the largest of each quantity: sums in another order. `surface multicontact` itself
-    depends on the skin where a sphere has several contacts: there only the first sphere counts."""
+    """The limit is 1e-9 of the largest value: sums have another order. `surface multicontact`
+    depends on the skin if a sphere has several contacts: there only the first sphere counts."""
     expected = trajectory(2e-3, surface, tmp_path / "usual")
     pressed = expected[0::3, 3] > 0  # the sphere that meets the plane alone
     assert np.count_nonzero(np.diff(pressed.astype(int)) == 1) >= 3

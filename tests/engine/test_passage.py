@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A particle that would pass a wall stops the run: a wall pushes out to either side, so that no
-overlap with it exceeds the radius."""
+"""A particle that would pass through a wall stops the run.
+
+A wall pushes to both sides, so no overlap with it can exceed the radius.
+"""
 
 from __future__ import annotations
 
@@ -45,7 +47,7 @@ def deck(**changes: object) -> str:
 
 
 def test_a_modulus_typed_in_gpa(engine_wall, tmp_path):
-    """With the warning before it, which says what the cause is."""
+    """The message quotes the earlier warning, which states the cause."""
     text = error_of(tmp_path, deck(**TYPED_IN_GPA, **engine_wall))
     place = re.search(
         r"particle \d+ at \(\S+ \S+ (\S+)\) is about to pass through a wall: it overlaps it by "
@@ -62,22 +64,22 @@ def engine_wall(request):
     """A plane, or the same as a mesh."""
     if request.param == "plane":
         return {}
-    # 5 by 6 at x = 0
+    # The mesh is 5 by 6 and lies at x = 0.
     mesh = "fix mesh all mesh/surface file ${inputs}/meshes/plate.stl type 1 scale 0.02"
     mesh += " rotate axis 0 1 0 angle 90 move 0.025 0.025 0"
     return {"mesh": mesh, "wall": "mesh n_meshes 1 meshes mesh"}
 
 
 def test_a_step_that_is_too_long(tmp_path):
-    """A wall hit at 10 m/s, in steps of 0.4 of the radius: the first contact is too strong, or the
-    second step through the wall. The warnings before it are quoted."""
+    """Balls hit a wall at 10 m/s in steps of 0.4 radii: the first contact is too strong, or the
+    second step passes the wall. The message quotes earlier warnings."""
     text = error_of(tmp_path, deck(**STEP_TOO_LONG, velocity=-10))
     assert "is about to pass through a wall" in text or "of its radius in a step" in text
     assert "the time step 0.0002 is too long for rebound from wall impacts" in text
 
 
 def test_a_wall_that_may_be_passed(tmp_path):
-    """The user allows overlaps beyond the radius: the run goes on."""
+    """The run continues, because the deck allows overlaps beyond the radius."""
     run_text(tmp_path, deck(**TYPED_IN_GPA, settings="overlap_limit 2"))
 
 

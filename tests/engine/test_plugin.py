@@ -20,7 +20,7 @@ VISCOSITY = {"dissipative_constant": 3e-5}  # for the laws that must have it; ot
 
 
 def wall_deck(law: str) -> str:
-    """The deck of a body on a wall for a law, or for one of the engine's own."""
+    """Return the deck of a body and a wall for a law or a model of LIGGGHTS."""
     shape = laws.LAWS[law].shape if law in laws.LAWS else "sphere"
     return f"collision/{shape}_wall.in"
 
@@ -44,7 +44,7 @@ def stock(folder: Path, preload: Path | None, **variables) -> subprocess.Complet
     )
 
 
-def test_stock_engine_takes_the_plugin_by_preload(engine_law, tmp_path):
+def test_stock_liggghts_loads_the_plugin_by_preload(engine_law, tmp_path):
     done = stock(tmp_path, PLUGIN, law=engine_law)
     assert done.returncode == 0, done.stdout + done.stderr
     run_deck(wall_deck(engine_law), VISCOSITY | {"law": engine_law}, tmp_path / "launcher")
@@ -53,22 +53,22 @@ def test_stock_engine_takes_the_plugin_by_preload(engine_law, tmp_path):
     assert preloaded.coefficient_of_restitution == launched.coefficient_of_restitution
 
 
-def test_stock_engine_alone_does_not_know_the_models(engine_law, tmp_path):
+def test_stock_liggghts_has_no_models_of_the_plugin(engine_law, tmp_path):
     done = stock(tmp_path, None, law=engine_law)
     assert done.returncode != 0
     assert "Invalid model specified" in done.stdout + done.stderr
 
 
 def test_plugin_exports_nothing():
-    """An exported template instance would take the place of the engine's own under LD_PRELOAD."""
+    """An exported template instance would replace that of LIGGGHTS under LD_PRELOAD."""
     listed = subprocess.run(
         ["nm", "-D", "--defined-only", PLUGIN], capture_output=True, text=True, check=True
     )
     assert listed.stdout.strip() == ""
 
 
-def test_engine_models_are_untouched_by_the_plugin(tmp_path):
-    """Stock hertz gives the same digits with and without the plugin loaded."""
+def test_plugin_leaves_stock_models_alone(tmp_path):
+    """Results of stock hertz with and without the plugin are bitwise identical."""
     for name, preload in (("with", PLUGIN), ("without", None)):
         (tmp_path / name).mkdir()
         assert stock(tmp_path / name, preload, law="hertz").returncode == 0
@@ -76,10 +76,10 @@ def test_engine_models_are_untouched_by_the_plugin(tmp_path):
     assert loaded.read_bytes() == alone.read_bytes()
 
 
-def test_engine_of_another_layout_is_refused(tmp_path):
-    """An engine that exports the superquadric atom style has larger structures: refuse to load.
+def test_liggghts_of_another_layout_is_refused(tmp_path):
+    """A LIGGGHTS that exports the superquadric atom style has larger structures.
 
-    A library with just that symbol stands in for such an engine.
+    A library with just that symbol stands in for such a LIGGGHTS.
     """
     source = tmp_path / "superquadric.c"
     source.write_text("const char _ZTVN9LAMMPS_NS18AtomVecSuperquadricE[1] = {0};\n")
@@ -99,8 +99,8 @@ def test_engine_of_another_layout_is_refused(tmp_path):
     )
 
 
-def test_engine_of_another_version_is_refused(tmp_path):
-    """The plugin compares the engine's version with the one it was compiled for."""
+def test_liggghts_of_another_version_is_refused(tmp_path):
+    """The plugin compares the version of LIGGGHTS with that of its compilation."""
     binary = PLUGIN.read_bytes()
     version = re.search(rb"LIGGGHTS-PUBLIC [0-9.]+", binary)[0]
     other = tmp_path / "libplastigran.so"
@@ -118,8 +118,8 @@ def test_launcher_under_mpirun(ranks, tmp_path):
     assert measure(tmp_path / "trajectory.dump").coefficient_of_restitution < 0.5
 
 
-def test_engines_start_alone_at_the_same_time(tmp_path):
-    """Each is a process of MPI that no launcher started: none may meet another's files."""
+def test_single_processes_start_at_the_same_time(tmp_path):
+    """They are MPI processes without a launcher, and must not use each other's files."""
     (tmp_path / "empty.in").write_text("")
     line = [PROJECT / "build" / "liggghts-plastigran", "-in", "empty.in", "-log", "none"]
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The runner: it quotes what ended a run, keeps to its time, and leaves no engine behind."""
+"""Running LIGGGHTS: errors are quoted, time-outs are kept, and no process is left behind."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from plastigran.engine.process import EngineStopped, engines, inputs_folder, run
 from plastigran.experiments.collision import measure
 
 SHORT = """
-# An ERROR in a comment is none in the run.
+# An ERROR in a comment is not an error of the run.
 variable output index .
 variable inputs index inputs
 units si
@@ -49,7 +49,7 @@ run 1000000000
 
 @pytest.fixture
 def deck(tmp_path):
-    """Writes a deck; returns its path."""
+    """Write a deck and return its path."""
 
     def write(text: str) -> Path:
         (tmp_path / "deck.in").write_text(text)
@@ -77,8 +77,8 @@ def test_a_run_that_takes_too_long_is_stopped(deck, ranks, tmp_path):
 
 @pytest.mark.parametrize("ranks", [1, 2])
 @pytest.mark.parametrize("sent", [signal.SIGTERM, signal.SIGKILL, signal.SIGHUP])
-def test_engines_end_with_whoever_started_them(deck, ranks, sent, tmp_path):
-    """Python cannot act on these signals; SIGINT is ignored, as in the background of a shell."""
+def test_liggghts_ends_with_the_process_that_started_it(deck, ranks, sent, tmp_path):
+    """Python cannot handle these signals; SIGINT is ignored, as in the background of a shell."""
     script = "import signal, sys; from plastigran.engine.process import run_deck\n"
     script += "signal.signal(signal.SIGHUP, signal.SIG_DFL)\n"
     script += "run_deck(sys.argv[1], {}, sys.argv[2], int(sys.argv[3]), timeout=None)"
@@ -110,19 +110,19 @@ def wait_until(true, seconds: float = 60) -> None:
 
 @pytest.mark.parametrize("ranks", [1, 2])
 def test_paths_may_hold_spaces(ranks, tmp_path, monkeypatch):
-    """Input scripts and results, which the engine itself would split at the space."""
+    """Paths of input scripts and results, which LIGGGHTS itself would split at the space."""
     inputs = tmp_path / "my inputs"
     inputs.symlink_to(inputs_folder())
     monkeypatch.setenv("PLASTIGRAN_INPUTS", str(inputs))
     folder = tmp_path / "my results"
     run_deck("collision/two_spheres.in", {}, folder, ranks)
     assert (folder / "trajectory.dump").stat().st_size > 1000
-    beside = tmp_path / "results"  # the engine runs elsewhere, as for a user's own deck
-    run_deck("collision/two_spheres.in", {}, beside, ranks, working_folder=tmp_path)
-    assert (beside / "trajectory.dump").stat().st_size > 1000
+    other = tmp_path / "results"  # LIGGGHTS runs in another folder, as for a user's deck
+    run_deck("collision/two_spheres.in", {}, other, ranks, working_folder=tmp_path)
+    assert (other / "trajectory.dump").stat().st_size > 1000
 
 
-def test_what_a_dry_run_prints_can_be_typed(tmp_path, monkeypatch, capsys):
+def test_commands_of_a_dry_run_can_be_typed(tmp_path, monkeypatch, capsys):
     inputs, folder = tmp_path / "my inputs", tmp_path / "my results"
     inputs.symlink_to(inputs_folder())
     monkeypatch.setenv("PLASTIGRAN_INPUTS", str(inputs))

@@ -20,7 +20,7 @@ def write(log: Path, text: str) -> None:
 
 
 def line(bar: RunBar, seconds: float) -> str:
-    """What the bar says after some time."""
+    """Return the text of the bar after some time."""
     bar.update()
     bar._bar._time = lambda: bar._bar.start_t + seconds
     return bar._bar._line()
@@ -35,8 +35,8 @@ def bar(request, tmp_path):
     bar.close()
 
 
-def test_time_left_is_that_of_all_runs(bar):
-    """Two runs, of 100 and 900 steps, of which the second is ten times as slow."""
+def test_time_left_covers_all_runs(bar):
+    """The second run of 900 steps is ten times as slow as the first one of 100 steps."""
     bar, log = bar
     write(log, f"run 100\n{HEAD}0 1\n50 1\n")
     assert line(bar, 5) == "deck: 50.0/1.00k steps, 00:05 so far, 01:35 to go"
@@ -45,7 +45,7 @@ def test_time_left_is_that_of_all_runs(bar):
     assert line(bar, 110) == "deck: 200/1.00k steps, run 2, 01:50 so far, 07:20 to go"
 
 
-def test_time_left_is_said_to_be_of_the_run_where_no_more_is_known(tmp_path):
+def test_time_left_covers_the_current_run_if_the_plan_is_unknown(tmp_path):
     log = tmp_path / "log.liggghts"
     bar = RunBar("deck", log)
     write(log, f"run 100\n{HEAD}0 1\n50 1\n")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Contacts that leave the range of their law are counted and said once, at the end of a run."""
+"""Contacts that leave the range of their law are counted and reported once per run, at its end."""
 
 from __future__ import annotations
 
@@ -14,12 +14,12 @@ from plastigran import laws
 from plastigran.engine.process import run_deck
 from plastigran.experiments.central import CentralImpact
 
-SAID = r"model (\w+): contacts beyond the law's range \(.*\) so far: (\d+), the furthest at (\S+)"
+REPORT = r"model (\w+): contacts beyond the law's range \(.*\) so far: (\d+), the furthest at (\S+)"
 
 
 def excess(geometry: str, law: str, speed: float, folder: Path, ranks: int = 1, **more) -> list:
     variables = {"law": law, "speed": speed, **more}
-    return re.findall(SAID, run_deck(f"collision/{geometry}.in", variables, folder, ranks=ranks))
+    return re.findall(REPORT, run_deck(f"collision/{geometry}.in", variables, folder, ranks=ranks))
 
 
 def vu_quoc_zhang_limit(pair: laws.MaterialPair, radius_eff: float) -> float:
@@ -54,8 +54,8 @@ CASES = [
 
 @pytest.mark.parametrize(("law", "speed", "limit"), CASES)
 def test_the_range_is_the_published_one(law, speed, limit, aluminium, tmp_path):
-    """The excess is the largest overlap over the range's; 1e-3 for the step's error and for the
-    frames between which the largest overlap lies."""
+    """The excess is the largest overlap divided by that of the range. 1e-3 covers the error of the
+    step, and that the largest overlap lies between two frames."""
     model = CentralImpact(law, speed, aluminium, 0.1)
     reports = excess("sphere_wall", law, speed, tmp_path, timestep=model.timestep)
     assert [line[:2] for line in reports] == [(law, "1")]
@@ -66,10 +66,10 @@ def test_the_range_is_the_published_one(law, speed, limit, aluminium, tmp_path):
 
 @pytest.mark.parametrize("ranks", [1, 2])
 def test_a_contact_is_counted_once(ranks, tmp_path):
-    """Also where each of two ranks has one of the spheres."""
+    """Also if the spheres belong to different ranks."""
     reports = excess("two_spheres", "vu_quoc_zhang", 0.2, tmp_path, ranks=ranks)
     assert [line[1] for line in reports] == ["1"]
 
 
-def test_nothing_is_said_within_the_range(tmp_path):
+def test_no_report_within_the_range(tmp_path):
     assert excess("sphere_wall", "vu_quoc_zhang", 0.02, tmp_path) == []

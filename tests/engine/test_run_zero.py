@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""`run 0` computes forces and moves nothing: the run behind it is the one there is without it."""
+"""`run 0` computes forces and moves nothing: the next run is the same as without it."""
 
 from __future__ import annotations
 
@@ -51,8 +51,10 @@ TOUCHING = {"height": 0.01 - 1e-11, "other_height": 0.03 - 3e-11}
 
 
 def run(folder: Path, first: str, **values: object) -> tuple[np.ndarray, pd.DataFrame]:
-    """Of the last run: z, vz, fz and temperature by step and sphere behind the first, where
-    `run 0` already wrote its own, and the printed entries."""
+    """Return z, vz, fz and temperature of the last run, and its energy terms.
+
+    The first step is left out, because `run 0` has already written it.
+    """
     run_text(folder, DECK.format(first=first, **values), inputs=PROJECT / "inputs")
     dump = read_dump(folder / "trajectory.dump").sort_values(["step", "id"])
     table = read_thermo(folder / "log.liggghts")
@@ -70,8 +72,8 @@ def run(folder: Path, first: str, **values: object) -> tuple[np.ndarray, pd.Data
     ids=["nothing", "overlap", "speed"],
 )
 def test_a_run_of_no_steps_changes_nothing(change, values, tmp_path):
-    """Neither what contacts reach nor their rate factor nor their heat, bitwise. The ledger books
-    what the deck changes after `run 0` as energy from outside; its sums have another order."""
+    """Loads, rate factors and heat of contacts are bitwise identical. Changes by the deck after
+    `run 0` count as energy from outside; the sums of the energy balance have another order."""
     values = {"rate_coefficient": 0.0, "change": change} | values
     path, entries = run(tmp_path / "plain", "", **values)
     path_after, entries_after = run(tmp_path / "after", "run 0", **values)

@@ -38,7 +38,7 @@ LEDGER = f"include {PROJECT}/inputs/energy_ledger.in\nthermo 100\n"
 
 
 def run(folder: Path, deck: str, name: str, ranks: int, wall: str) -> str:
-    """Run a deck of the page in a folder; its log."""
+    """Run a deck of the page in a folder and return its log."""
     if wall == "mesh":
         deck = re.sub("^fix floor", MESH, deck, flags=re.MULTILINE).replace(
             "primitive type 1 zplane 0.0", "mesh n_meshes 1 meshes mesh"
@@ -52,7 +52,7 @@ def run(folder: Path, deck: str, name: str, ranks: int, wall: str) -> str:
 @pytest.mark.parametrize("ranks", [1, 2])
 @pytest.mark.parametrize("wall", ["plane", "mesh"])
 def test_a_bed_settled_with_hertz_continues_with_a_law(wall, ranks, tmp_path):
-    """Contacts are loaded to their overlap: they have yielded at once, and the energy is closed.
+    """Contacts are loaded to their overlap: they yield at once, and the energy balance closes.
 
     1e-5 of the energy: the integrator's error in these 2000 steps; the plastic work at the start
     alone is 1e-2 of it.
@@ -91,7 +91,7 @@ def test_a_bed_settled_with_a_law_continues_with_hertz(wall, ranks, tmp_path):
 @pytest.mark.parametrize("ranks", [1, 2])
 @pytest.mark.parametrize("wall", ["plane", "mesh"])
 def test_the_models_may_change_within_a_deck(wall, ranks, tmp_path):
-    """The lines of the second deck behind those of the first, with the wall's fix deleted."""
+    """Lines of the second deck follow those of the first one, after the wall is deleted."""
     second = re.findall(r"^(?:fix m5|pair_style|pair_coeff|fix floor|timestep).*\n", CONTINUE, re.M)
     lines = "".join(second).replace("fix floor", LEDGER + "fix floor", 1)
     if wall == "mesh":

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Values that look like a slip are said once; a refusal names what is possible instead."""
+"""Values that look like a slip give one warning; a refusal names the possible choices."""
 
 from __future__ import annotations
 
@@ -62,7 +62,7 @@ def matrix(name: str, value: str) -> str:
 COHESION = property_global("cohesionEnergyDensity", "2 1e9 0 0 0", "peratomtypepair")
 
 
-def test_a_good_deck_is_told_nothing(tmp_path):
+def test_a_good_deck_gives_no_warning(tmp_path):
     assert "WARNING" not in run(tmp_path)
 
 
@@ -111,18 +111,18 @@ def test_a_good_deck_is_told_nothing(tmp_path):
         ),
     ],
 )
-def test_what_looks_like_a_slip_is_said_once(changes, message, tmp_path):
-    """Pairs and walls have the same bodies: one warning in all."""
+def test_a_slip_gives_one_warning(changes, message, tmp_path):
+    """Pairs and walls have the same bodies, so there is one warning."""
     log = run(tmp_path, **changes)
     assert log.count("WARNING: plastigran: model ") == 1
     assert message in log
 
 
-def test_cohesion_that_no_model_asks_for_is_no_slip(tmp_path):
+def test_unused_cohesion_gives_no_warning(tmp_path):
     assert "WARNING" not in run(tmp_path, more=COHESION, model="thornton tangential off")
 
 
-def test_a_body_that_is_rigid_or_never_yields_is_no_slip(tmp_path):
+def test_a_rigid_body_gives_no_warning(tmp_path):
     assert "WARNING" not in run(tmp_path, yield_strength="1e30")
 
 
@@ -140,7 +140,7 @@ def test_a_misspelt_property_that_must_be_there_is_named(tmp_path):
         run(tmp_path, strength_name="yieldStrenght")
 
 
-def test_restitution_that_nothing_uses_is_said(tmp_path):
+def test_unused_restitution_gives_a_warning(tmp_path):
     given = matrix("coefficientRestitution", "0.9")
     message = "model thornton: coefficientRestitution is not used"
     assert run(tmp_path, more=given).count(message) == 1
@@ -156,7 +156,7 @@ def test_restitution_that_nothing_uses_is_said(tmp_path):
         ("thornton", "stronge", "pair_style has thornton; fix floor has stronge"),
     ],
 )
-def test_different_models_of_pairs_and_walls_are_said_once(pairs, wall, message, tmp_path):
+def test_different_models_of_pairs_and_walls_give_one_warning(pairs, wall, message, tmp_path):
     log = run(
         tmp_path,
         model=f"{pairs} tangential off",
@@ -164,11 +164,11 @@ def test_different_models_of_pairs_and_walls_are_said_once(pairs, wall, message,
         more="hard_particles yes\n" + matrix("coefficientRestitution", "0.9"),
     )
     assert log.count(f"lines have different normal models: {message}") == 1
-    # Right only where no line has a model of LIGGGHTS.
+    # The warning is right only if no line has a model of LIGGGHTS.
     assert ("coefficientRestitution is not used" in log) == (wall == "stronge")
 
 
-def test_constants_stand_once_and_name_their_lines(tmp_path):
+def test_constants_are_printed_once_with_their_lines(tmp_path):
     """Two atom types and five walls, one with another law: three lines per law."""
     walls = [f"fix w{k} all wall/gran model thornton tangential off {FLOOR}" for k in range(4)]
     walls.append(f"fix other all wall/gran model stronge tangential off {FLOOR}")
@@ -191,7 +191,7 @@ def test_a_refused_combination_names_the_word(tmp_path):
         run(tmp_path, model="thornton surface superquadric")
 
 
-def test_an_unknown_law_is_named_with_those_there_are(tmp_path):
+def test_an_unknown_law_is_refused_with_the_possible_ones(tmp_path):
     with pytest.raises(EngineError) as error:
         run(tmp_path, model="vu_quok_zhang tangential off")
     assert "Invalid model specified" in str(error.value)
@@ -199,9 +199,9 @@ def test_an_unknown_law_is_named_with_those_there_are(tmp_path):
     assert " hertz " in str(error.value) and " vu_quoc_zhang " in str(error.value)
 
 
-def test_a_wall_does_not_meet_itself(tmp_path):
-    """An indentation pressure that is none for the rigid wall's own type stops nothing: no particle
-    has that type. One that has is another matter."""
+def test_constants_of_unused_type_pairs_are_not_checked(tmp_path):
+    """An indentation pressure that is impossible for the type of the rigid wall is accepted, if no
+    particle has that type."""
     bad = {"model": "brake_2012 tangential off", "more": matrix("indentationPressure", "1e9")}
     assert "atom types 1 and 2" in run(tmp_path, **bad)
     particle = "create_atoms 2 single -0.5 0 0.5\nset group all diameter 0.2 density 2700"
@@ -211,7 +211,7 @@ def test_a_wall_does_not_meet_itself(tmp_path):
 
 
 def test_grains_side_by_side_are_no_impact(tmp_path):
-    """At 1 m/s alike they touch nothing; only one that flies against the other asks for a step."""
+    """Grains that move at the same 1 m/s do not meet; a warning needs a relative speed."""
     side_by_side = {"velocities": "velocity all set 1 0 0.01", "timestep": "1e-4", "floor": ""}
     assert "WARNING" not in run(tmp_path, **side_by_side)
     apart = "region one block -0.1 0.1 -1 1 -1 1 units box\ngroup one region one\n"

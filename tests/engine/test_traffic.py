@@ -14,7 +14,7 @@ from plastigran.engine.dumps import read_dump
 from plastigran.engine.log import read_thermo
 from plastigran.engine.process import run_deck
 
-#: Two spheres, pressed together and let go half-way, are held; all others are traffic.
+#: Two spheres are pressed together, half released, and kept in place; the others move around them.
 DECK = """
 variable law index thornton
 variable grid index "1 1 1"
@@ -80,7 +80,7 @@ fix source traffic insert/pack seed 12373 distributiontemplate mixture insert_ev
 
 
 def forces(law: str, folder: Path, grid: str, sort: str, comes: str, compress: str) -> np.ndarray:
-    """Force between the two held spheres [N] by frame."""
+    """Return the force between the two spheres that are kept in place [N], by frame."""
     text = DECK.format(grid=grid, sort=sort, comes=comes, compress=compress)
     (folder / "deck.in").write_text(text)
     ranks = int(np.prod([int(n) for n in grid.split()]))
@@ -103,7 +103,7 @@ def forces(law: str, folder: Path, grid: str, sort: str, comes: str, compress: s
     ids=["sorted", "others come and go", "the border moves"],
 )
 def test_a_held_contact_keeps_its_force(law, grid, sort, comes, compress, tmp_path):
-    """It stays the law's force on the unloading branch; the virgin one would be larger by half.
+    """It stays the force on the unloading branch; that of first loading is half as large again.
 
     The border of two ranks starts left of the pair, at the middle of the box, and follows the
     runner past it. 1e-9: the overlap is a difference of positions fifty times larger, and stays

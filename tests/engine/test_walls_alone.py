@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Walls with a law beside pairs with LIGGGHTS' `hertz`: what the plugin does for pairs it does for
-walls alone, in the first run too."""
+"""Walls with a law, and pairs with LIGGGHTS' `hertz`: the plugin works for walls alone."""
 
 from __future__ import annotations
 
@@ -41,13 +40,13 @@ def start(skin: float = 2e-3) -> str:
 
 
 def trajectory(folder: Path, deck: str) -> np.ndarray:
-    """Of the sphere: z, vx, vz, fz, omegay, (step, quantity)."""
+    """Return z, vx, vz, fz and omegay of the sphere, (steps, quantities)."""
     run_text(folder, deck)
     return read_dump(folder / "trajectory.dump")[["z", "vx", "vz", "fz", "omegay"]].to_numpy()
 
 
 def same(one: np.ndarray, other: np.ndarray) -> bool:
-    """To 1e-9 of the largest of each quantity: sums in another order."""
+    """Return whether two trajectories agree to 1e-9 of the largest values."""
     return bool((np.abs(one - other) <= 1e-9 * np.abs(other).max(axis=0)).all())
 
 
@@ -75,7 +74,7 @@ def test_a_wall_given_again_keeps_its_contacts(tmp_path):
 @pytest.mark.parametrize("pairs", ["hertz", "universal"])
 @pytest.mark.parametrize("again", [True, False])
 def test_a_wall_given_before_a_run_without_setup_is_there(again, pairs, tmp_path):
-    """A new line has its set-up: with `pre no` the run is the one without."""
+    """A new line has its setup, so the run with `pre no` is the same as without."""
     wall = next(line for line in MATERIAL.splitlines() if line.startswith("fix floor"))
     models = MATERIAL.replace("gran model hertz", f"gran model {pairs}", 1)
     lines = f"unfix floor\n{wall}" if again else wall
@@ -129,7 +128,7 @@ def test_a_restart_with_other_models_on_the_wall_is_refused(pairs, models, other
 
 
 def test_a_wall_elsewhere_after_a_restart_has_new_contacts(tmp_path):
-    """A floor 2 um lower, within the overlap, with the ID of the former one or with another."""
+    """The floor is 2 um lower, less than the overlap; its ID stays or changes."""
     run_text(tmp_path, start() + MATERIAL + SPHERE + "run 540\nwrite_restart middle.restart\n")
     create = (
         start().split("region")[0] + f"hard_particles yes\nread_restart {tmp_path}/middle.restart\n"

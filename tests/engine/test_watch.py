@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A run that goes wrong stops and says which particle, where, and what to try; a time step that is
-too long is said before the run, or when a contact shows it.
+"""Run-time checks: a failing run stops and names the particle, its place and a remedy.
+
+A time step that is too long gives a warning before the run, or when a contact shows it.
 """
 
 from __future__ import annotations
@@ -54,8 +55,8 @@ def stopped(folder: Path, grains: list[tuple], ranks: int = 1, **changes) -> str
 
 
 @pytest.mark.parametrize("ranks", [1, 2])
-def test_force_that_is_no_number(ranks, tmp_path):
-    """A grain whose centre lies in the wall, where such overlaps are allowed: no normal."""
+def test_force_that_is_nan(ranks, tmp_path):
+    """The center of a grain lies in the wall, so the contact has no normal."""
     grains = [(0.05, 0.01, 0.05), (0.04, 0.02, 0)]
     message = stopped(tmp_path, grains, ranks=ranks, settings="overlap_limit 2")
     assert (
@@ -64,8 +65,8 @@ def test_force_that_is_no_number(ranks, tmp_path):
     )
 
 
-def test_velocity_that_is_no_number(tmp_path):
-    """A force beyond all bounds half-way: the place is the one of before."""
+def test_velocity_that_is_nan(tmp_path):
+    """A force is huge from step 500; the message names the place before."""
     more = "variable wild equal 1e300*(step>500)\nfix wild all addforce v_wild 0 0"
     message = stopped(tmp_path, [(0, 0, 0.05)], more=more)
     assert "particle 1 at (0 0 0.05) has a velocity that is NaN or infinite" in message
@@ -73,7 +74,7 @@ def test_velocity_that_is_no_number(tmp_path):
 
 @pytest.mark.parametrize("ranks", [1, 2])
 def test_overlap(ranks, tmp_path):
-    """By 1.04 of the radius, across the border of two ranks; allowed when the deck says so."""
+    """The overlap is 1.04 radii, across the border of two ranks; `overlap_limit` allows it."""
     grains = [(0, -0.48 * RADIUS, 0.05), (0, 0.48 * RADIUS, 0.05)]
     message = stopped(tmp_path, grains, ranks=ranks)
     assert re.search(r"particle [12] at \(0 \S+ 0.05\) overlaps particle [12] at", message)
@@ -100,7 +101,7 @@ def test_particle_that_outruns_its_contacts(tmp_path):
 
 @pytest.mark.parametrize("ranks", [1, 2])
 def test_lost_particle(ranks, tmp_path):
-    """It stops a run that may lose none; the engine's default is to let it go."""
+    """It stops a run with `lost error`; by default, LIGGGHTS deletes it."""
     grains = [(0, 0, 0.05), (-0.09, 0.03, 0.05)]
     away = "velocity all set -100 0 0\n"
     changes = {"ranks": ranks, "steps": 100}
@@ -113,7 +114,7 @@ def test_lost_particle(ranks, tmp_path):
 
 
 def test_step_is_compared_with_known_times(tmp_path):
-    """In one line, to its two digits: Rayleigh's time, Hertz' duration, and the law's own step.
+    """One line states Rayleigh's time, Hertz' duration and the step of the law, to two digits.
 
     Rayleigh: pi R/c, c = (0.8766 + 0.1631 nu) (G/rho)^(1/2), Bergmann's approximation, within 0.2 %
     of the root of Rayleigh's equation, c = 0.9274 (G/rho)^(1/2) for nu = 0.3.
@@ -133,20 +134,20 @@ def test_step_is_compared_with_known_times(tmp_path):
     assert shares == pytest.approx([step / rayleigh, step / hertz, step / law], rel=0.06)
 
 
-def test_contacts_there_are_count_as_a_run_starts(tmp_path):
-    """A grain that begins in a wall, at rest: the step of the impact that loads it as deeply."""
+def test_contacts_at_the_start_of_a_run_count(tmp_path):
+    """A grain starts at rest in a wall: the step is that of an impact with the same overlap."""
     overlap, step = 0.2 * RADIUS, 1e-7
     text = run(tmp_path, [(0, 0, RADIUS - overlap)], timestep=step, steps=1)
     law = laws.Thornton(laws.combine(BODY, BODY))
-    virgin = law.respond(RADIUS, overlap, law.State())
-    speed = sqrt(2 * (virgin.elastic_energy + virgin.plastic_work) / MASS)
+    loading = law.respond(RADIUS, overlap, law.State())
+    speed = sqrt(2 * (loading.elastic_energy + loading.plastic_work) / MASS)
     share = float(re.search(r" (\S+) of that for the stiffest contact\n", text)[1])
     assert share == pytest.approx(step / law.recommended_timestep(RADIUS, MASS, speed), rel=0.06)
 
 
 @pytest.mark.parametrize("ranks", [1, 2])
 def test_contact_shows_that_the_step_is_too_long(ranks, tmp_path):
-    """A grain falls from rest: nothing to warn of before; once it has hit, the law's own step for
+    """A grain falls from rest, which gives no warning. After the impact, the step of the law for
     that speed is recommended. Depths are looked at by tenths: a step longer by at most 5 %.
     """
     speed = 0.5

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""What the suite of bulk decks runs over."""
+"""Parameters of the tests of bulk decks."""
 
 from __future__ import annotations
 
@@ -11,13 +11,13 @@ from plastigran.declared import declarations
 
 
 def pytest_generate_tests(metafunc: pytest.Metafunc) -> None:
-    """`case` runs a test for every short run, with `field` for every declared setting of it
-    that not every text is a value of."""
+    """Run a test with `case` for every short run, and with `field` for every declared setting
+    that does not accept every text."""
     if "field" in metafunc.fixturenames:
         pairs = [
             pytest.param(case, field, id=f"{case.name}-{case.label}-{field}")
             for case in CASES
-            for field, message in declarations(case.kind).items()
+            for field, message in declarations(case.deck_type).items()
             if message.choices or message.value_type is not str
         ]
         metafunc.parametrize(("case", "field"), pairs)
@@ -27,5 +27,5 @@ def pytest_generate_tests(metafunc: pytest.Metafunc) -> None:
 
 @pytest.fixture
 def whole(case, brief_run) -> BulkRun:
-    """The short run on one rank, with two frames on the way."""
+    """The short run on one rank, with two frames."""
     return brief_run(case.name, case.label)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Every short run that a bulk deck declares: found and never listed."""
+"""Short runs that the bulk decks declare."""
 
 from __future__ import annotations
 
@@ -15,19 +15,19 @@ class Case:
     """A short run of a deck.
 
     Attributes:
-        name: Of the deck.
-        label: Of the short run.
-        brief: The run.
-        kind: The deck's class.
+        name: Name of the deck.
+        label: Label of the short run.
+        brief: Short run.
+        deck_type: Class of the deck.
     """
 
     name: str
     label: str
     brief: Brief
-    kind: type[BulkDeck]
+    deck_type: type[BulkDeck]
 
     def settings(self, **changes: object) -> dict[str, str]:
-        """Every setting of the run, as text."""
+        """Return all settings of the run, as text."""
         return read_deck(self.name, {**self.brief.settings, **changes}, ".").settings
 
 

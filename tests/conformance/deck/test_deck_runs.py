@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Runs of every bulk deck: what they leave, their ledger, restart, ranks, another law."""
+"""Runs of every bulk deck: files, energy balance, restart, ranks, another law."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from plastigran.engine.deck import read_deck
 from plastigran.engine.log import read_thermo
 from plastigran.engine.process import run_deck
 
-#: Columns that are what rounding leaves of sums that vanish.
+#: Columns that are round-off of vanishing sums.
 ROUNDING = ["drift", "inserted", "flow"]
 
 
@@ -39,7 +39,7 @@ def test_run_leaves_series_checks_figures_and_frames(case, whole):
 
 
 def test_run_is_read_again_without_inputs(case, whole, tmp_path, monkeypatch):
-    """From another folder, the same to every digit."""
+    """The run is bitwise identical in another folder."""
     shutil.copytree(whole.folder, tmp_path / "moved")
     monkeypatch.setenv("PLASTIGRAN_INPUTS", str(tmp_path / "none"))
     moved = open_run(tmp_path / "moved")
@@ -48,17 +48,17 @@ def test_run_is_read_again_without_inputs(case, whole, tmp_path, monkeypatch):
     assert moved.passed == whole.passed and case.name in repr(moved)
 
 
-def test_ledger_closes_and_grains_are_counted(whole):
+def test_energy_balance_closes_and_grains_are_counted(whole):
     checks = whole.checks.set_index("name")
     assert checks.loc[list(LEDGER_CHECKS), "passed"].all()
     counted = checks[checks.index.str.startswith("grains ")]
     assert (counted["value"] == 0).all() and len(counted) == 1
 
 
-def test_failed_check_hands_over_the_analysis(case, whole):
-    """Twice the drift allowed, and a grain less in the last row, are noticed, and drawn."""
+def test_failed_checks_keep_the_analysis(case, whole):
+    """A large balance error and a lost grain in the last row fail, and figures are drawn."""
     series = read_series(whole.folder)
-    grown = np.arange(len(series)) == len(series) - 1  # the first row may be the ledger's zero
+    grown = np.arange(len(series)) == len(series) - 1  # the first row may be zero
     allowed = whole.deck.ledger_limit(whole.series) * energy_input(whole.series)
     series.loc[grown, "drift"] += 2 * allowed
     series.loc[grown, "held" if "held" in series else "atoms"] -= 1
@@ -68,8 +68,8 @@ def test_failed_check_hands_over_the_analysis(case, whole):
     assert case.name in analysis.figures and len(analysis.series) == len(whole.series)
 
 
-def test_killed_run_gives_what_it_has(whole, tmp_path):
-    """A log cut in its last lines, no results: no checks, and not passed."""
+def test_killed_run_has_its_rows(whole, tmp_path):
+    """Without its last lines and results, the run has no checks and does not pass."""
     shutil.copytree(whole.folder, tmp_path / "killed")
     for name in ("series.csv", "checks.csv"):
         (tmp_path / "killed" / name).unlink()
@@ -82,10 +82,10 @@ def test_killed_run_gives_what_it_has(whole, tmp_path):
     assert "not finished" in repr(killed)
 
 
-def test_restart_goes_on(case, whole, tmp_path):
-    """From half of the checkpoints on, as if killed there: as exactly as the deck says.
+def test_restart_continues(case, whole, tmp_path):
+    """Continue from half of the checkpoints, and compare to the precision that the deck declares.
 
-    Where it says exactly, sums over grains may differ in rounding: 1e-12.
+    For bitwise identical runs, sums over grains may still differ by round-off, 1e-12.
     """
     stopped = tmp_path / "stopped"
     shutil.copytree(whole.folder, stopped)
@@ -110,8 +110,8 @@ def test_restart_goes_on(case, whole, tmp_path):
 
 
 def test_ranks_agree_on_the_first_impacts(case, tmp_path):
-    """Grains as they yield for the first time on one rank, two and four, to 1e-9: forces are summed
-    in another order, and an impact multiplies the difference by ten."""
+    """The first yielding impacts agree to 1e-9 on one, two and four ranks: forces are summed in
+    another order, and an impact multiplies the difference by ten."""
     settings, logs = {**case.brief.settings, **case.brief.start}, []
     for ranks in (1, 2, 4):
         run_deck(f"bulk/{case.name}.in", settings, tmp_path / str(ranks), ranks)
@@ -127,10 +127,10 @@ def test_ranks_agree_on_the_first_impacts(case, tmp_path):
 
 
 def test_another_law_runs(case, tmp_path):
-    """The engine's own hertz, without a ledger, where the deck can do without; else thornton."""
+    """LIGGGHTS' hertz without energy balance, if the deck allows it; otherwise thornton."""
     changes = {"law": "hertz", "ledger": "off"}
     try:
-        case.kind.read(case.settings(**changes))
+        case.deck_type.read(case.settings(**changes))
     except ValueError:
         changes = {"law": "thornton"}
     run = run_bulk(case.name, {**case.brief.settings, **changes}, tmp_path / "run", show=False)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Settings of every bulk deck: declared once, and refused out of range before anything runs."""
+"""Settings of every bulk deck: declared, and checked before a run."""
 
 from __future__ import annotations
 
@@ -25,12 +25,12 @@ def test_every_deck_has_a_class_and_a_short_run():
 
 
 def test_declared_settings_are_the_decks(case):
-    """A setting that one of them lacks would go unchecked, or be asked for in vain."""
-    assert attrs.fields_dict(case.kind).keys() - {"output"} == case.settings().keys() - PLACES
+    """Class and script have the same settings."""
+    assert attrs.fields_dict(case.deck_type).keys() - {"output"} == case.settings().keys() - PLACES
 
 
 def wrong_values(field: attrs.Attribute) -> list[object]:
-    """Values a declaration does not allow."""
+    """Return values that the declaration does not allow."""
     declared: Declaration = field.metadata["declaration"]
     if declared.choices:
         return ["nonsense"]
@@ -46,9 +46,9 @@ def wrong_values(field: attrs.Attribute) -> list[object]:
 
 def test_impossible_values_are_refused_by_name(case, field):
     settings = case.settings(output="results")
-    for value in wrong_values(attrs.fields_dict(case.kind)[field]):
+    for value in wrong_values(attrs.fields_dict(case.deck_type)[field]):
         with pytest.raises(ValueError, match=rf"^{field} is .*(must|not a)"):
-            case.kind.read({**settings, field: value})
+            case.deck_type.read({**settings, field: value})
 
 
 @pytest.mark.parametrize(
@@ -63,27 +63,27 @@ def test_impossible_values_are_refused_by_name(case, field):
         ({"colour": "red"}, "has no setting 'colour'; it takes "),
     ],
 )
-def test_impossible_runs_are_refused_before_anything_runs(case, change, message, tmp_path):
+def test_impossible_runs_are_refused(case, change, message, tmp_path):
     with pytest.raises((ValueError, RuntimeError), match=message):
         run_bulk(case.name, {**case.brief.settings, **change}, tmp_path / "run", show=False)
     assert not (tmp_path / "run").exists()
 
 
-def test_every_law_is_taken(case, sphere_law):
+def test_every_law_is_accepted(case, sphere_law):
     settings = case.settings(law=sphere_law, dissipative_constant=1e-5)
-    assert case.kind.read(settings).grains.contact_law() is not None
+    assert case.deck_type.read(settings).grains.contact_law() is not None
 
 
-def test_a_setting_that_a_deck_lacks_is_said(case):
+def test_missing_setting_is_refused(case):
     settings = case.settings()
     del settings["radius"]
     with pytest.raises(ValueError, match="declares radius, but the deck has no such setting"):
-        case.kind.read(settings)
+        case.deck_type.read(settings)
 
 
-def test_frames_may_change_when_a_run_goes_on(case):
-    """And nothing of the grains or the time step may, in any deck."""
-    allowed = case.kind.continuable_settings()
+def test_frames_may_change_in_a_continued_run(case):
+    """Settings of grains or time step may not, in any deck."""
+    allowed = case.deck_type.continuable_settings()
     shared = {field.name for field in attrs.fields(BulkDeck)}
     assert "frames" in allowed and allowed & shared <= {
         "frames",
@@ -102,7 +102,7 @@ def test_ranks_below_one_are_refused(tmp_path):
 @pytest.mark.parametrize(
     "record", ["{}", "[]", '{"deck": "hop', '{"deck": "hopper", "values": {}, "settings": 3}']
 )
-def test_a_broken_record_is_said(record, tmp_path):
+def test_broken_record_is_refused(record, tmp_path):
     (tmp_path / "run.json").write_text(record)
     with pytest.raises(EngineError, match=r"run\.json"):
         open_run(tmp_path)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A deck is its files alone: one that nothing else knows passes the whole suite."""
+"""A deck consists of its files alone: a new one passes the whole suite."""
 
 from __future__ import annotations
 
@@ -23,13 +23,16 @@ TESTS = [
     for name, test in vars(module).items()
     if name.startswith("test_") and set(inspect.signature(test).parameters) <= {"case", "whole"}
 ]
-TESTS += [test_deck_runs.test_restart_goes_on, test_deck_runs.test_ranks_agree_on_the_first_impacts]
+TESTS += [
+    test_deck_runs.test_restart_continues,
+    test_deck_runs.test_ranks_agree_on_the_first_impacts,
+]
 TESTS += [test_deck_runs.test_another_law_runs]
 
 
 @pytest.fixture(scope="module")
 def exercise_deck(tmp_path_factory):
-    """The deck's files lie where those of other decks do."""
+    """Files of the deck are in the folders of the other decks."""
     inputs = tmp_path_factory.mktemp("exercise") / "inputs"
     shutil.copytree(inputs_folder(), inputs)
     shutil.copytree(EXERCISE / "inputs", inputs, dirs_exist_ok=True)

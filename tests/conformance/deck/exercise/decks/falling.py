@@ -37,7 +37,7 @@ class Falling(GranularDeck):
                 "fall against g t^2/2 before the floor, over the height",
                 (fallen - free)[falling].abs().max() / self.height,
                 1e-9,
-                "the integrator is exact under a constant force, to rounding",
+                "the integrator is exact under a constant force, to round-off",
             ),
             *self.ledger_checks(series),
         ]
