@@ -45,8 +45,8 @@ def exercise_deck(tmp_path_factory):
 
 @pytest.fixture
 def case(exercise_deck) -> Case:
-    kind = decks.deck_class("falling")
-    return Case("falling", "", kind.briefs[""], kind)
+    deck_type = decks.deck_class("falling")
+    return Case("falling", "", deck_type.briefs[""], deck_type)
 
 
 def test_its_fall_is_free_until_the_floor(whole):
