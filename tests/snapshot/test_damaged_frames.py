@@ -9,7 +9,7 @@ from pathlib import Path
 import imageio.v3 as iio
 import pytest
 import pyvista
-from pressed_pairs import EMPTY, press_pairs
+from pressed_pairs import EMPTY
 from test_vtk import read_run
 
 from plastigran.bulk.vtk import write_vtk
@@ -21,16 +21,10 @@ from plastigran.plot.snapshot import draw
 NAMES = ("grains", "contacts", "mesh")
 
 
-@pytest.fixture(scope="module")
-def whole(tmp_path_factory) -> Path:
-    """Folder of a run with three frames."""
-    return press_pairs(tmp_path_factory.mktemp("run"))
-
-
 @pytest.fixture
-def run(whole, tmp_path) -> Path:
+def run(pairs, tmp_path) -> Path:
     """Copy of the run that a test may damage."""
-    return Path(shutil.copytree(whole, tmp_path / "run"))
+    return Path(shutil.copytree(pairs, tmp_path / "run"))
 
 
 def empty(run: Path, *steps: int) -> None:

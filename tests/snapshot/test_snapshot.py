@@ -11,17 +11,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 from matplotlib.image import imread
-from pressed_pairs import press_pairs
 
 from plastigran.cli import main
 from plastigran.plot.frame_files import SnapshotError, find_frames
 from plastigran.plot.snapshot import draw
-
-
-@pytest.fixture(scope="module")
-def run(tmp_path_factory) -> Path:
-    """Folder of a run with three frames."""
-    return press_pairs(tmp_path_factory.mktemp("run"))
 
 
 def drawn(path: Path) -> np.ndarray:
@@ -36,28 +29,30 @@ def halves(shown: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     return shown[:, :middle], shown[:, middle:]
 
 
-def test_frames_are_found_by_step(run):
-    frames = find_frames(run)
+def test_frames_are_found_by_step(pairs):
+    frames = find_frames(pairs)
     assert [frame.step for frame in frames] == [0, 50, 100]
     assert frames[-1].contacts.name == "contacts_100.vtk"
     assert frames[-1].mesh.name == "mesh_100.vtk"
 
 
-def test_grains_have_their_size(run, tmp_path):
+def test_grains_have_their_size(pairs, tmp_path):
     """Seen from above, each pair is one disc; the areas are 4 to 1, within 3 % for facets."""
-    draw(find_frames(run)[-1], tmp_path / "top.png", colour="height", view="top", size=(1000, 800))
+    draw(
+        find_frames(pairs)[-1], tmp_path / "top.png", colour="height", view="top", size=(1000, 800)
+    )
     large, small = halves(drawn(tmp_path / "top.png"))
     width = np.flatnonzero(large.any(axis=0)).size
     assert large.sum() == pytest.approx(4 * small.sum(), rel=0.03)
     assert large.sum() == pytest.approx(pi / 4 * width**2, rel=0.03)
 
 
-def test_force_chains_are_where_grains_touch(run, tmp_path):
+def test_force_chains_are_where_grains_touch(pairs, tmp_path):
     """Each pair has a tube from center to center, whose cross section is proportional to the force.
 
     LIGGGHTS computes 0.049 and 0.024 N. Tolerances are some pixels.
     """
-    draw(find_frames(run)[-1], tmp_path / "c.png", contacts=True, view="front", size=(1000, 800))
+    draw(find_frames(pairs)[-1], tmp_path / "c.png", contacts=True, view="front", size=(1000, 800))
     large, small = halves(drawn(tmp_path / "c.png"))
     high, low = (np.flatnonzero(tube.any(axis=1)).size for tube in (large, small))
     assert high == pytest.approx(3.9 / 1.9 * low, rel=0.05)
@@ -71,9 +66,9 @@ def test_force_chains_are_where_grains_touch(run, tmp_path):
         (["--colour", "red"], "invalid choice: 'red'"),
     ],
 )
-def test_wrong_options_are_refused(run, options, message, capsys):
+def test_wrong_options_are_refused(pairs, options, message, capsys):
     with suppress(SystemExit):  # argparse exits
-        assert main(["snapshot", str(run), *options]) == 1
+        assert main(["snapshot", str(pairs), *options]) == 1
     assert re.search(message, capsys.readouterr().err)
 
 
@@ -82,6 +77,6 @@ def test_folder_without_frames_is_refused(tmp_path):
         find_frames(tmp_path)
 
 
-def test_command_writes_into_the_run(run, capsys):
-    assert main(["snapshot", str(run), "--colour", "speed", "--view", "front"]) == 0
-    assert drawn(run / "figures" / "speed_front_100.png").any()
+def test_command_writes_into_the_run(pairs, capsys):
+    assert main(["snapshot", str(pairs), "--colour", "speed", "--view", "front"]) == 0
+    assert drawn(pairs / "figures" / "speed_front_100.png").any()

@@ -6,6 +6,7 @@ from __future__ import annotations
 from types import SimpleNamespace
 from xml.etree import ElementTree
 
+import imageio.v3 as iio
 import numpy as np
 import pandas as pd
 import pytest
@@ -77,10 +78,9 @@ def test_series_lists_frames_by_time(vtk):
             assert (vtk / entry.get("file")).exists()
 
 
-def test_without_history_there_is_no_plastic_work(tmp_path):
-    folder = press_pairs(tmp_path)
-    write_vtk(read_run(folder, "thornton"), folder / "vtk")
-    contacts = pyvista.read(folder / "vtk" / "contacts_100.vtp")
+def test_without_history_there_is_no_plastic_work(pairs, tmp_path):
+    write_vtk(read_run(pairs, "thornton"), tmp_path)
+    contacts = pyvista.read(tmp_path / "contacts_100.vtp")
     assert "plastic_work" not in contacts.cell_data
     assert "overlap" in contacts.cell_data
 
@@ -124,11 +124,8 @@ def test_plastic_work_follows_from_history_and_overlap(yielding_law):
 
 
 @pytest.mark.parametrize("name", ["grains.gif", "grains.mp4"])
-def test_movie_has_a_picture_of_every_frame(name, tmp_path, capsys):
-    import imageio.v3 as iio
-
-    folder = press_pairs(tmp_path)
-    line = ["snapshot", str(folder), "--colour", "speed", "--rate", "4"]
+def test_movie_has_a_picture_of_every_frame(name, pairs, tmp_path):
+    line = ["snapshot", str(pairs), "--colour", "speed", "--rate", "4"]
     assert main([*line, "--movie", str(tmp_path / name)]) == 0
     pictures = iio.imread(tmp_path / name, plugin="pyav" if name.endswith("mp4") else "pillow")
     assert pictures.shape[:3] == (len(STEPS), 720, 960)
@@ -137,16 +134,16 @@ def test_movie_has_a_picture_of_every_frame(name, tmp_path, capsys):
 
 
 @pytest.mark.parametrize("colour", ["height", "radius", "speed"])
-def test_frames_of_a_movie_have_one_scale(colour, tmp_path, monkeypatch, capsys):
+def test_frames_of_a_movie_have_one_scale(colour, pairs, tmp_path, monkeypatch, capsys):
     """It starts at the smallest value of all frames, for speeds at zero."""
-    folder, spans = press_pairs(tmp_path), []
+    spans = []
 
     def draw(*_, span, **__):
         spans.append(span)
         return np.zeros((4, 4, 3), np.uint8)
 
     monkeypatch.setattr("plastigran.plot.grain_movie.draw", draw)
-    frames = find_frames(folder)
+    frames = find_frames(pairs)
     save_grain_movie(frames, tmp_path / "x.gif", colour, progress=False)
     values = np.concatenate([grain_values(frame, colour) for frame in frames])
     least = 0.0 if colour == "speed" else values.min()
@@ -155,11 +152,9 @@ def test_frames_of_a_movie_have_one_scale(colour, tmp_path, monkeypatch, capsys)
     assert capsys.readouterr().err == ""
 
 
-def test_unknown_movie_type_is_refused(tmp_path, capsys):
-    folder = press_pairs(tmp_path)
-    assert main(["snapshot", str(folder), "--movie", "grains.avi"]) == 1
-    assert (
-        "grains.avi cannot be a movie: its name must end in .mp4 or .gif" in capsys.readouterr().err
-    )
-    assert main(["snapshot", str(folder), "--rate", "3"]) == 1
+def test_wrong_movie_options_are_refused(pairs, capsys):
+    assert main(["snapshot", str(pairs), "--movie", "grains.avi"]) == 1
+    message = "grains.avi cannot be a movie: its name must end in .mp4 or .gif"
+    assert message in capsys.readouterr().err
+    assert main(["snapshot", str(pairs), "--rate", "3"]) == 1
     assert "--rate is 3; it needs --movie" in capsys.readouterr().err
