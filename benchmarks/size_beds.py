@@ -144,12 +144,12 @@ def run(
     # The first run warms up; the second is measured.
     part = log.split("Loop time of")[2]
     head = re.search(r"for (\d+) steps with (\d+) atoms", part)
-    found = {
+    times = {
         name: re.search(rf"^{name} +time \(%\) = (\S+)", part, re.MULTILINE) for name in SECTIONS
     }
     ghosts = re.search(r"^Nghost: +(\S+) ave", part, re.MULTILINE)
     pairs = re.search(r"^Total # of neighbors = (\d+)", part, re.MULTILINE)
-    if not (head and ghosts and pairs and all(found.values())):
+    if not (head and ghosts and pairs and all(times.values())):
         raise EngineError(f"{folder}: the log lacks the table of times")
     return Run(
         grains=int(head[2]),
@@ -160,7 +160,7 @@ def run(
         first=_bytes(folder / "first"),
         later=_bytes(folder / "later"),
         peak=_bytes(folder / "peak"),
-        sections={name: float(match[1]) for name, match in found.items() if match},
+        sections={name: float(match[1]) for name, match in times.items() if match},
         ghosts=float(ghosts[1]),
         neighbors=int(pairs[1]),
         checkpoint=processor[3] - processor[2] if len(stamps) > 3 else float("nan"),

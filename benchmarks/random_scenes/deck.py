@@ -76,9 +76,9 @@ def _begin(scene: Scene) -> Iterator[str]:
     yield "neighbor 0.02 bin"
     yield "neigh_modify delay 0"
     particles = zip(scene.types, scene.positions, scene.radius, scene.velocities, strict=True)
-    for number, (kind, place, radius, velocity) in enumerate(particles, 1):
-        yield f"create_atoms {kind} single {_words(place)} units box"
-        density = scene.densities[kind - 1]
+    for number, (atom_type, place, radius, velocity) in enumerate(particles, 1):
+        yield f"create_atoms {atom_type} single {_words(place)} units box"
+        density = scene.densities[atom_type - 1]
         moving = " ".join(f"v{axis} {v:.17g}" for axis, v in zip(AXES, velocity, strict=True))
         yield f"set atom {number} diameter {2 * radius:.17g} density {density:.17g} {moving}"
     yield from _properties(scene)
@@ -147,11 +147,11 @@ def _surroundings(scene: Scene) -> Iterator[str]:
     for axis in scene.walled:
         for name, corner in (("low", scene.low), ("high", scene.high)):
             place = corner[AXES.index(axis)]
-            kind = f"primitive type {scene.wall_type} {axis}plane {place:.17g}"
+            surface = f"primitive type {scene.wall_type} {axis}plane {place:.17g}"
             if scene.meshed and axis == "z" and name == "low":
                 yield f"fix floor all mesh/surface file floor.stl type {scene.wall_type}"
-                kind = "mesh n_meshes 1 meshes floor"
-            yield f"fix {axis}_{name} all wall/gran {model} {kind} {rest}"
+                surface = "mesh n_meshes 1 meshes floor"
+            yield f"fix {axis}_{name} all wall/gran {model} {surface} {rest}"
     yield "fix integrate all nve/sphere"
     yield f"timestep {scene.timestep:.17g}"
 

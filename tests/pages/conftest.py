@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Tables of the validation's pages beside what is computed."""
+"""Tables of the validation pages, and their comparison with computed tables."""
 
 from __future__ import annotations
 
@@ -15,17 +15,19 @@ from plastigran.validation.report import EVIDENCE
 
 @pytest.fixture(scope="session")
 def page_table() -> Callable[[str], pd.DataFrame]:
-    """A table of the pages, its cells as text, `page_table(name)`."""
-    found: dict[str, pd.DataFrame] = {}
+    """`page_table(name)` is a table of the pages; its cells are text."""
+    tables: dict[str, pd.DataFrame] = {}
     for text in read_pages(EVIDENCE, PROJECT / "docs").values():
-        found |= read_tables(text)
-    return found.__getitem__
+        tables |= read_tables(text)
+    return tables.__getitem__
 
 
 @pytest.fixture(scope="session")
 def assert_on_page(page_table) -> Callable[[str, pd.DataFrame], None]:
-    """Asserts that the pages show a table, or rows of it, `assert_on_page(name, table)`: numbers to
-    a last digit, which a library's rounding may turn over."""
+    """`assert_on_page(name, table)` asserts that the pages show a table, or rows of it.
+
+    Numbers may differ in the last digit by the round-off of libraries.
+    """
 
     def check(name: str, table: pd.DataFrame) -> None:
         shown = page_table(name)
@@ -36,10 +38,9 @@ def assert_on_page(page_table) -> Callable[[str, pd.DataFrame], None]:
         for column in shown:
             numbers = pd.to_numeric(expected[column], errors="coerce")
             if numbers.notna().any():
-                said = pd.to_numeric(shown[column])
-                assert said.to_numpy() == pytest.approx(
-                    numbers.to_numpy(), rel=1.1e-3, abs=0.011, nan_ok=True
-                ), f"{name}: {column}"
+                allowed = {"rel": 1.1e-3, "abs": 0.011, "nan_ok": True}
+                computed = pytest.approx(numbers.to_numpy(), **allowed)
+                assert pd.to_numeric(shown[column]).to_numpy() == computed, f"{name}: {column}"
             else:
                 assert list(shown[column]) == list(expected[column]), f"{name}: {column}"
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The docs and the decks have the constants of a body as `body.h` declares them."""
+"""Docs and decks have the constants of a body that `body.h` declares."""
 
 from __future__ import annotations
 
@@ -22,12 +22,12 @@ DECKS = {
 
 
 def property_name(constant: str) -> str:
-    """`yieldStrength` for yield_strength."""
+    """Return the deck's name, such as `yieldStrength` for yield_strength."""
     return re.sub("_(.)", lambda letter: letter[1].upper(), constant)
 
 
 def row(constant: dict) -> str:
-    """A constant as a row of the page."""
+    """Return a constant as a row of the page."""
     default = "required" if constant["default"] is None else f"{constant['default']:g}"
     least = f"{'above' if constant['above'] else 'from'} {constant['lower']:g}"
     most = "" if isinf(constant["upper"]) else f" to {constant['upper']:g}"
@@ -53,7 +53,7 @@ def test_decks_give_every_constant(deck):
 
 
 def test_decks_have_the_declared_defaults():
-    """What a deck assumes where the material gives nothing."""
+    """A deck uses these values if the material does not give them."""
     compared = set()
     for file in (file for file in INPUTS.rglob("*.in") if file.parent.name != "materials"):
         for name, value in re.findall(r"^variable (\w+) +index (\S+)", file.read_text(), re.M):

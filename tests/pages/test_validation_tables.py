@@ -29,13 +29,14 @@ from plastigran.validation.spheres.fit import bands, fit
 
 def test_the_errors_of_the_package_and_the_pages_are_those_of_the_laws(assert_on_page):
     compared = laws_on_spheres.compare()
-    kept = pd.read_csv(ERRORS)
+    stored = pd.read_csv(ERRORS)
     unfitted = laws_on_spheres.without_fitted_metals(compared)
-    found = laws_on_spheres.errors(unfitted)
+    computed = laws_on_spheres.errors(unfitted)
     keys = ["law", "kind", "speed_ratio_from", "speed_ratio_to", "quantity", "cases"]
-    assert kept[keys].to_numpy().tolist() == found[keys].to_numpy().tolist()
-    for size in ("rms", "max"):  # 1e-6: rounding of libraries, where an error is next to nothing
-        assert kept[size].to_numpy() == pytest.approx(found[size].to_numpy(), rel=1e-3, abs=1e-6)
+    assert stored[keys].to_numpy().tolist() == computed[keys].to_numpy().tolist()
+    for size in ("rms", "max"):  # 1e-6 allows for round-off of libraries
+        expected = pytest.approx(computed[size].to_numpy(), rel=1e-3, abs=1e-6)
+        assert stored[size].to_numpy() == expected
     rebounds, rated = steel.rebounds(), steel.rebounds(**offset.RATE)
     for word in ("restitution", "force"):
         assert_on_page(word, choice.by_law(compared, rebounds, word))
@@ -45,19 +46,20 @@ def test_the_errors_of_the_package_and_the_pages_are_those_of_the_laws(assert_on
 
 
 def test_the_page_of_universal_shows_its_largest_errors():
-    """By kind of contact and speed, for the metals of its fit and for the others."""
+    """The errors are given by kind of contact and speed, for metals of the fit and others."""
     page = (PROJECT / "docs" / "laws" / "universal.md").read_text()
-    kinds = {"perfectly plastic, narrow": KINDS[0], "hardening, narrow": KINDS[1], "wide": KINDS[2]}
-    largest, kind = bands(fit(table()), table()), ""
+    names = ("perfectly plastic, small a/R", "hardening, small a/R", "large a/R")
+    kinds = dict(zip(names, KINDS, strict=True))
+    largest, contact = bands(fit(table()), table()), ""
     rows = re.findall(r"^\|(.*)\| (\d+ to \d+) \|(.*)\|(.*)\|(.*)\|(.*)\|$", page, re.MULTILINE)
     assert len(rows) == len(kinds) * len(largest.index.unique("regime"))
     for name, regime, *cells in rows:
-        kind = kinds.get(name.strip(), kind)
+        contact = kinds.get(name.strip(), contact)
         for cell, (quantity, metals) in zip(
             cells, product(("force", "restitution"), ("fit", "held")), strict=True
         ):
-            if (metals, regime, kind) in largest.index:
-                error = largest.loc[(metals, regime, kind), quantity]
+            if (metals, regime, contact) in largest.index:
+                error = largest.loc[(metals, regime, contact), quantity]
                 assert float(cell) == pytest.approx(error, abs=0.011)
             else:
                 assert not cell.strip()

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Papers reproduced coarsely by the command, once for all tests and pytest's workers."""
+"""Papers, reproduced with coarse meshes once for all tests and all workers of pytest."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from plastigran.cli import main
 
 @pytest.fixture(scope="session")
 def coarse(workers_folder) -> Callable[[str], Path]:
-    """The folder that `plastigran reproduce NAME --coarse` writes, `coarse(name)`."""
+    """`coarse(name)` is the folder that `plastigran reproduce NAME --coarse` writes."""
 
     def run(name: str) -> Path:
         folder = workers_folder / f"paper_{name}"
@@ -31,5 +31,5 @@ def coarse(workers_folder) -> Callable[[str], Path]:
 
 @pytest.fixture(scope="session")
 def coarse_table(coarse) -> Callable[[str, str], pd.DataFrame]:
-    """One of its tables, `coarse_table(name, table)`."""
+    """`coarse_table(name, table)` is a table in that folder."""
     return lambda name, table: pd.read_csv(coarse(name) / f"{table}.csv")

@@ -9,39 +9,39 @@ from plastigran.papers.kp10 import PAPER
 from plastigran.papers.kp10.computations import FRICTION
 
 
-def test_every_table_and_picture_is_made(coarse):
+def test_the_command_writes_every_table_and_picture(coarse):
     written = {path.name for path in coarse("kp10").iterdir()}
     assert written == set(PAPER.files)
 
 
-def test_largest_depths_are_alike_and_sliding_leaves_more(coarse_table):
+def test_sliding_leaves_a_deeper_track_at_the_same_largest_depth(coarse_table):
     ours = coarse_table("kp10", "comparison").set_index("quantity")["finite elements"]
-    # The paper calls them alike; by finer meshes they differ by one per cent.
+    # The paper calls them equal; with finer meshes they differ by one per cent.
     assert ours["largest depth, oblique/head-on"] == pytest.approx(1, abs=0.03)
     assert ours["oblique: residual depth"] > 1.5 * ours["head-on: residual depth"]
-    # Up the front of its groove the cylinder leaves faster than it came.
+    # The cylinder slides up the front of its groove and leaves faster than it came.
     assert ours["head-on: restitution"] < 1 < ours["oblique: restitution"]
 
 
-def test_a_groove_drags_beyond_friction(coarse_table):
+def test_the_drag_of_a_groove_exceeds_friction(coarse_table):
     drag = coarse_table("kp10", "oblique").set_index("way")["drag/force"]
     assert drag["head-on"] == pytest.approx(0, abs=1e-12)
     assert FRICTION < drag["oblique"] < 2 * FRICTION
 
 
-def test_yield_begins_below_the_surface_and_reaches_it(coarse_table):
+def test_yield_starts_below_the_surface(coarse_table):
     table = coarse_table("kp10", "oblique").set_index("way")
     surface = table["force at surface yield (N)"]
-    # Friction brings yield up, and more force is needed without.
+    # Friction moves yield to the surface, which needs more force without friction.
     assert table.loc["head-on", "force at first yield (N)"] < 0.8 * surface["head-on"]
     assert surface["oblique"] < surface["head-on"]
     for row in table.to_dict("records"):
         shortest, longest = map(float, row["elements (µm)"].split(" to "))
-        # Gauss points next to the surface of a square lie 0.21 of its length below it.
+        # The first Gauss points of a square are 0.21 of its length below the surface.
         assert 0.21 * shortest < row["detected at depth (µm)"] < 0.22 * longest
 
 
-def test_a_body_without_far_side_is_softer_and_keeps_waves(coarse_table):
+def test_a_body_without_reflected_waves_is_softer_and_absorbs_them(coarse_table):
     table = coarse_table("kp10", "normal").set_index("quantity")
     layer, thick = table["finite elements"], table["no reflected waves"]
     assert thick["largest depth"] > layer["largest depth"]
@@ -50,11 +50,11 @@ def test_a_body_without_far_side_is_softer_and_keeps_waves(coarse_table):
     assert thick["restitution"] < layer["restitution"]
 
 
-def test_the_laws_lie_about_the_finite_elements(coarse_table):
+def test_errors_of_the_laws(coarse_table):
     table = coarse_table("kp10", "normal").set_index("quantity")
     for law in ("katta_polycarpou", "lim_stronge"):
-        off = table[f"LIGGGHTS, {law} vs finite elements (%)"]
+        error = table[f"LIGGGHTS, {law} vs finite elements (%)"]
         # Per cent. The laws are stiffer beyond yield than the body of the same thickness.
-        assert -25 < off["largest depth"] < -10
-        assert 25 < off["largest force"] < 50
-        assert off["restitution"] == pytest.approx(0, abs=6)
+        assert -25 < error["largest depth"] < -10
+        assert 25 < error["largest force"] < 50
+        assert error["restitution"] == pytest.approx(0, abs=6)

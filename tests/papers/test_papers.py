@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Every paper has a page; its tables and pictures are those the command writes."""
+"""Every paper has a page with the tables and pictures that the command writes."""
 
 from __future__ import annotations
 
@@ -17,14 +17,14 @@ PAGES = PROJECT / "docs" / "papers"
 NAMES = paper_names()
 
 
-def test_papers_are_found():
+def test_papers_by_name():
     assert {"gcm15", "zv02"} <= set(NAMES)
     with pytest.raises(ValueError, match=r"no paper 'xy99'; there are .*gcm15"):
         find_paper("xy99")
 
 
 @pytest.mark.parametrize("name", NAMES)
-def test_a_page_holds_the_papers_tables_and_pictures(name):
+def test_the_page_has_all_pictures(name):
     paper = find_paper(name)
     assert paper.name == name
     (text,) = read_pages(paper, PAGES).values()
@@ -35,18 +35,18 @@ def test_a_page_holds_the_papers_tables_and_pictures(name):
 
 
 @pytest.mark.parametrize("name", NAMES)
-def test_tables_of_a_page_hold(name):
-    """Each has lines, and its differences are those of the columns beside them."""
+def test_differences_on_the_page_are_those_of_its_columns(name):
     for table in read_tables((PAGES / f"{name}.md").read_text()).values():
         assert len(table)
         for column in table.columns:
-            named = re.fullmatch(r"(.*) vs (.*) \(%\)", column)
-            if named is None or not set(named.groups()) <= set(table.columns):
+            compared = re.fullmatch(r"(.*) vs (.*) \(%\)", column)
+            if compared is None or not set(compared.groups()) <= set(table.columns):
                 continue
-            ours, theirs, said = (pd.to_numeric(table[key]) for key in (*named.groups(), column))
-            # Four digits of either number: 0.05 % of each, and the difference to a hundredth.
+            keys = (*compared.groups(), column)
+            ours, theirs, difference = (pd.to_numeric(table[key]) for key in keys)
             expected = 100 * (ours / theirs - 1)
+            # Four digits of both numbers are 0.05 % each; the difference has two decimals.
             bound = 0.11 + 0.001 * expected.abs()
-            both = expected.notna() & np.isfinite(expected)
-            assert both.any()
-            assert ((said - expected).abs() <= bound)[both].all(), f"{name}: {column}"
+            given = np.isfinite(expected)
+            assert given.any()
+            assert ((difference - expected).abs() <= bound)[given].all(), f"{name}: {column}"

@@ -32,7 +32,7 @@ from plastigran.fem.sphere.press import press
 from plastigran.fem.sphere.results import Pressing
 from plastigran.physics.rebound_hardness import TESTERS, ReboundTester
 from plastigran.report.computing import compute_all
-from plastigran.validation.spheres import kind
+from plastigran.validation.spheres import contact_kinds
 from plastigran.validation.spheres import table as spheres
 from plastigran.validation.steel import POISSONS_RATIO, YOUNGS_MODULUS, speed_ratio, steel
 
@@ -129,7 +129,7 @@ def small_radius_restitution(ratios: np.ndarray) -> np.ndarray:
     its range, the power law of its fastest impacts is continued.
     """
     rows = spheres()
-    rows = rows[kind(rows) == KINDS[0]].sort_values("speed_ratio")
+    rows = rows[contact_kinds(rows) == KINDS[0]].sort_values("speed_ratio")
     rows = rows[rows["yield_strength_ratio"] == rows["yield_strength_ratio"].min()]
     speed, restitution = np.log(rows[["speed_ratio", "coefficient_of_restitution"]].to_numpy().T)
     fast = speed > speed[-1] - 1

@@ -10,7 +10,7 @@ from plastigran import laws
 from plastigran.calibration.expected_errors import KINDS
 from plastigran.physics.central import yield_speed
 from plastigran.usable_laws import laws_for
-from plastigran.validation.spheres import SPEED_RATIOS, kind, table
+from plastigran.validation.spheres import SPEED_RATIOS, contact_kinds, table
 from plastigran.validation.spheres.metals import RADIUS, SphereMetal
 from plastigran.validation.tables import root_mean_square
 
@@ -37,7 +37,7 @@ def compare() -> pd.DataFrame:
             of its fit have the law `ON_FITTED_METALS`.
     """
     rows = table()
-    rows = rows[rows["speed_ratio"] > 1].assign(kind=kind)
+    rows = rows[rows["speed_ratio"] > 1].assign(kind=contact_kinds)
     parts = []
     for _, impacts in rows.groupby("metal", sort=False):
         metal = SphereMetal.of(impacts.iloc[0])

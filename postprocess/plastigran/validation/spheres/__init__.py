@@ -45,7 +45,7 @@ def table() -> pd.DataFrame:
         return pd.read_csv(file, comment="#")
 
 
-def kind(rows: pd.DataFrame) -> np.ndarray:
+def contact_kinds(rows: pd.DataFrame) -> np.ndarray:
     """Return one of `KINDS` for each row of the table of spheres."""
     plastic = np.where(rows["hardening_ratio"] > 0, KINDS[1], KINDS[0])
     return np.where(rows["contact_radius_over_radius"] >= WIDE, KINDS[2], plastic)

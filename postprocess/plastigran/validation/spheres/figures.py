@@ -12,7 +12,7 @@ from matplotlib.figure import Figure
 
 from plastigran.calibration.expected_errors import KINDS
 from plastigran.plot.style import COLOURS, save, styled, subplots
-from plastigran.validation.spheres import kind
+from plastigran.validation.spheres import contact_kinds
 from plastigran.validation.spheres.forms import Constants, Metals, depth, errors, peak, work_ratio
 
 
@@ -79,7 +79,7 @@ def errors_figure(constants: Constants, rows: pd.DataFrame) -> Figure:
 
 def _points(axes: Axes, rows: pd.DataFrame, x: np.ndarray, y: np.ndarray) -> None:
     """Draw points by kind of contact; those of held-out metals are open."""
-    kinds, held_out = kind(rows), (rows["set"] == "held").to_numpy()
+    kinds, held_out = contact_kinds(rows), (rows["set"] == "held").to_numpy()
     for contact, colour, marker in zip(KINDS, COLOURS, "osD", strict=False):
         for is_open, face, ending in ((False, colour, ""), (True, "white", ", held out")):
             shown = (kinds == contact) & (held_out == is_open)

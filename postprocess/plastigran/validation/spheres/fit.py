@@ -18,7 +18,7 @@ import numpy as np
 import pandas as pd
 from scipy.optimize import least_squares
 
-from plastigran.validation.spheres import SPEED_RATIOS, kind, table
+from plastigran.validation.spheres import SPEED_RATIOS, contact_kinds, table
 from plastigran.validation.spheres.forms import Constants, Metals, errors, peak
 
 #: Scales of the relative differences, near the uncertainty of the finite elements.
@@ -64,7 +64,7 @@ def regimes(rows: pd.DataFrame) -> pd.DataFrame:
     """Return the speed regime and the kind of contact of each row: columns `regime` and `kind`."""
     labels = [f"{low} to {high}" for low, high in pairwise(REGIMES)]
     regime = pd.cut(rows["speed_ratio"], REGIMES, labels=labels)
-    return pd.DataFrame({"regime": regime, "kind": kind(rows)}, index=rows.index)
+    return pd.DataFrame({"regime": regime, "kind": contact_kinds(rows)}, index=rows.index)
 
 
 def bands(constants: Constants, rows: pd.DataFrame) -> pd.DataFrame:
