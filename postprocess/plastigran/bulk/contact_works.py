@@ -19,10 +19,10 @@ from plastigran.engine.dumps import read_dump
 
 #: Columns of a frame's file of histories: IDs of both grains, 1 for a contact through a periodic
 #: side, first value of the history.
-COLUMNS = ("id1", "id2", "periodic", "memory")
+COLUMNS = ("id1", "id2", "periodic", "history")
 
 
-def read_memories(file: str | Path) -> pd.DataFrame:
+def read_histories(file: str | Path) -> pd.DataFrame:
     """Read the histories of the contacts of a frame: one row each, columns of `COLUMNS`.
 
     Raises:
@@ -33,7 +33,7 @@ def read_memories(file: str | Path) -> pd.DataFrame:
 
 
 def plastic_works(
-    grains: Grains, radius_eff: ArrayLike, overlap: ArrayLike, memory: ArrayLike
+    grains: Grains, radius_eff: ArrayLike, overlap: ArrayLike, history: ArrayLike
 ) -> np.ndarray:
     """Return the plastic work of contacts between two grains.
 
@@ -41,23 +41,23 @@ def plastic_works(
         grains: Law and material of the grains.
         radius_eff: R* of each contact (N,), m.
         overlap: Overlaps (N,), m.
-        memory: First value of each history, see `state_names` of the law, (N,).
+        history: First value of each history, see `state_names` of the law, (N,).
 
     Returns:
         Total plastic work of each contact (N,), J. NaN if the yield strength depends on the impact
         rate, because then one value of the history is not enough.
     """
     law = grains.contact_law()
-    radius_eff, overlap, memory = (np.asarray(a, float) for a in (radius_eff, overlap, memory))
+    radius_eff, overlap, history = (np.asarray(a, float) for a in (radius_eff, overlap, history))
     if not type(law).yields:
         return np.zeros(overlap.shape)
     if grains.material.rate_coefficient:
         return np.full(overlap.shape, np.nan)
     if type(law).state_names[0] == "overlap_max":
-        path = np.stack([np.maximum(memory, overlap), overlap], axis=-1)
+        path = np.stack([np.maximum(history, overlap), overlap], axis=-1)
         return law.follow(radius_eff, path)["plastic_work"][..., -1]
     states = np.empty(overlap.shape, dtype=object)
-    for place, value in np.ndenumerate(memory):
+    for place, value in np.ndenumerate(history):
         states[place] = _state(type(law), value)
     return np.asarray(law.respond(radius_eff, overlap, states).plastic_work)
 

@@ -13,7 +13,7 @@ from plastigran.bulk.decks import deck_class
 from plastigran.bulk.folder import read_record, restart_point
 from plastigran.bulk.own import check_laws, own_places, own_restart_point
 from plastigran.engine.checkpoints import refuse_damaged
-from plastigran.engine.deck import DeckSource, deck_name, find_deck, is_shipped, read_deck
+from plastigran.engine.deck import DeckSource, deck_name, find_deck, is_supplied, read_deck
 from plastigran.engine.process import typed_command
 
 #: Settings that name files and folders; they may differ between runs.
@@ -73,7 +73,7 @@ def plan_bulk(
         )
     folder, script = Path(folder).resolve(), find_deck(deck)
     values = {name: str(value) for name, value in values.items()}
-    deck_type = deck_class(deck_name(script)) if is_shipped(script) else None
+    deck_type = deck_class(deck_name(script)) if is_supplied(script) else None
     record = checkpoint = None
     if restart is not None:
         restart = Path(restart).resolve()

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import numpy as np
 
-from plastigran.bulk.contact_works import plastic_works, read_memories
+from plastigran.bulk.contact_works import plastic_works, read_histories
 from plastigran.bulk.outcome import BulkRun
 from plastigran.engine.dumps import DumpError
 from plastigran.plot.frame_files import Frame, find_frames, whole_frames
@@ -68,19 +68,19 @@ def contact_columns(run: BulkRun, frame: Frame) -> dict[str, np.ndarray]:
     Raises:
         DumpError: The file of contact histories is damaged.
     """
-    memories = frame.contacts.with_name(f"memories_{frame.step}.dump")
-    if run.deck is None or not memories.exists():
+    file = frame.contacts.with_name(f"memories_{frame.step}.dump")
+    if run.deck is None or not file.exists():
         return {}
-    contacts, histories = contact_table(frame), read_memories(memories)
+    contacts, histories = contact_table(frame), read_histories(file)
     # Both files list contacts in LIGGGHTS' order; a pair may also touch through a periodic side.
     if not all(np.array_equal(contacts[name], histories[name]) for name in ("id1", "id2")):
-        raise DumpError(f"{memories} and {frame.contacts} list different contacts")
+        raise DumpError(f"{file} and {frame.contacts} list different contacts")
     separated = contacts["overlap"] <= 0
     works = plastic_works(
         run.deck.grains,
         contacts["radius_eff"],
         np.where(separated, 0.0, contacts["overlap"]),
-        np.where(separated, 0.0, histories["memory"]),
+        np.where(separated, 0.0, histories["history"]),
     )
     return {"plastic_work": works}
 

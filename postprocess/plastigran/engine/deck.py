@@ -146,7 +146,7 @@ def deck_name(deck: str | Path) -> str:
     return path.name.removeprefix("in.") if re.match(r"in\..", path.name) else path.stem
 
 
-def is_shipped(script: Path) -> bool:
+def is_supplied(script: Path) -> bool:
     """Return whether a script of `find_deck` is one of `inputs/bulk`."""
     return script.parent == (inputs_folder() / "bulk").resolve()
 
@@ -157,15 +157,15 @@ def find_deck(deck: str | Path) -> Path:
     Raises:
         EngineError: There is no such deck; the message lists those of `inputs/bulk`.
     """
-    given = str(deck)
-    is_path = os.sep in given or given.endswith(".in")
-    supplied = [] if is_path else [inputs_folder() / "bulk" / f"{given}.in"]
+    name = str(deck)
+    is_path = os.sep in name or name.endswith(".in")
+    supplied = [] if is_path else [inputs_folder() / "bulk" / f"{name}.in"]
     for path in (*supplied, Path(deck)):
         if path.is_file():
             return path.resolve()
     if is_path:
-        raise EngineError(f"no input script {given}")
-    raise EngineError(f"no deck {given!r}; there are {', '.join(deck_names())}")
+        raise EngineError(f"no input script {name}")
+    raise EngineError(f"no deck {name!r}; there are {', '.join(deck_names())}")
 
 
 def read_deck(deck: str | Path, values: Mapping[str, object], folder: Path) -> DeckSource:
@@ -183,8 +183,8 @@ def read_deck(deck: str | Path, values: Mapping[str, object], folder: Path) -> D
         ValueError: A value is given for a setting that the deck does not have.
     """
     path = find_deck(deck)
-    given = {"inputs": str(inputs_folder()), "output": str(folder)}
-    given |= {name: str(value) for name, value in values.items()}
+    overrides = {"inputs": str(inputs_folder()), "output": str(folder)}
+    overrides |= {name: str(value) for name, value in values.items()}
     settings: dict[str, str] = {}
     files: list[Path] = []
     references: set[str] = set()
@@ -206,7 +206,7 @@ def read_deck(deck: str | Path, values: Mapping[str, object], folder: Path) -> D
             defined.update(_VARIABLE.findall(command))
             if setting := index_variable(command):
                 name, value = setting
-                settings.setdefault(name, given.get(name, _with_values(value, settings)))
+                settings.setdefault(name, overrides.get(name, _with_values(value, settings)))
             elif include := _INCLUDE.match(command):
                 name = _with_values(include[1], settings)
                 if not _REFERENCE.search(name):
@@ -221,7 +221,7 @@ def read_deck(deck: str | Path, values: Mapping[str, object], folder: Path) -> D
 
     read(path, "")
     references -= defined
-    if unknown := sorted(set(given) - set(settings) - references - {"inputs", "output"}):
+    if unknown := sorted(set(overrides) - set(settings) - references - {"inputs", "output"}):
         none = "has none. A setting is a line `variable NAME index VALUE`"
         possible = f"takes {' '.join(settings)}" if settings else none
         raise ValueError(f"{path.name} has no setting {unknown[0]!r}; it {possible}")

@@ -88,12 +88,12 @@ class Chute(FlowDeck):
                 viscous [J].
         """
         trapezia = trapezia_factor(series["time"], 2 * self.radius, self.gravitational_acceleration)
-        given = series["gravity"].iloc[0] - series["gravity"]
+        work = series["gravity"].iloc[0] - series["gravity"]
         power = linregress(steady["time"], dissipated(steady)).slope
         return [
             Check(
                 "difference of the weight's work from that of the center of mass, relative",
-                (given + series["gravity_predicted"]).abs().max() / given.abs().max(),
+                (work + series["gravity_predicted"]).abs().max() / work.abs().max(),
                 WEIGHT * trapezia,
                 "m g (v sin(angle) t - z cos(angle)), integrated over lines of the log",
             ),
