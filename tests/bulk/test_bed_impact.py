@@ -60,9 +60,9 @@ def test_command_names_a_late_shot(tmp_path, capsys):
     values = [f"{name}={value}" for name, value in (FEW | {"duration": 0.004}).items()]
     line = ["bulk", "bed_impact", "--output", str(tmp_path / "run"), "-v", *values]
     assert main(line) == 1
-    message = capsys.readouterr()
-    assert "shots that have not left the plate" in message.err and str(tmp_path) in message.err
-    assert "NO  shots that have not left the plate: " in message.out
+    output = capsys.readouterr()
+    assert "shots that have not left the plate" in output.err and str(tmp_path) in output.err
+    assert "NO  shots that have not left the plate: " in output.out
     assert (tmp_path / "run" / "checks.csv").exists()
     assert (tmp_path / "run" / "figures" / "bed_impact.png").exists()
 

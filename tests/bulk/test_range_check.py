@@ -59,11 +59,11 @@ def test_a_run_far_beyond_the_range_fails(tmp_path, capsys):
     line = ["bulk", str(write(tmp_path, density=8000, velocity=-5, steps=200))]
     line += ["--output", str(tmp_path / "run")]
     assert main(line) == 1
-    message = capsys.readouterr()
-    assert message.out.startswith(
+    output = capsys.readouterr()
+    assert output.out.startswith(
         "NO  largest overlap, divided by the largest of universal's range: "
     )
-    assert "largest overlap, divided by the largest of universal's range" in message.err
+    assert "largest overlap, divided by the largest of universal's range" in output.err
     assert main([*line, "--force", "--json"]) == 1
     first = json.loads(capsys.readouterr().out)["checks"][0]
     assert first["name"] == "largest overlap, divided by the largest of universal's range"
