@@ -137,8 +137,8 @@ def positive_integer(text: str) -> int:
 
 
 def known_materials() -> str:
-    """Return the help text of a flag for a material."""
-    return f"name or file of a material, one of {', '.join(materials.names())}"
+    """Return the end of the help of a flag for a material."""
+    return f"a file, or one of the names {', '.join(materials.names())}"
 
 
 def add_laws(command: argparse.ArgumentParser, bodies: str) -> None:
@@ -148,15 +148,18 @@ def add_laws(command: argparse.ArgumentParser, bodies: str) -> None:
         nargs="+",
         default=["all"],
         metavar="LAW",
-        help=f"names of laws, default all for {bodies} whose constants the material defines",
+        help=f"names of laws; default: all laws for {bodies}, if the material has their constants",
     )
 
 
 def add_material(command: argparse.ArgumentParser, default: str | None = None) -> None:
     """Add the material of a body; without a default it is required."""
-    usual = f"default {default}, " if default else ""
+    shown = f", default {default}" if default else ""
     command.add_argument(
-        "--material", default=default, required=not default, help=usual + known_materials()
+        "--material",
+        default=default,
+        required=not default,
+        help=f"material{shown}; {known_materials()}",
     )
 
 

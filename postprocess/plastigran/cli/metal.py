@@ -23,7 +23,7 @@ def add_metal(command: argparse.ArgumentParser, radius: float | None = 0.1) -> N
     strength.add_argument(
         "--yield", type=positive, dest="yield_strength", help="yield strength, Pa"
     )
-    strength.add_argument("--elastic", action="store_true", help="nothing yields")
+    strength.add_argument("--elastic", action="store_true", help="the metal does not yield")
     command.add_argument("--hardening", type=float, help="plastic modulus, Pa, default 0")
 
 

@@ -26,8 +26,8 @@ def add_evidence_arguments(command: argparse.ArgumentParser, results: str, pages
         "--docs",
         type=Path,
         metavar="FOLDER",
-        help="also write tables and pictures into the pages of this folder; the project has "
-        f"{pages}",
+        help="also write tables and pictures into the pages of this folder; in the project, it "
+        f"is {pages}",
     )
     command.add_argument(
         "--coarse", action="store_true", help="take a quick look; results are off by some per cent"

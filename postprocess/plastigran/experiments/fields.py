@@ -59,7 +59,7 @@ def law_field(default: Any = attrs.NOTHING) -> Any:
                 f"{', '.join(laws_for(case.shape))}"
             )
 
-    declaration = Declaration("a name that `plastigran laws` lists", value_type=str)
+    declaration = Declaration("name of a law that `plastigran laws` lists", value_type=str)
     return attrs.field(default=default, validator=check, metadata={"declaration": declaration})
 
 

@@ -22,7 +22,7 @@ from plastigran.materials import (
     write_material,
 )
 
-HELP = "yield strength from hardness, rebound or drops; law, its error, lines of a deck"
+HELP = "find the yield strength of a metal from hardness, rebound or drops, for use in a deck"
 EXAMPLE = """
 plastigran calibrate --young 206e9 --poisson 0.3 --density 7850 --hardness 45HRC --output spring.in
 """
@@ -116,7 +116,7 @@ def add_arguments(command: argparse.ArgumentParser) -> None:
     )
     add_strain(command)
     command.add_argument("--output", type=Path, metavar="FILE.in", help="material file to write")
-    command.add_argument("--force", action="store_true", help="overwrite that file")
+    command.add_argument("--force", action="store_true", help="overwrite the material file")
     command.add_argument(
         "--figure",
         type=Path,

@@ -22,7 +22,7 @@ from plastigran.engine.log import LOG
 from plastigran.engine.process import EngineError, engine_path, inputs_folder
 from plastigran.experiments.central import CentralImpact
 
-HELP = "check the installation, with a falling sphere"
+HELP = "check the installation with an impact of a sphere"
 EXAMPLE = "plastigran doctor"
 
 #: Largest relative difference of restitution between LIGGGHTS and theory at the recommended time

@@ -14,7 +14,7 @@ EXAMPLE = "plastigran new-deck plate --law universal --material steel"
 
 
 def add_arguments(command: argparse.ArgumentParser) -> None:
-    command.add_argument("name", type=Path, help="folder to create; the deck has its name")
+    command.add_argument("name", type=Path, help="folder to create; the deck gets the same name")
     command.add_argument("--law", default="universal", help="law between grains, default universal")
     add_material(command, "pmma")
     command.add_argument(

@@ -54,7 +54,7 @@ def add_arguments(command: argparse.ArgumentParser) -> None:
     )
     add_laws(command, "spheres")
     command.add_argument("--output", type=Path, help="material file to write, NAME.in")
-    command.add_argument("--force", action="store_true", help="overwrite that file")
+    command.add_argument("--force", action="store_true", help="overwrite the material file")
     add_json(command)
 
 

@@ -6,7 +6,7 @@ from __future__ import annotations
 import argparse
 from pathlib import Path
 
-HELP = "write frames of a bulk run for ParaView and OVITO, with each contact's plastic work"
+HELP = "write frames of a bulk run for ParaView and OVITO, with the plastic work of each contact"
 EXAMPLE = """
 plastigran bulk hopper -v frames=20 contact_history=1 --output results/frames
 plastigran vtk results/frames

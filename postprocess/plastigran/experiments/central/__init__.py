@@ -63,7 +63,7 @@ class CentralImpact(Experiment):
     speed: float = speed_field("speed of each sphere")
     material: Material = material_field("material of the spheres")
     radius: float = radius_field("radius of the spheres")
-    geometry: str = word("deck", tuple(GEOMETRIES), default="sphere_wall")
+    geometry: str = word("geometry of the impact", tuple(GEOMETRIES), default="sphere_wall")
     wall: Material | None = material_field("material of the plane, or rigid", None, "_other")
     options: str | None = options_field()
 

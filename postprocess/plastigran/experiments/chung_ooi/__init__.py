@@ -91,7 +91,7 @@ class BenchmarkImpact(Experiment):
     steps_per_contact: int = whole("time steps in an undamped contact", 1, default=DEFAULT_STEPS)
 
     command = "chung-ooi"
-    help = "the eight benchmark impacts of Chung & Ooi (2011), against theory"
+    help = "run the eight benchmark impacts of Chung & Ooi (2011) and compare them with theory"
     example = "plastigran chung-ooi --benchmark 2 7"
     flags: ClassVar = {
         "benchmark": Flag(

@@ -54,7 +54,10 @@ class CylinderImpact(CentralImpact):
         "points": Flag(
             30,
             declaration=Declaration(
-                "radii and speeds of a map", lower=1, lower_allowed=True, value_type=int
+                "number of radii and of speeds in a map",
+                lower=1,
+                lower_allowed=True,
+                value_type=int,
             ),
             many=False,
         )

@@ -49,7 +49,9 @@ class RodImpact(Experiment):
     law: str = law_field()
     speed: float = speed_field("impact speed, downward")
     rod: Rod = attrs.field(factory=Rod)
-    tangential: str = word("friction", ("history", "no_history", "off"), default="history")
+    tangential: str = word(
+        "friction model of the tip", ("history", "no_history", "off"), default="history"
+    )
     material: Material = material_field("material of the rod", "steel_gcm15")
     flat: Material = material_field("material of the flat", "iron_gcm15")
     # In the paper, all laws take E* and R* of the pair.
