@@ -163,6 +163,9 @@ OWN_FIGURES = {
     "walton_braun": partial(
         powder_figure, "walton_braun", loading_stiffness=500, unloading_stiffness=2000
     ),
+    "edinburgh_2014": partial(
+        powder_figure, "edinburgh_2014", stiffness_ratio=5, adhesion_ratio=0.05
+    ),
     "luding_2008": partial(
         powder_figure,
         "luding_2008",

@@ -11,6 +11,7 @@ VALUES = {
     "surface_energy": 10.0,
     "loading_stiffness": 1e6,
     "unloading_stiffness": 4e6,
+    "stiffness_ratio": 5.0,
 }
 
 

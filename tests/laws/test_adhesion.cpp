@@ -26,6 +26,8 @@ std::vector<typename Law::Parameters> cases() {
     return {{0}, {0.02}, {2}};
   else if constexpr (std::is_same_v<Law, ThorntonNing1998>)
     return {{0}, {0.002}, {0.02}, {0.2}, {2}};
+  else if constexpr (std::is_same_v<Law, Edinburgh2014>)
+    return {{5, 0, 0, 0}, {5, 0.2, -1e-7, 0}, {1.1, 5, 0, 1}};
   else
     return {{1e3, 5e3, 0, 0.05}, {1e3, 5e3, 2e3, 0.05}, {1e3, 1.1e3, 1e4, 0.01}};
 }
@@ -33,7 +35,7 @@ std::vector<typename Law::Parameters> cases() {
 
 // A step is random in length and direction; a tenth of the paths separate the bodies.
 TEST_CASE_TEMPLATE("plastic work never falls on a million random steps", Law, Jkr, ThorntonNing1998,
-                   Luding2008) {
+                   Luding2008, Edinburgh2014) {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> unit(0, 1);
   for (const auto& constants : cases<Law>()) {
@@ -62,7 +64,7 @@ TEST_CASE_TEMPLATE("plastic work never falls on a million random steps", Law, Jk
 
 // What a contact holds when it forms was released; what it holds when it breaks is lost.
 TEST_CASE_TEMPLATE("a contact that forms or breaks loses energy", Law, Jkr, ThorntonNing1998,
-                   Luding2008) {
+                   Luding2008, Edinburgh2014) {
   for (const auto& constants : cases<Law>()) {
     const Law law(powder, constants);
     CHECK(contact_energy(first_touch(law, radius)) <= 0);

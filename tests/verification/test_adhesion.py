@@ -173,6 +173,7 @@ LAWS = {
     "luding_2008": laws.Luding2008(
         PAIR, loading_stiffness=1e3, unloading_stiffness=5e3, adhesive_stiffness=500
     ),
+    "edinburgh_2014": laws.Edinburgh2014(PAIR, stiffness_ratio=5, adhesion_ratio=0.05),
 }
 
 
@@ -233,6 +234,40 @@ def test_luding_has_the_closed_forms(adhesive):
         found = law.central_impact(RADIUS, MASS, speed)
         assert found.overlap_max == pytest.approx(share * limit, rel=1e-9)
         assert found.coefficient_of_restitution == pytest.approx(expected, abs=1e-7)
+
+
+@pytest.mark.parametrize(("exponent", "n"), [("one", 1.0), ("three_halves", 1.5)])
+@pytest.mark.parametrize("adhesion_ratio", [0.0, 0.05])
+def test_edinburgh_has_the_closed_forms(exponent, n, adhesion_ratio):
+    """Restitution is the same at any speed; without adhesion it is (k_1/k_2)^(1/2) for n = 1."""
+    ratio, top = 5.0, 0.01 * RADIUS
+    law = laws.Edinburgh2014(
+        PAIR, stiffness_ratio=ratio, adhesion_ratio=adhesion_ratio, exponent=exponent
+    )
+    first = 2 * MODULUS * RADIUS if n == 1 else 4 / 3 * MODULUS * sqrt(RADIUS)
+    rest = (1 - 1 / ratio) ** (1 / n) * top
+    begin = ((ratio - 1) / (ratio + adhesion_ratio)) ** (1 / n) * top
+
+    def unloading(overlap: float) -> float:
+        return first * ratio * (overlap**n - rest**n)
+
+    taken = first * top ** (n + 1) / (n + 1)
+    left = quad(unloading, begin, top)[0] - first * adhesion_ratio * begin ** (n + 1) / (n + 1)
+    speeds = np.array([0.1, 1.0]) * sqrt(2 * taken / MASS)
+    found = law.central_impact(RADIUS, MASS, speeds).coefficient_of_restitution
+    assert found == pytest.approx(sqrt(left / taken), rel=1e-7)
+    if n == 1 and adhesion_ratio == 0:
+        assert found == pytest.approx(sqrt(1 / ratio), rel=1e-9)
+    state = law.State()
+    law.respond(RADIUS, top, state)
+    least = law.follow(RADIUS, np.linspace(top, 0, 100001), state)["force"].min()
+    assert least == pytest.approx(-first * adhesion_ratio * begin**n, rel=1e-4, abs=1e-12)
+
+
+def test_edinburgh_has_a_constant_force():
+    law = laws.Edinburgh2014(PAIR, stiffness_ratio=5, constant_force=-1e-6)
+    assert law.respond(RADIUS, 1e-15).force == pytest.approx(-1e-6, rel=1e-3)
+    assert law.respond(RADIUS, -1e-15).force == 0
 
 
 def test_thornton_ning_needs_a_surface_energy():

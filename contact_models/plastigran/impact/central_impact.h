@@ -208,8 +208,14 @@ double jump_error([[maybe_unused]] const Law& law, [[maybe_unused]] double radiu
       if (speed_squared > 0)
         power += std::abs(above.force - below.force) * std::sqrt(speed_squared);
     }
-  if constexpr (lasts_apart<Law>)
-    power += 2 * std::abs(first_touch(law, radius_eff).force) * speed;  // the second is smaller
+  if constexpr (lasts_apart<Law>) {
+    // Bodies that stick have no restitution to resolve: take the slowest that do not.
+    const Response touch = first_touch(law, radius_eff);
+    const Response end = end_of_contact(law, radius_eff, std::numeric_limits<double>::min());
+    const double held = contact_energy(end) - contact_energy(touch);
+    speed = std::max(speed, std::sqrt(2 * held / mass_eff));
+    power += 2 * std::abs(touch.force) * speed;  // breaking has the smaller jump
+  }
   return 0.5 * power / (mass_eff * speed * speed);
 }
 

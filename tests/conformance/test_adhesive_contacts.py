@@ -30,6 +30,7 @@ CONSTANTS = {
         "adhesive_stiffness": 500,
         "plasticity_depth": 0.02,
     },
+    "edinburgh_2014": {"stiffness_ratio": 5, "adhesion_ratio": 0.1},
 }
 BOX = "region box block -4e-5 4e-5 -4e-5 4e-5 -4e-5 4e-5 units box\ncreate_box 2 box\n"
 STRETCHED = ("jkr", "thornton_ning_1998")  # laws whose contacts last beyond zero overlap

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+//
+// The Edinburgh elasto-plastic adhesive model: Thakur, Morrissey, Sun, Chen & Ooi 2014 (Granular
+// Matter 16:383). Plastic from first touch, with the exponent n = 3/2 or 1:
+//
+//   F = f_0 + k_1 overlap^n                             first loading
+//   F = f_0 + k_2 (overlap^n - overlap_0^n)             unloading and reloading
+//   F = f_0 - k_adh overlap^n                           adhesive limit
+//   overlap_0^n = (1 - k_1/k_2) overlap_max^n
+//   k_1 = 4/3 E* R*^(1/2) for n = 3/2,  k_1 = 2 E* R* for n = 1
+//
+// On the adhesive limit overlap_max falls so that the contact lies on its unloading line. The
+// constant force f_0 <= 0 acts while the bodies overlap; its energy is the surface energy.
+// Morrissey 2013 (PhD thesis, Edinburgh) instead derives k_adh from a surface energy and the
+// largest contact.
+//
+// Range: the ratios of stiffness are fitted; overlaps below R*.
+#pragma once
+
+#include "plastigran/shared/contact.h"
+
+namespace plastigran {
+
+class Edinburgh2014 {
+ public:
+  static constexpr const char* name = "edinburgh_2014";
+  static constexpr const char* source = "Thakur et al. 2014, Granular Matter 16:383";
+  static constexpr const char* range = "fitted ratios of stiffness, overlap < R*";
+  static constexpr bool yields = false;
+  static constexpr bool elastic_first = false;
+  static constexpr bool adhesive = true;
+
+  enum Exponent { three_halves, one };
+  struct Parameters {
+    double stiffness_ratio = required;
+    double adhesion_ratio = 0;
+    double constant_force = 0;
+    int exponent = three_halves;
+  };
+  static constexpr std::array<Parameter<Parameters>, 3> parameters{{
+      {"stiffness_ratio", "-", &Parameters::stiffness_ratio, 1.0001, 1e6,
+       "k_2/k_1, unloading over loading stiffness"},
+      {"adhesion_ratio", "-", &Parameters::adhesion_ratio, 0, 1e6, "k_adh/k_1"},
+      {"constant_force", "N", &Parameters::constant_force, -1e6, 0,
+       "f_0, attractive force that does not depend on the load"},
+  }};
+  static constexpr std::array<Option<Parameters>, 1> options{{{"exponent",
+                                                               &Parameters::exponent,
+                                                               {"three_halves", "one", nullptr},
+                                                               "n, exponent of the overlap"}}};
+
+  struct State {
+    double overlap_max = 0;   // largest overlap, less after the adhesive limit [m]
+    double plastic_work = 0;  // [J]
+  };
+  static constexpr std::array<const char*, 2> state_names{"overlap_max", "plastic_work"};
+
+  Edinburgh2014(const MaterialPair& pair, const Parameters& constants)
+      : modulus_(pair.youngs_modulus_eff),
+        linear_(constants.exponent == one),
+        exponent_(linear_ ? 1 : 1.5),
+        ratio_(constants.stiffness_ratio),
+        adhesion_(constants.adhesion_ratio),
+        constant_(constants.constant_force),
+        residual_(std::pow(1 - 1 / ratio_, 1 / exponent_)),
+        begin_(std::pow((ratio_ - 1) / (ratio_ + adhesion_), 1 / exponent_)) {}
+
+  PLASTIGRAN_DEVICE double pull_off_force(double radius_eff, double overlap, const State&) const {
+    return overlap > 0 ? stiffness(radius_eff) * adhesion_ * power(overlap) - constant_ : 0;
+  }
+  PLASTIGRAN_DEVICE double plastic_work_in(const State& state) const { return state.plastic_work; }
+
+  PLASTIGRAN_DEVICE Response respond(double radius_eff, double overlap, State& state) const {
+    const double first = stiffness(radius_eff), at = overlap > 0 ? overlap : 0;
+    if (at > state.overlap_max)
+      load(at, first, state);
+    else
+      pull(at, first, state);
+    Response response;
+    response.plastic_work = state.plastic_work;
+    if (at == 0) return response;
+    const double rest = residual_ * state.overlap_max;
+    response.force = constant_ + first * ratio_ * (power(at) - power(rest));
+    response.contact_radius = std::sqrt(radius_eff * at);
+    response.elastic_energy = elastic_energy(at, first, rest);
+    response.surface_energy = constant_ * at;
+    return response;
+  }
+
+ private:
+  PLASTIGRAN_DEVICE double stiffness(double radius_eff) const {  // k_1
+    return linear_ ? 2 * modulus_ * radius_eff : 4.0 / 3.0 * modulus_ * std::sqrt(radius_eff);
+  }
+  PLASTIGRAN_DEVICE double power(double overlap) const {
+    return linear_ ? overlap : overlap * std::sqrt(overlap);
+  }
+  // Integral of overlap^n from 0.
+  PLASTIGRAN_DEVICE double integral(double overlap) const {
+    return power(overlap) * overlap / (exponent_ + 1);
+  }
+  PLASTIGRAN_DEVICE double elastic_energy(double overlap, double first, double rest) const {
+    return first * ratio_ * (integral(overlap) - integral(rest) - power(rest) * (overlap - rest));
+  }
+
+  PLASTIGRAN_DEVICE void load(double overlap, double first, State& state) const {
+    const double before = state.overlap_max;
+    state.overlap_max = overlap;
+    state.plastic_work += first * (integral(overlap) - integral(before)) -
+                          elastic_energy(overlap, first, residual_ * overlap) +
+                          elastic_energy(before, first, residual_ * before);
+  }
+
+  // Unloading to `overlap`, along the adhesive limit where the contact has reached it.
+  PLASTIGRAN_DEVICE void pull(double overlap, double first, State& state) const {
+    const double lower = overlap / begin_;
+    if (!(lower < state.overlap_max)) return;
+    const double begin = begin_ * state.overlap_max;
+    state.plastic_work += first * adhesion_ * (integral(begin) - integral(overlap)) +
+                          elastic_energy(begin, first, residual_ * state.overlap_max) -
+                          elastic_energy(overlap, first, residual_ * lower);
+    state.overlap_max = lower;
+  }
+
+  double modulus_;  // E*
+  bool linear_;
+  double exponent_, ratio_, adhesion_, constant_;
+  double residual_;  // overlap_0/overlap_max
+  double begin_;     // overlap at the adhesive limit over overlap_max
+};
+
+}  // namespace plastigran
