@@ -46,7 +46,7 @@ def test_default_template_stays_within_the_range_of_its_law(tmp_path):
     assert main(["new-deck", str(tmp_path / "mine")]) == 0
     run = run_bulk(tmp_path / "mine" / "mine.in", {}, tmp_path / "run", show=False)
     assert run.passed and run.series["plastic"].iloc[-1] > 0
-    assert "beyond the law's range" not in (tmp_path / "run" / "log.liggghts").read_text()
+    assert "the validity range of the law" not in (tmp_path / "run" / "log.liggghts").read_text()
 
 
 @pytest.mark.parametrize("radius", [0.001, 0.005])

@@ -227,9 +227,9 @@ def test_the_ledger_closes(name, tmp_path):
 @pytest.mark.parametrize(
     ("name", "said"),
     [
-        ("easo", "it does not count what liquid"),
-        ("washino", "it does not count what liquid"),
-        ("multicontact", "it does not count what contacts of a particle store"),
+        ("easo", "the energy of liquid between particles is not counted"),
+        ("washino", "the energy of liquid between particles is not counted"),
+        ("multicontact", "the energy of multicontact is not counted"),
     ],
 )
 def test_what_is_not_counted_is_refused(name, said, tmp_path):
@@ -264,5 +264,5 @@ def test_a_liquid_that_takes_walls_for_particles_is_refused(tmp_path):
 
 
 def test_cohesion_beside_a_cylinder_is_refused(tmp_path):
-    with pytest.raises(EngineError, match="cohesion sjkr is for spheres; this model is for cyl"):
+    with pytest.raises(EngineError, match="cohesion sjkr supports only spheres, but lim_stronge"):
         execute(DISC, tmp_path)

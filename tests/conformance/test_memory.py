@@ -255,7 +255,7 @@ def test_own_fixes_may_be_removed(fix, tmp_path):
 
 
 LEDGER, LINE = {"options": "energy_ledger on"}, "gran model {} tangential history; pair_coeff * *"
-NO_LONGER = "an energy ledger is kept, and this line has no energy_ledger on"
+NO_LONGER = "the line has no energy_ledger on, but an earlier line"
 REFUSED = {
     "energy_ledger on: its fix was removed": ("unfix energy_ledger; run 3 pre no", LEDGER),
     "its fix plastic_work was removed": ("unfix plastic_work; run 3 pre no", LEDGER),
@@ -269,7 +269,7 @@ REFUSED = {
         "fix wall all wall/gran model thornton tangential history primitive type 2 xplane -0.45",
         {},
     ),
-    "energy_ledger on: it counts particles, and not the bodies that fix rigid": (
+    "energy_ledger on: fix rigid is not supported": (
         "fix body pair rigid single",
         LEDGER,
     ),

@@ -90,7 +90,10 @@ def test_log_states_the_tangent_modulus_of_a_law_that_hardens(tmp_path):
 @pytest.mark.parametrize(
     ("changes", "message"),
     [
-        ({"yield_strength": ""}, "yieldStrength is missing; give it for every atom type \\[Pa\\]"),
+        (
+            {"yield_strength": ""},
+            "property yieldStrength is missing. Add one value \\[Pa\\] per atom type",
+        ),
         ({"yield_strength": strength("0")}, "yieldStrength is 0; it must be positive and finite"),
         ({"yield_strength": strength("-5e7")}, r"yieldStrength is -5e\+07; it must be positive"),
         ({"yield_strength": strength("nan")}, "Expected floating point parameter"),
@@ -116,7 +119,7 @@ def test_log_states_the_tangent_modulus_of_a_law_that_hardens(tmp_path):
             r"referenceRate is 0; it must be positive and finite \[1/s\]",
         ),
         ({"settings": "viscous_damping on"}, "coefficientRestitution"),
-        ({"settings": "computeDissipatedEnergy on"}, "computeDissipatedEnergy is not available"),
+        ({"settings": "computeDissipatedEnergy on"}, "computeDissipatedEnergy is not supported"),
         (
             {"settings": "surface superquadric"},
             "surface superquadric is not available with this model; possible: default multicontact",

@@ -50,7 +50,7 @@ def test_a_modulus_typed_in_gpa(engine_wall, tmp_path):
     """The message quotes the earlier warning, which states the cause."""
     text = error_of(tmp_path, deck(**TYPED_IN_GPA, **engine_wall))
     place = re.search(
-        r"particle \d+ at \(\S+ \S+ (\S+)\) is about to pass through a wall: it overlaps it by "
+        r"particle \d+ at \(\S+ \S+ (\S+)\) is about to cross a wall: the overlap is "
         r"(\S+) of its radius",
         text,
     )
@@ -74,8 +74,8 @@ def test_a_step_that_is_too_long(tmp_path):
     """Balls hit a wall at 10 m/s in steps of 0.4 radii: the first contact is too strong, or the
     second step passes the wall. The message quotes earlier warnings."""
     text = error_of(tmp_path, deck(**STEP_TOO_LONG, velocity=-10))
-    assert "is about to pass through a wall" in text or "of its radius in a step" in text
-    assert "the time step 0.0002 is too long for rebound from wall impacts" in text
+    assert "is about to cross a wall" in text or "times its radius in one step" in text
+    assert "the time step 0.0002 is too long for wall impacts" in text
 
 
 def test_a_wall_that_may_be_passed(tmp_path):

@@ -14,7 +14,10 @@ from plastigran import laws
 from plastigran.engine.process import run_deck
 from plastigran.experiments.central import CentralImpact
 
-REPORT = r"model (\w+): contacts beyond the law's range \(.*\) so far: (\d+), the furthest at (\S+)"
+REPORT = (
+    r"model (\w+): (\d+) contacts have exceeded the validity range of the law \(.*\)\. "
+    r"The largest overlap was (\S+) times"
+)
 
 
 def excess(geometry: str, law: str, speed: float, folder: Path, ranks: int = 1, **more) -> list:

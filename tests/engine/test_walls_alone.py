@@ -93,7 +93,7 @@ def test_a_wall_given_before_a_run_without_setup_is_there(again, pairs, tmp_path
     ("lines", "message"),
     [
         ("run 10\ntimestep 1e-7\nrun 10 pre no\n", "run ... pre no: timestep is 1e-07"),
-        ("set group all vx 30000\nrun 10\n", "moves 3 of its radius in a step"),
+        ("set group all vx 30000\nrun 10\n", "moved 3 times its radius in one step"),
     ],
 )
 def test_the_first_run_is_checked(lines, message, tmp_path):

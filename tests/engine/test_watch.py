@@ -77,8 +77,8 @@ def test_overlap(ranks, tmp_path):
     """The overlap is 1.04 radii, across the border of two ranks; `overlap_limit` allows it."""
     grains = [(0, -0.48 * RADIUS, 0.05), (0, 0.48 * RADIUS, 0.05)]
     message = stopped(tmp_path, grains, ranks=ranks)
-    assert re.search(r"particle [12] at \(0 \S+ 0.05\) overlaps particle [12] at", message)
-    assert "by 1.04 of the smaller radius, more than overlap_limit 1." in message
+    assert re.search(r"particle [12] at \(0 \S+ 0.05\) and particle [12] at", message)
+    assert "by 1.04 times the smaller radius; overlap_limit is 1." in message
     run(tmp_path, grains, ranks=ranks, settings="overlap_limit 1.2", steps=1)
 
 
@@ -90,12 +90,12 @@ def test_overlap_limit_out_of_range(limit, tmp_path):
 
 def test_overlap_with_a_wall(tmp_path):
     message = stopped(tmp_path, [(0, 0, 0.06 * RADIUS)], settings="overlap_limit 0.9")
-    assert "particle 1 at (0 0 0.00015) overlaps a wall by 0.94 of the smaller radius" in message
+    assert "particle 1 at (0 0 0.00015) and a wall overlap by 0.94 times the smaller radius" in message
 
 
 def test_particle_that_outruns_its_contacts(tmp_path):
     message = stopped(tmp_path, [(0, 0, 0.05)], more=f"velocity all set {1.5 * RADIUS / 1e-5} 0 0")
-    assert "particle 1 at (0.00375 0 0.05) moves 1.5 of its radius in a step" in message
+    assert "particle 1 at (0.00375 0 0.05) moved 1.5 times its radius in one step" in message
     assert "timestep" in message
 
 
@@ -126,8 +126,8 @@ def test_step_is_compared_with_known_times(tmp_path):
     hertz = central.hertz_duration(RADIUS, MASS, pair.youngs_modulus_eff, speed)
     law = laws.Thornton(pair).recommended_timestep(RADIUS, MASS, speed)
     line = re.search(
-        r"time step 1e-06: (\S+) of the Rayleigh time, (\S+) of the shortest Hertz impact at the "
-        r"present speeds, (\S+) of the recommended step for those\n",
+        r"time step 1e-06: (\S+) of the Rayleigh time, (\S+) of the shortest Hertz contact "
+        r"time at the current speeds, (\S+) of the recommended time step\n",
         text,
     )
     shares = [float(share) for share in line.groups()]
@@ -141,7 +141,7 @@ def test_contacts_at_the_start_of_a_run_count(tmp_path):
     law = laws.Thornton(laws.combine(BODY, BODY))
     loading = law.respond(RADIUS, overlap, law.State())
     speed = sqrt(2 * (loading.elastic_energy + loading.plastic_work) / MASS)
-    share = float(re.search(r" (\S+) of that for the stiffest contact\n", text)[1])
+    share = float(re.search(r" (\S+) of the recommended one for the stiffest contact\n", text)[1])
     assert share == pytest.approx(step / law.recommended_timestep(RADIUS, MASS, speed), rel=0.06)
 
 
@@ -156,10 +156,10 @@ def test_contact_shows_that_the_step_is_too_long(ranks, tmp_path):
     gravity = f"fix gravity all gravity {speed**2 / 2 / (GAP - RADIUS)} vector 0 0 -1"
     changes = {"more": gravity, "steps": 4000, "ranks": ranks}
     text = run(tmp_path, [(0, 0, GAP)], timestep=2 * expected, **changes)
-    assert "impacts at the present speeds" not in text
+    assert "impacts at the current speeds" not in text
     reports = re.findall(
         r"too long for the contact of particle 1 with a wall at \(0 0 0.002\d+\), loaded as by an "
-        r"impact at ([^:]+): (\S+) times the recommended .* Recommended: timestep (\S+)",
+        r"impact at (\S+)\. It is (\S+) times the recommended .* Use `timestep (\S+)`",
         text,
     )
     assert len(reports) == 1

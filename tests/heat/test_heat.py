@@ -157,7 +157,7 @@ def test_a_misspelt_factor_is_named(tmp_path):
     line = "fix f all property/global taylorQuinneyFaktor peratomtype 0.5"
     deck.write_text(f"{bed}\n{line}\ninclude ${{heat_decks}}/warming_on.in\nrun 1\n")
     log = run_deck(deck, {"decks": LEDGER_DECKS, "heat_decks": DECKS}, tmp_path)
-    said = "no model uses the property taylorQuinneyFaktor; is it taylorQuinneyFactor?"
+    said = "property taylorQuinneyFaktor is not used. Possible misspelling of taylorQuinneyFactor"
     assert log.count(said) == 1
 
 
@@ -166,14 +166,14 @@ def test_a_misspelt_factor_is_named(tmp_path):
     [
         (
             "fix w all heat/dissipation 0.9",
-            "fix w heat/dissipation: it takes no words, and has 0.9",
+            "fix w heat/dissipation: unknown word 0.9",
         ),
         ("fix w some heat/dissipation", "its group is some; it must be all"),
         (
             "fix w all heat/dissipation\nfix v all heat/dissipation",
-            "fix w heat/dissipation: fix v warms the grains already",
+            "fix w heat/dissipation: fix v heats the particles already",
         ),
-        ("fix w all heat/dissipation", "give `fix ID all heat/gran initial_temperature T`"),
+        ("fix w all heat/dissipation", "Add `fix ID all heat/gran initial_temperature T`"),
         (
             "fix f all property/global taylorQuinneyFactor peratomtype 1.2\n"
             "fix w all heat/dissipation",

@@ -124,7 +124,7 @@ TEST_CASE("a contact is counted where it leaves the range for the first time") {
     const KogutEtsion::State before = state;
     pair.law.respond(0.01, overlap, state);
     if (depth > 1)
-      account.note(pair.law, pair.range, {0.01, overlap, closing, before, state, false, 1});
+      account.add(pair.law, pair.range, {0.01, overlap, closing, before, state, false, 1});
   }
   CHECK(account.contacts == 1);
   CHECK(account.furthest == doctest::Approx(1.4).epsilon(1e-12));

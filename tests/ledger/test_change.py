@@ -45,7 +45,9 @@ def test_another_integrator_is_refused(tmp_path):
 
 
 def test_particles_that_go_between_runs_need_a_set_up(tmp_path):
-    with pytest.raises(EngineError, match="particles have come or gone since the last run, and"):
+    with pytest.raises(
+        EngineError, match="particles were added or deleted since the last run, but"
+    ):
         ledger("changed", tmp_path, pre="no", remove=1)
 
 

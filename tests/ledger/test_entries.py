@@ -52,7 +52,7 @@ def test_entries_are_the_same_in_the_engines_own_loop(tmp_path):
 def test_entries_are_known_when_all_forces_are(asks, every, tmp_path):
     """Within a step they are not: in its first part, before forces, or while walls' are to come. It
     does not matter whether the step before has been asked."""
-    with pytest.raises(EngineError, match="asked for within a step, before all forces are known"):
+    with pytest.raises(EngineError, match="was read within a step, before all forces are known"):
         ledger("between", tmp_path, asks=asks, every=every)
 
 

@@ -160,7 +160,7 @@ def test_ranks_count_the_same(bed, ranks, grid, tmp_path):
 
 def test_newton_on_is_refused(tmp_path):
     """Each contact across a border between ranks is then seen from one side."""
-    with pytest.raises(EngineError, match="energy_ledger on: it needs `newton off`"):
+    with pytest.raises(EngineError, match="energy_ledger on: `newton on` is not supported"):
         run_deck(DECKS / "newton_on.in", {}, tmp_path)
 
 
@@ -171,7 +171,7 @@ def test_a_wall_needs_the_pair_style(tmp_path):
 
 def test_a_wall_that_does_not_report_is_named(tmp_path):
     log = run_deck(DECKS / "wall_alone.in", {"wall": "off"}, tmp_path / "one")
-    assert "they have no energy_ledger on: far" in log
+    assert "the walls far have no `energy_ledger on`" in log
     log = run_deck(DECKS / "wall_alone.in", {}, tmp_path / "none")
     assert "energy_ledger" not in log.replace("energy_ledger on", "").replace(
         "energy_ledger ${", ""

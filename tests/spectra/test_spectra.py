@@ -181,7 +181,7 @@ def test_another_file_is_not_overwritten(tmp_path):
     [
         ("all collision_spectra", "EVERY is missing"),
         ("all collision_spectra 0 file x.csv", "EVERY is 0; it must be a positive number"),
-        ("all collision_spectra 10", "it needs `file FILE`"),
+        ("all collision_spectra 10", "`file FILE` is missing"),
         ("all collision_spectra 10 bins 5", "unknown word bins; possible: file, per_decade"),
         ("all collision_spectra 10 file x.csv per_decade -1", "per_decade is -1"),
         (

@@ -69,13 +69,13 @@ def test_lengths_that_cannot_be_are_refused(given, said, tmp_path):
 
 def test_a_missing_length_is_named(tmp_path):
     text = deck(lengths=("\npair_style", "\nunfix cylinder_length\npair_style"))
-    with pytest.raises(EngineError, match="katta_polycarpou: cylinderLength is missing; give it"):
+    with pytest.raises(EngineError, match="katta_polycarpou: property cylinderLength is missing"):
         run(text, tmp_path)
 
 
 @pytest.mark.parametrize("name", CYLINDER_LAWS)
 def test_a_deck_in_three_dimensions_is_refused(name, tmp_path):
-    with pytest.raises(EngineError, match=f"model {name}: it is for cylinders.*dimension 2"):
+    with pytest.raises(EngineError, match=f"model {name}: the law is for cylinders.*dimension 2"):
         run_deck("collision/sphere_wall.in", {"law": name}, tmp_path)
 
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "liggghts/fixes/history_keeper.h"
 
-#include <mpi.h>
-
 #include <algorithm>
 #include <utility>
 
@@ -10,13 +8,19 @@
 #include "comm.h"
 #include "force.h"
 #include "liggghts/fixes/engine_access.h"
-#include "liggghts/fixes/stored_histories.h"
-#include "modify.h"
+#include "liggghts/fixes/messages.h"
+#include "liggghts/fixes/ranks.h"
 #include "neighbor.h"
+#include "output.h"
 #include "pair_gran.h"
-#include "liggghts/fixes/print.h"
 
 namespace plastigran {
+
+namespace {
+
+const char pair_histories[] = "contacthistory";
+
+}  // namespace
 
 HistoryKeeper::HistoryKeeper(LAMMPS_NS::LAMMPS* engine, int count, char** words)
     : PluginFix(engine, count, words) {
@@ -29,170 +33,211 @@ HistoryKeeper::HistoryKeeper(LAMMPS_NS::LAMMPS* engine, int count, char** words)
 
 HistoryKeeper::~HistoryKeeper() { atom->delete_callback(Fix::id, 0); }
 
-int HistoryKeeper::setmask() {
-  using namespace LAMMPS_NS::FixConst;
-  return PRE_EXCHANGE | END_OF_STEP;  // the first for setup_pre_exchange
+HistoryKeeper* HistoryKeeper::of(LAMMPS_NS::LAMMPS* engine, const std::string& restarted) {
+  if (HistoryKeeper* const keeper = find_fix<HistoryKeeper>(engine)) return keeper;
+  HistoryKeeper* const keeper = ensure_fix<HistoryKeeper>(engine);
+  keeper->restarted_ = read_restart_text(restarted);
+  return keeper;
 }
 
-// With the line of a pair style of the engine's own, whose contacts are kept as well.
-HistoryKeeper::Lines HistoryKeeper::all_lines(const Lines& ours) const {
-  Lines lines = ours;
+std::string HistoryKeeper::restarted_lines(LAMMPS_NS::LAMMPS* engine) {
+  const char* const text = restarted_state(engine->modify, id(), style());
+  return text ? text : "";
+}
+
+void HistoryKeeper::connect(const std::string& owner, const ContactLine& line) {
+  ContactLine& connected = connected_[owner];
+  const ContactLine earlier = std::exchange(connected, line);  // of a run that had no setup
+  connected.is_new = line.is_new || earlier.is_new;
+  if (line.report.empty()) connected.report = earlier.report;
+  const auto entry = restarted_.find(owner);
+  if (entry == restarted_.end()) return;
+  const ContactLine restarted = entry->second;
+  restarted_.erase(entry);
+  lines_[owner] = restarted;
+  if (!restarted.models.empty() && restarted.models != line.models && !line.histories.empty())
+    refuse_other_models(lmp, owner, restarted.models, line.models);
+}
+
+std::string HistoryKeeper::restarted_settings(const std::string& owner) const {
+  const auto line = restarted_.find(owner);
+  if (line != restarted_.end()) return line->second.settings;
+  warn_on_first_rank(owner +
+                     ": the restart file has no settings of this line, so they have their "
+                     "defaults. Repeat the line if it had others");
+  return {};
+}
+
+int HistoryKeeper::setmask() {
+  using namespace LAMMPS_NS::FixConst;
+  return PRE_EXCHANGE | END_OF_STEP;  // PRE_EXCHANGE makes LIGGGHTS call setup_pre_exchange()
+}
+
+void HistoryKeeper::end_of_step() {
+  if (next_restart(output) != update->ntimestep) return;
+  for (int k = 0; k < modify->n_fixes_style_strict(pair_histories); ++k)
+    modify->find_fix_style_strict(pair_histories, k)->setup_pre_exchange();
+}
+
+void HistoryKeeper::write_restart(FILE* file) {
+  const std::string text = restart_text(lines_);
+  write_state(file, text.c_str(), text.size() + 1);
+}
+
+// Histories of a pair style of LIGGGHTS itself are stored too.
+ContactLines HistoryKeeper::with_host_pair_style(const ContactLines& lines) const {
+  ContactLines all = lines;
   LAMMPS_NS::Pair* const pair = force->pair_match("gran", 1);
-  if (pair && !lines.count(pair_owner)) {
-    const auto hash = static_cast<LAMMPS_NS::PairGran*>(pair)->hashcode();
-    lines[pair_owner] = {"the engine's " + std::to_string(hash), "", {pair_histories}, ""};
-  }
-  return lines;
+  if (!pair || all.count(pair_owner)) return all;
+  ContactLine& line = all[pair_owner];
+  line.models = "LIGGGHTS " + std::to_string(static_cast<LAMMPS_NS::PairGran*>(pair)->hashcode());
+  line.histories = {pair_histories};
+  return all;
 }
 
 void HistoryKeeper::post_run() {
-  forget();
-  std::vector<StoredHistories> stored;
-  for (const auto& [owner, line] : all_lines(lines_))
+  stored_.clear();
+  for (const auto& [owner, line] : with_host_pair_style(lines_))
     for (const std::string& id : line.histories) {
       LAMMPS_NS::Fix* const fix = modify->find_fix_id(id.c_str());
       if (!fix) continue;
-      stored.emplace_back(fix);
-      stored.back().update();
-      kept_.push_back({owner, line.models, id, stored.back().width(), stored.back().listed(),
-                       wall_position(lmp, fix)});
+      StoredHistories histories(fix);
+      histories.update();
+      stored_.push_back({owner, line.models, id, histories.layout(), wall_position(lmp, fix), {}});
+      ParticleRecords& records = stored_.back().records;
+      std::size_t size = 0;
+      for (int i = 0; i < atom->nlocal; ++i) size += histories.size_of(i);
+      records.reserve(atom->nlocal, size);
+      for (int i = 0; i < atom->nlocal; ++i) {
+        const std::vector<double> values = histories.of(i);
+        records.add(atom->tag[i], values.data(), values.size());
+      }
     }
-  std::size_t values = 0;
-  for (int i = 0; i < atom->nlocal; ++i)
-    for (const StoredHistories& histories : stored) values += 1 + histories.size_of(i);
-  records_.reserve(atom->nlocal, values);
-  for (int i = 0; i < atom->nlocal; ++i) {
-    numbers_[i] = atom->tag[i];
-    records_.begin(atom->tag[i]);
-    for (const StoredHistories& histories : stored) {
-      const std::vector<double> values = histories.of(i);
-      const double count = values.size();
-      records_.append(&count, 1);
-      records_.append(values.data(), values.size());
-    }
-  }
-  page_ = neighbor->pgsize, largest_ = neighbor->oneatom;
-  total_ = atom->nlocal;
-  MPI_Allreduce(MPI_IN_PLACE, &total_, 1, MPI_LONG, MPI_SUM, world);
-}
-
-// Whether those who have these histories now can go on with them.
-bool HistoryKeeper::goes_on(const Kept& kept, const Line& line, LAMMPS_NS::Fix* fix) const {
-  return line.models == kept.models && StoredHistories(fix).width() == kept.width &&
-         wall_position(lmp, fix) == kept.place;
+  std::copy_n(atom->tag, atom->nlocal, ids_.begin());
+  page_ = neighbor->pgsize, largest_list_ = neighbor->oneatom;
+  particle_total_ = sum_over_ranks(static_cast<long>(atom->nlocal), world);
 }
 
 void HistoryKeeper::setup_pre_exchange() {
-  const Lines former = std::exchange(lines_, std::exchange(connected_, {}));
-  report_constants();
-  note_places();
-  if (kept_.empty())
-    forget_walls_elsewhere(former);
-  else
-    give_back_what_is_lost();
-  warn_of_other_constants(former);
-}
-
-void HistoryKeeper::note_places() {
+  const ContactLines former = std::exchange(lines_, std::exchange(connected_, {}));
+  if (comm->me == 0) print(lmp, constants_report(lines_));
   for (auto& [owner, line] : lines_)
     for (const std::string& id : line.histories)
       if (const LAMMPS_NS::Fix* const fix = modify->find_fix_id(id.c_str()))
-        line.place = primitive_wall_position(lmp, fix);
+        line.position = primitive_wall_position(lmp, fix);
+  if (stored_.empty())
+    clear_moved_walls(former);
+  else
+    restore_lost_histories();
+  warn_of_new_constants(former);
 }
 
-// After a restart: a wall of the same ID elsewhere is another one.
-void HistoryKeeper::forget_walls_elsewhere(const Lines& restarted) {
+void HistoryKeeper::restore_lost_histories() {
+  const NewIds new_ids(ids_.data(), atom->tag, atom->nlocal, particle_total_, world);
+  const ContactLines lines = with_host_pair_style(lines_);
+  for (Stored& stored : stored_) {
+    stored.records.fetch(ids_.data(), atom->nlocal, world);
+    const auto entry = lines.find(stored.owner);
+    if (entry == lines.end()) continue;
+    const ContactLine& line = entry->second;
+    // Walls lose their histories only if their line is given again.
+    if (stored.owner != pair_owner && !line.is_new) continue;
+    LAMMPS_NS::Fix* const fix = modify->find_fix_id(stored.fix.c_str());
+    if (fix && !fix->just_created && is_unchanged(stored, fix)) continue;
+    if (fix && can_continue(stored, line, fix)) {
+      fix->just_created = 0;  // else LIGGGHTS would clear the fix at the beginning of the run
+      restore(stored, fix, new_ids);
+    } else if (any_history(stored)) {
+      warn_on_first_rank(stored.owner + ": contacts start without history, because " +
+                         (stored.models == line.models
+                              ? "the wall moved: `" + stored.models + '`'
+                              : "their models changed from `" + stored.models + "` to `" +
+                                    line.models + "`. Repeat the earlier line to keep the " +
+                                    "histories"));
+    }
+  }
+}
+
+// Whether a fix still has the stored histories, and no particle was renumbered. If the deck changed
+// the page sizes, LIGGGHTS has freed the memory that the fix points to.
+bool HistoryKeeper::is_unchanged(const Stored& stored, LAMMPS_NS::Fix* fix) const {
+  bool unchanged = page_ == neighbor->pgsize && largest_list_ == neighbor->oneatom;
+  for (int i = 0; unchanged && i < atom->nlocal; ++i) {
+    const auto record = stored.records.find(ids_[i]);
+    unchanged = record.values && ids_[i] == atom->tag[i];
+    if (!unchanged) break;
+    const std::vector<double> values = StoredHistories(fix).of(i);
+    unchanged =
+        std::equal(values.begin(), values.end(), record.values, record.values + record.count);
+  }
+  return !on_any_rank(!unchanged, world);
+}
+
+bool HistoryKeeper::can_continue(const Stored& stored, const ContactLine& line,
+                                 LAMMPS_NS::Fix* fix) const {
+  return line.models == stored.models &&
+         StoredHistories(fix).layout().width == stored.layout.width &&
+         wall_position(lmp, fix) == stored.position;
+}
+
+bool HistoryKeeper::any_history(const Stored& stored) const {
+  bool any = false;
+  for (int i = 0; i < atom->nlocal && !any; ++i) {
+    const auto record = stored.records.find(ids_[i]);
+    any = record.values && stored.layout.any(record.values, record.count);
+  }
+  return on_any_rank(any, world);
+}
+
+bool HistoryKeeper::any_history(const ContactLine& line) const {
+  bool any = false;
+  for (const std::string& id : line.histories)
+    if (LAMMPS_NS::Fix* const fix = modify->find_fix_id(id.c_str()))
+      for (int i = 0; i < atom->nlocal && !any; ++i) {
+        const std::vector<double> values = StoredHistories(fix).of(i);
+        any = StoredHistories(fix).layout().any(values.data(), values.size());
+      }
+  return on_any_rank(any, world);
+}
+
+void HistoryKeeper::restore(const Stored& stored, LAMMPS_NS::Fix* fix,
+                            const NewIds& new_ids) const {
+  for (int i = 0; i < atom->nlocal; ++i)
+    if (const auto record = stored.records.find(ids_[i]); record.values)
+      StoredHistories(fix).set(i, record.values, record.count, new_ids);
+    else
+      StoredHistories(fix).clear(i);
+}
+
+// After a restart, for walls that stand elsewhere than in the earlier run.
+void HistoryKeeper::clear_moved_walls(const ContactLines& restarted) {
   for (const auto& [owner, line] : lines_) {
-    const auto before = restarted.find(owner);
-    if (before == restarted.end() || !before->second.place || before->second.place == line.place)
+    const auto former = restarted.find(owner);
+    if (former == restarted.end() || !former->second.position ||
+        former->second.position == line.position)
       continue;
-    if (remembers(owner) && comm->me == 0)
-      warn(lmp, owner +
-                    ": contacts start without history, because the wall stands elsewhere than "
-                    "when the restart file was written");
+    if (any_history(line))
+      warn_on_first_rank(owner +
+                         ": contacts start without history, because the wall stands elsewhere "
+                         "than when the restart file was written");
     for (const std::string& id : line.histories)
       for (int i = 0; i < atom->nlocal; ++i)
-        StoredHistories(modify->find_fix_id(id.c_str())).forget(i);
+        StoredHistories(modify->find_fix_id(id.c_str())).clear(i);
   }
 }
 
-void HistoryKeeper::give_back_what_is_lost() {
-  records_.fetch(numbers_.data(), atom->nlocal, world);
-  const Lines lines = all_lines(lines_);
-  std::vector<LAMMPS_NS::Fix*> fixes;  // null: nothing is handed back
-  for (std::size_t k = 0; k < kept_.size(); ++k) {
-    const Kept& kept = kept_[k];
-    fixes.push_back(nullptr);
-    const auto line = lines.find(kept.owner);
-    LAMMPS_NS::Fix* const fix = modify->find_fix_id(kept.fix.c_str());
-    if (line == lines.end()) continue;
-    // Walls lose theirs with their line alone.
-    if (kept.owner != pair_owner && !line->second.given_anew) continue;
-    if (fix && !fix->just_created && is_intact(k, fix)) continue;
-    if (fix && goes_on(kept, line->second, fix)) {
-      fixes.back() = fix;
-      fix->just_created = 0;  // the engine blanks what a new fix has as a run begins
-    } else if (any_remembers(k) && comm->me == 0) {
-      warn(lmp,
-           kept.owner + ": contacts start without history, because " +
-               (kept.models == line->second.models ? "the wall moved: `" + kept.models + '`'
-                                                   : "their models changed from `" + kept.models +
-                                                         "` to `" + line->second.models + '`'));
-    }
+void HistoryKeeper::warn_of_new_constants(const ContactLines& former) const {
+  for (const auto& [owner, line] : lines_) {
+    const auto before = former.find(owner);
+    if (before == former.end() || before->second.models != line.models) continue;
+    const std::string change = first_change(before->second.constants, line.constants);
+    if (!change.empty() && any_history(line))
+      warn_on_first_rank(owner + ": contacts continue with other constants: " + change);
   }
-  if (std::any_of(fixes.begin(), fixes.end(), [](const auto* fix) { return fix; }))
-    hand_back(fixes);
 }
 
-// Whether a fix still has what was kept of it, and no particle has another number. All ranks
-// together. Where the deck has changed the sizes of pages, the engine has freed what the fix points
-// to: that is not looked at.
-bool HistoryKeeper::is_intact(std::size_t which, LAMMPS_NS::Fix* fix) const {
-  int intact = page_ == neighbor->pgsize && largest_ == neighbor->oneatom;
-  for (int i = 0; intact && i < atom->nlocal; ++i) {
-    const double* const record = record_of(i, which);
-    intact = record && numbers_[i] == atom->tag[i];
-    if (!intact) break;
-    const std::vector<double> held = StoredHistories(fix).of(i);
-    intact = held.size() == *record && std::equal(held.begin(), held.end(), record + 1);
-  }
-  MPI_Allreduce(MPI_IN_PLACE, &intact, 1, MPI_INT, MPI_MIN, world);
-  return intact;
-}
-
-// What was kept of a particle in one of the histories, its length first; null for a new one.
-const double* HistoryKeeper::record_of(int i, std::size_t which) const {
-  int length = 0;
-  const double* values = records_.of(numbers_[i], length);
-  for (std::size_t k = 0; values && k < which; ++k) values += 1 + static_cast<int>(*values);
-  return values;
-}
-
-// Whether a contact had a memory in one of the histories kept. All ranks together.
-bool HistoryKeeper::any_remembers(std::size_t which) const {
-  int remembers = 0;
-  for (int i = 0; i < atom->nlocal; ++i) {
-    const double* const record = record_of(i, which);
-    const Kept& kept = kept_[which];
-    if (record && StoredHistories::remembers(record + 1, *record, kept.width, kept.listed))
-      remembers = 1;
-  }
-  MPI_Allreduce(MPI_IN_PLACE, &remembers, 1, MPI_INT, MPI_MAX, world);
-  return remembers;
-}
-
-void HistoryKeeper::hand_back(const std::vector<LAMMPS_NS::Fix*>& fixes) {
-  const NewNumbers numbers(numbers_.data(), atom->tag, atom->nlocal, total_, world);
-  for (int i = 0; i < atom->nlocal; ++i) {
-    int length = 0;
-    const double* values = records_.of(numbers_[i], length);
-    for (LAMMPS_NS::Fix* const fix : fixes) {
-      const int count = values ? static_cast<int>(*values) : 0;
-      if (fix && values) StoredHistories(fix).set(i, values + 1, count, numbers);
-      if (fix && !values) StoredHistories(fix).forget(i);
-      if (values) values += 1 + count;
-    }
-  }
+void HistoryKeeper::warn_on_first_rank(const std::string& text) const {
+  if (comm->me == 0) warn(lmp, text);
 }
 
 }  // namespace plastigran

@@ -7,8 +7,6 @@
 
 #include "atom.h"
 #include "domain.h"
-#include "error.h"
-#include "liggghts/fixes/describe_particle.h"
 #include "liggghts/fixes/engine_access.h"
 #include "liggghts/model/periodic_sides.h"
 #include "update.h"
@@ -32,22 +30,23 @@ void MotionCheck::init() {
 
 void MotionCheck::reset_dt() { timestep_ = update->dt; }
 
-// The forces of the start: one step later positions would be lost too.
+// Checks the forces of the setup, because the first step would change the positions too.
 void MotionCheck::pre_initial_integrate() {
   if (update->dt != timestep_) {
     std::ostringstream text;
     text << "run ... pre no: timestep is " << update->dt << ", but particles would move by "
          << timestep_ << ", the timestep of the last setup. Remove `pre no`, or give `timestep "
          << timestep_ << "` again";
-    error->all(FLERR, text.str().c_str());
+    stop(lmp, text.str());
   }
   if (!first_) return;
   first_ = false;
   for (int i = 0; i < atom->nlocal; ++i) {
     const double* const f = atom->f[i];
     if (!std::isfinite(f[0] + f[1] + f[2]))
-      stop(i, "has a force that is NaN or infinite",
-           "Check for particles whose center is on a wall or on the center of another particle");
+      stop_for(
+          i, "has a force that is NaN or infinite",
+          "Check for particles whose center is on a wall or on the center of another particle");
   }
 }
 
@@ -56,14 +55,25 @@ void MotionCheck::end_of_step() {
   for (int i = 0; i < atom->nlocal; ++i) {
     const double* const v = atom->v[i];
     const double travel = step_squared * (v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
-    if (!(travel <= atom->radius[i] * atom->radius[i])) lost_control(i, std::sqrt(travel));
+    const double radius = atom->radius[i];
+    if (travel <= radius * radius) continue;
+    if (!std::isfinite(travel))
+      stop_for(i, "has a velocity that is NaN or infinite",
+               "Check its last contacts, and for particles whose center is on a wall");
+    std::ostringstream problem;
+    problem << "moved " << std::sqrt(travel) / radius
+            << " times its radius in one step; the limit is 1";
+    stop_for(
+        i, problem.str(),
+        "Reduce the time step to the value recommended in the log or by `plastigran timestep`. "
+        "Check for overlapping particles near its start position");
   }
 }
 
 void MotionCheck::check_periodic_sides(const std::string& model) {
   model_of_pairs_ = model;
-  const std::string too_short = too_short_periodic_side(lmp);
-  if (!too_short.empty()) error->all(FLERR, (model + ": " + too_short).c_str());
+  const std::string problem = short_periodic_side(lmp);
+  if (!problem.empty()) stop(lmp, model + ": " + problem);
 }
 
 void MotionCheck::pre_exchange() {
@@ -75,28 +85,17 @@ void MotionCheck::pre_exchange() {
       const bool below = domain->boundary[axis][0] == 1 && atom->x[i][axis] < domain->boxlo[axis];
       const bool above = domain->boundary[axis][1] == 1 && atom->x[i][axis] > domain->boxhi[axis];
       if (below || above)
-        stop(i,
-             std::string("leaves the box at its ") + (below ? "lower " : "upper ") + "xyz"[axis] +
-                 " side",
-             "Close the walls (facing triangles without gaps), make the time step shorter, "
-             "enlarge the box, or allow it: thermo_modify lost ignore");
+        stop_for(
+            i,
+            std::string("leaves the box at its ") + (below ? "lower " : "upper ") + "xyz"[axis] +
+                " side",
+            "Close the walls (facing triangles without gaps), reduce the time step, enlarge the "
+            "box, or allow it: thermo_modify lost ignore");
     }
 }
 
-void MotionCheck::lost_control(int i, double travel) {
-  if (!std::isfinite(travel))
-    stop(i, "has a velocity that is NaN or infinite",
-         "Check its last contacts, and for particles whose center is on a wall");
-  std::ostringstream text;
-  text << "moves " << travel / atom->radius[i] << " of its radius in a step";
-  stop(i, text.str(),
-       "Its contacts were not resolved: make the time step shorter (the log recommends one, or "
-       "`plastigran timestep`), and look for overlapping particles where it comes from");
-}
-
-// On this rank alone.
-void MotionCheck::stop(int i, const std::string& what, const std::string& try_this) {
-  error->one(FLERR, (describe_particle(atom, i) + ' ' + what + ". " + try_this).c_str());
+void MotionCheck::stop_for(int i, const std::string& problem, const std::string& remedy) {
+  stop_from_rank(lmp, describe_particle(atom, i) + ' ' + problem + ". " + remedy);
 }
 
 }  // namespace plastigran

@@ -14,13 +14,12 @@ namespace plastigran {
 int PartedWalls::setmask() { return LAMMPS_NS::FixConst::PRE_NEIGHBOR; }
 
 void PartedWalls::pre_neighbor() {
-  for (int k = 0; k < modify->nfix; ++k) {
-    const auto wall = dynamic_cast<LAMMPS_NS::FixWallGran*>(modify->fix[k]);
-    if (!wall || wall->is_mesh_wall() || wall->dnum() == 0) continue;
+  for (LAMMPS_NS::FixWallGran* const wall : fixes_of<LAMMPS_NS::FixWallGran>(modify)) {
+    if (wall->is_mesh_wall() || wall->dnum() == 0) continue;
     const auto state = states_.find(std::string("fix ") + wall->id);
     LAMMPS_NS::Fix* const fix = modify->find_fix_id((std::string("history_") + wall->id).c_str());
     if (!fix || state == states_.end()) continue;
-    // This model also stores the places of surfaces there, and keeps them between contacts.
+    // This model also stores positions of surfaces there, which stay valid between contacts.
     const bool keeps_surfaces = wall->contact_match("surface", "multicontact");
     const auto [first, count] = keeps_surfaces ? state->second : std::pair(0, wall->dnum());
     for (int i = 0; i < atom->nlocal; ++i)

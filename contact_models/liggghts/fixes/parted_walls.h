@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// Ends the contacts of primitive walls. The engine offers a wall's model only the particles within
-// one neighbor skin of the wall. A particle that crosses the skin in one step, or any particle with
-// `neighbor 0.0`, would keep the contact history of its last touch.
+// Clears the histories of contacts with primitive walls that have ended. LIGGGHTS calls the model
+// of a wall only for particles within one neighbor skin of it. A particle that crosses the skin in
+// one step, or any particle with `neighbor 0.0`, would keep the history of its last contact.
 #pragma once
 
 #include <map>
@@ -19,7 +19,7 @@ class PartedWalls : public PluginFix {
   static const char* id() { return "plastigran_parted_walls"; }
   static const char* style() { return "plastigran/parted_walls"; }
 
-  // Where the law's state stands in the history of the contacts of "fix ID".
+  // Tells where the state of the law is in the contact history of "fix ID".
   void set_state(const std::string& owner, int offset, int count) {
     states_[owner] = {offset, count};
   }

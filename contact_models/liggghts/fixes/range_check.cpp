@@ -6,9 +6,6 @@
 #include <sstream>
 
 #include "comm.h"
-#include "error.h"
-#include "liggghts/fixes/plugin_fix.h"
-#include "liggghts/fixes/print.h"
 
 namespace plastigran {
 
@@ -21,7 +18,7 @@ RangeCheck::Excess* RangeCheck::of(LAMMPS_NS::LAMMPS* engine, const std::string&
 
 int RangeCheck::setmask() { return LAMMPS_NS::FixConst::END_OF_STEP; }
 
-// A run that is killed has its largest overlaps in the log, too.
+// So that the log of a killed run has the largest overlaps.
 void RangeCheck::end_of_step() {
   for (auto& [model, excess] : models_) print_furthest(model, excess, 1.1);
 }
@@ -29,28 +26,31 @@ void RangeCheck::end_of_step() {
 void RangeCheck::post_run() {
   for (auto& [model, excess] : models_) {
     print_furthest(model, excess, 1);
-    const double furthest = excess.announced_furthest;
+    const double furthest = excess.printed_furthest;
     if (comm->me != 0 || furthest == 0) continue;
-    if (excess.warned && excess.all_contacts == excess.announced) continue;
+    if (excess.warned && excess.all_contacts == excess.warned_contacts) continue;
     excess.warned = true;
-    excess.announced = excess.all_contacts;
+    excess.warned_contacts = excess.all_contacts;
     std::ostringstream text;
-    text << model << ": contacts beyond the law's range (" << excess.range << ')';
-    // Elastic contacts are not counted: nothing in their state shows that they were beyond before.
-    if (excess.announced > 0) text << " so far: " << excess.announced << ", the furthest at ";
-    if (excess.announced == 0) text << ", still elastic, the furthest at ";
-    text << furthest << " times the largest overlap that the law is good for";
+    text << model << ": ";
+    // Elastic contacts are not counted, because their state does not show an earlier excess.
+    if (excess.all_contacts == 0)
+      text << "contacts, still elastic, exceed";
+    else
+      text << excess.all_contacts << " contacts have exceeded";
+    text << " the validity range of the law (" << excess.range << "). The largest overlap was "
+         << furthest << " times the limit. Use a law with a larger range, or lower the load";
     warn(lmp, text.str());
   }
 }
 
-// One line where the largest overlap has grown by more than a factor. All ranks together.
+// Prints the largest overlap if it has grown by more than a factor. Collective.
 void RangeCheck::print_furthest(const std::string& model, Excess& excess, double factor) {
   double furthest;
   MPI_Reduce(&excess.contacts, &excess.all_contacts, 1, MPI_DOUBLE, MPI_SUM, 0, world);
   MPI_Reduce(&excess.furthest, &furthest, 1, MPI_DOUBLE, MPI_MAX, 0, world);
-  if (comm->me != 0 || furthest <= factor * excess.announced_furthest) return;
-  excess.announced_furthest = furthest;
+  if (comm->me != 0 || furthest <= factor * excess.printed_furthest) return;
+  excess.printed_furthest = furthest;
   std::ostringstream line;  // read by the Python package
   line << "plastigran range " << model.substr(model.find(' ') + 1)
        << " contacts=" << excess.all_contacts << " furthest=" << furthest << '\n';

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// Counts the contacts that leave the range of their law while the engine runs, and says so once at
-// the end of a run. The largest overlap is written every 1000 steps where it has grown, for
-// programs.
+// Counts contacts that exceed the validity range of their law, and warns at the end of a run. Every
+// 1000 steps, if the largest overlap has grown, a line in the log gives it to programs.
 #pragma once
 
 #include <map>
@@ -16,24 +15,24 @@ namespace plastigran {
 
 class RangeCheck : public PluginFix {
  public:
-  // Of one model, on this rank.
+  // Counts of one model on this rank. The members are for the first rank.
   struct Excess : RangeAccount {
     const char* range = "";
-    double all_contacts = 0;        // over all ranks, on the first one, as the next two are
-    double announced = 0;           // contacts, when the log last had a warning
-    double announced_furthest = 0;  // largest overlap over the range's that the log has
-    double warned_speed = 0;        // of impacts before a run that leave the range [m/s]
-    bool warned = false;            // of anything beyond the range
-    std::set<std::string> said;     // warnings before a run that are given once
+    double all_contacts = 0;                // over all ranks
+    double warned_contacts = 0;             // in the last warning
+    double printed_furthest = 0;            // largest overlap divided by its limit, in the log
+    double warned_speed = 0;                // of impacts beyond the range, before a run [m/s]
+    bool warned = false;                    // of contacts
+    std::set<std::string> unique_warnings;  // given once, before a run
   };
 
   RangeCheck(LAMMPS_NS::LAMMPS* engine, int count, char** words) : PluginFix(engine, count, words) {
-    nevery = 1000;  // steps; small reductions each
+    nevery = 1000;  // steps between reductions
   }
   static const char* id() { return "plastigran_range"; }
   static const char* style() { return "plastigran/range"; }
 
-  // What is counted for a model; the watch is made when the first one asks. All ranks together.
+  // The counts of a model. Collective.
   static Excess* of(LAMMPS_NS::LAMMPS* engine, const std::string& model, const char* range);
 
   int setmask() override;

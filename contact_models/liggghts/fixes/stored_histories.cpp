@@ -25,17 +25,17 @@ using LAMMPS_NS::FixPropertyAtom;
 
 namespace {
 
-// Whole numbers travel as they are, in the room of a double.
+// LIGGGHTS stores integers in the bits of a double.
 double as_double(std::int64_t number) {
   double same_bits;
   std::memcpy(&same_bits, &number, sizeof number);
   return same_bits;
 }
 
-// The engine's names of them, before that of the mesh or the wall.
+// LIGGGHTS' IDs of these fixes: a prefix and the ID of the mesh or wall.
 const char mesh_histories[] = "tracker_", primitive_histories[] = "history_";
 
-// The fix whose histories these are; null when that prefix is not theirs.
+// The mesh or wall of these histories, null if their ID has another prefix.
 LAMMPS_NS::Fix* fix_of(LAMMPS_NS::LAMMPS* engine, const LAMMPS_NS::Fix* histories,
                        const char* prefix) {
   const std::size_t length = std::strlen(prefix);
@@ -43,8 +43,7 @@ LAMMPS_NS::Fix* fix_of(LAMMPS_NS::LAMMPS* engine, const LAMMPS_NS::Fix* historie
   return engine->modify->find_fix_id(histories->id + length);
 }
 
-// Takes a number into a sum of bits.
-std::uint64_t mixed(std::uint64_t sum, double number) {
+std::uint64_t hash_of(std::uint64_t sum, double number) {
   std::uint64_t bits;
   std::memcpy(&bits, &number, sizeof bits);
   sum = (sum ^ bits) * 1099511628211u;
@@ -55,22 +54,22 @@ std::uint64_t mixed(std::uint64_t sum, double number) {
 
 StoredHistories::StoredHistories(LAMMPS_NS::Fix* fix)
     : fix_(fix),
-      listed_(std::strncmp(fix->style, "contacthistory", 14) == 0),
+      has_partners_(std::strncmp(fix->style, "contacthistory", 14) == 0),
       of_pairs_(std::strcmp(fix->style, "contacthistory") == 0) {}
 
 int StoredHistories::width() const {
-  return listed_ ? static_cast<FixContactHistory*>(fix_)->get_dnum()
-                 : static_cast<FixPropertyAtom*>(fix_)->get_nvalues();
+  return has_partners_ ? static_cast<FixContactHistory*>(fix_)->get_dnum()
+                       : static_cast<FixPropertyAtom*>(fix_)->get_nvalues();
 }
 
-int StoredHistories::size_of(int i) const {
-  if (!listed_) return width();
+std::size_t StoredHistories::size_of(int i) const {
+  if (!has_partners_) return width();
   return 1 + static_cast<FixContactHistory*>(fix_)->n_partner(i) * (1 + width());
 }
 
 std::vector<double> StoredHistories::of(int i) const {
   std::vector<double> values;
-  if (!listed_) {
+  if (!has_partners_) {
     values.resize(width());
     fix_->pack_exchange(i, values.data());
     return values;
@@ -85,15 +84,15 @@ std::vector<double> StoredHistories::of(int i) const {
   return values;
 }
 
-void StoredHistories::set(int i, const double* values, int count, const NewNumbers& numbers) {
+void StoredHistories::set(int i, const double* values, int count, const NewIds& ids) {
   std::vector<double> packed(values, values + count);
-  if (listed_) {
+  if (has_partners_) {
     const int stride = 1 + width();
     int partners = 0;
     packed.resize(1);
     for (const double* contact = values + 1; contact < values + count; contact += stride) {
       const int before = static_cast<int>(*contact);
-      const int partner = of_pairs_ ? numbers.of(before) : before;
+      const int partner = of_pairs_ ? ids.of(before) : before;
       if (of_pairs_ && !partner) continue;
       packed.push_back(as_double(partner));
       packed.insert(packed.end(), contact + 1, contact + stride);
@@ -104,19 +103,13 @@ void StoredHistories::set(int i, const double* values, int count, const NewNumbe
   fix_->unpack_exchange(i, packed.data());
 }
 
-void StoredHistories::forget(int i) {
-  std::vector<double> nothing(listed_ ? 1 : width(), 0);
+void StoredHistories::clear(int i) {
+  std::vector<double> nothing(has_partners_ ? 1 : width(), 0);
   fix_->unpack_exchange(i, nothing.data());
 }
 
-bool StoredHistories::remembers(int i) const {
-  const std::vector<double> values = of(i);
-  return remembers(values.data(), values.size(), width(), listed_);
-}
-
-// In a list they are behind each partner, and the number of contacts is first.
-bool StoredHistories::remembers(const double* values, int count, int width, bool listed) {
-  for (int k = listed ? 2 : 0; k + width <= count; k += 1 + width)
+bool StoredHistories::Layout::any(const double* values, int count) const {
+  for (int k = has_partners ? 2 : 0; k + width <= count; k += 1 + width)
     if (std::any_of(values + k, values + k + width, [](double value) { return value != 0; }))
       return true;
   return false;
@@ -127,7 +120,7 @@ std::uint64_t primitive_wall_position(LAMMPS_NS::LAMMPS* engine, const LAMMPS_NS
       dynamic_cast<LAMMPS_NS::FixWallGran*>(fix_of(engine, histories, primitive_histories));
   if (!wall) return 0;
   std::uint64_t sum = 1;
-  for (const double number : geometry(wall->primitiveWall())) sum = mixed(sum, number);
+  for (const double number : geometry(wall->primitiveWall())) sum = hash_of(sum, number);
   return sum;
 }
 
@@ -137,15 +130,15 @@ std::uint64_t wall_position(LAMMPS_NS::LAMMPS* engine, const LAMMPS_NS::Fix* his
       dynamic_cast<LAMMPS_NS::FixMeshSurface*>(fix_of(engine, histories, mesh_histories));
   if (!fix) return 0;
   LAMMPS_NS::TriMesh* const mesh = fix->triMesh();
-  std::uint64_t sum = 0;  // does not depend on the order of triangles, which ranks share out
-  const bool shared_out = mesh->isParallel();  // before, each rank has them all
+  std::uint64_t sum = 0;  // independent of the order of triangles, which depends on the ranks
+  const bool is_distributed = mesh->isParallel();  // else each rank has all triangles
   for (int triangle = 0; triangle < mesh->sizeLocal(); ++triangle) {
-    if (!shared_out && engine->comm->me != 0) break;
+    if (!is_distributed && engine->comm->me != 0) break;
     std::uint64_t of_triangle = mesh->id(triangle) + 1;
     for (int node = 0; node < 3; ++node) {
       double x[3];
       mesh->node(triangle, node, x);
-      for (const double coordinate : x) of_triangle = mixed(of_triangle, coordinate);
+      for (const double coordinate : x) of_triangle = hash_of(of_triangle, coordinate);
     }
     sum += of_triangle;
   }

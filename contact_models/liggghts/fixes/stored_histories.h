@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// The engine's fixes that store what contacts remember, by particle: those of pairs and of meshes
-// have a list of partners with values for each, those of primitive walls the values of one contact.
+// LIGGGHTS' fixes that store contact histories by particle. Those of pairs and meshes have a list
+// of partners with values for each, those of primitive walls have the values of one contact.
 #pragma once
 
 #include <cstdint>
 #include <vector>
 
 #include "fix.h"
-#include "liggghts/fixes/particle_numbers.h"
+#include "liggghts/fixes/particle_ids.h"
 
 namespace LAMMPS_NS {
 class LAMMPS;
@@ -18,44 +18,44 @@ namespace plastigran {
 
 class StoredHistories {
  public:
+  // The layout of the values of a particle.
+  struct Layout {
+    bool has_partners;  // number of contacts, then ID of the partner and values of each contact
+    int width;          // values of a contact
+
+    // Whether any history value differs from zero.
+    bool any(const double* values, int count) const;
+  };
+
   explicit StoredHistories(LAMMPS_NS::Fix* fix);
 
-  // Pairs: takes the histories from the neighbour lists. All: makes what follows possible.
+  Layout layout() const { return {has_partners_, width()}; }
+
+  // Copies the histories of pairs from the neighbor lists. The functions below need that.
   void update() {
-    if (listed_) fix_->setup_pre_exchange();
+    if (has_partners_) fix_->setup_pre_exchange();
   }
 
-  int width() const;  // values of a contact
-  bool listed() const { return listed_; }
-
-  // How many values of() has.
-  int size_of(int i) const;
-
-  // The values of a particle, with the number of its contacts first, if any.
+  std::size_t size_of(int i) const;
   std::vector<double> of(int i) const;
 
-  // The same for particles numbered anew; a contact whose partner is gone is left out.
-  void set(int i, const double* values, int count, const NewNumbers& numbers);
+  // Sets the values of a particle after a renumbering, without contacts of deleted partners.
+  void set(int i, const double* values, int count, const NewIds& ids);
 
-  void forget(int i);
-
-  // Whether a particle's contacts remember anything: values other than zero.
-  bool remembers(int i) const;
-
-  // The same of what of() has returned.
-  static bool remembers(const double* values, int count, int width, bool listed);
+  void clear(int i);
 
  private:
+  int width() const;
+
   LAMMPS_NS::Fix* fix_;
-  bool listed_, of_pairs_;
+  bool has_partners_, of_pairs_;
 };
 
-// A number for where the primitive wall is whose histories these are, the same on each rank; 0 for
-// others.
+// A hash of the geometry of the primitive wall with these histories; 0 for others.
 std::uint64_t primitive_wall_position(LAMMPS_NS::LAMMPS* engine, const LAMMPS_NS::Fix* histories);
 
-// A number for where the wall or the triangles of the mesh are whose histories these are; 0 for
-// pairs. All ranks together.
+// A hash of the geometry of the primitive wall or the mesh with these histories; 0 for pairs.
+// Collective.
 std::uint64_t wall_position(LAMMPS_NS::LAMMPS* engine, const LAMMPS_NS::Fix* histories);
 
 }  // namespace plastigran

@@ -7,15 +7,13 @@
 #include <sstream>
 
 #include "comm.h"
-#include "error.h"
-#include "liggghts/fixes/print.h"
 #include "update.h"
 
 namespace plastigran {
 
 TimeStepCheck::TimeStepCheck(LAMMPS_NS::LAMMPS* engine, int count, char** words)
     : PluginFix(engine, count, words) {
-  nevery = 1000;  // steps; one small reduction each
+  nevery = 1000;  // steps between reductions
 }
 
 void TimeStepCheck::expect(const std::string& model, const Recommended& impact, double rayleigh,
@@ -28,37 +26,38 @@ void TimeStepCheck::expect(const std::string& model, const Recommended& impact, 
 int TimeStepCheck::setmask() { return LAMMPS_NS::FixConst::END_OF_STEP; }
 
 void TimeStepCheck::setup(int) {
-  gather();
-  if (comm->me == 0) announce();
+  find_stiffest();
+  if (comm->me == 0) print_ratios();
   if (update->dt > impact_.step && impact_.step < 0.99 * warned_impact_) {
     warned_impact_ = impact_.step;
     std::ostringstream text;
-    text << model_ << ": the time step " << update->dt << " is too long for rebound from "
-         << (impact_.wall ? "wall " : "") << "impacts at the present speeds (at most "
-         << impact_.speed << "); restitution may be off by more than 0.1 %. Recommended: timestep "
-         << impact_.step;
-    warn(text.str());
+    text << model_ << ": the time step " << update->dt << " is too long for "
+         << (impact_.with_wall ? "wall " : "") << "impacts at the current speeds (up to "
+         << impact_.speed << "). The error in restitution may exceed 0.1 %. Use `timestep "
+         << impact_.step << '`';
+    warn_if_first(text.str());
   }
   impact_ = Recommended(), rayleigh_ = hertz_ = unknown;
 }
 
 void TimeStepCheck::end_of_step() {
-  gather();
+  find_stiffest();
   if (update->dt <= stiffest_.step || stiffest_.step > 0.9 * warned_contact_) return;
   warned_contact_ = stiffest_.step;
   std::ostringstream text;
   text << "the time step " << update->dt << " is too long for the contact of particle "
-       << stiffest_.i << " with ";
-  stiffest_.j ? text << "particle " << stiffest_.j : text << "a wall";
+       << stiffest_.id << " with ";
+  stiffest_.partner_id ? text << "particle " << stiffest_.partner_id : text << "a wall";
   text << " at (" << stiffest_.x[0] << ' ' << stiffest_.x[1] << ' ' << stiffest_.x[2]
-       << "), loaded as by an impact at " << stiffest_.speed << ": " << update->dt / stiffest_.step
-       << " times the recommended one, which keeps restitution to 0.1 %. Recommended: timestep "
-       << stiffest_.step;
-  warn(text.str());
+       << "), loaded as by an impact at " << stiffest_.speed << ". It is "
+       << update->dt / stiffest_.step
+       << " times the recommended one, for which the error in restitution is 0.1 %. Use `timestep "
+       << stiffest_.step << '`';
+  warn_if_first(text.str());
 }
 
-// The stiffest contact of all ranks, on all of them.
-void TimeStepCheck::gather() {
+// Finds the stiffest contact of all ranks.
+void TimeStepCheck::find_stiffest() {
   struct {
     double step;
     int rank;
@@ -67,7 +66,7 @@ void TimeStepCheck::gather() {
   if (least.step < unknown) MPI_Bcast(&stiffest_, sizeof stiffest_, MPI_BYTE, least.rank, world);
 }
 
-void TimeStepCheck::announce() {
+void TimeStepCheck::print_ratios() {
   std::ostringstream text;
   text.precision(2);
   text << "time step " << update->dt << ":";
@@ -75,16 +74,16 @@ void TimeStepCheck::announce() {
     if (time < unknown) text << ' ' << update->dt / time << " of " << of << ',';
   };
   ratio(rayleigh_, "the Rayleigh time");
-  ratio(hertz_, "the shortest Hertz impact at the present speeds");
-  ratio(impact_.step, "the recommended step for those");
-  ratio(stiffest_.step, "that for the stiffest contact");
+  ratio(hertz_, "the shortest Hertz contact time at the current speeds");
+  ratio(impact_.step, "the recommended time step");
+  ratio(stiffest_.step, "the recommended one for the stiffest contact");
   std::string line = text.str();
   if (line.back() == ':') return;  // no particles yet
   line.back() = '\n';
   print(lmp, line);
 }
 
-void TimeStepCheck::warn(const std::string& text) {
+void TimeStepCheck::warn_if_first(const std::string& text) {
   if (comm->me == 0) plastigran::warn(lmp, text);
 }
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// Is the time step short enough? A fix that gathers what the models know: before a run the Rayleigh
-// and Hertz times and the rebound of the fastest impact the present velocities allow, and from then
-// on the stiffest unloading branch that contacts have come to. It says so in one line as a run
-// starts, and warns when the time step is too long, also in the middle of a run.
+// Compares the time step with the recommended one. Before a run this follows from the fastest
+// impact that the current velocities allow, during the run from the stiffest contact so far. A line
+// in the log compares the time step with the Rayleigh and Hertz times, and a warning says if it is
+// too long.
 #pragma once
 
 #include <string>
@@ -15,34 +15,34 @@ namespace plastigran {
 
 class TimeStepCheck : public PluginFix {
  public:
-  static constexpr double unknown = ImpactTimes::unknown;  // a time nobody has told yet [s]
+  static constexpr double unknown = ImpactTimes::unknown;  // [s]
 
-  // A time step, and the impact it is short enough for.
+  // A recommended time step [s] and its impact.
   struct Recommended {
     double step = unknown, speed = 0;
-    bool wall = false;
+    bool with_wall = false;
   };
 
-  // A contact of particles i and j (j = 0: a wall) and where it is. A plain struct: ranks send it.
-  struct Place {
-    double step, speed;  // as Recommended; the speed at which an impact would load as deeply
+  // A contact and its recommended time step [s]. Ranks send it as bytes.
+  struct LoadedContact {
+    double step, speed;  // speed of an impact that reaches the same overlap
     double x[3];
-    int i, j;
+    int id, partner_id;  // of the particles; partner 0: a wall
   };
 
   TimeStepCheck(LAMMPS_NS::LAMMPS* engine, int count, char** words);
   static const char* id() { return "plastigran_step"; }
   static const char* style() { return "plastigran/step"; }
 
-  // From a model, before a run; `model` words who says so.
+  // For a model before a run. `model` is its name in the warning.
   void expect(const std::string& model, const Recommended& impact, double rayleigh, double hertz);
 
-  // Before a run: contacts of the one before may be gone, their bodies other ones.
-  void forget() { stiffest_.step = unknown; }
+  // For a model before a run, because contacts and materials may have changed.
+  void reset() { stiffest_.step = unknown; }
 
-  // From a model, during a run, on the rank that has the contact.
-  void met(const Place& place) {
-    if (place.step < stiffest_.step) stiffest_ = place;
+  // For a model during a run, on the rank that has the contact.
+  void add(const LoadedContact& contact) {
+    if (contact.step < stiffest_.step) stiffest_ = contact;
   }
 
   int setmask() override;
@@ -50,14 +50,14 @@ class TimeStepCheck : public PluginFix {
   void end_of_step() override;
 
  private:
-  void gather();
-  void announce();
-  void warn(const std::string& text);
+  void find_stiffest();
+  void print_ratios();
+  void warn_if_first(const std::string& text);
 
   Recommended impact_;
   std::string model_;
   double rayleigh_ = unknown, hertz_ = unknown;
-  Place stiffest_{unknown, 0, {0, 0, 0}, 0, 0};  // of this run
+  LoadedContact stiffest_{unknown, 0, {0, 0, 0}, 0, 0};  // of this run
   double warned_impact_ = unknown, warned_contact_ = unknown;
 };
 

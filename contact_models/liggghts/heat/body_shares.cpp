@@ -9,12 +9,6 @@
 
 namespace plastigran {
 
-namespace {
-
-constexpr double usual_factor = 0.9;
-
-}  // namespace
-
 void BodyShares::read(LAMMPS_NS::LAMMPS* engine, const std::string& caller) {
   const int type_count = engine->atom->ntypes;
   const DeckProperties deck(engine, caller, type_count);
@@ -25,7 +19,7 @@ void BodyShares::read(LAMMPS_NS::LAMMPS* engine, const std::string& caller) {
   for (const Body& body : bodies) yield_pressures_.push_back(yield_pressure(body));
   given_ = deck.given("taylor_quinney_factor");
   for (int type = 1; type <= type_count; ++type) {
-    const double factor = deck.per_type("taylor_quinney_factor", type, "", usual_factor);
+    const double factor = deck.per_type("taylor_quinney_factor", type, "", 0.9);
     if (!(factor >= 0 && factor <= 1)) {
       std::ostringstream reason;
       reason << "taylorQuinneyFactor is " << factor << "; it must be between 0 and 1";

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// Who is warmed by the plastic work of a contact, and by how much of it.
+// The parts of plastic work that heat the two bodies of a contact.
 #pragma once
 
 #include <string>
@@ -14,18 +14,18 @@ namespace plastigran {
 
 class BodyShares {
  public:
-  // From the deck's properties, by atom type. `caller` words who asks, in messages. Stops when a
-  // Taylor-Quinney factor is outside 0 to 1. All ranks together.
+  // Reads the properties of the deck. `caller` is its name in messages. Stops if a Taylor-Quinney
+  // factor is not between 0 and 1. Collective.
   void read(LAMMPS_NS::LAMMPS* engine, const std::string& caller);
 
-  // A line for each atom type: its Taylor-Quinney factor. `caller` begins each.
+  // The Taylor-Quinney factors, a line per atom type that begins with `caller`.
   std::string describe(const std::string& caller) const;
 
-  // Sentences on properties whose name is nearly one that was asked for.
+  // DeckProperties::misspellings() of the properties read.
   const std::vector<std::string>& misspellings() const { return misspellings_; }
 
-  // The part of a contact's plastic work done in the first of two bodies: all of it in the one that
-  // yields at the lower pressure, half in each of two alike.
+  // The part of the plastic work in the first of two bodies: the body with the lower yield pressure
+  // takes all, and two equal bodies take half each.
   double of_plastic_work(int type, int other_type) const {
     const double mine = yield_pressures_[type - 1], others = yield_pressures_[other_type - 1];
     return mine < others ? 1 : mine > others ? 0 : 0.5;
@@ -36,7 +36,7 @@ class BodyShares {
 
  private:
   std::vector<double> yield_pressures_, factors_;  // by type - 1
-  bool given_ = false;                             // the factors, by the deck
+  bool given_ = false;                             // whether the deck defines the factors
   std::vector<std::string> misspellings_;
 };
 

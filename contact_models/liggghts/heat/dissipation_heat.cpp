@@ -1,21 +1,18 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "liggghts/heat/dissipation_heat.h"
 
-#include <mpi.h>
-
 #include <algorithm>
-#include <cstdio>
 #include <cstring>
 
 #include "atom.h"
-#include "comm.h"
-#include "liggghts/fixes/print.h"
+#include "liggghts/fixes/ranks.h"
 
 namespace plastigran {
 
 DissipationHeat::DissipationHeat(LAMMPS_NS::LAMMPS* engine, int count, char** words)
     : ContactObserver(engine, count, words) {
-  if (count > 3) fail(std::string("it takes no words, and has ") + words[3]);
+  if (count > 3)
+    fail(std::string("unknown word ") + words[3] + ". The line ends after heat/dissipation");
   comm_reverse = 1;
   scalar_flag = vector_flag = 1;
   size_vector = ENTRIES;
@@ -31,18 +28,20 @@ int DissipationHeat::setmask() {
 
 void DissipationHeat::init() {
   ContactObserver::init();
-  for (int k = 0; k < modify->nfix; ++k)
-    if (modify->fix[k] != this && dynamic_cast<DissipationHeat*>(modify->fix[k]))
-      fail(std::string("fix ") + modify->fix[k]->id + " warms the grains already");
-  const std::string caller = std::string("fix ") + id + ' ' + style();
+  for (const DissipationHeat* const other : fixes_of<DissipationHeat>(modify))
+    if (other != this)
+      fail(std::string("fix ") + other->id + " heats the particles already. Remove one");
+  const std::string caller = name();
   shares_.read(lmp, caller);
   if (!modify->find_fix_scalar_transport_equation("heattransfer"))
-    fail("it warms what fix heat/gran follows; give `fix ID all heat/gran initial_temperature T`");
+    fail(
+        "no fix heat/gran found, which computes the particle temperatures. Add `fix ID all "
+        "heat/gran initial_temperature T`");
   flux_ = static_cast<LAMMPS_NS::FixPropertyAtom*>(
       modify->find_fix_property("heatFlux", "property/atom", "scalar", 0, 0, style()));
   if (comm->me == 0 && !described_) {
     print(lmp, shares_.describe(caller));
-    for (const std::string& slip : shares_.misspellings()) warn(lmp, caller + ": " + slip);
+    for (const std::string& sentence : shares_.misspellings()) warn(lmp, caller + ": " + sentence);
   }
   described_ = true;
 }
@@ -57,7 +56,7 @@ void DissipationHeat::add(const Contact& contact, const AccountedLoad& on_i, con
     pairs_.push_back({contact.i, contact.j, load});
 }
 
-// The part of a ghost is added on the side where it is none.
+// The rank of a ghost's particle adds the part of the ghost.
 void DissipationHeat::add_plastic_work(const Contact& contact, double work) {
   const double part = shares_.of_plastic_work(contact.itype, contact.jtype);
   const double mine = part * work, others = (1 - part) * work;
@@ -78,7 +77,7 @@ void DissipationHeat::begin_pass() {
   heat_.assign(atom->nlocal + atom->nghost, 0);
 }
 
-// What a load on a particle does in half a step [J].
+// The work of a load on a particle in half a step [J].
 double DissipationHeat::work_on(int i, const Vector& force, const Vector& torque) const {
   return 0.5 * update->dt * (dot(force, atom->v[i]) + dot(torque, atom->omega[i]));
 }
@@ -102,8 +101,7 @@ void DissipationHeat::add_lossy_work() {
   }
 }
 
-// Half a step's work of the forces at hand, and the plastic work of the force computation if there
-// was one, become heat.
+// Adds the work of the current forces in half a step, and new plastic work, to the heat flux.
 void DissipationHeat::deliver() {
   add_lossy_work();
   comm->reverse_comm_fix(this);
@@ -125,22 +123,16 @@ double DissipationHeat::compute_scalar() {
   return compute_vector(FROM_PLASTIC_WORK) + compute_vector(FROM_FRICTION);
 }
 
-double DissipationHeat::compute_vector(int entry) {
-  double sum;
-  MPI_Allreduce(&sums_[entry], &sum, 1, MPI_DOUBLE, MPI_SUM, world);
-  return sum;
-}
+double DissipationHeat::compute_vector(int entry) { return sum_over_ranks(sums_[entry], world); }
 
 void DissipationHeat::write_restart(FILE* file) {
   double sums[ENTRIES];
   MPI_Reduce(sums_, sums, ENTRIES, MPI_DOUBLE, MPI_SUM, 0, world);
-  const int size = sizeof sums;
-  if (comm->me == 0) fwrite(&size, sizeof size, 1, file), fwrite(sums, size, 1, file);
+  write_state(file, sums, sizeof sums);
 }
 
-// A sum over ranks: the first one has it all.
 void DissipationHeat::restart(char* data) {
-  if (comm->me == 0) std::memcpy(sums_, data, sizeof sums_);
+  if (comm->me == 0) std::memcpy(sums_, data, sizeof sums_);  // the first rank takes the sum
 }
 
 }  // namespace plastigran

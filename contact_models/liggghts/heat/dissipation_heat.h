@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// `fix ID all heat/dissipation`: what contacts dissipate warms the particles that the engine's fix
-// heat/gran follows. docs/heat.md says how it is shared.
+// `fix ID all heat/dissipation`: contact dissipation heats the particles of fix heat/gran.
+// docs/heat.md defines how the bodies share the heat.
 //
-// Heat is added to the engine's heat flux, which its transport equation integrates at the end of
-// the step and clears at the next one's beginning. Plastic work comes from the laws as it is done.
-// The work of friction and dashpots is summed as velocity Verlet does it, half a step of the old
-// force and half a step of the new one, contact by contact, because its two bodies share it
-// equally. A ghost's half goes to the rank of its particle, and the ghost's velocity, which a rank
-// does not have at the right moment, is not needed: each rank takes the work done on its own
-// particle.
+// Heat is added to LIGGGHTS' heat flux, which fix heat/gran integrates at the end of a step and
+// clears at the beginning of the next one. The laws give the plastic work. The work of friction and
+// dashpots is integrated as velocity Verlet moves the particles: half a step of the old force and
+// half a step of the new one. It is summed by contact, because both bodies take half of it. Each
+// rank computes only the work on its own particles, because it does not have the velocity of a
+// ghost at that time, and sends the ghost's part of the heat to the rank of its particle.
 #pragma once
 
 #include <vector>
@@ -24,12 +23,12 @@ namespace plastigran {
 
 class DissipationHeat : public ContactObserver {
  public:
-  // Elements of the fix's vector, in the order users see, from 1 on, since the fix was made [J].
+  // Elements of the fix's vector in their order, summed since the fix was made [J].
   enum Entry {
     FROM_PLASTIC_WORK,  // heat of the particles
     FROM_FRICTION,      // heat of the particles, from friction, rolling friction and dashpots
-    TO_WALLS,           // heat that walls took, of both kinds
-    STORED,             // plastic work that is not heat, of particles and walls
+    TO_WALLS,           // heat of walls, of both kinds
+    STORED,             // plastic work that does not become heat, of particles and walls
     ENTRIES
   };
 
@@ -44,16 +43,15 @@ class DissipationHeat : public ContactObserver {
   void setup_pre_force(int) override { begin_pass(); }
   void pre_force(int) override { begin_pass(); }
 
-  // Positions are new, velocities those at mid-step, forces still the old ones.
+  // With new positions, velocities at mid-step, and old forces.
   void post_integrate() override { deliver(); }
 
-  // The new forces, and still the velocities at mid-step.
+  // With new forces and velocities at mid-step.
   void pre_final_integrate() override { deliver(); }
 
   int pack_reverse_comm(int count, int first, double* buffer) override;
   void unpack_reverse_comm(int count, int* list, double* buffer) override;
 
-  // Heat of the particles.
   double compute_scalar() override;
   double compute_vector(int entry) override;
 
@@ -79,10 +77,10 @@ class DissipationHeat : public ContactObserver {
 
   BodyShares shares_;
   bool described_ = false;
-  LAMMPS_NS::FixPropertyAtom* flux_ = nullptr;  // the engine's [W]
+  LAMMPS_NS::FixPropertyAtom* flux_ = nullptr;  // of LIGGGHTS [W]
   std::vector<PairContact> pairs_;              // of the last force computation, on this rank
   std::vector<WallContact> walls_;
-  std::vector<double> heat_;   // by particle with ghosts, not yet delivered [J]
+  std::vector<double> heat_;   // by particle with ghosts, not yet in the flux [J]
   double sums_[ENTRIES] = {};  // on this rank
 };
 

@@ -9,7 +9,6 @@
 
 #include "atom.h"
 #include "contact_models.h"
-#include "error.h"
 #include "liggghts/fixes/history_keeper.h"
 #include "liggghts/fixes/plugin_fix.h"
 #include "liggghts/ledger/cohesive_energy.h"
@@ -73,13 +72,13 @@ class AccountedContact : private ContactSetup, public LIGGGHTS::ContactModels::C
     ledger_ = find_fix<EnergyLedger>(engine_);
     const char* const complaint =
         EnergyLedger::complaint(ledger_, requests_ledger_, this->is_wall());
-    if (complaint) engine_->error->all(FLERR, complaint);
+    if (complaint) stop(engine_, complaint);
     if (!requests_ledger_) ledger_ = nullptr;
-    if (ledger_) refuse_what_is_not_counted("energy_ledger on");
+    if (ledger_) refuse_uncounted("energy_ledger on");
     if (ledger_) ledger_->attach(owner_);
     observers_ = ContactObserver::attach(engine_, owner_);
     for (const ContactObserver* const observer : observers_)
-      refuse_what_is_not_counted(std::string("fix ") + observer->id + ' ' + observer->style);
+      refuse_uncounted(std::string("fix ") + observer->id + ' ' + observer->style);
     Base::connectToProperties(registry);
   }
 
@@ -152,16 +151,18 @@ class AccountedContact : private ContactSetup, public LIGGGHTS::ContactModels::C
                      [&] { postSettings(owner()); });
   }
 
-  void refuse_what_is_not_counted(const std::string& counter) {
-    const char* const reason =
-        !CohesiveEnergy::is_known(model(2))
-            ? ": it does not count what liquid between particles stores and dissipates; leave it "
-              "off, or use cohesion sjkr, sjkr2 or off"
-        : !has_model("surface", "default")
-            ? ": it does not count what contacts of a particle store by pressing on each other; "
-              "leave it off, or use surface default"
-            : nullptr;
-    if (reason) engine_->error->all(FLERR, (counter + reason).c_str());
+  void refuse_uncounted(const std::string& counter) {
+    if (!CohesiveEnergy::is_known(model(2)))
+      stop(engine_,
+           counter +
+               ": the energy of liquid between particles is not counted. Use cohesion sjkr, "
+               "sjkr2 or off, or remove " +
+               counter);
+    if (!has_model("surface", "default"))
+      stop(engine_,
+           counter +
+               ": the energy of multicontact is not counted. Use surface default, or remove " +
+               counter);
   }
 
   [[gnu::noinline]] AccountedLoad counted(Contact& contact, const Load& before, Load& on_j) {

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// The energy of the engine's cohesion models whose pull is a function of the overlap alone: it is
-// proportional to an area that grows from zero at first touch, so what approach gains separation
-// takes back.
+// The potential energy of LIGGGHTS' cohesion models whose force is a function of the overlap alone.
+// The force is proportional to an area that grows from zero at first touch.
 #pragma once
 
 #include "contact_interface.h"
@@ -14,16 +13,15 @@ class CohesiveEnergy {
   typedef LIGGGHTS::ContactModels::SurfacesIntersectData Contact;
 
  public:
-  // Of the cohesion model with that ID.
+  // `model`: ID of the cohesion model.
   explicit CohesiveEnergy(int model) : model_(model) {}
 
-  // Whether the model is one of them.
   static bool is_known(int model) {
     using namespace LIGGGHTS::ContactModels;
     return model == COHESION_OFF || model == COHESION_SJKR || model == COHESION_SJKR2;
   }
 
-  // Of a contact whose model pulls with the force `pull` [N], negative like that force [J].
+  // The energy [J], which has the sign of the cohesive force `pull` [N].
   double of(const Contact& contact, double pull) const {
     using namespace LIGGGHTS::ContactModels;
     if (pull == 0) return 0;
@@ -33,7 +31,8 @@ class CohesiveEnergy {
   }
 
  private:
-  // sjkr's area over pi: of the circle in which the spheres, or sphere and plane, intersect.
+  // The area of sjkr divided by pi: the circle in which the spheres, or sphere and plane,
+  // intersect.
   static double area(const Contact& contact) {
     const double overlap = contact.deltan, r = contact.r;
     if (contact.is_wall) return overlap * (contact.radi + r);
@@ -41,9 +40,9 @@ class CohesiveEnergy {
     return overlap * (sum + r) * (r * r - difference * difference) / (4 * r * r);
   }
 
-  // Its integral over the overlap, from first touch on. For two spheres the antiderivative over the
-  // distance is (r^3/3 - (s^2 + d^2) r - s^2 d^2 / r) / 4, s and d the radii's sum and difference;
-  // its difference from r = s, without the digits that cancel.
+  // The integral of the area over the overlap from first touch. For two spheres, the antiderivative
+  // over the distance r is (r^3/3 - (s^2 + d^2) r - s^2 d^2 / r) / 4, with sum s and difference d
+  // of the radii. The code has its difference from r = s, without cancellation.
   static double integral(const Contact& contact) {
     const double overlap = contact.deltan, r = contact.r;
     if (contact.is_wall) return overlap * overlap * (contact.radi - overlap / 3);

@@ -8,14 +8,12 @@
 #include <sstream>
 #include <utility>
 
-#include "comm.h"
 #include "domain.h"
-#include "error.h"
 #include "fix_gravity.h"
-#include "liggghts/fixes/print.h"
+#include "force.h"
+#include "liggghts/fixes/ranks.h"
 #include "liggghts/model/deck_units.h"
-#include "modify.h"
-#include "update.h"
+#include "pair.h"
 
 namespace plastigran {
 
@@ -30,10 +28,10 @@ EnergyLedger::EnergyLedger(LAMMPS_NS::LAMMPS* engine, int count, char** words)
 
 void EnergyLedger::open(LAMMPS_NS::LAMMPS* engine) {
   if (!engine->domain->box_exist)
-    engine->error->all(FLERR, "energy_ledger on: give the pair_style line after create_box");
+    stop(engine, "energy_ledger on: give the pair_style line after create_box");
   if (find_fix<EnergyLedger>(engine)) return;
   ensure_fix<EnergyLedger>(engine);
-  // Restarts with the particles, needs no values on ghosts, and starts at zero.
+  // yes: in restart files; no, no: not on ghosts; initial value 0.
   add_style<ParticlePlasticWork>(engine->modify);
   add_fix(engine->modify, {ParticlePlasticWork::id(), "all", ParticlePlasticWork::style(),
                            "plastic_work", "scalar", "yes", "no", "no", "0.0"});
@@ -45,15 +43,47 @@ int EnergyLedger::setmask() {
          PRE_FINAL_INTEGRATE | POST_RUN;
 }
 
+const char* EnergyLedger::complaint(const EnergyLedger* ledger, bool requested, bool is_wall) {
+  if (requested && !ledger)
+    return is_wall
+               ? "energy_ledger on: the pair_style line must have it too"
+               : "energy_ledger on: its fix was removed (unfix energy_ledger). Keep it, or give "
+                 "the pair_style and wall lines again without energy_ledger on";
+  if (ledger && !requested && !is_wall)
+    return "pair_style: the line has no energy_ledger on, but an earlier line has opened the "
+           "energy "
+           "ledger. Add it, or close the ledger first: unfix energy_ledger, unfix plastic_work";
+  return nullptr;
+}
+
+void EnergyLedger::refuse_unsupported() {
+  if (std::string(update->integrate_style) != "verlet")
+    stop(lmp, "energy_ledger on: run_style " + std::string(update->integrate_style) +
+                  " is not supported, because work is summed as velocity Verlet moves the "
+                  "particles. Use `run_style verlet`, or remove energy_ledger on");
+  const std::string reason = uncountable(lmp);
+  if (!reason.empty()) stop(lmp, "energy_ledger on: " + reason);
+}
+
+// Stops if the pair style does not report, and warns of walls that do not.
+void EnergyLedger::check_owners() {
+  if (!owners_.has(force->pair_match("gran", 1))) stop(lmp, complaint(this, false, false));
+  const std::string walls = owners_.new_missing_walls(modify);
+  if (comm->me == 0 && !walls.empty())
+    warn(lmp,
+         "energy_ledger: the walls " + walls +
+             " have no `energy_ledger on`. Their energy terms are missing and appear as balance "
+             "error (drift). Add `energy_ledger on` to these lines");
+}
+
 void EnergyLedger::init() {
-  refuse_what_is_not_counted();
+  refuse_unsupported();
   acts_first_ = is_first_before_exchange();
   particle_plastic_work_ = find_fix<ParticlePlasticWork>(lmp);
   if (!particle_plastic_work_)
-    error->all(
-        FLERR,
-        "energy_ledger on: its fix plastic_work was removed (unfix plastic_work). Keep it, or "
-        "remove energy_ledger too and give the pair_style and wall lines again without it");
+    stop(lmp,
+         "energy_ledger on: its fix plastic_work was removed (unfix plastic_work). Keep it, or "
+         "remove energy_ledger too and give the pair_style and wall lines again without it");
 }
 
 bool EnergyLedger::is_first_before_exchange() const {
@@ -63,55 +93,55 @@ bool EnergyLedger::is_first_before_exchange() const {
 }
 
 void EnergyLedger::setup_pre_exchange() {
-  warn_of_strangers();
-  if (ran_) book_changes();
+  check_owners();
+  if (ran_) count_changes();
 }
 
-// Books what the deck has changed in the motion of the particles since the last run.
-void EnergyLedger::book_changes() {
+// Counts the changes of the particles by the deck since the last run.
+void EnergyLedger::count_changes() {
   const double now = mechanical_energy();
-  inserted_ += now - before_;
-  before_ = now;  // commands that write files set up, too, and the next run once more
+  sums_.inserted += now - mechanical_before_;
+  mechanical_before_ = now;  // commands that write files have a setup, and the next run another one
 }
 
-// Elastic energy and plastic work that the deck's changes since the last run have added to the
-// contacts, known once set-up has computed all forces: other positions, diameters, atom types or
-// constants, particles and walls that came or went. On this rank; only the sum over ranks counts.
+// The energy that the deck has added to the contacts since the last run: by other positions,
+// diameters, atom types or constants, or new and deleted particles and walls. Known when the setup
+// has computed all forces. On this rank; only the sum over ranks is meaningful.
 double EnergyLedger::change_of_contacts() const {
-  return ran_ && phase_ == SET_UP ? contact_energy() - contacts_before_ : 0;
+  return ran_ && phase_ == SETUP ? contact_energy() - contacts_before_ : 0;
 }
 
-// Where it is more than rounding.
 void EnergyLedger::report_change_of_contacts() const {
-  const double local[] = {change_of_contacts(), contact_energy()};
-  double sums[2];
-  MPI_Allreduce(local, sums, 2, MPI_DOUBLE, MPI_SUM, world);
-  if (comm->me != 0 || std::abs(sums[0]) <= 1e-6 * sums[1]) return;
+  const double change = sum_over_ranks(change_of_contacts(), world);
+  const double energy = sum_over_ranks(contact_energy(), world);
+  if (comm->me != 0 || std::abs(change) <= 1e-6 * energy) return;  // round-off
   std::ostringstream text;
-  text << "energy_ledger: between the runs the deck changed the energy of contacts by " << sums[0]
+  text << "energy_ledger: between the runs the deck changed the energy of contacts by " << change
        << ' ' << unit_in_deck(update->unit_style, "J") << " (part of the entry inserted)\n";
   print(lmp, text.str());
 }
 
-// All forces of the set-up are known, walls' too.
-void EnergyLedger::end_set_up() {
+void EnergyLedger::end_setup() {
   count_deferred();
-  inserted_ += change_of_contacts();
+  sums_.inserted += change_of_contacts();
   report_change_of_contacts();
   phase_ = BETWEEN_RUNS;
-  summed_ = false;
-  if (!started_) start();
+  terms_are_current_ = false;
+  if (started_) return;
+  sum();
+  started_ = true;
+  sums_.initial_total = total_;
+  terms_[DRIFT] = 0;
 }
 
-void EnergyLedger::begin_without_set_up() {
-  int changed = losses_.size() != std::size_t(atom->nlocal), anywhere = 0;
-  MPI_Allreduce(&changed, &anywhere, 1, MPI_INT, MPI_MAX, world);
-  if (anywhere)
-    error->all(FLERR,
-               "energy_ledger: particles have come or gone since the last run, and this one has no "
-               "set-up: leave out `pre no`");
-  book_changes();
-  summed_ = false;
+void EnergyLedger::begin_without_setup() {
+  if (on_any_rank(friction_.size() != std::size_t(atom->nlocal), world))
+    stop(
+        lmp,
+        "energy_ledger: particles were added or deleted since the last run, but `pre no` skips the "
+        "setup of this run. Remove `pre no` from the run command");
+  count_changes();
+  terms_are_current_ = false;
 }
 
 void EnergyLedger::add_stored(const Contact& contact, double elastic_energy, double surface_energy,
@@ -126,41 +156,33 @@ void EnergyLedger::add_stored(const Contact& contact, double elastic_energy, dou
 
 double EnergyLedger::compute_vector(int entry) {
   if (phase_ == STEP)
-    error->all(FLERR,
-               "energy_ledger: a term was read within a step, before all forces are known. Read it "
-               "at the end of a step, or take the term of the previous step from a fix ave/time 1 "
-               "1 1");
-  if (!summed_) sum();
-  return sums_[entry];
+    stop(lmp,
+         "energy_ledger: f_energy_ledger was read within a step, before all forces are known. Read "
+         "it at the end of a step (thermo, dump). A fix that acts within a step can use the value "
+         "of the previous step: `fix ID all ave/time 1 1 1 f_energy_ledger[N]`");
+  if (!terms_are_current_) sum();
+  return terms_[entry];
 }
 
-void EnergyLedger::start() {
-  sum();
-  started_ = true;
-  initial_ = total_;
-  sums_[DRIFT] = 0;
-}
-
-// On this rank alone.
 void EnergyLedger::count_deferred() {
   if (deferred_) std::exchange(deferred_, nullptr)->count_stored_energies();
 }
 
 void EnergyLedger::add_plastic_work(const Contact& contact, double work, bool has_local_partner) {
   const double share = share_of(contact, has_local_partner) * work;
-  if (update->nsteps == 0) {  // `run 0` writes no history: the next set-up asks again
+  if (update->nsteps == 0) {  // `run 0` writes no history, so the next setup reports it again
     plastic_work_of_run_0_ += share;
     return;
   }
-  plastic_work_ += share;
+  sums_.plastic_work += share;
   double* const of_particle = particle_plastic_work_->vector_atom;
   of_particle[contact.i] += contact.is_wall ? work : 0.5 * work;
   if (has_local_partner) of_particle[contact.j] += 0.5 * work;
 }
 
 void EnergyLedger::add_adhesion_loss(const Contact& contact, double loss, bool has_local_partner) {
-  // `run 0` writes no history: the next set-up counts the loss again.
-  double& sum = update->nsteps == 0 ? adhesion_loss_of_run_0_ : adhesion_loss_;
+  // `run 0` writes no history, so the next setup reports it again.
+  double& sum = update->nsteps == 0 ? adhesion_loss_of_run_0_ : sums_.adhesion_loss;
   sum += share_of(contact, has_local_partner) * loss;
 }
 
@@ -183,14 +205,14 @@ void EnergyLedger::add_wall(const Contact& contact, const AccountedLoad& on_i,
 void EnergyLedger::begin_pass() {
   by_pairs_ = by_walls_ = Stored();
   plastic_work_of_run_0_ = adhesion_loss_of_run_0_ = 0;
-  summed_ = false;
+  terms_are_current_ = false;
   deferred_ = nullptr;
   walls_.clear();
-  losses_.assign(atom->nlocal, Losses());
+  friction_.assign(atom->nlocal, FrictionLoad());
   dashpots_.clear();
 }
 
-// Half a step's work of the forces at hand.
+// Adds the work of the current forces in half a step.
 void EnergyLedger::add_work() {
   double friction = 0, viscous = 0, wall = 0;
   for (const WallContact& contact : walls_) {
@@ -199,19 +221,18 @@ void EnergyLedger::add_work() {
     friction += dot(contact.friction, velocity);
     viscous += dot(contact.dashpot, velocity);
   }
-  for (std::size_t i = 0; i < losses_.size(); ++i)
-    friction -= dot(losses_[i].friction, atom->v[i]) + dot(losses_[i].torque, atom->omega[i]);
+  for (std::size_t i = 0; i < friction_.size(); ++i)
+    friction -= dot(friction_[i].force, atom->v[i]) + dot(friction_[i].torque, atom->omega[i]);
   for (std::size_t i = 0; i < dashpots_.size(); ++i) viscous -= dot(dashpots_[i], atom->v[i]);
-  summed_ = false;
+  terms_are_current_ = false;
   const double half_step = 0.5 * update->dt;
-  friction_ += half_step * friction;
-  viscous_ += half_step * viscous;
-  wall_work_ += half_step * wall;
+  sums_.friction += half_step * friction;
+  sums_.viscous += half_step * viscous;
+  sums_.wall_work += half_step * wall;
 }
 
 double EnergyLedger::kinetic_energy() const {
-  const double inertia =
-      domain->dimension == 2 ? 0.5 : 0.4;  // over m R^2: as fix nve/sphere has it
+  const double inertia = domain->dimension == 2 ? 0.5 : 0.4;  // divided by m R^2
   double energy = 0;
   for (int i = 0; i < atom->nlocal; ++i) {
     const double* const v = atom->v[i];
@@ -231,7 +252,7 @@ double EnergyLedger::gravitational_energy() const {
     field->get_gravity(acceleration);
     for (int i = 0; i < atom->nlocal; ++i) {
       if (!(atom->mask[i] & field->groupbit)) continue;
-      double position[3];  // as if the box had no periodic sides
+      double position[3];  // without periodic wrapping
       domain->unmap(atom->x[i], atom->image[i], position);
       energy -= atom->rmass[i] * dot(acceleration, position);
     }
@@ -244,42 +265,35 @@ void EnergyLedger::sum() {
   const double local[ENTRIES] = {kinetic_energy(),
                                  gravitational_energy(),
                                  by_pairs_.elastic + by_walls_.elastic,
-                                 plastic_work_ + plastic_work_of_run_0_,
-                                 friction_,
-                                 viscous_,
-                                 wall_work_,
-                                 inserted_ + change_of_contacts(),
+                                 sums_.plastic_work + plastic_work_of_run_0_,
+                                 sums_.friction,
+                                 sums_.viscous,
+                                 sums_.wall_work,
+                                 sums_.inserted + change_of_contacts(),
                                  0,
                                  by_pairs_.springs + by_walls_.springs,
                                  by_pairs_.surface + by_walls_.surface,
-                                 adhesion_loss_ + adhesion_loss_of_run_0_};
-  MPI_Allreduce(local, sums_, ENTRIES, MPI_DOUBLE, MPI_SUM, world);
-  total_ = sums_[SURFACE] + sums_[ADHESION] - sums_[WALL_WORK] - sums_[INSERTED];
-  for (int entry = KINETIC; entry < WALL_WORK; ++entry) total_ += sums_[entry];
-  sums_[DRIFT] = started_ ? total_ - initial_ : 0;
-  summed_ = phase_ != SET_UP && (ran_ || phase_ != BETWEEN_RUNS);
+                                 sums_.adhesion_loss + adhesion_loss_of_run_0_};
+  MPI_Allreduce(local, terms_, ENTRIES, MPI_DOUBLE, MPI_SUM, world);
+  total_ = terms_[SURFACE] + terms_[ADHESION] - terms_[WALL_WORK] - terms_[INSERTED];
+  for (int entry = KINETIC; entry < WALL_WORK; ++entry) total_ += terms_[entry];
+  terms_[DRIFT] = started_ ? total_ - sums_.initial_total : 0;
+  terms_are_current_ = phase_ != SETUP && (ran_ || phase_ != BETWEEN_RUNS);
 }
 
 void EnergyLedger::write_restart(FILE* file) {
-  double local[4] = {plastic_work_, friction_, viscous_, wall_work_}, kept[7];
-  MPI_Reduce(local, kept, 4, MPI_DOUBLE, MPI_SUM, 0, world);
-  MPI_Reduce(&inserted_, &kept[4], 1, MPI_DOUBLE, MPI_SUM, 0, world);
-  kept[5] = initial_;
-  MPI_Reduce(&adhesion_loss_, &kept[6], 1, MPI_DOUBLE, MPI_SUM, 0, world);
-  if (comm->me != 0) return;
-  const int size = sizeof kept;
-  fwrite(&size, sizeof size, 1, file);
-  fwrite(kept, sizeof kept, 1, file);
+  Sums sums;
+  MPI_Reduce(&sums_, &sums, sizeof sums / sizeof(double), MPI_DOUBLE, MPI_SUM, 0, world);
+  sums.initial_total = sums_.initial_total;
+  write_state(file, &sums, sizeof sums);
 }
 
 void EnergyLedger::restart(char* data) {
-  double kept[7];
-  std::memcpy(kept, data, sizeof kept);
-  initial_ = kept[5];
+  Sums sums;
+  std::memcpy(&sums, data, sizeof sums);
   started_ = true;
-  if (comm->me != 0) return;  // a sum over ranks: the first one has it all
-  plastic_work_ = kept[0], friction_ = kept[1], viscous_ = kept[2], wall_work_ = kept[3];
-  inserted_ = kept[4], adhesion_loss_ = kept[6];
+  if (comm->me == 0) sums_ = sums;  // the first rank takes the sums of all
+  sums_.initial_total = sums.initial_total;
 }
 
 }  // namespace plastigran

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// Every particle's plastic work [J], as a fix with the fixed ID `plastic_work`: an engine's
-// property of atoms that the ledger writes to. It restarts with the particles.
+// The plastic work of every particle [J], as a fix property/atom with the ID `plastic_work`.
 #pragma once
 
 #include "atom.h"
@@ -14,14 +13,14 @@ class ParticlePlasticWork : public LAMMPS_NS::FixPropertyAtom {
  public:
   ParticlePlasticWork(LAMMPS_NS::LAMMPS* engine, int count, char** words)
       : FixPropertyAtom(engine, count, words) {
-    static char before[] = "property/atom";  // the style of it in older restart files
+    static char before[] = "property/atom";  // its style in older restart files
     accepts_restart_data_from_style = before;
   }
   static const char* id() { return "plastic_work"; }
   static const char* style() { return "property/atom/plastic_work"; }
 
-  // To be called before the first forces: otherwise LIGGGHTS blanks a new fix after the forces of
-  // the pairs in set-up.
+  // Clears a new fix before the forces of the first setup. LIGGGHTS itself would do so after the
+  // forces of pairs.
   void begin() {
     if (!just_created) return;
     just_created = 0;
@@ -29,7 +28,7 @@ class ParticlePlasticWork : public LAMMPS_NS::FixPropertyAtom {
   }
 
   void pre_delete(bool by_the_deck) override {
-    if (by_the_deck) require_setup(update, error, Fix::id);
+    if (by_the_deck) require_setup(lmp, Fix::id);
   }
 };
 

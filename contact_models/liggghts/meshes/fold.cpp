@@ -11,7 +11,7 @@ using LAMMPS_NS::TriMesh;
 
 namespace {
 
-// A triangle as seen from one of its edges: the unit vector in its plane, away from the edge.
+// The start of an edge of a triangle, and the unit vector in the triangle normal to the edge.
 struct Leaf {
   double start[3], away[3];
 
@@ -27,7 +27,7 @@ struct Leaf {
   }
 };
 
-// Whether `other` lies behind the plane of the triangle, as seen from the centre, or in it.
+// Whether `other` is in the plane of the triangle, or behind it as seen from the centre.
 bool behind(TriMesh& mesh, int triangle, const Leaf& leaf, const Leaf& other,
             const double* centre) {
   double normal[3], to_centre[3];
@@ -36,7 +36,7 @@ bool behind(TriMesh& mesh, int triangle, const Leaf& leaf, const Leaf& other,
   return vectorDot3D(to_centre, normal) * vectorDot3D(other.away, normal) <= 0;
 }
 
-// Nodes of neighbours are rounded each for itself.
+// Nodes of neighboring triangles may differ by round-off.
 bool share_a_node(TriMesh& mesh, int a, int b) {
   const double tolerance = 1e-6 * mesh.edgeLen(a, 0);
   for (int node_a = 0; node_a < 3; ++node_a)
@@ -64,7 +64,7 @@ bool around_a_node(TriMesh& mesh, int a, int b, double feature_cosine) {
   double normal_a[3], normal_b[3];
   mesh.surfaceNorm(a, normal_a);
   mesh.surfaceNorm(b, normal_b);
-  // Neighbours may be seen from opposite sides: STL files do not always agree on a side.
+  // The absolute value, because normals in STL files may point to either side.
   return std::fabs(vectorDot3D(normal_a, normal_b)) >= feature_cosine;
 }
 

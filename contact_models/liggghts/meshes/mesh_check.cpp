@@ -5,9 +5,6 @@
 
 #include <sstream>
 
-#include "comm.h"
-#include "liggghts/fixes/print.h"
-
 namespace plastigran {
 
 namespace {
@@ -32,16 +29,16 @@ std::string sentence(MeshCheck::Kind kind, const MeshCheck::Place& place) {
 }  // namespace
 
 void MeshCheck::post_run() {
-  say(seam);
-  say(ring);
+  report(seam);
+  report(ring);
 }
 
-// The first rank that has found one says it.
-void MeshCheck::say(Kind kind) {
+// Reports the contact of the first rank that has one.
+void MeshCheck::report(Kind kind) {
   int rank = found(kind) ? comm->me : comm->nprocs, first;
   MPI_Allreduce(&rank, &first, 1, MPI_INT, MPI_MIN, world);
-  if (said_[kind] || first == comm->nprocs) return;
-  said_[kind] = true;
+  if (reported_[kind] || first == comm->nprocs) return;
+  reported_[kind] = true;
   Place place = found_[kind].value_or(Place());
   MPI_Bcast(&place, sizeof place, MPI_BYTE, first, world);
   if (comm->me == 0) warn(lmp, sentence(kind, place));

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// Says once of each kind where particles meet a mesh in a way that its contacts are not made for:
+// Warns once of each kind of contact with a mesh that the class MeshContacts does not support:
 //
-//   seam   a particle has two contacts where the mesh looks smooth, but its triangles share neither
-//          edge nor node: a node of one lies on an edge of the other, or there is a gap
-//   ring   a particle leans on opposite sides of one smooth surface, as in a cone or in a pipe
-//          hardly wider than itself: the one contact it has with it cannot hold it
+//   seam   a particle has two contacts where the mesh is smooth, but the triangles share no edge or
+//          node, because of a gap or a node on an edge
+//   ring   one smooth surface touches a particle on opposite sides, as a cone or a narrow pipe
+//   does;
+//          its one contact cannot hold the particle
 #pragma once
 
 #include <optional>
@@ -18,9 +19,9 @@ class MeshCheck : public PluginFix {
  public:
   enum Kind { seam, ring };
 
-  // A particle on two triangles of a mesh.
+  // A particle that touches two triangles of a mesh. Ranks send it as bytes.
   struct Place {
-    int particle, triangles[2];  // by their numbers in deck and mesh file
+    int particle, triangles[2];  // by their IDs
     double x[3];                 // of the particle
     double angle;                // between the directions to the triangles [degrees]
   };
@@ -36,10 +37,10 @@ class MeshCheck : public PluginFix {
   void post_run() override;
 
  private:
-  void say(Kind kind);
+  void report(Kind kind);
 
-  std::optional<Place> found_[2];  // on this rank, the first of each kind
-  bool said_[2] = {false, false};
+  std::optional<Place> found_[2];  // the first of each kind, on this rank
+  bool reported_[2] = {false, false};
 };
 
 }  // namespace plastigran

@@ -8,24 +8,38 @@
 #include "fix_contact_history_mesh.h"
 #include "fix_neighlist_mesh.h"
 #include "liggghts/meshes/fold.h"
-#include "liggghts/meshes/turn.h"
 #include "neighbor.h"
 #include "tri_mesh.h"
 #include "update.h"
+#include "vector_liggghts.h"
 
 namespace plastigran {
 
 namespace {
 
-// Depths that differ by less than this share of the radius are the same: over the edge between two
-// triangles in one plane, the engine may compute the one whose contact it knows, and it alone.
+// Depths that differ by less than this fraction of the radius are equal. At an edge between
+// coplanar triangles, LIGGGHTS may compute only the contact that has a history.
 const double same_depth = 1e-11;
 
-// Of a cosine: corners in mesh files have some seven digits.
-const double rounded = 1e-6;
+// Tolerance of a cosine, because corners in mesh files have about seven digits.
+const double rounding = 1e-6;
 
-// Cosine of the angle between directions from which on a particle leans on opposite sides.
+// Cosine between contact directions on opposite sides of a particle.
 const double opposite = 0.5;
+
+// Rotates `vector` by the smallest rotation from the direction `from` to the direction `to`, unless
+// they are opposite or zero.
+void rotate(const double* from, const double* to, double* vector) {
+  const double lengths = vectorMag3D(from) * vectorMag3D(to);
+  const double cosine = vectorDot3D(from, to) / lengths;
+  if (!(lengths > 0 && cosine > -1)) return;
+  double axis[3], once[3], twice[3];
+  vectorCross3D(from, to, axis);
+  vectorScalarDiv3D(axis, lengths);
+  vectorCross3D(axis, vector, once);
+  vectorCross3D(axis, once, twice);
+  for (int k = 0; k < 3; ++k) vector[k] += once[k] + twice[k] / (1 + cosine);
+}
 
 double cosine_between(const double* a, const double* b) {
   return vectorDot3D(a, b) / (vectorMag3D(a) * vectorMag3D(b));
@@ -38,17 +52,17 @@ MeshContacts::MeshContacts(LAMMPS_NS::LAMMPS* engine, LAMMPS_NS::FixMeshSurface*
     : engine_(engine),
       fix_(mesh),
       mesh_(mesh->triMesh()),
-      feature_cosine_(feature_cosine - rounded),
+      feature_cosine_(feature_cosine - rounding),
       springs_(std::move(springs)) {}
 
 bool MeshContacts::computes(int particle, int triangle, bool overlaps, double* history) {
   const auto [first, last] = overlaps_of(particle);
   for (int k = first; k < last; ++k) {
     Overlap& overlap = overlaps_[k];
-    // The end of a contact whose memory another takes over, further on.
-    if (!overlaps && overlap.memory && overlap.memory == history) return false;
+    // This contact ends, and another one will take over its history.
+    if (!overlaps && overlap.history && overlap.history == history) return false;
     if (!overlaps || overlap.triangle != triangle) continue;
-    if (overlap.carries && overlap.memory) take_over(particle, overlap, history);
+    if (overlap.carries && overlap.history) take_over(particle, overlap, history);
     return overlap.carries;
   }
   return true;
@@ -57,24 +71,24 @@ bool MeshContacts::computes(int particle, int triangle, bool overlaps, double* h
 std::pair<int, int> MeshContacts::overlaps_of(int particle) {
   const LAMMPS_NS::bigint step = engine_->update->ntimestep, listed = engine_->neighbor->lastcall;
   const std::size_t count = engine_->atom->nlocal;
-  if (step != contact_step_ || found_.size() != count) {
-    if (listed != list_step_ || found_.size() != count) list_triangles();
+  if (step != contact_step_ || spans_.size() != count) {
+    if (listed != list_step_ || spans_.size() != count) list_triangles();
     list_step_ = listed;
-    found_.assign(count, {-1, -1});
+    spans_.assign(count, {-1, -1});
     overlaps_.clear();
     contact_step_ = step;
   }
-  if (found_[particle].first < 0) {
+  if (spans_[particle].first < 0) {
     const int first = overlaps_.size();
     find_overlaps(particle);
     join_surfaces(particle, first);
     choose_carriers(particle, first);
-    find_memory(particle, first);
+    find_histories(particle, first);
     if (!check_->found(MeshCheck::seam)) look_for_seam(particle, first);
     if (!check_->found(MeshCheck::ring)) look_for_ring(particle, first);
-    found_[particle] = {first, static_cast<int>(overlaps_.size())};
+    spans_[particle] = {first, static_cast<int>(overlaps_.size())};
   }
-  return found_[particle];
+  return spans_[particle];
 }
 
 void MeshContacts::list_triangles() {
@@ -100,8 +114,8 @@ void MeshContacts::find_overlaps(int particle) {
     const double gap = distance(particle, near_[k], false, to_foot);
     if (gap > 0) continue;
     const int index = overlaps_.size();
-    const bool known = slot_of(particle, near_[k]) >= 0;
-    overlaps_.push_back({near_[k], {}, -gap, known, index, false, nullptr, -1});
+    const bool has_history = slot_of(particle, near_[k]) >= 0;
+    overlaps_.push_back({near_[k], {}, -gap, has_history, index, false, nullptr, -1});
     vectorCopy3D(to_foot, overlaps_.back().to_foot);
   }
   if (overlaps_.size() - first == 1) return;
@@ -122,7 +136,7 @@ void MeshContacts::join_surfaces(int particle, int first) {
     }
 }
 
-// Over an edge, or over a node where the triangle between is just out of reach.
+// Over an edge, or over a node if the particle does not reach the triangle between.
 bool MeshContacts::meet_as_one(int particle, int a, int b) const {
   return one_surface(*mesh_, a, b, engine_->atom->x[particle], feature_cosine_) ||
          around_a_node(*mesh_, a, b, feature_cosine_);
@@ -138,7 +152,7 @@ void MeshContacts::choose_carriers(int particle, int first) {
       if (overlap.surface != surface || overlap.depth < 0) continue;
       const double deeper = deepest ? overlap.depth - deepest->depth : overlap.depth;
       if (!deepest || deeper > tolerance ||
-          (deeper >= -tolerance && overlap.known && !deepest->known))
+          (deeper >= -tolerance && overlap.has_history && !deepest->has_history))
         deepest = &overlap;
     }
     if (deepest) deepest->carries = true;
@@ -174,32 +188,31 @@ MeshCheck::Place MeshContacts::place(int particle, const Overlap& a, const Overl
           std::acos(cosine) * 180 / M_PI};
 }
 
-// What the particle's contacts remember goes to the ones that carry now. Where two surfaces have
-// become one, the memory of its deepest triangle is kept, or else the first.
-void MeshContacts::find_memory(int particle, int first) {
+// Assigns the histories of a particle's contacts to the overlaps that carry the contacts now. If
+// two surfaces have joined, the history of the deepest triangle is kept, or else the first one.
+void MeshContacts::find_histories(int particle, int first) {
   LAMMPS_NS::FixContactHistoryMesh* const stored = fix_->contactHistory();
   if (!stored || stored->get_dnum() == 0) return;
   for (int slot = 0; slot < stored->nneighs(particle); ++slot) {
     const int id = stored->partner(particle, slot);
     double* const history = id < 0 ? nullptr : stored->contacthistory(particle, slot);
-    if (!history || !remembers(history)) continue;
+    if (!history || !any(history)) continue;
     const auto end = near_.begin() + first_near_[particle + 1];
     const auto former = std::find_if(near_.begin() + first_near_[particle], end,
                                      [&](int triangle) { return mesh_->id(triangle) == id; });
     Overlap* const heir = former == end ? nullptr : heir_of(particle, first, *former);
     if (!heir) continue;
     double* lost = history;
-    if (!heir->memory || heir->triangle == *former) {
-      lost = heir->memory;
-      heir->memory = history;
+    if (!heir->history || heir->triangle == *former) {
+      lost = heir->history;
+      heir->history = history;
       heir->former = *former;
     }
     if (lost) std::fill_n(lost, stored->get_dnum(), 0.0);
   }
 }
 
-// The overlap that carries the contact of the surface the triangle belongs to, null when the
-// particle has left that surface.
+// The overlap that carries the contact of the triangle's surface, null if the particle has left it.
 MeshContacts::Overlap* MeshContacts::heir_of(int particle, int first, int triangle) {
   const double* const centre = engine_->atom->x[particle];
   const auto begin = overlaps_.begin() + first, end = overlaps_.end();
@@ -219,18 +232,18 @@ MeshContacts::Overlap* MeshContacts::heir_of(int particle, int first, int triang
 }
 
 void MeshContacts::take_over(int particle, Overlap& overlap, double* history) const {
-  double* const memory = std::exchange(overlap.memory, nullptr);
-  if (memory == history) return;
+  double* const former_history = std::exchange(overlap.history, nullptr);
+  if (former_history == history) return;
   const int width = fix_->contactHistory()->get_dnum();
-  std::copy_n(memory, width, history);
-  std::fill_n(memory, width, 0.0);
+  std::copy_n(former_history, width, history);
+  std::fill_n(former_history, width, 0.0);
   double before[3], now[3];
   distance(particle, overlap.former, false, before);
   distance(particle, overlap.triangle, false, now);
-  for (int offset : springs_) turn(before, now, history + offset);
+  for (int offset : springs_) rotate(before, now, history + offset);
 }
 
-// Whether the triangle's whole plane is out of reach: most are, and this is quickly seen.
+// Whether the particle does not reach the plane of the triangle. This fast test excludes most.
 bool MeshContacts::beyond_its_plane(int particle, int triangle) const {
   double node[3], normal[3], to_centre[3];
   mesh_->node(triangle, 0, node);
@@ -239,18 +252,18 @@ bool MeshContacts::beyond_its_plane(int particle, int triangle) const {
   return std::abs(vectorDot3D(to_centre, normal)) > engine_->atom->radius[particle];
 }
 
-// From the particle's surface to the triangle; `to_foot` is from its centre to the nearest
-// point. The engine gives no contact at edges and corners that it leaves to another triangle.
-double MeshContacts::distance(int particle, int triangle, bool of_the_engine,
-                              double* to_foot) const {
+// The distance from the particle's surface to the triangle; `to_foot` points from the particle's
+// center to the nearest point. `as_liggghts`: at edges and corners that LIGGGHTS assigns to another
+// triangle the distance is positive.
+double MeshContacts::distance(int particle, int triangle, bool as_liggghts, double* to_foot) const {
   double weights[3];
   int region;
   return mesh_->resolveTriSphereContactBary(particle, triangle, engine_->atom->radius[particle],
                                             engine_->atom->x[particle], to_foot, weights, region,
-                                            of_the_engine);
+                                            as_liggghts);
 }
 
-bool MeshContacts::remembers(const double* history) const {
+bool MeshContacts::any(const double* history) const {
   return std::any_of(history, history + fix_->contactHistory()->get_dnum(),
                      [](double value) { return value != 0; });
 }

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// One contact for each particle and smooth surface of a mesh.
+// One contact per particle and smooth surface of a mesh.
 //
-// The engine computes a contact with every triangle a particle overlaps, and each remembers for
-// itself: on a fold the force doubles, and behind it a dent is forgotten. Here the triangles a
-// particle overlaps at the same time are joined to surfaces, over their edges and nodes; the
-// deepest of a surface carries its contact and takes over what the surface remembers. The others
-// have no force and no memory.
+// LIGGGHTS computes a contact with every triangle that a particle overlaps, each with its own
+// history. Along a fold the force doubles, and beyond it the residual indentation is lost. This
+// class joins the triangles that a particle overlaps into surfaces, over their edges and nodes. The
+// deepest triangle of a surface carries its contact and takes over its history. The other triangles
+// have neither force nor history.
 //
-// All is found anew at each step from the mesh and from what the engine stores of the contacts:
-// nothing has to go with a particle to another rank, or into a restart file.
+// Everything is computed in each step from the mesh and LIGGGHTS' histories. Nothing has to follow
+// particles to other ranks or into restart files.
 #pragma once
 
 #include <utility>
@@ -27,28 +27,28 @@ class MeshContacts {
   MeshContacts(LAMMPS_NS::LAMMPS* engine, LAMMPS_NS::FixMeshSurface* mesh, double feature_cosine,
                std::vector<int> springs);
 
-  // Before a run.
+  // For each setup.
   void begin_run(MeshCheck* check) {
     check_ = check;
     list_step_ = contact_step_ = -1;
   }
 
-  // Whether the engine has to compute what it asks for: the contact of a local particle with a
-  // triangle, if it overlaps it, or else its end. A contact that carries a surface's has taken over
-  // the surface's memory then. `history` is the engine's for this contact, null when there is none.
+  // Whether LIGGGHTS has to compute the contact of a local particle with a triangle that it
+  // overlaps, or the end of that contact. If so, the contact has taken over the history of its
+  // surface. `history` is LIGGGHTS' history of this contact, null if there is none.
   bool computes(int particle, int triangle, bool overlaps, double* history);
 
  private:
   // An overlap of a particle with a triangle.
   struct Overlap {
-    int triangle;       // its local number
-    double to_foot[3];  // from the particle's centre to the triangle's nearest point
-    double depth;       // below 0: the engine leaves this edge or corner to another triangle
-    bool known;         // the engine stores a history for it already
-    int surface;        // the first overlap of the same surface
+    int triangle;       // local index
+    double to_foot[3];  // from the center of the particle to the nearest point of the triangle
+    double depth;       // negative: LIGGGHTS assigns this edge or corner to another triangle
+    bool has_history;   // LIGGGHTS stores a history for this contact
+    int surface;        // first overlap of the same surface
     bool carries;       // the contact of its surface
-    double* memory;     // of its surface, to be taken over; null: nothing to remember
-    int former;         // the triangle that had it
+    double* history;    // of its surface, to take over; null: none
+    int former;         // triangle of that history
   };
 
   void list_triangles();
@@ -57,15 +57,15 @@ class MeshContacts {
   void join_surfaces(int particle, int first);
   bool meet_as_one(int particle, int a, int b) const;
   void choose_carriers(int particle, int first);
-  void find_memory(int particle, int first);
+  void find_histories(int particle, int first);
   void look_for_seam(int particle, int first) const;
   void look_for_ring(int particle, int first) const;
   MeshCheck::Place place(int particle, const Overlap& a, const Overlap& b) const;
   Overlap* heir_of(int particle, int first, int triangle);
   void take_over(int particle, Overlap& overlap, double* history) const;
   bool beyond_its_plane(int particle, int triangle) const;
-  double distance(int particle, int triangle, bool of_the_engine, double* to_foot) const;
-  bool remembers(const double* history) const;
+  double distance(int particle, int triangle, bool as_liggghts, double* to_foot) const;
+  bool any(const double* history) const;
   int slot_of(int particle, int triangle) const;
 
   LAMMPS_NS::LAMMPS* engine_;
@@ -75,14 +75,14 @@ class MeshContacts {
   std::vector<int> springs_;
   MeshCheck* check_ = nullptr;
 
-  // The triangles near each local particle, in the engine's order: those of particle i stand from
-  // first_near_[i] to first_near_[i + 1]. From the neighbour lists of that step.
+  // The triangles near each local particle i, from near_[first_near_[i]] to near_[first_near_[i +
+  // 1]], in LIGGGHTS' order; valid for the neighbor lists of list_step_.
   std::vector<int> near_, first_near_;
   LAMMPS_NS::bigint list_step_ = -1;
 
-  // Of that step's force computation: by local particle, where its overlaps begin and end; -1: it
-  // has not been looked at yet.
-  std::vector<std::pair<int, int>> found_;
+  // The overlaps of each local particle: begin and end, -1 if not yet found; valid in
+  // contact_step_.
+  std::vector<std::pair<int, int>> spans_;
   std::vector<Overlap> overlaps_;
   LAMMPS_NS::bigint contact_step_ = -1;
 };

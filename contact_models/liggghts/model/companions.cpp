@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "liggghts/model/companions.h"
 
-#include "contact_model_constants.h"
+#include "contact_models.h"
 
 namespace plastigran {
 
@@ -37,6 +37,17 @@ const std::array<CompanionKind, 4>& companion_kinds() {
        }},
   }};
   return kinds;
+}
+
+bool has_model(std::int64_t hash, const std::string& kind, const std::string& name) {
+  if (kind == "normal")
+    return LIGGGHTS::ContactModels::Factory::instance().getNormalModelId(name) == model_of(hash, 0);
+  const auto& kinds = companion_kinds();
+  for (std::size_t k = 0; k < kinds.size(); ++k)
+    for (const Companion& companion : kinds[k].models)
+      if (kind == kinds[k].keyword && name == companion.name)
+        return companion.id == model_of(hash, k + 1);
+  return false;
 }
 
 }  // namespace plastigran

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// Looks at contacts as they grow deeper, for a model: is the law still good for the load, is the
-// time step short enough for it, has the overlap left all bounds? A contact is looked at only when
-// it is a tenth deeper than those of its pair of types were, or beyond a limit.
+// Run-time checks of contacts for a model: the overlap limit, the validity range of the law, and
+// the time step. A contact is checked only if it is a tenth deeper than earlier ones of its pair of
+// atom types, or beyond a limit.
 #pragma once
 
 #include <algorithm>
@@ -12,10 +12,8 @@
 
 #include "atom.h"
 #include "contact_interface.h"
-#include "error.h"
 #include "force.h"
 #include "liggghts/fixes/plugin_fix.h"
-#include "liggghts/fixes/print.h"
 #include "liggghts/fixes/range_check.h"
 #include "liggghts/fixes/time_step_check.h"
 #include "liggghts/model/deck_properties.h"
@@ -28,14 +26,13 @@
 
 namespace plastigran {
 
-// What to say of an overlap beyond `overlap_limit`, both in radii of the smaller body.
+// Messages on an overlap beyond `overlap_limit`, both in radii of the smaller body, and on a
+// particle that is about to cross a wall.
 std::string describe_overlap(const LAMMPS_NS::Atom* atom,
                              const LIGGGHTS::ContactModels::SurfacesIntersectData& contact,
                              double overlap, double overlap_limit);
-
-// What to say of a particle whose centre is about to pass a wall.
-std::string describe_passage(const LAMMPS_NS::Atom* atom,
-                             const LIGGGHTS::ContactModels::SurfacesIntersectData& contact);
+std::string describe_crossing(const LAMMPS_NS::Atom* atom,
+                              const LIGGGHTS::ContactModels::SurfacesIntersectData& contact);
 
 template <class Law>
 class ContactChecks : protected LAMMPS_NS::Pointers {
@@ -45,72 +42,71 @@ class ContactChecks : protected LAMMPS_NS::Pointers {
  public:
   explicit ContactChecks(LAMMPS_NS::LAMMPS* engine) : Pointers(engine) {}
 
-  // Before a run, when the laws were built anew: contacts are looked at again. All ranks together.
+  // For each setup, after the laws were built. Collective.
   void begin(const std::string& model, double overlap_limit) {
     model_ = model;
     overlap_limit_ = overlap_limit;
     excess_ = RangeCheck::of(lmp, model, Law::range);
     time_step_check_ = ensure_fix<TimeStepCheck>(lmp);
-    time_step_check_->forget();
+    time_step_check_->reset();
   }
 
-  // Called before a run, on the first rank. Hands the times of the coming impacts to the step
-  // watch, which compares the time step with them. Warns of impacts that leave the law's range.
+  // For each setup, on the first rank. Passes the times of the expected impacts to the check of the
+  // time step, and warns of impacts beyond the validity range of the law.
   void expect(const ImpactTimes& times, double rayleigh, bool is_wall) {
     time_step_check_->expect(model_, {times.step, times.step_speed, is_wall}, rayleigh,
                              times.hertz);
     if (times.outside_speed <= 1.01 * excess_->warned_speed) return;
-    excess_->warned_speed = times.outside_speed;  // once for all walls, unless it gets worse
+    excess_->warned_speed = times.outside_speed;  // once for all walls, unless it increases
     std::ostringstream text;
-    text << model_ << ": impacts at the present speeds (at most " << times.outside_speed << ' '
-         << unit_in_deck(update->unit_style, "m/s") << ") leave the law's range (" << Law::range
-         << ')';
+    text << model_ << ": impacts at the current speeds (up to " << times.outside_speed << ' '
+         << unit_in_deck(update->unit_style, "m/s")
+         << ") will exceed the validity range of the law (" << Law::range << ')';
     warn(lmp, text.str());
   }
 
-  // Before a run, on the first rank: a warning that is given once, for all walls together.
+  // For each setup, on the first rank: a warning that is given once for all walls.
   void warn_once(const std::string& text) {
-    if (excess_->said.insert(text).second) warn(lmp, model_ + ": " + text);
+    if (excess_->unique_warnings.insert(text).second) warn(lmp, model_ + ": " + text);
   }
 
-  // A contact deeper than `pair.checked_from`, at its rate factor, whose state was `before` and is
-  // `now` after this step.
+  // Checks a contact deeper than `pair.checked_from`, whose state changes from `before` to `now`.
   [[gnu::noinline]] void check(const Contact& contact, TypePair<Law>& pair, double factor,
                                double radius_eff, const State& before, const State& now) {
     const double smaller = contact.is_wall ? contact.radi : std::min(contact.radi, contact.radj);
     if (contact.deltan > overlap_limit_ * smaller)
-      stop(describe_overlap(atom, contact, contact.deltan / smaller, overlap_limit_));
-    if (contact.is_wall && overlap_limit_ <= 1 && contact.deltan + 2 * closing(contact) > smaller)
-      stop(describe_passage(atom, contact));
+      fail(describe_overlap(atom, contact, contact.deltan / smaller, overlap_limit_));
+    if (contact.is_wall && overlap_limit_ <= 1 && contact.deltan + 2 * approach(contact) > smaller)
+      fail(describe_crossing(atom, contact));
     const bool deeper = pair.deepens(contact.deltan / radius_eff, overlap_limit_);  // R* <= smaller
     pair.at_factor(factor, [&](const auto& law, double range) {
       if (contact.deltan > range * radius_eff)
-        note_excess(contact, law, range, radius_eff, before, now);
-      if (deeper) note_step(contact, law, radius_eff);
+        check_range(contact, law, range, radius_eff, before, now);
+      if (deeper) check_time_step(contact, law, radius_eff);
     });
   }
 
-  // Stops in the force loop, at two types for which the law is none.
+  // Stops in the force loop, for two atom types that the law does not support.
   [[gnu::noinline, gnu::cold]] void refuse(const Complaint& complaint) {
-    stop(sentence_in_deck(update->unit_style, complaint.worded(property_name)));
+    fail(sentence_in_deck(update->unit_style, complaint.worded(property_name)));
   }
 
  private:
-  // On this rank alone: the others are not in the force loop at the same contact.
-  void stop(const std::string& reason) { error->one(FLERR, (model_ + ": " + reason).c_str()); }
+  // From one rank, because the others are not at the same contact.
+  void fail(const std::string& reason) { stop_from_rank(lmp, model_ + ": " + reason); }
 
-  // How far the two close in on each other in a step [m].
-  double closing(const Contact& contact) const { return std::max(0.0, -contact.vn) * update->dt; }
+  // How far the two bodies approach each other in a step [m].
+  double approach(const Contact& contact) const { return std::max(0.0, -contact.vn) * update->dt; }
 
-  // The time step for the rebound of an impact that would load as deeply.
+  // Recommends the time step of an impact that reaches the same overlap.
   template <class AnyLaw>
-  void note_step(const Contact& contact, const AnyLaw& law, double radius_eff) {
+  void check_time_step(const Contact& contact, const AnyLaw& law, double radius_eff) {
     State state;
-    const Response virgin = law.respond(radius_eff, contact.deltan, state);
-    const double energy = virgin.elastic_energy + virgin.plastic_work;
+    const Response loading = law.respond(radius_eff, contact.deltan, state);
+    const double energy = loading.elastic_energy + loading.plastic_work;
     const double speed = std::sqrt(2 * energy / contact.meff);
     const double* const x = atom->x[contact.i];
-    time_step_check_->met(
+    time_step_check_->add(
         {recommended_timestep_of_load(law, radius_eff, contact.meff, speed, contact.deltan),
          speed,
          {x[0], x[1], x[2]},
@@ -118,15 +114,15 @@ class ContactChecks : protected LAMMPS_NS::Pointers {
          contact.is_wall ? 0 : atom->tag[contact.j]});
   }
 
-  // Positions move freely between runs: the first step of one looks at all contacts. A contact
-  // over a border is seen from both sides.
+  // In the first step of a run a contact may have any state, because decks move particles between
+  // runs. A contact across a border of ranks is checked on both.
   template <class AnyLaw>
-  void note_excess(const Contact& contact, const AnyLaw& law, double range, double radius_eff,
+  void check_range(const Contact& contact, const AnyLaw& law, double range, double radius_eff,
                    const State& before, const State& now) {
     const bool shared = !contact.is_wall && !force->newton_pair && contact.j >= atom->nlocal;
-    excess_->note(law, range,
-                  {radius_eff, contact.deltan, closing(contact), before, now,
-                   update->ntimestep <= update->firststep + 1, shared ? 0.5 : 1});
+    excess_->add(law, range,
+                 {radius_eff, contact.deltan, approach(contact), before, now,
+                  update->ntimestep <= update->firststep + 1, shared ? 0.5 : 1});
   }
 
   std::string model_;

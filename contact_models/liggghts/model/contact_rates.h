@@ -1,19 +1,39 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// A contact remembers the rate factor of its first touch, as long as it lasts. The value is in the
-// history only where a rate matters: walls add it when they are made, pair styles before a run.
+// A contact keeps the rate factor of its first touch until it ends. The factor is a history value,
+// which exists only if a yield strength depends on the rate. Walls register it when they are made.
+// Pair styles get it from a fix before the first run, because the deck may define its properties
+// after the pair style or after a restart.
 #pragma once
-
-#include <string>
 
 #include "contact_interface.h"
 #include "liggghts/fixes/plugin_fix.h"
 #include "liggghts/model/deck_properties.h"
-#include "liggghts/model/rate_history.h"
 #include "plastigran/shared/contact.h"
 #include "plastigran/shared/rate_factor.h"
 
 namespace plastigran {
+
+class RateHistory : public LAMMPS_NS::Fix {
+ public:
+  RateHistory(LAMMPS_NS::LAMMPS* engine, int count, char** words) : Fix(engine, count, words) {}
+  static const char* id() { return "plastigran_rate"; }
+  static const char* style() { return "plastigran/rate"; }
+
+  // For a new pair style with a law that yields, and for its end.
+  void begin() { needed_ = Needed::unknown; }
+  void end() { needed_ = Needed::no; }
+
+  // The offset of the value in the contact history, -1 if there is none.
+  int offset() const;
+
+  int setmask() override { return 0; }
+  int n_history_extra() override;
+  bool history_args(char** words) override;
+
+ private:
+  enum class Needed { unknown, no, yes } needed_ = Needed::no;
+};
 
 class ContactRates {
   typedef LIGGGHTS::ContactModels::SurfacesIntersectData Contact;
@@ -26,31 +46,21 @@ class ContactRates {
   }
   ContactRates(const ContactRates&) = delete;
 
-  // As the contact model is made.
-  void begin(LIGGGHTS::IContactHistorySetup& setup, const DeckProperties& deck, bool has_types) {
-    if (!is_wall_ && has_types)
-      ensure_fix<RateHistory>(engine_)->begin();
-    else if (is_wall_ && deck.positive("rate_coefficient"))
-      offset_ = setup.add_history_value("rate_factor", "0");
-  }
+  // For the construction of a contact model.
+  void begin(LIGGGHTS::IContactHistorySetup& setup, const DeckProperties& deck, bool has_types);
 
-  // Before a run. Stops where rates matter and contacts cannot remember them.
-  void connect(const DeckProperties& deck, bool rate_matters) {
-    if (!is_wall_) offset_ = ensure_fix<RateHistory>(engine_)->offset();
-    if (offset_ < 0 && rate_matters)
-      deck.fail(property_name("rate_coefficient") + " must be given before " +
-                (is_wall_ ? "the wall" : "the first run") +
-                ", when the values of the contact history are chosen");
-  }
+  // For each setup. Stops if rates matter and the contact history has no value for them.
+  void connect(const DeckProperties& deck, bool rate_matters);
 
-  // Whether contacts remember a rate factor.
+  // Whether the contact history has a rate factor.
   bool stored() const { return offset_ >= 0; }
 
-  // The rate factor of a contact; 0 in the history is none yet. `writes`: the history keeps it.
+  // The rate factor of a contact, whose history has 0 before its first touch. `writes`: whether the
+  // history may change.
   double factor(const Contact& contact, const MaterialPair& bodies, double radius_eff,
                 bool writes) const {
-    const double kept_factor = contact.contact_history[offset_];
-    return kept_factor != 0 ? kept_factor : first_touch(contact, bodies, radius_eff, writes);
+    const double factor = contact.contact_history[offset_];
+    return factor != 0 ? factor : first_factor(contact, bodies, radius_eff, writes);
   }
 
   void clear(double* history) const {
@@ -58,8 +68,8 @@ class ContactRates {
   }
 
  private:
-  [[gnu::noinline]] double first_touch(const Contact& contact, const MaterialPair& bodies,
-                                       double radius_eff, bool writes) const {
+  [[gnu::noinline]] double first_factor(const Contact& contact, const MaterialPair& bodies,
+                                        double radius_eff, bool writes) const {
     const double factor = rate_factor(bodies, radius_eff, -contact.vn);
     if (writes) contact.contact_history[offset_] = factor;
     return factor;
@@ -67,7 +77,7 @@ class ContactRates {
 
   LAMMPS_NS::LAMMPS* engine_;
   bool is_wall_;
-  int offset_ = -1;  // in a contact's history
+  int offset_ = -1;  // in the contact history
 };
 
 }  // namespace plastigran

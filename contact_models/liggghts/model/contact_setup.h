@@ -12,6 +12,7 @@
 
 #include "contact_interface.h"
 #include "liggghts/model/accounted_load.h"
+#include "liggghts/model/companions.h"
 
 namespace plastigran {
 
@@ -34,15 +35,12 @@ class ContactSetup : public LIGGGHTS::IContactHistorySetup {
   // The pair style or wall.
   LIGGGHTS::IContactHistorySetup* owner() const { return owner_; }
 
-  // LIGGGHTS' hash of the combination of models: six bits for each place.
+  // LIGGGHTS' hash of the combination of models.
   int64_t hash() const { return hash_; }
-  static int model_of(int64_t hash, std::size_t place) { return hash >> 6 * place & 63; }
-
-  // ID of the model in a place: 0 normal, 1 tangential, 2 cohesion, 3 rolling, 4 surface.
   int model(std::size_t place) const { return model_of(hash_, place); }
-
-  // Whether the model of that kind, "normal", "tangential", ..., has that name in a deck.
-  bool has_model(const std::string& kind, const std::string& name) const;
+  bool has_model(const std::string& kind, const std::string& name) const {
+    return plastigran::has_model(hash_, kind, name);
+  }
 
   // The offset of a history value, -1 if no model has registered it.
   int offset_of(const std::string& name) const {

@@ -6,11 +6,9 @@
 #include <numeric>
 #include <sstream>
 
-#include "error.h"
 #include "fix_property_global.h"
-#include "liggghts/fixes/engine_access.h"
+#include "liggghts/fixes/plugin_fix.h"
 #include "liggghts/model/deck_units.h"
-#include "modify.h"
 #include "plastigran/impact/plausibility.h"
 #include "update.h"
 
@@ -18,8 +16,7 @@ namespace plastigran {
 
 namespace {
 
-// How many letters must be changed, added or left out to make one word of the other (Levenshtein
-// 1966).
+// The number of letters to change, add or remove between two words (Levenshtein 1966).
 int letters_apart(const std::string& one, const std::string& other) {
   std::vector<int> before(other.size() + 1);
   std::iota(before.begin(), before.end(), 0);
@@ -47,7 +44,7 @@ std::string property_name(const std::string& field) {
 
 LAMMPS_NS::FixPropertyGlobal* DeckProperties::find(const char* field, const char* shape, int rows,
                                                    int columns, bool required) const {
-  asked_.insert(property_name(field));
+  used_.insert(property_name(field));
   return static_cast<LAMMPS_NS::FixPropertyGlobal*>(
       modify->find_fix_property(property_name(field).c_str(), "property/global", shape, rows,
                                 columns, model_.c_str(), required));
@@ -58,8 +55,7 @@ bool DeckProperties::given(const char* field) const {
          find(field, "matrix", 0, 0, false);
 }
 
-// The values the deck gives for a property; null when it gives none. Values of the wrong shape are
-// the engine's error, not a silent default.
+// The property of a deck, null if it is not given. LIGGGHTS stops if its shape is wrong.
 LAMMPS_NS::FixPropertyGlobal* DeckProperties::values(const char* field, const char* shape, int rows,
                                                      int columns) const {
   return given(field) ? find(field, shape, rows, columns, true) : nullptr;
@@ -73,21 +69,22 @@ bool DeckProperties::positive(const char* field) const {
 
 double DeckProperties::per_type(const char* field, int type, const char* unit,
                                 double fallback) const {
-  if (const auto found = values(field, "peratomtype", type_count_, 0))
-    return found->compute_vector(type - 1);
-  const std::string name = property_name(field);
+  if (const auto property = values(field, "peratomtype", type_count_, 0))
+    return property->compute_vector(type - 1);
   if (!std::isnan(fallback)) return fallback;
-  std::string found_instead;
-  for (const std::string& other : misspelt(name)) found_instead += ". The deck has " + other;
-  fail(name + " is missing; give it for every atom type [" + this->unit(unit) + "]: fix ID all " +
-       "property/global " + name + " peratomtype VALUE ..." + found_instead);
-  return fallback;
+  const std::string name = property_name(field);
+  std::string similar;
+  for (const std::string& other : unused_similar_to(name))
+    similar += ". The deck defines " + other + ", possibly a misspelling";
+  fail("property " + name + " is missing. Add one value [" + this->unit(unit) +
+       "] per atom type: `fix ID all property/global " + name + " peratomtype VALUE ...`" +
+       similar);
 }
 
 double DeckProperties::per_pair(const char* field, int type, int other_type,
                                 double fallback) const {
-  const auto found = values(field, "peratomtypepair", type_count_, type_count_);
-  return found ? found->compute_array(type - 1, other_type - 1) : fallback;
+  const auto property = values(field, "peratomtypepair", type_count_, type_count_);
+  return property ? property->compute_array(type - 1, other_type - 1) : fallback;
 }
 
 std::vector<Body> DeckProperties::bodies(bool yields) const {
@@ -113,9 +110,7 @@ void DeckProperties::check_friction() const {
       }
 }
 
-void DeckProperties::fail(const std::string& reason) const {
-  error->all(FLERR, (model_ + ": " + reason).c_str());
-}
+void DeckProperties::fail(const std::string& reason) const { stop(lmp, model_ + ": " + reason); }
 
 void DeckProperties::check(const Complaint& complaint) const {
   if (!complaint.empty()) fail(worded(complaint));
@@ -129,15 +124,14 @@ std::string DeckProperties::unit(const std::string& si) const {
   return unit_in_deck(update->unit_style, si);
 }
 
-std::vector<std::string> DeckProperties::misspelt(const std::string& name) const {
-  std::vector<std::string> found;
-  for (int k = 0; k < modify->nfix; ++k) {
-    const auto property = dynamic_cast<LAMMPS_NS::FixPropertyGlobal*>(modify->fix[k]);
-    if (!property) continue;
+std::vector<std::string> DeckProperties::unused_similar_to(const std::string& name) const {
+  std::vector<std::string> names;
+  for (LAMMPS_NS::FixPropertyGlobal* const property :
+       fixes_of<LAMMPS_NS::FixPropertyGlobal>(modify)) {
     const std::string given = variable_name(property);
-    if (!asked_.count(given) && letters_apart(given, name) <= 2) found.push_back(given);
+    if (!used_.count(given) && letters_apart(given, name) <= 2) names.push_back(given);
   }
-  return found;
+  return names;
 }
 
 std::vector<std::string> DeckProperties::doubts(const std::vector<Body>& bodies,
@@ -156,7 +150,7 @@ std::vector<std::string> DeckProperties::doubts(const std::vector<Body>& bodies,
       std::ostringstream text;
       text << "cohesionEnergyDensity is " << pull << " [" << unit("Pa")
            << "], above the yield pressure " << push
-           << ": cohesion sjkr or sjkr2 draws these bodies into one another";
+           << ". cohesion sjkr or sjkr2 pulls these bodies into each other";
       sentences.push_back(about_types(text.str(), type, other));
     }
   return sentences;
@@ -164,9 +158,9 @@ std::vector<std::string> DeckProperties::doubts(const std::vector<Body>& bodies,
 
 std::vector<std::string> DeckProperties::misspellings() const {
   std::vector<std::string> sentences;
-  for (const std::string& name : asked_)
-    for (const std::string& other : misspelt(name))
-      sentences.push_back("no model uses the property " + other + "; is it " + name + '?');
+  for (const std::string& name : used_)
+    for (const std::string& other : unused_similar_to(name))
+      sentences.push_back("property " + other + " is not used. Possible misspelling of " + name);
   return sentences;
 }
 

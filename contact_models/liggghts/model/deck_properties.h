@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// What the deck says of materials: `fix property/global`, read by the names of the laws' fields.
+// The material properties of a deck, `fix ID all property/global`, by the field names of the laws.
 #pragma once
 
 #include <cmath>
@@ -19,33 +19,31 @@ class FixPropertyGlobal;
 
 namespace plastigran {
 
-// What decks call a field of the laws: yieldStrength for yield_strength. LIGGGHTS names properties
-// in camel case.
+// The property of a field, in camel case like LIGGGHTS' properties: yieldStrength for
+// yield_strength.
 std::string property_name(const std::string& field);
 
 class DeckProperties : protected LAMMPS_NS::Pointers {
  public:
-  // `model` words who asks, in messages.
+  // `model` is the name of the caller in messages.
   DeckProperties(LAMMPS_NS::LAMMPS* engine, const std::string& model, int type_count)
       : Pointers(engine), model_(model), type_count_(type_count) {}
 
-  // Whether the deck gives the property at all.
   bool given(const char* field) const;
 
-  // Whether the deck gives the property and it is positive for any atom type.
+  // Whether a property is given and positive for any atom type.
   bool positive(const char* field) const;
 
-  // The value for an atom type. Without a fallback it must be given.
+  // The value for an atom type. Stops if it is missing and there is no fallback.
   double per_type(const char* field, int type, const char* unit, double fallback = NAN) const;
 
-  // The value for a pair of atom types, the fallback when the deck gives none.
+  // The value for a pair of atom types.
   double per_pair(const char* field, int type, int other_type, double fallback) const;
 
-  // The bulk constants of every atom type, unchecked. Their strength may be left out where nothing
-  // yields.
+  // The constants of every atom type, unchecked. Stops if a strength is missing and `yields`.
   std::vector<Body> bodies(bool yields) const;
 
-  // All that a law asks for.
+  // All constants that a law needs.
   template <class Law>
   Materials materials() const {
     Materials materials;
@@ -66,32 +64,24 @@ class DeckProperties : protected LAMMPS_NS::Pointers {
     return materials;
   }
 
-  // Stops where a coefficient of friction is negative, which the engine takes.
+  // Stops if a coefficient of friction is negative, which LIGGGHTS accepts.
   void check_friction() const;
 
-  // Stops on all ranks together.
-  void fail(const std::string& reason) const;
+  [[noreturn]] void fail(const std::string& reason) const;  // collective
+  void check(const Complaint& complaint) const;             // fails unless it is empty
 
-  // Stops with a complaint, unless it is empty.
-  void check(const Complaint& complaint) const;
-
-  // A complaint with the properties' names and the deck's units.
+  // A complaint, a unit, and all names with the property names and the units of the deck.
   std::string worded(const Complaint& complaint) const;
-
-  // The deck's unit for an SI unit.
   std::string unit(const std::string& si) const;
-
-  // The deck's names of fields and units.
   Words words() const {
     return {property_name, [this](const std::string& si) { return unit(si); }};
   }
 
-  // Sentences on properties that nothing has asked for and whose name is a letter or two off one
-  // that has been.
+  // Sentences on unused properties with a name that differs from a used one by one or two letters.
   std::vector<std::string> misspellings() const;
 
-  // The same on all that is allowed and yet looks like a slip, values of bodies, too. `cohesive`:
-  // bodies draw each other.
+  // The same, and sentences on values that are allowed but probably wrong. `cohesive`: the contacts
+  // have a cohesion model.
   std::vector<std::string> doubts(const std::vector<Body>& bodies, bool cohesive) const;
 
  private:
@@ -99,13 +89,11 @@ class DeckProperties : protected LAMMPS_NS::Pointers {
                                      bool required) const;
   LAMMPS_NS::FixPropertyGlobal* values(const char* field, const char* shape, int rows,
                                        int columns) const;
-
-  // Properties of the deck that may stand for a misspelt `name`.
-  std::vector<std::string> misspelt(const std::string& name) const;
+  std::vector<std::string> unused_similar_to(const std::string& name) const;
 
   std::string model_;
   int type_count_;
-  mutable std::set<std::string> asked_;  // names asked for so far
+  mutable std::set<std::string> used_;  // names of properties
 };
 
 }  // namespace plastigran

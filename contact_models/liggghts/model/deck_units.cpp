@@ -9,8 +9,8 @@ std::string unit_in_deck(const std::string& unit_style, const std::string& si) {
   static const std::map<std::string, std::string> cgs{
       {"Pa", "dyn/cm2"}, {"m", "cm"}, {"m/s", "cm/s"}, {"s", "s"}, {"1/s", "1/s"}, {"-", "-"}};
   if (unit_style == "si" || si == "-") return si;
-  const auto found = cgs.find(si);
-  return unit_style == "cgs" && found != cgs.end() ? found->second : unit_style + " units";
+  const auto unit = cgs.find(si);
+  return unit_style == "cgs" && unit != cgs.end() ? unit->second : unit_style + " units";
 }
 
 std::string sentence_in_deck(const std::string& unit_style, std::string sentence) {

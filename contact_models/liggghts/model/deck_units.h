@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// What the deck's `units` are called. Laws compute in any consistent units and speak in SI.
+// Names of the units in a deck. Laws compute in any consistent units, and their messages are in SI.
 #pragma once
 
 #include <string>
 
 namespace plastigran {
 
-// The deck's unit for an SI unit: dyn/cm2 for Pa under `units cgs`, "micro units" under `units
-// micro` and the like.
+// The unit of the deck for an SI unit: dyn/cm2 for Pa with `units cgs`, "micro units" with `units
+// micro`.
 std::string unit_in_deck(const std::string& unit_style, const std::string& si);
 
-// A sentence with units in brackets, "[Pa]", in the deck's units.
+// Replaces the units in brackets, "[Pa]", by those of the deck.
 std::string sentence_in_deck(const std::string& unit_style, std::string sentence);
 
-// 1 Pa in the deck's unit; 0 when it is not known.
+// 1 Pa in the unit of the deck; 0 if unknown.
 double pascal_in_deck(const std::string& unit_style);
 
 }  // namespace plastigran

@@ -9,7 +9,7 @@
 
 namespace plastigran {
 
-// The engine's settings say their value to a file, numbers with few digits.
+// LIGGGHTS can only print settings to a file, with few digits.
 std::string settings_text(Settings& settings) {
   std::string text;
   for (const auto& [name, setting] : settings_by_name(settings)) {

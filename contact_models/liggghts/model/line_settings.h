@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// The settings of a pair style's or wall's line as one text: NAME WORD NAME WORD ...
+// The settings of a pair style or wall as text: NAME WORD NAME WORD ...
 #pragma once
 
 #include <string>
@@ -10,14 +10,13 @@
 
 namespace plastigran {
 
-// Of settings that were registered, and parsed since.
+// The text of settings that LIGGGHTS has read.
 std::string settings_text(Settings& settings);
 
-// Sets what the text names; names that are not registered are left.
+// Sets the registered settings that the text names.
 void set_from_text(Settings& settings, const std::string& text);
 
-// The same for a model that the engine made without a line, from a restart file: `read` is called
-// when the model has its settings.
+// Sets the settings of a model that LIGGGHTS made from a restart file, and then calls `read`.
 template <class Model, class Read>
 void restore_settings(LAMMPS_NS::LAMMPS* engine, Model& model, const std::string& text, Read read) {
   Settings settings(engine);

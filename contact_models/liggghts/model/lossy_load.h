@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// What takes energy from the motion of two bodies in contact beside yielding: the work of friction,
-// rolling friction and dashpots.
+// Loads that dissipate energy without yielding: friction, rolling friction and dashpots.
 #pragma once
 
 #include <array>
@@ -17,7 +16,7 @@ double dot(const A& a, const B& b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-// All of a contact's load but the law's force, which is conservative or yields.
+// The load of a contact without the force of the law.
 struct LossyLoad {
   Vector force{};  // on particle i, its opposite on the other body
   Vector torque_i{}, torque_j{};
@@ -33,8 +32,8 @@ struct LossyLoad {
     }
   }
 
-  // As seen from the other body.
-  LossyLoad turned() const {
+  // The load for exchanged bodies.
+  LossyLoad exchanged() const {
     LossyLoad other;
     other.force = {-force[0], -force[1], -force[2]};
     other.torque_i = torque_j;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// What the line of a pair style or wall may say to a normal model over a law.
+// The settings of a normal model in the line of a pair style or wall.
 #pragma once
 
 #include <string>
@@ -15,12 +15,12 @@ namespace plastigran {
 template <class Law>
 class NormalModelSettings {
  public:
-  typename Law::Parameters choices;  // the law's options as set; its constants at their defaults
+  typename Law::Parameters choices;  // options of the law; constants have their defaults
   bool viscous_damping = false;
-  bool tangential_damping = true;  // the dashpot beside the tangential spring too
-  double overlap_limit = 1.0;      // of the smaller radius; beyond it the run is stopped
+  bool tangential_damping = true;  // also a dashpot of the tangential spring
+  double overlap_limit = 1.0;      // in smaller radii; a larger overlap stops the run
 
-  // The engine reads a line into `settings` after this and before read().
+  // LIGGGHTS reads the line into `settings` between declare() and read().
   void declare(Settings& settings) {
     being_read_ = &settings;
     settings.registerOnOff("viscous_damping", viscous_damping, false);
@@ -29,23 +29,22 @@ class NormalModelSettings {
     for (const auto& option : options_of<Law>)
       add_choice(settings, option.name, option.choices.data(), option.choices.size(),
                  choices.*option.value);
-    settings.registerOnOff("computeElasticPotential", engine_elastic_potential_, false);
-    settings.registerOnOff("computeDissipatedEnergy", engine_dissipated_energy_, false);
+    settings.registerOnOff("computeElasticPotential", host_elastic_potential_, false);
+    settings.registerOnOff("computeDissipatedEnergy", host_dissipated_energy_, false);
   }
 
-  // The line is there: keeps its text. Returns what is wrong with it, empty when nothing is.
+  // Stores the text of the line. Returns what is wrong with it; empty if nothing is.
   std::string read() {
     text_ = settings_text(*being_read_);
     being_read_ = nullptr;
-    if (engine_elastic_potential_) return refusal("computeElasticPotential");
-    if (engine_dissipated_energy_) return refusal("computeDissipatedEnergy");
-    if (!(overlap_limit > 0 && overlap_limit <= 2))
-      return "overlap_limit is " + std::to_string(overlap_limit) +
-             "; it must be above 0 and at most 2, of the smaller radius";
-    return "";
+    if (host_elastic_potential_) return refusal("computeElasticPotential");
+    if (host_dissipated_energy_) return refusal("computeDissipatedEnergy");
+    if (overlap_limit > 0 && overlap_limit <= 2) return "";
+    return "overlap_limit is " + std::to_string(overlap_limit) +
+           "; it must be above 0 and at most 2, in radii of the smaller body";
   }
 
-  // Lines on what the deck gives and this model does not use; said of pairs, not again of walls.
+  // Log lines on properties of the deck that this model does not use, for pairs only.
   // `has_foreign`: another line has a model of LIGGGHTS, which uses the restitution.
   std::string describe_unused(const std::string& caller, const DeckProperties& deck, bool is_wall,
                               bool has_foreign) const {
@@ -53,23 +52,24 @@ class NormalModelSettings {
     std::string text;
     if (!viscous_damping && !has_foreign && deck.given("coefficient_restitution"))
       text += caller +
-              ": coefficientRestitution is not used, restitution follows from the law; "
-              "it is the dashpot's, viscous_damping on\n";
+              ": coefficientRestitution is not used, because the restitution follows from the law. "
+              "Only the dashpot of `viscous_damping on` uses it\n";
     if (!hardens<Law> && deck.given("tangent_modulus"))
-      text += caller + ": tangentModulus is not used, this law does not harden\n";
+      text += caller + ": tangentModulus is not used, because the law has no hardening\n";
     return text;
   }
 
-  // The line as NAME WORD NAME WORD ..., empty as long as none was read.
+  // The settings as NAME WORD NAME WORD ...; empty before LIGGGHTS has read a line.
   const std::string& text() const { return text_; }
 
  private:
   static std::string refusal(const char* setting) {
-    return std::string(setting) + " is not available with this model; leave it off";
+    return std::string(setting) +
+           " is not supported by this model. Remove it, or use `energy_ledger on`";
   }
 
-  bool engine_elastic_potential_ = false;
-  bool engine_dissipated_energy_ = false;
+  bool host_elastic_potential_ = false;
+  bool host_dissipated_energy_ = false;
   Settings* being_read_ = nullptr;
   std::string text_;
 };

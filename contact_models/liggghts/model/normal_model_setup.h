@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// What a normal model over any law does before a run: it reads its line and the deck, refuses what
-// it cannot do, and fills the table of type pairs.
+// The setup of a normal model for any law: it reads settings and properties of the deck, checks
+// them, and builds the table of type pairs.
 //
-// History values carry the flag "0": they are scalars, the same seen from either particle. ("1"
-// would flip their sign whenever the pair is stored from the other side.)
+// History values have the flag "0", because they are scalars, equal for both particles. With "1"
+// LIGGGHTS would change their sign if it stores the pair from the side of the other particle.
 //
-// LIGGGHTS' contact_models.h includes every model, and so this file: it comes before the guard.
+// The include guard follows contact_models.h, because that header includes this one.
 #include "contact_models.h"
 #ifndef PLASTIGRAN_NORMAL_MODEL_SETUP_H
 #define PLASTIGRAN_NORMAL_MODEL_SETUP_H
@@ -18,13 +18,11 @@
 #include "atom.h"
 #include "comm.h"
 #include "domain.h"
-#include "error.h"
 #include "global_properties.h"
 #include "liggghts/fixes/history_keeper.h"
 #include "liggghts/fixes/motion_check.h"
 #include "liggghts/fixes/plugin_fix.h"
 #include "liggghts/fixes/parted_walls.h"
-#include "liggghts/fixes/print.h"
 #include "liggghts/model/contact_owner.h"
 #include "liggghts/model/contact_setup.h"
 #include "liggghts/model/contact_checks.h"
@@ -56,7 +54,7 @@ class NormalModelSetup : public NormalModelBase {
         owner_(setup.owner(), contact_model->is_wall()),
         restarted_lines_(plastigran::HistoryKeeper::restarted_lines(lmp)) {
     plastigran::refuse_replacement(lmp);
-    // A new line needs a set-up: `run ... pre no` would not know it.
+    // A new line needs a setup, also with `run ... pre no`.
     if (!update->whichflag) update->first_update = 0;
     for (std::size_t k = 0; k < Law::state_names.size(); ++k) {
       const int offset = setup.add_history_value(Law::state_names[k], "0");
@@ -73,7 +71,7 @@ class NormalModelSetup : public NormalModelBase {
     if (!complaint.empty()) fail(complaint);
   }
 
-  // LIGGGHTS calls this before every run, on all ranks together.
+  // LIGGGHTS calls this before every run. Collective.
   void connectToProperties(PropertyRegistry& registry) override {
     refuse_unsuitable();
     add_motion_check();
@@ -101,38 +99,43 @@ class NormalModelSetup : public NormalModelBase {
   int history_offset_ = 0;
   bool smooth_friction_ = false;
   double least_radius_eff_ = 0;  // contacts of smaller bodies are refused
-  double** damping_ = nullptr;   // LIGGGHTS' beta(coefficientRestitution) of each type pair
+  double** damping_ = nullptr;   // LIGGGHTS' beta(coefficientRestitution) by type pair
 
  private:
   typedef plastigran::DeckProperties DeckProperties;
   typedef plastigran::HistoryKeeper HistoryKeeper;
 
   static std::string caller() { return std::string("model ") + Law::name; }
-  void fail(const std::string& reason) { error->all(FLERR, (caller() + ": " + reason).c_str()); }
+  void fail(const std::string& reason) { plastigran::stop(lmp, caller() + ": " + reason); }
 
-  // Stops if the law is not for these particles, dimensions or companion models.
+  // Stops if the law does not support the particles, the dimension or the other models.
   void refuse_unsuitable() {
 #ifdef SUPERQUADRIC_ACTIVE_FLAG
-    if (atom->superquadric_flag) fail("it is for spheres; this atom style is not");
+    if (atom->superquadric_flag)
+      fail(
+          "the law supports only spheres, but the atom style is superquadric. Use `atom_style "
+          "granular`");
 #endif
     if (is_cylinder && domain->dimension != 2)
-      fail("it is for cylinders, the discs of a 2D deck (dimension 2); this deck is 3D");
-    const std::string unsuitable = owner_.unsuitable_model(is_cylinder, plastigran::adhesive<Law>);
+      fail(
+          "the law is for cylinders, but this deck is 3D. Use `dimension 2`, or a law for spheres");
+    const std::string unsuitable =
+        owner_.unsuitable_model(Law::name, is_cylinder, plastigran::adhesive<Law>);
     if (!unsuitable.empty()) fail(unsuitable);
     if (plastigran::lasts_apart<Law> && owner_.is_mesh_wall())
       fail("walls of meshes are not supported with adhesion. Use primitive walls");
   }
 
-  // Adds the fix that checks motion and periodic sides.
   void add_motion_check() {
-    const bool is_late = owner_.is_wall() && !plastigran::find_fix<plastigran::MotionCheck>(lmp);
-    const auto motion = plastigran::ensure_fix<plastigran::MotionCheck>(lmp);
-    if (is_late) motion->list_fixes_again();
-    if (!owner_.is_wall() && !owner_.histories().empty()) motion->check_periodic_sides(caller());
+    using plastigran::MotionCheck;
+    const bool is_late = owner_.is_wall() && !plastigran::find_fix<MotionCheck>(lmp);
+    const auto check = plastigran::ensure_fix<MotionCheck>(lmp);
+    if (is_late) check->list_fixes_again();
+    if (!owner_.is_wall() && !owner_.histories().empty()) check->check_periodic_sides(caller());
   }
 
-  // Adds the fixes that keep histories, and takes the line's settings from a restart file if
-  // the deck has no line.
+  // Adds the fixes that keep histories. Restores the settings of the line if LIGGGHTS made the
+  // model from a restart file.
   HistoryKeeper& keep_histories() {
     const auto parted = plastigran::ensure_fix<plastigran::PartedWalls>(lmp);
     HistoryKeeper& keeper = *HistoryKeeper::of(lmp, restarted_lines_);
@@ -143,29 +146,32 @@ class NormalModelSetup : public NormalModelBase {
     return keeper;
   }
 
-  // Tells the keeper of histories which model and which constants this line has.
+  // Gives the models and constants of the line to the keeper of histories.
   void describe_line(HistoryKeeper& keeper, const DeckProperties& deck) {
-    const auto constants = [&](const std::string& line, const char* assumed) {
-      return pairs_.describe(line, deck.words(), settings_.choices, assumed);
+    const auto constants = [&](const std::string& name, const char* assumed) {
+      return pairs_.describe(name, deck.words(), settings_.choices, assumed);
     };
-    const std::string options = plastigran::options_text<Law>(settings_.choices, " ");
-    const bool has_memory = !Law::state_names.empty();
-    keeper.connect(
-        owner_.name(),
-        {caller() + owner_.other_models() + options, settings_.text(), owner_.histories(),
-         has_memory ? constants(caller() + (owner_.is_wall() ? ", wall" : ""), "") : "", !reported_,
-         reported_ ? "" : constants(caller(), " (default)")});
+    plastigran::ContactLine line;
+    line.models =
+        caller() + owner_.other_models() + plastigran::options_text<Law>(settings_.choices, " ");
+    line.settings = settings_.text();
+    line.histories = owner_.histories();
+    if (!Law::state_names.empty())
+      line.constants = constants(caller() + (owner_.is_wall() ? ", wall" : ""), "");
+    line.is_new = !reported_;
+    if (!reported_) line.report = constants(caller(), " (default)");
+    keeper.connect(owner_.name(), line);
   }
 
-  // Settles what the force loop needs beside the laws.
   void prepare_forces(PropertyRegistry& registry) {
     if (settings_.viscous_damping) {
       registry.registerProperty("betaeff", &MODEL_PARAMS::createBetaEff);
       registry.connect("betaeff", damping_, caller().c_str());
     }
-    smooth_friction_ = owner_.tangential_model_is("no_history");
-    // Ask for surfacesClose() just outside contact, where the history is cleared: otherwise a pair
-    // that parts and meets again before the next neighbour build would remember its dent.
+    smooth_friction_ = owner_.has_model("tangential", "no_history");
+    // LIGGGHTS then calls surfacesClose() just outside of contact, which clears the history.
+    // Without it, a pair that separates and touches again before the next neighbor build would keep
+    // it.
     neighbor->register_contact_dist_factor(1.01);
   }
 
@@ -202,14 +208,15 @@ class NormalModelSetup : public NormalModelBase {
     neighbor->register_contact_dist_factor(1 + 2 * share);
   }
 
-  // Once, on the first rank: what the deck gives and no model uses, or that looks like a slip, and
-  // lines with different models.
+  // Reports unused properties and doubtful values once, and lines with different normal models.
   void report(const DeckProperties& deck) {
     const plastigran::MixedModels mixed = plastigran::mixed_models(lmp);
-    if (!reported_ && comm->me == 0) report_unused(deck, mixed.has_foreign);
-    if (comm->me == 0 && !mixed.text.empty() && mixed.first == owner_.name())
-      checks_.warn_once("lines have different normal models: " + mixed.text +
-                        ". Use one model in all lines, unless this is intended");
+    if (comm->me == 0) {
+      if (!reported_) report_unused(deck, mixed.has_foreign);
+      if (!mixed.text.empty() && mixed.first == owner_.name())
+        checks_.warn_once("lines have different normal models: " + mixed.text +
+                          ". Use one model in all lines, unless this is intended");
+    }
     reported_ = true;
   }
 
@@ -221,15 +228,15 @@ class NormalModelSetup : public NormalModelBase {
     for (const std::string& doubt : deck.doubts(pairs_.bodies(), cohesive))
       checks_.warn_once(doubt);
     if (neighbor->style == 2)
-      checks_.warn_once("this engine misses contacts with `neighbor multi`; give `bin`");
+      checks_.warn_once("LIGGGHTS misses contacts with `neighbor ... multi`. Use `bin`");
   }
 
-  // Stops if types may meet that the law is not for. Hands the times of the coming impacts on.
+  // Stops if the law does not support two atom types that may touch. Finds the fastest impacts.
   void forecast_impacts(const DeckProperties& deck) {
     const int type_count = pairs_.type_count();
     const plastigran::ImpactForecast forecast(plastigran::type_extremes(lmp, type_count),
                                               owner_.partner_types(type_count), owner_.is_wall(),
-                                              plastigran::ContactOwner::wall_types(modify));
+                                              plastigran::wall_types(modify));
     deck.check(plastigran::refusal(forecast.meetings(), forecast.expected(), pairs_));
     if (comm->me != 0) return;
     const double rayleigh =
@@ -239,8 +246,8 @@ class NormalModelSetup : public NormalModelBase {
   }
 
   plastigran::ContactOwner owner_;
-  const std::string restarted_lines_;  // by HistoryKeeper
-  bool reported_ = false;
+  const std::string restarted_lines_;  // HistoryKeeper::restarted_lines() at construction
+  bool reported_ = false;              // the line, in an earlier run
 };
 
 }  // namespace ContactModels

@@ -1,27 +1,20 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-//
-// Which normal model each line of a deck has: the pair style and the granular walls.
 #pragma once
 
 #include <string>
 
 namespace LAMMPS_NS {
-class FixWallGran;
 class LAMMPS;
-class PairGran;
-}  // namespace LAMMPS_NS
+}
 
 namespace plastigran {
 
-// The law of this package that a pair style or wall has; empty: a model of LIGGGHTS.
-std::string law_of(LAMMPS_NS::PairGran* pair);
-std::string law_of(LAMMPS_NS::FixWallGran* wall);
-
-// The lines that have them, as long as there is more than one normal model.
+// The normal models in the lines of a deck, if they differ.
 struct MixedModels {
-  std::string text;   // "pair_style thornton; fix floor a model of LIGGGHTS"; empty: one model
-  std::string first;  // the first line with a law, which reports this: "pair_style", "fix ID"
-  bool has_foreign = false;  // a model of LIGGGHTS is one of them
+  std::string
+      text;  // "pair_style has thornton; fix floor has a model of LIGGGHTS"; empty: one model
+  std::string first;         // the first line with a law: "pair_style" or "fix ID"
+  bool has_foreign = false;  // a line has a model of LIGGGHTS
 };
 
 MixedModels mixed_models(LAMMPS_NS::LAMMPS* engine);

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "liggghts/model/periodic_sides.h"
 
-#include <mpi.h>
-
 #include <algorithm>
 #include <array>
 #include <sstream>
@@ -12,8 +10,8 @@
 #include "domain.h"
 #include "fix_insert.h"
 #include "lammps.h"
-#include "liggghts/fixes/engine_access.h"
-#include "modify.h"
+#include "liggghts/fixes/plugin_fix.h"
+#include "liggghts/fixes/ranks.h"
 #include "neighbor.h"
 
 namespace plastigran {
@@ -29,20 +27,15 @@ void take(TwoLargest& largest, double diameter) {
     largest[1] = diameter;
 }
 
-// The diameters of the two largest particles; 0 where there are fewer.
+// The diameters of the two largest particles; 0 if there are fewer.
 TwoLargest largest_diameters(LAMMPS_NS::LAMMPS* engine) {
   TwoLargest largest{};
   for (int i = 0; i < engine->atom->nlocal; ++i) take(largest, 2 * engine->atom->radius[i]);
-  int ranks;
-  MPI_Comm_size(engine->world, &ranks);
-  std::vector<TwoLargest> of_ranks(ranks);
-  MPI_Allgather(&largest, 2, MPI_DOUBLE, of_ranks.data(), 2, MPI_DOUBLE, engine->world);
+  const std::vector<double> of_ranks =
+      gather_all(std::vector<double>(largest.begin(), largest.end()), engine->world);
   largest = {};
-  for (const TwoLargest& of_rank : of_ranks)
-    for (const double diameter : of_rank) take(largest, diameter);
-  for (int k = 0; k < engine->modify->nfix; ++k) {
-    const auto insertion = dynamic_cast<LAMMPS_NS::FixInsert*>(engine->modify->fix[k]);
-    if (!insertion) continue;
+  for (const double diameter : of_ranks) take(largest, diameter);
+  for (LAMMPS_NS::FixInsert* const insertion : fixes_of<LAMMPS_NS::FixInsert>(engine->modify)) {
     double radius = 0;
     for (int type = 1; type <= engine->atom->ntypes; ++type)
       radius = std::max(radius, insertion->max_rad(type));
@@ -54,7 +47,7 @@ TwoLargest largest_diameters(LAMMPS_NS::LAMMPS* engine) {
 
 }  // namespace
 
-std::string too_short_periodic_side(LAMMPS_NS::LAMMPS* engine) {
+std::string short_periodic_side(LAMMPS_NS::LAMMPS* engine) {
   const LAMMPS_NS::Domain* const domain = engine->domain;
   const TwoLargest diameters = largest_diameters(engine);
   const double shortest = diameters[0] + diameters[1] + engine->neighbor->skin;

@@ -14,6 +14,6 @@ namespace plastigran {
 
 // Returns why a periodic side of the box is too short for the particles present and those that
 // fixes insert; empty if none is. Collective.
-std::string too_short_periodic_side(LAMMPS_NS::LAMMPS* engine);
+std::string short_periodic_side(LAMMPS_NS::LAMMPS* engine);
 
 }  // namespace plastigran

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// Contacts that can be asked what they store, at any time between two displacements of their
-// particles.
+// Contacts that can compute their stored energies again, until their particles move.
 #pragma once
 
 namespace plastigran {
@@ -9,7 +8,7 @@ namespace plastigran {
 class StoredEnergies {
  public:
   virtual ~StoredEnergies() {}
-  virtual void count_stored_energies() = 0;  // hands each to EnergyLedger::add_stored()
+  virtual void count_stored_energies() = 0;  // calls EnergyLedger::add_stored()
 };
 
 }  // namespace plastigran

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-//
-// The extremes of the particles of each type, over all ranks.
 #pragma once
 
 #include <vector>
@@ -13,7 +11,7 @@ class LAMMPS;
 
 namespace plastigran {
 
-// By type - 1. All ranks together.
+// The extremes of the particles of each atom type (by type - 1) on all ranks. Collective.
 std::vector<TypeExtremes> type_extremes(LAMMPS_NS::LAMMPS* engine, int type_count);
 
 }  // namespace plastigran

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// The point of a wall that a particle touches, and how fast the wall moves there. A mesh moves by
-// its velocity times the time step, before forces are computed: asked after the move, the velocity
-// is the one of the step under way.
+// The contact point on a wall, and the velocity of the wall there. A mesh moves by its velocity
+// times the time step before forces are computed. After that, its velocity is the one of the
+// current step.
 #pragma once
 
 #include <array>
@@ -14,7 +14,7 @@ namespace plastigran {
 
 class WallPoint {
  public:
-  // `centre`: of the particle. Good until triangles are exchanged between ranks.
+  // `centre`: of the particle. Valid until ranks exchange triangles.
   WallPoint(const LIGGGHTS::ContactModels::SurfacesIntersectData& contact, double* centre)
       : mesh_(contact.mesh),
         triangle_(contact.j),

@@ -2,13 +2,23 @@
 #include "liggghts/observers/contact_observer.h"
 
 #include <cstring>
+#include <utility>
 
-#include "comm.h"
 #include "force.h"
 #include "pair.h"
-#include "liggghts/fixes/print.h"
 
 namespace plastigran {
+
+std::string ReportingOwners::new_missing_walls(const LAMMPS_NS::Modify* modify) {
+  std::string missing;
+  for (int k = 0; k < modify->nfix; ++k) {
+    const LAMMPS_NS::Fix* const wall = modify->fix[k];
+    if (std::strncmp(wall->style, "wall/gran", 9) == 0 && !has(wall))
+      missing += (missing.empty() ? "" : ", ") + std::string(wall->id);
+  }
+  owners_.clear();
+  return std::exchange(missing_, missing) == missing ? "" : missing;
+}
 
 ContactObserver::ContactObserver(LAMMPS_NS::LAMMPS* engine, int count, char** words)
     : PluginFix(engine, count, words) {
@@ -17,12 +27,8 @@ ContactObserver::ContactObserver(LAMMPS_NS::LAMMPS* engine, int count, char** wo
 
 std::vector<ContactObserver*> ContactObserver::attach(LAMMPS_NS::LAMMPS* engine,
                                                       const void* owner) {
-  std::vector<ContactObserver*> observers;
-  for (int k = 0; k < engine->modify->nfix; ++k)
-    if (const auto observer = dynamic_cast<ContactObserver*>(engine->modify->fix[k])) {
-      observer->attached_.insert(owner);
-      observers.push_back(observer);
-    }
+  const auto observers = fixes_of<ContactObserver>(engine->modify);
+  for (ContactObserver* const observer : observers) observer->owners_.add(owner);
   return observers;
 }
 
@@ -32,38 +38,23 @@ void ContactObserver::init() {
 }
 
 void ContactObserver::setup_pre_exchange() {
-  if (!attached_.count(force->pair_match("gran", 1)))
-    fail("the pair_style line has another model; it needs one of this plugin's laws");
-  const std::string strangers = strange_walls(modify, attached_);
-  attached_.clear();
-  if (strangers == strangers_) return;
-  strangers_ = strangers;
-  if (comm->me == 0 && !strangers.empty())
-    warn(lmp, std::string("fix ") + id + ' ' + style +
-                  ": contacts with these walls of other models are not counted: " + strangers);
+  if (!owners_.has(force->pair_match("gran", 1)))
+    fail("the pair_style line has a model of LIGGGHTS. Use one of this plugin's laws");
+  const std::string walls = owners_.new_missing_walls(modify);
+  if (comm->me == 0 && !walls.empty())
+    warn(lmp, name() + ": contacts with these walls of other models are not counted: " + walls);
 }
 
-void ContactObserver::fail(const std::string& reason) {
-  error->all(FLERR, (std::string("fix ") + id + ' ' + style + ": " + reason).c_str());
-}
-
-std::string strange_walls(const LAMMPS_NS::Modify* modify, const std::set<const void*>& attached) {
-  std::string strangers;
-  for (int k = 0; k < modify->nfix; ++k) {
-    const LAMMPS_NS::Fix* const wall = modify->fix[k];
-    if (std::strncmp(wall->style, "wall/gran", 9) == 0 && !attached.count(wall))
-      strangers += std::string(strangers.empty() ? "" : ", ") + wall->id;
-  }
-  return strangers;
-}
+void ContactObserver::fail(const std::string& reason) const { stop(lmp, name() + ": " + reason); }
 
 std::string uncountable(LAMMPS_NS::LAMMPS* engine) {
   if (engine->force->newton_pair)
-    return "it needs `newton off`, for contacts across the borders between ranks";
-  for (const char* style : {"multisphere", "rigid"})
-    if (engine->modify->n_fixes_style(style) > 0)
-      return std::string("it counts particles, and not the bodies that fix ") + style +
-             " makes of them; leave it off";
+    return "`newton on` is not supported, because contacts across borders of ranks are then "
+           "computed on one side only. Use `newton off`";
+  for (const std::string style : {"multisphere", "rigid"})
+    if (engine->modify->n_fixes_style(style.c_str()) > 0)
+      return "fix " + style + " is not supported, because contacts are counted for particles and " +
+             "not for rigid bodies. Remove one of them";
   return "";
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// A fix of the deck that is told of every contact of the plugin's models, step by step. Its style
-// is known once the deck has a pair_style line of one of them.
+// A fix that a deck can add, and that receives every contact of the laws in every step. LIGGGHTS
+// knows its style after the first pair_style line with a law.
 #pragma once
 
 #include <set>
@@ -14,6 +14,21 @@
 
 namespace plastigran {
 
+// The pair style and the walls that report their contacts in the coming run, by address.
+class ReportingOwners {
+ public:
+  void add(const void* owner) { owners_.insert(owner); }
+  bool has(const void* owner) const { return owners_.count(owner); }
+
+  // IDs of the other granular walls, with commas; empty if they are the same as in the last call.
+  // Clears the list, because all owners report again before each run.
+  std::string new_missing_walls(const LAMMPS_NS::Modify* modify);
+
+ private:
+  std::set<const void*> owners_;
+  std::string missing_;
+};
+
 class ContactObserver : public PluginFix {
  public:
   typedef LIGGGHTS::ContactModels::SurfacesIntersectData Contact;
@@ -22,33 +37,28 @@ class ContactObserver : public PluginFix {
   // Stops unless the group is `all`.
   ContactObserver(LAMMPS_NS::LAMMPS* engine, int count, char** words);
 
-  // The observers there are; the pair style or wall `owner` will report to them. Before each run.
+  // All observers. The pair style or wall `owner` reports to them. For each setup.
   static std::vector<ContactObserver*> attach(LAMMPS_NS::LAMMPS* engine, const void* owner);
 
-  // What all models of a contact did together. `owner`: the pair style or wall. A contact with a
-  // ghost is reported from both sides, on the ranks of the two particles or twice on one.
-  // Set-up reports contacts too, with contact.shearupdate 0.
+  // Receives the loads of all models of a contact. The ranks of both particles report a contact
+  // with a ghost, or one rank twice. The setup reports contacts with contact.shearupdate 0.
   virtual void add(const Contact& contact, const AccountedLoad& on_i, const Load& on_j,
                    const void* owner) = 0;
 
-  void post_create() override { update->first_update = 0; }  // no `run ... pre no` without it
+  void post_create() override { update->first_update = 0; }  // needs a setup, also with `pre no`
   void init() override;
   void setup_pre_exchange() override;
 
  protected:
-  // Stops with "fix ID STYLE: reason". All ranks together.
-  void fail(const std::string& reason);
-
-  std::set<const void*> attached_;  // who reports, for the coming run
+  // "fix ID STYLE"
+  std::string name() const { return std::string("fix ") + id + ' ' + style; }
+  [[noreturn]] void fail(const std::string& reason) const;  // collective
 
  private:
-  std::string strangers_;
+  ReportingOwners owners_;
 };
 
-// IDs of granular walls that are not among `attached`, with commas.
-std::string strange_walls(const LAMMPS_NS::Modify* modify, const std::set<const void*>& attached);
-
-// Why contacts of this deck cannot be counted one by one; empty when they can.
+// Why contacts of this deck cannot be counted; empty if they can.
 std::string uncountable(LAMMPS_NS::LAMMPS* engine);
 
 }  // namespace plastigran

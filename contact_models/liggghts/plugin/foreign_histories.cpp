@@ -6,17 +6,15 @@
 
 #include "comm.h"
 #include "contact_models.h"
-#include "error.h"
 #include "fix_mesh_surface.h"
 #include "fix_wall_gran.h"
 #include "force.h"
 #include "lammps.h"
 #include "liggghts/fixes/engine_access.h"
 #include "liggghts/fixes/history_keeper.h"
-#include "liggghts/fixes/print.h"
+#include "liggghts/fixes/messages.h"
 #include "liggghts/model/companions.h"
 #include "liggghts/model/contact_owner.h"
-#include "liggghts/model/normal_models.h"
 #include "modify.h"
 #include "pair_gran.h"
 
@@ -27,8 +25,7 @@ using LAMMPS_NS::LAMMPS;
 
 namespace {
 
-// Styles of the fixes in which LIGGGHTS stores contact histories of pairs, meshes and primitive
-// walls, and its creators of them.
+// The fix styles in which LIGGGHTS stores contact histories of pairs, meshes and primitive walls.
 struct HistoryStyle {
   const char* style;
   FixCreator creator;
@@ -37,17 +34,16 @@ struct HistoryStyle {
 
 // The pair style or wall whose histories a fix stores.
 struct Owner {
-  std::string name;    // as HistoryKeeper has it; empty: the fix stores something else
-  std::string models;  // of this package, as HistoryKeeper has them without options; or empty
+  std::string name;    // "pair_style" or "fix ID"; empty: the fix stores something else
+  std::string models;  // as in ContactLine, without options; empty: a model of LIGGGHTS
 };
 
-template <class Style>
-std::string models_of(Style* owner, bool is_wall) {
-  const std::string law = law_of(owner);
-  return law.empty() ? "" : "model " + law + ContactOwner(owner, is_wall).other_models();
+std::string models_of(const ContactOwner& owner) {
+  const std::string law = owner.law();
+  return law.empty() ? "" : "model " + law + owner.other_models();
 }
 
-// Whether models that a restart file names, with options behind them, are these.
+// Whether the models in a restart file, which options may follow, are these models.
 bool are_models(const std::string& restarted, const std::string& models) {
   if (restarted.compare(0, models.size(), models) != 0) return false;
   const std::string options = restarted.substr(models.size());
@@ -58,19 +54,17 @@ bool are_models(const std::string& restarted, const std::string& models) {
                       });
 }
 
-// LIGGGHTS counts a particle's contacts with a mesh in a fix of its own, which goes with them.
+// Prefix of LIGGGHTS' fixes that count the contacts of a particle with a mesh.
 const std::string mesh_contacts = "n_neighs_mesh_";
 
 Owner wall_of(LAMMPS* engine, const std::string& fix_id) {
-  for (int k = 0; k < engine->modify->n_fixes_style("wall/gran"); ++k) {
-    const auto wall = dynamic_cast<FixWallGran*>(engine->modify->find_fix_style("wall/gran", k));
-    if (!wall) continue;
+  for (FixWallGran* const wall : fixes_of<FixWallGran>(engine->modify)) {
     bool stores = !wall->is_mesh_wall() && fix_id == std::string("history_") + wall->id;
     for (int mesh = 0; wall->is_mesh_wall() && mesh < wall->n_meshes(); ++mesh) {
       const std::string mesh_id = wall->mesh_list()[mesh]->id;
       stores = stores || fix_id == "tracker_" + mesh_id || fix_id == mesh_contacts + mesh_id;
     }
-    if (stores) return {std::string("fix ") + wall->id, models_of(wall, true)};
+    if (stores) return {std::string("fix ") + wall->id, models_of(ContactOwner(wall))};
   }
   return {};
 }
@@ -78,22 +72,23 @@ Owner wall_of(LAMMPS* engine, const std::string& fix_id) {
 Owner owner_of(LAMMPS* engine, const std::string& fix_id, const std::string& style) {
   if (style != "contacthistory") return wall_of(engine, fix_id);
   const auto pair = static_cast<LAMMPS_NS::PairGran*>(engine->force->pair_match("gran", 0));
-  return pair ? Owner{"pair_style", models_of(pair, false)} : Owner();
+  return pair ? Owner{pair_owner, models_of(ContactOwner(pair))} : Owner();
 }
 
 void discard_if_foreign(LAMMPS* engine, const std::string& fix_id, const std::string& style) {
   if (engine->modify->nfix_restart_peratom == 0) return;
   const Owner owner = owner_of(engine, fix_id, style);
-  const std::string models = HistoryKeeper::restarted_models(engine, owner.name);
+  ContactLines restarted = read_restart_text(HistoryKeeper::restarted_lines(engine));
+  const std::string models = restarted[owner.name].models;
   if (owner.name.empty()) return;
   if (!owner.models.empty() && !models.empty()) {
     if (!are_models(models, owner.models))
-      HistoryKeeper::refuse_other_models(engine, owner.name, models, owner.models);
+      refuse_other_models(engine, owner.name, models, owner.models);
     return;
   }
   if (owner.models.empty() && models.empty()) return;
   if (!discard_restarted(engine->modify, fix_id, style) || engine->comm->me != 0) return;
-  if (fix_id.rfind(mesh_contacts, 0) == 0) return;  // the log has the line of the histories
+  if (fix_id.rfind(mesh_contacts, 0) == 0) return;  // the message about the histories is enough
   if (owner.models.empty()) {
     warn(engine, owner.name + ": the restart file has contacts of `" + models +
                      "`, which a model of LIGGGHTS cannot continue. Their residual overlaps and "
@@ -108,19 +103,19 @@ void discard_if_foreign(LAMMPS* engine, const std::string& fix_id, const std::st
 LAMMPS_NS::Fix* make_history(LAMMPS* engine, int count, char** words) {
   const std::string style = words[2];
   discard_if_foreign(engine, words[0], style);
-  for (const HistoryStyle& known : styles)
-    if (style == known.style) return known.creator(engine, count, words);
+  for (const HistoryStyle& history : styles)
+    if (style == history.style) return history.creator(engine, count, words);
   return nullptr;
 }
 
 }  // namespace
 
 void discard_foreign_histories(LAMMPS* engine) {
-  for (HistoryStyle& known : styles) {
-    const FixCreator creator = fix_creator(engine->modify, known.style);
+  for (HistoryStyle& history : styles) {
+    const FixCreator creator = fix_creator(engine->modify, history.style);
     if (!creator || creator == make_history) continue;
-    known.creator = creator;
-    add_fix_style(engine->modify, known.style, make_history);
+    history.creator = creator;
+    add_fix_style(engine->modify, history.style, make_history);
   }
 }
 

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// A restart file may hold contact histories of LIGGGHTS' own models where the deck now has a law of
-// this package, or the reverse: a bed that settled with `hertz` continues with a law, for example.
-// Their values mean something else, and LIGGGHTS would stop. They are discarded, the contacts begin
-// with their present overlap, and the log says so.
+// A deck may read a restart file of LIGGGHTS' own models and continue with a law, for example after
+// a bed has settled with `hertz`, or the reverse. LIGGGHTS would stop, because the history values
+// differ. They are discarded with a message, and the contacts start with their current overlap.
 #pragma once
 
 namespace LAMMPS_NS {
@@ -12,7 +11,7 @@ class LAMMPS;
 
 namespace plastigran {
 
-// Looks from now on at each fix that stores contact histories as it is made.
+// Checks every fix that stores contact histories from now on, when it is made.
 void discard_foreign_histories(LAMMPS_NS::LAMMPS* engine);
 
 }  // namespace plastigran

@@ -51,9 +51,8 @@ int RegisteredCombination::*const places[] = {
     &RegisteredCombination::rolling, &RegisteredCombination::surface};
 
 const RegisteredLaw& law_of(int64_t hash) {
-  return **std::find_if(std::begin(laws), std::end(laws), [hash](const RegisteredLaw* law) {
-    return law->id == ContactSetup::model_of(hash, 0);
-  });
+  return **std::find_if(std::begin(laws), std::end(laws),
+                        [hash](const RegisteredLaw* law) { return law->id == model_of(hash, 0); });
 }
 
 // The combination compiled for these models: the one that has most of them by name.
@@ -84,7 +83,7 @@ std::string describe_refusal(int64_t hash) {
           });
       if (possible)
         others += std::string(" ") + companion.name;
-      else if (companion.id == ContactSetup::model_of(hash, k + 1))
+      else if (companion.id == model_of(hash, k + 1))
         refused = companion.name;
     }
     if (!refused.empty())

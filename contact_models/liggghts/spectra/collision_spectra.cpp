@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "liggghts/spectra/collision_spectra.h"
 
-#include <mpi.h>
-
 #include <algorithm>
 
 #include "atom.h"
 #include "comm.h"
 #include "fix_wall_gran.h"
 #include "force.h"
+#include "liggghts/fixes/ranks.h"
 #include "pair_gran.h"
 
 namespace plastigran {
@@ -23,7 +22,7 @@ CollisionSpectra::CollisionSpectra(LAMMPS_NS::LAMMPS* engine, int count, char** 
   extscalar = extvector = 1;
   restart_global = restart_peratom = 1;
   create_attribute = 1;
-  just_created = 0;  // LIGGGHTS would clear the records in the first set-up, between its forces
+  just_created = 0;  // else LIGGGHTS clears the records during the first setup
   grow_arrays(atom->nmax);
   atom->add_callback(0);
   atom->add_callback(1);
@@ -42,17 +41,15 @@ int CollisionSpectra::setmask() {
 void CollisionSpectra::init() {
   ContactObserver::init();
   walls_.assign(wall_ids_.size(), nullptr);
-  for (int k = 0; k < modify->nfix; ++k) {
-    const auto wall = dynamic_cast<LAMMPS_NS::FixWallGran*>(modify->fix[k]);
-    if (!wall) continue;
-    const auto known = std::find(wall_ids_.begin(), wall_ids_.end(), wall->id);
-    const std::size_t number = known - wall_ids_.begin();
-    if (known == wall_ids_.end()) wall_ids_.push_back(wall->id), walls_.push_back(nullptr);
+  for (LAMMPS_NS::FixWallGran* const wall : fixes_of<LAMMPS_NS::FixWallGran>(modify)) {
+    const std::size_t number =
+        std::find(wall_ids_.begin(), wall_ids_.end(), wall->id) - wall_ids_.begin();
+    if (number == wall_ids_.size()) wall_ids_.push_back(wall->id), walls_.push_back(nullptr);
     walls_[number] = wall;
   }
 }
 
-std::size_t CollisionSpectra::number_of(const void* owner) const {
+std::size_t CollisionSpectra::wall_number(const void* owner) const {
   return std::find(walls_.begin(), walls_.end(), owner) - walls_.begin();
 }
 
@@ -61,52 +58,52 @@ void CollisionSpectra::add(const Contact& contact, const AccountedLoad& on_i, co
   most_contacts_ = std::max(most_contacts_, ++contacts_[contact.i]);
   if (!contact.is_wall && contact.j < atom->nlocal)
     most_contacts_ = std::max(most_contacts_, ++contacts_[contact.j]);
-  const bool turned = !contact.is_wall && atom->tag[contact.j] < atom->tag[contact.i];
-  const int holder = turned ? contact.j : contact.i;
-  if (holder >= atom->nlocal) return;  // reported from the other side as well
-  const Partner partner =
-      contact.is_wall ? wall_partner(number_of(owner)) : atom->tag[turned ? contact.i : contact.j];
+  const bool exchanged = !contact.is_wall && atom->tag[contact.j] < atom->tag[contact.i];
+  const int holder = exchanged ? contact.j : contact.i;
+  if (holder >= atom->nlocal) return;  // the rank of the other particle reports it too
+  const Partner partner = contact.is_wall ? wall_partner(wall_number(owner))
+                                          : atom->tag[exchanged ? contact.i : contact.j];
   const LossyLoad load(contact, on_i, on_j);
   int place = records_.find(holder, partner);
   if (place < 0) {
     Impact begun;
-    begun.type = turned ? contact.jtype : contact.itype;
-    begun.other_type = turned ? contact.itype : contact.jtype;
+    begun.type = exchanged ? contact.jtype : contact.itype;
+    begun.other_type = exchanged ? contact.itype : contact.jtype;
     if (contact.shearupdate)
       begun.speed = -contact.vn;
     else
-      begun.load = turned ? load.turned() : load;
+      begun.load = exchanged ? load.exchanged() : load;
     place = records_.begin(holder, partner, begun);
   }
-  if (!contact.shearupdate) {  // set-up
+  if (!contact.shearupdate) {  // in the setup
     records_.at(holder, place).energy += on_i.plastic_work;
     energy_ += on_i.plastic_work;
     return;
   }
-  const bool first = !records_.touch(holder, place);  // else of several triangles of the wall
-  go_on(records_.at(holder, place), contact, on_i, load, turned, first);
+  const bool first = !records_.touch(holder, place);  // of several triangles of a wall
+  advance(records_.at(holder, place), contact, on_i, load, exchanged, first);
 }
 
-// A step of an impact. Power is that of the forces at velocities of mid-step; the forces of the
-// step before belong to the holder, the new ones to particle i.
-void CollisionSpectra::go_on(Impact& impact, const Contact& contact, const AccountedLoad& on_i,
-                             const LossyLoad& load, bool turned, bool first) {
+// Adds a step to an impact, with velocities at mid-step. The old load acts on the holder, the new
+// one on particle i.
+void CollisionSpectra::advance(Impact& impact, const Contact& contact, const AccountedLoad& on_i,
+                               const LossyLoad& load, bool exchanged, bool first) {
   const Vector between{contact.v_i[0] - contact.v_j[0], contact.v_i[1] - contact.v_j[1],
                        contact.v_i[2] - contact.v_j[2]};
-  const auto lost = [&](const LossyLoad& each) {
-    double power = -dot(each.force, between) - dot(each.torque_i, contact.omega_i);
-    if (!contact.is_wall) power -= dot(each.torque_j, contact.omega_j);
+  const auto lost = [&](const LossyLoad& lossy) {
+    double power = -dot(lossy.force, between) - dot(lossy.torque_i, contact.omega_i);
+    if (!contact.is_wall) power -= dot(lossy.torque_j, contact.omega_j);
     return 0.5 * update->dt * power;
   };
   double energy = lost(load) + on_i.plastic_work;
   if (first) {
-    energy += lost(turned ? impact.load.turned() : impact.load);
+    energy += lost(exchanged ? impact.load.exchanged() : impact.load);
     impact.load = LossyLoad();
     impact.force = 0;
   }
   impact.energy += energy;
   energy_ += energy;
-  impact.load += turned ? load.turned() : load;
+  impact.load += exchanged ? load.exchanged() : load;
   impact.force += dot(on_i.delta_F, contact.en);
   impact.largest_force = std::max(impact.largest_force, impact.force);
 }
@@ -127,12 +124,11 @@ void CollisionSpectra::count(Partner partner, const Impact& impact) {
 
 void CollisionSpectra::setup_pre_exchange() {
   ContactObserver::setup_pre_exchange();
-  if (total_ > 0) records_.follow(atom->tag, atom->nlocal, total_, world);
+  if (particle_total_ > 0) records_.renumber(atom->tag, atom->nlocal, particle_total_, world);
   pre_exchange();
 }
 
-// A particle takes its impacts along. The engine's fixes reserve room for the one that needs most,
-// and one particle may need it for all of them: its contact history comes on top.
+// Reserves room for a particle that moves to another rank with its impacts and its contact history.
 void CollisionSpectra::pre_exchange() {
   const auto pair = static_cast<LAMMPS_NS::PairGran*>(force->pair_match("gran", 1));
   const int history = (pair->dnum() + 1) * most_contacts_ + 1;
@@ -148,17 +144,14 @@ void CollisionSpectra::end_of_step() {
 }
 
 void CollisionSpectra::post_run() {
-  records_.remember(atom->tag, atom->nlocal);
-  total_ = atom->nlocal;
-  MPI_Allreduce(MPI_IN_PLACE, &total_, 1, MPI_LONG, MPI_SUM, world);
+  records_.store_ids(atom->tag, atom->nlocal);
+  particle_total_ = sum_over_ranks(static_cast<long>(atom->nlocal), world);
 }
 
 double CollisionSpectra::compute_vector(int entry) {
   const double contacts = records_.count(atom->nlocal);
   const double local[ENTRIES] = {impacts_, contacts, impact_energy_, energy_ - impact_energy_};
-  double sum;
-  MPI_Allreduce(&local[entry], &sum, 1, MPI_DOUBLE, MPI_SUM, world);
-  return sum;
+  return sum_over_ranks(local[entry], world);
 }
 
 }  // namespace plastigran

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// `fix ID all collision_spectra EVERY file FILE [per_decade N]`: how many impacts there
-// were, by speed, by energy and by force, between which atom types and with which walls. Written as
-// a table every so many steps. docs/collision_spectra.md says what counts as an impact.
+// `fix ID all collision_spectra EVERY file FILE [per_decade N]`: counts impacts by speed, energy
+// and force, for each pair of atom types and each wall, and writes a table every EVERY steps.
+// docs/collision_spectra.md defines an impact.
 //
-// A contact that is reported in a step and was not in the step before begins an impact; one that is
-// no longer reported has ended it. So neither neighbour lists nor contact histories matter. Work of
-// friction and dashpots is summed as velocity Verlet does it: the mean of a step's two forces along
-// the displacement between them.
+// An impact begins with the first step in which its contact is reported, and ends with the first
+// step in which it is not. Neighbor lists and contact histories do not matter. The work of friction
+// and dashpots is integrated as velocity Verlet moves the particles: the mean of the two forces of
+// a step along the displacement between them.
 #pragma once
 
 #include <cstdio>
@@ -25,12 +25,12 @@ class CollisionSpectra : public ContactObserver {
  public:
   enum Quantity { NORMAL_SPEED, DISSIPATED_ENERGY, LARGEST_FORCE };
 
-  // Elements of the fix's vector, in the order users see, from 1 on, since the fix was made.
+  // Elements of the fix's vector in their order, since the fix was made.
   enum Entry {
     IMPACTS,         // counted
-    UNDER_WAY,       // contacts at present
-    IMPACT_ENERGY,   // dissipated in the impacts counted [J]
-    CONTACT_ENERGY,  // dissipated in other contacts: under way, or there before counting began [J]
+    CURRENT,         // contacts
+    IMPACT_ENERGY,   // dissipated in counted impacts [J]
+    CONTACT_ENERGY,  // dissipated in current contacts, and those older than the fix [J]
     ENTRIES
   };
 
@@ -47,7 +47,6 @@ class CollisionSpectra : public ContactObserver {
   void end_of_step() override;
   void post_run() override;
 
-  // Impacts counted since the fix was made.
   double compute_scalar() override { return compute_vector(IMPACTS); }
   double compute_vector(int entry) override;
 
@@ -66,9 +65,9 @@ class CollisionSpectra : public ContactObserver {
  private:
   void read_words(int count, char** words);
   void open(const std::string& path);
-  std::size_t number_of(const void* owner) const;
-  void go_on(Impact& impact, const Contact& contact, const AccountedLoad& on_i,
-             const LossyLoad& load, bool turned, bool first);
+  std::size_t wall_number(const void* owner) const;
+  void advance(Impact& impact, const Contact& contact, const AccountedLoad& on_i,
+               const LossyLoad& load, bool turned, bool first);
   void count(Partner partner, const Impact& impact);
   void write_table();
 
@@ -77,13 +76,14 @@ class CollisionSpectra : public ContactObserver {
   std::string path_;
   std::unique_ptr<FILE, int (*)(FILE*)> file_;  // on the first rank
   ImpactRecords records_;
-  std::vector<int> contacts_;                            // of each particle in this step
-  int most_contacts_ = 0;                                // that one had
-  Tally tally_;                                          // of this rank since the last table
-  double impacts_ = 0, impact_energy_ = 0, energy_ = 0;  // the last of all contacts; on this rank
-  long total_ = 0;                     // particles as the last run ended, 0 before the first
-  std::vector<std::string> wall_ids_;  // by number; a wall keeps its number
-  std::vector<const void*> walls_;     // the same, null when there is none of that ID now
+  std::vector<int> contacts_;               // of each particle in this step
+  int most_contacts_ = 0;                   // of any particle in any step
+  Tally tally_;                             // of this rank since the last table
+  double impacts_ = 0, impact_energy_ = 0;  // of counted impacts on this rank
+  double energy_ = 0;                       // of all contacts on this rank
+  long particle_total_ = 0;                 // at the end of the last run, 0 before the first
+  std::vector<std::string> wall_ids_;       // by number; a wall keeps its number
+  std::vector<const void*> walls_;          // by number, null if there is no wall of that ID
 };
 
 }  // namespace plastigran

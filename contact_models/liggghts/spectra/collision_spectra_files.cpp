@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// The words of the fix's line, its table, and its part of restart files.
+// The line, the table and the restart data of the collision spectra.
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
@@ -19,7 +19,7 @@ namespace {
 const char heading[] = "step,quantity,with,type,other_type,lower,upper,count,sum\n";
 const char* const quantities[] = {"normal_speed", "dissipated_energy", "largest_force"};
 
-// Classes of a decade, at most: finer ones would be beside each other in the last digits.
+// More classes would differ only in the last printed digits.
 const long most_per_decade = 1000;
 
 // 0 unless the word is a positive whole number.
@@ -39,7 +39,7 @@ void CollisionSpectra::read_words(int count, char** words) {
     const std::string word = words[k];
     if (word != "file" && word != "per_decade")
       fail("unknown word " + word + "; possible: file, per_decade");
-    if (k + 1 == count) fail(word + " lacks its value");
+    if (k + 1 == count) fail(word + " has no value");
     if (word == "file") {
       path_ = words[k + 1];
       continue;
@@ -50,33 +50,31 @@ void CollisionSpectra::read_words(int count, char** words) {
            std::to_string(most_per_decade));
     per_decade_ = number;
   }
-  if (path_.empty()) fail("it needs `file FILE`");
-  for (int k = 0; k < modify->nfix; ++k) {
-    const auto other = dynamic_cast<CollisionSpectra*>(modify->fix[k]);
-    if (other && other->path_ == path_)
+  if (path_.empty()) fail("`file FILE` is missing");
+  for (const CollisionSpectra* const other : fixes_of<CollisionSpectra>(modify))
+    if (other->path_ == path_)
       fail("fix " + std::string(other->id) + " writes the file " + path_ + " already");
-  }
   if (comm->me == 0) open(path_);
 }
 
-// On the first rank. A run that goes on from a restart file writes the tables after it once more.
+// On the first rank. Keeps the tables up to this step, because a run from a restart file writes the
+// later ones again.
 void CollisionSpectra::open(const std::string& path) {
   std::string kept = heading;
   std::ifstream before(path);
   std::string line;
   std::getline(before, line);
   if (!line.empty() && line + '\n' != heading)
-    error->one(FLERR, (std::string("fix ") + id + ' ' + style() + ": the file " + path +
-                       " is not a table of collision spectra. Choose another name, to keep it")
-                          .c_str());
-  while (std::getline(before, line) && !before.eof())  // the last line of a killed run may be cut
+    stop_from_rank(lmp,
+                   name() + ": the file " + path +
+                       " is not a table of collision spectra. Choose another name, to keep it");
+  while (std::getline(before, line) &&
+         !before.eof())  // a killed run may leave a truncated last line
     if (std::atoll(line.c_str()) <= update->ntimestep) kept += line + '\n';
   before.close();
   file_.reset(std::fopen(path.c_str(), "w"));
   if (!file_)
-    error->one(FLERR, (std::string("fix ") + id + ' ' + style() + ": cannot write " + path + " (" +
-                       std::strerror(errno) + ')')
-                          .c_str());
+    stop_from_rank(lmp, name() + ": cannot write " + path + " (" + std::strerror(errno) + ')');
   std::fputs(kept.c_str(), file_.get());
   std::fflush(file_.get());
 }
@@ -96,7 +94,7 @@ void CollisionSpectra::write_table() {
   std::fflush(file_.get());
 }
 
-// The engine finds the values of this fix by the first one, which says how many they are.
+// LIGGGHTS needs the number of values first.
 int CollisionSpectra::pack_restart(int i, double* buffer) {
   buffer[0] = size_restart(i);
   records_.write(i, buffer + 1);
@@ -116,21 +114,18 @@ int CollisionSpectra::maxsize_restart() {
   return largest;
 }
 
-// Text: the particles, the impacts, their energy and that of other contacts, the classes, the
-// walls' IDs after their number, the counts of the table under way.
+// Text: numbers of particles and impacts, their energy and that of other contacts, per_decade, the
+// number and IDs of the walls, and the counts since the last table.
 void CollisionSpectra::write_restart(FILE* file) {
   const double impacts = compute_vector(IMPACTS), impact_energy = compute_vector(IMPACT_ENERGY);
   const double contact_energy = compute_vector(CONTACT_ENERGY);
   const Tally all = tally_.of_all(world);
-  if (comm->me != 0) return;
   std::ostringstream text;
   text << std::setprecision(17) << atom->natoms << ' ' << impacts << ' ' << impact_energy << ' '
        << contact_energy << ' ' << per_decade_ << ' ' << wall_ids_.size();
   for (const std::string& wall : wall_ids_) text << ' ' << wall;
   for (const double value : all.packed()) text << ' ' << value;
-  const int size = text.str().size() + 1;
-  fwrite(&size, sizeof size, 1, file);
-  fwrite(text.str().c_str(), 1, size, file);
+  write_state(file, text.str().c_str(), text.str().size() + 1);
 }
 
 void CollisionSpectra::restart(char* data) {
@@ -138,13 +133,13 @@ void CollisionSpectra::restart(char* data) {
   double impacts, impact_energy, contact_energy;
   int per_decade;
   std::size_t wall_count;
-  text >> total_ >> impacts >> impact_energy >> contact_energy >> per_decade >> wall_count;
+  text >> particle_total_ >> impacts >> impact_energy >> contact_energy >> per_decade >> wall_count;
   wall_ids_.resize(wall_count);
   for (std::string& wall : wall_ids_) text >> wall;
   if (per_decade != per_decade_)
-    fail("the restart file has per_decade " + std::to_string(per_decade) + ", the line has " +
-         std::to_string(per_decade_) + ". Give the line as it was, or the fix another ID");
-  if (comm->me != 0) return;  // a sum over ranks: the first one has it all
+    fail("the restart file has per_decade " + std::to_string(per_decade) + ", but the line has " +
+         std::to_string(per_decade_) + ". Use the earlier value, or another fix ID");
+  if (comm->me != 0) return;  // the first rank takes the sum
   impacts_ = impacts, impact_energy_ = impact_energy;
   energy_ = impact_energy + contact_energy;
   std::vector<double> packed;

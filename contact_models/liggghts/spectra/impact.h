@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// A contact under way, as far as collision spectra know it.
+// The data of a current contact for the collision spectra.
 #pragma once
 
 #include <cmath>
@@ -12,17 +12,17 @@
 
 namespace plastigran {
 
-// Of an impact whose first touch was not seen.
+// The speed of a contact that began before the counting.
 constexpr double unknown_speed = std::numeric_limits<double>::quiet_NaN();
 
-// The other body of an impact: a particle's number, or below 0 a wall's.
+// The other body of an impact: the ID of a particle, or a negative number for a wall.
 typedef int Partner;
 inline Partner wall_partner(std::size_t wall) { return -1 - static_cast<int>(wall); }
 inline bool is_wall(Partner partner) { return partner < 0; }
 inline int wall_of(Partner partner) { return -1 - partner; }
 
-// A particle holds it: of two particles the one with the lower number. All doubles: they travel
-// with the particle.
+// One particle holds an impact, of two particles the one with the lower ID. All members are
+// doubles, so that ranks can exchange them with the particle.
 struct Impact {
   double type = 0;               // atom types at first touch: of the holder
   double other_type = 0;         // of its partner
@@ -34,11 +34,11 @@ struct Impact {
 
   bool counts() const { return !std::isnan(speed); }
 
-  // As the other particle holds it.
-  Impact turned() const {
+  // The impact for exchanged bodies.
+  Impact exchanged() const {
     Impact other = *this;
     std::swap(other.type, other.other_type);
-    other.load = load.turned();
+    other.load = load.exchanged();
     return other;
   }
 };

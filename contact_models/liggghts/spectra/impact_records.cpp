@@ -6,6 +6,8 @@
 #include <type_traits>
 #include <unordered_map>
 
+#include "liggghts/fixes/ranks.h"
+
 namespace plastigran {
 
 static_assert(std::is_trivially_copyable_v<Impact> && sizeof(Impact) % sizeof(double) == 0,
@@ -40,35 +42,35 @@ std::size_t ImpactRecords::count(int count) const {
   return sum;
 }
 
-void ImpactRecords::remember(const int* numbers, int count) {
-  for (int i = 0; i < count; ++i) held_[i].number = numbers[i];
+void ImpactRecords::store_ids(const int* ids, int count) {
+  for (int i = 0; i < count; ++i) held_[i].id = ids[i];
 }
 
-void ImpactRecords::follow(const int* numbers, int count, long total_before, MPI_Comm ranks) {
-  std::vector<int> before(count);
-  for (int i = 0; i < count; ++i) before[i] = held_[i].number;
-  const NewNumbers now(before.data(), numbers, count, total_before, ranks);
-  std::vector<double> sent;  // to the new holders: each one's number, the new partner, the impact
+void ImpactRecords::renumber(const int* ids, int count, long former_total, MPI_Comm ranks) {
+  std::vector<int> former(count);
+  for (int i = 0; i < count; ++i) former[i] = held_[i].id;
+  const NewIds new_ids(former.data(), ids, count, former_total, ranks);
+  std::vector<double> sent;  // to new holders: ID of the holder, partner, impact
   for (int i = 0; i < count; ++i) {
     const Held old = held_[i];
     held_[i].keys.clear();
     held_[i].impacts.clear();
     for (std::size_t k = 0; k < old.keys.size(); ++k) {
       Partner partner = old.keys[k].partner;
-      if (!is_wall(partner)) partner = now.of(partner);
+      if (!is_wall(partner)) partner = new_ids.of(partner);
       if (partner == 0) continue;
-      if (is_wall(partner) || partner > numbers[i]) {
+      if (is_wall(partner) || partner > ids[i]) {
         begin(i, partner, old.impacts[k]);
       } else {
         sent.push_back(partner);
-        append(sent, numbers[i], old.impacts[k].turned());
+        append(sent, ids[i], old.impacts[k].exchanged());
       }
     }
   }
   sent = gather_all(sent, ranks);
   if (sent.empty()) return;
   std::unordered_map<int, int> places;
-  for (int i = 0; i < count; ++i) places[numbers[i]] = i;
+  for (int i = 0; i < count; ++i) places[ids[i]] = i;
   for (std::size_t k = 0; k < sent.size(); k += 1 + values_each) {
     const auto holder = places.find(static_cast<int>(sent[k]));
     if (holder != places.end())
@@ -84,8 +86,7 @@ int ImpactRecords::largest_size(int count) const {
 
 int ImpactRecords::write(int i, double* buffer) const {
   const Held& held = held_[i];
-  std::vector<double> values{static_cast<double>(held.number),
-                             static_cast<double>(held.keys.size())};
+  std::vector<double> values{static_cast<double>(held.id), static_cast<double>(held.keys.size())};
   for (std::size_t k = 0; k < held.keys.size(); ++k)
     append(values, held.keys[k].partner, held.impacts[k]);
   std::copy(values.begin(), values.end(), buffer);
@@ -94,7 +95,7 @@ int ImpactRecords::write(int i, double* buffer) const {
 
 int ImpactRecords::read(int i, const double* buffer) {
   held_[i] = Held();
-  held_[i].number = static_cast<int>(buffer[0]);
+  held_[i].id = static_cast<int>(buffer[0]);
   const double* values = buffer + 2;
   for (int left = static_cast<int>(buffer[1]); left > 0; --left, values += values_each)
     begin(i, static_cast<Partner>(values[0]), impact_at(values + 1));

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// The impacts under way, by the particles that hold them; and how they travel with these to other
-// places, other ranks and restart files.
+// The current impacts by the particles that hold them, which take them along to other ranks and
+// into restart files.
 #pragma once
 
 #include <mpi.h>
 
 #include <vector>
 
-#include "liggghts/fixes/particle_numbers.h"
+#include "liggghts/fixes/particle_ids.h"
 #include "liggghts/spectra/impact.h"
 
 namespace plastigran {
@@ -19,7 +19,7 @@ class ImpactRecords {
   void copy(int from, int to) { held_[to] = held_[from]; }
   void clear(int i) { held_[i] = Held(); }
 
-  // The place among a particle's impacts of the one with that partner; -1 when there is none.
+  // The index of a particle's impact with a partner, -1 if there is none.
   int find(int i, Partner partner) const {
     const std::vector<Key>& keys = held_[i].keys;
     for (std::size_t k = 0; k < keys.size(); ++k)
@@ -29,18 +29,17 @@ class ImpactRecords {
   int begin(int i, Partner partner, const Impact& impact = Impact());
   Impact& at(int i, int place) { return held_[i].impacts[place]; }
 
-  // Marks an impact as touched in this step; whether it was before.
+  // Marks an impact as touched in this step. Returns whether it was marked before.
   bool touch(int i, int place) {
     const bool before = held_[i].keys[place].touched;
     held_[i].keys[place].touched = true;
     return before;
   }
 
-  // Of the first `count` particles.
+  // The number of impacts of the first `count` particles.
   std::size_t count(int count) const;
 
-  // The impacts of a particle that was not touched in this step are over and taken out; the others
-  // wait for the next step.
+  // Removes the impacts of a particle that were not touched in this step, after a call of `count`.
   template <class Count>
   void advance(int i, Count count) {
     Held& held = held_[i];
@@ -55,14 +54,15 @@ class ImpactRecords {
     }
   }
 
-  // As a run ends: the particles' numbers. Decks may then number them anew.
-  void remember(const int* numbers, int count);
+  // Stores the particle IDs at the end of a run, because decks may renumber particles.
+  void store_ids(const int* ids, int count);
 
-  // As the next begins: partners and holders by the present numbers. An impact ends uncounted when
-  // one of the two is gone. `total_before`: particles of all ranks then. All ranks together.
-  void follow(const int* numbers, int count, long total_before, MPI_Comm ranks);
+  // Updates partners and holders to the current IDs before the next run. An impact ends uncounted
+  // if one of its particles was deleted. `former_total`: number of particles at the end of the last
+  // run, on all ranks. Collective.
+  void renumber(const int* ids, int count, long former_total, MPI_Comm ranks);
 
-  // A particle's record in a buffer: how many values it is, and it written or read.
+  // The impacts of a particle as values in a buffer. Each function returns the number of values.
   int size(int i) const { return 2 + values_each * held_[i].keys.size(); }
   int largest_size(int count) const;
   int write(int i, double* buffer) const;
@@ -71,13 +71,13 @@ class ImpactRecords {
  private:
   static constexpr int values_each = 1 + sizeof(Impact) / sizeof(double);  // with the partner
 
-  // Apart from the impacts, for all of them are looked through in every step.
+  // Separate from the impacts, because every step searches the keys.
   struct Key {
     Partner partner;
     bool touched;  // in this step
   };
   struct Held {
-    int number = 0;  // of the particle when the last run ended, 0 for a new one
+    int id = 0;  // of the particle at the end of the last run, 0 if new
     std::vector<Key> keys;
     std::vector<Impact> impacts;
   };

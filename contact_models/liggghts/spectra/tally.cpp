@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "liggghts/fixes/particle_numbers.h"
+#include "liggghts/fixes/ranks.h"
 
 namespace plastigran {
 

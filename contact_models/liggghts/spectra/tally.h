@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// Counts of impacts by what met, and by classes of a quantity of equal width on a logarithmic
-// scale.
+// Counts of impacts by bodies, atom types, and logarithmic classes of a quantity.
 #pragma once
 
 #include <mpi.h>
@@ -14,8 +13,7 @@ namespace plastigran {
 
 class Tally {
  public:
-  // What is counted: a quantity, of impacts with particles (partner -1) or a wall, of two atom
-  // types, in a class.
+  // `wall` is -1 for impacts of particles.
   struct Key {
     int quantity, wall, type, other_type, bin;
     bool operator<(const Key& other) const { return in_order() < other.in_order(); }
@@ -25,18 +23,18 @@ class Tally {
     double number = 0, sum = 0;  // impacts, and the sum of their values
     void operator+=(const Count& other) { number += other.number, sum += other.sum; }
   };
-  static constexpr int no_bin = -1000000;  // of values that are not positive
+  static constexpr int no_bin = -1000000;  // of zero and negative values
 
-  // The class of a value, and where it begins.
+  // The class of a value, and the lower edge of a class.
   static int bin_of(double value, int per_decade);
   static double edge(int bin, int per_decade);
 
   void add(const Key& key, const Count& count) { counts_[key] += count; }
 
-  // The counts of all ranks, on all of them. All ranks together.
+  // The counts of all ranks. Collective.
   Tally of_all(MPI_Comm ranks) const;
 
-  // As a list of values, and back.
+  // The counts as a list of values.
   std::vector<double> packed() const;
   void merge(const std::vector<double>& packed);
 

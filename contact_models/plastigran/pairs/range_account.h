@@ -27,7 +27,7 @@ struct RangeAccount {
   // it. The law is asked only where that can be so: a contact that nothing new has been reached in,
   // or that was well beyond the end a step ago, has passed before.
   template <class Law>
-  void note(const Law& law, double range, const DeepContact<typename Law::State>& contact) {
+  void add(const Law& law, double range, const DeepContact<typename Law::State>& contact) {
     typedef typename Law::State State;
     const double limit = range * contact.radius_eff;
     furthest = std::max(furthest, contact.overlap / limit);

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+//
+// Particles between two runs. A deck may renumber particles (delete_atoms, create_atoms) and move
+// them to other ranks (displace_atoms, change_box).
+#pragma once
+
+#include <mpi.h>
+
+#include <cstddef>
+#include <unordered_map>
+#include <vector>
+
+namespace plastigran {
+
+// The map from the former IDs of all particles to their current IDs.
+class NewIds {
+ public:
+  // `former` and `current`: IDs of the `count` particles of this rank; 0 is the former ID of a new
+  // particle. `former_total`: former number of particles on all ranks. Collective.
+  NewIds(const int* former, const int* current, int count, long former_total, MPI_Comm ranks);
+
+  // The current ID, 0 if the particle was deleted.
+  int of(int former) const {
+    if (unchanged_) return former;
+    const auto id = ids_.find(former);
+    return id == ids_.end() ? 0 : id->second;
+  }
+
+ private:
+  bool unchanged_;
+  std::unordered_map<int, int> ids_;
+};
+
+// Values of particles by ID. First add() all, then fetch() those of other ranks, then find() them.
+class ParticleRecords {
+ public:
+  struct Record {
+    const double* values = nullptr;  // null: there is no record
+    int count = 0;
+  };
+
+  void reserve(std::size_t particles, std::size_t values);
+  void add(int id, const double* values, int count);
+
+  // Gets the records of the particles `ids` (0: none) from the ranks that have them. Collective.
+  void fetch(const int* ids, int count, MPI_Comm ranks);
+
+  Record find(int id) const;
+
+ private:
+  struct Span {
+    std::size_t begin;
+    int count;
+  };
+  std::unordered_map<int, Span> spans_;
+  std::vector<double> values_;  // one array for all records, to save memory
+};
+
+}  // namespace plastigran
