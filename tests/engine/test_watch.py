@@ -90,7 +90,9 @@ def test_overlap_limit_out_of_range(limit, tmp_path):
 
 def test_overlap_with_a_wall(tmp_path):
     message = stopped(tmp_path, [(0, 0, 0.06 * RADIUS)], settings="overlap_limit 0.9")
-    assert "particle 1 at (0 0 0.00015) and a wall overlap by 0.94 times the smaller radius" in message
+    assert (
+        "particle 1 at (0 0 0.00015) and a wall overlap by 0.94 times the smaller radius" in message
+    )
 
 
 def test_particle_that_outruns_its_contacts(tmp_path):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""What contacts dissipate warms the particles: against the ledger, theory, ranks and restarts."""
+"""Contact dissipation heats particles: compared with the ledger, theory, ranks and restarts."""
 
 from __future__ import annotations
 
@@ -24,14 +24,14 @@ FILE_ERROR = 1e-9  # of the energy: sums in another order
 
 
 def warm(deck: str, folder: Path, ranks: int = 1, **variables) -> pd.DataFrame:
-    """Run a deck; entries of the ledger and of the heat [J] by output line."""
+    """Run a deck; terms of the ledger and of the heat [J] by output line."""
     variables = {"decks": LEDGER_DECKS, "heat_decks": DECKS, **variables}
     run_deck(DECKS / f"{deck}.in", variables, folder, ranks=ranks)
     return read_thermo(folder / "log.liggghts")
 
 
 def temperatures(folder: Path) -> pd.Series:
-    """The particles' rise of temperature [K] by id, at the last output."""
+    """The temperature rise of the particles [K] by ID, at the last output."""
     table = read_dump(folder / "warmth.dump")
     return table[table["step"] == table["step"].max()].set_index("id")["Temp"]
 
@@ -42,7 +42,7 @@ def dissipated(table: pd.DataFrame) -> pd.Series:
 
 @pytest.mark.parametrize("geometry", ["pair", "plane", "mesh", "pushing", "shearing"])
 def test_an_impact_warms_by_its_work(geometry, tmp_path):
-    """All work is found again as heat or stored; 1e-9: the temperature's sum over steps."""
+    """All work becomes heat or is stored; 1e-9: the sum of the temperature over the steps."""
     end = warm("impact", tmp_path, geometry=geometry, **EVERY_MODEL).iloc[-1]
     work = dissipated(end)
     assert min(end["plastic"], end["viscous"]) > 0.1 * work and end["friction"] > 0.01 * work
@@ -51,14 +51,14 @@ def test_an_impact_warms_by_its_work(geometry, tmp_path):
     assert end["heat"] == pytest.approx(given, rel=1e-9)
     mass = read_dump(tmp_path / "warmth.dump")["mass"].iloc[0]
     assert CAPACITY * mass * temperatures(tmp_path).sum() == pytest.approx(given, rel=1e-9)
-    # The wall is rigid: it takes half of what it does not yield for.
+    # The rigid wall takes half of the work that is not plastic.
     lossy, all_plastic = end["friction"] + end["viscous"], 0.9 * end["plastic"]
     assert end["hplastic"] == pytest.approx(all_plastic, rel=1e-12)
     assert end["hfric"] == pytest.approx(lossy if geometry == "pair" else lossy / 2, rel=1e-12)
 
 
 def test_the_rise_of_temperature_is_the_predicted_one(law_between, aluminium, tmp_path):
-    """0.9 of v^2 (1 - e^2) / 2c, with e of the law by itself, whatever the size.
+    """0.9 of v^2 (1 - e^2) / 2c, with e of the law alone, for any size.
 
     1e-3: the time step's error of the restitution.
     """
@@ -69,10 +69,10 @@ def test_the_rise_of_temperature_is_the_predicted_one(law_between, aluminium, tm
     assert temperatures(tmp_path)[1] == pytest.approx(rise, rel=1e-3)
 
 
-def test_alike_bodies_share(tmp_path):
-    """Half each, also where one flies and the other waits: the frame of reference is free.
+def test_equal_bodies_share_the_heat(tmp_path):
+    """Half each, also in a moving frame of reference.
 
-    1e-6: the frames differ by what is lost of digits of positions and velocities.
+    1e-6: the round-off of positions and velocities differs between the frames.
     """
     warm("impact", tmp_path / "rest", **EVERY_MODEL)
     warm("impact", tmp_path / "drift", common=1.0, **EVERY_MODEL)
@@ -84,7 +84,7 @@ def test_alike_bodies_share(tmp_path):
 
 
 def test_the_weaker_body_takes_the_plastic_work(tmp_path):
-    """With its own Taylor-Quinney factor; friction goes to both."""
+    """With its own Taylor-Quinney factor; friction heats both."""
     table = warm("impact", tmp_path, other_type=2, factors="0.8 0.5", capacity="900 900")
     end, rise = table.iloc[-1], temperatures(tmp_path)
     assert end["hstored"] == pytest.approx(0.2 * end["plastic"], rel=1e-12)
@@ -94,8 +94,8 @@ def test_the_weaker_body_takes_the_plastic_work(tmp_path):
     assert heats[1] == pytest.approx(end["friction"] / 2 + 0.8 * end["plastic"], rel=1e-9)
 
 
-def test_warming_changes_no_motion(tmp_path):
-    """To every byte, with the ledger and without."""
+def test_heating_changes_no_motion(tmp_path):
+    """Bitwise, with the ledger and without."""
     for case, changes in {
         "none": {"warming": "off", "ledger": "off"},
         "warm": {"warming": "on"},
@@ -117,8 +117,8 @@ def test_a_bed_warms_by_its_work(bed):
     """At every output line; 1e-9: the temperatures' sums over steps and grains."""
     folder, table = bed
     work = dissipated(table)
-    found = table[HEATS[1:]].sum(axis=1)
-    assert (found - work).abs().max() < 1e-12 * work.max()
+    heat = table[HEATS[1:]].sum(axis=1)
+    assert (heat - work).abs().max() < 1e-12 * work.max()
     given = table["hplastic"] + table["hfric"]
     assert (table["heat"] - given).abs().max() < 1e-9 * given.max()
     assert given.iloc[-1] > 0.5 * work.max() and table["hwalls"].iloc[-1] > 0.05 * work.max()
@@ -150,24 +150,28 @@ def test_a_restart_keeps_the_heat(bed, ranks, tmp_path):
     assert np.abs(difference).max() < FILE_ERROR * scale
 
 
+def run_bed_with(lines: str, folder: Path) -> str:
+    """Run a step of the bed with these lines instead of its heat; the log."""
+    head = (DECKS / "bed.in").read_text().split("timestep        ${timestep}")[0]
+    deck = folder / "changed.in"
+    deck.write_text(f"{head}\n{lines}\nrun 1\n")
+    return run_deck(deck, {"decks": LEDGER_DECKS, "heat_decks": DECKS}, folder)
+
+
 def test_a_misspelt_factor_is_named(tmp_path):
-    """It would be the usual 0.9 without a word."""
-    deck = tmp_path / "misspelt.in"
-    bed = (DECKS / "bed.in").read_text().split("timestep        ${timestep}")[0]
-    line = "fix f all property/global taylorQuinneyFaktor peratomtype 0.5"
-    deck.write_text(f"{bed}\n{line}\ninclude ${{heat_decks}}/warming_on.in\nrun 1\n")
-    log = run_deck(deck, {"decks": LEDGER_DECKS, "heat_decks": DECKS}, tmp_path)
-    said = "property taylorQuinneyFaktor is not used. Possible misspelling of taylorQuinneyFactor"
-    assert log.count(said) == 1
+    """Its default 0.9 would be used without a message."""
+    factor = "fix f all property/global taylorQuinneyFaktor peratomtype 0.5"
+    log = run_bed_with(factor + "\ninclude ${heat_decks}/warming_on.in", tmp_path)
+    message = (
+        "property taylorQuinneyFaktor is not used. Possible misspelling of taylorQuinneyFactor"
+    )
+    assert log.count(message) == 1
 
 
 @pytest.mark.parametrize(
     ("line", "words"),
     [
-        (
-            "fix w all heat/dissipation 0.9",
-            "fix w heat/dissipation: unknown word 0.9",
-        ),
+        ("fix w all heat/dissipation 0.9", "fix w heat/dissipation: unknown word 0.9"),
         ("fix w some heat/dissipation", "its group is some; it must be all"),
         (
             "fix w all heat/dissipation\nfix v all heat/dissipation",
@@ -182,9 +186,6 @@ def test_a_misspelt_factor_is_named(tmp_path):
     ],
 )
 def test_a_wrong_line_is_named(line, words, tmp_path):
-    deck = tmp_path / "wrong.in"
-    bed = (DECKS / "bed.in").read_text().split("timestep        ${timestep}")[0]
-    deck.write_text(f"{bed}\ngroup some id 1\n{line}\nrun 1\n")
     with pytest.raises(EngineError) as error:
-        run_deck(deck, {"decks": LEDGER_DECKS, "heat_decks": DECKS}, tmp_path)
+        run_bed_with(f"group some id 1\n{line}", tmp_path)
     assert words in str(error.value)

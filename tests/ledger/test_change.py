@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The ledger over several runs of a deck, a restart, and grains that come and go."""
+"""The energy ledger over several runs, a restart, and inserted and deleted grains."""
 
 from __future__ import annotations
 
@@ -19,11 +19,11 @@ def log(folder: Path) -> str:
 
 @pytest.mark.parametrize("pre", ["yes", "no"])
 @pytest.mark.parametrize("steps", [0, 200])
-def test_what_a_deck_changes_between_runs_is_booked(pre, steps, tmp_path):
-    """With or without a set-up; entries that are said between runs are those of the end. An answer
-    before the walls have had their turn is not the start that drift is taken from.
+def test_changes_of_the_deck_between_runs_are_counted(pre, steps, tmp_path):
+    """With or without a setup; terms printed between runs are those at the end. The initial energy
+    is not the one before the walls have computed their forces.
 
-    1e-3 of what is given: the time step's error is a tenth of that.
+    1e-3 of the added energy: the error of the time step is a tenth of that.
     """
     table = ledger("changed", tmp_path, pre=pre, steps=steps)
     end, second = (table[table["run"] == run].iloc[-1] for run in (0, 2))
@@ -44,7 +44,7 @@ def test_another_integrator_is_refused(tmp_path):
         ledger("set_types", tmp_path, change="run_style respa 2 2 pair 1")
 
 
-def test_particles_that_go_between_runs_need_a_set_up(tmp_path):
+def test_deleted_particles_need_a_setup(tmp_path):
     with pytest.raises(
         EngineError, match="particles were added or deleted since the last run, but"
     ):
@@ -52,8 +52,8 @@ def test_particles_that_go_between_runs_need_a_set_up(tmp_path):
 
 
 @pytest.mark.parametrize("ranks", [1, 2])
-def test_a_restart_keeps_the_accounts(bed, ranks, tmp_path):
-    """The second half from the file has the entries of the whole run.
+def test_a_restart_keeps_the_terms(bed, ranks, tmp_path):
+    """The second half from the file has the terms of the whole run.
 
     1e-9 of the energy: the digits of the file on one rank, sums in another order on two.
     """
@@ -68,8 +68,8 @@ def test_a_restart_keeps_the_accounts(bed, ranks, tmp_path):
     assert np.abs(plastic_work(tmp_path) - same).max() < 1e-9 * scale
 
 
-def test_grains_taken_away_leave_the_others(bed, tmp_path):
-    """Their energy goes to its own entry, with the elastic energy of their contacts. Their plastic
+def test_deleted_grains_leave_the_others(bed, tmp_path):
+    """The term inserted has their energy and the elastic energy of their contacts. Their plastic
     work stays in the total."""
     table = ledger("bed_thinned", tmp_path, restart=bed[0] / "middle.restart")
     before, after = table[table["run"] == 0].iloc[-1], table[table["run"] == 1].iloc[0]
@@ -94,12 +94,10 @@ def test_grains_taken_away_leave_the_others(bed, tmp_path):
     "change",
     ["set atom 2 type 2", "set atom 2 diameter 0.0059", "displace_atoms right move 5e-5 0 0"],
 )
-def test_what_a_deck_changes_of_contacts_is_booked(change, wall, ranks, tmp_path):
-    """Other constants, sizes or places of bodies in contact change what the contact stores: that is
-    an energy from outside.
+def test_changes_of_contacts_are_counted(change, wall, ranks, tmp_path):
+    """Other constants, sizes or positions of bodies change the energy of their contact.
 
-    The balance error of a run of 20 steps is some 1e-4 of the energy; unbooked, the changes are
-    5 % of it and more.
+    The balance error of 20 steps is about 1e-4 of the energy; the changes are more than 5 % of it.
     """
     table = ledger("set_types", tmp_path, ranks, change=change, wall=wall)
     before, after = table[table["run"] == 0].iloc[-1], table[table["run"] == 1].iloc[0]
@@ -117,9 +115,9 @@ def test_what_a_deck_changes_of_contacts_is_booked(change, wall, ranks, tmp_path
 
 @pytest.mark.parametrize("ranks", [1, 2])
 @pytest.mark.parametrize("wall", [0, 1])
-def test_overlap_of_the_set_up_is_reached(wall, ranks, tmp_path):
-    """Bodies that overlap beyond yield when a run begins, and part from there: their contact has
-    reached the first overlap, and unloads from it. Plastic work does not change."""
+def test_the_setup_loads_to_its_overlap(wall, ranks, tmp_path):
+    """Bodies that overlap beyond yield when a run begins, and then separate: their contact unloads
+    from the first overlap. Plastic work does not change."""
     table = ledger("set_types", tmp_path, ranks, speed=0.5, wall=wall, change="run 0")
     assert table["elastic"].iloc[-1] < 0.99 * table["elastic"].iloc[0]
     assert table["plastic"].iloc[0] > 0
@@ -127,11 +125,11 @@ def test_overlap_of_the_set_up_is_reached(wall, ranks, tmp_path):
     assert plastic_work(tmp_path).sum() == pytest.approx(table["plastic"].iloc[0], rel=1e-12)
 
 
-def test_grains_come_and_go_while_the_engine_runs(tmp_path):
-    """Inserted, and lost through the floor: they bring their energy and take it along.
+def test_grains_are_inserted_and_lost_during_a_run(tmp_path):
+    """Inserted, and lost through the floor: the term inserted has their energy.
 
-    A grain that appears or disappears in the middle of a step has half of its kick by gravity more
-    or less: m g v dt/2, here 3e-4 of the energy.
+    A grain that appears or disappears in a step has half a step of gravity more or less: m g v
+    dt/2, here 3e-4 of the energy.
     """
     table = ledger("passing", tmp_path)
     mechanical = table["kinetic"] + table["gravity"]

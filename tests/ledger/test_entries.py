@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Entries of the ledger are the same however and whenever they are asked for."""
+"""Terms of the energy ledger do not depend on how and when they are read."""
 
 from __future__ import annotations
 
@@ -15,11 +15,8 @@ from plastigran.engine.dumps import read_dump
 from plastigran.engine.process import EngineError
 
 
-def test_entries_are_the_same_in_seldom_steps(bed, tmp_path):
-    """What was counted before changes nothing.
-
-    1e-12 of the energy: a log has 15 digits.
-    """
+def test_terms_do_not_depend_on_the_output_interval(bed, tmp_path):
+    """1e-12 of the energy: a log has 15 digits."""
     often = ledger("bed", tmp_path, before=10000, after=0, every=7)
     whole = bed[1]
     scale = whole[["kinetic", "gravity"]].iloc[0].sum()
@@ -27,15 +24,15 @@ def test_entries_are_the_same_in_seldom_steps(bed, tmp_path):
 
 
 def builds(folder: Path) -> int:
-    """How many lists of neighbours the engine has made in a deck's first run."""
+    """Number of neighbor list builds in the first run."""
     log = (folder / "log.liggghts").read_text()
     return int(re.findall(r"Neighbor list builds = (\d+)", log)[0])
 
 
-def test_entries_are_the_same_in_the_engines_own_loop(tmp_path):
-    """It runs where contacts are dumped, and counts in each contact as its force is computed; ours
-    asks the contacts afterwards. Restart files are written in these steps, too, and a narrow skin
-    makes lists of neighbours in many of them.
+def test_terms_are_the_same_in_the_loop_of_liggghts(tmp_path):
+    """It runs if contacts are dumped, and counts stored energies with the forces; our loop counts
+    them later. These steps also write restart files, and a small skin causes many
+    neighbor list builds.
 
     1e-12 of the energy: a log has 15 digits.
     """
@@ -49,15 +46,15 @@ def test_entries_are_the_same_in_the_engines_own_loop(tmp_path):
 
 @pytest.mark.parametrize("asks", [1, 2, 3], ids=["move", "adapt", "setforce"])
 @pytest.mark.parametrize("every", [1, 50])
-def test_entries_are_known_when_all_forces_are(asks, every, tmp_path):
-    """Within a step they are not: in its first part, before forces, or while walls' are to come. It
-    does not matter whether the step before has been asked."""
+def test_terms_are_known_after_all_forces(asks, every, tmp_path):
+    """Not within a step: in its first part, before the forces, or before those of walls. It does
+    not matter whether they were read in the step before."""
     with pytest.raises(EngineError, match="was read within a step, before all forces are known"):
         ledger("between", tmp_path, asks=asks, every=every)
 
 
-def test_what_acts_in_a_step_takes_the_entry_of_the_step_before(tmp_path):
-    """From a `fix ave/time`: a grain is moved by as many metres as were joules.
+def test_a_fix_within_a_step_reads_the_previous_term(tmp_path):
+    """From a `fix ave/time`: a grain moves by as many metres as the term has joules.
 
     1e-9 of the largest: the digits of the log.
     """
@@ -70,8 +67,8 @@ def test_what_acts_in_a_step_takes_the_entry_of_the_step_before(tmp_path):
     assert moved[2:] == pytest.approx(asked[1:-1], rel=0, abs=1e-9 * asked.max())
 
 
-def test_entries_before_the_first_run_are_those_of_the_moment(tmp_path):
-    """The deck gives a grain 0.1 m/s between two answers."""
+def test_terms_before_the_first_run_are_current(tmp_path):
+    """The deck gives a grain 0.1 m/s between two outputs."""
     ledger("changed", tmp_path)
     log = (tmp_path / "log.liggghts").read_text()
     resting, given = (
@@ -82,8 +79,8 @@ def test_entries_before_the_first_run_are_those_of_the_moment(tmp_path):
     assert given == pytest.approx(0.5 * 2500 * pi / 6 * 0.006**3 * 0.1**2, rel=1e-6)
 
 
-def test_a_box_that_deforms_shifts_no_entry(tmp_path):
-    """`fix deform` displaces particles before the output; the engine's own loop has counted then.
+def test_a_deforming_box_changes_no_term(tmp_path):
+    """`fix deform` displaces particles before the output, after the loop of LIGGGHTS has counted.
 
     1e-12 of the energy: a log has 15 digits.
     """

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The energy ledger closes: against the integrator's error, theory and ranks."""
+"""The energy balance closes: compared with the error of the integrator, theory and ranks."""
 
 from __future__ import annotations
 
@@ -26,9 +26,9 @@ MOVING = ("pushing", "shaking", "shearing")
 
 
 def impact(law: str, folder: Path, refine: int = 1, **variables) -> pd.DataFrame:
-    """An impact at 0.1 m/s, from before it to after it, with a hundred lines of the ledger.
+    """An impact at 0.1 m/s with a hundred lines of the ledger.
 
-    A cylinder's contact is stiffer against its mass: soft enough to yield, at a shorter step.
+    A cylinder is stiffer relative to its mass: it needs a lower strength and a shorter step.
     """
     if laws.LAWS[law].shape == "cylinder":
         variables = {"shape": "cylinder", "yield_strength": 3e7, **variables}
@@ -119,8 +119,8 @@ def test_a_pair_shares_its_plastic_work(tmp_path):
 
 
 @pytest.mark.parametrize("geometry", CASES)
-def test_the_ledger_only_looks(geometry, tmp_path):
-    """The motion is the same without it, to every digit."""
+def test_the_ledger_changes_no_motion(geometry, tmp_path):
+    """Bitwise."""
     for state in ("on", "off"):
         deck = {"decks": DECKS, "geometry": geometry, "every": 10, **CASES[geometry]}
         run_deck(DECKS / "impact.in", {**deck, "ledger": state}, tmp_path / state)
@@ -130,9 +130,9 @@ def test_the_ledger_only_looks(geometry, tmp_path):
 
 
 def test_a_bed_comes_to_rest(bed):
-    """What gravity put in is found again, and plastic work only grows.
+    """The terms contain the work of gravity, and plastic work only grows.
 
-    1e-3 of the energy put in is asked for; the time step leaves a tenth of it.
+    The target is 1e-3 of that work; the time step causes a tenth of it.
     """
     folder, table = bed
     mechanical = table["kinetic"] + table["gravity"]
@@ -148,8 +148,8 @@ def test_a_bed_comes_to_rest(bed):
 
 
 @pytest.mark.parametrize(("ranks", "grid"), [(2, "2 1"), (4, "2 2")])
-def test_ranks_count_the_same(bed, ranks, grid, tmp_path):
-    """1e-9 of the energy: sums in another order, before collisions have multiplied that."""
+def test_ranks_have_the_same_terms(bed, ranks, grid, tmp_path):
+    """1e-9 of the energy: sums in another order, before collisions amplify the difference."""
     table = ledger("bed", tmp_path, ranks, grid=grid, before=6000, after=0)
     table = table[table["run"] == 0]
     whole = bed[1].iloc[: len(table)]
@@ -159,7 +159,7 @@ def test_ranks_count_the_same(bed, ranks, grid, tmp_path):
 
 
 def test_newton_on_is_refused(tmp_path):
-    """Each contact across a border between ranks is then seen from one side."""
+    """It computes a contact across a border of ranks on one side only."""
     with pytest.raises(EngineError, match="energy_ledger on: `newton on` is not supported"):
         run_deck(DECKS / "newton_on.in", {}, tmp_path)
 

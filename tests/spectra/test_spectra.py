@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Collision spectra of the engine: against a replay of every step, the ledger, ranks, restarts."""
+"""Collision spectra: compared with a replay of every step, the ledger, ranks and restarts."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ def count(deck: str, folder: Path, ranks: int = 1, **variables) -> pd.DataFrame:
 
 
 def counted(folder: Path) -> pd.DataFrame:
-    """Counts and sums as the replay has them."""
+    """Counts and sums in the format of the replay."""
     table = read_spectra(folder / "spectra.csv")
     positive = table["lower"].where(table["lower"] > 0)
     table["bin"] = np.round(PER_DECADE * np.log10(positive)).fillna(-np.inf)
@@ -37,8 +37,7 @@ def counted(folder: Path) -> pd.DataFrame:
 def compare(folder: Path, every: int, *dumps: Path) -> pd.DataFrame:
     """Every class has the impacts of the replay, which are returned.
 
-    1e-9 of a class's sum: positions have 17 digits, and a law may tell overlaps of 1e-16 of a
-    radius apart.
+    1e-9 of a sum: positions have 17 digits, and a law may depend on 1e-16 of the radius.
     """
     found = impacts(Motion(*(dumps or [folder / "motion.dump"])), TIMESTEP)
     expected = spectra(found, every, PER_DECADE)
@@ -73,19 +72,18 @@ def test_ranks_count_what_happens(ranks, grid, tmp_path):
 
 
 @pytest.mark.parametrize("ranks", [1, 2])
-def test_numbers_are_followed_between_runs(ranks, tmp_path):
-    """Grains taken away and the others numbered anew, in the middle of impacts."""
+def test_renumbered_grains_keep_their_impacts(ranks, tmp_path):
+    """Grains are deleted and the others renumbered, during impacts."""
     count("gas", tmp_path, ranks, between="removal", every=300)
     found = compare(tmp_path, 300)
     assert ((found["begin"] <= 600) & (found["end"] > 600)).sum() > 5
 
 
 @pytest.mark.parametrize("ranks", [1, 2])
-def test_a_restart_goes_on_counting(gas, ranks, tmp_path):
-    """With the impacts under way and the table begun; the tables after the file are written anew.
+def test_a_restart_continues_the_count(gas, ranks, tmp_path):
+    """With current impacts and a partial table; later tables in the file are written again.
 
-    Counts are those of the whole run; 1e-6 of a sum, for impacts multiply the digits that another
-    order of sums costs.
+    1e-6 of a sum, because impacts amplify the round-off of another order of sums.
     """
     folder, _ = gas
     whole = (folder / "spectra.csv").read_text()
@@ -98,7 +96,7 @@ def test_a_restart_goes_on_counting(gas, ranks, tmp_path):
 
 
 def test_the_energies_are_the_ledgers(tmp_path):
-    """Of rough, damped spheres: what impacts lost, and what was lost in contacts that stand.
+    """Of rough, damped spheres, in impacts and in current contacts.
 
     3e-4: the work of a contact's last dashpot force and rolling torque in the step after it.
     """
@@ -127,7 +125,7 @@ def test_a_mesh_is_one_wall(tmp_path):
 
 
 def test_counting_changes_no_motion(tmp_path):
-    """To every byte."""
+    """Bitwise."""
     for state in ("on", "off"):
         count("gas", tmp_path / state, counted=state, before=300, after=0, tangential="history")
     on, off = ((tmp_path / name / "motion.dump").read_bytes() for name in ("on", "off"))
@@ -152,27 +150,27 @@ def test_another_file_is_named(tmp_path):
         read_spectra(path)
 
 
-def begin_counting(folder: Path) -> str:
-    """The file that counting begins with what stands in it."""
-    deck = folder / "begin.in"
+def run_gas_with(lines: str, folder: Path) -> None:
+    """Read the deck of the gas with these lines instead of its counting."""
+    deck = folder / "changed.in"
     gas = (DECKS / "gas.in").read_text().split("include         ${decks}/counting")[0]
-    deck.write_text(f"{gas}\nfix s all collision_spectra 10 file spectra.csv\n")
+    deck.write_text(f"{gas}\n{lines}\n")
     run_deck(deck, {"decks": DECKS}, folder)
-    return (folder / "spectra.csv").read_text()
 
 
 def test_the_last_line_of_a_killed_run_is_dropped_when_it_is_cut(tmp_path):
-    """`12` may be the begin of 120000: a step after the present one."""
+    """`12` may be the beginning of 120000, a step after the current one."""
     heading = "step,quantity,with,type,other_type,lower,upper,count,sum\n"
     row = "0,normal_speed,particle,1,1,0.1,0.2,3,0.5\n"
     (tmp_path / "spectra.csv").write_text(heading + row + row.rstrip())
-    assert begin_counting(tmp_path) == heading + row
+    run_gas_with("fix s all collision_spectra 10 file spectra.csv", tmp_path)
+    assert (tmp_path / "spectra.csv").read_text() == heading + row
 
 
 def test_another_file_is_not_overwritten(tmp_path):
     (tmp_path / "spectra.csv").write_text("my own notes\n")
     with pytest.raises(EngineError, match=r"spectra\.csv is not a table of collision spectra"):
-        begin_counting(tmp_path)
+        run_gas_with("fix s all collision_spectra 10 file spectra.csv", tmp_path)
     assert (tmp_path / "spectra.csv").read_text() == "my own notes\n"
 
 
@@ -197,11 +195,8 @@ def test_another_file_is_not_overwritten(tmp_path):
     ],
 )
 def test_a_wrong_line_is_named(words, complaint, tmp_path):
-    deck = tmp_path / "wrong.in"
-    gas = (DECKS / "gas.in").read_text().split("include         ${decks}/counting")[0]
-    deck.write_text(f"{gas}\nfix s {words}\n")
     with pytest.raises(EngineError) as error:
-        run_deck(deck, {"decks": DECKS}, tmp_path)
+        run_gas_with(f"fix s {words}", tmp_path)
     assert f"collision_spectra: {complaint}" in str(error.value)
 
 

@@ -64,7 +64,8 @@ std::string ContactOwner::unsuitable_model(const std::string& law, bool is_cylin
       if (is_adhesive && name == "surface multicontact")
         text = name + " is not supported with adhesion" + remedy;
       if (is_cylinder && keyword != "tangential" && keyword != "rolling_friction")
-        text = name + " supports only spheres, but " + law + " is a law for cylinders (2D)" + remedy;
+        text =
+            name + " supports only spheres, but " + law + " is a law for cylinders (2D)" + remedy;
     }
   return text;
 }
