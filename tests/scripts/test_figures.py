@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""`./run figures` draws every figure of the docs, part by part, and goes on where it stopped."""
+"""`./run figures` draws every figure of the docs in parts, and continues where it stopped."""
 
 from __future__ import annotations
 
@@ -47,8 +47,8 @@ def test_figures_of_the_bulk_decks(brief_run, bulk_run, tmp_path, monkeypatch):
 
 
 def test_every_figure_of_the_docs_has_a_part():
-    """Those that laws, experiments, decks and reports name, and no other, but for a screenshot and
-    those of the benchmarks, which draw their own.
+    """The figures are those of laws, experiments, decks and reports, a screenshot, and two figures
+    that benchmarks draw.
     """
     drawn = {f"{name}.svg" for name in make_figures.laws.LAWS}
     drawn |= {file for _, files in make_figures.EXPERIMENTS.values() for file in files.values()}
@@ -71,7 +71,7 @@ def test_every_figure_of_the_docs_has_a_part():
 
 
 def test_each_part_starts(tmp_path, monkeypatch):
-    """What a part begins with is reached, with the words it is called by."""
+    """Each part reaches its first call."""
     begun = []
 
     def begin(name):
@@ -94,7 +94,7 @@ def test_each_part_starts(tmp_path, monkeypatch):
     assert len(begun) == len(parts)
 
 
-def test_a_round_goes_on_where_it_stopped(tmp_path, monkeypatch, capsys):
+def test_a_round_continues_where_it_stopped(tmp_path, monkeypatch, capsys):
     monkeypatch.setattr(make_figures, "DONE", tmp_path / "done.txt")
     drawn, broken = [], [True]
 
@@ -115,7 +115,7 @@ def test_a_round_goes_on_where_it_stopped(tmp_path, monkeypatch, capsys):
     assert not make_figures.DONE.exists()
 
 
-def test_parts_are_listed_and_others_refused(capsys):
+def test_parts_are_listed_and_unknown_ones_refused(capsys):
     make_figures.main(["--list"])
     listed = capsys.readouterr().out.split()
     assert {"universal", "rod", "hopper", "validation", "zv02"} <= set(listed)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The scripts of docs and benchmarks run to their end, on little."""
+"""The scripts of docs and benchmarks run to their end on small cases."""
 
 from __future__ import annotations
 
@@ -33,8 +33,11 @@ def load(path: str) -> ModuleType:
 
 
 def test_convergence_of_finite_elements():
-    """A third of the penalty moves a coarse press and a coarse throw, by less than 2 %. The bound
-    was set after 1.2 % was seen, of the contact radius, which is read to a part of an element."""
+    """A third of the penalty changes a coarse press and a coarse throw by less than 2 %.
+
+    The largest change, 1.2 %, is that of the contact radius, which is resolved to a part of an
+    element.
+    """
     script = load("docs/convergence.py")
     coarse = Settings(divisions=4, fineness=0.5, growth=1.15, unloading_steps=10)
     softer = {"penalty": (15.0,)}
@@ -46,7 +49,7 @@ def test_convergence_of_finite_elements():
 
 
 def test_pair_time(tmp_path, monkeypatch, capsys):
-    """Two steps of a bed of 216 spheres and of one of 36 discs, once."""
+    """Two steps of a bed of 216 spheres and of a bed of 36 discs, measured once."""
     monkeypatch.syspath_prepend(PROJECT / "benchmarks")
     script = load("benchmarks/pair_time.py")
     monkeypatch.setattr(script, "WORK", tmp_path)
@@ -71,7 +74,7 @@ def test_pair_time(tmp_path, monkeypatch, capsys):
 
 @pytest.mark.engine
 def test_peers(tmp_path, monkeypatch, capsys):
-    """Two steps of a bed of 72 spheres, once, by LIGGGHTS' own laws; LAMMPS is not in the tests."""
+    """Two steps of a bed of 72 spheres, measured once, in LIGGGHTS; the tests do not run LAMMPS."""
     monkeypatch.syspath_prepend(PROJECT / "benchmarks")
     script = load("benchmarks/peers.py")
     monkeypatch.setattr(script, "WORK", tmp_path)
@@ -90,9 +93,11 @@ def test_peers(tmp_path, monkeypatch, capsys):
 
 @pytest.mark.engine
 def test_restitution_of_peers(tmp_path, monkeypatch):
-    """hooke/hysteresis meets the finite elements where it was made to, by its own equations:
-    1 % is for the interpolation between computed speeds. A law of ours is the Python's, to the
-    error of a time step of 1/4000 of an impact."""
+    """hooke/hysteresis agrees with the finite elements at the speed of its fit.
+
+    1 %: interpolation between computed speeds. The law of this project agrees with Python to the
+    error of a time step of 1/4000 of an impact.
+    """
     monkeypatch.syspath_prepend(PROJECT / "benchmarks")
     script = load("benchmarks/peers_restitution.py")
     found = script.restitution(tmp_path, ["hooke/hysteresis", "thornton"])
@@ -111,8 +116,9 @@ def test_restitution_of_peers(tmp_path, monkeypatch):
 
 @pytest.mark.engine
 def test_size(tmp_path, monkeypatch, capsys):
-    """A bed of 100 grains, hardly settled: copies side by side feel the same forces but for
-    rounding, a restart ends as the run does, and four ranks end as one but for rounding."""
+    """A bed of 100 grains: copies side by side have the same forces to round-off, a restart ends
+    like the run, and four ranks end like one rank to round-off.
+    """
     monkeypatch.syspath_prepend(PROJECT / "benchmarks")
     script = load("benchmarks/size.py")
     for place in ("size_beds.WORK", "size_beds.RESULTS", "size_parallel.WORK"):
@@ -144,8 +150,11 @@ def test_size(tmp_path, monkeypatch, capsys):
 
 
 def test_the_model_of_clusters():
-    """Copies as counted on four ranks of 3125 grains, 20 deep, to 10 %, which is what the mean
-    distance of grains is worth; more ranks are less efficient; one rank takes its grains' time."""
+    """The number of copies is that counted on four ranks of 3125 grains, 20 deep, to 10 %.
+
+    The tolerance is the error of the mean distance of grains. More ranks are less efficient. One
+    rank takes the time of its grains.
+    """
     model = load("benchmarks/size_model.py")
     reach = 2 * model.REACH
     assert_allclose((12.5 + reach) ** 2 * 20 - 3125, 1295, rtol=0.1)
@@ -172,9 +181,10 @@ def test_random_calls(monkeypatch, capsys):
     assert stop.value.code == 1
 
 
-def test_the_slurm_script_goes_on_from_the_older_checkpoint(tmp_path):
-    """With `srun` an echo: from the start without checkpoints or with one, which may be cut short,
-    else from the older of two."""
+def test_the_slurm_script_continues_from_the_older_checkpoint(tmp_path):
+    """`srun` is an echo here. Without checkpoints, or with one, which may be truncated, the run
+    starts at its beginning; otherwise it starts from the older of two.
+    """
     script = PROJECT / "examples" / "slurm" / "large_bed.sh"
     srun = tmp_path / "srun"
     srun.write_text('#!/bin/sh\necho "$@"\n')
@@ -197,7 +207,7 @@ def test_the_slurm_script_goes_on_from_the_older_checkpoint(tmp_path):
 
 @pytest.mark.parametrize("part", ["kills", "restarts"])
 def test_reliability(part, tmp_path, monkeypatch):
-    """Two kills or restarts; the page's table is written again and nothing else of the page."""
+    """Two kills or restarts; the script replaces the table of the page and nothing else."""
     monkeypatch.syspath_prepend(PROJECT / "benchmarks")
     script = load("benchmarks/reliability.py")
     page = PROJECT / "docs" / "reliability.md"
@@ -216,9 +226,8 @@ def test_reliability(part, tmp_path, monkeypatch):
     assert [line for line in written.splitlines() if re.match(r"\|.*\d", line)], "no row"
 
 
-def test_the_metal_given_to_the_independent_elements():
-    """Where stretches keep their directions both theories are one: F = F_e F_p and sums of
-    logarithms."""
+def test_the_metal_of_the_independent_finite_elements():
+    """If the stretches keep their directions, F = F_e F_p and the sum of logarithms are equal."""
     script = load("benchmarks/independent_finite_elements.py")
     material = script.HARD
     stretches = np.random.default_rng(7).normal(scale=0.05, size=(50, 3))
@@ -237,7 +246,7 @@ def test_the_metal_given_to_the_independent_elements():
 
 @pytest.mark.engine
 def test_softened_decks_are_compared(tmp_path, monkeypatch):
-    """A drum of a moment: shares of what is dissipated, which sum up to one."""
+    """A short run of the drum: the fractions of the dissipation add up to one."""
     script = load("docs/softening.py")
     moment = {**script.DRUM, "duration": 0.06, "settling": 0.01, "rows": 24}
     monkeypatch.setattr(script, "DECKS", {"drum": moment})
