@@ -100,7 +100,7 @@ def calibrate(
 
     Warns:
         UserWarning: Measurements scatter about the law more than stated.
-        SmallStrainWarning: As of `press_sphere`.
+        SmallStrainWarning: As for `press_sphere`.
 
     Sources: see `hardness`, `physics.rebound_hardness` and `inversion` for each method.
     """
@@ -168,7 +168,7 @@ def calibrate(
 def _refuse_unused(
     quantity: str, scatter: float | None, force_ratio: float | None, radius: float, strain: str
 ) -> None:
-    """Refuse a scatter of a measurement without one, and settings of unused finite elements."""
+    """Refuse a scatter for measurements without scatter, and settings of unused finite elements."""
     if scatter is not None and quantity not in ("leeb", "drops"):
         raise ValueError(
             f"scatter is {scatter!r}, but it applies only to leeb or drops, not to {quantity}"

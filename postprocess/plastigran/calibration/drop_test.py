@@ -82,12 +82,12 @@ class DropTest:
 
     @property
     def ball_name(self) -> str:
-        """Ball in words."""
+        """Name of the ball in messages."""
         return "the metal" if self.ball is None else self.ball.name
 
     @property
     def plate_name(self) -> str:
-        """Plate in words."""
+        """Name of the plate in messages."""
         if self.plate is None:
             return "the metal"
         return self.plate.name if isinstance(self.plate, Material) else "a rigid plate"

@@ -129,7 +129,7 @@ def from_leeb(leeb: float | str, law: str, metal: Material, scatter: float | Non
         scatter: Relative standard deviation of the restitution; None for that of conversions.
 
     Raises:
-        ValueError: As of `read_leeb` and `estimate_strength`.
+        ValueError: As for `read_leeb` and `estimate_strength`.
     """
     tester, reading = read_leeb(leeb)
     scatter = LEEB_SCATTER if scatter is None else scatter
@@ -163,7 +163,7 @@ def from_drops(drops: DropTest, law: str, metal: Material, scatter: float | None
         scatter: Relative standard deviation of one restitution; None for `DROP_SCATTER`.
 
     Raises:
-        ValueError: As of `estimate_strength`.
+        ValueError: As for `estimate_strength`.
 
     Warns:
         UserWarning: The measurements scatter much more about the law than stated.

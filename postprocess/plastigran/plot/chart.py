@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The data of a chart, from which the static figure and the interactive page are both drawn."""
+"""Data of a chart. `plot.static` and `report.page.charts` draw it in figures and pages."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Parts of figures of flowing grains: the grains, and power from work."""
+"""Parts of figures of flowing grains: a picture of the grains, and mean power."""
 
 from __future__ import annotations
 

@@ -64,7 +64,7 @@ def collect(folders: Iterable[str | Path]) -> list[Results]:
 
 
 def _category(folder: Path) -> str | None:
-    """Return the category of the results in a folder itself; None if there are none."""
+    """Return the category of results in a folder, without its subfolders; None without results."""
     if (folder / RECORD).is_file():
         return "bulk"
     if any((folder / name).exists() for name in (TABLE, STUDY, "runs")):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Sections of a page: its view of a folder of results in any state."""
+"""Sections of a page, one for each folder of results."""
 
 from __future__ import annotations
 

@@ -64,7 +64,7 @@ def measured_chart(table: pd.DataFrame, materials: Mapping[str, Material]) -> Ch
 
 
 def _abscissa(table: pd.DataFrame) -> str | None:
-    """Return the number of the cases that has most values, else a word that varies."""
+    """Return the column of the x axis: the number with most values, else a word that varies."""
     numbers = [name for name in ("speed", "angle", "incident_angle", "radius") if name in table]
     others = [name for name in ("geometry", "material", "wall", "options") if name in table]
     counts = {name: table[name].nunique() for name in numbers + others}
