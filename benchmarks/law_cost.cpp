@@ -1,20 +1,19 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// What a law alone costs, without an engine: every law is taken over the same contacts, and the
-// time of each phase is printed as CSV. Under callgrind the counts of each phase go to a dump of
-// their own, named law/phase/answer; law_cost.py puts both together.
+// Measure the cost of a law alone, without a host. Every law computes the same contacts, and the
+// program prints the time of each phase as CSV. Under callgrind, the counts of each phase go to a
+// separate dump, named law/phase/answer. law_cost.py joins both.
 //
 //   law_cost [--repeats N] [LAW ...]
 //
-// Contacts are pressed to between 1.5 and 100 overlaps at yield. A phase is
+// The largest overlaps are 1.5 to 100 times the overlap at yield. A phase is
 //
 //   elastic    up to half the overlap at yield
-//   loading    every step is deeper than the one before
+//   loading    every step is deeper than the previous one
 //   unloading  from the largest overlap down to nine tenths of it
-//   mixed      up and down at random below the largest overlap and beyond: two thirds of the steps
-//              load
+//   mixed      random steps below and above the largest overlap; two thirds of them load
 //
-// and the answer is the force and contact radius (`force`), or the energies too (`energies`).
+// and the answer is force and contact radius (`force`), or also the energies (`energies`).
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -41,7 +40,7 @@ constexpr std::size_t contact_count = 4096;
 constexpr std::size_t path_length = 8;  // steps of a path, which is walked again and again
 constexpr double radius_eff = 1.25e-3;  // [m], mean
 
-// The overlaps of all contacts at each step of a path, after the ones they have reached before.
+// Overlaps of all contacts at each step of a path, after the overlaps reached before.
 struct Path {
   std::string name;
   std::vector<double> reached;
@@ -81,7 +80,7 @@ Bed make_bed(double overlap_y) {
        })}};
 }
 
-// One step of all contacts, as an engine asks: a state is read, the law asked, the state written.
+// One step of all contacts as in a host: read the state, call the law, write the state.
 template <class Law, bool energies>
 [[gnu::noinline, gnu::flatten]] double step(const Law& law, const std::vector<double>& radius,
                                             const std::vector<double>& overlap,
@@ -104,7 +103,7 @@ double seconds() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-// The shortest of some walks along a path [ns per contact and step].
+// Shortest time of some walks along a path [ns per contact and step].
 template <class Law, bool energies>
 void walk(const Law& law, const Bed& bed, const Path& path, int repeats) {
   std::vector<double> begin(contact_count * Law::state_names.size() + 1), history;
@@ -149,12 +148,12 @@ void measure(const std::vector<std::string>& chosen, int repeats) {
   }
 }
 
-// 0 unless a word is no law's name.
+// Return 0 if all words are names of laws.
 template <class... Laws>
 int measure_all(const std::vector<std::string>& chosen, int repeats) {
   for (const std::string& name : chosen)
     if (!((name == Laws::name) || ...)) {
-      std::fprintf(stderr, "ERROR: %s is no law\n", name.c_str());
+      std::fprintf(stderr, "ERROR: %s is not a law\n", name.c_str());
       return 2;
     }
   std::printf("law,phase,answer,ns,sum\n");

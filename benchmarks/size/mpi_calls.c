@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Counts what a rank hands to MPI. Preloaded, it writes a file mpi_calls.<rank> where the engine
-// runs: a line for each function with calls and bytes sent or reduced.
+// Count the calls of MPI. If preloaded, this library writes a file mpi_calls.<rank> in the working
+// folder of LIGGGHTS: a line for each function with calls and bytes sent or reduced.
 #include <mpi.h>
 #include <stdio.h>
 

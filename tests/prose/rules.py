@@ -39,6 +39,7 @@ PATTERNS = {
     "name the ratio or the comparison": (
         r"\b(taken|measured|run|ran|compared|costs?) .*\bbeside\b",
         r"\d over (stock )?(hertz|CODE)",
+        r", over (that|those|what|a|its|theirs)\b",
     ),
 }
 #: Terms to avoid, by the term to use.
