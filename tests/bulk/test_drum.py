@@ -8,6 +8,7 @@ import numpy as np
 import pandas as pd
 import pytest
 from bulk_settings import STEADY_FLOWS
+from matplotlib.colors import to_rgba
 
 from plastigran.bulk.decks.drum import LEVER_ARM, Drum
 from plastigran.bulk.outcome import BulkRun
@@ -79,11 +80,11 @@ def test_impacts_before_a_checkpoint_are_counted_after_it(begun, rest):
     largest = spectra[1].groupby("quantity")["upper"].transform("max")
     counted = spectra[1][spectra[1]["lower"] > np.finfo(float).eps * largest]
     for axes, quantity in zip(rest.figures["collision_spectra"].axes, QUANTITIES, strict=True):
-        for line in axes.lines:
-            with_it = counted["with"] == line.get_label()
-            counts = counted[with_it & (counted["quantity"] == quantity)]["count"]
-            drawn = np.nan_to_num(line.get_ydata())
-            assert drawn.sum() == 2 * counts.sum()  # two ends of a step
+        partners = {to_rgba(line.get_color()): line.get_label() for line in axes.lines}
+        drawn = {partners[s.get_edgecolor()]: np.nansum(s.get_data().values) for s in axes.patches}
+        for partner in partners.values():
+            chosen = (counted["with"] == partner) & (counted["quantity"] == quantity)
+            assert drawn.get(partner, 0) == counted[chosen]["count"].sum()
         assert {line.get_label() for line in axes.lines} == {*spectra[1]["with"]} >= {"particle"}
 
 
