@@ -73,7 +73,7 @@ void EnergyLedger::check_owners() {
     warn(lmp,
          "energy_ledger: the walls " + walls +
              " have no `energy_ledger on`. Their energy terms are missing and appear as balance "
-             "error (drift). Add `energy_ledger on` to these lines");
+             "error (`drift`). Add `energy_ledger on` to these lines");
 }
 
 void EnergyLedger::init() {
