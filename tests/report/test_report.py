@@ -57,7 +57,6 @@ def test_a_page_is_written_with_its_pictures(tmp_path):
 @pytest.mark.parametrize(
     ("text", "message"),
     [
-        ("nothing", "has no <!-- table one -->"),
         (PAGE + PAGE.replace("one", "two"), "has a place for two, which is not a table of small"),
         (PAGE + PAGE, "two places for one table"),
         (None, "small.md is missing"),

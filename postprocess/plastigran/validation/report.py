@@ -102,7 +102,6 @@ EVIDENCE = Evidence(
         "validation_spheres.md",
         "validation_steel.md",
         "validation_oblique.md",
-        "choose_a_law.md",
     ),
     pictures="figures/validation",
     compute=compute,

@@ -39,11 +39,10 @@ def how_far_off(law: str, table: pd.DataFrame) -> str:
             errors.append(f"{rms:.0f}" if rms >= 10 else f"{rms:.2g}")
             start = end
         parts.append(f"{word} {', '.join(errors)} %")
-    ends = ", ".join(str(end) for end in UPPER_ENDS)
-    outside = " outside its fit" if law == FITTED_LAW else ""
+    metals = ", for metals outside its fit" if law == FITTED_LAW else ""
     return (
-        f"{'; '.join(parts)} up to {ends} yield speeds, of perfectly plastic spheres{outside} by "
-        "finite elements (rms) ([all regimes](../validation.md))"
+        f"rms error of {' and '.join(parts)}, in "
+        f"[four ranges of speed](../laws.md#accuracy-on-law-pages){metals}"
     )
 
 
