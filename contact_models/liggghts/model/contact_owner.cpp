@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "liggghts/model/contact_owner.h"
 
+#include <map>
 #include <numeric>
 
 #include "contact_models.h"
 #include "fix_mesh_surface.h"
 #include "fix_wall_gran.h"
+#include "force.h"
 #include "liggghts/fixes/plugin_fix.h"
 #include "liggghts/model/companions.h"
 #include "pair_gran.h"
@@ -99,6 +101,27 @@ std::set<int> wall_types(LAMMPS_NS::Modify* modify) {
   for (FixWallGran* const wall : fixes_of<FixWallGran>(modify))
     for (const int type : ContactOwner(wall).partner_types(0)) types.insert(type);
   return types;
+}
+
+MixedModels mixed_models(LAMMPS_NS::LAMMPS* engine) {
+  MixedModels mixed;
+  std::vector<std::string> laws;             // in the order of their first line
+  std::map<std::string, std::string> lines;  // of each law
+  const auto add = [&](const ContactOwner& owner) {
+    const std::string law = owner.law();
+    if (law.empty()) mixed.has_foreign = true;
+    if (!law.empty() && mixed.first.empty()) mixed.first = owner.name();
+    if (!lines.count(law)) laws.push_back(law);
+    lines[law] += (lines[law].empty() ? "" : ", ") + owner.name();
+  };
+  if (const auto pair = static_cast<PairGran*>(engine->force->pair_match("gran", 0)))
+    add(ContactOwner(pair));
+  for (FixWallGran* const wall : fixes_of<FixWallGran>(engine->modify)) add(ContactOwner(wall));
+  if (laws.size() < 2) return mixed;
+  for (const std::string& law : laws)
+    mixed.text += (mixed.text.empty() ? "" : "; ") + lines[law] + " has " +
+                  (law.empty() ? "a model of LIGGGHTS" : law);
+  return mixed;
 }
 
 }  // namespace plastigran

@@ -11,6 +11,7 @@
 
 namespace LAMMPS_NS {
 class FixWallGran;
+class LAMMPS;
 class Modify;
 class PairGran;
 }  // namespace LAMMPS_NS
@@ -53,5 +54,14 @@ class ContactOwner {
 
 // The atom types of all granular walls.
 std::set<int> wall_types(LAMMPS_NS::Modify* modify);
+
+// The normal models in the lines of a deck, if they differ.
+struct MixedModels {
+  std::string
+      text;  // "pair_style has thornton; fix floor has a model of LIGGGHTS"; empty: one model
+  std::string first;         // the first line with a law, as ContactOwner::name()
+  bool has_foreign = false;  // a line has a model of LIGGGHTS
+};
+MixedModels mixed_models(LAMMPS_NS::LAMMPS* engine);
 
 }  // namespace plastigran

@@ -29,7 +29,6 @@
 #include "liggghts/model/deck_properties.h"
 #include "liggghts/model/line_settings.h"
 #include "liggghts/model/normal_model_settings.h"
-#include "liggghts/model/normal_models.h"
 #include "liggghts/model/radius_range.h"
 #include "liggghts/model/contact_rates.h"
 #include "liggghts/model/type_extremes.h"

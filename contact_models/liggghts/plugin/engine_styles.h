@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// The engine's contact models and what makes pair styles and walls of them, for the registration of
-// plastigran's laws, without the compiler's warnings about them.
+// LIGGGHTS' contact models, pair styles and walls, without compiler warnings.
 #pragma once
 
 #pragma GCC diagnostic push

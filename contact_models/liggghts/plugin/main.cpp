@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// liggghts-plastigran: stock LIGGGHTS with the laws of libplastigran loaded, and the same command
-// line as `liggghts`. A signal ends the run at the end of a step, output is written line by line,
-// and normal models that do not exist are named.
+// liggghts-plastigran: LIGGGHTS with the laws of libplastigran, and the command line of `liggghts`.
+// A signal ends the run at the end of a step, output is written by lines, and unknown normal models
+// are named.
 #include <mpi.h>
 #include <signal.h>
 
@@ -23,7 +23,7 @@ namespace {
 
 struct CommandLine {
   std::string deck;
-  std::map<std::string, std::string> values;  // of -var: "${NAME}" and the first word
+  std::map<std::string, std::string> values;  // of -var, the first word by "${NAME}"
 
   CommandLine(int argc, char** argv) {
     for (int i = 1; i + 1 < argc; ++i) {
@@ -35,17 +35,16 @@ struct CommandLine {
   }
 };
 
-// A warning for each word after `gran model` in a deck that is no normal model. LIGGGHTS stops
-// there without naming it.
-std::string unknown_models(const CommandLine& given) {
+// A warning for each unknown normal model in a deck, because LIGGGHTS stops without naming it.
+std::string unknown_models(const CommandLine& command) {
   const std::string known = PLASTIGRAN_MODELS;
-  std::ifstream file(given.deck);
+  std::ifstream file(command.deck);
   std::string text, earlier, last;
   for (std::string line; std::getline(file, line);) {
     std::istringstream words(line.substr(0, line.find('#')));
     for (std::string word; words >> word;) {
       if (word == "&") continue;
-      if (given.values.count(word)) word = given.values.at(word);
+      if (command.values.count(word)) word = command.values.at(word);
       const bool is_model = last == "model" && (earlier == "gran" || earlier == "wall/gran");
       if (is_model && word.find('$') == std::string::npos &&
           (' ' + known + ' ').find(' ' + word + ' ') == std::string::npos)
@@ -57,10 +56,9 @@ std::string unknown_models(const CommandLine& given) {
   return text;
 }
 
-// Open MPI starts a daemon for a process that no launcher started, and looks for ways to reach
-// others. A rank alone needs neither; together they take as long as the engine's own start. Without
-// a daemon all such processes have one session directory, which one that ends takes from another
-// that begins; a rank alone has nothing to keep there.
+// Without a launcher, Open MPI starts a daemon and searches for networks, which takes as long as
+// the start of LIGGGHTS. One rank needs neither. Without a daemon all such processes share one
+// session directory, which a process deletes when it ends, so one rank does without it.
 void start_alone() {
   for (const char* name : {"OMPI_COMM_WORLD_SIZE", "PMIX_RANK", "PMI_RANK"})
     if (std::getenv(name)) return;

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// Is the engine the one that the plugin was compiled for? Its version can be asked once an engine
-// exists; the layout of its structures as the plugin is loaded.
-// The build options of LIGGGHTS change them silently, pairs would still work and walls would crash.
-// The superquadric atom style is exported by just those engines that have the larger layout.
+// Checks that the plugin was compiled for this LIGGGHTS: the data layout when the plugin is loaded,
+// the version when LIGGGHTS exists. With a wrong layout pairs would work and walls would crash.
+// Builds with the larger layout export the superquadric atom style.
 #include <dlfcn.h>
 #include <unistd.h>
 
 #include <cstdio>
 #include <string>
 
+#include "liggghts/fixes/messages.h"
 #include "liggghts/plugin/registered.h"
 #include "universe.h"
 
@@ -26,8 +26,8 @@ const bool engine_checked = [] {
   if (superquadric == expects_superquadric) return true;
   std::fprintf(stderr,
                "ERROR: Plastigran was compiled for a LIGGGHTS %s superquadric particles, but this "
-               "LIGGGHTS was built %s them. Its data layout differs; compile Plastigran against "
-               "this engine (%s)\n",
+               "LIGGGHTS was built %s them. Its data layout differs. Compile Plastigran with the "
+               "headers of this LIGGGHTS (%s)\n",
                expects_superquadric ? "with" : "without", superquadric ? "with" : "without",
                PLASTIGRAN_ENGINE_VERSION);
   std::fflush(stderr);
@@ -41,10 +41,9 @@ namespace plastigran {
 void require_version(LAMMPS_NS::LAMMPS* engine) {
   if (std::string(engine->universe->version).find(PLASTIGRAN_ENGINE_VERSION) != std::string::npos)
     return;
-  const std::string text = std::string("Plastigran was compiled for ") + PLASTIGRAN_ENGINE_VERSION +
-                           " but this engine is " + engine->universe->version +
-                           "; compile Plastigran against this engine's headers";
-  engine->error->all(FLERR, text.c_str());
+  stop(engine, std::string("Plastigran was compiled for ") + PLASTIGRAN_ENGINE_VERSION +
+                   ", but this is " + engine->universe->version +
+                   ". Compile Plastigran with the headers of this LIGGGHTS");
 }
 
 }  // namespace plastigran

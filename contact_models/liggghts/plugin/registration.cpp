@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// Puts every law into the engine's factories when the program is loaded: its name, each combination
-// with other models that can be had, and for every other combination a creator that says so.
-// (An unregistered combination would reach the engine's generic class, which knows nothing of
-// models that came with a plugin.) A deck's first line of a law makes the observers' styles known.
+// Registers every law in LIGGGHTS' factories when the program is loaded: its name, each combination
+// with other models that was compiled, and for all others a function that refuses them. (LIGGGHTS
+// would otherwise use its generic class, which has only LIGGGHTS' own models.) The first line with
+// a law registers the styles of the observers.
 #include <algorithm>
 #include <iterator>
 #include <string>
@@ -45,7 +45,7 @@ const RegisteredCombination* const combinations[] = {
 #undef LAW
 #undef COMBINATION
 
-// The places of a combination beside the normal model, in the order of companion_kinds().
+// In the order of companion_kinds().
 int RegisteredCombination::*const places[] = {
     &RegisteredCombination::tangential, &RegisteredCombination::cohesion,
     &RegisteredCombination::rolling, &RegisteredCombination::surface};
@@ -55,37 +55,39 @@ const RegisteredLaw& law_of(int64_t hash) {
                         [hash](const RegisteredLaw* law) { return law->id == model_of(hash, 0); });
 }
 
-// The combination compiled for these models: the one that has most of them by name.
-const RegisteredCombination* find(const RegisteredCombination& asked) {
-  const RegisteredCombination* found = nullptr;
-  int most = -1;
-  for (const RegisteredCombination* each : combinations) {
-    int named = 0;
-    const bool fits = std::all_of(std::begin(places), std::end(places), [&](auto place) {
-      named += each->*place == asked.*place;
-      return each->*place == asked.*place || each->*place == ANY;
-    });
-    if (fits && named > most) found = each, most = named;
-  }
-  return found;
+// Whether a combination was compiled for a model in one of the places.
+bool has(const RegisteredCombination& combination, int RegisteredCombination::*place, int model) {
+  return combination.*place == model || combination.*place == ANY;
 }
 
-// The words of a combination that none has in their place, with those that are possible.
+// The combination with these models that names most of them.
+const RegisteredCombination* find(const RegisteredCombination& models) {
+  const RegisteredCombination* best = nullptr;
+  int most = -1;
+  for (const RegisteredCombination* const combination : combinations) {
+    int named = 0;
+    bool fits = true;
+    for (const auto place : places) {
+      named += combination->*place == models.*place;
+      fits = fits && has(*combination, place, models.*place);
+    }
+    if (fits && named > most) best = combination, most = named;
+  }
+  return best;
+}
+
+// Names the models that no combination has, and the possible ones.
 std::string describe_refusal(int64_t hash) {
   std::string text = std::string("model ") + law_of(hash).name + ':';
   for (std::size_t k = 0; k < std::size(places); ++k) {
     const CompanionKind& kind = companion_kinds()[k];
     std::string refused, others;
-    for (const Companion& companion : kind.models) {
-      const bool possible = std::any_of(
-          std::begin(combinations), std::end(combinations), [&](const RegisteredCombination* each) {
-            return each->*places[k] == companion.id || each->*places[k] == ANY;
-          });
-      if (possible)
+    for (const Companion& companion : kind.models)
+      if (std::any_of(std::begin(combinations), std::end(combinations),
+                      [&](const auto* entry) { return has(*entry, places[k], companion.id); }))
         others += std::string(" ") + companion.name;
       else if (companion.id == model_of(hash, k + 1))
         refused = companion.name;
-    }
     if (!refused.empty())
       text += std::string(" ") + kind.keyword + ' ' + refused +
               " is not available with this model; possible:" + others;
@@ -95,18 +97,18 @@ std::string describe_refusal(int64_t hash) {
 
 template <class Interface, class Parent>
 Interface* refuse(LAMMPS_NS::LAMMPS* engine, Parent*, int64_t hash) {
-  engine->error->all(FLERR, describe_refusal(hash).c_str());
-  return nullptr;
+  stop(engine, describe_refusal(hash));
 }
 
-void add(const RegisteredLaw& law, const RegisteredCombination& asked) {
-  const int64_t hash = Utils::generate_gran_hashcode(law.id, asked.tangential, asked.cohesion,
-                                                     asked.rolling, asked.surface);
-  const RegisteredCombination* const found = find(asked);
+void add(const RegisteredLaw& law, const RegisteredCombination& models) {
+  const int64_t hash = Utils::generate_gran_hashcode(law.id, models.tangential, models.cohesion,
+                                                     models.rolling, models.surface);
+  const RegisteredCombination* const combination = find(models);
   PairStyles::Factory::instance().addStyle(
-      "gran", hash, found ? found->pair : refuse<PairStyles::IGranularPairStyle, PairGran>);
+      "gran", hash,
+      combination ? combination->pair : refuse<PairStyles::IGranularPairStyle, PairGran>);
   Walls::Factory::instance().addStyle(
-      "gran", hash, found ? found->wall : refuse<Walls::IGranularWall, FixWallGran>);
+      "gran", hash, combination ? combination->wall : refuse<Walls::IGranularWall, FixWallGran>);
 }
 
 void add_all(const RegisteredLaw& law) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// Times of an elastic sphere that time steps are usually held against.
+// Times of an elastic sphere that time steps are usually compared with.
 #pragma once
 
 #include <cmath>
@@ -17,9 +17,9 @@ inline double hertz_duration(double radius_eff, double mass_eff, double youngs_m
                              0.2);
 }
 
-// Time a surface wave takes from pole to pole [s]; its speed over the shear wave's is 0.8766 +
-// 0.1631 nu, the linear fit to the root of Rayleigh's equation that time steps of DEM are usually
-// given by (Li, Xu & Thornton 2005, Powder Technol. 160:219).
+// Time of a surface wave from pole to pole [s]. The ratio of its speed to the shear wave's is
+// 0.8766 + 0.1631 nu, the usual linear fit to the root of Rayleigh's equation (Li, Xu & Thornton
+// 2005, Powder Technol. 160:219).
 inline double rayleigh_time(double radius, double density, double youngs_modulus,
                             double poissons_ratio) {
   const double shear_modulus = 0.5 * youngs_modulus / (1 + poissons_ratio);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// Values that are allowed but look like a slip: typed in another unit than the others.
+// Values that are allowed but probably have a wrong unit.
 #pragma once
 
 #include <sstream>
@@ -11,12 +11,12 @@
 
 namespace plastigran {
 
-// What is odd about a body's constants; empty when nothing is. `pascal` is 1 Pa in their unit.
+// Why a body's constants are implausible; empty if they are not. `pascal` is 1 Pa in their unit.
 //
-// Modulus: engines ask for 5 MPa at least, and solids softer than 1 MPa are gels. Strength: the
-// ideal strength of a solid is about a tenth of its modulus, nothing reaches a third (Kelly &
-// Macmillan, Strong Solids, 1986); pure annealed metals have 1e-4 of it, none 2e-5. Bodies beyond
-// `rigid_modulus` are left out.
+// Modulus: LIGGGHTS requires 5 MPa, and solids below 1 MPa are gels. Strength: the ideal strength
+// of a solid is about a tenth of its modulus and never reaches a third (Kelly & Macmillan, Strong
+// Solids, 1986); pure annealed metals have 1e-4 of it, and none has 2e-5. Bodies beyond
+// `rigid_modulus` are not checked.
 inline Complaint implausible(const Body& body, double pascal) {
   const double modulus = body.youngs_modulus, strength = body.yield_strength;
   const double rigid = rigid_modulus * pascal;

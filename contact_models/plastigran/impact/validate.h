@@ -16,7 +16,6 @@ namespace plastigran {
 inline std::string allowed_values(const BodyConstant& constant) {
   std::ostringstream words;
   if (!std::isfinite(constant.upper))
-    // All constants without an upper bound begin at 0.
     words << (constant.above ? "positive and finite" : "0 or more and finite");
   else if (constant.above)
     words << "above " << constant.lower << " and at most " << constant.upper;
@@ -62,7 +61,7 @@ Complaint joint_complaint(const MaterialPair&, const typename Law::Parameters&, 
   return {};
 }
 
-// About one constant's value; empty when it is in range.
+// The complaint about the value of a constant; empty if it is in range.
 template <class Parameters>
 Complaint complaint(const Parameter<Parameters>& parameter, double value) {
   if (value >= parameter.lower && value <= parameter.upper) return {};

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// The hardest impacts that the present velocities allow: of each two types that can meet, the
-// smallest particles at the largest relative speed. Particles that fly side by side do not meet:
-// the relative speed is at most what the extremes of each component of velocity allow.
+// The hardest impacts that the current velocities allow: for each two atom types that can touch,
+// the smallest particles at the largest relative speed. The extremes of the velocity components
+// limit this speed, so particles that fly side by side do not count.
 #pragma once
 
 #include <algorithm>
@@ -20,8 +20,8 @@
 
 namespace plastigran {
 
-// The particles of one type: number, smallest radius and mass, largest speed, and for each axis the
-// least and the largest velocity. A host takes them over all its ranks.
+// The particles of one atom type on all ranks: number, smallest radius and mass, largest speed, and
+// the extremes of each velocity component.
 struct TypeExtremes {
   static constexpr double infinity = std::numeric_limits<double>::infinity();
   double count = 0, radius = infinity, mass = infinity, speed = 0;
@@ -42,17 +42,18 @@ struct TypeExtremes {
 
 class ImpactForecast {
  public:
-  // `types`: by type - 1. `partners`: the types that particles meet here, all or those of a wall.
-  // `wall_types`: the types of all walls of the simulation.
+  // `types`: by type - 1. `partners`: the types that particles can touch, all or those of a wall.
+  // `wall_types`: the types of all walls.
   ImpactForecast(const std::vector<TypeExtremes>& types, const std::vector<int>& partners,
                  bool is_wall, const std::set<int>& wall_types)
       : types_(types) {
     const auto reduced = [](double a, double b) { return a * b / (a + b); };
-    const auto may_come = [&](int type) { return of(type).count > 0 || !wall_types.count(type); };
+    const auto may_exist = [&](int type) { return of(type).count > 0 || !wall_types.count(type); };
     for (int type = 1; type <= static_cast<int>(types.size()); ++type) {
       const TypeExtremes& one = of(type);
       for (const int partner : partners)
-        if (may_come(type) && (is_wall || may_come(partner))) expected_.push_back({type, partner});
+        if (may_exist(type) && (is_wall || may_exist(partner)))
+          expected_.push_back({type, partner});
       if (one.count == 0) continue;
       for (const int partner : partners) {
         const TypeExtremes& other = of(partner);
@@ -67,12 +68,11 @@ class ImpactForecast {
 
   const std::vector<Meeting>& meetings() const { return meetings_; }
 
-  // Pairs of types that can meet or may come to: all but those of a type with walls and no
-  // particle.
+  // Pairs of types that can touch now or later: all but those of wall types without particles.
   const std::vector<std::pair<int, int>>& expected() const { return expected_; }
 
-  // The shortest Rayleigh time of the particles, spheres of these materials (by type - 1) [s];
-  // ImpactTimes::unknown when there are none.
+  // The shortest Rayleigh time of the particles, as spheres of these materials (by type - 1) [s];
+  // ImpactTimes::unknown without particles.
   double rayleigh_time(const std::vector<Body>& materials) const {
     double shortest = ImpactTimes::unknown;
     for (std::size_t k = 0; k < types_.size(); ++k) {

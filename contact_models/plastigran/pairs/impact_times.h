@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// What a law says of the hardest impacts that a host expects.
+// The times of the hardest impacts that a host expects, by a law.
 #pragma once
 
 #include <algorithm>
@@ -15,15 +15,14 @@
 
 namespace plastigran {
 
-// Two types that can meet.
+// Two atom types that can touch.
 struct Meeting {
   int type, partner_type;
   double radius_eff, mass_eff;  // of the smallest and lightest particles [m], [kg]
   double speed;                 // may be 0 [m/s]
 };
 
-// Why the law is none for types that can meet, or that may come to (`expected`); empty when it is
-// one.
+// Why the law does not support types that can touch now, or later (`expected`); empty if it does.
 template <class Law>
 Complaint refusal(const std::vector<Meeting>& meetings,
                   const std::vector<std::pair<int, int>>& expected, TypePairs<Law>& pairs) {
@@ -41,9 +40,9 @@ Complaint refusal(const std::vector<Meeting>& meetings,
 struct ImpactTimes {
   static constexpr double unknown = 1e300;  // [s]
   double step = unknown;                    // shortest recommended time step [s]
-  double step_speed = 0;                    // of the impact that asks for it [m/s]
+  double step_speed = 0;                    // of its impact [m/s]
   double hertz = unknown;                   // shortest duration of an elastic impact [s]
-  double outside_speed = 0;                 // largest that leaves the law's range [m/s]
+  double outside_speed = 0;                 // largest beyond the range of the law [m/s]
 };
 
 template <class Law>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// Counts the contacts that leave the range of their law, and keeps the largest overlap.
+// Counts contacts that exceed the validity range of their law, and finds the largest overlap.
 #pragma once
 
 #include <algorithm>
@@ -12,20 +12,19 @@ namespace plastigran {
 template <class State>
 struct DeepContact {
   double radius_eff, overlap;  // [m]
-  double closing;              // how far the two close in on each other in a step [m]
-  const State &before, &now;   // its state before and after the step
-  bool has_moved_freely;       // its particles may have been moved since the last step
-  double share;                // of the contact in this account; the rest is another rank's
+  double closing;              // approach of the two bodies in a step [m]
+  const State &before, &now;   // state before and after the step
+  bool has_moved_freely;       // whether commands may have moved its particles
+  double share;                // to count; another rank counts the rest
 };
 
 struct RangeAccount {
-  double contacts = 0;  // that have passed the end of their range
-  double furthest = 0;  // largest overlap over the range's
+  double contacts = 0;  // beyond the range
+  double furthest = 0;  // largest overlap divided by the limit
 
-  // A contact is counted when it passes the end of its law's range, an overlap over R*, for the
-  // first time: when what it had reached before this step is less than loading to that end makes of
-  // it. The law is asked only where that can be so: a contact that nothing new has been reached in,
-  // or that was well beyond the end a step ago, has passed before.
+  // Counts a contact when it passes its limit, the range times R*, for the first time: its state
+  // before this step is less than loading to the limit produces. The law is called only if that is
+  // possible, not if the state is unchanged or the contact was well beyond the limit one step ago.
   template <class Law>
   void add(const Law& law, double range, const DeepContact<typename Law::State>& contact) {
     typedef typename Law::State State;

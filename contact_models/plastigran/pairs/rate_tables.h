@@ -1,20 +1,19 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// The law of a material pair at any rate factor k (shared/rate_factor.h). No table is built for a
-// factor.
+// The law of a material pair at any rate factor k (shared/rate_factor.h), without a new table.
 //
-// A law is `self_similar` if its curves in yield units do not depend on the yield strength: F/F_y
-// and a/a_y are functions of overlap/overlap_y. Because a_y/R* grows as k, the law at k is the law
-// at rest of a contact of another radius:
+// A law is `self_similar` if F/F_y and a/a_y are functions of overlap/overlap_y for any yield
+// strength. Because a_y/R* grows as k, the law at k is the law at rest for another radius:
 //
 //   F_k(R*, overlap) = F(k^2 R*, overlap)/k,   contact radius and energies likewise
 //
-// A law whose strength enters by a few numbers has its own respond_stronger(k, radius_eff, overlap,
-// state). All others, where a/R or sigma_Y/E matters, have two tables more, at larger factors k_j.
-// They are built before a run. The two tables next to k answer for k/k_j as above; the answers are
-// interpolated linearly in k^2, because the first term in a/R grows as a^2/R^2. A contact keeps its
-// factor, so the weights, between 0 and 1, stay the same along its path: the force remains the
-// derivative of the energies, and the work lost never falls. docs/rate_factor.md has the error.
+// A law whose strength enters by a few numbers has respond_stronger(k, radius_eff, overlap, state).
+// For all others, where a/R or sigma_Y/E matters, two more tables at larger factors k_j are built
+// before a run. The two tables next to k give responses for k/k_j as above, which are interpolated
+// linearly in k^2, because the first term in a/R grows as a^2/R^2. A contact keeps its factor, so
+// the weights, between 0 and 1, are constant along its path. The force therefore remains the
+// derivative of the energies, and plastic work never decreases. docs/rate_factor.md gives the
+// error.
 #pragma once
 
 #include <algorithm>
@@ -42,13 +41,13 @@ constexpr bool responds_stronger = false;
 template <class Law>
 constexpr bool responds_stronger<Law, std::void_t<decltype(&Law::respond_stronger)>> = true;
 
-// The tables of a pair at larger factors; none where the law needs none.
+// The tables of a pair at larger factors, if the law needs them.
 template <class Law>
 class RateTables {
  public:
   static constexpr bool interpolates = yields<Law> && !self_similar<Law> && !responds_stronger<Law>;
-  static constexpr double largest_ratio = 1e9;   // of the rate over the reference rate
-  static constexpr double largest_factor = 2.5;  // beyond it, the last table answers
+  static constexpr double largest_ratio = 1e9;   // rate divided by reference rate
+  static constexpr double largest_factor = 2.5;  // the last table is used beyond it
 
   RateTables(const MaterialPair& bodies, const typename Law::Parameters& constants) {
     if (!interpolates || !(bodies.rate_coefficient > 0)) return;
@@ -65,12 +64,12 @@ class RateTables {
 
   bool built() const { return !laws_.empty(); }
 
-  // Table 0 is the one at rest.
+  // Table 0 is the law at rest.
   const Law& law(const Law& at_rest, std::size_t k) const { return k ? laws_[k - 1] : at_rest; }
   double range(double at_rest, std::size_t k) const { return k ? ranges_[k - 1] : at_rest; }
   double factor(std::size_t k) const { return factors_[k]; }
 
-  // The table from which on to interpolate at a factor, and the weight of the next one.
+  // The first of the two tables for a factor, and the weight of the second.
   std::size_t begin(double factor) const { return factor < factors_[1] ? 0 : 1; }
   double weight_of_next(double factor) const {
     const double low = factors_[begin(factor)], high = factors_[begin(factor) + 1];
@@ -83,15 +82,14 @@ class RateTables {
   std::array<double, 3> factors_{};
 };
 
-// The law at one factor; what takes a law takes it, too. It refers to the law at rest and its
-// tables.
+// The law at one factor, with the interface of a law. It refers to the law at rest and its tables.
 template <class Law>
 class LawAtFactor {
  public:
   typedef typename Law::State State;
   static constexpr auto state_names = Law::state_names;
 
-  // `range` is that of the law at rest.
+  // `range`: of the law at rest.
   LawAtFactor(const Law& at_rest, double range, const RateTables<Law>& tables, double factor)
       : factor_(factor) {
     parts_.fill({&at_rest, range, factor, 0});
@@ -136,7 +134,7 @@ class LawAtFactor {
     return range;
   }
 
-  // Those of all tables. Breaks that coincide count once.
+  // The distinct breaks of all tables.
   std::vector<double> overlap_breaks() const {
     std::vector<double> all;
     if constexpr (says_breaks<Law>)
@@ -153,8 +151,8 @@ class LawAtFactor {
   static constexpr std::size_t parts = RateTables<Law>::interpolates ? 2 : 1;
   struct Part {
     const Law* law;
-    double range;   // its largest overlap over R*
-    double factor;  // of the contact, over that of the table
+    double range;   // largest overlap over R*
+    double factor;  // of the contact, divided by that of the table
     double weight;
   };
 

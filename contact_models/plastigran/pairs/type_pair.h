@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// The law of two atom types, with what belongs to that pair alone.
+// The law of two atom types and its data.
 #pragma once
 
 #include <algorithm>
@@ -15,13 +15,13 @@ template <class Law>
 struct TypePair {
   typedef typename Law::Parameters Constants;
 
-  double checked_from = 0;  // overlap over R* from which on a host looks at contacts
-  Complaint refusal;        // why the law is none for these two; empty when it is
-  bool lacking = false;  // neither body brings what one must: refused once two particles can meet
+  double checked_from = 0;  // a host checks contacts beyond this overlap/R*
+  Complaint refusal;        // why the law does not support the two types; empty if it does
+  bool lacking = false;     // both bodies lack a constant, which matters only if they touch
   Law law;
   MaterialPair bodies;
-  double checked_to = 0;  // overlap over R* up to which a host has looked
-  double range;  // largest overlap over R* the law is good for, at rest; grows with the strength
+  double checked_to = 0;  // largest overlap/R* checked so far, plus 10 %
+  double range;           // validity range: largest overlap/R*, at rate factor 1
   Constants constants;
   RateTables<Law> rates;
 
@@ -32,8 +32,8 @@ struct TypePair {
         constants(constants_),
         rates(bodies_, constants_) {}
 
-  // Whether a contact is a tenth deeper than those before, over R*. Contacts are then looked at
-  // from the new depth on, or from the end of the range or a limit.
+  // Whether a contact is deeper than `checked_to`, which then grows. Contacts beyond the range or
+  // `limit` are always checked. Depths are overlaps/R*.
   bool deepens(double depth, double limit) {
     if (depth <= checked_to) return false;
     checked_to = 1.1 * depth;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// The table of a simulation's pairs of atom types: the law of each two, mixed from their materials,
-// and why two may not meet. Any host fills it from its own deck.
+// The laws of all pairs of atom types, for any host. Each is mixed from two materials, or has a
+// reason why the two types must not touch.
 //
 //   TypePairs<Thornton> pairs;
 //   const Complaint complaint = pairs.build(materials, Thornton::Parameters());
@@ -28,7 +28,7 @@ namespace plastigran {
 template <class Law>
 constexpr bool is_cylinder = std::string_view(shape<Law>) == std::string_view("cylinder");
 
-// The law's options with their choices, each after a separator.
+// The options of a law with their choices, each after a separator.
 template <class Law>
 std::string options_text(const typename Law::Parameters& choices, const char* separator) {
   std::string text;
@@ -44,8 +44,8 @@ class TypePairs {
   typedef typename Law::Parameters Constants;
 
  public:
-  // Constants that the materials leave out, and all options, are as in `defaults`. Returns what is
-  // wrong with a value; empty when nothing is and the table is there.
+  // Builds the table. `defaults` has the options, and the constants that the materials do not
+  // define. Returns what is wrong with a value; empty if nothing is.
   Complaint build(const Materials& materials, const Constants& defaults) {
     Complaint complaint = validate(materials.bodies);
     if (complaint.empty()) complaint = wrong_body_constant(materials);
@@ -64,8 +64,9 @@ class TypePairs {
 
   TypePair<Law>& operator()(int type, int other_type) { return *at(type, other_type); }
 
-  // A line for each two types that may meet: their effective constants, the law's own and its
-  // options. `caller` begins each line; `assumed` follows constants that are not given.
+  // A line for each pair of types that may touch, with effective constants, constants and options
+  // of the law. `caller` begins each line; `assumed` follows constants that the deck does not
+  // define.
   std::string describe(const std::string& caller, const Words& words, const Constants& options,
                        const char* assumed) {
     std::ostringstream text;
@@ -96,7 +97,7 @@ class TypePairs {
     return text.str();
   }
 
-  // Whether the strength of any two depends on the rate of their impact.
+  // Whether the strength of any pair depends on the impact rate.
   bool rate_matters() const {
     return std::any_of(pairs_.begin(), pairs_.end(), [](const auto& pair) {
       return yields<Law> && pair->bodies.rate_coefficient > 0;
@@ -111,7 +112,7 @@ class TypePairs {
     return of_types_[static_cast<std::size_t>((type - 1) * type_count_ + other_type - 1)];
   }
 
-  // A body's constant is 0 where it does not describe the body.
+  // The constant of a body may be 0, if the other body has one.
   static Complaint wrong_body_constant(const Materials& materials) {
     for (const auto& parameter : parameters_of<Law>) {
       const auto values = materials.constants.find(parameter.name);
