@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Print the tables of docs/finite_elements.md: error from Hertz, and effect of each setting.
+"""Print the error of finite elements from Hertz, and the effect of each setting on them.
 
     .venv/bin/python docs/convergence.py [elastic] [press] [throw] [vibrate] [strike]
 
