@@ -10,7 +10,7 @@ The press takes about three minutes on one core, the throw about six, the others
 from __future__ import annotations
 
 import sys
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 
 import pandas as pd
 from attrs import evolve
@@ -20,26 +20,20 @@ from plastigran.fem.cylinder.strike import strike
 from plastigran.fem.material.elastic_plastic import ElasticPlastic
 from plastigran.fem.material.hardening import LinearHardening
 from plastigran.fem.settings import Settings
-from plastigran.fem.sphere.convergence import (
-    PRESS_VARIATIONS,
-    THROW_VARIATIONS,
-    convergence,
-    press_measure,
-    throw_measure,
-)
 from plastigran.fem.sphere.press import press
+from plastigran.fem.sphere.throw import throw
 from plastigran.fem.sphere.vibrate import vibrate
 from plastigran.fem.theory.hertz import HertzSphere
 
-#: The sphere of Zhang & Vu-Quoc 2002 (Int. J. Impact Eng. 27:317), its largest force and speed.
+#: The sphere of Zhang & Vu-Quoc 2002 (Int. J. Impact Eng. 27:317), pressed and thrown [m, N, m/s].
 METAL = ElasticPlastic(
     youngs_modulus=70e9, poissons_ratio=0.3, density=2699.0, hardening=LinearHardening(100e6)
 )
-RADIUS, FORCE, SPEED = 0.1, 1500.0, 0.02  # m, N, m/s
+RADIUS, FORCE, SPEED = 0.1, 1500.0, 0.02
 
-#: The sphere of ice of docs/papers/chamoli.md and its speed.
+#: The sphere of ice of docs/papers/chamoli.md, thrown [m, m/s].
 ICE = ElasticPlastic(youngs_modulus=9.3e9, poissons_ratio=0.25, density=900.0)
-ICE_RADIUS, ICE_SPEED = 0.01, 5.0  # m, m/s
+ICE_RADIUS, ICE_SPEED = 0.01, 5.0
 VIBRATE_VARIATIONS = {
     "divisions": (8,),
     "fineness": (2.0,),
@@ -70,7 +64,44 @@ STRIKE_VARIATIONS = {
 }
 
 
+PRESS_VARIATIONS = {
+    "divisions": (4, 8),
+    "fineness": (0.5, 2.0),
+    "growth": (1.1, 1.025),
+    "unloading_steps": (12, 48),
+    "penalty": (15.0, 200.0),
+}
+THROW_VARIATIONS = {
+    "divisions": (4, 8),
+    "fineness": (0.5, 2.0),
+    "steps_of_contact": (125, 500),
+    "penalty": (15.0, 200.0),
+}
+
 Variations = Mapping[str, Sequence[float]]
+
+
+def convergence(
+    measure: Callable[[Settings], Mapping[str, float]],
+    variations: Variations,
+    settings: Settings | None = None,
+) -> pd.DataFrame:
+    """Return measured numbers with one setting changed at a time.
+
+    The first row has the unchanged settings. Columns are `changed`, `value`, the numbers, and their
+    difference from the first row in per cent, `<name>_change`.
+    """
+    settings = settings or Settings()
+    reference = measure(settings)
+    rows = [{"changed": "-", "value": float("nan"), **reference}]
+    for name, values in variations.items():
+        for value in values:
+            changed = measure(evolve(settings, **{name: value}))
+            rows.append({"changed": name, "value": value, **changed})
+    table = pd.DataFrame(rows)
+    for name, value in reference.items():
+        table[f"{name}_change"] = 100 * (table[name] / value - 1)
+    return table
 
 
 def elastic_table(
@@ -94,13 +125,26 @@ def elastic_table(
 def press_table(
     variations: Variations = PRESS_VARIATIONS, settings: Settings | None = None
 ) -> pd.DataFrame:
-    return convergence(press_measure(METAL, RADIUS, [FORCE]), variations, settings)
+    """Return the effect of each setting on a press."""
+    names = ["approach", "contact_radius", "residual_approach", "coefficient_of_restitution"]
+
+    def measure(settings: Settings) -> dict[str, float]:
+        return press(METAL, RADIUS, [FORCE], settings).unloadings.iloc[-1][names].to_dict()
+
+    return convergence(measure, variations, settings)
 
 
 def throw_table(
     variations: Variations = THROW_VARIATIONS, settings: Settings | None = None
 ) -> pd.DataFrame:
-    return convergence(throw_measure(METAL, RADIUS, SPEED), variations, settings)
+    """Return the effect of each setting on a throw."""
+    names = ("force_max", "overlap_max", "contact_time", "coefficient_of_restitution")
+
+    def measure(settings: Settings) -> dict[str, float]:
+        result = throw(METAL, RADIUS, SPEED, settings)
+        return {name: getattr(result, name) for name in names}
+
+    return convergence(measure, variations, settings)
 
 
 def tables(
@@ -108,25 +152,27 @@ def tables(
     throw: Variations = THROW_VARIATIONS,
     settings: Settings | None = None,
 ) -> dict[str, pd.DataFrame]:
-    """Return the effect of each setting on a compression and on an impact; see `convergence`."""
+    """Return the effects of settings by name of the computation; see `convergence`."""
     return {"press": press_table(press, settings), "throw": throw_table(throw, settings)}
 
 
 def vibrate_table() -> pd.DataFrame:
+    """Return the effect of each setting on the vibration after the impact."""
+
     def measure(settings: Settings) -> dict[str, float]:
-        vibration = vibrate(ICE, ICE_RADIUS, ICE_SPEED, 1.0, settings)
-        names = ("vibration_energy", "force_max")
-        return {name: getattr(vibration, name) for name in names}
+        result = vibrate(ICE, ICE_RADIUS, ICE_SPEED, 1.0, settings)
+        return {"vibration_energy": result.vibration_energy, "force_max": result.force_max}
 
     return convergence(measure, VIBRATE_VARIATIONS)
 
 
 def strike_table() -> pd.DataFrame:
+    """Return the effect of each setting on a strike."""
     names = ("residual_depth", "coefficient_of_restitution", "force_max")
 
     def measure(settings: Settings) -> dict[str, float]:
-        struck = strike(STRIKE, settings)
-        return {name: float(getattr(struck, name)) for name in names}
+        result = strike(STRIKE, settings)
+        return {name: float(getattr(result, name)) for name in names}
 
     return convergence(measure, STRIKE_VARIATIONS, STRIKE_SETTINGS)
 

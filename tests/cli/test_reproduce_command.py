@@ -29,11 +29,11 @@ def test_a_folder_that_cannot_be_made_is_refused_before_anything_is_computed(tmp
     assert str(tmp_path / "file") in capsys.readouterr().err
 
 
-def test_a_page_without_places_is_refused(tmp_path, capsys):
-    (tmp_path / "zv02.md").write_text("no tables here")
+def test_a_page_with_an_unknown_table_is_refused(tmp_path, capsys):
+    (tmp_path / "zv02.md").write_text("<!-- table colours -->\n<!-- end -->\n")
     line = ["reproduce", "zv02", "--output", str(tmp_path / "out"), "--docs", str(tmp_path)]
     assert main(line) == 1
-    assert "has no <!-- table" in capsys.readouterr().err
+    assert "has a place for colours, which is not a table of zv02" in capsys.readouterr().err
     assert main([*line, "--coarse"]) == 1
     assert "Remove --coarse" in capsys.readouterr().err
     assert not (tmp_path / "out").exists()

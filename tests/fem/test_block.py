@@ -10,7 +10,6 @@ import pytest
 from attrs import evolve
 
 from plastigran.fem.body.body import Body
-from plastigran.fem.body.section import Axisymmetric, PlaneStrain
 from plastigran.fem.material.elastic_plastic import ElasticPlastic
 from plastigran.fem.mesh.block import HalfBlock, TrackBlock
 
@@ -21,15 +20,15 @@ TRACK = TrackBlock(half_length=0.02, element=2e-3, depth=5e-3, size=SIZE)
 
 
 @pytest.mark.parametrize(
-    ("block", "section", "volume"),
+    ("block", "length", "volume"),
     [
-        (HALF, PlaneStrain(LENGTH), LENGTH * pi / 4 * SIZE**2),
-        (HALF, Axisymmetric(), 2 / 3 * pi * SIZE**3),
-        (TRACK, PlaneStrain(LENGTH), LENGTH * pi / 2 * SIZE**2),
+        (HALF, LENGTH, LENGTH * pi / 4 * SIZE**2),
+        (HALF, None, 2 / 3 * pi * SIZE**3),
+        (TRACK, LENGTH, LENGTH * pi / 2 * SIZE**2),
     ],
 )
-def test_elements_fill_the_block(block, section, volume):
-    body = Body(block.build(), METAL, section)
+def test_elements_fill_the_block(block, length, volume):
+    body = Body(block.build(), METAL, length)
     assert body.volumes.min() > 0
     # The base is a polygon of at least 12 sides over a right angle: 0.3 % less than its circle.
     assert body.volumes.sum() == pytest.approx(volume, rel=5e-3)
@@ -52,8 +51,8 @@ def test_boundaries_lie_where_their_names_say(block):
 
 
 def test_the_base_is_held():
-    body = Body(TRACK.build(), METAL, PlaneStrain(LENGTH))
-    held = body.locations[:, body.held]
+    body = Body(TRACK.build(), METAL, LENGTH)
+    held = body.locations[:, body.fixed]
     assert np.hypot(*held).min() == pytest.approx(SIZE, rel=5e-3)
 
 

@@ -17,7 +17,6 @@ from coarse_sphere import COARSE, METAL, RADIUS
 
 from plastigran.fem.cache import CacheWarning, _sources, cached, folder
 from plastigran.fem.result_file import from_bytes, to_bytes
-from plastigran.fem.sphere.convergence import convergence
 from plastigran.fem.sphere.press import press
 
 
@@ -187,11 +186,3 @@ def test_a_limit_of_file_sizes_loses_no_result(counted):
     finally:
         resource.setrlimit(resource.RLIMIT_FSIZE, limits)
     assert not list(folder().iterdir())
-
-
-def test_convergence_compares_with_the_unchanged_settings():
-    table = convergence(
-        lambda settings: {"cells": 10.0 * settings.divisions}, {"divisions": (6,)}, COARSE
-    )
-    assert table["changed"].to_list() == ["-", "divisions"]
-    assert table["cells_change"].to_list() == [0.0, 50.0]

@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 from coarse_sphere import COARSE, METAL, RADIUS
 
-from plastigran.fem.sphere.fields import at_vertices
 from plastigran.fem.sphere.throw import throw
+from plastigran.fem.stepping.snapshot import at_vertices
 
 
 @pytest.fixture(scope="module")

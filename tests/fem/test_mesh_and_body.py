@@ -101,7 +101,7 @@ def test_stiffness_is_the_one_scikit_fem_assembles(mesh, body):
     basis = Basis(mesh, ElementVector(ElementQuadS2()), intorder=STIFFNESS_ORDER)
     load = np.zeros(body.size)
     load[body.dofs[0]] = np.arange(16.0)
-    fixed = np.append(body.held, body.dofs[-1])
+    fixed = np.append(body.fixed, body.dofs[-1])
     system = SymmetricSystem([body.dofs], body.size, fixed)
     solution = system.factor([body.elastic_stiffness]).solve(load)
     answered = form.assemble(basis) @ solution

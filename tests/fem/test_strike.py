@@ -139,7 +139,7 @@ def test_friction_sticks_then_slides():
 
     def pushed(way, last=None):
         displacement = np.zeros(body.size)
-        displacement[body.centre] = way, -1e-7
+        displacement[body.center] = way, -1e-7
         rub = circle.touch(displacement, last)
         return rub, np.abs(rub.shear), FRICTION * rub.pressure.reshape(rub.shear.shape)
 
@@ -162,7 +162,7 @@ def test_tangent_of_the_contact_is_its_derivative():
     generator = np.random.default_rng(1)
     last = circle.touch(np.zeros(size))
     place = generator.normal(scale=1e-9, size=size)
-    place[balance.body.centre] = 1e-9, -2e-8
+    place[balance.body.center] = 1e-9, -2e-8
     change = generator.normal(scale=1e-13, size=size)
     ahead, behind = (circle.touch(place + sign * change, last).nodal for sign in (1, -1))
     edges = circle.touch(place, last).stiffness @ change[circle.dofs][:, :, None]

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Keep finite-element results on disk.
+"""Cache of finite-element results on disk.
 
-A result is valid for the same material, numbers and settings until a file of this package or a
-library changes. The folder is `$PLASTIGRAN_CACHE`, or `~/.cache/plastigran`.
+A result is valid for the same arguments and settings until a file of this package or a library
+changes. The folder is `$PLASTIGRAN_CACHE`, or `~/.cache/plastigran`.
 """
 
 from __future__ import annotations
@@ -17,9 +17,6 @@ from importlib.metadata import version
 from pathlib import Path
 from tempfile import NamedTemporaryFile
 from typing import TypeVar
-
-import attrs
-import numpy as np
 
 from plastigran.fem.result_file import from_bytes, to_bytes
 from plastigran.fem.settings import Settings
@@ -44,27 +41,29 @@ def cached(
     *arguments: object,
     settings: Settings | None = None,
     progress: bool = False,
-    **named: object,
+    **options: object,
 ) -> Result:
-    """Return `compute(*arguments, settings, progress, **named)`, from disk if possible.
+    """Return `compute(*arguments, settings, progress, **options)`, from disk if possible.
 
-    A damaged file is computed again. A result that stopped early is not kept.
+    A damaged file is computed again. A result that stopped early is not stored.
 
     Warns:
-        CacheWarning: The result could not be kept; the message names the file.
+        CacheWarning: The result could not be stored; the message names the file.
     """
     settings = settings or Settings()
-    path = folder() / f"{compute.__name__}_{_key(compute, arguments, settings, named)}.result"
+    given = {name: value for name, value in sorted(options.items()) if value is not None}
+    key = sha256(to_bytes([compute.__qualname__, arguments, settings, given, _sources()]))
+    path = folder() / f"{compute.__name__}_{key.hexdigest()[:32]}.result"
     try:
-        return from_bytes(_sound(path.read_bytes()))
+        return from_bytes(_checked(path.read_bytes()))
     except (OSError, ValueError):  # missing, unreadable or damaged
-        result = compute(*arguments, settings, progress, **named)
+        result = compute(*arguments, settings, progress, **options)
     if not getattr(result, "stopped", ""):
-        _keep(to_bytes(result), path)
+        _store(to_bytes(result), path)
     return result
 
 
-def _keep(content: bytes, path: Path) -> None:
+def _store(content: bytes, path: Path) -> None:
     """Write a file completely or not at all."""
     temporary = None
     try:
@@ -75,8 +74,8 @@ def _keep(content: bytes, path: Path) -> None:
         temporary.replace(path)
     except OSError as error:
         warnings.warn(
-            f"the result is not kept for later: cannot write {path} ({error.strerror}). To keep "
-            "results, set PLASTIGRAN_CACHE to a folder that can be written",
+            f"the result is not stored: cannot write {path} ({error.strerror}). To store results, "
+            "set PLASTIGRAN_CACHE to a folder that can be written",
             CacheWarning,
             stacklevel=3,
         )
@@ -86,40 +85,12 @@ def _keep(content: bytes, path: Path) -> None:
                 temporary.unlink(missing_ok=True)
 
 
-def _sound(file: bytes) -> bytes:
-    """Return the content after the checksum.
-
-    Raises:
-        ValueError: The checksum is wrong.
-    """
+def _checked(file: bytes) -> bytes:
+    """Return the content after the checksum; raise ValueError if the checksum is wrong."""
     digest, content = file[:DIGEST], file[DIGEST:]
     if sha256(content).digest() != digest:
         raise ValueError("the file is damaged")
     return content
-
-
-def _key(
-    compute: Callable,
-    arguments: tuple[object, ...],
-    settings: Settings,
-    named: dict[str, object],
-) -> str:
-    others = [(name, _plain(value)) for name, value in sorted(named.items()) if value is not None]
-    said = [compute.__qualname__, *map(_plain, arguments), _plain(settings), others, _sources()]
-    return sha256(repr(said).encode()).hexdigest()[:32]
-
-
-def _plain(value: object) -> object:
-    """Return a value whose repr contains all its data, for the cache key."""
-    if attrs.has(type(value)):
-        return type(value).__qualname__, {
-            field.name: _plain(getattr(value, field.name)) for field in attrs.fields(type(value))
-        }
-    if isinstance(value, np.ndarray):  # the repr of a long array is abbreviated
-        return value.dtype.str, value.shape, sha256(value.tobytes()).hexdigest()
-    if isinstance(value, list | tuple):
-        return [_plain(entry) for entry in value]
-    return value
 
 
 @cache

@@ -5,11 +5,12 @@ from __future__ import annotations
 
 import warnings
 from collections.abc import Sequence
+from itertools import pairwise
 from math import isfinite, pi, sqrt
 
 from plastigran.fem.theory.hertz import HertzSphere
 
-SMALL_STRAIN = 0.1  # a/R up to which the error of small strain is some tenths of a per cent
+SMALL_STRAIN = 0.1  # largest a/R at which the error of small strain is some tenths of a per cent
 LARGEST = 0.4  # largest a/R of any computation
 # smallest a/R; below it round-off of R hides the gap at the contact edge, r^2/2R
 SMALLEST = 1e-6
@@ -36,28 +37,22 @@ def contact_reach(sphere: HertzSphere, force: float) -> float:
 
 
 def check_forces(sphere: HertzSphere, forces: Sequence[float], *, strain: str = "small") -> None:
-    """Check the forces of a compression.
-
-    Args:
-        sphere: Sphere.
-        forces: Forces, N.
-        strain: "small", which warns of large a/R, or "finite".
+    """Check the forces of a compression, N, for "small" or "finite" strain.
 
     Raises:
         ValueError: A force is not positive and finite, does not exceed the one before, or gives a
-            contact radius above LARGEST times the radius.
+            contact radius that is too small or too large; see `check_reach`.
     """
     if len(forces) == 0:
         raise ValueError("forces is empty. Give one or more forces, N")
-    for before, force in zip([0.0, *forces], forces, strict=False):
+    for before, force in pairwise([0.0, *forces]):
         if not before < force or not isfinite(force):
             raise ValueError(
                 f"forces contains {force:g} N after {before:g} N; they must be positive and "
                 "increase"
             )
-    check_reach(
-        sphere, contact_reach(sphere, forces[-1]), f"a force of {forces[-1]:g} N", strain=strain
-    )
+    cause = f"a force of {forces[-1]:g} N"
+    check_reach(sphere, contact_reach(sphere, forces[-1]), cause, strain=strain)
 
 
 def force_of_impact(sphere: HertzSphere, speed: float) -> tuple[float, float]:
@@ -66,36 +61,38 @@ def force_of_impact(sphere: HertzSphere, speed: float) -> tuple[float, float]:
     if elastic <= sphere.yield_force:
         return elastic, sphere.contact_radius(elastic)
     # Finite elements give 17.8, 107 and 228 P_Y at 12, 60 and 120 v_Y, within 8 % of this.
-    force = sphere.yield_force * (speed / sphere.yield_speed) ** 1.15
-    force = min(force, elastic)
+    force = min(sphere.yield_force * (speed / sphere.yield_speed) ** 1.15, elastic)
     return force, contact_reach(sphere, force)
 
 
 def check_speed(
     sphere: HertzSphere, speed: float, largest: float = LARGEST, strain: str = "small"
 ) -> None:
-    """Check the speed of an impact.
-
-    Args:
-        sphere: Sphere.
-        speed: Impact speed, m/s.
-        largest: Largest allowed a/R.
-        strain: "small", which warns of large a/R, or "finite".
+    """Check the speed of an impact, m/s; other arguments are as for `check_reach`.
 
     Raises:
         ValueError: The speed is not positive and finite, exceeds a tenth of the speed of sound, or
-            gives a contact radius above `largest` times the radius.
+            gives a contact radius that is too small or too large.
     """
     if not 0 < speed or not isfinite(speed):
         raise ValueError(f"speed is {speed:g} m/s; it must be positive and finite")
-    sound = sqrt(sphere.material.youngs_modulus / sphere.material.density)
-    if speed > SUBSONIC * sound:
-        raise ValueError(
-            f"speed is {speed:g} m/s; it must be below {SUBSONIC:g} of the speed of sound in "
-            f"the metal, {sound:.4g} m/s. Check the units: Pa, kg/m3"
-        )
+    material = sphere.material
+    check_subsonic("speed", speed, sqrt(material.youngs_modulus / material.density))
     reach = force_of_impact(sphere, speed)[1]
     check_reach(sphere, reach, f"a speed of {speed:g} m/s", largest, strain)
+
+
+def check_subsonic(name: str, speed: float, sound: float) -> None:
+    """Check that a speed, m/s, is at most SUBSONIC times the speed of sound.
+
+    Raises:
+        ValueError: The speed is larger.
+    """
+    if speed > SUBSONIC * sound:
+        raise ValueError(
+            f"{name} is {speed:g} m/s; it must be below {SUBSONIC:g} of the speed of sound in "
+            f"the metal, {sound:.4g} m/s. Check the units: Pa, kg/m3"
+        )
 
 
 def check_reach(
@@ -107,24 +104,33 @@ def check_reach(
 ) -> None:
     """Check that the contact radius suits the method.
 
+    Args:
+        sphere: Sphere.
+        reach: Largest contact radius, m.
+        cause: Force or speed, for messages.
+        largest: Largest allowed a/R.
+        strain: "small", which warns of large a/R, or "finite".
+
     Raises:
-        ValueError: It is larger than `largest` times the radius, or smaller than SMALLEST times it.
+        ValueError: The contact radius is above `largest` or below SMALLEST times the radius.
     """
     ratio = reach / sphere.radius
+    estimate = f"{cause} gives a contact radius of about {ratio:.2g} times the radius"
     if ratio < SMALLEST:
-        raise ValueError(
-            f"{cause} gives a contact radius of about {ratio:.2g} times the radius; the "
-            f"smallest is {SMALLEST:g}. Check the units: Pa, kg/m3, m"
-        )
+        raise ValueError(f"{estimate}; the smallest is {SMALLEST:g}. Check the units: Pa, kg/m3, m")
     if ratio > largest:
         raise ValueError(
-            f"{cause} gives a contact radius of about {ratio:.2g} times the radius; the "
-            f"largest is {largest:g}. Use a smaller value, or check the units: Pa, kg/m3, m"
+            f"{estimate}; the largest is {largest:g}. Use a smaller value, or check the units: "
+            "Pa, kg/m3, m"
         )
     if strain == "small" and ratio > SMALL_STRAIN:
-        warnings.warn(
-            f"{cause} gives a contact radius of about {ratio:.2g} times the radius; small "
-            f"strain is accurate up to {SMALL_STRAIN:g}. Use finite strain",
-            SmallStrainWarning,
-            stacklevel=3,
-        )
+        warn_of_small_strain(estimate)
+
+
+def warn_of_small_strain(estimate: str) -> None:
+    """Warn that the contact is too large for small strain."""
+    warnings.warn(
+        f"{estimate}; small strain is accurate up to {SMALL_STRAIN:g}. Use finite strain",
+        SmallStrainWarning,
+        stacklevel=4,
+    )

@@ -19,7 +19,7 @@ import pandas as pd
 
 PACKAGE = "plastigran."
 TREE = "tree"  # name of the JSON text among the arrays
-#: What numpy, zip, JSON and the classes raise of other content.
+#: Errors of numpy, zip, JSON and the classes for content that is not a result.
 NOT_A_RESULT = (
     AttributeError,
     BadZipFile,
@@ -33,15 +33,22 @@ NOT_A_RESULT = (
 )
 
 
+def numbers(result: Any) -> dict[str, float | str]:
+    """Return the fields of an attrs object that are numbers or texts."""
+    return attrs.asdict(
+        result, recurse=False, filter=lambda _, value: isinstance(value, float | int | str)
+    )
+
+
 def to_bytes(result: object) -> bytes:
-    """Return a result as bytes.
+    """Return a result as bytes, the same for equal results.
 
     Args:
-        result: Of numbers, texts, arrays, tables, lists, tuples, dictionaries, and attrs classes of
-            this package that hold such.
+        result: Numbers, texts, arrays, tables, or lists, tuples, dictionaries and attrs classes of
+            this package that contain them.
 
     Raises:
-        TypeError: It holds something else.
+        TypeError: The result contains another type.
     """
     arrays: dict[str, np.ndarray] = {}
     tree = json.dumps(_to_tree(result, arrays)).encode()
@@ -54,7 +61,7 @@ def from_bytes(content: bytes) -> Any:
     """Return the result that `to_bytes` has written.
 
     Raises:
-        ValueError: The content is not of `to_bytes`.
+        ValueError: The content was not written by `to_bytes`.
     """
     try:
         with np.load(BytesIO(content), allow_pickle=False) as arrays:
@@ -64,10 +71,10 @@ def from_bytes(content: bytes) -> Any:
 
 
 def _to_tree(value: Any, arrays: dict[str, np.ndarray]) -> Any:
-    if value is None or isinstance(value, bool | int | float | str):
-        return value if not isinstance(value, np.generic) else value.item()
     if isinstance(value, np.generic):
         return value.item()
+    if value is None or isinstance(value, bool | int | float | str):
+        return value
     if isinstance(value, np.ndarray) and value.dtype != object:
         name = str(len(arrays))
         arrays[name] = value
@@ -78,23 +85,19 @@ def _to_tree(value: Any, arrays: dict[str, np.ndarray]) -> Any:
     if isinstance(value, list | tuple):
         return {type(value).__name__: [_to_tree(entry, arrays) for entry in value]}
     if isinstance(value, dict):
-        pairs = [[_to_tree(entry, arrays) for entry in pair] for pair in value.items()]
-        return {"dict": pairs}
+        return {"dict": [[_to_tree(entry, arrays) for entry in pair] for pair in value.items()]}
     cls = type(value)
     if attrs.has(cls) and cls.__module__.startswith(PACKAGE):
         fields = {
             field.alias: _to_tree(getattr(value, field.name), arrays) for field in attrs.fields(cls)
         }
         return {"class": [cls.__module__, cls.__qualname__], "fields": fields}
-    raise TypeError(f"a result with a {cls.__name__} cannot be kept")
+    raise TypeError(f"a result with a {cls.__name__} cannot be stored")
 
 
 def _column(values: pd.Series | pd.Index) -> np.ndarray | list:
-    return (
-        values.to_numpy()
-        if isinstance(values.dtype, np.dtype) and values.dtype != object
-        else list(values)
-    )
+    numeric = isinstance(values.dtype, np.dtype) and values.dtype != object
+    return values.to_numpy() if numeric else list(values)
 
 
 def _from_tree(tree: Any, arrays: Any) -> Any:
@@ -103,16 +106,16 @@ def _from_tree(tree: Any, arrays: Any) -> Any:
     if "class" in tree:
         fields = {name: _from_tree(field, arrays) for name, field in tree["fields"].items()}
         return _attrs_class(*tree["class"])(**fields)
-    ((kind, content),) = tree.items()
-    if kind == "array":
+    ((type_name, content),) = tree.items()
+    if type_name == "array":
         return arrays[content]
-    if kind == "table":
+    if type_name == "table":
         index, columns = _from_tree(content, arrays)
         return pd.DataFrame(dict(columns), index=index)
-    if kind == "dict":
+    if type_name == "dict":
         return {_from_tree(key, arrays): _from_tree(value, arrays) for key, value in content}
     entries = [_from_tree(entry, arrays) for entry in content]
-    return tuple(entries) if kind == "tuple" else entries
+    return tuple(entries) if type_name == "tuple" else entries
 
 
 def _attrs_class(module: str, name: str) -> type:

@@ -7,7 +7,7 @@ import attrs
 
 from plastigran.declared import number, whole, word
 from plastigran.fem.contact.plane import PENALTY
-from plastigran.fem.material.kinematics import KINEMATICS, Kinematics
+from plastigran.fem.material.kinematics import KINEMATICS, SmallStrain
 from plastigran.fem.mesh.block import HalfBlock
 from plastigran.fem.mesh.sphere import SphereMesh
 from plastigran.fem.theory.hertz import HertzSphere
@@ -20,7 +20,7 @@ CORE_OVER_REACH = 0.5  # largest core radius / largest contact radius
 class Settings:
     """Mesh, steps and penalty.
 
-    With the defaults, forces are accurate to some tenths of a per cent; see `convergence`.
+    With the defaults, forces are accurate to some tenths of a per cent; see docs/convergence.py.
     """
 
     divisions: int = whole("elements over a quarter of the angle about the contact", 2, default=6)
@@ -28,41 +28,31 @@ class Settings:
     growth: float = number("ratio of consecutive force increments", "-", 1, 2, default=1.05)
     unloading_steps: int = whole("increments of an unloading", 4, default=24)
     steps_of_contact: int = whole("time steps during Hertz' duration", 20, default=250)
-    free_steps: int = whole("time steps followed after the contact", 1, default=5)
+    free_steps: int = whole("time steps after the end of contact", 1, default=5)
     frames: int = whole("fields kept during Hertz' duration", default=0)
     penalty: float = number("stiffness of the plane divided by E*/h", "-", 1, 1e5, default=PENALTY)
     strain: str = word("kinematics, small or finite strain", KINEMATICS, default="small")
 
     @property
-    def kinematics(self) -> Kinematics:
+    def kinematics(self) -> SmallStrain:
         """Relation of strains and displacements."""
         return KINEMATICS[self.strain]()
 
     def mesh(self, sphere: HertzSphere, reach: float, whole: bool) -> SphereMesh:
         """Return the mesh for contact radii up to `reach`, m."""
-        return SphereMesh(
-            radius=sphere.radius,
-            core=_core(sphere, reach),
-            reach=reach,
-            divisions=self.divisions,
-            fineness=self.fineness,
-            whole=whole,
-        )
+        return SphereMesh(radius=sphere.radius, whole=whole, **self._fine_zone(sphere, reach))
 
     def block(self, sphere: HertzSphere, reach: float, size: float) -> HalfBlock:
         """Return the mesh of the half space under the sphere, of radius `size`, m."""
-        return HalfBlock(
-            core=_core(sphere, reach),
-            reach=reach,
-            size=size,
-            divisions=self.divisions,
-            fineness=self.fineness,
-        )
+        return HalfBlock(size=size, **self._fine_zone(sphere, reach))
 
-
-def _core(sphere: HertzSphere, reach: float) -> float:
-    """Return the radius inside which elements have equal size, m."""
-    core = CORE_OVER_REACH * reach
-    if sphere.yielding is None:
-        return core
-    return min(core, CORE_OVER_YIELD * sphere.contact_radius(sphere.yield_force))
+    def _fine_zone(self, sphere: HertzSphere, reach: float) -> dict[str, float]:
+        core = CORE_OVER_REACH * reach
+        if sphere.yielding is not None:
+            core = min(core, CORE_OVER_YIELD * sphere.contact_radius(sphere.yield_force))
+        return {
+            "core": core,
+            "reach": reach,
+            "divisions": self.divisions,
+            "fineness": self.fineness,
+        }

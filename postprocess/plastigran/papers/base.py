@@ -33,8 +33,7 @@ from matplotlib.figure import Figure
 from plastigran.contact import RangeWarning
 from plastigran.experiments.collide import collide
 from plastigran.experiments.runs import Runs
-from plastigran.fem.sphere.fields import at_vertices
-from plastigran.fem.stepping.snapshot import Snapshot
+from plastigran.fem.stepping.snapshot import Snapshot, at_vertices
 from plastigran.plot.fields import draw_field
 from plastigran.plot.movie import Movie
 from plastigran.plot.style import COLOURS

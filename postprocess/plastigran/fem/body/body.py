@@ -7,18 +7,19 @@ batched matrix products over the elements, with four Gauss points each.
 
 from __future__ import annotations
 
+from math import pi
+
 import numpy as np
 from skfem import Basis, BilinearForm, ElementQuadS2, ElementVector, MeshQuad2
 from skfem.helpers import dot
 
-from plastigran.fem.body.section import Axisymmetric, Section
 from plastigran.fem.material.elastic_plastic import ElasticPlastic, Response, State
-from plastigran.fem.material.kinematics import Kinematics, SmallStrain
+from plastigran.fem.material.kinematics import SmallStrain
 
 STIFFNESS_ORDER = 3  # 2 x 2 Gauss points: no locking when plastic flow conserves volume
 MASS_ORDER = 5  # 3 x 3: with 2 x 2 the mass matrix would be singular
-# fixed directions on each boundary of the mesh
-HELD = {"axis": "u^1", "equator": "u^2", "base": ["u^1", "u^2"]}
+# directions that each boundary of the mesh fixes
+FIXED = {"axis": "u^1", "equator": "u^2", "base": ["u^1", "u^2"]}
 
 
 class Body:
@@ -27,31 +28,30 @@ class Body:
     Attributes:
         mesh: Mesh in (r, y), m.
         material: Material.
-        section: Extent of the mesh out of its plane.
+        length: Length out of the plane in plane strain, m; None for a full ring about the axis.
         kinematics: Relation of strains and displacements.
         dofs: Degrees of freedom of each element (n_elements, 16), r and y of each node in turn.
         size: Number of degrees of freedom.
+        locations: (r, y) of each degree of freedom (2, size), m.
         vertex_dofs: Degrees of freedom of the corner nodes, r and y (n_vertices, 2).
-        positions: Positions of the Gauss points (n_elements, 4, 2), m.
-        volumes: Volumes of the Gauss points, including the section (n_elements, 4), m3.
+        positions: (r, y) of the Gauss points (n_elements, 4, 2), m.
+        volumes: Volumes of the Gauss points (n_elements, 4), m3.
         elastic_stiffness: Stiffness matrix of each element (n_elements, 16, 16), N/m.
         mass_matrices: Mass matrix of each element (n_elements, 16, 16), kg.
         mass_matrix: Consistent mass matrix, kg.
         mass: Mass, kg.
-        upward: One at each vertical degree of freedom.
-        held: Fixed degrees of freedom.
+        upward: One at each vertical degree of freedom (size,).
+        fixed: Fixed degrees of freedom.
     """
 
     def __init__(
         self,
         mesh: MeshQuad2,
         material: ElasticPlastic,
-        section: Section | None = None,
-        kinematics: Kinematics | None = None,
+        length: float | None = None,
+        kinematics: SmallStrain | None = None,
     ) -> None:
-        self.mesh = mesh
-        self.material = material
-        self.section = section = section or Axisymmetric()
+        self.mesh, self.material, self.length = mesh, material, length
         self.kinematics = kinematics = kinematics or SmallStrain()
         vector = Basis(mesh, ElementVector(ElementQuadS2()), intorder=STIFFNESS_ORDER)
         scalar = vector.with_element(ElementQuadS2())
@@ -62,9 +62,9 @@ class Body:
         radius, height = scalar.global_coordinates()
         self.positions = np.stack([radius, height], axis=-1)
         radius = np.asarray(radius)
-        self.volumes = np.ascontiguousarray(section.thickness(radius) * vector.dx)
-        gradients = _gradient_matrices(scalar, section.hoop(radius))
-        # Quantities conjugate to the forces, per nodal displacement (n_elements, 4 points * m, 16).
+        self.volumes = np.ascontiguousarray(self.thickness(radius) * vector.dx)
+        gradients = _gradient_matrices(scalar, 1 / radius if length is None else 0 * radius)
+        # Strain measures per nodal displacement (n_elements, 4 points * n_components, 16).
         self._matrices = kinematics.matrices(gradients).reshape(len(self.dofs), -1, 16)
         self._undeformed = kinematics.undeformed(material.elastic_tangent)
         self.elastic_stiffness = self._stiffness(
@@ -72,20 +72,19 @@ class Body:
             slice(None),
         )
         mass_basis = Basis(mesh, ElementVector(ElementQuadS2()), intorder=MASS_ORDER)
-        per_length = material.density * section.thickness(mass_basis.global_coordinates()[0])
-        masses = _mass.coo_data(mass_basis, per_length=per_length)
+        per_area = material.density * self.thickness(mass_basis.global_coordinates()[0])
+        masses = _mass.coo_data(mass_basis, per_area=per_area)
         self.mass_matrices = np.ascontiguousarray(masses.tolocal())
         self.mass_matrix = masses.tocsr()
-        upward = np.zeros(self.size)
-        upward[self.dofs[:, 1::2].ravel()] = 1.0
-        self.upward = upward
-        self.mass = upward @ self.mass_matrix @ upward
-        self.held = self._held(vector)
+        self.upward = np.zeros(self.size)
+        self.upward[self.dofs[:, 1::2].ravel()] = 1.0
+        self.mass = self.upward @ self.mass_matrix @ self.upward
+        boundaries = sorted(FIXED.keys() & mesh.boundaries.keys())
+        self.fixed = np.concatenate([vector.get_dofs(name).all(FIXED[name]) for name in boundaries])
 
-    def _held(self, basis: Basis) -> np.ndarray:
-        """Return the degrees of freedom that HELD fixes on the boundaries of the mesh."""
-        named = HELD.keys() & self.mesh.boundaries.keys()
-        return np.concatenate([basis.get_dofs(name).all(HELD[name]) for name in sorted(named)])
+    def thickness(self, first: np.ndarray) -> np.ndarray:
+        """Return the thickness out of the plane, m, at first coordinates, m."""
+        return 2 * pi * first if self.length is None else np.full_like(first, self.length)
 
     @property
     def points(self) -> int:
@@ -94,7 +93,7 @@ class Body:
 
     @property
     def vertices(self) -> np.ndarray:
-        """Positions (r, y) of the corner nodes, undeformed (n_vertices, 2), m."""
+        """Undeformed positions (r, y) of the corner nodes (n_vertices, 2), m."""
         return self.mesh.p[:, : self.mesh.nvertices].T
 
     @property
@@ -118,11 +117,11 @@ class Body:
         Raises:
             InvertedError: The displacements turn an element inside out.
         """
-        return self.kinematics.strain(self._measured(displacement))
+        return self.kinematics.strain(self._measure(displacement))
 
     def internal_force(self, displacement: np.ndarray, stress: np.ndarray) -> np.ndarray:
         """Return nodal forces (size,), N, for displacements (size,), m, and stresses, Pa."""
-        conjugate = self.kinematics.conjugate(self._measured(displacement), stress)
+        conjugate = self.kinematics.conjugate(self._measure(displacement), stress)
         weighted = conjugate.reshape(*self.volumes.shape, -1) * self.volumes[:, :, None]
         nodal = weighted.reshape(len(self.dofs), 1, -1) @ self._matrices
         return np.bincount(self.dofs.ravel(), nodal.ravel(), minlength=self.size)
@@ -130,18 +129,16 @@ class Body:
     def stiffness(self, displacement: np.ndarray, response: Response) -> np.ndarray:
         """Return element stiffness matrices (n_elements, 16, 16), N/m, for displacements, m.
 
-        Only matrices that differ from those of the undeformed body are computed.
+        Matrices equal to those of the undeformed body are not computed again.
         """
         changed, changed_tangent = self.kinematics.tangent(
-            self._measured(displacement), response, self.material.elastic_tangent
+            self._measure(displacement), response, self.material.elastic_tangent
         )
-        result = self.elastic_stiffness.copy()
         points = self.volumes.shape[1]
-        elements = np.unique(changed // points)
-        place = np.full(len(self.dofs), -1)
-        place[elements] = np.arange(elements.size)
+        elements, row = np.unique(changed // points, return_inverse=True)
         tangent = np.tile(self._undeformed, (elements.size, points, 1, 1))
-        tangent[place[changed // points], changed % points] = changed_tangent
+        tangent[row, changed % points] = changed_tangent
+        result = self.elastic_stiffness.copy()
         result[elements] = self._stiffness(tangent, elements)
         return result
 
@@ -150,9 +147,9 @@ class Body:
         elastic = self.strain(displacement) - response.state.plastic_strain
         return float(np.sum(response.stress * elastic, axis=1) @ self.volumes.ravel() / 2)
 
-    def _measured(self, displacement: np.ndarray) -> np.ndarray:
-        measured = self._matrices @ displacement[self.dofs][:, :, None]
-        return measured.reshape(self.points, -1)
+    def _measure(self, displacement: np.ndarray) -> np.ndarray:
+        measure = self._matrices @ displacement[self.dofs][:, :, None]
+        return measure.reshape(self.points, -1)
 
     def _stiffness(self, tangent: np.ndarray, elements: np.ndarray | slice) -> np.ndarray:
         matrices = self._matrices[elements]
@@ -162,22 +159,16 @@ class Body:
 
 
 def _gradient_matrices(scalar: Basis, hoop: np.ndarray) -> np.ndarray:
-    """Return displacement gradients (rr, yy, tt, ry, yr) per nodal displacement.
-
-    The shape is (n_elements, 4 points, 5, 16).
-    """
-    nodes = len(scalar.basis)
-    matrices = np.zeros((*hoop.shape, 5, 2 * nodes))
+    """Return gradients (rr, yy, tt, ry, yr) per nodal displacement (n_elements, 4, 5, 16)."""
+    matrices = np.zeros((*hoop.shape, 5, 2 * len(scalar.basis)))
     for node, (shape,) in enumerate(scalar.basis):
-        gradient = shape.grad
-        matrices[:, :, 0, 2 * node] = gradient[0]
-        matrices[:, :, 1, 2 * node + 1] = gradient[1]
+        along_r, along_y = shape.grad
+        matrices[:, :, 0, 2 * node] = matrices[:, :, 4, 2 * node + 1] = along_r
+        matrices[:, :, 1, 2 * node + 1] = matrices[:, :, 3, 2 * node] = along_y
         matrices[:, :, 2, 2 * node] = np.asarray(shape) * hoop
-        matrices[:, :, 3, 2 * node] = gradient[1]
-        matrices[:, :, 4, 2 * node + 1] = gradient[0]
     return matrices
 
 
 @BilinearForm
 def _mass(u, v, w):
-    return w.per_length * dot(u, v)
+    return w.per_area * dot(u, v)

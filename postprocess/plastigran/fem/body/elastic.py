@@ -6,7 +6,7 @@ from __future__ import annotations
 from math import pi
 
 import numpy as np
-from scipy.sparse import coo_matrix, csr_matrix
+from scipy.sparse import coo_matrix
 from scipy.sparse.linalg import eigsh
 
 from plastigran.fem.body.body import Body
@@ -27,35 +27,23 @@ class ElasticBody:
 
     def __init__(self, body: Body) -> None:
         self.body = body
-        kept = np.ones(body.size, bool)
-        kept[body.held] = False
-        self.free = np.flatnonzero(kept)
-        self.stiffness = self._assemble(body.elastic_stiffness)
-        self.mass_matrix = body.mass_matrix[self.free][:, self.free].tocsr()
-        self.upward = body.upward[self.free]
-
-    def _assemble(self, matrices: np.ndarray) -> csr_matrix:
-        dofs, nodes = self.body.dofs, self.body.dofs.shape[1]
-        rows, columns = np.repeat(dofs, nodes, axis=1), np.tile(dofs, (1, nodes))
-        entries = (matrices.ravel(), (rows.ravel(), columns.ravel()))
-        whole = coo_matrix(entries, shape=(self.body.size,) * 2).tocsr()
-        return whole[self.free][:, self.free].tocsr()
-
-    def places(self, dofs: np.ndarray) -> np.ndarray:
-        """Return the indices of degrees of freedom of the body among the free ones."""
-        return np.searchsorted(self.free, dofs)
+        self.free = free = np.setdiff1d(np.arange(body.size), body.fixed)
+        nodes = body.dofs.shape[1]
+        rows, columns = np.repeat(body.dofs, nodes, axis=1), np.tile(body.dofs, (1, nodes))
+        entries = (body.elastic_stiffness.ravel(), (rows.ravel(), columns.ravel()))
+        stiffness = coo_matrix(entries, shape=(body.size, body.size)).tocsr()
+        self.stiffness = stiffness[free][:, free].tocsr()
+        self.mass_matrix = body.mass_matrix[free][:, free].tocsr()
+        self.upward = body.upward[free]
 
     def nearest(self, point: tuple[float, float], vertical: bool) -> int:
-        """Return the index of the degree of freedom closest to a point (r, y), m."""
-        kind = np.flatnonzero((self.upward == 1) == vertical)
-        away = self.body.locations[:, self.free[kind]] - np.array(point)[:, None]
-        return int(kind[np.argmin(np.linalg.norm(away, axis=0))])
+        """Return the index in `free` of the degree of freedom closest to a point (r, y), m."""
+        candidates = np.flatnonzero((self.upward == 1) == vertical)
+        away = self.body.locations[:, self.free[candidates]] - np.array(point)[:, None]
+        return int(candidates[np.argmin(np.linalg.norm(away, axis=0))])
 
     def vibrations(self, count: int) -> tuple[np.ndarray, np.ndarray]:
         """Return the lowest free vibrations, without rigid-body motions.
-
-        Args:
-            count: Number of vibrations.
 
         Returns:
             Increasing frequencies (count,), Hz; shapes (size, count) with unit modal mass.
@@ -63,7 +51,7 @@ class ElasticBody:
         scale = self.stiffness.diagonal().sum() / self.mass_matrix.diagonal().sum()
         squares, shapes = eigsh(
             self.stiffness,
-            k=count + 1,  # and the rigid motion along the axis
+            k=count + 1,  # one more for the rigid motion along the axis
             M=self.mass_matrix,
             sigma=-1e-8 * scale,  # the stiffness matrix itself is singular
         )

@@ -11,7 +11,7 @@ from plastigran.fem.material.elastic_plastic import Response, State
 
 
 class Pair:
-    """Sphere and the body below it, with the interface of one body for `Equations`.
+    """Sphere and the block below it, with the attributes and methods of one `Body`.
 
     Degrees of freedom, elements and Gauss points of the sphere come first. `upward`, `mass` and the
     motion of the center of mass are those of the sphere. Energies are those of both bodies.
@@ -19,42 +19,38 @@ class Pair:
     Attributes:
         sphere: Upper body.
         block: Lower body.
-        dofs, size, vertex_dofs, vertices, quads, positions, volumes, mass_matrices, mass_matrix,
-        mass, upward, held: As of `Body`.
     """
 
     def __init__(self, sphere: Body, block: Body) -> None:
         self.sphere, self.block = sphere, block
-        bodies = (sphere, block)
-        shift = sphere.size
-        self.size = shift + block.size
-        self.dofs = np.concatenate([sphere.dofs, shift + block.dofs])
-        self.held = np.concatenate([sphere.held, shift + block.held])
-        self.vertex_dofs = np.concatenate([sphere.vertex_dofs, shift + block.vertex_dofs])
-        self.vertices = np.concatenate([body.vertices for body in bodies])
-        self.quads = np.concatenate([sphere.quads, len(sphere.vertices) + block.quads])
-        self.positions = np.concatenate([body.positions for body in bodies])
-        self.volumes = np.concatenate([body.volumes for body in bodies])
-        self.mass_matrices = np.concatenate([body.mass_matrices for body in bodies])
-        self.mass_matrix = block_diag([body.mass_matrix for body in bodies], format="csr")
+        self.size = sphere.size + block.size
+        for name, shift in {
+            "dofs": sphere.size,
+            "fixed": sphere.size,
+            "vertex_dofs": sphere.size,
+            "quads": len(sphere.vertices),
+            "vertices": 0,
+            "positions": 0,
+            "volumes": 0,
+            "mass_matrices": 0,
+        }.items():
+            joined = np.concatenate([getattr(sphere, name), shift + getattr(block, name)])
+            setattr(self, name, joined)
+        self.mass_matrix = block_diag([sphere.mass_matrix, block.mass_matrix], format="csr")
         self.mass = sphere.mass
         self.upward = np.append(sphere.upward, np.zeros(block.size))
-
-    @property
-    def points(self) -> int:
-        """Number of Gauss points."""
-        return self.volumes.size
+        self.points = self.volumes.size
 
     def respond(self, displacement: np.ndarray, state: State, duration: float = np.inf) -> Response:
-        """See `Body.respond`."""
-        cut = self.sphere.points
+        """Return the responses of both bodies as one; see `Body.respond`."""
         above, below = np.split(displacement, [self.sphere.size])
-        upper = self.sphere.respond(above, state.between(0, cut), duration)
-        lower = self.block.respond(below, state.between(cut, None), duration)
+        above_state, below_state = state.split(self.sphere.points)
+        upper = self.sphere.respond(above, above_state, duration)
+        lower = self.block.respond(below, below_state, duration)
         return Response(
             np.concatenate([upper.stress, lower.stress]),
             upper.state.joined(lower.state),
-            np.concatenate([upper.flowing, cut + lower.flowing]),
+            np.concatenate([upper.flowing, self.sphere.points + lower.flowing]),
             np.concatenate([upper.tangent, lower.tangent]),
         )
 
@@ -68,32 +64,23 @@ class Pair:
 
     def stiffness(self, displacement: np.ndarray, response: Response) -> np.ndarray:
         """See `Body.stiffness`."""
-        above, below = np.split(displacement, [self.sphere.size])
-        upper, lower = self._answers(response)
-        return np.concatenate(
-            [self.sphere.stiffness(above, upper), self.block.stiffness(below, lower)]
-        )
+        upper, lower = self._split(displacement, response)
+        return np.concatenate([self.sphere.stiffness(*upper), self.block.stiffness(*lower)])
 
     def elastic_energy(self, displacement: np.ndarray, response: Response) -> float:
         """Return the elastic energy, J."""
-        above, below = np.split(displacement, [self.sphere.size])
-        upper, lower = self._answers(response)
-        return self.sphere.elastic_energy(above, upper) + self.block.elastic_energy(below, lower)
+        upper, lower = self._split(displacement, response)
+        return self.sphere.elastic_energy(*upper) + self.block.elastic_energy(*lower)
 
-    def _answers(self, response: Response) -> tuple[Response, Response]:
-        cut = self.sphere.points
-        upper = response.flowing < cut
-        return (
-            Response(
-                response.stress[:cut],
-                response.state.between(0, cut),
-                response.flowing[upper],
-                response.tangent[upper],
-            ),
-            Response(
-                response.stress[cut:],
-                response.state.between(cut, None),
-                response.flowing[~upper] - cut,
-                response.tangent[~upper],
-            ),
+    def _split(self, displacement: np.ndarray, response: Response):
+        """Return the displacement and response of the sphere, and those of the block."""
+        first_below = np.searchsorted(response.flowing, self.sphere.points)
+        responses = zip(
+            np.split(response.stress, [self.sphere.points]),
+            response.state.split(self.sphere.points),
+            (response.flowing[:first_below], response.flowing[first_below:] - self.sphere.points),
+            np.split(response.tangent, [first_below]),
+            strict=True,
         )
+        displacements = np.split(displacement, [self.sphere.size])
+        return zip(displacements, (Response(*parts) for parts in responses), strict=True)

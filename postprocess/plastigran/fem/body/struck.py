@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A body that is hit by a rigid one, in one system of equations."""
+"""A body and the rigid cylinder that hits it, in one system of equations."""
 
 from __future__ import annotations
 
@@ -8,31 +8,30 @@ from scipy.sparse import block_diag, identity
 from skfem import MeshQuad2
 
 from plastigran.fem.body.body import Body
-from plastigran.fem.body.section import Section
 from plastigran.fem.material.elastic_plastic import ElasticPlastic
-from plastigran.fem.material.kinematics import Kinematics
+from plastigran.fem.material.kinematics import SmallStrain
 
 
 class StruckBody(Body):
-    """Body, and the center of a circle as two further degrees of freedom.
+    """Body in plane strain, with the center of a circle as two further degrees of freedom.
 
     Attributes:
-        centre: Degrees of freedom of the center (2,).
-        centre_mass: Mass of the circle, kg.
+        center: Degrees of freedom of the center (2,).
+        center_mass: Mass of the cylinder, kg.
     """
 
     def __init__(
         self,
         mesh: MeshQuad2,
         material: ElasticPlastic,
-        section: Section,
-        centre_mass: float,
-        kinematics: Kinematics | None = None,
+        length: float,
+        center_mass: float,
+        kinematics: SmallStrain | None = None,
     ) -> None:
-        super().__init__(mesh, material, section, kinematics)
-        self.centre = self.size + np.arange(2)
-        self.centre_mass = centre_mass
+        super().__init__(mesh, material, length, kinematics)
+        self.center = self.size + np.arange(2)
+        self.center_mass = center_mass
         self.size += 2
-        self.mass_matrix = block_diag([self.mass_matrix, centre_mass * identity(2)], format="csr")
+        self.mass_matrix = block_diag([self.mass_matrix, center_mass * identity(2)], format="csr")
         if "axis" in mesh.boundaries:
-            self.held = np.append(self.held, self.centre[0])
+            self.fixed = np.append(self.fixed, self.center[0])

@@ -3,9 +3,9 @@
 
 The center of the circle adds two degrees of freedom; the circle does not rotate. d is the vector
 from the center to a point of the deformed surface, n = d/|d| the normal and g = |d| - R the gap.
-The surface has the pressure p = k <-g> along n. Along the tangent t it has the traction of the last
-equilibrium minus k times the slip since then, at most mu p. This returns elastic stick to the cone
-of friction (Wriggers, Computational Contact Mechanics, 2006, sec. 5.2).
+The surface has the pressure p = k <-g> along n. Its trial traction along the tangent t is the one
+of the last equilibrium minus k times the slip since then. The traction is at most mu p (Wriggers,
+Computational Contact Mechanics, 2006, sec. 5.2).
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ import numpy as np
 
 from plastigran.fem.body.struck import StruckBody
 from plastigran.fem.contact.edges import Edges, contact_edge
-from plastigran.fem.contact.plane import PENALTY, Touch
+from plastigran.fem.contact.plane import Touch
 
 
 @attrs.frozen
@@ -41,7 +41,7 @@ class RigidCircle:
     Attributes:
         dofs: Degrees of freedom of each edge, x and y of its three nodes and of the center
             (n_edges, 8).
-        places: First coordinate of the Gauss points, increasing (n_points,), m.
+        coordinates: First coordinate of the Gauss points, increasing (n_points,), m.
         start: Initial first coordinate of the center, m.
         longest_edge: Length of the longest edge, m.
     """
@@ -51,14 +51,14 @@ class RigidCircle:
         body: StruckBody,
         radius: float,
         track: tuple[float, float],
-        start: float = 0.0,
-        coefficient_of_friction: float = 0.0,
-        penalty: float = PENALTY,
+        start: float,
+        coefficient_of_friction: float,
+        penalty: float,
     ) -> None:
-        """Place the circle.
+        """Place the circle on the boundary `surface` of the body.
 
         Args:
-            body: Body, with a boundary `surface`.
+            body: Body.
             radius: Radius of the circle, m.
             track: Range of first coordinates in which contact is possible, m.
             start: Initial first coordinate of the center, m.
@@ -68,11 +68,12 @@ class RigidCircle:
         mesh = body.mesh
         facets = mesh.boundaries["surface"]
         ends = mesh.p[0, mesh.facets[:, facets]]
-        edges = Edges(body, facets[(ends.min(axis=0) >= track[0]) & (ends.max(axis=0) <= track[1])])
-        self._edges, self._centre, self._size = edges, body.centre, body.size
+        on_track = (ends.min(axis=0) >= track[0]) & (ends.max(axis=0) <= track[1])
+        self._edges = edges = Edges(body, facets[on_track])
+        self._center, self._size = body.center, body.size
         count = len(edges.lengths)
-        centre = np.broadcast_to(body.centre, (count, 2))
-        self.dofs = np.concatenate([edges.dofs.reshape(count, -1), centre], axis=1)
+        center = np.broadcast_to(body.center, (count, 2))
+        self.dofs = np.concatenate([edges.dofs.reshape(count, -1), center], axis=1)
         self._distance_matrices = np.zeros((count, edges.first.shape[1], 2, self.dofs.shape[1]))
         for axis in (0, 1):
             self._distance_matrices[:, :, axis, axis:-2:2] = edges.shapes
@@ -82,49 +83,49 @@ class RigidCircle:
         self._stiffness = penalty * body.material.plane_modulus / edges.lengths[:, None]
         self._radius, self._friction = radius, coefficient_of_friction
         # The drag of the halves on both sides of an axis cancels.
-        self._whole = np.array([0.0 if "axis" in mesh.boundaries else 1.0, 1.0])
-        self.places = edges.first.ravel()
+        self._drag_and_force = np.array([0.0 if "axis" in mesh.boundaries else 1.0, 1.0])
+        self.coordinates = edges.first.ravel()
         self.start = start
         self.longest_edge = edges.lengths.max()
 
     def touch(self, displacement: np.ndarray, last: Rub | None = None) -> Rub:
         """Return the contact at displacements (size,), m, after the equilibrium `last`."""
-        moves = displacement[self.dofs]
-        distance = self._start + np.einsum("eqid,ed->eqi", self._distance_matrices, moves)
+        change = np.einsum("eqid,ed->eqi", self._distance_matrices, displacement[self.dofs])
+        distance = self._start + change
         length = np.linalg.norm(distance, axis=2)
         normal = distance / length[:, :, None]
         tangent = np.stack([-normal[:, :, 1], normal[:, :, 0]], axis=-1)
         gap = length - self._radius
         closed = self._stiffness * (gap < 0)
         pressure = -closed * gap
-        moved = distance - (self._start if last is None else last.distance)
-        slip = np.einsum("eqi,eqi->eq", tangent, moved)
+        motion = distance - (self._start if last is None else last.distance)
+        slip = np.einsum("eqi,eqi->eq", tangent, motion)
         before = 0.0 if last is None else last.shear
         trial, limit = before - self._stiffness * slip, self._friction * pressure
         shear = np.clip(trial, -limit, limit)
         traction = pressure[:, :, None] * normal + shear[:, :, None] * tangent
         nodal = np.einsum("eqid,eqi,eq->ed", self._distance_matrices, traction, self._areas)
         nodal = np.bincount(self.dofs.ravel(), nodal.ravel(), minlength=self._size)
-        drag, force = nodal[self._centre] * self._whole
+        drag, force = nodal[self._center] * self._drag_and_force
 
         # Derivatives of pressure and shear by distance, and of traction by these.
         by_distance = -closed[:, :, None] * normal
-        turned = 1 - np.einsum("eqi,eqi->eq", normal, moved) / length
+        slip_by_distance = 1 - np.einsum("eqi,eqi->eq", normal, motion) / length
         sticks = np.abs(trial) < limit
         shear_by_distance = np.where(
             sticks[:, :, None],
-            -(self._stiffness * turned)[:, :, None] * tangent,
+            -(self._stiffness * slip_by_distance)[:, :, None] * tangent,
             self._friction * np.sign(trial)[:, :, None] * by_distance,
         )
         turning = (pressure[:, :, None] * tangent - shear[:, :, None] * normal) / length[:, :, None]
-        change = (
+        derivative = (
             normal[..., None] * by_distance[:, :, None]
             + tangent[..., None] * shear_by_distance[:, :, None]
             + turning[..., None] * tangent[:, :, None]
         )
-        change *= self._areas[:, :, None, None]
+        derivative *= self._areas[:, :, None, None]
         transposed = self._distance_matrices.transpose(0, 1, 3, 2)
-        stiffness = -(transposed @ change @ self._distance_matrices).sum(axis=1)
+        stiffness = -(transposed @ derivative @ self._distance_matrices).sum(axis=1)
         lost = -slip * (shear + before) / 2 - (shear**2 - before**2) / (2 * self._stiffness)
         return Rub(
             force=float(force),
@@ -144,21 +145,21 @@ class RigidCircle:
 
         x is measured from the start of the circle.
         """
-        still = displacement.copy()
-        still[self._centre] = 0
-        moves = np.einsum("eqid,ed->eqi", self._distance_matrices, still[self.dofs])
-        return (self._start + moves + np.array([0, self._radius])).reshape(-1, 2)
+        fixed_center = displacement.copy()
+        fixed_center[self._center] = 0
+        change = np.einsum("eqid,ed->eqi", self._distance_matrices, fixed_center[self.dofs])
+        return (self._start + change + np.array([0, self._radius])).reshape(-1, 2)
 
     def profile(self, touch: Rub) -> tuple[np.ndarray, np.ndarray]:
-        """Return the mean first coordinate and mean pressure of each edge."""
-        return self._edges.mean(self.places), self._edges.mean(touch.pressure)
+        """Return the mean first coordinate, m, and mean pressure, Pa, of each edge (n_edges,)."""
+        return self._edges.mean(self.coordinates), self._edges.mean(touch.pressure)
 
     def ends(self, gap: np.ndarray) -> tuple[float, float]:
         """Return the first and last coordinate in contact, m; zeros without contact.
 
         At an axis of symmetry, the first is the mirror image of the last.
         """
-        last = contact_edge(self.places, gap)
-        if self.places[0] >= 0:
+        last = contact_edge(self.coordinates, gap)
+        if self.coordinates[0] >= 0:
             return -last, last
-        return -contact_edge(-self.places[::-1], gap[::-1]), last
+        return -contact_edge(-self.coordinates[::-1], gap[::-1]), last

@@ -23,12 +23,7 @@ class Edges:
     """
 
     def __init__(self, body: Body, facets: np.ndarray) -> None:
-        """Collect the edges.
-
-        Args:
-            body: Body.
-            facets: IDs of the edges in its mesh.
-        """
+        """Collect the edges with the IDs `facets` in the mesh of the body."""
         mesh = body.mesh
         facets = facets[np.argsort(mesh.p[0, mesh.facets[:, facets]].mean(axis=0))]
         basis = FacetBasis(mesh, ElementVector(ElementQuadS2()), facets=facets, intorder=EDGE_ORDER)
@@ -47,29 +42,27 @@ class Edges:
             np.take_along_axis(array, order, axis=1)
             for array in (first, np.abs(basis.normals[1]) * basis.dx)
         )
-        self.areas = body.section.thickness(self.first) * projected
+        self.areas = body.thickness(self.first) * projected
         self.lengths = basis.dx.sum(axis=1)
 
     def mean(self, values: np.ndarray) -> np.ndarray:
         """Return the mean on each edge (n_edges,) of values at the Gauss points (n_points,).
 
         Within an edge, the penalty pressure oscillates by some per cent about its mean, because the
-        edge
-        is a parabola and the other body is stiff.
+        edge is a parabola and the other body is stiff.
         """
         areas = self.areas / self.areas.sum(axis=1, keepdims=True)
         return (values.reshape(areas.shape) * areas).sum(axis=1)
 
 
-def contact_edge(places: np.ndarray, gap: np.ndarray) -> float:
-    """Return where the gap opens, m.
+def contact_edge(coordinates: np.ndarray, gap: np.ndarray) -> float:
+    """Return the coordinate at which the gap opens, m; 0 without contact.
 
     Outside the contact, the gap grows as (r - a)^(3/2). Its power 2/3 is extrapolated linearly to
-    zero
-    from the first two open points.
+    zero from the first two open points.
 
     Args:
-        places: Coordinates of the Gauss points, from inside to outside (n_points,), m.
+        coordinates: Coordinates of the Gauss points, from inside to outside (n_points,), m.
         gap: Gap at these points (n_points,), m.
     """
     closed = np.flatnonzero(gap < 0)
@@ -77,10 +70,10 @@ def contact_edge(places: np.ndarray, gap: np.ndarray) -> float:
         return 0.0
     first = closed[-1] + 1
     if first + 1 >= gap.size:
-        return float(places[-1])
+        return float(coordinates[-1])
     inner, outer = gap[first : first + 2] ** (2 / 3)
-    left, right = places[first : first + 2]
+    left, right = coordinates[first : first + 2]
     if outer <= inner:
         return float(left)
     edge = left - inner * (right - left) / (outer - inner)
-    return float(max(edge, places[first - 1]))
+    return float(max(edge, coordinates[first - 1]))

@@ -2,8 +2,7 @@
 """Surface of a half space under a sphere, with the same penalty as a rigid plane.
 
 Each Gauss point of the sphere's edges faces the surface point with the same radius in the
-undeformed
-state. Sliding must be small.
+undeformed state. Sliding must be small.
 """
 
 from __future__ import annotations
@@ -27,32 +26,27 @@ class HalfSpace(RigidPlane):
     def __init__(self, pair: Pair, radius: float, reach: float, penalty: float = PENALTY) -> None:
         """Pair the Gauss points of the sphere with the surface.
 
-        Args:
-            pair: Sphere and half space.
-            radius: Radius of the sphere, m.
-            reach: Largest distance from the axis at which contact is possible, m.
-            penalty: Stiffness divided by E*/h, with E* of both bodies.
+        Arguments are as for `RigidPlane`; the penalty refers to E* of both bodies.
         """
         sphere, block = pair.sphere, pair.block
         modulus = sphere.material.pair_modulus(block.material)
         super().__init__(sphere, radius, reach, penalty * modulus / sphere.material.plane_modulus)
         facets = block.mesh.boundaries["surface"]
         first = block.mesh.p[0, block.mesh.facets[:, facets]].min(axis=0)
-        under, under_shapes = _nodes_under(Edges(block, facets[first < reach]), self.radii, block)
+        surface_dofs, surface_shapes = _below(
+            Edges(block, facets[first < reach]), self.radii, block
+        )
         points = self._shapes.shape[1]
-        self.dofs = np.hstack([np.repeat(self.dofs, points, axis=0), sphere.size + under])
-        own = self._shapes.reshape(-1, self._shapes.shape[2])
-        self._shapes = np.hstack([own, -under_shapes])[:, None]
+        self.dofs = np.hstack([np.repeat(self.dofs, points, axis=0), sphere.size + surface_dofs])
+        sphere_shapes = self._shapes.reshape(-1, self._shapes.shape[2])
+        self._shapes = np.hstack([sphere_shapes, -surface_shapes])[:, None]
         self._stiffness = np.repeat(self._stiffness, points, axis=0)
         self._areas, self._heights = self._areas.reshape(-1, 1), self._heights.reshape(-1, 1)
         self._size = pair.size
 
 
-def _nodes_under(edges: Edges, radii: np.ndarray, block: Body) -> tuple[np.ndarray, np.ndarray]:
-    """Return vertical degrees of freedom and shape functions (n, 3) of a straight surface.
-
-    The points are at radii (n,), m.
-    """
+def _below(edges: Edges, radii: np.ndarray, block: Body) -> tuple[np.ndarray, np.ndarray]:
+    """Return vertical degrees of freedom and shape functions of the surface at radii, (n, 3)."""
     ends = block.locations[0, edges.dofs[:, :2, 0]]
     edge = np.searchsorted(ends.max(axis=1), radii)
     start, end = ends[edge].T

@@ -25,7 +25,7 @@ class Touch:
     Attributes:
         force: Upward force on the body, N.
         nodal: Forces on the degrees of freedom (size,), N.
-        stiffness: Stiffness matrix of each edge (n_edges, 3, 3), N/m.
+        stiffness: Stiffness matrix of each edge (n_edges, n, n), N/m.
         gap: Gap at the Gauss points from the axis outward (n_points,), m.
         pressure: Pressure there, per undeformed area (n_points,), Pa.
         stored: Energy of the penalty, J.
@@ -81,40 +81,34 @@ class RigidPlane:
         near = (ends[0].max(axis=0) < reach) & (ends[1].max(axis=0) < radius)
         self._edges = edges = Edges(body, facets[near])
         self.dofs = edges.dofs[:, :, 1].copy()
-        self._shapes, self._areas, distance = edges.shapes, edges.areas, edges.first
-        modulus = body.material.plane_modulus
-        self._stiffness = penalty * modulus / edges.lengths[:, None]
-        self._heights = radius - np.sqrt(radius**2 - distance**2)
-        self.radii = distance.ravel()
+        self._shapes, self._areas = edges.shapes, edges.areas
+        self._stiffness = penalty * body.material.plane_modulus / edges.lengths[:, None]
+        self._heights = radius - np.sqrt(radius**2 - edges.first**2)
+        self.radii = edges.first.ravel()
         self._size = body.size
         self._radial = edges.dofs[:, :, 0].copy()
         self._ends = body.locations[0, self._radial[:, :2]]
-        self._follows = body.kinematics.follows
+        self._follows = body.kinematics.surface_moves
 
     def touch(self, displacement: np.ndarray, height: float) -> PlaneTouch:
         """Return the contact state at displacements (size,), m, for a plane at `height`, m."""
-        moved = (self._shapes @ displacement[self.dofs][:, :, None])[:, :, 0]
-        gap = self._heights + moved - height
+        rise = (self._shapes @ displacement[self.dofs][:, :, None])[:, :, 0]
+        gap = self._heights + rise - height
         pressure = self._stiffness * np.maximum(-gap, 0)
-        nodal = np.bincount(
-            self.dofs.ravel(),
-            np.einsum("eq,eqn->en", pressure * self._areas, self._shapes).ravel(),
-            minlength=self._size,
-        )
+        nodal = np.einsum("eq,eqn->en", pressure * self._areas, self._shapes)
         closed = self._stiffness * self._areas * (gap < 0)
         stiffness = np.einsum("eq,eqn,eqm->enm", closed, self._shapes, self._shapes)
         return PlaneTouch(
             float(np.sum(pressure * self._areas)),
-            nodal,
+            self._scatter(nodal),
             stiffness,
             gap.ravel(),
             pressure.ravel(),
             float(np.sum(closed * gap**2) / 2),
-            *self._place(displacement),
+            *self._radii_and_widening(displacement),
         )
 
-    def _place(self, displacement: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """Return radii of the Gauss points, and deformed / undeformed areas of the edges."""
+    def _radii_and_widening(self, displacement: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         if not self._follows:
             return self.radii, np.ones(len(self._edges.lengths))
         outward = (self._shapes @ displacement[self._radial][:, :, None]).ravel()
@@ -123,11 +117,14 @@ class RigidPlane:
         return self.radii + outward, area / undeformed
 
     def profile(self, touch: PlaneTouch) -> tuple[np.ndarray, np.ndarray]:
-        """Return the mean radius and mean pressure of each edge."""
+        """Return the mean radius, m, and mean pressure, Pa, of each edge (n_edges,)."""
         mean = self._edges.mean
         return mean(touch.radii), mean(touch.pressure) / touch.widening
 
     def spread(self, stiffness: np.ndarray) -> np.ndarray:
         """Return the forces (size,) for a unit rise of the plane from edge stiffnesses, N/m."""
-        forces = stiffness[:, :, :EDGE_NODES].sum(axis=2)
-        return np.bincount(self.dofs.ravel(), forces.ravel(), minlength=self._size)
+        return self._scatter(stiffness[:, :, :EDGE_NODES].sum(axis=2))
+
+    def _scatter(self, nodal: np.ndarray) -> np.ndarray:
+        """Return the sums (size,) of forces on the nodes of the edges."""
+        return np.bincount(self.dofs.ravel(), nodal.ravel(), minlength=self._size)

@@ -6,13 +6,13 @@ from __future__ import annotations
 import attrs
 
 from plastigran.declared import number, radius_field, speed_field
-from plastigran.fem.limits import SUBSONIC
+from plastigran.fem.limits import check_subsonic
 from plastigran.fem.material.elastic_plastic import ElasticPlastic
 from plastigran.fem.theory.line import HertzLine
 
-LARGEST = 0.6  # half width over radius of the circle beyond which nothing here is meant
+LARGEST = 0.6  # largest half width / radius of the circle
 PLASTIC_PRESSURE = 2.0  # smallest mean pressure / flow stress of the estimated contact
-MARGIN = 1.2  # factor on the thickness beyond which no wave returns in time
+MARGIN = 1.2  # factor on the thickness from which no wave returns during the contact
 
 
 @attrs.frozen(kw_only=True)
@@ -47,14 +47,8 @@ class CylinderStrike:
     def __attrs_post_init__(self) -> None:
         sound = self.material.wave_speed
         for name in ("speed", "sliding_speed"):
-            if getattr(self, name) > SUBSONIC * sound:
-                raise ValueError(
-                    f"{name} is {getattr(self, name):g} m/s; it must be below {SUBSONIC:g} of "
-                    f"the speed of sound in the body, {sound:.4g} m/s. Check the units: Pa, "
-                    "kg/m3"
-                )
-        ratio = self.reach / self.radius
-        if ratio > LARGEST or self.reach > self.line.thickness / 4:
+            check_subsonic(name, getattr(self, name), sound)
+        if self.reach > min(LARGEST * self.radius, self.line.thickness / 4):
             raise ValueError(
                 f"speed is {self.speed:g} m/s, which gives a contact of half width "
                 f"{self.reach:.3g} m. The limit is {LARGEST:g} of the radius {self.radius:g} m "
@@ -63,13 +57,13 @@ class CylinderStrike:
 
     @property
     def line(self) -> HertzLine:
-        """Elastic contact."""
+        """Elastic contact of the cylinder."""
         if self.thickness is not None:
             return self._line(self.thickness)
         thickness = 10 * self.radius
         for _ in range(20):
-            way = self.material.wave_speed * self._line(thickness).duration(self.mass, self.speed)
-            thickness = max(MARGIN * way / 2, 10 * self.radius)
+            duration = self._line(thickness).duration(self.mass, self.speed)
+            thickness = max(MARGIN * self.material.wave_speed * duration / 2, 10 * self.radius)
         return self._line(thickness)
 
     def _line(self, thickness: float) -> HertzLine:
@@ -79,7 +73,7 @@ class CylinderStrike:
 
     @property
     def reach(self) -> float:
-        """Largest expected half width, m: that of the elastic contact, or of a plastic one."""
+        """Largest expected half width of the elastic or plastic contact, m."""
         line = self.line
         force = line.impact_force(self.mass, self.speed)
         if force <= line.yield_force:

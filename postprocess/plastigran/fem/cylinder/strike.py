@@ -8,26 +8,22 @@ sec. 5.6), or so large that no wave returns from the arc during the contact.
 
 from __future__ import annotations
 
-import warnings
-from math import inf
-
 import numpy as np
 
-from plastigran.fem.body.section import PlaneStrain
 from plastigran.fem.body.struck import StruckBody
 from plastigran.fem.contact.circle import RigidCircle, Rub
 from plastigran.fem.cylinder.case import CylinderStrike
-from plastigran.fem.cylinder.struck import Strike, StrikeLog, summary
-from plastigran.fem.limits import SMALL_STRAIN, SmallStrainWarning
+from plastigran.fem.cylinder.struck import Strike, StrikeLog
+from plastigran.fem.limits import SMALL_STRAIN, warn_of_small_strain
 from plastigran.fem.mesh.block import HalfBlock, TrackBlock
 from plastigran.fem.settings import Settings
-from plastigran.fem.stepping.flight import Flight
+from plastigran.fem.stepping.flight import Flight, follow
 from plastigran.fem.stepping.increment import Balance, Equations, Equilibrium, Forces, NoConvergence
 from plastigran.progress import ProgressBar
 
 SHARES = (1.0, 0.5, 0.25, 0.1)  # fractions of a Newton change
 LONGEST = 4.0  # number of elastic contact durations after which an impact is stopped
-# Largest sliding distance in a step, in elements; Newton's method fails for larger ones.
+# largest sliding distance in a step / element length; Newton's method fails for larger ones
 STRIDE = 0.3
 TRACK_MARGIN = 1.2  # factor on the sliding distance during an elastic contact
 
@@ -46,61 +42,58 @@ class StrikeEquations(Equations):
     ) -> list[np.ndarray]:
         elements, edges = super()._matrices(displacement, balance, factor)
         edges = edges.copy()  # contact matrices, without the mass of the circle
-        edges[0, -2:, -2:] += factor * self.body.centre_mass * np.identity(2)
+        edges[0, -2:, -2:] += factor * self.body.center_mass * np.identity(2)
         return [elements, edges]
 
-    def _step(self, displacement: np.ndarray, change: np.ndarray, balance: Balance, forces: Forces):
-        """Return the largest of some fractions of the change that improves the balance of forces.
+    def _step(
+        self, displacement: np.ndarray, change: np.ndarray, balance: Balance, forces: Forces
+    ) -> tuple[np.ndarray, Balance]:
+        """Return the first iterate along the change that improves the balance of forces.
 
-        Points come into contact and start to flow as the circle slides. The smallest fraction is
-        taken
-        even without improvement.
+        The full change often fails, because points come into contact and start to flow as the
+        circle slides. The smallest fraction is taken even without improvement.
 
         Raises:
             NoConvergence: Even the smallest fraction turns an element inside out.
         """
         before = np.linalg.norm(balance.residual)
         for share in SHARES:
-            tried = displacement + share * change
+            trial = displacement + share * change
             try:
-                found = forces(tried)
+                trial_balance = forces(trial)
             except NoConvergence:
                 if share == SHARES[-1]:
                     raise
                 continue
-            if np.linalg.norm(found.residual) < before:
+            if np.linalg.norm(trial_balance.residual) < before:
                 break
-        return tried, found
+        return trial, trial_balance
 
 
 def equations(case: CylinderStrike, settings: Settings) -> StrikeEquations:
     """Return the equations of an impact: mesh, body and circle."""
     reach, line = case.reach, case.line
-    if not case.oblique:
-        core = reach / 2
-        if line.yield_force < inf:
-            core = min(core, line.half_width(line.yield_force))
+    if case.oblique:
+        path = TRACK_MARGIN * case.sliding_speed * line.duration(case.mass, case.speed)
+        block = TrackBlock(
+            half_length=path / 2 + 2 * reach,
+            element=reach / settings.divisions / settings.fineness,
+            depth=2 * reach,
+            size=line.thickness,
+        )
+        length, start = case.length, -path / 2
+        track = (-block.half_length, block.half_length)
+    else:
         block = HalfBlock(
-            core=core,
+            core=min(reach / 2, line.half_width(line.yield_force)),
             reach=reach,
             size=line.thickness,
             divisions=settings.divisions,
             fineness=settings.fineness,
         )
-        section = PlaneStrain(2 * case.length)  # half of the body represents the whole
-        track, start = (0.0, 2 * reach), 0.0
-    else:
-        way = TRACK_MARGIN * case.sliding_speed * line.duration(case.mass, case.speed)
-        block = TrackBlock(
-            half_length=way / 2 + 2 * reach,
-            element=reach / settings.divisions / settings.fineness,
-            depth=2 * reach,
-            size=line.thickness,
-        )
-        section = PlaneStrain(case.length)
-        track = (-block.half_length, block.half_length)
-        start = -way / 2
-    body = StruckBody(block.build(), case.material, section, case.mass, settings.kinematics)
+        length, start = 2 * case.length, 0.0  # half of the body represents the whole
+        track = (0.0, 2 * reach)
+    body = StruckBody(block.build(), case.material, length, case.mass, settings.kinematics)
     circle = RigidCircle(
         body, case.radius, track, start, case.coefficient_of_friction, settings.penalty
     )
@@ -123,34 +116,20 @@ def strike(
     """
     settings = settings or Settings()
     if settings.strain == "small" and case.reach > SMALL_STRAIN * case.radius:
-        warnings.warn(
+        warn_of_small_strain(
             f"speed {case.speed:g} m/s gives a contact half width of about "
-            f"{case.reach / case.radius:.2g} times the radius; small strain is accurate up to "
-            f"{SMALL_STRAIN:g}",
-            SmallStrainWarning,
-            stacklevel=2,
+            f"{case.reach / case.radius:.2g} times the radius"
         )
-    balance = equations(case, settings)
-    velocity = np.zeros(balance.body.size)
-    velocity[balance.body.centre] = case.sliding_speed, -case.speed
+    system = equations(case, settings)
+    velocity = np.zeros(system.body.size)
+    velocity[system.body.center] = case.sliding_speed, -case.speed
     duration = case.line.duration(case.mass, case.speed)
     timestep = duration / settings.steps_of_contact
     if case.oblique:
-        timestep = min(timestep, STRIDE * balance.contact.longest_edge / case.sliding_speed)
-    flight = Flight(balance, velocity, timestep)
-    log = StrikeLog(flight)
-    stopped = ""
+        timestep = min(timestep, STRIDE * system.contact.longest_edge / case.sliding_speed)
+    log = StrikeLog(Flight(system, velocity, timestep))
     with ProgressBar(total=100, shown=progress, desc="strike", unit="% of elastic") as bar:
-        while log.free < settings.free_steps and not stopped:
-            try:
-                flight.advance()
-            except NoConvergence as error:
-                stopped = str(error)
-                continue
-            log.note()
-            bar.update(100 * flight.now.time / duration - bar.n)
-            if flight.now.time > LONGEST * duration:
-                stopped = f"the contact has not ended after {flight.now.time:g} s"
-    if len(log.rows) == 1:
-        raise NoConvergence(stopped)
-    return summary(case, log, stopped)
+        stopped = follow(
+            log.flight, log.record, bar, duration, LONGEST, free_steps=settings.free_steps
+        )
+    return log.summary(case, stopped)

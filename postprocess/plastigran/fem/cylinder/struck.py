@@ -12,7 +12,8 @@ import pandas as pd
 from plastigran.fem.body.struck import StruckBody
 from plastigran.fem.contact.circle import RigidCircle
 from plastigran.fem.cylinder.case import CylinderStrike
-from plastigran.fem.stepping.flight import Flight
+from plastigran.fem.result_file import numbers
+from plastigran.fem.stepping.flight import Flight, end_of_contact
 from plastigran.fem.stepping.increment import Equilibrium
 from plastigran.fem.stepping.linear import SymmetricSystem
 from plastigran.fem.stepping.snapshot import YIELDED, Snapshot, energies, snapshot
@@ -42,8 +43,8 @@ class Strike:
             touch.
         start: First coordinate of first touch in the mesh, m.
         snapshots: Fields by name: `yield` (at first yield, if any), `deepest`, `end` (of contact).
-        stopped: Reason of an early end, with unknown restitution and residual depth; otherwise
-            empty.
+        stopped: Reason of an early end, with NaN for restitution, residual values and contact time;
+            otherwise empty.
     """
 
     case: CylinderStrike
@@ -63,18 +64,9 @@ class Strike:
 
     def to_dict(self) -> dict:
         """Return numbers only, for a file."""
-        names = (
-            "coefficient_of_restitution",
-            "force_max",
-            "overlap_max",
-            "overlap_res",
-            "residual_depth",
-            "contact_time",
-            "yield_force",
-            "stopped",
-        )
-        numbers = {name: getattr(self, name) for name in names}
-        return numbers | {
+        result = numbers(self)
+        del result["start"]
+        return result | {
             "thickness": self.case.line.thickness,
             "yield_point": self.yield_point.tolist(),
             "history": self.history.to_dict("list"),
@@ -83,40 +75,35 @@ class Strike:
 
 
 class StrikeLog:
-    """History and fields of an impact during its computation.
-
-    Attributes:
-        rows: Rows of the history.
-        free: Number of latest steps without contact.
-    """
+    """History and fields of an impact during its computation."""
 
     def __init__(self, flight: Flight) -> None:
         self.flight = flight
         self.body: StruckBody = flight.equations.body
         self.circle: RigidCircle = flight.equations.contact
         self.rows: list[dict[str, float]] = []
-        self.free = 0
-        self.yield_point: np.ndarray | None = None
-        self.snapshots: dict[str, Snapshot] = {}
+        self.yield_point = np.full(2, nan)
+        self._deepest = 0.0
         self._states: dict[str, Equilibrium] = {}
-        self.note()
+        self.record()
 
-    def note(self) -> None:
-        """Record the last step."""
+    def record(self) -> float:
+        """Append the row of the last step, and return its force, N."""
         state = self.flight.now.state
         row = self._row(state)
-        if self.yield_point is None and state.response.state.accumulated.any():
+        self.rows.append(row)
+        if "yield" not in self._states and state.response.state.accumulated.any():
             self.yield_point = self._yield_point(state, row)
             self._states["yield"] = state
-        if row["approach"] > max((each["approach"] for each in self.rows), default=0.0):
+        if row["approach"] > self._deepest:
+            self._deepest = row["approach"]
             self._states["deepest"] = state
         self._states["end"] = state
-        self.rows.append(row)
-        self.free = self.free + 1 if row["force"] == 0 and len(self.rows) > 1 else 0
+        return row["force"]
 
     def _row(self, state: Equilibrium) -> dict[str, float]:
-        now, touch, centre = self.flight.now, state.touch, self.body.centre
-        way, up = state.displacement[centre]
+        now, touch, center = self.flight.now, state.touch, self.body.center
+        way, up = state.displacement[center]
         first, last = self.circle.ends(touch.gap)
         yielded = state.response.state.accumulated > YIELDED
         depths = -self.body.positions.reshape(-1, 2)[yielded, 1]
@@ -127,8 +114,8 @@ class StrikeLog:
             "drag": touch.drag,
             "approach": -up,
             "way": way,
-            "velocity": now.velocity[centre[1]],
-            "sliding_velocity": now.velocity[centre[0]],
+            "velocity": now.velocity[center[1]],
+            "sliding_velocity": now.velocity[center[0]],
             "half_width": (last - first) / 2,
             "plastic_top": depths.min() if depths.size else nan,
             "plastic_bottom": depths.max() if depths.size else nan,
@@ -139,64 +126,48 @@ class StrikeLog:
         }
 
     def _yield_point(self, state: Equilibrium, row: dict[str, float]) -> np.ndarray:
-        place = self.body.positions.reshape(-1, 2)[state.response.state.accumulated.argmax()]
-        under = self.circle.start + row["way"]
-        return np.array([place[0] - under, -place[1]]) / row["half_width"]
+        first, second = self.body.positions.reshape(-1, 2)[
+            state.response.state.accumulated.argmax()
+        ]
+        return np.array([first - (self.circle.start + row["way"]), -second]) / row["half_width"]
 
-    def fields(self) -> dict[str, Snapshot]:
-        """Return the fields to keep."""
-        return {
-            name: snapshot(self.body, self.circle, state) for name, state in self._states.items()
-        }
-
-    def surface_at_rest(self) -> np.ndarray:
+    def _surface_at_rest(self) -> np.ndarray:
         """Return (x, y) of the track's surface (n_points, 2), m, when the body is at rest.
 
         Waves decay elastically: one linear solution with the undeformed stiffness removes the
-        forces of
-        the last stresses. In finite strain this is an approximation. Further yielding is ignored.
+        forces of the last stresses. In finite strain this is an approximation. Further yielding is
+        ignored.
         """
         body, state = self.body, self.flight.now.state
-        fixed = np.concatenate([body.held, body.centre])
+        fixed = np.concatenate([body.fixed, body.center])
         factor = SymmetricSystem([body.dofs], body.size, fixed).factor([body.elastic_stiffness])
-        left = factor.solve(body.internal_force(state.displacement, state.response.stress))
-        return self.circle.surface(state.displacement - left)
+        waves = factor.solve(body.internal_force(state.displacement, state.response.stress))
+        return self.circle.surface(state.displacement - waves)
 
-
-def summary(case: CylinderStrike, log: StrikeLog, stopped: str) -> Strike:
-    """Return the outcome of an impact that has ended or stopped."""
-    history = pd.DataFrame(log.rows)
-    force, time, approach = (history[name].to_numpy() for name in ("force", "time", "approach"))
-    end = _end_of_contact(time, force)
-    surface = log.surface_at_rest()
-    yielded = np.flatnonzero(history["plastic_work"].to_numpy() > 0)
-    return Strike(
-        case=case,
-        history=history,
-        coefficient_of_restitution=nan if stopped else history["velocity"].iloc[-1] / case.speed,
-        force_max=float(force.max()),
-        overlap_max=float(approach.max()),
-        overlap_res=nan if stopped else float(np.interp(end, time, approach)),
-        residual_depth=nan if stopped else float(max(0.0, -surface[:, 1].min())),
-        contact_time=nan if stopped else end,
-        yield_force=float(force[yielded[0]]) if yielded.size else nan,
-        yield_point=np.full(2, nan) if log.yield_point is None else log.yield_point,
-        surface=surface,
-        start=log.circle.start,
-        snapshots=log.fields(),
-        stopped=stopped,
-    )
-
-
-def _end_of_contact(time: np.ndarray, force: np.ndarray) -> float:
-    """Return the time at which the force reaches zero, s.
-
-    The force of the last two steps in contact is extrapolated linearly, at most to the next step.
-    """
-    last = np.flatnonzero(force > 0)[-1]
-    following = time[min(last + 1, len(time) - 1)]
-    fall = force[last - 1] - force[last]
-    if fall <= 0:
-        return float(following)
-    end = time[last] + force[last] * (time[last] - time[last - 1]) / fall
-    return float(min(end, following))
+    def summary(self, case: CylinderStrike, stopped: str) -> Strike:
+        """Return the outcome of an impact that has ended, or stopped for a reason."""
+        history = pd.DataFrame(self.rows)
+        force, time, approach = (history[name].to_numpy() for name in ("force", "time", "approach"))
+        end = nan if stopped else end_of_contact(time, force, 1)
+        restitution = float(history["velocity"].iloc[-1] / case.speed)
+        surface = self._surface_at_rest()
+        yielded = np.flatnonzero(history["plastic_work"] > 0)
+        return Strike(
+            case=case,
+            history=history,
+            coefficient_of_restitution=nan if stopped else restitution,
+            force_max=float(force.max()),
+            overlap_max=float(approach.max()),
+            overlap_res=float(np.interp(end, time, approach)),
+            residual_depth=nan if stopped else float(max(0.0, -surface[:, 1].min())),
+            contact_time=end,
+            yield_force=float(force[yielded[0]]) if yielded.size else nan,
+            yield_point=self.yield_point,
+            surface=surface,
+            start=self.circle.start,
+            snapshots={
+                name: snapshot(self.body, self.circle, state)
+                for name, state in self._states.items()
+            },
+            stopped=stopped,
+        )

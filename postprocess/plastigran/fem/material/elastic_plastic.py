@@ -3,8 +3,7 @@
 
 Strains and stresses are columns (rr, yy, tt, ry) with engineering shear strain; t is the
 circumferential direction. The return is backward Euler with its consistent tangent (Simo and
-Hughes,
-Computational Inelasticity, 1998, box 3.2).
+Hughes, Computational Inelasticity, 1998, box 3.2).
 """
 
 from __future__ import annotations
@@ -26,7 +25,7 @@ RETURN_TOLERANCE = 1e-13  # fraction of the trial stress
 
 
 class NoReturnError(ArithmeticError):
-    """The radial return found no plastic strain for the stress."""
+    """The radial return to the yield surface does not converge."""
 
 
 @attrs.frozen
@@ -48,18 +47,16 @@ class State:
         """Return the state of points that have not yielded."""
         return cls(np.zeros((points, 4)), np.zeros(points), np.zeros(points))
 
-    def between(self, start: int, end: int | None) -> State:
-        """Return the state of the points from `start` to before `end`."""
-        here = slice(start, end)
-        return State(self.plastic_strain[here], self.accumulated[here], self.work[here])
+    def split(self, first: int) -> tuple[State, State]:
+        """Return the state of the points before `first`, and that of the others."""
+        halves = (np.split(column, [first]) for column in attrs.astuple(self))
+        before, others = zip(*halves, strict=True)
+        return State(*before), State(*others)
 
     def joined(self, other: State) -> State:
         """Return the state of these points followed by the other's."""
-        return State(
-            np.concatenate([self.plastic_strain, other.plastic_strain]),
-            np.concatenate([self.accumulated, other.accumulated]),
-            np.concatenate([self.work, other.work]),
-        )
+        columns = zip(attrs.astuple(self), attrs.astuple(other), strict=True)
+        return State(*map(np.concatenate, columns))
 
 
 @attrs.frozen
@@ -78,7 +75,7 @@ class Response:
     flowing: np.ndarray
     tangent: np.ndarray
 
-    def held(self) -> Response:
+    def elastic(self) -> Response:
         """Return the response without flow, for a load reversal."""
         return attrs.evolve(self, flowing=self.flowing[:0], tangent=self.tangent[:0])
 
@@ -99,6 +96,11 @@ class ElasticPlastic:
         return self.youngs_modulus / (2 * (1 + self.poissons_ratio))
 
     @property
+    def bulk_modulus(self) -> float:
+        """Bulk modulus K, Pa."""
+        return self.youngs_modulus / (3 * (1 - 2 * self.poissons_ratio))
+
+    @property
     def plane_modulus(self) -> float:
         """Plane-strain modulus E/(1 - nu^2), Pa."""
         return self.youngs_modulus / (1 - self.poissons_ratio**2)
@@ -113,11 +115,6 @@ class ElasticPlastic:
         if other is None:
             return self.plane_modulus
         return 1 / (1 / self.plane_modulus + 1 / other.plane_modulus)
-
-    @property
-    def bulk_modulus(self) -> float:
-        """Bulk modulus K, Pa."""
-        return self.youngs_modulus / (3 * (1 - 2 * self.poissons_ratio))
 
     @property
     def elastic_tangent(self) -> np.ndarray:
@@ -140,20 +137,11 @@ class ElasticPlastic:
         step, flow, slope = self._flow(trial, state.accumulated[flowing], duration)
         direction = deviator[flowing] / trial[:, None]  # 3/2 times the direction of flow
         stress[flowing] -= (3 * self.shear_modulus * step)[:, None] * direction
-        plastic_strain, accumulated, work = (
-            state.plastic_strain.copy(),
-            state.accumulated.copy(),
-            state.work.copy(),
-        )
-        plastic_strain[flowing] += (1.5 * step)[:, None] * direction * TWICE_SHEAR
-        accumulated[flowing] += step
-        work[flowing] += flow * step
-        return Response(
-            stress,
-            State(plastic_strain, accumulated, work),
-            flowing,
-            self._tangent(trial, step, slope, direction),
-        )
+        after = State(*(column.copy() for column in attrs.astuple(state)))
+        after.plastic_strain[flowing] += (1.5 * step)[:, None] * direction * TWICE_SHEAR
+        after.accumulated[flowing] += step
+        after.work[flowing] += flow * step
+        return Response(stress, after, flowing, self._tangent(trial, step, slope, direction))
 
     def _tangent(
         self, trial: np.ndarray, step: np.ndarray, slope: np.ndarray, direction: np.ndarray
@@ -170,10 +158,7 @@ class ElasticPlastic:
     def _flow(
         self, trial: np.ndarray, accumulated: np.ndarray, duration: float
     ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        """Return the plastic strain steps for trial stresses, the flow stress, and its slope.
-
-        Newton's method, bounded by 0 and the largest step.
-        """
+        """Return plastic strain steps, flow stresses and their slopes, by bounded Newton steps."""
         shear = self.shear_modulus
         low, high = np.zeros_like(trial), trial / (3 * shear)
         step = np.zeros_like(trial)

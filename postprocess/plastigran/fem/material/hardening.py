@@ -14,15 +14,10 @@ from plastigran.declared import number
 class Hardening(Protocol):
     """Flow stress of a metal."""
 
+    yield_strength: float
+
     def flow_stress(self, strain: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """Return the flow stress.
-
-        Args:
-            strain: Accumulated plastic strains (n,).
-
-        Returns:
-            Flow stresses (n,), Pa, and their derivatives by strain (n,), Pa.
-        """
+        """Return flow stresses and their derivatives by strain, Pa, at plastic strains (n,)."""
 
 
 @attrs.frozen
@@ -74,9 +69,8 @@ class TabulatedHardening(Hardening):
     def flow_stress(self, strain: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         slopes = np.append(np.diff(self.stresses) / np.diff(self.strains), 0.0)
         piece = np.searchsorted(self.strains, strain, side="right") - 1
-        piece = np.clip(piece, 0, len(slopes) - 1)
-        start, slope = np.asarray(self.strains)[piece], slopes[piece]
-        return np.asarray(self.stresses)[piece] + slope * (strain - start), slope
+        start, stress = np.asarray(self.strains)[piece], np.asarray(self.stresses)[piece]
+        return stress + slopes[piece] * (strain - start), slopes[piece]
 
 
 @attrs.frozen

@@ -20,10 +20,7 @@ class Stretch:
     """
 
     def __init__(self, gradient: np.ndarray) -> None:
-        """Compute eigenvalues and eigenvectors of C.
-
-        Args:
-            gradient: Displacement gradients (n, 5).
+        """Compute eigenvalues and eigenvectors of C from displacement gradients (n, 5).
 
         Raises:
             InvertedError: The determinant of F is not positive.
@@ -33,7 +30,7 @@ class Stretch:
         if not (np.all(determinant > 0) and np.all(self._hoop > -1)):
             raise InvertedError("the displacements turn an element inside out")
         deformation = np.stack([1 + radial, upper, lower, 1 + axial], axis=-1).reshape(-1, 2, 2)
-        # C - 1, computed without round-off of C near one.
+        # C - 1, computed directly because C is close to one.
         first = 2 * radial + radial**2 + lower**2
         second = 2 * axial + axial**2 + upper**2
         mixed = upper + lower + radial * upper + axial * lower
@@ -51,7 +48,7 @@ class Stretch:
         self._changes = product[:, [0, 1, 0, 1], [0, 1, 1, 0]]
 
     def strain(self) -> np.ndarray:
-        """1/2 ln C, as a column (n, 4)."""
+        """Return 1/2 ln C as columns (n, 4)."""
         logarithms = np.log1p(self._squares) / 2
         tensor = np.einsum("nia,na,nja->nij", self._vectors, logarithms, self._vectors)
         return np.stack(
@@ -61,9 +58,8 @@ class Stretch:
     def conjugate(self, stress: np.ndarray) -> np.ndarray:
         """Return first Piola-Kirchhoff stresses (n, 5), Pa, from stresses (n, 4)."""
         weighted = self._turn(stress) * self._first()
-        return self._columns(
-            np.einsum("nab,ngab->ng", weighted, self._changes), stress[:, 2] / (1 + self._hoop)
-        )
+        plane = np.einsum("nab,ngab->ng", weighted, self._changes)
+        return np.insert(plane, 2, stress[:, 2] / (1 + self._hoop), axis=1)
 
     def tangent(self, stress: np.ndarray, material: np.ndarray) -> np.ndarray:
         """Return derivatives (n, 5, 5) of the first Piola-Kirchhoff stress, Pa.
@@ -88,18 +84,14 @@ class Stretch:
         return result
 
     def _slopes(self) -> np.ndarray:
-        """dE/dF (n, 4, 5)."""
+        """Return dE/dF (n, 4, 5)."""
         changes = self._first()[:, None] * self._changes
         tensors = np.einsum("nia,ngab,njb->ngij", self._vectors, changes, self._vectors)
         result = np.zeros((len(tensors), 4, 5))
         for row, (first, second, times) in {0: (0, 0, 1), 1: (1, 1, 1), 3: (0, 1, 2)}.items():
-            result[:, row] = self._columns(times * tensors[:, :, first, second], 0.0)
+            result[:, row, IN_PLANE] = times * tensors[:, :, first, second]
         result[:, 2, 2] = 1 / (1 + self._hoop)
         return result
-
-    def _columns(self, plane: np.ndarray, hoop: np.ndarray | float) -> np.ndarray:
-        """Return components in the plane (n, 4) and out of it as columns (n, 5)."""
-        return np.insert(plane, 2, hoop, axis=1)
 
     def _turn(self, stress: np.ndarray) -> np.ndarray:
         """Return stresses in the plane (n, 2, 2), in the basis of eigenvectors."""
@@ -107,7 +99,7 @@ class Stretch:
         return self._vectors.swapaxes(1, 2) @ tensor @ self._vectors
 
     def _first(self) -> np.ndarray:
-        """Divided differences f[a, b] (n, 2, 2) of f = 1/2 ln at the eigenvalues of C."""
+        """Return divided differences f[a, b] (n, 2, 2) of f = 1/2 ln at the eigenvalues of C."""
         small = 1 + self._squares[:, 1]
         ratio = self._difference / small
         safe = np.where(ratio == 0, 1.0, ratio)
@@ -116,7 +108,7 @@ class Stretch:
         return np.stack([equal[:, 0], mixed, mixed, equal[:, 1]], axis=-1).reshape(-1, 2, 2)
 
     def _second(self) -> np.ndarray:
-        """Divided differences f[a, k, b] (n, 2, 2, 2)."""
+        """Return divided differences f[a, k, b] (n, 2, 2, 2)."""
         values = 1 + self._squares
         result = np.empty((len(values), 2, 2, 2))
         for one, other in ((0, 1), (1, 0)):

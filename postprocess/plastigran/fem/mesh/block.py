@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Meshes of a half space under a contact, with surface y = 0.
 
-They are graded toward the contact, so a thousand times larger body needs only a few more rings. The
-far boundary, `base`, is a fixed arc.
+Elements are graded toward the contact, so a body of a thousand times the size needs only a few more
+rings. The far boundary, `base`, is a fixed arc.
 """
 
 from __future__ import annotations
 
-from math import asinh, log, pi
+from math import asinh, pi
 
 import attrs
 import numpy as np
@@ -15,11 +15,11 @@ from skfem import MeshQuad, MeshQuad2
 
 from plastigran.declared import number, require, whole
 from plastigran.fem.mesh.sphere import (
-    FINE_RATIO,
     FINE_REACH,
     counterclockwise,
     graded,
     quarter_disc,
+    ring_radii,
     strip_quads,
 )
 
@@ -52,9 +52,8 @@ class HalfBlock:
         """Return the mesh in (x, y), m, x >= 0, with boundaries `axis`, `surface` and `base`."""
         disc, disc_quads, rim = quarter_disc(self.divisions)
         angle = np.exp(-1j * np.linspace(0, pi / 2, 2 * self.divisions + 1))
-        ends = (log(length / self.core) for length in (self.core, self._fine, self.size))
-        coarse = pi / (4 * self.divisions) / self.fineness
-        rings = np.exp(graded(*ends, coarse / FINE_RATIO, 2 * coarse))
+        ends = (length / self.core for length in (self.core, self._fine, self.size))
+        rings = ring_radii(*ends, self.divisions, self.fineness)
         outer = (rings[1:, None] * angle).ravel()
         ids = np.vstack([rim, len(disc) + np.arange(outer.size).reshape(-1, angle.size)])
         quads = np.concatenate([disc_quads, strip_quads(ids)])
@@ -66,8 +65,7 @@ class TrackBlock:
     """Half space with a sliding contact: elliptic rings about its track.
 
     With z = c cosh(s + i theta), the ring s = 0 is the track -c < x < c on the surface. Far away
-    the
-    rings are circles.
+    the rings are circles.
 
     Raises:
         ValueError: A size is not positive, or the rings end within the fine zone.

@@ -23,15 +23,13 @@ GROWTH = 1.25  # growth of the ring distance outside the fine zone
 
 @attrs.frozen(kw_only=True)
 class SphereMesh:
-    """Specification of the mesh of a sphere.
+    """Mesh of a sphere or of its lower half.
 
     Attributes:
         radius: Radius of the sphere, m.
         core: Radius about the contact point inside which elements have equal size, m.
         reach: Largest contact radius of the mesh, m.
-        divisions: Elements over a quarter of the angle about the contact point. The contact has
-            about `divisions` elements across `core`, and 2 `divisions` lie between the axis and
-            the circle.
+        divisions: Elements across `core`; twice as many lie between the axis and the circle.
         fineness: Factor on the number of rings.
         whole: Whether to mesh the whole sphere instead of its lower half.
     """
@@ -39,7 +37,7 @@ class SphereMesh:
     radius: float
     core: float
     reach: float
-    divisions: int = 8
+    divisions: int
     fineness: float = 1.0
     whole: bool = True
 
@@ -57,8 +55,8 @@ class SphereMesh:
         facet_middle = self._middle(w[first], w[second])
         facet_points = self._to_sphere(facet_middle)
         # The center that the eight-node element interpolates, so that the element is isoparametric.
-        centre = facet_points[linear.t2f].sum(axis=0) / 2 - corner_points[linear.t].sum(axis=0) / 4
-        points = np.concatenate([corner_points, facet_points, centre])
+        center = facet_points[linear.t2f].sum(axis=0) / 2 - corner_points[linear.t].sum(axis=0) / 4
+        points = np.concatenate([corner_points, facet_points, center])
         on_axis = np.abs(facet_middle.imag) < 1e-12 * np.abs(facet_middle)
         on_circle = np.abs(facet_middle.real) < 1e-12 * np.abs(facet_middle)
         coordinates = np.array([points.real, points.imag])
@@ -69,19 +67,10 @@ class SphereMesh:
             named["equator"] = np.setdiff1d(outer, np.concatenate(list(named.values())))
         return MeshQuad2(coordinates, quadratic.t).with_boundaries(named)
 
-    def rings(self) -> np.ndarray:
-        """Return ln |w| of the rings, from the core to the equator."""
-        coarse = pi / (4 * self.divisions) / self.fineness
-        fine = max(FINE_REACH * self.reach, self.core)
-        start, fine_end = (log(end / (2 * self.radius)) for end in (self.core, fine))
-        return graded(start, fine_end, 0.0, coarse / FINE_RATIO, 2 * coarse)
-
     def _middle(self, first: np.ndarray, second: np.ndarray) -> np.ndarray:
         """Return midpoints of edges.
 
-        They are straight in w in the core, straight in 1/w in the upper half, and at the mean of s
-        and
-        theta in between.
+        Edges are straight in w in the core, in 1/w in the upper half, and in ln w in between.
         """
         with np.errstate(invalid="ignore", divide="ignore"):  # w = 0 is in the core
             middle = first * np.sqrt(second / first)
@@ -93,18 +82,16 @@ class SphereMesh:
         return middle
 
     def _to_sphere(self, w: np.ndarray) -> np.ndarray:
-        """Return R + iy for w, the mirror image of the formula above, with r >= 0."""
+        """Return r + iy for w: the formula at the top, mirrored to r >= 0."""
         z = 2j * self.radius * w / (1 + w)
         return np.abs(z.real) + 1j * z.imag
 
     def _quarter_plane(self) -> tuple[np.ndarray, np.ndarray]:
-        """Return points w and quads (n, 4).
-
-        They are a disc (core), the rings, and a disc in 1/w for the upper half of the sphere.
-        """
+        """Return points w and quads (n, 4): core, rings, and a disc in 1/w for the upper half."""
         disc, disc_quads, rim = quarter_disc(self.divisions)
         angle = np.exp(-1j * np.linspace(0, pi / 2, 2 * self.divisions + 1))
-        rings = np.exp(self.rings())
+        ends = (self.core, max(FINE_REACH * self.reach, self.core), 2 * self.radius)
+        rings = ring_radii(*(end / ends[-1] for end in ends), self.divisions, self.fineness)
         points = [rings[0] * disc.conj(), (rings[1:, None] * angle).ravel()]
         ring_ids = np.vstack(
             [rim, len(disc) + np.arange((len(rings) - 1) * angle.size).reshape(-1, angle.size)]
@@ -116,16 +103,16 @@ class SphereMesh:
         upper_ids[rim] = ring_ids[-1]
         inner = upper_ids < 0
         upper_ids[inner] = sum(map(len, points)) + np.arange(inner.sum())
-        # 1/w = 0 is the top of the sphere. w is infinite there, so use a tiny value.
+        # At the top of the sphere w is infinite, so 1/w is a tiny value instead of zero.
         points.append(1 / np.where(disc[inner] == 0, 1e-14, disc[inner]))
         quads.append(upper_ids[disc_quads])
         return np.concatenate(points), np.concatenate(quads)
 
 
 def graded(start: float, fine_end: float, end: float, fine: float, widest: float) -> np.ndarray:
-    """Return values from `start` to `end` with spacing `fine` up to `fine_end`.
+    """Return values from `start` to `end`.
 
-    Beyond it, the spacing grows by the factor GROWTH, up to `widest`.
+    The spacing is `fine` up to `fine_end`. Beyond, it grows by the factor GROWTH, up to `widest`.
     """
     count = max(1, round((fine_end - start) / fine))
     values = list(np.linspace(start, fine_end, count + 1))
@@ -136,6 +123,15 @@ def graded(start: float, fine_end: float, end: float, fine: float, widest: float
     outer = np.array(values[count:])
     outer = fine_end + (outer - fine_end) * ((end - fine_end) / (outer[-1] - fine_end))
     return np.concatenate([values[:count], outer])
+
+
+def ring_radii(
+    core: float, fine_end: float, end: float, divisions: int, fineness: float
+) -> np.ndarray:
+    """Return radii of rings about a contact, with fine rings up to `fine_end`."""
+    coarse = pi / (4 * divisions) / fineness
+    ends = (log(radius) for radius in (core, fine_end, end))
+    return np.exp(graded(*ends, coarse / FINE_RATIO, 2 * coarse))
 
 
 def quarter_disc(divisions: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
@@ -169,9 +165,8 @@ def quarter_disc(divisions: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
 
 def strip_quads(ids: np.ndarray) -> np.ndarray:
     """Return quads (m, 4) between the rows of a grid of point IDs."""
-    return np.stack([ids[:-1, :-1], ids[1:, :-1], ids[1:, 1:], ids[:-1, 1:]], axis=-1).reshape(
-        -1, 4
-    )
+    corners = [ids[:-1, :-1], ids[1:, :-1], ids[1:, 1:], ids[:-1, 1:]]
+    return np.stack(corners, axis=-1).reshape(-1, 4)
 
 
 def counterclockwise(quads: np.ndarray, points: np.ndarray) -> np.ndarray:

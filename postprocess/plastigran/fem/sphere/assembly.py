@@ -12,8 +12,8 @@ from plastigran.fem.stepping.increment import Equations
 from plastigran.fem.theory.hertz import HertzSphere
 
 BASE_OVER_REACH = 2000.0  # a fixed base at D reduces the approach by the fraction 0.4 a/D
-# base / path of a compression wave during Hertz' duration: reflections return too late
-BASE_OVER_WAY = 0.6
+# base / path of a compression wave during Hertz' duration: reflections return after the contact
+BASE_OVER_PATH = 0.6
 
 
 def pressed(sphere: HertzSphere, reach: float, settings: Settings) -> Equations:
@@ -34,7 +34,7 @@ def thrown(sphere: HertzSphere, reach: float, speed: float, settings: Settings) 
     """Return a whole sphere with impact speed `speed`, m/s; other arguments as for `pressed`."""
     size = 0.0
     if sphere.plane is not None:
-        size = BASE_OVER_WAY * sphere.plane.wave_speed * sphere.duration(speed)
+        size = BASE_OVER_PATH * sphere.plane.wave_speed * sphere.duration(speed)
     return _assemble(sphere, reach, settings, max(size, BASE_OVER_REACH * reach), whole=True)
 
 
@@ -43,13 +43,13 @@ def _assemble(
 ) -> Equations:
     if sphere.plane is not None and settings.strain != "small":
         raise ValueError(
-            f"strain is {settings.strain}; on a half space it must be small, because sliding "
-            "between the surfaces must be small"
+            f"strain is {settings.strain}; on a half space it must be small, because the method "
+            "needs small sliding between the surfaces"
         )
     mesh = settings.mesh(sphere, reach, whole).build()
     body = Body(mesh, sphere.material, kinematics=settings.kinematics)
-    seen = min(2 * reach, 0.9 * sphere.radius)
+    contact_zone = min(2 * reach, 0.9 * sphere.radius)
     if sphere.plane is None:
-        return Equations(body, RigidPlane(body, sphere.radius, seen, settings.penalty))
+        return Equations(body, RigidPlane(body, sphere.radius, contact_zone, settings.penalty))
     pair = Pair(body, Body(settings.block(sphere, reach, size).build(), sphere.plane))
-    return Equations(pair, HalfSpace(pair, sphere.radius, seen, settings.penalty))
+    return Equations(pair, HalfSpace(pair, sphere.radius, contact_zone, settings.penalty))

@@ -3,10 +3,9 @@
 
 For loading beyond the yield force P_Y, the law states (Vu-Quoc and Zhang, 1999):
 a = a_e + C_a (P - P_Y), a^2 = (1 + K_c (P - P_Y)) R alpha, with the Hertzian contact radius a_e.
-Both
-constants are least-squares fits of straight lines through zero for first loading, weighted by the
-distance in force: C_a for a - a_e, K_c for C_R - 1 = (a_e + C_a (P - P_Y))^2 / (R alpha) - 1. The
-curvature uses the contact radius of the law, so that the law reproduces the approach of the finite
+Each constant is a least-squares fit of a straight line through zero for first loading, weighted by
+the distance in force: C_a for a - a_e, K_c for C_R - 1 = (a_e + C_a (P - P_Y))^2 / (R alpha) - 1.
+K_c uses the contact radius of the law, so that the law reproduces the approach of the finite
 elements as well as possible.
 """
 
@@ -46,9 +45,7 @@ class Calibration:
     contact_radius_error: float
     approach_error: float
 
-    def to_dict(self) -> dict[str, float]:
-        """Return numbers only, for a file."""
-        return attrs.asdict(self)
+    to_dict = attrs.asdict
 
 
 def calibrate(pressing: Pressing) -> Calibration:

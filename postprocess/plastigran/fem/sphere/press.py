@@ -29,7 +29,7 @@ LEAST_FORCE = 1e-5  # fraction of the largest force at which an unloading ends
 CUTS = 6  # how often an increment is halved before the computation stops
 
 
-class Path:
+class ForceControl:
     """Force increments on a supported sphere, each a row of the history."""
 
     def __init__(self, equations: Equations, sphere: HertzSphere) -> None:
@@ -38,29 +38,37 @@ class Path:
         self.now: Equilibrium = equations.at_rest()
         self._before: Equilibrium | None = None
 
-    def go(self, forces: Sequence[float], branch: int, bar: ProgressBar) -> None:
+    def apply(self, forces: Sequence[float], branch: int, bar: ProgressBar) -> None:
         """Apply each force in turn; the first one is a load reversal."""
         self._before = None
         for force in forces:
             self._increment(force)
-            self.rows.append({"branch": branch, **self._row()})
+            self.rows.append(
+                {
+                    "branch": branch,
+                    "force": self.now.touch.force,
+                    "approach": self.now.height,
+                    "contact_radius": self.now.touch.contact_radius,
+                    **energies(self.equations.body, self.now),
+                    "iterations": self.now.iterations,
+                }
+            )
             bar.update()
 
     def _increment(self, force: float, cuts: int = 0) -> None:
+        start = self.now
         try:
-            found = self.equations.press(self.now, self._guess(force), force)
+            self.now = self.equations.press(start, self._guess(force), force)
+            self._before = start
         except NoConvergence as error:
+            reached = start.touch.force
             if cuts == CUTS:
-                reached = self.now.touch.force
                 raise NoConvergence(
                     f"{error} between {reached:g} N and {force:g} N, after {cuts} halvings"
                 ) from None
-            self._before = None
-            self._increment((self.now.touch.force + force) / 2, cuts + 1)
-            self._before = None
-            self._increment(force, cuts + 1)
-            return
-        self._before, self.now = self.now, found
+            for part in ((reached + force) / 2, force):
+                self._before = None
+                self._increment(part, cuts + 1)
 
     def _guess(self, force: float) -> tuple[np.ndarray, float]:
         """Return the extrapolation of the last increment, or the elastic response."""
@@ -69,21 +77,11 @@ class Path:
             return now.displacement, self.sphere.approach(force)
         if before is None:
             return self.equations.predict(now, force)
-        last, this, next_ = (
-            f ** (2 / 3) for f in (before.touch.force, now.touch.force, force)
-        )  # the approach of an elastic contact is proportional to the power 2/3 of the force
-        share = (next_ - this) / (this - last)
+        # The approach of an elastic contact is proportional to the power 2/3 of the force.
+        last, this, following = (f ** (2 / 3) for f in (before.touch.force, now.touch.force, force))
+        share = (following - this) / (this - last)
         step = share * (now.displacement - before.displacement)
         return now.displacement + step, now.height + share * (now.height - before.height)
-
-    def _row(self) -> dict[str, float]:
-        return {
-            "force": self.now.touch.force,
-            "approach": self.now.height,
-            "contact_radius": self.now.touch.contact_radius,
-            **energies(self.equations.body, self.now),
-            "iterations": self.now.iterations,
-        }
 
 
 def press(
@@ -115,22 +113,23 @@ def press(
     check_forces(sphere, forces, strain=settings.strain)
     reach = contact_reach(sphere, forces[-1])
     equations = pressed(sphere, reach, settings)
-    path = Path(equations, sphere)
+    control = ForceControl(equations, sphere)
     ladders = loading_ladders(sphere, forces, settings)
     snapshots, stopped = [], ""
     with ProgressBar(total=sum(map(len, ladders)), shown=progress, desc="press") as bar:
         try:
             for branch, ladder in enumerate(ladders):
-                path.go(ladder, branch, bar)
-                snapshots.append(snapshot(equations.body, equations.contact, path.now))
+                control.apply(ladder, branch, bar)
+                snapshots.append(snapshot(equations.body, equations.contact, control.now))
         except NoConvergence as error:
-            if not path.rows:
+            if not control.rows:
                 raise
             stopped = str(error)
-    history = pd.DataFrame(path.rows)
-    unloadings = [unloading(history, branch) for branch in range(1, len(snapshots), 2)]
-    table = pd.DataFrame(unloadings)
-    return Pressing(material, radius, history, table, snapshots, stopped, plane)
+    history = pd.DataFrame(control.rows)
+    unloadings = pd.DataFrame(
+        [unloading(history, branch) for branch in range(1, len(snapshots), 2)]
+    )
+    return Pressing(material, sphere.radius, history, unloadings, snapshots, stopped, plane)
 
 
 def loading_ladders(
@@ -147,9 +146,9 @@ def loading_ladders(
     down = np.maximum(np.linspace(1, 0, settings.unloading_steps + 1)[1:] ** 3, LEAST_FORCE)
     ladders, reached = [], 0.0
     for force in forces:
-        again = reached * np.append(down[-2::-1], 1.0) if reached else []
-        fresh = virgin[(virgin > reached) & (virgin <= force)]
-        ladders += [np.concatenate([again, fresh]), force * down]
+        reloading = reached * np.append(down[-2::-1], 1.0) if reached else []
+        first_loading = virgin[(virgin > reached) & (virgin <= force)]
+        ladders += [np.concatenate([reloading, first_loading]), force * down]
         reached = force
     return ladders
 
@@ -162,8 +161,8 @@ def _geometric(start: float, end: float, growth: float) -> np.ndarray:
 def unloading(history: pd.DataFrame, branch: int) -> dict[str, float]:
     """Return the results of one unloading.
 
-    Works are integrals of force over approach. Loading work follows first loading, without the
-    earlier unloadings.
+    Works are integrals of force over approach. The work of loading follows first loading, without
+    the earlier unloadings.
     """
     force, approach = (history[name].to_numpy() for name in ("force", "approach"))
     branches = history["branch"].to_numpy()
@@ -187,12 +186,10 @@ def unloading(history: pd.DataFrame, branch: int) -> dict[str, float]:
 
 
 def _work(force: np.ndarray, approach: np.ndarray) -> float:
-    """Return the integral of force over approach.
+    """Return the integral of force over approach, by Simpson's rule in x = force^(1/3).
 
-    Simpson's rule in x = force^(1/3), in which the approach is smooth:
-    P d alpha = d(P alpha) - 3 alpha x^2 dx.
+    The approach is smooth in x, and P d alpha = d(P alpha) - 3 alpha x^2 dx.
     """
     root = np.cbrt(force)
-    return float(
-        force[-1] * approach[-1] - force[0] * approach[0] - simpson(3 * approach * root**2, x=root)
-    )
+    product = force * approach
+    return float(product[-1] - product[0] - simpson(3 * approach * root**2, x=root))

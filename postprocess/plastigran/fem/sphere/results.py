@@ -3,12 +3,11 @@
 
 from __future__ import annotations
 
-from math import nan
-
 import attrs
 import pandas as pd
 
 from plastigran.fem.material.elastic_plastic import ElasticPlastic
+from plastigran.fem.result_file import numbers
 from plastigran.fem.stepping.snapshot import Snapshot
 
 ROUNDING = 1e-6  # fraction of a force, above the error of Newton's method
@@ -40,9 +39,7 @@ class Pressing:
 
     def to_dict(self) -> dict:
         """Return numbers only, for a file."""
-        return {
-            "radius": self.radius,
-            "stopped": self.stopped,
+        return numbers(self) | {
             "unloadings": self.unloadings.to_dict("records"),
             "history": self.history.to_dict("list"),
         }
@@ -67,14 +64,15 @@ class Throw:
             (of the center of mass, upward), nodal_velocity m/s (mean of the corner nodes, upward),
             contact_radius m, energies J.
         coefficient_of_restitution: Momentum after / before.
+        nodal_restitution: Restitution by the mean velocity of all corner nodes at the end. It
+            includes the vibration of the sphere, mostly of its finely meshed part.
         force_max: Largest force, N.
         overlap_max: Largest approach, m.
         overlap_res: Approach at the end of contact, m.
         contact_time: Duration of the contact, s.
         snapshot: Fields at the end of contact.
         snapshots: Fields by time, s; `Settings.frames` of them during Hertz' duration.
-        stopped: Reason of an early end, with unknown restitution and residual approach; otherwise
-            empty.
+        stopped: Reason of an early end, with NaN for the values at the end; otherwise empty.
         plane: Material of the half space; None for a rigid plane.
     """
 
@@ -83,6 +81,7 @@ class Throw:
     speed: float
     history: pd.DataFrame
     coefficient_of_restitution: float
+    nodal_restitution: float
     force_max: float
     overlap_max: float
     overlap_res: float
@@ -92,26 +91,6 @@ class Throw:
     stopped: str = ""
     plane: ElasticPlastic | None = None
 
-    @property
-    def nodal_restitution(self) -> float:
-        """Restitution by the mean velocity of all corner nodes at the end.
-
-        It includes the vibration of the sphere, mostly of its finely meshed part.
-        """
-        return nan if self.stopped else float(self.history["nodal_velocity"].iloc[-1] / self.speed)
-
     def to_dict(self) -> dict:
         """Return numbers only, for a file."""
-        names = (
-            "radius",
-            "speed",
-            "stopped",
-            "coefficient_of_restitution",
-            "nodal_restitution",
-            "force_max",
-            "overlap_max",
-            "overlap_res",
-            "contact_time",
-        )
-        numbers = {name: getattr(self, name) for name in names}
-        return numbers | {"history": self.history.to_dict("list")}
+        return numbers(self) | {"history": self.history.to_dict("list")}

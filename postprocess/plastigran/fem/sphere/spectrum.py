@@ -8,14 +8,13 @@ from scipy.signal import find_peaks
 from scipy.signal.windows import blackmanharris
 
 PADDING = 8  # factor of zero padding; it interpolates the peaks, but does not add resolution
-LOBE = 4  # half width of a peak times duration, with this window
 
 
 def spectrum(values: np.ndarray, timestep: float) -> tuple[np.ndarray, np.ndarray]:
     """Return the amplitudes of the sinusoids in a signal minus its mean.
 
-    The Blackman-Harris window keeps one sinusoid below 3e-5 of its amplitude beyond LOBE/duration
-    (Harris 1978, Proc. IEEE 66:51).
+    With the Blackman-Harris window, the spectrum of a sinusoid is below 3e-5 of its amplitude at
+    frequency distances above 4/duration (Harris 1978, Proc. IEEE 66:51).
 
     Args:
         values: Values at equal time steps (n,).
@@ -45,8 +44,8 @@ def peaks(
         Increasing frequencies, Hz, and amplitudes, (n_peaks,) each.
     """
     least = least * amplitudes.max()
-    found, _ = find_peaks(amplitudes, height=least, prominence=least)
-    below, here, above = (np.log(amplitudes[found + shift]) for shift in (-1, 0, 1))
+    indices, _ = find_peaks(amplitudes, height=least, prominence=least)
+    below, here, above = (np.log(amplitudes[indices + shift]) for shift in (-1, 0, 1))
     shift = (below - above) / (2 * (below - 2 * here + above))
     tops = np.exp(here - (below - above) * shift / 4)
-    return frequencies[found] + shift * frequencies[1], tops
+    return frequencies[indices] + shift * frequencies[1], tops

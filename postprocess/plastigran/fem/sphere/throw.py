@@ -16,9 +16,8 @@ from plastigran.fem.material.elastic_plastic import ElasticPlastic
 from plastigran.fem.settings import Settings
 from plastigran.fem.sphere.assembly import thrown
 from plastigran.fem.sphere.results import Throw
-from plastigran.fem.stepping.flight import Flight
-from plastigran.fem.stepping.increment import NoConvergence
-from plastigran.fem.stepping.snapshot import Snapshot, energies, snapshot
+from plastigran.fem.stepping.flight import Flight, end_of_contact, follow
+from plastigran.fem.stepping.snapshot import energies, snapshot
 from plastigran.fem.theory.hertz import HertzSphere
 from plastigran.progress import ProgressBar
 
@@ -55,28 +54,43 @@ def throw(
     check_speed(sphere, speed, strain=settings.strain)
     reach = force_of_impact(sphere, speed)[1]
     equations = thrown(sphere, reach, speed, settings)
-    body = equations.body
+    body, contact = equations.body, equations.contact
     duration = sphere.duration(speed)
-    timestep = duration / settings.steps_of_contact
-    flight = Flight(equations, -speed * body.upward, timestep)
-    rows, fields, free, stopped = [_row(flight)], {}, 0, ""
+    flight = Flight(equations, -speed * body.upward, duration / settings.steps_of_contact)
+    rows, fields = [_row(flight)], {}
+
+    def record() -> float:
+        rows.append(_row(flight))
+        if settings.frames and flight.now.time >= len(fields) * duration / settings.frames:
+            fields[flight.now.time] = snapshot(body, contact, flight.now.state)
+        return rows[-1]["force"]
+
     with ProgressBar(total=100, shown=progress, desc="throw", unit="% of Hertz") as bar:
-        while free < settings.free_steps and not stopped:
-            try:
-                flight.advance()
-            except NoConvergence as error:
-                stopped = str(error)
-                continue
-            rows.append(_row(flight))
-            free = free + 1 if rows[-1]["force"] == 0 else 0
-            if settings.frames and flight.now.time >= len(fields) * duration / settings.frames:
-                fields[flight.now.time] = snapshot(body, equations.contact, flight.now.state)
-            bar.update(100 * flight.now.time / duration - bar.n)
-            if flight.now.time > LONGEST * duration:
-                stopped = f"the contact has not ended after {flight.now.time:g} s"
-    if len(rows) == 1:
-        raise NoConvergence(stopped)
-    return _summary(sphere, speed, pd.DataFrame(rows), fields, flight, stopped)
+        stopped = follow(flight, record, bar, duration, LONGEST, free_steps=settings.free_steps)
+    history = pd.DataFrame(rows)
+    force, time, approach = (history[name].to_numpy() for name in ("force", "time", "approach"))
+    restitution, nodal_restitution = (
+        nan if stopped else float(history[name].iloc[-1] / speed)
+        for name in ("velocity", "nodal_velocity")
+    )
+    end = nan if stopped else end_of_contact(time, force, 2 / 3)
+    start = time[np.flatnonzero(force > 0)[0] - 1]
+    return Throw(
+        material=material,
+        radius=sphere.radius,
+        plane=plane,
+        speed=speed,
+        history=history,
+        coefficient_of_restitution=restitution,
+        nodal_restitution=nodal_restitution,
+        force_max=float(force.max()),
+        overlap_max=float(approach.max()),
+        overlap_res=float(np.interp(end, time, approach)),
+        contact_time=float(end - start),
+        snapshot=snapshot(body, contact, flight.now.state),
+        snapshots=fields,
+        stopped=stopped,
+    )
 
 
 def _row(flight: Flight) -> dict[str, float]:
@@ -95,43 +109,3 @@ def _row(flight: Flight) -> dict[str, float]:
         **energies(body, now.state),
         "iterations": now.state.iterations,
     }
-
-
-def _summary(
-    sphere: HertzSphere,
-    speed: float,
-    history: pd.DataFrame,
-    fields: dict[float, Snapshot],
-    flight: Flight,
-    stopped: str,
-) -> Throw:
-    force, time, approach = (history[name].to_numpy() for name in ("force", "time", "approach"))
-    touching = np.flatnonzero(force > 0)
-    last = touching[-1]
-    end = end_of_contact(time[: last + 2], force[: last + 2])
-    return Throw(
-        material=sphere.material,
-        radius=sphere.radius,
-        plane=sphere.plane,
-        speed=speed,
-        history=history,
-        coefficient_of_restitution=nan if stopped else history["velocity"].iloc[-1] / speed,
-        force_max=float(force.max()),
-        overlap_max=float(approach.max()),
-        overlap_res=nan if stopped else float(np.interp(end, time, approach)),
-        contact_time=nan if stopped else float(end - time[touching[0] - 1]),
-        snapshot=snapshot(flight.equations.body, flight.equations.contact, flight.now.state),
-        snapshots=fields,
-        stopped=stopped,
-    )
-
-
-def end_of_contact(time: np.ndarray, force: np.ndarray) -> float:
-    """Return the time of zero force, s: its power 2/3 is extrapolated linearly in the last step."""
-    if len(force) < 3:
-        return float(time[-1])
-    before, last = force[-3] ** (2 / 3), force[-2] ** (2 / 3)
-    if last >= before:
-        return float(time[-1])
-    end = time[-2] + last * (time[-2] - time[-3]) / (before - last)
-    return float(min(end, time[-1]))

@@ -1,9 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Impact of an elastic sphere on a rigid plane, and its vibration in flight.
 
-Energy is conserved to round-off, so the vibration after an impact, 1e-6 to 1e-2 of the energy, is
-not
-hidden by errors of the time steps.
+The time steps conserve energy to round-off. Their error therefore does not hide the vibration after
+an impact, which has 1e-6 to 1e-2 of the energy.
 """
 
 from __future__ import annotations
@@ -19,10 +18,10 @@ from plastigran.fem.contact.edges import contact_edge
 from plastigran.fem.limits import check_speed, force_of_impact
 from plastigran.fem.material.elastic_plastic import ElasticPlastic
 from plastigran.fem.settings import Settings
-from plastigran.fem.sphere.throw import LONGEST, end_of_contact
+from plastigran.fem.sphere.throw import LONGEST
 from plastigran.fem.sphere.vibration import Vibration
 from plastigran.fem.stepping.conservative import SpringPlane, Steps
-from plastigran.fem.stepping.increment import NoConvergence
+from plastigran.fem.stepping.flight import end_of_contact, follow
 from plastigran.fem.theory.hertz import HertzSphere
 from plastigran.progress import ProgressBar
 
@@ -74,38 +73,29 @@ def vibrate(
     plane = SpringPlane(body, radius, min(2 * reach, 0.9 * radius), settings.penalty)
     elastic = ElasticBody(body)
     steps = Steps(elastic, plane, -speed * elastic.upward, timestep)
-    watch = _Watch(steps, radius)
-    rows, end, stopped = [watch.row()], transits * transit, ""
+    history = _History(steps, radius)
     with ProgressBar(total=100, shown=progress, desc="vibrate", unit="%") as bar:
-        left = 0.0
-        while steps.now.time - left < end and not stopped:
-            try:
-                steps.advance()
-            except NoConvergence as error:
-                stopped = str(error)
-                continue
-            rows.append(watch.row())
-            left = steps.now.time if rows[-1]["force"] else left
-            bar.update(100 * steps.now.time / (duration + end) - bar.n)
-            if left > LONGEST * duration:
-                stopped = f"the contact has not ended after {left:g} s"
-    if len(rows) == 1:
-        raise NoConvergence(stopped)
-    return _summary(material, radius, speed, pd.DataFrame(rows), steps, stopped)
+        stopped = follow(
+            steps, history.record, bar, duration, LONGEST, free_time=transits * transit
+        )
+    return _summary(sphere, speed, pd.DataFrame(history.rows), steps, stopped)
 
 
-class _Watch:
-    """Records a row of the history after each step."""
+class _History:
+    """Rows of the history, one for the start and one for each step."""
 
     def __init__(self, steps: Steps, radius: float) -> None:
         self.steps, self._before = steps, steps.now
+        self.rows: list[dict[str, float]] = []
         elastic = steps.elastic
         self._mass = elastic.body.mass
         self._masses = elastic.mass_matrix @ elastic.upward
         self._top = elastic.nearest((0.0, 2 * radius), vertical=True)
         self._equator = elastic.nearest((radius, radius), vertical=False)
+        self.record()
 
-    def row(self) -> dict[str, float]:
+    def record(self) -> float:
+        """Append the row of the last step, and return its force, N."""
         now, before = self.steps.now, self._before
         self._before = now
         rise = float(self._masses @ now.displacement) / self._mass
@@ -113,60 +103,54 @@ class _Watch:
         middle = (before.displacement + now.displacement) @ (
             before.elastic_force + now.elastic_force
         )
-        return {
-            "time": now.time,
-            "force": now.force,
-            "approach": -rise,
-            "velocity": velocity,
-            "contact_radius": contact_edge(self.steps.plane.radii, now.gap),
-            "kinetic_energy": now.kinetic_energy,
-            "centre_kinetic_energy": self._mass * velocity**2 / 2,
-            "elastic_energy": now.elastic_energy,
-            "middle_elastic_energy": float(middle) / 8,
-            "penalty_energy": self.steps.plane.energy(now.gap),
-            "top_displacement": float(now.displacement[self._top]) - rise,
-            "equator_displacement": float(now.displacement[self._equator]),
-        }
+        self.rows.append(
+            {
+                "time": now.time,
+                "force": now.force,
+                "approach": -rise,
+                "velocity": velocity,
+                "contact_radius": contact_edge(self.steps.plane.radii, now.gap),
+                "kinetic_energy": now.kinetic_energy,
+                "centre_kinetic_energy": self._mass * velocity**2 / 2,
+                "elastic_energy": now.elastic_energy,
+                "middle_elastic_energy": float(middle) / 8,
+                "penalty_energy": self.steps.plane.energy(now.gap),
+                "top_displacement": float(now.displacement[self._top]) - rise,
+                "equator_displacement": float(now.displacement[self._equator]),
+            }
+        )
+        return now.force
 
 
 def _summary(
-    material: ElasticPlastic,
-    radius: float,
-    speed: float,
-    history: pd.DataFrame,
-    steps: Steps,
-    stopped: str,
+    sphere: HertzSphere, speed: float, history: pd.DataFrame, steps: Steps, stopped: str
 ) -> Vibration:
     elastic, now = steps.elastic, steps.now
     frequencies, shapes = elastic.vibrations(MODES)
-    energies = elastic.modal_energies(frequencies, shapes, now.displacement, now.velocity)
-    contact = elastic.nearest((0.0, 0.0), vertical=True)
+    modes = {
+        "frequency": frequencies,
+        "energy": elastic.modal_energies(frequencies, shapes, now.displacement, now.velocity),
+        "contact_displacement": np.abs(shapes[elastic.nearest((0.0, 0.0), vertical=True)]),
+    }
     force, time = history["force"].to_numpy(), history["time"].to_numpy()
-    touching = np.flatnonzero(force)
-    flight = history.iloc[touching[-1] + 1 :]
+    # The force of a step belongs to its middle.
+    contact_time = end_of_contact(time, force, 2 / 3) - steps.timestep / 2
+    flight = history.iloc[np.flatnonzero(force)[-1] + 1 :]
     kinetic = history["kinetic_energy"].iloc[0]
     last = history.iloc[-1]
     internal = last["kinetic_energy"] - last["centre_kinetic_energy"] + last["elastic_energy"]
-    # The force of a step belongs to its middle.
-    end = end_of_contact(time[: touching[-1] + 2], force[: touching[-1] + 2]) - steps.timestep / 2
     return Vibration(
-        material=material,
-        radius=radius,
+        material=sphere.material,
+        radius=sphere.radius,
         speed=speed,
         timestep=steps.timestep,
         history=history,
-        modes=pd.DataFrame(
-            {
-                "frequency": frequencies,
-                "energy": energies,
-                "contact_displacement": np.abs(shapes[contact]),
-            }
-        ),
+        modes=pd.DataFrame(modes),
         coefficient_of_restitution=nan if stopped else float(last["velocity"]) / speed,
         kinetic_restitution=nan if stopped else sqrt(flight["kinetic_energy"].mean() / kinetic),
         force_max=float(force.max()),
         overlap_max=float(history["approach"].max()),
-        contact_time=nan if stopped else float(end),
+        contact_time=nan if stopped else contact_time,
         vibration_energy=nan if stopped else float(internal / kinetic),
         stopped=stopped,
     )

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Results of the impact of an elastic sphere: the impact and the vibration after it.
+"""Results of the impact of an elastic sphere and of its vibration in flight.
 
 The strain energy of a free body is a sum over its vibrations, because they are orthogonal in the
-stiffness. Each contributes twice its own frequency and no other.
+stiffness. Each vibration contributes twice its frequency and no other.
 """
 
 from __future__ import annotations
@@ -14,6 +14,7 @@ import numpy as np
 import pandas as pd
 
 from plastigran.fem.material.elastic_plastic import ElasticPlastic
+from plastigran.fem.result_file import numbers
 from plastigran.fem.sphere.spectrum import peaks, spectrum
 
 LEAST_PEAK = 0.01  # smallest / largest amplitude
@@ -73,42 +74,30 @@ class Vibration:
         return spectrum(self.flight[signal].to_numpy(), self.timestep)
 
     def peaks(self, signal: str, least: float = LEAST_PEAK) -> pd.DataFrame:
-        """Return vibration frequencies in a column of the history in flight.
+        """Return the vibration frequencies in a column of the history in flight.
 
-        They end at the highest mode.
-        The midpoint rule changes a frequency f to f' with tan(pi f' dt) = pi f dt. The result is f.
+        The midpoint rule changes a frequency f to f' with tan(pi f' dt) = pi f dt; the result is f.
+        Energies have twice the frequency of a vibration; the result is the frequency of the
+        vibration. Frequencies above the highest mode are left out.
 
         Args:
-            signal: Column. Energies have twice the frequency of a vibration; the result is the
-                frequency of the vibration.
+            signal: Column.
             least: Smallest / largest amplitude.
 
         Returns:
             frequency, Hz, and amplitude in the unit of the column.
         """
-        found, amplitudes = peaks(*self.spectrum(signal), least)
+        frequencies, amplitudes = peaks(*self.spectrum(signal), least)
         if signal.endswith("energy"):
-            found = found / 2
-        found = np.tan(pi * found * self.timestep) / (pi * self.timestep)
-        table = pd.DataFrame({"frequency": found, "amplitude": amplitudes})
+            frequencies = frequencies / 2
+        frequencies = np.tan(pi * frequencies * self.timestep) / (pi * self.timestep)
+        table = pd.DataFrame({"frequency": frequencies, "amplitude": amplitudes})
         return table[table["frequency"] < 1.01 * self.modes["frequency"].max()]
 
     def to_dict(self) -> dict:
         """Return numbers only, for a file."""
-        names = (
-            "radius",
-            "speed",
-            "timestep",
-            "stopped",
-            "coefficient_of_restitution",
-            "kinetic_restitution",
-            "force_max",
-            "overlap_max",
-            "contact_time",
-            "vibration_energy",
-        )
-        numbers = {name: getattr(self, name) for name in names}
+        result = numbers(self)
         if not self.stopped:
-            numbers |= {f"{name}_peaks": self.peaks(name).to_dict("list") for name in SIGNALS}
+            result |= {f"{name}_peaks": self.peaks(name).to_dict("list") for name in SIGNALS}
         tables = {"modes": self.modes, "history": self.history}
-        return numbers | {name: table.to_dict("list") for name, table in tables.items()}
+        return result | {name: table.to_dict("list") for name, table in tables.items()}

@@ -5,10 +5,10 @@ Implicit midpoint rule: with velocity v and force f of the plane,
 
     u1 - u0 = dt (v0 + v1)/2,    M (v1 - v0)/dt + K (u0 + u1)/2 = f(g0, g1).
 
-The energy V(g) = k <-g>^2/2 of the penalty at each Gauss point acts through its discrete gradient
--(V(g1) - V(g0))/(g1 - g0) (Gonzalez 2000, Comput. Methods Appl. Mech. Engrg. 190:1763). The sum of
-kinetic, elastic and penalty energy is therefore constant for any time step. Momentum changes by dt
-times the sum of f.
+The energy V(g) = k <-g>^2/2 of the penalty at each Gauss point gives the force
+-(V(g1) - V(g0))/(g1 - g0), the discrete gradient of Gonzalez (2000, Comput. Methods Appl. Mech.
+Engrg. 190:1763). The sum of kinetic, elastic and penalty energy is therefore constant for any time
+step. Momentum changes by dt times the sum of f.
 
 The body is linear, so one matrix 2 M/dt^2 + K/2 is factored once. Newton's method uses only the
 degrees of freedom of the surface that may touch, with their dense compliance.
@@ -57,25 +57,18 @@ class SpringPlane(RigidPlane):
         return float(self._springs @ np.minimum(gap, 0) ** 2) / 2
 
     def mean_force(self, start: np.ndarray, end: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """Return the forces of a step by the discrete gradient of the penalty energy.
+        """Return the forces of a step (n_points,), N, by the discrete gradient of the energy.
 
-        See Gonzalez (2000).
-        With p = <-g>, the difference quotient is k (p0 + p1)/2 |p1 - p0|/|g1 - g0|.
-
-        Args:
-            start: Gaps at the start of the step (n_points,), m.
-            end: Gaps at the end of the step (n_points,), m.
-
-        Returns:
-            Forces (n_points,), N, and minus their derivatives by the gaps at the end (n_points,),
-            N/m.
+        `start` and `end` are gaps (n_points,), m. With p = <-g>, the force is
+        k (p0 + p1)/2 |p1 - p0|/|g1 - g0|. The second array contains minus its derivatives by the
+        gaps at the end, N/m.
         """
         before, after = np.maximum(-start, 0), np.maximum(-end, 0)
-        closed, open_ = (start < 0) & (end < 0), (start >= 0) & (end >= 0)
-        way = np.where(closed | open_, 1, np.abs(end - start))
-        share = np.where(closed, 1, np.abs(after - before) / way)
+        closed, opened = (start < 0) & (end < 0), (start >= 0) & (end >= 0)
+        path = np.where(closed | opened, 1, np.abs(end - start))
+        share = np.where(closed, 1, np.abs(after - before) / path)
         slope = np.where(start < 0, share**2, 1 - (1 - share) ** 2)
-        slope[open_] = 0
+        slope[opened] = 0
         half = self._springs / 2
         return half * (before + after) * share, half * slope
 
@@ -114,23 +107,12 @@ class Motion:
 
 
 class Steps:
-    """Time steps of constant length.
-
-    Attributes:
-        now: Current motion.
-    """
+    """Time steps of constant length; `now` is the current motion."""
 
     def __init__(
         self, elastic: ElasticBody, plane: SpringPlane, velocity: np.ndarray, timestep: float
     ) -> None:
-        """Set the initial motion and factor the matrix.
-
-        Args:
-            elastic: Body.
-            plane: Plane under it.
-            velocity: Initial velocity (size,), m/s; the body is undeformed.
-            timestep: Time step, s.
-        """
+        """Set the velocity (size,), m/s, of an undeformed body, and the time step, s."""
         self.elastic, self.plane, self.timestep = elastic, plane, timestep
         self._factor = splu(
             (2 / timestep**2 * elastic.mass_matrix + elastic.stiffness / 2).tocsc(),
@@ -138,7 +120,7 @@ class Steps:
             diag_pivot_thresh=0.0,
             options={"SymmetricMode": True},
         )
-        self._surface = elastic.places(plane.surface)
+        self._surface = np.searchsorted(elastic.free, plane.surface)
         unit = np.zeros((elastic.free.size, plane.surface.size))
         unit[self._surface, np.arange(plane.surface.size)] = 1
         self._by_force = self._factor.solve(unit)
@@ -159,8 +141,8 @@ class Steps:
             force,
         )
 
-    def advance(self) -> Motion:
-        """Return the motion after the next step.
+    def advance(self) -> None:
+        """Compute the motion after the next step.
 
         Raises:
             NoConvergence: Newton's method failed.
@@ -178,7 +160,6 @@ class Steps:
             2 / self.timestep * change - now.velocity,
             force,
         )
-        return self.now
 
     def _touch(self, start: np.ndarray, free: np.ndarray) -> tuple[np.ndarray, float]:
         """Return the nodal forces of the plane over the step, and their sum.

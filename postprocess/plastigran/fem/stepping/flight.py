@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Time steps of a body in contact: the trapezoidal rule.
+"""Time steps of a body in contact, by the trapezoidal rule, and the course of an impact.
 
 The Newton iteration of a step starts from the extrapolated displacement of the last step. With
 u + dt v as start, points could yield that do not yield in the solution.
@@ -7,10 +7,14 @@ u + dt v as start, points could yield that do not yield in the solution.
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from math import inf
+
 import attrs
 import numpy as np
 
 from plastigran.fem.stepping.increment import Equations, Equilibrium, Inertia, NoConvergence
+from plastigran.progress import ProgressBar
 
 FIRST_STEP = 1 / 16  # fraction of the full time step, because the contact starts stiffly
 STEP_GROWTH = 1.5
@@ -44,20 +48,14 @@ class Flight:
     """
 
     def __init__(self, equations: Equations, velocity: np.ndarray, timestep: float) -> None:
-        """Set the initial motion.
-
-        Args:
-            equations: Balance of forces of a body that just touches.
-            velocity: Initial velocity (size,), m/s.
-            timestep: Full time step, s.
-        """
+        """Set the initial motion of a body that just touches, with velocities (size,), m/s."""
         self.equations, self.timestep = equations, timestep
         self.now = Motion(0.0, equations.at_rest(), velocity, np.zeros(velocity.size))
         self._step = FIRST_STEP * timestep
-        self._change: tuple[np.ndarray, float] | None = None
+        self._last_change, self._last_step = np.zeros(velocity.size), inf
 
-    def advance(self) -> Motion:
-        """Return the motion after the next step; halve the step if it does not converge.
+    def advance(self) -> None:
+        """Compute the next step; halve it if it does not converge.
 
         Raises:
             NoConvergence: The step does not converge after CUTS halvings.
@@ -69,22 +67,77 @@ class Flight:
                 self._step /= 2
                 continue
             self._step = min(self._step * STEP_GROWTH, self.timestep)
-            return self.now
+            return
         raise NoConvergence(f"no step from {self.now.time:g} s after {CUTS} halvings")
 
     def _advance(self, step: float) -> Motion:
         now = self.now
-        moved, velocity = now.state.displacement, now.velocity
-        predicted = moved + step * velocity + step**2 / 4 * now.acceleration
-        guess = moved
-        if self._change is not None:
-            guess = moved + step / self._change[1] * self._change[0]
+        start = now.state.displacement
+        predicted = start + step * now.velocity + step**2 / 4 * now.acceleration
+        guess = start + step / self._last_step * self._last_change
         state = self.equations.move(now.state, guess, Inertia(predicted, step))
         acceleration = 4 / step**2 * (state.displacement - predicted)
-        self._change = (state.displacement - moved, step)
-        return Motion(
-            now.time + step,
-            state,
-            velocity + step / 2 * (now.acceleration + acceleration),
-            acceleration,
-        )
+        self._last_change, self._last_step = state.displacement - start, step
+        velocity = now.velocity + step / 2 * (now.acceleration + acceleration)
+        return Motion(now.time + step, state, velocity, acceleration)
+
+
+def follow(
+    steps,
+    record: Callable[[], float],
+    bar: ProgressBar,
+    duration: float,
+    longest: float,
+    free_steps: int = 0,
+    free_time: float = 0.0,
+) -> str:
+    """Advance an impact until the body has been free of contact for some steps and some time.
+
+    Args:
+        steps: `Flight`, or another object with `advance()` and `now.time`.
+        record: Function that is called after each step and returns the contact force, N.
+        bar: Bar that shows the progress in per cent.
+        duration: Expected duration of the contact, s.
+        longest: Contact duration after which the computation stops, in multiples of `duration`.
+        free_steps: Number of steps without contact.
+        free_time: Time without contact, s.
+
+    Returns:
+        Reason of an early end; otherwise empty.
+
+    Raises:
+        NoConvergence: The first step does not converge.
+    """
+    free, contact_end = 0, 0.0
+    while free < free_steps or steps.now.time - contact_end < free_time:
+        try:
+            steps.advance()
+        except NoConvergence as error:
+            if steps.now.time == 0:
+                raise
+            return str(error)
+        if record():
+            free, contact_end = 0, steps.now.time
+        else:
+            free += 1
+        bar.update(100 * steps.now.time / (duration + free_time) - bar.n)
+        if contact_end > longest * duration:
+            return f"the contact has not ended after {contact_end:g} s"
+    return ""
+
+
+def end_of_contact(time: np.ndarray, force: np.ndarray, power: float) -> float:
+    """Return the time at which the force reaches zero, s.
+
+    A power of the force is extrapolated linearly from the last two steps in contact, at most to the
+    next step.
+    """
+    last = np.flatnonzero(force > 0)[-1]
+    next_time = float(time[min(last + 1, time.size - 1)])
+    if last == 0:
+        return next_time
+    before, after = force[last - 1] ** power, force[last] ** power
+    if after >= before:
+        return next_time
+    end = time[last] + after * (time[last] - time[last - 1]) / (before - after)
+    return min(float(end), next_time)

@@ -80,17 +80,11 @@ Forces = Callable[[np.ndarray], Balance]
 
 
 class Equations:
-    """Balance of forces of a body and its counterpart.
-
-    Attributes:
-        body: Body.
-        contact: Counterpart in contact.
-    """
+    """Balance of forces of a body and its counterpart in contact."""
 
     def __init__(self, body: Body | Pair, contact: RigidPlane | RigidCircle) -> None:
         self.body, self.contact = body, contact
-        self._fixed = body.held
-        self._system = SymmetricSystem([body.dofs, contact.dofs], body.size, self._fixed)
+        self._system = SymmetricSystem([body.dofs, contact.dofs], body.size, body.fixed)
 
     def at_rest(self) -> Equilibrium:
         """Return the equilibrium of the undeformed body that just touches."""
@@ -99,13 +93,12 @@ class Equations:
         response = self._respond(displacement, State.virgin(body.points))
         return Equilibrium(displacement, 0.0, response, self._touch(displacement, None))
 
-    def press(self, start: Equilibrium, guess: tuple[np.ndarray, float], force: float):
-        """Solve for equilibrium of a supported body under the plane force `force`, N.
+    def press(
+        self, start: Equilibrium, guess: tuple[np.ndarray, float], force: float
+    ) -> Equilibrium:
+        """Return the equilibrium of a supported body under the force of the plane, N.
 
-        Args:
-            start: Equilibrium at the start of the increment.
-            guess: Initial displacement and plane height of Newton's method.
-            force: Force of the plane, N.
+        `guess` is the initial displacement and height of the plane in Newton's method.
 
         Raises:
             NoConvergence: Newton's method failed.
@@ -118,10 +111,10 @@ class Equations:
             if touch.force == 0:
                 raise NoConvergence("the contact opens")
             residual = body.internal_force(displacement, response.stress) - touch.nodal
-            residual[self._fixed] = 0
+            residual[self.body.fixed] = 0
             excess = force - touch.force
-            small = np.max(np.abs(residual)) <= TOLERANCE * np.max(np.abs(touch.nodal), initial=0)
-            if small and abs(excess) <= FORCE_TOLERANCE * force:
+            balanced = np.max(np.abs(residual)) <= TOLERANCE * np.max(np.abs(touch.nodal))
+            if balanced and abs(excess) <= FORCE_TOLERANCE * force:
                 return Equilibrium(displacement, height, response, touch, iteration)
             change = self._bordered(
                 body.stiffness(displacement, response), touch.stiffness, -residual, excess
@@ -132,7 +125,7 @@ class Equations:
     def predict(self, start: Equilibrium, force: float) -> tuple[np.ndarray, float]:
         """Return the guess for `press` after a load reversal: elastic, same contact area."""
         change = self._bordered(
-            self.body.stiffness(start.displacement, start.response.held()),
+            self.body.stiffness(start.displacement, start.response.elastic()),
             start.touch.stiffness,
             np.zeros(self.body.size),
             force - start.touch.force,
@@ -144,8 +137,7 @@ class Equations:
     ) -> tuple[np.ndarray, float]:
         """Return the Newton changes of displacement (size,) and plane height, m.
 
-        The arguments are the nodal forces `right` (size,) and the missing contact force `excess`,
-        N.
+        `right` are nodal forces (size,), N. `excess` is the missing contact force, N.
         """
         column = self.contact.spread(edges)
         factor = self._factor([stiffness, edges])
@@ -197,11 +189,13 @@ class Equations:
         inertial = 4 / inertia.timestep**2 * (body.mass_matrix @ (displacement - inertia.predicted))
         internal = body.internal_force(displacement, response.stress)
         residual = internal - touch.nodal + inertial
-        residual[self._fixed] = 0
+        residual[self.body.fixed] = 0
         scale = max(np.max(np.abs(part)) for part in (touch.nodal, internal, inertial))
         return Balance(response, touch, residual, scale)
 
-    def _step(self, displacement: np.ndarray, change: np.ndarray, balance: Balance, forces: Forces):
+    def _step(
+        self, displacement: np.ndarray, change: np.ndarray, balance: Balance, forces: Forces
+    ) -> tuple[np.ndarray, Balance]:
         """Return the next Newton iterate and its balance.
 
         Subclasses may shorten `change` (line search).

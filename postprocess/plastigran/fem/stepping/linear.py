@@ -16,8 +16,8 @@ class SymmetricSystem:
     """Assembles element matrices into one sparse matrix and factors it with SuperLU.
 
     The sparsity is symmetric; the values may be unsymmetric, as with friction. Sparsity and
-    ordering are
-    computed once: degrees of freedom are renumbered in the order of the first factorization.
+    ordering are computed once: degrees of freedom are renumbered in the order of the first
+    factorization.
 
     Attributes:
         free: Free degrees of freedom, in the order of the matrix.
@@ -27,16 +27,14 @@ class SymmetricSystem:
         """Compute the sparsity.
 
         Args:
-            groups: Degrees of freedom of each kind of element, (n_elements, n_dofs) each.
+            groups: Degrees of freedom of each type of element, (n_elements, n_dofs) each.
             size: Number of degrees of freedom.
             fixed: Degrees of freedom fixed at zero.
         """
         self._rows = np.concatenate([np.repeat(g, g.shape[1], axis=1).ravel() for g in groups])
         self._columns = np.concatenate([np.tile(g, (1, g.shape[1])).ravel() for g in groups])
-        kept = np.ones(size, bool)
-        kept[fixed] = False
         self._size = size
-        self._number(np.flatnonzero(kept))
+        self._number(np.setdiff1d(np.arange(size), fixed))
         dominant = self._matrix(np.ones(self._rows.size))
         dominant.setdiag(10 * np.diff(self._pointers).max())
         options = {"SymmetricMode": True}
@@ -45,9 +43,9 @@ class SymmetricSystem:
 
     def _number(self, free: np.ndarray) -> None:
         self.free = free
-        place = np.full(self._size, -1)
-        place[free] = np.arange(free.size)
-        row, column = place[self._rows], place[self._columns]
+        index = np.full(self._size, -1)
+        index[free] = np.arange(free.size)
+        row, column = index[self._rows], index[self._columns]
         self._used = np.flatnonzero((row >= 0) & (column >= 0))
         row, column = row[self._used], column[self._used]
         pattern = coo_matrix((np.ones(row.size), (row, column)), shape=(free.size,) * 2).tocsc()

@@ -70,3 +70,16 @@ def mises_stress(stress: np.ndarray) -> np.ndarray:
     radial, axial, hoop, shear = stress.T
     differences = (radial - axial) ** 2 + (axial - hoop) ** 2 + (hoop - radial) ** 2
     return np.sqrt(differences / 2 + 3 * shear**2)
+
+
+def at_vertices(snapshot: Snapshot, values: np.ndarray) -> np.ndarray:
+    """Return values (points,) of the Gauss points at the element corners (n_vertices,).
+
+    Each corner has the mean of the closest Gauss points of its elements, without extrapolation.
+    """
+    quads = snapshot.quads
+    points = snapshot.positions.reshape(len(quads), -1, 2)
+    corners = snapshot.vertices[quads]
+    distances = np.linalg.norm(corners[:, :, None] - points[:, None], axis=-1)
+    nearest = np.take_along_axis(values.reshape(len(quads), -1), distances.argmin(axis=2), axis=1)
+    return np.bincount(quads.ravel(), nearest.ravel()) / np.bincount(quads.ravel())

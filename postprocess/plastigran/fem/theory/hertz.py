@@ -57,18 +57,17 @@ class HertzSphere:
 
     def duration(self, speed: float) -> float:
         """Return the duration, s, of an impact at a speed, m/s."""
-        constant = 4 * sqrt(pi) * gamma(0.4) / (5 * gamma(0.9))
-        return constant * self.approach_max(speed) / speed
+        return 4 * sqrt(pi) * gamma(0.4) / (5 * gamma(0.9)) * self.approach_max(speed) / speed
 
     @property
     def yielding(self) -> ElasticPlastic | None:
-        """Material that yields first; None if none does."""
+        """Material that yields first; None if neither yields."""
         metals = [metal for metal in (self.material, self.plane) if metal and metal.hardening]
         return min(metals, key=_yield_pressure, default=None)
 
     @property
     def yield_force(self) -> float:
-        """Force at which one of the bodies yields below its surface, N; infinite if none does."""
+        """Force at first yield below the surface of a body, N; infinite if neither yields."""
         if self.yielding is None:
             return float("inf")
         return pi**3 * self.radius**2 * _yield_pressure(self.yielding) ** 3 / (6 * self.modulus**2)

@@ -2,8 +2,7 @@
 """A rigid circle on an elastic layer in plane strain.
 
 It gives scales of steps and meshes, and reference solutions (Johnson, Contact Mechanics, 1985,
-secs.
-4.2 and 5.6).
+secs. 4.2 and 5.6).
 """
 
 from __future__ import annotations
@@ -68,16 +67,16 @@ class HertzLine:
 
     def impact_force(self, mass: float, speed: float) -> float:
         """Return the largest force, N, of an impact of a mass (kg) at a speed (m/s)."""
-        wanted = mass * speed**2 / 2
+        kinetic_energy = mass * speed**2 / 2
         ratio = self.material.poissons_ratio / (1 - self.material.poissons_ratio)
-        # The approach grows with the force up to e times this value. There the contact is as wide
-        # as the layer is thick, but the formula holds for small contacts.
+        # The formula holds for small contacts. The approach grows with the force up to e times this
+        # value, at which the contact is as wide as the layer is thick.
         largest = (
             pi * self.material.plane_modulus * self.length * self.thickness**2 / self.radius
         ) * exp(-2 - ratio)
-        if self.energy(largest) < wanted:
+        if self.energy(largest) < kinetic_energy:
             return largest
-        return brentq(lambda force: self.energy(force) - wanted, 1e-12 * largest, largest)
+        return brentq(lambda force: self.energy(force) - kinetic_energy, 1e-12 * largest, largest)
 
     def duration(self, mass: float, speed: float) -> float:
         """Estimate the duration of an impact, s, with the secant stiffness."""

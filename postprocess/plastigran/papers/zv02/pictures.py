@@ -10,8 +10,7 @@ from matplotlib.contour import ContourSet
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
-from plastigran.fem.sphere.fields import at_vertices
-from plastigran.fem.stepping.snapshot import Snapshot
+from plastigran.fem.stepping.snapshot import Snapshot, at_vertices
 from plastigran.papers.base import STRESS_LABEL, draw_stress
 from plastigran.papers.zv02.computations import SHOWN, Computed
 from plastigran.papers.zv02.figures import shades

@@ -15,7 +15,7 @@ from plastigran.fem.limits import check_forces, contact_reach
 from plastigran.fem.material.elastic_plastic import ElasticPlastic
 from plastigran.fem.settings import Settings
 from plastigran.fem.sphere.assembly import pressed
-from plastigran.fem.sphere.press import Path, loading_ladders, unloading
+from plastigran.fem.sphere.press import ForceControl, loading_ladders, unloading
 from plastigran.fem.sphere.results import Pressing
 from plastigran.fem.stepping.increment import NoConvergence
 from plastigran.fem.theory.hertz import HertzSphere
@@ -42,19 +42,19 @@ def press_and_release(
     sphere = HertzSphere(material, radius)
     check_forces(sphere, forces, strain=settings.strain)
     equations = pressed(sphere, contact_reach(sphere, forces[-1]), settings)
-    path = Path(equations, sphere)
+    control = ForceControl(equations, sphere)
     ladders = loading_ladders(sphere, forces, settings)
     reached, stopped, whole = 0.0, "", 0
     with ProgressBar(shown=progress, desc=f"press to {forces[-1]:.4g} N") as bar:
         try:
             for branch in range(0, len(ladders), 2):
                 up, down = ladders[branch : branch + 2]
-                path.go(up[up > reached], branch, bar)
-                top, reached = path.now, up[-1]
-                path.go(down, branch + 1, bar)
-                path.now, whole = top, branch + 2
+                control.apply(up[up > reached], branch, bar)
+                top, reached = control.now, up[-1]
+                control.apply(down, branch + 1, bar)
+                control.now, whole = top, branch + 2
         except NoConvergence as error:
             stopped = str(error)
-    history = pd.DataFrame(path.rows)
+    history = pd.DataFrame(control.rows)
     releases = [unloading(history, branch) for branch in range(1, whole, 2)]
     return Pressing(material, radius, history, pd.DataFrame(releases), [], stopped)
