@@ -65,3 +65,27 @@ def test_a_small_skin_changes_no_contact(skin, surface, tmp_path):
     counted = slice(0, None, 3 if surface == "multicontact" else 1)
     off = np.abs(small_skin - expected)[counted]
     assert (off <= 1e-9 * np.abs(expected).max(axis=0)).all()
+
+
+def test_a_contact_ends_where_the_deck_takes_the_particle_away(tmp_path):
+    """A sphere is pressed into a plane, is far away in a run, and comes back with less overlap: its
+    force is that of a first contact."""
+    text = head("-0.1 0.1 -0.1 0.1 -0.1 0.1", 2e-3) + (
+        f"{material(7e9, 1e7, friction=0.5)}\n"
+        "create_atoms 1 single 0 0 {height}\n"
+        "set group all diameter 0.02 density 2700\n"
+        "pair_style gran model universal tangential history\n"
+        "pair_coeff * *\n"
+        "fix floor all wall/gran model universal tangential history primitive type 1 zplane 0.0\n"
+        "timestep 1e-6\n"
+        "dump trajectory all custom 1 trajectory.dump id z fz\n"
+    )
+    away = "displace_atoms all move 0 0 0.05 units box\nrun 1\n"
+    back = "displace_atoms all move 0 0 -0.04995 units box\nrun 1\n"
+    run_text(tmp_path / "first", text.format(height=0.0099 + 0.00005) + "run 1\n")
+    run_text(tmp_path / "again", text.format(height=0.0099) + "run 1\n" + away + back)
+    first, again = (
+        read_dump(tmp_path / name / "trajectory.dump")["fz"].iloc[-1] for name in ("first", "again")
+    )
+    assert first > 0
+    assert again == pytest.approx(first, rel=1e-9)

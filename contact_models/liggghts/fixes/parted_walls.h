@@ -25,6 +25,7 @@ class PartedWalls : public PluginFix {
   }
 
   int setmask() override;
+  void setup_pre_neighbor() override { pre_neighbor(); }
   void pre_neighbor() override;
 
  private:
