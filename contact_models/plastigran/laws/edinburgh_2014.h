@@ -17,18 +17,15 @@
 // Range: the ratios of stiffness are fitted; overlaps below R*.
 #pragma once
 
-#include "plastigran/shared/contact.h"
+#include "plastigran/shared/adhesive_limit.h"
 
 namespace plastigran {
 
-class Edinburgh2014 {
+class Edinburgh2014 : public AdhesiveLimit<Edinburgh2014> {
  public:
   static constexpr const char* name = "edinburgh_2014";
   static constexpr const char* source = "Thakur et al. 2014, Granular Matter 16:383";
   static constexpr const char* range = "fitted ratios of stiffness, overlap < R*";
-  static constexpr bool yields = false;
-  static constexpr bool elastic_first = false;
-  static constexpr bool adhesive = true;
 
   enum Exponent { three_halves, one };
   struct Parameters {
@@ -49,12 +46,6 @@ class Edinburgh2014 {
                                                                {"three_halves", "one", nullptr},
                                                                "n, exponent of the overlap"}}};
 
-  struct State {
-    double overlap_max = 0;   // largest overlap, less after the adhesive limit [m]
-    double plastic_work = 0;  // [J]
-  };
-  static constexpr std::array<const char*, 2> state_names{"overlap_max", "plastic_work"};
-
   Edinburgh2014(const MaterialPair& pair, const Parameters& constants)
       : modulus_(pair.youngs_modulus_eff),
         linear_(constants.exponent == one),
@@ -66,60 +57,43 @@ class Edinburgh2014 {
         begin_(std::pow((ratio_ - 1) / (ratio_ + adhesion_), 1 / exponent_)) {}
 
   PLASTIGRAN_DEVICE double pull_off_force(double radius_eff, double overlap, const State&) const {
-    return overlap > 0 ? stiffness(radius_eff) * adhesion_ * power(overlap) - constant_ : 0;
+    return overlap > 0 ? scale(radius_eff) * adhesion_ * power(overlap) - constant_ : 0;
   }
-  PLASTIGRAN_DEVICE double plastic_work_in(const State& state) const { return state.plastic_work; }
 
   PLASTIGRAN_DEVICE Response respond(double radius_eff, double overlap, State& state) const {
-    const double first = stiffness(radius_eff), at = overlap > 0 ? overlap : 0;
-    if (at > state.overlap_max)
-      load(at, first, state);
-    else
-      pull(at, first, state);
-    Response response;
-    response.plastic_work = state.plastic_work;
-    if (at == 0) return response;
-    const double rest = residual_ * state.overlap_max;
-    response.force = constant_ + first * ratio_ * (power(at) - power(rest));
-    response.contact_radius = std::sqrt(radius_eff * at);
-    response.elastic_energy = elastic_energy(at, first, rest);
-    response.surface_energy = constant_ * at;
+    Response response = AdhesiveLimit::respond(radius_eff, overlap, state);
+    if (overlap > 0) response.force += constant_, response.surface_energy = constant_ * overlap;
     return response;
   }
 
  private:
-  PLASTIGRAN_DEVICE double stiffness(double radius_eff) const {  // k_1
+  friend AdhesiveLimit<Edinburgh2014>;
+
+  PLASTIGRAN_DEVICE double scale(double radius_eff) const {  // k_1
     return linear_ ? 2 * modulus_ * radius_eff : 4.0 / 3.0 * modulus_ * std::sqrt(radius_eff);
   }
+  PLASTIGRAN_DEVICE static double limited(double, double overlap) { return overlap; }
   PLASTIGRAN_DEVICE double power(double overlap) const {
     return linear_ ? overlap : overlap * std::sqrt(overlap);
   }
-  // Integral of overlap^n from 0.
-  PLASTIGRAN_DEVICE double integral(double overlap) const {
+  PLASTIGRAN_DEVICE double integral(double overlap) const {  // of overlap^n from 0
     return power(overlap) * overlap / (exponent_ + 1);
   }
-  PLASTIGRAN_DEVICE double elastic_energy(double overlap, double first, double rest) const {
+  PLASTIGRAN_DEVICE double force(double first, double overlap, double max) const {
+    return first * ratio_ * (power(overlap) - power(residual_ * max));
+  }
+  PLASTIGRAN_DEVICE double elastic_energy(double first, double overlap, double max) const {
+    const double rest = residual_ * max;
     return first * ratio_ * (integral(overlap) - integral(rest) - power(rest) * (overlap - rest));
   }
-
-  PLASTIGRAN_DEVICE void load(double overlap, double first, State& state) const {
-    const double before = state.overlap_max;
-    state.overlap_max = overlap;
-    state.plastic_work += first * (integral(overlap) - integral(before)) -
-                          elastic_energy(overlap, first, residual_ * overlap) +
-                          elastic_energy(before, first, residual_ * before);
+  PLASTIGRAN_DEVICE double loading_work(double first, double overlap) const {
+    return first * integral(overlap);
   }
-
-  // Unloading to `overlap`, along the adhesive limit where the contact has reached it.
-  PLASTIGRAN_DEVICE void pull(double overlap, double first, State& state) const {
-    const double lower = overlap / begin_;
-    if (!(lower < state.overlap_max)) return;
-    const double begin = begin_ * state.overlap_max;
-    state.plastic_work += first * adhesion_ * (integral(begin) - integral(overlap)) +
-                          elastic_energy(begin, first, residual_ * state.overlap_max) -
-                          elastic_energy(overlap, first, residual_ * lower);
-    state.overlap_max = lower;
+  PLASTIGRAN_DEVICE double limit_work(double first, double overlap) const {
+    return first * adhesion_ * integral(overlap);
   }
+  PLASTIGRAN_DEVICE double limit_begins(double, double max) const { return begin_ * max; }
+  PLASTIGRAN_DEVICE double max_on_limit(double, double overlap) const { return overlap / begin_; }
 
   double modulus_;  // E*
   bool linear_;

@@ -23,18 +23,15 @@
 // Range: stiffnesses are fitted; overlaps far below R*.
 #pragma once
 
-#include "plastigran/shared/contact.h"
+#include "plastigran/shared/adhesive_limit.h"
 
 namespace plastigran {
 
-class Luding2008 {
+class Luding2008 : public AdhesiveLimit<Luding2008> {
  public:
   static constexpr const char* name = "luding_2008";
   static constexpr const char* source = "Luding 2008, Granular Matter 10:235";
   static constexpr const char* range = "fitted stiffnesses, overlap << R*";
-  static constexpr bool yields = false;
-  static constexpr bool elastic_first = false;
-  static constexpr bool adhesive = true;
 
   struct Parameters {
     double loading_stiffness = required;
@@ -57,12 +54,6 @@ class Luding2008 {
   static constexpr const char* admissibility =
       "{unloading_stiffness} must be more than {loading_stiffness}";
 
-  struct State {
-    double overlap_max = 0;   // largest overlap, less after the adhesive limit [m]
-    double plastic_work = 0;  // [J]
-  };
-  static constexpr std::array<const char*, 2> state_names{"overlap_max", "plastic_work"};
-
   Luding2008(const MaterialPair&, const Parameters& constants)
       : loading_(constants.loading_stiffness),
         growth_(constants.unloading_stiffness - constants.loading_stiffness),
@@ -72,61 +63,42 @@ class Luding2008 {
   PLASTIGRAN_DEVICE Stiffness elastic_stiffness(double) const {
     return {loading_, 2.0 / 7.0 * loading_};
   }
-
   PLASTIGRAN_DEVICE double pull_off_force(double, double overlap, const State&) const {
     return overlap > 0 ? adhesive_ * overlap : 0;
   }
-  PLASTIGRAN_DEVICE double plastic_work_in(const State& state) const { return state.plastic_work; }
-
-  PLASTIGRAN_DEVICE Response respond(double radius_eff, double overlap, State& state) const {
-    const double limit = limit_ratio_ * radius_eff;
-    if (overlap > state.overlap_max)
-      load(std::min(overlap, limit), limit, state);
-    else
-      pull(std::max(overlap, 0.0), limit, state);
-    Response response;
-    response.plastic_work = state.plastic_work;
-    if (!(overlap > 0)) return response;
-    response.force = line(overlap, limit, state.overlap_max);
-    response.contact_radius = std::sqrt(radius_eff * overlap);
-    response.elastic_energy = elastic_energy(overlap, limit, state.overlap_max);
-    return response;
-  }
 
  private:
-  PLASTIGRAN_DEVICE double stiffness(double limit, double overlap_max) const {
-    return loading_ + growth_ * (overlap_max / limit);
-  }
-  // Force on the unloading line.
-  PLASTIGRAN_DEVICE double line(double overlap, double limit, double overlap_max) const {
-    return loading_ * overlap_max - stiffness(limit, overlap_max) * (overlap_max - overlap);
-  }
-  PLASTIGRAN_DEVICE double elastic_energy(double overlap, double limit, double overlap_max) const {
-    const double force = line(overlap, limit, overlap_max);
-    return 0.5 * force * force / stiffness(limit, overlap_max);
-  }
+  friend AdhesiveLimit<Luding2008>;
 
-  // First loading to `overlap`, on the line F = k_1 overlap.
-  PLASTIGRAN_DEVICE void load(double overlap, double limit, State& state) const {
-    if (!(overlap > state.overlap_max)) return;
-    const double before = state.overlap_max;
-    const double stored = elastic_energy(before, limit, before);
-    state.overlap_max = overlap;
-    state.plastic_work += 0.5 * loading_ * (overlap * overlap - before * before) -
-                          (elastic_energy(overlap, limit, overlap) - stored);
+  PLASTIGRAN_DEVICE double scale(double radius_eff) const {  // overlap_limit
+    return limit_ratio_ * radius_eff;
   }
-
-  // Unloading to `overlap`, along the adhesive limit where the contact has reached it.
-  PLASTIGRAN_DEVICE void pull(double overlap, double limit, State& state) const {
+  PLASTIGRAN_DEVICE static double limited(double limit, double overlap) {
+    return std::min(overlap, limit);
+  }
+  PLASTIGRAN_DEVICE double stiffness(double limit, double max) const {  // k
+    return loading_ + growth_ * (max / limit);
+  }
+  PLASTIGRAN_DEVICE double force(double limit, double overlap, double max) const {
+    return loading_ * max - stiffness(limit, max) * (max - overlap);
+  }
+  PLASTIGRAN_DEVICE double elastic_energy(double limit, double overlap, double max) const {
+    const double on_line = force(limit, overlap, max);
+    return 0.5 * on_line * on_line / stiffness(limit, max);
+  }
+  PLASTIGRAN_DEVICE double loading_work(double, double overlap) const {
+    return 0.5 * loading_ * overlap * overlap;
+  }
+  PLASTIGRAN_DEVICE double limit_work(double, double overlap) const {
+    return 0.5 * adhesive_ * overlap * overlap;
+  }
+  PLASTIGRAN_DEVICE double limit_begins(double limit, double max) const {
+    const double unloading = stiffness(limit, max);
+    return (unloading - loading_) * max / (unloading + adhesive_);
+  }
+  PLASTIGRAN_DEVICE double max_on_limit(double limit, double overlap) const {
     const double shift = (loading_ + adhesive_) * limit / growth_;
-    const double lower = 0.5 * (overlap + std::sqrt(overlap * overlap + 4 * shift * overlap));
-    if (!(lower < state.overlap_max)) return;
-    const double stiff = stiffness(limit, state.overlap_max);
-    const double begin = (stiff - loading_) * state.overlap_max / (stiff + adhesive_);
-    const double stored = elastic_energy(begin, limit, state.overlap_max);
-    state.overlap_max = lower;
-    state.plastic_work += 0.5 * adhesive_ * (begin * begin - overlap * overlap) -
-                          (elastic_energy(overlap, limit, lower) - stored);
+    return 0.5 * (overlap + std::sqrt(overlap * overlap + 4 * shift * overlap));
   }
 
   double loading_, growth_, adhesive_;  // k_1, k_2 - k_1, k_c
