@@ -8,7 +8,6 @@ first overlap and ends without overlap. No command of the deck changes it.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from copy import copy
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -51,8 +50,7 @@ class Replay:
         """Return forces [N], elastic energy and plastic work [J]; update the histories.
 
         LIGGGHTS computes forces in the middle of a step, with velocities from half a step earlier.
-        At the start of a run, it uses the velocities of the frame and does not update histories.
-        The plastic work of a new overlap is then returned, but not stored.
+        At the start of a run, it uses the velocities of the frame.
 
         Args:
             names: Names of the particles, the same in all runs.
@@ -63,7 +61,7 @@ class Replay:
         velocity = frame.velocity
         if not begins:
             velocity = velocity - 0.5 * self.scene.timestep * frame.force / frame.mass[:, None]
-        force, elastic, unstored, touching = np.zeros_like(frame.place), 0.0, 0.0, set()
+        force, elastic, touching = np.zeros_like(frame.place), 0.0, set()
         for i, j, normal, overlap in self._meetings(frame.place, radius):
             if isinstance(j, str):
                 name, other = (names[i], j), self.scene.wall_type
@@ -73,35 +71,27 @@ class Replay:
                 radius_eff = radius[i] * radius[j] / (radius[i] + radius[j])
                 closing = -(velocity[i] - velocity[j]) @ normal
             touching.add(name)
-            response, stored_work = self._respond(
-                name, (types[i], other), radius_eff, overlap, closing, not begins
-            )
+            response = self._respond(name, (types[i], other), radius_eff, overlap, closing)
             force[i] += response.force * normal
             if not isinstance(j, str):
                 force[j] -= response.force * normal
             elastic += response.elastic_energy
-            unstored += response.plastic_work - stored_work if begins else 0
         for name in self.contacts.keys() - touching:
             del self.contacts[name]
-        return force, elastic, self.plastic_work + unstored
+        return force, elastic, self.plastic_work
 
-    def _respond(self, name, types, radius_eff, overlap, closing, update):
+    def _respond(self, name, types, radius_eff, overlap, closing):
         contact = self.contacts.get(name)
         if contact is None:
             law = self._law(*sorted(types))
             if law.pair.rate_coefficient > 0 and closing > 0:
                 law = law.at_impact(radius_eff, closing)
-            contact = Contact(law, law.State())
-            if update:
-                self.contacts[name] = contact
-                self.contacts_begun += 1
-        state = contact.state if update else copy(contact.state)
-        response = contact.law.respond(radius_eff, overlap, state, closing)
-        if update:
-            work = contact.law.respond(radius_eff, 0.0, state).plastic_work
-            self.plastic_work += work - contact.plastic_work
-            contact.plastic_work = work
-        return response, contact.plastic_work
+            contact = self.contacts[name] = Contact(law, law.State())
+            self.contacts_begun += 1
+        response = contact.law.respond(radius_eff, overlap, contact.state, closing)
+        self.plastic_work += response.plastic_work - contact.plastic_work
+        contact.plastic_work = response.plastic_work
+        return response
 
     def _law(self, one: int, other: int) -> laws.Law:
         if (one, other) not in self._laws:
