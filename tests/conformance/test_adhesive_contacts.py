@@ -80,29 +80,35 @@ def law_of(name: str, pair: laws.MaterialPair = WALL) -> laws.Law:
     return laws.LAWS[name](pair, **CONSTANTS[name])
 
 
+SPEEDS = np.geomspace(0.3, 6, 10)
+
+
+def ten_impacts(law: str) -> tuple[list[str], float]:
+    """Return grains that hit the wall at `SPEEDS`, and half the recommended time step [s]."""
+    bodies = [
+        sphere(-RADIUS * (1 + 1e-6), (k - 4.5) * 3 * RADIUS, speed)
+        for k, speed in enumerate(SPEEDS)
+    ]
+    return bodies, 0.5 * float(np.min(law_of(law).recommended_timestep(RADIUS, MASS, SPEEDS)))
+
+
 @pytest.mark.parametrize("law", CONSTANTS)
 def test_restitution_at_a_wall_is_that_of_the_law(law, tmp_path):
     """At 10 speeds across sticking, for jkr the closed form. 1e-3 at half the recommended step."""
-    model = law_of(law)
-    speeds = np.geomspace(0.3, 6, 10)
-    bodies = [
-        sphere(-RADIUS * (1 + 1e-6), (k - 4.5) * 3 * RADIUS, speed)
-        for k, speed in enumerate(speeds)
-    ]
-    timestep = 0.5 * float(np.min(model.recommended_timestep(RADIUS, MASS, speeds)))
+    bodies, timestep = ten_impacts(law)
     steps = int(5e-7 / timestep)  # the slowest rebound then is 1 % of the radius away
     run(law, tmp_path, bodies, f"run {steps}", timestep=timestep, every=steps)
     end = table(tmp_path)
     end = end[end["step"] == steps].sort_values("id")
     left = end["x"].to_numpy() < -1.01 * RADIUS
-    found = np.where(left, -end["vx"].to_numpy() / speeds, 0)
-    expected = model.central_impact(RADIUS, MASS, speeds).coefficient_of_restitution
-    assert found == pytest.approx(expected, abs=1e-3)
+    restitution = np.where(left, -end["vx"].to_numpy() / SPEEDS, 0)
+    expected = law_of(law).central_impact(RADIUS, MASS, SPEEDS).coefficient_of_restitution
+    assert restitution == pytest.approx(expected, abs=1e-3)
     if law == "jkr":
         sticking = adhesion.jkr_sticking_speed(0.2, RADIUS, WALL.youngs_modulus_eff, MASS)
-        assert 0 < (speeds < sticking).sum() < len(speeds)
-        closed = np.sqrt(np.maximum(0, 1 - (sticking / speeds) ** 2))
-        assert found == pytest.approx(closed, abs=1e-3)
+        assert 0 < (SPEEDS < sticking).sum() < len(SPEEDS)
+        closed = np.sqrt(np.maximum(0, 1 - (sticking / SPEEDS) ** 2))
+        assert restitution == pytest.approx(closed, abs=1e-3)
 
 
 def touch_and_pull(law: str, folder: Path, bodies: list[str], **variables) -> pd.DataFrame:
@@ -137,8 +143,8 @@ def test_pair_and_plane_follow_the_law(law, tmp_path):
             GRAINS,
         ),
     ):
-        found = touch_and_pull(law, tmp_path / name, bodies, timestep=step)
-        mover = found[found["id"] == 1].sort_values("step")
+        trajectory = touch_and_pull(law, tmp_path / name, bodies, timestep=step)
+        mover = trajectory[trajectory["id"] == 1].sort_values("step")
         contact_at = 0.0 if name == "plane" else -16e-6 + 2 * RADIUS
         size = RADIUS if name == "plane" else 4 * RADIUS
         overlap = size - (contact_at - mover["x"].to_numpy())
@@ -206,43 +212,78 @@ def test_a_stretched_contact_outlives_restarts_ranks_and_rebuilds(
     assert -rest["fx"].to_numpy() == pytest.approx(force[-1], rel=1e-12)
 
 
-@pytest.mark.parametrize("law", CONSTANTS)
-def test_the_energy_balance_closes(law, tmp_path):
-    """Ten impacts across sticking. 2e-3 of the energy: forces jump where contacts form and break,
-    which costs the integrator an error of first order in the step."""
-    speeds = np.geomspace(0.3, 6, 10)
-    bodies = [
-        sphere(-RADIUS * (1 + 1e-6), (k - 4.5) * 3 * RADIUS, speed)
-        for k, speed in enumerate(speeds)
-    ]
-    timestep = 0.5 * float(np.min(law_of(law).recommended_timestep(RADIUS, MASS, speeds)))
-    steps = int(60e-9 / timestep)
-    names = ["kinetic", "gravity", "elastic", "plastic", "friction", "viscous", "wallwork"]
-    names += ["inserted", "drift", "springs", "surface", "adhesion"]
+TERMS = ["kinetic", "gravity", "elastic", "plastic", "friction", "viscous", "wallwork"]
+TERMS += ["inserted", "drift", "springs", "surface", "adhesion"]
+
+
+def energy_terms(
+    law: str, folder: Path, bodies: list[str], steps: int, **variables
+) -> pd.DataFrame:
+    """Run with the energy balance; return about 100 rows of its terms [J]."""
     columns = " ".join(f"f_energy_ledger[{k}]" for k in range(1, 13))
     commands = (
         f"thermo_style custom step {columns}\nthermo_modify norm no lost error format float %.12g\n"
         f"thermo {max(1, steps // 100)}\nrun {steps}"
     )
-    log = run(
+    log = run(law, folder, bodies, commands, every=steps, **variables)
+    rows = [line.split() for line in log.splitlines()]
+    numbers = [row for row in rows if len(row) == 13 and row[0].isdigit()]
+    table = pd.DataFrame(np.array(numbers, float)[:, 1:], columns=TERMS)
+    assert len(table) > 90
+    return table
+
+
+@pytest.mark.parametrize("law", CONSTANTS)
+def test_the_energy_balance_closes_at_a_wall(law, tmp_path):
+    """Ten impacts across sticking. 2e-3 of the energy: forces jump where contacts form and break,
+    which costs the integrator an error of first order in the step."""
+    bodies, timestep = ten_impacts(law)
+    steps = int(60e-9 / timestep)
+    terms = energy_terms(
+        law, tmp_path, bodies, steps, timestep=timestep, options="energy_ledger on"
+    )
+    energy = terms["kinetic"].iloc[0]
+    assert terms["drift"].abs().max() < 2e-3 * energy
+    lasts = law in STRETCHED
+    assert (terms["adhesion"].iloc[-1] > 1e-3 * energy) == lasts
+    assert (terms["surface"].min() < -1e-3 * energy) == lasts
+    assert (terms["plastic"].iloc[-1] > 0.05 * energy) == (law != "jkr")
+
+
+@pytest.mark.parametrize("ranks", [1, 2])
+@pytest.mark.parametrize("damping", ["", "viscous_damping on"])
+@pytest.mark.parametrize("law", STRETCHED)
+def test_the_energy_balance_closes_for_pairs(law, damping, ranks, tmp_path):
+    """Oblique impacts of grains, with friction; the pairs lie on the border of two ranks.
+
+    2e-3 as for walls. The same on two ranks, to the order of sums.
+    """
+    bodies = []
+    for k, speed in enumerate((0.5, 2.0)):
+        y = (2 * k - 1) * 6 * RADIUS
+        bodies += [
+            sphere(-16e-6 - RADIUS * (1 + 1e-6), y, speed),
+            sphere(-16e-6 + RADIUS * (1 + 1e-6), y + 0.3 * RADIUS, -speed),
+        ]
+    model = law_of(law, GRAINS)
+    timestep = 0.3 * float(model.recommended_timestep(RADIUS / 2, MASS / 2, 1.0))
+    terms = energy_terms(
         law,
         tmp_path,
         bodies,
-        commands,
+        int(150e-9 / timestep),
+        ranks=ranks,
+        grid="1 2 1" if ranks == 2 else "1 1 1",
         timestep=timestep,
-        every=steps,
-        options="energy_ledger on",
+        tangential="history",
+        values={**CONSTANTS[law]},
+        options=f"{damping} energy_ledger on",
     )
-    rows = [line.split() for line in log.splitlines()]
-    numbers = [row for row in rows if len(row) == 13 and row[0].isdigit()]
-    ledger = pd.DataFrame(np.array(numbers, float)[:, 1:], columns=names)
-    energy = ledger["kinetic"].iloc[0]
-    assert len(ledger) > 90
-    assert ledger["drift"].abs().max() < 2e-3 * energy
-    lasts = law in STRETCHED
-    assert (ledger["adhesion"].iloc[-1] > 1e-3 * energy) == lasts
-    assert (ledger["surface"].min() < -1e-3 * energy) == lasts
-    assert (ledger["plastic"].iloc[-1] > 0.05 * energy) == (law != "jkr")
+    energy = terms["kinetic"].iloc[0]
+    assert terms["drift"].abs().max() < 2e-3 * energy
+    assert terms["surface"].min() < -1e-3 * energy
+    assert terms["friction"].iloc[-1] > 1e-3 * energy
+    assert (terms["viscous"].iloc[-1] > 1e-3 * energy) == bool(damping)
 
 
 def test_friction_is_limited_by_force_and_pull_off_force(tmp_path):
@@ -259,11 +300,11 @@ def test_friction_is_limited_by_force_and_pull_off_force(tmp_path):
         timestep=step,
         tangential="history",
     )
-    found = table(tmp_path).query("id == 1").sort_values("step")
+    grain = table(tmp_path).query("id == 1").sort_values("step")
     pull_off = 1.5 * pi * 0.2 * RADIUS
     force = law.respond(RADIUS, resting).force
     assert abs(force) < 0.2 * pull_off
-    assert found["fy"].abs().iloc[-1] == pytest.approx(0.3 * (force + pull_off), rel=1e-9)
+    assert grain["fy"].abs().iloc[-1] == pytest.approx(0.3 * (force + pull_off), rel=1e-9)
 
 
 BAD = {
@@ -280,6 +321,10 @@ BAD = {
     "cohesion sjkr adds to the adhesion of this law. Remove": (
         "jkr",
         {"models": "cohesion sjkr"},
+    ),
+    "rolling_friction epsd is not supported with adhesion": (
+        "jkr",
+        {"models": "rolling_friction epsd", "tangential": "history"},
     ),
     "contact of the smallest particles": ("jkr", {"values": {"surface_energy": 900}}),
 }

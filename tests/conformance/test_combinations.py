@@ -259,7 +259,7 @@ def test_ludings_friction_is_that_of_no_adhesion(luding, same, tmp_path):
 
 
 def test_a_liquid_that_takes_walls_for_particles_is_refused(tmp_path):
-    with pytest.raises(EngineError, match="easo/capillary/viscous on a wall takes the wall's vel"):
+    with pytest.raises(EngineError, match="easo/capillary/viscous does not support walls, because"):
         start(deck(Contact(LIQUID.format("easo"))), tmp_path)
 
 

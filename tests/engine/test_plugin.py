@@ -107,7 +107,7 @@ def test_liggghts_of_another_version_is_refused(tmp_path):
     other.write_bytes(binary.replace(version, version[:-1] + b"7"))
     done = stock(tmp_path, other, law="thornton")
     assert done.returncode != 0
-    assert "Plastigran was compiled for LIGGGHTS-PUBLIC 3.8.7 but this engine is" in done.stdout
+    assert "Plastigran was compiled for LIGGGHTS-PUBLIC 3.8.7, but this is" in done.stdout
     assert not (tmp_path / "trajectory.dump").exists()
 
 

@@ -75,9 +75,9 @@ def test_jkr_restitution_is_the_closed_form():
     law = laws.Jkr(PAIR, surface_energy=GAMMA)
     sticking = adhesion.jkr_sticking_speed(GAMMA, RADIUS, MODULUS, MASS)
     speeds = sticking * np.array([0.3, 0.999, 1.001, 1.3, 2, 4, 10])
-    found = law.central_impact(RADIUS, MASS, speeds).coefficient_of_restitution
+    computed = law.central_impact(RADIUS, MASS, speeds).coefficient_of_restitution
     exact = np.sqrt(np.maximum(0, 1 - (sticking / speeds) ** 2))
-    assert found == pytest.approx(exact, abs=1e-7)
+    assert computed == pytest.approx(exact, abs=1e-7)
 
 
 class ThorntonNing:
@@ -183,8 +183,8 @@ def test_restitution_follows_from_the_motion(name):
     law = LAWS[name]
     speeds = np.geomspace(0.2, 8, 20)
     expected = [restitution(law, speed) for speed in speeds]
-    found = law.central_impact(RADIUS, MASS, speeds).coefficient_of_restitution
-    assert found == pytest.approx(expected, abs=2e-5)
+    computed = law.central_impact(RADIUS, MASS, speeds).coefficient_of_restitution
+    assert computed == pytest.approx(expected, abs=2e-5)
 
 
 def test_ammonium_fluorescein_sticks_near_the_published_speed():
@@ -198,12 +198,12 @@ def test_ammonium_fluorescein_sticks_near_the_published_speed():
 def test_walton_braun_has_the_closed_forms(speed):
     """Restitution (k_1/k_2)^(1/2); with a slope S it falls with speed."""
     constant = laws.WaltonBraun(PAIR, loading_stiffness=1e3, unloading_stiffness=3e3)
-    found = constant.central_impact(RADIUS, MASS, speed).coefficient_of_restitution
-    assert found == pytest.approx(sqrt(1 / 3), rel=1e-9)
+    computed = constant.central_impact(RADIUS, MASS, speed).coefficient_of_restitution
+    assert computed == pytest.approx(sqrt(1 / 3), rel=1e-9)
     variable = laws.WaltonBraun(PAIR, loading_stiffness=1e3, unloading_stiffness_slope=1e8)
-    found = variable.central_impact(RADIUS, MASS, speed).coefficient_of_restitution
+    computed = variable.central_impact(RADIUS, MASS, speed).coefficient_of_restitution
     frequency = sqrt(1e3 / MASS)
-    assert found == pytest.approx(sqrt(frequency / (1e8 * speed + frequency)), rel=1e-9)
+    assert computed == pytest.approx(sqrt(frequency / (1e8 * speed + frequency)), rel=1e-9)
 
 
 @pytest.mark.parametrize("adhesive", [0.0, 500.0, 5e3])
@@ -231,9 +231,9 @@ def test_luding_has_the_closed_forms(adhesive):
         pulled = 0.5 * stiff * (rest - begin) ** 2 + 0.5 * adhesive * begin**2
         left = force**2 / (2 * stiff) - pulled
         expected = sqrt(max(left, 0) / energy)
-        found = law.central_impact(RADIUS, MASS, speed)
-        assert found.overlap_max == pytest.approx(share * limit, rel=1e-9)
-        assert found.coefficient_of_restitution == pytest.approx(expected, abs=1e-7)
+        computed = law.central_impact(RADIUS, MASS, speed)
+        assert computed.overlap_max == pytest.approx(share * limit, rel=1e-9)
+        assert computed.coefficient_of_restitution == pytest.approx(expected, abs=1e-7)
 
 
 @pytest.mark.parametrize(("exponent", "n"), [("one", 1.0), ("three_halves", 1.5)])
@@ -254,10 +254,10 @@ def test_edinburgh_has_the_closed_forms(exponent, n, adhesion_ratio):
     taken = first * top ** (n + 1) / (n + 1)
     left = quad(unloading, begin, top)[0] - first * adhesion_ratio * begin ** (n + 1) / (n + 1)
     speeds = np.array([0.1, 1.0]) * sqrt(2 * taken / MASS)
-    found = law.central_impact(RADIUS, MASS, speeds).coefficient_of_restitution
-    assert found == pytest.approx(sqrt(left / taken), rel=1e-7)
+    computed = law.central_impact(RADIUS, MASS, speeds).coefficient_of_restitution
+    assert computed == pytest.approx(sqrt(left / taken), rel=1e-7)
     if n == 1 and adhesion_ratio == 0:
-        assert found == pytest.approx(sqrt(1 / ratio), rel=1e-9)
+        assert computed == pytest.approx(sqrt(1 / ratio), rel=1e-9)
     state = law.State()
     law.respond(RADIUS, top, state)
     least = law.follow(RADIUS, np.linspace(top, 0, 100001), state)["force"].min()

@@ -5,7 +5,9 @@
 // line from a restart file.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
+#include <type_traits>
 
 #include "atom.h"
 #include "contact_models.h"
@@ -18,6 +20,7 @@
 #include "liggghts/model/contact_setup.h"
 #include "liggghts/model/line_settings.h"
 #include "liggghts/observers/contact_observer.h"
+#include "pair_gran.h"
 
 namespace plastigran {
 
@@ -40,7 +43,9 @@ class AccountedContact : private ContactSetup, public LIGGGHTS::ContactModels::C
         engine_(engine),
         owner_(owner),
         spring_offset_(has_model("tangential", "history") ? offset_of("shearx") : -1),
-        in_contact_offset_(offset_of("in_contact")) {}
+        in_contact_offset_(offset_of("in_contact")) {
+    if constexpr (std::is_same_v<Owner, LAMMPS_NS::PairGran>) pair_ = owner;
+  }
 
   // LIGGGHTS needs the models of the deck here. The base class has the placeholders ANY.
   int64_t hashcode() { return hash(); }
@@ -101,15 +106,16 @@ class AccountedContact : private ContactSetup, public LIGGGHTS::ContactModels::C
 
   // For LIGGGHTS' loops, which call this for bodies that are close and do not overlap.
   void surfacesClose(LIGGGHTS::ContactModels::SurfacesCloseData& close, Load& on_i, Load& on_j) {
-    if (in_contact(close)) {
-      // All callers pass the data of a contact.
-      Contact& contact = static_cast<Contact&>(close);
+    // All callers pass the data of a contact.
+    Contact& contact = static_cast<Contact&>(close);
+    if (in_contact(contact)) {
       if (!this->is_wall()) complete(contact);
       surfacesIntersect(contact, on_i, on_j);
       contact.has_force_update = true;
-      if (in_contact(contact)) return;
     }
-    Base::surfacesClose(close, on_i, on_j);
+    if (!in_contact(contact)) Base::surfacesClose(contact, on_i, on_j);
+    // LIGGGHTS computes the heat flux from a wall next, and its formula needs an overlap.
+    if (this->is_wall()) contact.deltan = std::max(0.0, contact.deltan);
   }
 
   // Computes the forces of all models.
@@ -187,7 +193,14 @@ class AccountedContact : private ContactSetup, public LIGGGHTS::ContactModels::C
     contact.omega_j = atom->omega[contact.j];
     contact.mi = atom->rmass[contact.i];
     contact.mj = atom->rmass[contact.j];
+    if (pair_->fr_pair()) {
+      const double* const of_body = pair_->mr_pair();
+      if (of_body[contact.i] > 0) contact.mi = of_body[contact.i];
+      if (of_body[contact.j] > 0) contact.mj = of_body[contact.j];
+    }
     contact.meff = contact.mi * contact.mj / (contact.mi + contact.mj);
+    if (atom->mask[contact.i] & pair_->freeze_group_bit()) contact.meff = contact.mj;
+    if (atom->mask[contact.j] & pair_->freeze_group_bit()) contact.meff = contact.mi;
   }
 
   double spring_energy(const Contact& contact) const {
@@ -198,7 +211,8 @@ class AccountedContact : private ContactSetup, public LIGGGHTS::ContactModels::C
   }
 
   LAMMPS_NS::LAMMPS* engine_;
-  const void* owner_;  // the Pair or Fix, which fixes compare by address
+  const void* owner_;                          // the Pair or Fix, which fixes compare by address
+  const LAMMPS_NS::PairGran* pair_ = nullptr;  // null for a wall
   EnergyLedger* ledger_ = nullptr;
   std::vector<ContactObserver*> observers_;
   int spring_offset_;      // of the tangential spring in the history, -1 if there is none

@@ -114,7 +114,7 @@ double EnergyLedger::change_of_contacts() const {
 void EnergyLedger::report_change_of_contacts() const {
   const double change = sum_over_ranks(change_of_contacts(), world);
   const double energy = sum_over_ranks(contact_energy(), world);
-  if (comm->me != 0 || std::abs(change) <= 1e-6 * energy) return;  // round-off
+  if (comm->me != 0 || std::abs(change) <= 1e-6 * std::abs(energy)) return;  // round-off
   std::ostringstream text;
   text << "energy_ledger: between the runs the deck changed the energy of contacts by " << change
        << ' ' << unit_in_deck(update->unit_style, "J") << " (part of the entry inserted)\n";
@@ -285,12 +285,19 @@ void EnergyLedger::write_restart(FILE* file) {
   Sums sums;
   MPI_Reduce(&sums_, &sums, sizeof sums / sizeof(double), MPI_DOUBLE, MPI_SUM, 0, world);
   sums.initial_total = sums_.initial_total;
-  write_state(file, &sums, sizeof sums);
+  const StoredSums stored{not_a_sum, sums};
+  write_state(file, &stored, sizeof stored);
 }
 
 void EnergyLedger::restart(char* data) {
+  // Older files have no mark, and no loss by adhesion at the end of the sums.
   Sums sums;
-  std::memcpy(&sums, data, sizeof sums);
+  double mark;
+  std::memcpy(&mark, data, sizeof mark);
+  if (std::isnan(mark))
+    std::memcpy(&sums, data + sizeof mark, sizeof sums);
+  else
+    std::memcpy(&sums, data, offsetof(Sums, adhesion_loss));
   started_ = true;
   if (comm->me == 0) sums_ = sums;  // the first rank takes the sums of all
   sums_.initial_total = sums.initial_total;

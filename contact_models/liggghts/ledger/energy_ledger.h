@@ -153,6 +153,11 @@ class EnergyLedger : public PluginFix {
     double plastic_work = 0, friction = 0, viscous = 0, wall_work = 0, inserted = 0;
     double initial_total = 0, adhesion_loss = 0;
   };
+  static constexpr double not_a_sum = std::numeric_limits<double>::quiet_NaN();
+  struct StoredSums {
+    double mark;  // not_a_sum
+    Sums sums;
+  };
 
   // The part of a contact's energies to count. The other particle's side reports a contact with a
   // ghost too.

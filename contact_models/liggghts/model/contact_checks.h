@@ -103,7 +103,7 @@ class ContactChecks : protected LAMMPS_NS::Pointers {
   void check_time_step(const Contact& contact, const AnyLaw& law, double radius_eff) {
     State state;
     const Response loading = law.respond(radius_eff, contact.deltan, state);
-    const double energy = loading.elastic_energy + loading.plastic_work;
+    const double energy = contact_energy(loading) - contact_energy(first_touch(law, radius_eff));
     const double speed = std::sqrt(2 * energy / contact.meff);
     const double* const x = atom->x[contact.i];
     time_step_check_->add(

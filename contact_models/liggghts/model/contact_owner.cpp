@@ -63,7 +63,9 @@ std::string ContactOwner::unsuitable_model(const std::string& law, bool is_cylin
                "particle" + remedy;
       if (is_adhesive && keyword == "cohesion")
         text = name + " adds to the adhesion of this law" + remedy;
-      if (is_adhesive && name == "surface multicontact")
+      const bool is_stiff_rolling =
+          companion.name == std::string("epsd") || companion.name == std::string("epsd3");
+      if (is_adhesive && (name == "surface multicontact" || is_stiff_rolling))
         text = name + " is not supported with adhesion" + remedy;
       if (is_cylinder && keyword != "tangential" && keyword != "rolling_friction")
         text =

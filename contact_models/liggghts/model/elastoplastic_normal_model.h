@@ -75,7 +75,7 @@ class ElastoplasticNormalModel : public NormalModelSetup<Law> {
     TypePair& pair = pairs_(contact.itype, contact.jtype);
     // Particles of these types may have been inserted since the check before the run.
     if (!pair.refusal.empty()) checks_.refuse(pair.refusal);
-    if constexpr (plastigran::lasts_apart<Law>)
+    if constexpr (plastigran::can_stretch<Law>)
       if (radius_eff < least_radius_eff_) checks_.refuse(too_small(contact));
     // `run 0` moves no particle, so it does not change the history. Any other run writes the
     // history in its setup too, because the forces of the setup move the particles.
@@ -106,7 +106,7 @@ class ElastoplasticNormalModel : public NormalModelSetup<Law> {
     const plastigran::Stiffness elastic = plastigran::elastic_stiffness(
         pair.law, pair.bodies.youngs_modulus_eff, pair.bodies.shear_modulus_eff, contact_radius);
     contact.kt = elastic.tangential;
-    // What limits friction.
+    // Friction is limited to mu times this force.
     const double limiting =
         response.force + plastigran::pull_off_force(pair.law, radius_eff, contact.deltan, state);
     if constexpr (plastigran::adhesive<Law>)
@@ -122,7 +122,8 @@ class ElastoplasticNormalModel : public NormalModelSetup<Law> {
       // Tsuji, Tanaka & Ishida 1992 (Powder Technol. 71:239), with the contact radius of the law.
       const double beta =
           -1.8257418583505538 * damping_[contact.itype][contact.jtype];  // 2 sqrt(5/6)
-      contact.gamman = beta * std::sqrt(elastic.normal * contact.meff);
+      if (carries || !plastigran::adhesive<Law>)
+        contact.gamman = beta * std::sqrt(elastic.normal * contact.meff);
       if (settings_.tangential_damping && !smooth_friction_)
         contact.gammat = beta * std::sqrt(contact.kt * contact.meff);
       force -= contact.gamman * contact.vn;

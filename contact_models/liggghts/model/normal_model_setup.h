@@ -82,7 +82,7 @@ class NormalModelSetup : public NormalModelBase {
     if (plastigran::yields<Law>) rates_.connect(deck, pairs_.rate_matters());
     checks_.begin(caller(), settings_.overlap_limit);
     prepare_forces(registry);
-    if constexpr (plastigran::lasts_apart<Law>) extend_contacts();
+    if constexpr (plastigran::can_stretch<Law>) extend_contacts();
     report(deck);
     forecast_impacts(deck);
   }
@@ -121,7 +121,7 @@ class NormalModelSetup : public NormalModelBase {
     const std::string unsuitable =
         owner_.unsuitable_model(Law::name, is_cylinder, plastigran::adhesive<Law>);
     if (!unsuitable.empty()) fail(unsuitable);
-    if (plastigran::lasts_apart<Law> && owner_.is_mesh_wall())
+    if (plastigran::can_stretch<Law> && owner_.is_mesh_wall())
       fail("walls of meshes are not supported with adhesion. Use primitive walls");
   }
 

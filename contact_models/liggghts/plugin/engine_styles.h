@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// LIGGGHTS' contact models, pair styles and walls, without compiler warnings.
+// Plastigran's include of LIGGGHTS' contact models, pair styles and walls, without compiler
+// warnings.
 #pragma once
 
 #pragma GCC diagnostic push

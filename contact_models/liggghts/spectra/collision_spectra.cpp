@@ -76,8 +76,9 @@ void CollisionSpectra::add(const Contact& contact, const AccountedLoad& on_i, co
     place = records_.begin(holder, partner, begun);
   }
   if (!contact.shearupdate) {  // in the setup
-    records_.at(holder, place).energy += on_i.plastic_work;
-    energy_ += on_i.plastic_work;
+    const double energy = on_i.plastic_work + on_i.adhesion_loss;
+    records_.at(holder, place).energy += energy;
+    energy_ += energy;
     return;
   }
   const bool first = !records_.touch(holder, place);  // of several triangles of a wall
@@ -95,7 +96,7 @@ void CollisionSpectra::advance(Impact& impact, const Contact& contact, const Acc
     if (!contact.is_wall) power -= dot(lossy.torque_j, contact.omega_j);
     return 0.5 * update->dt * power;
   };
-  double energy = lost(load) + on_i.plastic_work;
+  double energy = lost(load) + on_i.plastic_work + on_i.adhesion_loss;
   if (first) {
     energy += lost(exchanged ? impact.load.exchanged() : impact.load);
     impact.load = LossyLoad();

@@ -190,10 +190,10 @@ ImpactOutcome central_impact(const Law& law, double radius_eff, double mass_eff,
   return impact;
 }
 
-// What one second of time step would add to the relative error of an impact's restitution, by the
-// jumps of the virgin force, and by those of adhesion where the contact forms and breaks: within
-// the step in which the overlap passes one, the integrator takes the force of either side for up to
-// half a step too long.
+// Relative error of restitution per second of time step [1/s] that jumps of the force cause: those
+// of first loading, and with adhesion those where the contact forms and breaks. In the step in
+// which the overlap passes a jump, the integrator uses the force of one side for up to half a step
+// too long.
 template <class Law>
 double jump_error([[maybe_unused]] const Law& law, [[maybe_unused]] double radius_eff,
                   double mass_eff, double speed) {
@@ -208,7 +208,7 @@ double jump_error([[maybe_unused]] const Law& law, [[maybe_unused]] double radiu
       if (speed_squared > 0)
         power += std::abs(above.force - below.force) * std::sqrt(speed_squared);
     }
-  if constexpr (lasts_apart<Law>) {
+  if constexpr (adhesive<Law>) {
     // Bodies that stick have no restitution to resolve: take the slowest that do not.
     const Response touch = first_touch(law, radius_eff);
     const Response end = end_of_contact(law, radius_eff, std::numeric_limits<double>::min());

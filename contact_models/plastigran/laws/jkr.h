@@ -11,8 +11,9 @@
 //     |   /     _/
 //     |   `---'
 //
-// A contact that forms and breaks loses 1.05247 (pi^5 Gamma^5 R*^4/E*^2)^(1/3).
-// Range: a << R*; bodies soft or large enough, (R* Gamma^2/E*^2)^(1/3) long against atoms.
+// A contact that forms and breaks loses 1.0524 (pi^5 Gamma^5 R*^4/E*^2)^(1/3).
+// Range: a << R*; soft or large bodies: (R* Gamma^2/E*^2)^(1/3) much larger than the
+// distance of atoms.
 #pragma once
 
 #include "plastigran/shared/adhesion.h"

@@ -41,7 +41,10 @@ class ThorntonNing1998 {
   static constexpr std::array<Option<Parameters>, 1> options{
       {energy_guard_option<Parameters>(&Parameters::energy_guard)}};
 
-  typedef AdhesiveState State;
+  struct State {
+    double in_contact = 0;          // 1 from first touch to pull-off
+    double contact_radius_max = 0;  // largest contact radius beyond yield [m]; 0 while elastic
+  };
   static constexpr std::array<const char*, 2> state_names{"in_contact", "contact_radius_max"};
 
   ThorntonNing1998(const MaterialPair& pair, const Parameters& constants)

@@ -21,21 +21,15 @@
 
 namespace plastigran {
 
-// History of adhesive laws.
-struct AdhesiveState {
-  double in_contact = 0;          // 1 from first touch to pull-off
-  double contact_radius_max = 0;  // largest contact radius beyond yield [m]; 0 while elastic
-};
-
 template <class Law, class = void>
-constexpr bool lasts_apart = false;
+constexpr bool can_stretch = false;
 template <class Law>
-constexpr bool lasts_apart<Law, std::void_t<decltype(&Law::pull_off_distance)>> = true;
+constexpr bool can_stretch<Law, std::void_t<decltype(&Law::pull_off_distance)>> = true;
 
 // Largest separation at which two bodies may still be in contact [m]; 0 for most laws.
 template <class Law>
 double pull_off_distance([[maybe_unused]] const Law& law, [[maybe_unused]] double radius_eff) {
-  if constexpr (lasts_apart<Law>)
+  if constexpr (can_stretch<Law>)
     return law.pull_off_distance(radius_eff);
   else
     return 0;
@@ -95,8 +89,8 @@ class JkrContact {
   double pull_ = 0;     // c
 };
 
-// Adds to the force in the Coulomb limit: the pull-off force, |T| <= mu (F + F_c) (Derjaguin 1934,
-// Z. Phys. 88:661; Luding 2008 with k_c overlap for F_c).
+// The pull-off force F_c, which enters the limit of friction: |T| <= mu (F + F_c) (Derjaguin 1934,
+// Z. Phys. 88:661). Luding 2008 uses k_c overlap for F_c.
 template <class Law>
 PLASTIGRAN_DEVICE double pull_off_force([[maybe_unused]] const Law& law,
                                         [[maybe_unused]] double radius_eff,
@@ -113,7 +107,7 @@ template <class Law>
 double lost_at_ends([[maybe_unused]] const Law& law, [[maybe_unused]] double radius_eff,
                     [[maybe_unused]] const typename Law::State& before,
                     [[maybe_unused]] const typename Law::State& now) {
-  if constexpr (lasts_apart<Law>) {
+  if constexpr (can_stretch<Law>) {
     if (before.in_contact == now.in_contact) return 0;
     const JkrContact contact = law.contact();
     const double radius = law.unloading_radius(radius_eff, before);

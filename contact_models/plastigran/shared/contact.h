@@ -31,10 +31,10 @@
 //   overlap_range()         the largest overlap over R* it is good for
 //   overlap_breaks()        overlaps over R* at which the virgin force may jump
 //   elastic_stiffness(contact_radius)      of the elastic contact
-//   elastic_first = false   plastic from first touch; else Hertz's contact, or one like it, to
-//   yield adhesive = true         the force may attract (adhesion.h): the state tells whether the
-//   bodies
-//                are in contact, and the contact may last beyond zero overlap
+//   elastic_first = false   plastic from first touch; else elastic to yield
+//   adhesive = true         the force may be attractive; the law has pull_off_force()
+//   pull_off_distance(radius_eff)    largest separation of bodies in contact; the state then has
+//                the member in_contact (adhesion.h)
 //
 // SI units throughout.
 #pragma once

@@ -9,7 +9,7 @@ namespace plastigran {
 
 struct LargestOverlap {
   struct State {
-    double overlap_max = 0;  // largest overlap beyond yield [m]; 0 while elastic
+    double overlap_max = 0;  // largest overlap [m]; 0 while elastic
   };
   static constexpr std::array<const char*, 1> state_names{"overlap_max"};
 };
