@@ -36,7 +36,7 @@ class AnyLaw {
   virtual double recommended_timestep(double radius_eff, double mass_eff, double speed) const = 0;
 };
 
-// The histories an array of contacts has: those given, or virgin ones.
+// Histories of an array of contacts: those given, or those of first loading.
 class States {
  public:
   // One for each element, or for each path along the last axis of `shape`. Raises TypeError for

@@ -53,7 +53,7 @@ typename Law::Parameters parse_constants(const MaterialPair& pair, const nb::dic
   return constants;
 }
 
-// A table of a law for Python: a dict a row, from its name to its meaning; `fill` says the rest.
+// Returns a table of a law as a list of dicts, one per row; `fill` adds the other entries of a row.
 template <class Table, class Fill>
 nb::list rows(const Table& table, const Fill& fill) {
   nb::list all;

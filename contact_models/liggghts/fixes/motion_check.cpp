@@ -59,7 +59,7 @@ void MotionCheck::end_of_step() {
     if (travel <= radius * radius) continue;
     if (!std::isfinite(travel))
       stop_for(i, "has a velocity that is NaN or infinite",
-               "Check its last contacts, and for particles whose center is on a wall");
+               "Check the last contacts of the particle, and whether its center is on a wall");
     std::ostringstream problem;
     problem << "moved " << std::sqrt(travel) / radius
             << " times its radius in one step; the limit is 1";

@@ -51,8 +51,8 @@ class ContactChecks : protected LAMMPS_NS::Pointers {
     time_step_check_->reset();
   }
 
-  // For each setup, on the first rank. Passes the times of the expected impacts to the check of the
-  // time step, and warns of impacts beyond the validity range of the law.
+  // Passes the times of the expected impacts to the check of the time step, and warns of impacts
+  // beyond the validity range of the law. Each setup calls it on the first rank.
   void expect(const ImpactTimes& times, double rayleigh, bool is_wall) {
     time_step_check_->expect(model_, {times.step, times.step_speed, is_wall}, rayleigh,
                              times.hertz);

@@ -11,7 +11,8 @@ struct RadiusRange {
   double smallest, largest;  // infinity and 0 without particles
 };
 
-// Radii of the particles on all ranks and of those that fixes will insert. All ranks together.
+// Range of the radii of the particles on all ranks and of those that fixes will insert. All ranks
+// must call it together.
 RadiusRange radius_range(LAMMPS_NS::LAMMPS* engine);
 
 }  // namespace plastigran

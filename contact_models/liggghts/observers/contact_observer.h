@@ -37,7 +37,7 @@ class ContactObserver : public PluginFix {
   // Stops unless the group is `all`.
   ContactObserver(LAMMPS_NS::LAMMPS* engine, int count, char** words);
 
-  // All observers. The pair style or wall `owner` reports to them. For each setup.
+  // Returns all observers, to which the pair style or wall `owner` reports. Each setup calls it.
   static std::vector<ContactObserver*> attach(LAMMPS_NS::LAMMPS* engine, const void* owner);
 
   // Receives the loads of all models of a contact. The ranks of both particles report a contact

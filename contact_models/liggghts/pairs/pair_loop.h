@@ -119,7 +119,8 @@ class PairLoop : public LIGGGHTS::PairStyles::Granular<Contact>, private StoredE
     models_.endPass(contact, on_i, on_j);
   }
 
-  // Some models of LIGGGHTS write to the history in every call. Gives them a copy.
+  // Gives the models a copy of the history, because some models of LIGGGHTS write to it in every
+  // call.
   void protect_history(ContactData& contact, int width) {
     if (contact.contact_history) {
       copied_history_.assign(contact.contact_history, contact.contact_history + width);

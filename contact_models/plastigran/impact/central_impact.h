@@ -56,7 +56,7 @@ ImpactOutcome rate_dependent_impact(const Law& law, double radius_eff, double ma
                 d = slope(p.after(h, c));
     return p.after(h / 6, a).after(h / 3, b).after(h / 3, c).after(h / 6, d);
   };
-  double error = 0;  // of the last step tried, over what is allowed
+  double error = 0;  // error of the last trial step, divided by the allowed error
   const auto step = [&](Point p, double h) {
     const Point whole = once(p, h), half = once(once(p, h / 2), h / 2);
     const Point off{(half.root - whole.root) / 15, (half.rate - whole.rate) / 15};

@@ -14,8 +14,8 @@ struct DeepContact {
   double radius_eff, overlap;  // [m]
   double closing;              // approach of the two bodies in a step [m]
   const State &before, &now;   // state before and after the step
-  bool has_moved_freely;       // whether commands may have moved its particles
-  double share;                // to count; another rank counts the rest
+  bool has_moved_freely;       // whether commands may have moved the particles
+  double share;  // share of the contact that this rank counts; another counts the rest
 };
 
 struct RangeAccount {

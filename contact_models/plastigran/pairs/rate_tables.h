@@ -152,7 +152,7 @@ class LawAtFactor {
   struct Part {
     const Law* law;
     double range;   // largest overlap over R*
-    double factor;  // of the contact, divided by that of the table
+    double factor;  // rate factor of the contact, divided by the factor of the table
     double weight;
   };
 

@@ -34,9 +34,9 @@ struct BodyConstant {
   const char* symbol;
   const char* unit;
   double Body::*value;
-  double lower, upper;  // range; `upper` belongs to it
-  bool above;           // `lower` does not belong to the range
-  double standard;      // default, which is always allowed
+  double lower, upper;  // allowed range, which includes `upper`
+  bool above;           // whether the range excludes `lower`
+  double standard;      // default; it may lie outside the range
   const char* meaning;
 };
 

@@ -95,7 +95,7 @@ struct Option {
   const char* meaning;
 };
 
-// The choice of laws that may return more than was put in as published.
+// The option of laws that, as published, may return more energy than was put in.
 template <class Parameters>
 constexpr Option<Parameters> energy_guard_option(int Parameters::*value) {
   return {"energy_guard", value, {"off", "on", nullptr}, "the work lost never falls"};

@@ -114,7 +114,7 @@ class LineContact : public Rebound, public LargestOverlap {
   }
 
  private:
-  static constexpr double overlap_min = 1e-200;  // [m] no ratio overflows above it
+  static constexpr double overlap_min = 1e-200;  // [m] above this overlap no ratio overflows
   static constexpr double square_min = 1e-300;   // [m^2] a narrower contact has no width yet
 
   PLASTIGRAN_DEVICE Response respond(double yield_ratio, double log_yield, double radius_eff,
