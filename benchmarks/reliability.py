@@ -119,8 +119,8 @@ def ranks(folder: Path, _: int) -> Iterator[Row]:
             1e-9,
         )
         yield Row(
-            f"the same at the end, after {one['collisions'].iloc[-1]:.0f} collisions: in standard "
-            "deviations of two gases",
+            f"the same difference after {one['collisions'].iloc[-1]:.0f} collisions per grain, "
+            "divided by the standard deviation between two gases",
             (ratio / (2**0.5 * one["temperature_error"])).iloc[-1],
             4,
         )

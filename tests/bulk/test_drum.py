@@ -45,11 +45,11 @@ def test_fewer_rows_widen_the_limit_of_the_lever_arm(turned):
     sparse = read_series(turned.folder).iloc[::32].reset_index(drop=True)
     analysis = turned.deck.analyse(sparse)
     lever = analysis.checks[-1]
-    assert "lever arm" in lever.name and lever.passed
+    assert "weight's torque" in lever.name and lever.passed
     assert LEVER_ARM < lever.value
     rolling = attrs.evolve(turned.deck, rolling_friction="cdt")
     checks = rolling.power_checks(analysis.series, analysis.series)
-    assert not any("lever arm" in check.name for check in checks)
+    assert not any("weight's torque" in check.name for check in checks)
 
 
 def test_angle_rises_with_friction(turned, tmp_path):

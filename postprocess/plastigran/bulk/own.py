@@ -119,7 +119,7 @@ def check_laws(source: DeckSource) -> None:
             text = f"{file.name}: no contact model {name!r}. Possible misspelling of {similar[0]}"
             if similar[0] not in name:
                 raise ValueError(text)
-            warnings.warn(f"{text} It is used as it is, in case it is your own", stacklevel=2)
+            warnings.warn(f"{text}. Ignore this if the model is your own", stacklevel=2)
 
 
 def own_restart_point(source: DeckSource, earlier: Path, record: dict) -> Path:

@@ -53,8 +53,8 @@ class ObliqueImpact:
     """
 
     pair: laws.MaterialPair
-    radius: float = radius_field("radius of the first")
-    mass: float = number("mass of the first", "kg", 0)
+    radius: float = radius_field("radius of the first sphere")
+    mass: float = number("mass of the first sphere", "kg", 0)
     coefficient_of_friction: float = number("coefficient of friction", "-", 0, lower_allowed=True)
     coefficient_of_restitution: float = number(
         "restitution for which the dashpot is set", "-", 0, 1, upper_allowed=True

@@ -104,7 +104,7 @@ def run(arguments: argparse.Namespace) -> None:
             f"  {name:8s} {before:.2g} -> {after:.2g}" for name, (before, after) in overlaps.items()
         )
     )
-    verdict = "sound" if factor >= lowest else "TOO SOFT: the grains do not behave as hard"
+    verdict = "sound" if factor >= lowest else "TOO SOFT: the grains do not behave like hard ones"
     print(
         f"  {verdict}. With the law below that has the largest overlap, {SOUND_OVERLAP:g} of "
         f"the radius is reached at the factor {1.0005 * lowest:.4g}"  # not rounded down

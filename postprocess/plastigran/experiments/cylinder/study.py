@@ -106,7 +106,7 @@ def maps(points: int) -> pd.DataFrame:
 
 
 def comparison() -> pd.DataFrame:
-    """Return the impact of the source's finite elements by each law.
+    """Return the results of each law for the impact that the source's finite elements compute.
 
     Returns:
         (3,) rows for the laws and the finite elements: overlap_res [m] and its relative error;

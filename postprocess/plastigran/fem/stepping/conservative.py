@@ -179,4 +179,6 @@ class Steps:
             tangent = (compliance @ (shapes.T * slopes[touching])) @ shapes
             tangent[np.diag_indices_from(tangent)] += 1
             change = change - np.linalg.solve(tangent, residual)
-        raise NoConvergence(f"no contact forces at {self.now.time:g} s in {ITERATIONS} iterations")
+        raise NoConvergence(
+            f"the contact forces at {self.now.time:g} s do not converge in {ITERATIONS} iterations"
+        )

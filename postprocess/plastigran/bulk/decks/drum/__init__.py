@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The rotating drum: angle of repose, and work of the wall against the lever arm of the weight."""
+"""The rotating drum: angle of repose, and work of the wall compared with the weight's torque."""
 
 from __future__ import annotations
 
@@ -131,7 +131,7 @@ class Drum(FlowDeck):
         ]
 
     def power_checks(self, series: pd.DataFrame, steady: pd.DataFrame) -> list[Check]:
-        """Check the work of the wall against the lever arm of the weight and against dissipation.
+        """Check the work of the wall against the torque of the weight and against dissipation.
 
         With rolling friction, the check of the lever arm is left out: LIGGGHTS computes rolling
         friction as if the wall did not rotate, a couple on the grains without work of the wall.
@@ -156,7 +156,7 @@ class Drum(FlowDeck):
             )
             checks.append(
                 Check(
-                    "difference between work of the wall and lever arm of the weight, relative",
+                    "work of the wall compared with the work of the weight's torque, relative",
                     difference / series["wallwork"].abs().max(),
                     LEVER_ARM * trapezia,
                     "m g x omega and the change of angular momentum, integrated over lines of the "
