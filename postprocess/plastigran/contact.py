@@ -108,7 +108,7 @@ class Contact:
 
         Returns:
             (N,) rows: overlap [m], force [N], contact_radius [m], elastic_energy [J] (recoverable)
-            and plastic_work [J] (dissipated).
+            and plastic_work [J] (dissipated); for a law that attracts also surface_energy [J].
 
         Warns:
             RangeWarning: An overlap exceeds the range of the law.
@@ -118,7 +118,8 @@ class Contact:
         overlaps = np.array(overlaps, dtype=float, ndmin=1)
         self._warn("overlap", "m", overlaps[overlaps > self.overlap_range])
         response = self.law.follow(self.radius_eff, overlaps)
-        names = ("force", "contact_radius", "elastic_energy", "plastic_work")
+        names = ["force", "contact_radius", "elastic_energy", "plastic_work"]
+        names += ["surface_energy"] if self.law.adhesive else []
         return pd.DataFrame({"overlap": overlaps} | {name: response[name] for name in names})
 
     @property

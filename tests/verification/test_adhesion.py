@@ -10,7 +10,7 @@ import pytest
 from scipy.integrate import quad, solve_ivp
 from scipy.optimize import brentq
 
-from plastigran import laws
+from plastigran import RIGID, Contact, laws, material
 from plastigran.physics import adhesion
 
 RADIUS = 2.45e-6
@@ -268,6 +268,15 @@ def test_edinburgh_has_a_constant_force():
     law = laws.Edinburgh2014(PAIR, stiffness_ratio=5, constant_force=-1e-6)
     assert law.respond(RADIUS, 1e-15).force == pytest.approx(-1e-6, rel=1e-3)
     assert law.respond(RADIUS, -1e-15).force == 0
+
+
+def test_a_path_has_the_surface_energy_of_laws_that_attract():
+    body = material("steel")
+    stretched = Contact("jkr", body, RIGID, radius=1e-5, surface_energy=0.05)
+    path = stretched.path(np.linspace(1e-9, 1e-8, 10))
+    area = pi * path["contact_radius"] ** 2
+    assert path["surface_energy"].to_numpy() == pytest.approx(-0.05 * area.to_numpy(), rel=1e-9)
+    assert "surface_energy" not in Contact("hertz", body, RIGID, radius=1e-5).path([1e-9])
 
 
 def test_thornton_ning_needs_a_surface_energy():
