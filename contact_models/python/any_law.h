@@ -43,13 +43,13 @@ class States {
   // another law's state, ValueError when there are more or fewer than asked for.
   States(const AnyLaw& law, const nb::object& given, std::vector<std::size_t> shape);
   double* operator[](std::size_t contact) {
-    return given_.empty() ? virgin_[contact].data() : given_[contact]->values.data();
+    return given_.empty() ? untouched_[contact].data() : given_[contact]->values.data();
   }
 
  private:
   nb::object kept_;
   std::vector<AnyState*> given_;
-  std::vector<std::array<double, AnyState::capacity>> virgin_;
+  std::vector<std::array<double, AnyState::capacity>> untouched_;
 };
 
 }  // namespace plastigran

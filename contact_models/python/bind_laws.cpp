@@ -16,7 +16,7 @@ States::States(const AnyLaw& law, const nb::object& given, std::vector<std::size
   const std::size_t count =
       std::accumulate(shape.begin(), shape.end(), std::size_t(1), std::multiplies<std::size_t>());
   if (given.is_none()) {
-    virgin_.resize(count);
+    untouched_.resize(count);
     return;
   }
   AnyState* one;

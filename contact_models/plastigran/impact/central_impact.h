@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// What any law says about a central impact, without a host: by energy, or where the force depends
-// on the rate of overlap by the equation of motion.
+// Central impact of two bodies for any law: from the energies of the law, or from the equation of
+// motion if the force depends on the overlap rate. It needs no host program.
 #pragma once
 
 #include <algorithm>
@@ -22,11 +22,11 @@ struct ImpactOutcome {
   bool in_range = true;                   // the law is good for that load
 };
 
-// Whether a law says where its virgin force may jump: overlap_breaks(), overlaps over R*.
+// Whether a law lists overlaps at which its force of first loading may jump, overlap_breaks().
 template <class Law, class = void>
-constexpr bool says_breaks = false;
+constexpr bool has_breaks = false;
 template <class Law>
-constexpr bool says_breaks<Law, std::void_t<decltype(&Law::overlap_breaks)>> = true;
+constexpr bool has_breaks<Law, std::void_t<decltype(&Law::overlap_breaks)>> = true;
 
 // The central impact of a law that depends on the rate of overlap: m* d^2 overlap/dt^2 = -F, from
 // the first touch until the force is gone. In root = sqrt(overlap) over a time tau with
@@ -198,7 +198,7 @@ template <class Law>
 double jump_error([[maybe_unused]] const Law& law, [[maybe_unused]] double radius_eff,
                   double mass_eff, double speed) {
   double power = 0;  // [W]
-  if constexpr (says_breaks<Law>)
+  if constexpr (has_breaks<Law>)
     for (const double depth : law.overlap_breaks()) {
       typename Law::State before, after;
       const Response below = law.respond(radius_eff, depth * radius_eff * (1 - 1e-9), before);
@@ -219,11 +219,11 @@ double jump_error([[maybe_unused]] const Law& law, [[maybe_unused]] double radiu
   return 0.5 * power / (mass_eff * speed * speed);
 }
 
-// The step that resolves an impact's rebound: a fraction of sqrt(m*/k) on the steepest branch, less
-// where the force has a slope c over the rate: the engine knows the rate of half a step ago. It
-// leaves an error of the coefficient of restitution of 9e-4 at most where the force is smooth, of
-// second order in the step. Where the force jumps the step is shorter, so that both errors together
-// are 1e-3; kinks of the force leave up to 2e-4 beside (docs/timestep.md).
+// The time step that resolves the rebound of an impact: a fraction of sqrt(m*/k) on the steepest
+// branch. It is shorter if the force has a slope c over the rate, because hosts pass the rate of
+// half a step earlier. For a smooth force the error of the coefficient of restitution is at most
+// 9e-4, of second order in the step. If the force jumps, the step is shorter, so that the two
+// errors together are 1e-3. Kinks of the force add up to 2e-4 (docs/timestep.md).
 constexpr double timestep_fraction = 0.1;
 constexpr double timestep_damping = 16;  // of c^2/(k m*)
 constexpr double smooth_error = 9e-4, restitution_error = 1e-3;

@@ -7,7 +7,7 @@
 //   overlap_res = a_max^2/(2 R_b),   1/R_b = 1/R - 1/R_e
 //   F = F_max (overlap - overlap_res)/(overlap_max - overlap_res)
 //
-//   F |          /     virgin curve, convex before yield and concave beyond
+//   F |          /     first loading, convex before yield and concave beyond
 //     |        _//     straight rebound to the crater as deep as its circle over the loaded width
 //     |      _/ /
 //     |_____/__/____ overlap

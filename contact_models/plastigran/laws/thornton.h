@@ -10,9 +10,9 @@
 //   overlap_max - overlap_res = 3 F_max / (4 E* a_max),   a_max^2 = R* overlap_max
 //   F = F_max x^(3/2),  a = a_max x^(1/2),  x = (overlap - overlap_res)/(overlap_max - overlap_res)
 //
-//   F |           /            virgin curve: Hertz, then a straight line
+//   F |           /            first loading: Hertz, then a straight line
 //     |         //             unloading and reloading on one curve back to F_max,
-//     |       / /              then along the virgin curve again
+//     |       / /              then first loading continues
 //     |    _/  |
 //     |__/____/______ overlap
 //          overlap_res
@@ -61,7 +61,7 @@ class Thornton : public NoConstants, public LargestOverlap {
   }
 
  private:
-  // Work of the virgin curve up to overlap_max less what unloading from there returns.
+  // Work of first loading to overlap_max, minus the work that unloading returns.
   PLASTIGRAN_DEVICE double plastic_work(double radius_eff, double overlap_max) const {
     if (overlap_max == 0) return 0;
     const double overlap_y = radius_eff * yield_overlap_ratio_;
@@ -69,10 +69,10 @@ class Thornton : public NoConstants, public LargestOverlap {
     const double force_max = stiffness * (overlap_max - overlap_y / 3);
     const double beyond = overlap_max - overlap_y;
     const double yield_work = 0.4 * (2.0 / 3.0) * stiffness * overlap_y * overlap_y;
-    const double virgin_work =
+    const double loading_work =
         yield_work + stiffness * beyond * (0.5 * beyond + 2.0 / 3.0 * overlap_y);
     const double recovery = force_max / (modulus_ * std::sqrt(radius_eff * overlap_max));
-    return virgin_work - 0.4 * force_max * recovery;
+    return loading_work - 0.4 * force_max * recovery;
   }
 
   double modulus_;              // 4/3 E*

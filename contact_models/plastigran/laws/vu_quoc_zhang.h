@@ -5,7 +5,7 @@
 // part, and plastic flow enlarges the radius of curvature, both linearly in the force beyond yield.
 //
 //   a = a_e + a_p,  a_e^3 = 3 F R*/(4 E*),  a_p = C_a <F - P_Y>,  C_R = 1 + K_c <F - P_Y>
-//   overlap = a^2 / (C_R R*)                        virgin curve
+//   overlap = a^2 / (C_R R*)                        first loading
 //   unloading, reloading: a_p and C_R keep their values at the largest force
 //   P_Y = pi^3 R*^2 p_y^3/(6 E*^2),  a_Y = pi p_y R*/(2 E*),  overlap_Y = a_Y^2/R*   (yield)
 //
@@ -50,9 +50,10 @@ struct VuQuocZhangCurve {
         yield_force_ratio(4.0 / 3.0 * pair.youngs_modulus_eff * yield_radius_ratio *
                           yield_radius_ratio * yield_radius_ratio) {}
 
-  // Sufficient, and at most a quarter stricter in c_a than necessary, for the virgin curve to rise
-  // and for every increment of plastic work to be positive: c_a^(3/2) (2 - k_c) >= 2/5 sqrt(1/5)
-  // k_c. Curvature that grows without the contact radius would return more energy than it took.
+  // Sufficient, and at most a quarter stricter in c_a than necessary, for the force of first
+  // loading to rise and for every increment of plastic work to be positive: c_a^(3/2) (2 - k_c) >=
+  // 2/5 sqrt(1/5) k_c. Curvature that grows without the contact radius would return more energy
+  // than it took.
   static bool admissible(const MaterialPair&, const Parameters& constants) {
     const double ca = constants.contact_radius_coefficient, kc = constants.curvature_coefficient;
     return ca * std::sqrt(ca) * (2 - kc) >= 0.4 * std::sqrt(0.2) * kc;

@@ -137,7 +137,7 @@ class LawAtFactor {
   // The distinct breaks of all tables.
   std::vector<double> overlap_breaks() const {
     std::vector<double> all;
-    if constexpr (says_breaks<Law>)
+    if constexpr (has_breaks<Law>)
       for (const Part& part : parts_)
         for (const double at : part.law->overlap_breaks())
           all.push_back(at * part.factor * part.factor);

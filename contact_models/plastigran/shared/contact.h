@@ -1,40 +1,42 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// The vocabulary every contact law shares: what two bodies bring to a contact, and what a law
-// answers. Nothing here or in a law allocates, throws, reads a global that changes or knows a host
-// program.
+// The contract of a contact law: the constants of two bodies in contact, and the response of a law.
+// Neither this header nor a law allocates, throws, reads a variable that changes, or depends on a
+// host program.
 //
-// A law is a class over a MaterialPair. It answers one question: two bodies overlap by this much
-// and have this history; what force, what energy? It provides
+// A law is a class that is constructed from a MaterialPair. From the overlap and the history of a
+// contact it computes force and energies. It has these members:
 //
-//   name         the word a user types; source, range: where it is from, how far it is good
-//   Parameters   a struct of the law's own constants, each with its default
-//   State        a struct of doubles, zero before first touch: the extremes the contact has
+//   name         name in decks; source: the publication; range: where the law is valid
+//   Parameters   struct of the law's own constants, each with its default
+//   State        struct of doubles, zero before first touch: the extremes that the contact has
 //                reached, symmetric in the two bodies
 //   respond(radius_eff, overlap, state)
-//                the Response on the total law; moves `state` when a new extreme is reached, so
-//                that a second call at the same overlap changes nothing; at no overlap, the
-//                plastic work of the state alone
+//                returns the Response, which depends on overlap and state only. It changes `state`
+//                at a new extreme, so that a second call at the same overlap changes nothing. At
+//                zero overlap, the response is the plastic work of the state
 //
-// and may say more of itself:
+// A law may have more members:
 //
-//   parameters   a table of its constants: name, unit, allowed range
-//   options      a table of the choices its sources leave open
-//   shape = "cylinder"      the bodies are no spheres
-//   rate_dependent = true   the force depends on the rate of overlap, too [m/s, closing positive]:
-//                respond(radius_eff, overlap, state, overlap_rate = 0), a total law at rate zero
-//   yields = false          no yield: the yield strength is not asked for
-//   hardens = true          the tangent modulus matters
-//   indentation = true      of a flat that a hard sphere dents; else a sphere flattens
-//   self_similar = true     its curves in yield units do not depend on the yield strength
-//   respond_stronger(factor, radius_eff, overlap, state)    with the yield strength times a factor
-//   overlap_range()         the largest overlap over R* it is good for
-//   overlap_breaks()        overlaps over R* at which the virgin force may jump
-//   elastic_stiffness(contact_radius)      of the elastic contact
-//   elastic_first = false   plastic from first touch; else elastic to yield
+//   parameters   table of its constants: name, unit, allowed range
+//   options      table of the choices that its sources leave open
+//   shape = "cylinder"      the bodies are cylinders, not spheres
+//   rate_dependent = true   the force also depends on the overlap rate [m/s], positive while
+//   closing:
+//                respond(radius_eff, overlap, state, overlap_rate = 0)
+//   yields = false          the law needs no yield strength
+//   hardens = true          the law uses the tangent modulus
+//   indentation = true      a hard sphere indents a flat; otherwise a sphere flattens
+//   self_similar = true     the curves in yield units do not depend on the yield strength
+//   respond_stronger(factor, radius_eff, overlap, state)    response with factor * yield strength
+//   overlap_range()         largest overlap over R* for which the law is valid
+//   overlap_breaks()        overlaps over R* at which the force of first loading may jump
+//   elastic_stiffness(contact_radius)      stiffness of the elastic contact
+//   elastic_first = false   the contact is plastic from first touch; otherwise elastic to yield
 //   adhesive = true         the force may be attractive; the law has pull_off_force()
-//   pull_off_distance(radius_eff)    largest separation of bodies in contact; the state then has
-//                the member in_contact (adhesion.h)
+//   pull_off_distance(radius_eff)          largest separation of bodies in contact; the state then
+//                has the member in_contact (adhesion.h)
+//   plastic_work_in(state)  plastic work, for a law whose state contains it
 //
 // SI units throughout.
 #pragma once
@@ -55,8 +57,7 @@ namespace plastigran {
 
 constexpr double pi = 3.14159265358979323846;
 
-// What two bodies bring to any contact between them; the same in either order. The weaker body is
-// the one that yields.
+// Constants of two bodies in contact, the same in either order. The weaker body yields.
 struct MaterialPair {
   double youngs_modulus_eff = 0;  // E*: 1/E* = (1-nu1^2)/E1 + (1-nu2^2)/E2 [Pa]
   double shear_modulus_eff = 0;   // G*: 1/G* = (2-nu1)/G1 + (2-nu2)/G2 [Pa]
@@ -69,24 +70,23 @@ struct MaterialPair {
   double reference_rate = 1;      // of the weaker body [1/s]
 };
 
-// A law's answer. Energies are totals since first touch. While the contact lasts and the overlap
+// Response of a law. Energies are totals since first touch. While the contact lasts and the overlap
 // grows at `overlap_rate`, force * overlap_rate is the growth rate of elastic_energy,
 // surface_energy and plastic_work together, plus the loss viscous_force * overlap_rate >= 0.
 struct Response {
   double force = 0;           // normal force, negative where the bodies attract each other [N]
-  double contact_radius = 0;  // of a line contact the half-width [m]
-  double elastic_energy = 0;  // what unloading from here would give back [J]
-  double plastic_work = 0;    // what it will not [J]
-  double viscous_force = 0;   // the rate's share of `force`, negative while parting [N]
-  double surface_energy =
-      0;  // of the contact area, relative to separated bodies; never positive [J]
+  double contact_radius = 0;  // half-width of a line contact [m]
+  double elastic_energy = 0;  // energy that unloading would release [J]
+  double plastic_work = 0;    // energy dissipated by plastic deformation [J]
+  double viscous_force = 0;   // part of `force` due to the rate, negative while parting [N]
+  double surface_energy = 0;  // relative to separated bodies, never positive [J]
 };
 
 PLASTIGRAN_DEVICE inline double contact_energy(const Response& response) {
   return response.elastic_energy + response.plastic_work + response.surface_energy;
 }
 
-// A choice a law leaves to the user, where its sources leave it open: an index into `choices`.
+// A choice that the sources of a law leave open. The value is an index into `choices`.
 template <class Parameters>
 struct Option {
   const char* name;
@@ -101,7 +101,7 @@ constexpr Option<Parameters> energy_guard_option(int Parameters::*value) {
   return {"energy_guard", value, {"off", "on", nullptr}, "the work lost never falls"};
 }
 
-// One constant of a law: how users name it and what it may be.
+// One constant of a law: its name for users, and its range.
 template <class Parameters>
 struct Parameter {
   const char* name;
@@ -109,19 +109,17 @@ struct Parameter {
   double Parameters::*value;
   double lower, upper;  // allowed range, ends included
   const char* meaning;
-  // A constant of each body instead of the pair, without a default: 0 for a body it does not
-  // describe; the pair has the larger of two.
+  // Constant of each body instead of the pair, without a default. It is 0 for a body that does not
+  // have it, and the pair takes the larger value.
   bool per_body = false;
 };
 
-// Laws without constants or choices of their own say so with this base.
+// Base of laws without constants and options.
 struct NoConstants {
   struct Parameters {};
 };
 
-// What a law says of itself, and what holds where it says nothing: its constants, its choices, the
-// shape of its bodies, whether the rate of overlap matters, whether the bodies yield and harden,
-// which one yields.
+// The optional members of a law, and their defaults.
 template <class Law, class = void>
 constexpr std::array<Parameter<typename Law::Parameters>, 0> parameters_of{};
 template <class Law>
@@ -193,18 +191,18 @@ PLASTIGRAN_DEVICE double plastic_work_of(const Law& law, [[maybe_unused]] double
     return law.respond(radius_eff, 0, state).plastic_work;
 }
 
-// Largest overlap over R* a law is good for. No contact law is good for overlaps of the order of
-// the radius: 0.1, unless the law says otherwise.
+// Largest overlap over R* for which a law is valid: 0.1 if the law has no overlap_range(), because
+// no contact law is valid for overlaps of the order of the radius.
 constexpr double widest_overlap_range = 0.1;
 
 template <class Law, class = void>
-constexpr bool says_range = false;
+constexpr bool has_range = false;
 template <class Law>
-constexpr bool says_range<Law, std::void_t<decltype(&Law::overlap_range)>> = true;
+constexpr bool has_range<Law, std::void_t<decltype(&Law::overlap_range)>> = true;
 
 template <class Law>
 double overlap_range(const Law& law) {
-  if constexpr (says_range<Law>)
+  if constexpr (has_range<Law>)
     return law.overlap_range();
   else
     return widest_overlap_range;
@@ -269,14 +267,14 @@ struct Stiffness {
   double normal, tangential;
 };
 template <class Law, class = void>
-constexpr bool says_stiffness = false;
+constexpr bool has_stiffness = false;
 template <class Law>
-constexpr bool says_stiffness<Law, std::void_t<decltype(&Law::elastic_stiffness)>> = true;
+constexpr bool has_stiffness<Law, std::void_t<decltype(&Law::elastic_stiffness)>> = true;
 
 template <class Law>
 PLASTIGRAN_DEVICE Stiffness elastic_stiffness(const Law& law, double youngs_modulus_eff,
                                               double shear_modulus_eff, double contact_radius) {
-  if constexpr (says_stiffness<Law>)
+  if constexpr (has_stiffness<Law>)
     return law.elastic_stiffness(contact_radius);
   else
     return {2 * youngs_modulus_eff * contact_radius, 8 * shear_modulus_eff * contact_radius};
