@@ -80,12 +80,12 @@ class HistoryKeeper : public PluginFix {
   void warn_of_new_constants(const ContactLines& former) const;
   void warn_on_first_rank(const std::string& text) const;
 
-  ContactLines connected_;           // since the last setup
-  ContactLines lines_;               // of the current or last run, or of the restart file
-  ContactLines restarted_;           // of the restart file, until their owners connect
-  std::vector<Stored> stored_;       // between two runs
-  std::vector<int> ids_;             // of local particles at the end of the last run, 0 if new
-  long particle_total_ = 0;          // at the end of the last run, on all ranks
+  ContactLines connected_;      // since the last setup
+  ContactLines lines_;          // lines of the current or last run, or of the restart file
+  ContactLines restarted_;      // lines of the restart file whose owners have not connected yet
+  std::vector<Stored> stored_;  // between two runs
+  std::vector<int> ids_;        // IDs of local particles at the end of the last run, 0 if new
+  long particle_total_ = 0;     // at the end of the last run, on all ranks
   int page_ = 0, largest_list_ = 0;  // neigh_modify `page` and `one` at the end of the last run
 };
 

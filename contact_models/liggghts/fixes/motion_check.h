@@ -41,7 +41,7 @@ class MotionCheck : public PluginFix {
   bool first_ = true;
   bool list_again_ = false;
   std::string model_of_pairs_;  // model of the pair style, if contacts have histories
-  double timestep_ = 0;         // of the last setup
+  double timestep_ = 0;         // time step of the last setup
 };
 
 }  // namespace plastigran

@@ -21,10 +21,10 @@ namespace plastigran {
 // For the removal of a fix that contact models point to. A deck may remove it (unfix). The next run
 // then needs a setup, also with `pre no`, which finds all pointers again.
 inline void require_setup(LAMMPS_NS::LAMMPS* engine, const char* id) {
-  if (engine->update
-          ->whichflag)  // within a `run ... every`, whose parts have no setup between them
+  // The parts of a `run ... every` have no setup between them.
+  if (engine->update->whichflag)
     stop(engine, std::string(id) +
-                     ": a fix the contact models point to cannot be removed between "
+                     ": the contact models need this fix. It cannot be removed between "
                      "the parts of one run ... every");
   engine->update->first_update = 0;
 }

@@ -21,8 +21,8 @@ class RangeCheck : public PluginFix {
     double all_contacts = 0;                // over all ranks
     double warned_contacts = 0;             // in the last warning
     double printed_furthest = 0;            // largest overlap divided by its limit, in the log
-    double warned_speed = 0;                // of impacts beyond the range, before a run [m/s]
-    bool warned = false;                    // of contacts
+    double warned_speed = 0;                // speed in the last warning before a run [m/s]
+    bool warned = false;                    // whether contacts beyond the range were reported
     std::set<std::string> unique_warnings;  // given once, before a run
   };
 

@@ -27,7 +27,7 @@ class TimeStepCheck : public PluginFix {
   struct LoadedContact {
     double step, speed;  // speed of an impact that reaches the same overlap
     double x[3];
-    int id, partner_id;  // of the particles; partner 0: a wall
+    int id, partner_id;  // IDs of the particles; partner 0: a wall
   };
 
   TimeStepCheck(LAMMPS_NS::LAMMPS* engine, int count, char** words);
@@ -40,7 +40,7 @@ class TimeStepCheck : public PluginFix {
   // For a model before a run, because contacts and materials may have changed.
   void reset() { stiffest_.step = unknown; }
 
-  // For a model during a run, on the rank that has the contact.
+  // A model calls this during a run, on the rank that has the contact.
   void add(const LoadedContact& contact) {
     if (contact.step < stiffest_.step) stiffest_ = contact;
   }
@@ -57,7 +57,8 @@ class TimeStepCheck : public PluginFix {
   Recommended impact_;
   std::string model_;
   double rayleigh_ = unknown, hertz_ = unknown;
-  LoadedContact stiffest_{unknown, 0, {0, 0, 0}, 0, 0};  // of this run
+  LoadedContact stiffest_{
+      unknown, 0, {0, 0, 0}, 0, 0};  // the one with the shortest step in this run
   double warned_impact_ = unknown, warned_contact_ = unknown;
 };
 

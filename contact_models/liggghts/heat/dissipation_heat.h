@@ -43,10 +43,10 @@ class DissipationHeat : public ContactObserver {
   void setup_pre_force(int) override { begin_pass(); }
   void pre_force(int) override { begin_pass(); }
 
-  // With new positions, velocities at mid-step, and old forces.
+  // LIGGGHTS calls this with new positions, velocities at mid-step, and old forces.
   void post_integrate() override { deliver(); }
 
-  // With new forces and velocities at mid-step.
+  // LIGGGHTS calls this with new forces, and velocities at mid-step.
   void pre_final_integrate() override { deliver(); }
 
   int pack_reverse_comm(int count, int first, double* buffer) override;
@@ -77,8 +77,8 @@ class DissipationHeat : public ContactObserver {
 
   BodyShares shares_;
   bool described_ = false;
-  LAMMPS_NS::FixPropertyAtom* flux_ = nullptr;  // of LIGGGHTS [W]
-  std::vector<PairContact> pairs_;              // of the last force computation, on this rank
+  LAMMPS_NS::FixPropertyAtom* flux_ = nullptr;  // heat flux of each particle in LIGGGHTS [W]
+  std::vector<PairContact> pairs_;  // contacts of the last force computation, on this rank
   std::vector<WallContact> walls_;
   std::vector<double> heat_;   // by particle with ghosts, not yet in the flux [J]
   double sums_[ENTRIES] = {};  // on this rank

@@ -87,7 +87,7 @@ class AccountedContact : private ContactSetup, public LIGGGHTS::ContactModels::C
     Base::connectToProperties(registry);
   }
 
-  // Whether anybody counts the energies of these contacts.
+  // Whether the ledger or an observer needs the energies of these contacts.
   bool counts_energies() const { return ledger_ || !observers_.empty(); }
 
   // For LIGGGHTS' loops, whose loads have no room for energies.
@@ -215,8 +215,8 @@ class AccountedContact : private ContactSetup, public LIGGGHTS::ContactModels::C
   const LAMMPS_NS::PairGran* pair_ = nullptr;  // null for a wall
   EnergyLedger* ledger_ = nullptr;
   std::vector<ContactObserver*> observers_;
-  int spring_offset_;      // of the tangential spring in the history, -1 if there is none
-  int in_contact_offset_;  // of the law's `in_contact`, -1 if contacts end with the overlap
+  int spring_offset_;      // offset of the tangential spring in the history, -1 if there is none
+  int in_contact_offset_;  // offset of `in_contact`, -1 if contacts end with the overlap
   bool requests_ledger_ = false;
   bool line_read_ = false;
 };

@@ -22,7 +22,7 @@ class MeshCheck : public PluginFix {
   // A particle that touches two triangles of a mesh. Ranks send it as bytes.
   struct Place {
     int particle, triangles[2];  // by their IDs
-    double x[3];                 // of the particle
+    double x[3];                 // position of the particle
     double angle;                // between the directions to the triangles [degrees]
   };
 

@@ -47,7 +47,7 @@ class MeshContacts {
     bool has_history;   // LIGGGHTS stores a history for this contact
     int surface;        // first overlap of the same surface
     bool carries;       // the contact of its surface
-    double* history;    // of its surface, to take over; null: none
+    double* history;    // history of the surface, to take over; null: none
     int former;         // triangle of that history
   };
 

@@ -160,7 +160,7 @@ class ElastoplasticNormalModel : public NormalModelSetup<Law> {
     checks_.check(contact, pair, factor, radius_eff, state_before(contact), now);
   }
 
-  // For a rate factor above 1.
+  // Response at a rate factor above 1.
   [[gnu::flatten, gnu::noinline]] static plastigran::Response respond_at_factor(
       const TypePair& pair, double factor, double radius_eff, double overlap, State& state) {
     return pair.at_factor(factor, [&](const auto& law, double) {
@@ -178,7 +178,7 @@ class ElastoplasticNormalModel : public NormalModelSetup<Law> {
       count_at_factor(pair, factor, radius_eff, contact.deltan, before, now, load);
   }
 
-  // For a rate factor above 1.
+  // Counts the energies at a rate factor above 1.
   [[gnu::flatten, gnu::noinline]] static void count_at_factor(const TypePair& pair, double factor,
                                                               double radius_eff, double overlap,
                                                               const State& before, const State& now,

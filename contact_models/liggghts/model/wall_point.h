@@ -41,8 +41,8 @@ class WallPoint {
  private:
   LAMMPS_NS::TriMesh* mesh_;  // null for a primitive wall
   int triangle_;
-  double weights_[3] = {0, 0, 0};   // of the triangle's nodes
-  std::array<double, 3> velocity_;  // of a primitive wall
+  double weights_[3] = {0, 0, 0};   // weights of the nodes of the triangle
+  std::array<double, 3> velocity_;  // velocity of a primitive wall
 };
 
 }  // namespace plastigran

@@ -45,7 +45,9 @@ class ContactObserver : public PluginFix {
   virtual void add(const Contact& contact, const AccountedLoad& on_i, const Load& on_j,
                    const void* owner) = 0;
 
-  void post_create() override { update->first_update = 0; }  // needs a setup, also with `pre no`
+  void post_create() override {
+    update->first_update = 0;
+  }  // the next run needs a setup, even with `pre no`
   void init() override;
   void setup_pre_exchange() override;
 

@@ -76,11 +76,11 @@ class CollisionSpectra : public ContactObserver {
   std::string path_;
   std::unique_ptr<FILE, int (*)(FILE*)> file_;  // on the first rank
   ImpactRecords records_;
-  std::vector<int> contacts_;               // of each particle in this step
-  int most_contacts_ = 0;                   // of any particle in any step
-  Tally tally_;                             // of this rank since the last table
-  double impacts_ = 0, impact_energy_ = 0;  // of counted impacts on this rank
-  double energy_ = 0;                       // of all contacts on this rank
+  std::vector<int> contacts_;               // contacts of each particle in this step
+  int most_contacts_ = 0;                   // largest number for any particle in any step
+  Tally tally_;                             // impacts on this rank since the last table
+  double impacts_ = 0, impact_energy_ = 0;  // counted impacts on this rank
+  double energy_ = 0;                       // energy of all contacts on this rank
   long particle_total_ = 0;                 // at the end of the last run, 0 before the first
   std::vector<std::string> wall_ids_;       // by number; a wall keeps its number
   std::vector<const void*> walls_;          // by number, null if there is no wall of that ID

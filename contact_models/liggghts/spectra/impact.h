@@ -25,12 +25,12 @@ inline int wall_of(Partner partner) { return -1 - partner; }
 // doubles, so that ranks can exchange them with the particle.
 struct Impact {
   double type = 0;               // atom types at first touch: of the holder
-  double other_type = 0;         // of its partner
-  double speed = unknown_speed;  // of approach along the normal at first touch [m/s]
+  double other_type = 0;         // atom type of the partner
+  double speed = unknown_speed;  // normal speed at first touch [m/s]
   double energy = 0;             // dissipated so far [J]
   double largest_force = 0;      // along the normal so far [N]
   double force = 0;              // along the normal in this step, of all triangles of a wall [N]
-  LossyLoad load;                // of the last step, i being the holder
+  LossyLoad load;                // load of the last step; particle i is the holder
 
   bool counts() const { return !std::isnan(speed); }
 

@@ -77,7 +77,7 @@ class ImpactRecords {
     bool touched;  // in this step
   };
   struct Held {
-    int id = 0;  // of the particle at the end of the last run, 0 if new
+    int id = 0;  // ID of the particle at the end of the last run, 0 if new
     std::vector<Key> keys;
     std::vector<Impact> impacts;
   };

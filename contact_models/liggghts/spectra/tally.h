@@ -23,7 +23,7 @@ class Tally {
     double number = 0, sum = 0;  // impacts, and the sum of their values
     void operator+=(const Count& other) { number += other.number, sum += other.sum; }
   };
-  static constexpr int no_bin = -1000000;  // of zero and negative values
+  static constexpr int no_bin = -1000000;  // bin of zero and negative values
 
   // The class of a value, and the lower edge of a class.
   static int bin_of(double value, int per_decade);

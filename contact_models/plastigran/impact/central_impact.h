@@ -225,7 +225,7 @@ double jump_error([[maybe_unused]] const Law& law, [[maybe_unused]] double radiu
 // 9e-4, of second order in the step. If the force jumps, the step is shorter, so that the two
 // errors together are 1e-3. Kinks of the force add up to 2e-4 (docs/timestep.md).
 constexpr double timestep_fraction = 0.1;
-constexpr double timestep_damping = 16;  // of c^2/(k m*)
+constexpr double timestep_damping = 16;  // factor of c^2/(k m*)
 constexpr double smooth_error = 9e-4, restitution_error = 1e-3;
 
 template <class Law>

@@ -45,7 +45,7 @@ struct Ghaednia2019Curve : JacksonGreenCurve {
 
   int unloading;
   double hardening;      // E_t/E
-  double elastic_share;  // of Hertz in the force
+  double elastic_share;  // share of the Hertz force
   double decay;          // Y over the power of E_t/E
 
   Ghaednia2019Curve(const MaterialPair& pair, const Parameters& constants)

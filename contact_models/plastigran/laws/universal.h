@@ -108,7 +108,7 @@ struct UniversalCurve {
   PLASTIGRAN_DEVICE double steepness(double x) const { return 1 + g_1 * lacking(x); }
 
   double overlap_range() const {                  // the finite elements reach a/R = 0.1
-    double left = 0, right = 0.1 / yield_radius;  // of t; a is Hertz's or larger
+    double left = 0, right = 0.1 / yield_radius;  // bounds of t: a is that of Hertz or larger
     halve(left, right,
           [this](double t) { return yield_radius * (t > 1 ? contact_radius(t * t) : t) >= 0.1; });
     return fitted.overlap_range(left * left * yield_radius * yield_radius);

@@ -18,7 +18,7 @@ namespace plastigran {
 // Two atom types that can touch.
 struct Meeting {
   int type, partner_type;
-  double radius_eff, mass_eff;  // of the smallest and lightest particles [m], [kg]
+  double radius_eff, mass_eff;  // R* [m] and m* [kg] of the smallest and lightest particles
   double speed;                 // may be 0 [m/s]
 };
 
@@ -40,7 +40,7 @@ Complaint refusal(const std::vector<Meeting>& meetings,
 struct ImpactTimes {
   static constexpr double unknown = 1e300;  // [s]
   double step = unknown;                    // shortest recommended time step [s]
-  double step_speed = 0;                    // of its impact [m/s]
+  double step_speed = 0;                    // speed of that impact [m/s]
   double hertz = unknown;                   // shortest duration of an elastic impact [s]
   double outside_speed = 0;                 // largest beyond the range of the law [m/s]
 };

@@ -67,7 +67,7 @@ struct MaterialPair {
   double youngs_modulus = 0;      // E of the weaker body [Pa]
   double tangent_modulus = 0;     // E_t of the weaker body [Pa]
   double rate_coefficient = 0;    // C of the weaker body [-]
-  double reference_rate = 1;      // of the weaker body [1/s]
+  double reference_rate = 1;      // reference rate of the weaker body [1/s]
 };
 
 // Response of a law. Energies are totals since first touch. While the contact lasts and the overlap

@@ -152,9 +152,9 @@ class CurveTable : public Curve, public LargestOverlap {
   double modulus_;        // 4/3 E*
   double overlap_ratio_;  // overlap_y/R*
   Unloading unloading_;
-  Guard guard_;                   // of x, over F_y overlap_y
-  Tabulated<1, 9> loading_work_;  // of loading, over F_y overlap_y
-  Tabulated<2> works_;            // of loading and unloading, over F_y overlap_y
+  Guard guard_;                   // least loss as a function of x, over F_y overlap_y
+  Tabulated<1, 9> loading_work_;  // work of loading, over F_y overlap_y
+  Tabulated<2> works_;            // works of loading and unloading, over F_y overlap_y
   Tabulated<quantities> loaded_;
 };
 

@@ -108,7 +108,7 @@ class EllipticalUnloading {
     return sum;
   }
 
-  Tabulated<2, 8, 2, 40> shares_;  // of 1 + y
+  Tabulated<2, 8, 2, 40> shares_;  // functions of 1 + y
 };
 
 }  // namespace plastigran

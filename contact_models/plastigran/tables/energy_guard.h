@@ -66,7 +66,7 @@ class EnergyGuard {
 
   static constexpr double infinite = std::numeric_limits<double>::infinity();
   static constexpr double close = 1e-9;
-  static constexpr double rounding = 1e-14;  // of the work taken
+  static constexpr double rounding = 1e-14;  // round-off, relative to the work of loading
 
   // The next point of the search: close to both sides of each break.
   static double next(const std::array<double, breaks>& edges, double x) {

@@ -53,7 +53,7 @@ struct Panel {
 
   double end = 0;
   double centre = 0;
-  std::array<Row, terms> coefficient{};  // of powers of x - centre
+  std::array<Row, terms> coefficient{};  // coefficients of powers of x - centre
 
   PLASTIGRAN_DEVICE Values at(double x) const {
     double power[levels];  // x - centre to the powers 1, 2, 4, 8

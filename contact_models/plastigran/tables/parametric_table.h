@@ -156,7 +156,7 @@ class ParametricTable : public Curve {
   }
 
   Tabulated<1> root_;   // s of first loading at overlap/overlap_Y
-  Tabulated<2> works_;  // of loading to s and unloading, over P_Y overlap_Y
+  Tabulated<2> works_;  // works of loading to s and of unloading, over P_Y overlap_Y
 };
 
 }  // namespace plastigran

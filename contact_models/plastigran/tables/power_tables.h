@@ -53,7 +53,7 @@ class PowerTables {
 
  private:
   struct Stretch {
-    double inverse, log2;  // of its middle
+    double inverse, log2;  // values at the middle of the stretch
   };
 
   // log2(x)
@@ -72,7 +72,7 @@ class PowerTables {
   }
 
   std::array<Stretch, 256> stretches_;
-  std::array<double, 128> exp2_;  // of the begin of each
+  std::array<double, 128> exp2_;  // 2^x at the start of each stretch
 };
 
 }  // namespace plastigran

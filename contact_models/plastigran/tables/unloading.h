@@ -140,7 +140,7 @@ class SteepeningUnloading : public HertzBelowYield {
     return gauss_legendre([g](double z) { return 2 * z * z * z * z / (1 + g * z); }, 0, 1);
   }
 
-  Tabulated<1, 8, 1, 16> work_;  // of 1 + g
+  Tabulated<1, 8, 1, 16> work_;  // W as a function of 1 + g
 };
 
 }  // namespace plastigran

@@ -103,7 +103,7 @@ class BedImpact(GranularDeck):
             count_check(table, self.derived("grains")),
             *self.ledger_checks(table),
             Check(
-                "plastic work of the grains compared with the energy balance, relative",
+                "difference between the plastic work of the grains and of the energy balance",
                 abs(sum_over_grains - total) / max(total, 1e-300),
                 STEP,
                 "the same work, summed by grain and in total, except for one step of pouring",
