@@ -88,6 +88,10 @@ def test_template_takes_all_constants_of_the_material(tmp_path):
         ("fresh", "'fresh' is the name of another file"),
         ("steel --material steel", "both called 'steel'"),
         ("new --law lim_stronge", "'lim_stronge' is not a law for spheres"),
+        (
+            "new --law jkr",
+            "the deck has no constants for 'jkr', which belong to two bodies in contact",
+        ),
         ("new --radius 0.05", "radius is 0.05; it must lie from 0.0005 to 0.006"),
     ],
 )

@@ -7,10 +7,11 @@ import shutil
 from math import floor, log10
 from pathlib import Path
 
+from plastigran import laws
 from plastigran.contact import Contact
 from plastigran.declared import Declaration, read_number
 from plastigran.engine.process import inputs_folder, misread
-from plastigran.materials import Material, read_material, write_material
+from plastigran.materials import Material, has_constants, read_material, write_material
 from plastigran.usable_laws import laws_for
 
 #: Upper bound of the impact speed in the template, a fall from its top [m/s].
@@ -56,6 +57,10 @@ def write_deck(
     choices = [name for name in laws_for("sphere", [material]) if name != "hertz"]
     if law not in choices:
         problem = f"{law!r} is not a law for spheres of {material.name}"
+        if law in laws.LAWS and not has_constants(law):
+            problem = (
+                f"the deck has no constants for {law!r}, which belong to two bodies in contact"
+            )
         if law == "hertz":
             problem = "hertz is LIGGGHTS' own model without energy balance, which the deck needs"
         raise ValueError(f"{problem}. Choose one of {', '.join(choices)}")

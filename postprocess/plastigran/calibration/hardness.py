@@ -121,7 +121,8 @@ def read_hardness(hardness: Hardness | float | str) -> Hardness:
     """
     if isinstance(hardness, Hardness):
         return hardness
-    number, load = r"([-+.\dE]+?)", r"(?:(?<=HV|HB|BW)\s*[\d.]+(?:/[\d.]+)*)?"
+    positive = r"(?!0*\.?0*(?:[/\s]|$))[\d.]+"
+    number, load = r"([-+.\dE]+?)", rf"(?:(?<=HV|HB|BW)\s*{positive}(?:/{positive})*)?"
     match = re.fullmatch(rf"\s*{number}\s*([A-Z]*){load}\s*", str(hardness).upper())
     try:
         value = float(match[1])
