@@ -6,8 +6,8 @@
 //
 //   overlap = s^4/R* - c s
 //   F = 4/3 E* s^6/R* - 2 E* c s^3
-//   elastic energy = E* (8/15 s^10/R*^2 - 4/3 c s^7/R* + c^2 s^4),   surface energy = -1/2 E* c^2
-//   s^4
+//   elastic energy = E* (8/15 s^10/R*^2 - 4/3 c s^7/R* + c^2 s^4)
+//   surface energy = -1/2 E* c^2 s^4
 //
 // The contact breaks under displacement control at s_0 = (c R*/4)^(1/3), where overlap is least,
 // -3/4 c s_0. In u = s/s_0 and x = overlap/(3/4 c s_0), u^4 - 4 u = 3 x. Ferrari's solution of that
