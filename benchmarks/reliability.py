@@ -119,8 +119,9 @@ def ranks(folder: Path, _: int) -> Iterator[Row]:
             1e-9,
         )
         yield Row(
-            f"the same difference after {one['collisions'].iloc[-1]:.0f} collisions per grain, "
-            "divided by the standard deviation between two gases",
+            f"difference of kinetic energy after {one['collisions'].iloc[-1]:.0f} collisions per "
+            f"grain, {count} ranks compared with one, divided by the standard deviation between "
+            "two gases",
             (ratio / (2**0.5 * one["temperature_error"])).iloc[-1],
             4,
         )

@@ -55,11 +55,17 @@ def kills(folder: Path, count: int) -> Iterator[Row]:
                 bar.update(len(steps))
         yield Row(f"{words}: runs lost, of {len(ends) + lost} killed {killed} times", lost, 0)
         interval = checkpoint_interval(whole)
-        yield Row(f"{words}: most steps lost to a kill; between checkpoints", max(losses), interval)
+        yield Row(
+            f"{words}: most steps lost to a kill, and steps between checkpoints",
+            max(losses),
+            interval,
+        )
         if ranks == 1:
             other = len(ends) - sum(ends)
             yield Row(
-                f"{words}: ends that are not bitwise identical to the run without kills", other, 0
+                f"{words}: runs with an end that is not bitwise identical to the run without kills",
+                other,
+                0,
             )
 
 
