@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+//
+// The contract of a tangential law. Neither this header nor a law allocates, throws, reads a
+// variable that changes, or depends on a host program.
+//
+// A law is a class with these members:
+//
+//   name         name in decks; source: the publication; range: where the law is valid
+//   State        struct of doubles, zero before first touch
+//   state_size(rings)                   number of leading doubles of State that the law uses
+//   respond(load, motion, state)        advances the state by one step and returns the Response
+//
+// The law needs two values of the normal contact: the force and the tangential stiffness 8 G* a of
+// its contact radius. It takes the contact for elastic on unloading, with a^3 proportional to the
+// force, so that 3/2 force/stiffness is the tangential displacement per unit share of friction.
+// Hertz's contact and the unloading of most laws have this property exactly.
+//
+// SI units throughout.
+#pragma once
+
+#include <cmath>
+
+#include "plastigran/shared/device.h"
+
+namespace plastigran {
+
+struct Vector3 {
+  double x = 0, y = 0, z = 0;
+};
+
+PLASTIGRAN_DEVICE inline Vector3 operator+(const Vector3& a, const Vector3& b) {
+  return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+PLASTIGRAN_DEVICE inline Vector3 operator-(const Vector3& a, const Vector3& b) {
+  return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+PLASTIGRAN_DEVICE inline Vector3 operator*(double factor, const Vector3& a) {
+  return {factor * a.x, factor * a.y, factor * a.z};
+}
+PLASTIGRAN_DEVICE inline double dot(const Vector3& a, const Vector3& b) {
+  return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+PLASTIGRAN_DEVICE inline Vector3 cross(const Vector3& a, const Vector3& b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+PLASTIGRAN_DEVICE inline double length(const Vector3& a) { return std::sqrt(dot(a, a)); }
+
+// The normal contact at the end of a step.
+struct NormalLoad {
+  double force = 0;      // the part that limits friction: without dashpot and adhesion [N]
+  double stiffness = 0;  // tangential stiffness without slip, 8 G* a [N/m]
+};
+
+// Relative motion of the two bodies in a step.
+struct TangentialMotion {
+  Vector3 displacement;  // of the first body's surface relative to the second's [m]
+  Vector3 normal;        // unit vector of the contact at the end of the step
+  double spin = 0;       // rotation of the pair about the normal, mean of both bodies [rad]
+};
+
+struct TangentialResponse {
+  Vector3 force;             // along the displacement; -force acts on the first body [N]
+  double stored_energy = 0;  // energy of the tangential deformation [J]
+  double friction_work = 0;  // dissipated in this step [J]; the trapezoidal rule leaves an error of
+                             // third order in the step
+};
+
+// Rotation of the contact plane in a step: the shortest one between the two normals, followed by
+// the spin about the new normal.
+class FrameRotation {
+ public:
+  // `before` is zero before first touch.
+  PLASTIGRAN_DEVICE FrameRotation(const Vector3& before, const TangentialMotion& motion)
+      : normal_(motion.normal), turn_(cross(before, motion.normal)), spin_(motion.spin) {
+    const double cosine = dot(before, motion.normal);
+    rest_ = cosine > -0.5 ? 1 / (1 + cosine) : 0;
+    if (spin_ != 0) sine_ = std::sin(spin_), cosine_ = std::cos(spin_);
+  }
+
+  // A vector of the old plane in the new plane.
+  PLASTIGRAN_DEVICE Vector3 operator()(const Vector3& old) const {
+    const Vector3 turned = cross(turn_, old);
+    Vector3 vector = old + turned + rest_ * cross(turn_, turned);
+    if (spin_ != 0) vector = cosine_ * vector + sine_ * cross(normal_, vector);
+    return vector - dot(vector, normal_) * normal_;  // removes the round-off of many rotations
+  }
+
+ private:
+  Vector3 normal_, turn_;
+  double rest_, spin_, sine_ = 0, cosine_ = 1;
+};
+
+}  // namespace plastigran

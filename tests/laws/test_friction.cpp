@@ -1,0 +1,265 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+//
+// Tangential laws: the exact solution of elastic contacts, energy, Coulomb's limit and rotation.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <random>
+#include <utility>
+#include <vector>
+
+#include "plastigran/friction/incremental.h"
+#include "plastigran/friction/partial_slip.h"
+#include "plastigran/laws/hertz.h"
+#include "plastigran/laws/kogut_etsion.h"
+#include "plastigran/laws/mdr.h"
+#include "plastigran/laws/thornton.h"
+#include "plastigran/laws/universal.h"
+
+using namespace plastigran;
+
+namespace {
+
+constexpr double friction = 0.3;
+const MaterialPair steel = combine({2.1e11, 0.3, 3e8, 1.61}, {2.1e11, 0.3, 3e8, 1.61});
+
+// A sum of harmonics with random amplitudes, between -1 and 1.
+class RandomMotion {
+ public:
+  explicit RandomMotion(std::mt19937& random) {
+    std::uniform_real_distribution<double> unit(0, 1);
+    double sum = 0;
+    for (int k = 0; k < 5; ++k) {
+      amplitude_[k] = unit(random) / (1 + k);
+      frequency_[k] = (1 + k) * (0.5 + unit(random));
+      phase_[k] = 2 * pi * unit(random);
+      sum += amplitude_[k];
+    }
+    for (double& amplitude : amplitude_) amplitude /= sum;
+  }
+  double operator()(double time) const {
+    double sum = 0;
+    for (int k = 0; k < 5; ++k) sum += amplitude_[k] * std::sin(frequency_[k] * time + phase_[k]);
+    return sum;
+  }
+
+ private:
+  std::array<double, 5> amplitude_, frequency_, phase_;
+};
+
+// Memory diagram of a Hertzian contact, F = z^(3/2), on a grid of z, in two tangential dimensions.
+// An independent solution: the shares stand on a grid, and every step searches it from the edge.
+class DenseDiagram {
+ public:
+  static constexpr int cells = 8000;
+  explicit DenseDiagram(double compliance)
+      : compliance_(compliance / cells), x_(cells), y_(cells) {}
+
+  void move(int depth, double x, double y) {
+    if (depth > depth_) {
+      const double width = compliance_ * (depth - depth_), size = std::hypot(x, y);
+      const double taken = std::min(1.0, friction * width / std::max(size, 1e-300));
+      for (int k = depth_; k < depth; ++k) x_[k] = taken * x / width, y_[k] = taken * y / width;
+      x -= taken * x, y -= taken * y;
+    }
+    for (int k = depth; k < depth_; ++k) x += compliance_ * x_[k], y += compliance_ * y_[k];
+    depth_ = depth;
+    if (std::hypot(x, y) > 1e-18) slip(x, y);
+  }
+
+  std::array<double, 2> force() const {
+    std::array<double, 2> force{};
+    for (int k = 0; k < depth_; ++k) {
+      const double part = std::pow((k + 1.0) / cells, 1.5) - std::pow(double(k) / cells, 1.5);
+      force[0] += x_[k] * part, force[1] += y_[k] * part;
+    }
+    return force;
+  }
+
+ private:
+  void slip(double x, double y) {
+    const auto excess = [&](int k, double part, double above) {  // with a part of cell k
+      return std::hypot(x + part * compliance_ * x_[k], y + part * compliance_ * y_[k]) -
+             friction * compliance_ * (above + part);
+    };
+    int k = depth_ - 1;
+    double above = 0, low = 1;
+    for (; k >= 0; --k, ++above) {
+      if (excess(k, 1, above) <= 0) {
+        low = 0;
+        double high = 1;
+        halve(low, high, [&](double part) { return excess(k, part, above) <= 0; });
+        break;
+      }
+      x += compliance_ * x_[k], y += compliance_ * y_[k];
+    }
+    if (k >= 0) x += low * compliance_ * x_[k], y += low * compliance_ * y_[k];
+    const double size = std::hypot(x, y), nx = friction * x / size, ny = friction * y / size;
+    for (int j = k + 1; j < depth_; ++j) x_[j] = nx, y_[j] = ny;
+    if (k >= 0) x_[k] += low * (nx - x_[k]), y_[k] += low * (ny - y_[k]);
+  }
+
+  double compliance_;
+  int depth_ = 0;
+  std::vector<double> x_, y_;
+};
+
+// One random path of a contact with a law of each kind.
+struct PathResult {
+  double least_work = 0, work = 0, largest_energy = 0, largest_ratio = 0;
+};
+
+template <class Normal, class Tangential>
+PathResult follow_random_path(const Tangential& tangential, unsigned seed, double amplitude,
+                              int steps) {
+  std::mt19937 random(seed);
+  const RandomMotion depth(random), x(random), y(random), tilt(random), spin(random);
+  const Normal normal_law(steel, {});
+  typename Normal::State normal_state;
+  typename Tangential::State state;
+  constexpr double radius = 2.5e-3, mean_overlap = 4e-6, duration = 30;
+  const double stretch = amplitude * friction * mean_overlap * steel.youngs_modulus_eff /
+                         (4 * steel.shear_modulus_eff);
+  PathResult result;
+  double sx = 0, sy = 0, turned = 0;
+  for (int step = 0; step < steps; ++step) {
+    const double time = duration * step / steps;
+    const double growth = 1 + 0.3 * time / duration;  // yields again and again
+    const double overlap = mean_overlap * growth * (1 + 0.05 * depth(time));
+    const Response response = normal_law.respond(radius, overlap, normal_state);
+    const NormalLoad load{std::max(0.0, response.force),
+                          8 * steel.shear_modulus_eff * response.contact_radius};
+    const double angle = tilt(time), new_x = stretch * x(time), new_y = stretch * y(time);
+    const Vector3 normal{std::sin(angle), 0, std::cos(angle)};
+    const Vector3 along{std::cos(angle), 0, -std::sin(angle)};
+    TangentialMotion motion;
+    motion.displacement = (new_x - sx) * along + (new_y - sy) * Vector3{0, 1, 0};
+    motion.normal = normal;
+    motion.spin = spin(time) - turned;
+    if (step == 0) motion = {{}, normal, 0};
+    sx = new_x, sy = new_y, turned = spin(time);
+    const TangentialResponse answer = tangential.respond(load, motion, state);
+    result.least_work = std::min(result.least_work, answer.friction_work);
+    result.work += answer.friction_work;
+    result.largest_energy = std::max(result.largest_energy, answer.stored_energy);
+    if (load.force > 0)
+      result.largest_ratio = std::max(result.largest_ratio, length(answer.force) / load.force);
+  }
+  return result;
+}
+
+}  // namespace
+
+TEST_CASE("partial slip with many rings is the dense memory diagram of an elastic contact") {
+  constexpr double compliance = 1.2;
+  for (unsigned seed = 0; seed < 6; ++seed) {
+    std::mt19937 random(seed);
+    const RandomMotion depth(random), x(random), y(random);
+    const double stretch = (seed % 2 ? 0.3 : 1.2) * friction * compliance;
+    const PartialSlip<400> law(friction, 400);
+    PartialSlip<400>::State state;
+    DenseDiagram reference(compliance);
+    double old_x = 0, old_y = 0;
+    for (int step = 0; step < 300; ++step) {
+      const double time = 0.03 * step;
+      const int cells = int(DenseDiagram::cells * (0.55 + 0.4 * depth(time)));
+      const double z = double(cells) / DenseDiagram::cells;
+      const double now_x = stretch * x(time), now_y = stretch * y(time);
+      const double dx = step ? now_x - old_x : 0, dy = step ? now_y - old_y : 0;
+      old_x = now_x, old_y = now_y;
+      reference.move(cells, dx, dy);
+      const auto answer = law.respond({std::pow(z, 1.5), 1.5 * std::sqrt(z) / compliance},
+                                      {{dx, dy, 0}, {0, 0, 1}, 0}, state);
+      const auto expected = reference.force();
+      // Relative to Coulomb's limit at z = 1. The grid errs by 5e-7 where the edges of several
+      // rings fall into one of its cells.
+      REQUIRE(std::abs(answer.force.x - expected[0]) < 1e-6 * friction);
+      REQUIRE(std::abs(answer.force.y - expected[1]) < 1e-6 * friction);
+    }
+  }
+}
+
+TEST_CASE_TEMPLATE("friction never creates energy, and Coulomb's limit holds", Normal, Hertz,
+                   Thornton, Universal, Mdr, KogutEtsion) {
+  // Errors of one step over the largest stored energy. The trapezoidal rule has an error of third
+  // order in the step, and a merger of rings changes the force by a small part within a step.
+  const auto check = [](const auto& law, double tolerance) {
+    for (unsigned seed = 0; seed < 10; ++seed)
+      for (const double amplitude : {0.3, 2.0}) {
+        const PathResult path = follow_random_path<Normal>(law, seed, amplitude, 50000);
+        CAPTURE(path.work);
+        CHECK(path.least_work > -tolerance * path.largest_energy);
+        CHECK(path.largest_ratio <= friction * (1 + 1e-12));
+        CHECK(path.work > 0);
+      }
+  };
+  check(Incremental(friction), 1e-12);
+  check(PartialSlip<8>(friction, 2), 1e-5);
+  check(PartialSlip<8>(friction, 4), 1e-6);
+}
+
+TEST_CASE("few rings have the friction of many") {
+  // The sum over paths of different amplitudes, relative to 300 rings.
+  const auto sum = [](const auto& law) {
+    double work = 0;
+    for (unsigned seed = 0; seed < 10; ++seed)
+      for (const double amplitude : {0.3, 1.0})
+        work += follow_random_path<Hertz>(law, seed, amplitude, 3000).work;
+    return work;
+  };
+  const double exact = sum(PartialSlip<300>(friction, 300));
+  for (const auto& [rings, tolerance] : {std::pair{2, 0.2}, {3, 0.1}, {4, 0.06}, {8, 0.02}})
+    CHECK(sum(PartialSlip<8>(friction, rings)) == doctest::Approx(exact).epsilon(tolerance));
+}
+
+TEST_CASE_TEMPLATE("a pair that tumbles at constant overlap keeps its force", Law, Incremental,
+                   PartialSlip<8>) {
+  const Law law(friction, 4);
+  typename Law::State state;
+  const NormalLoad load{2, 5};
+  law.respond({1, 4}, {{0.05, 0.02, 0}, {0, 0, 1}, 0}, state);
+  const auto start = law.respond(load, {{-0.01, 0.03, 0}, {0, 0, 1}, 0}, state);
+  TangentialResponse answer;
+  constexpr int steps = 100000;
+  for (int step = 1; step <= steps; ++step) {
+    const double angle = 2 * pi * step / steps;
+    answer = law.respond(load, {{}, {std::sin(angle), 0, std::cos(angle)}, 0}, state);
+  }
+  CHECK(length(answer.force) == doctest::Approx(length(start.force)).epsilon(1e-9));
+  CHECK(answer.force.x == doctest::Approx(start.force.x).epsilon(1e-9));
+  CHECK(answer.force.y == doctest::Approx(start.force.y).epsilon(1e-9));
+}
+
+TEST_CASE_TEMPLATE("spin about the normal turns the force", Law, Incremental, PartialSlip<8>) {
+  const Law law(friction, 4);
+  typename Law::State state;
+  const NormalLoad load{1, 5};
+  law.respond(load, {{}, {0, 0, 1}, 0}, state);
+  const auto start = law.respond(load, {{0.01, 0, 0}, {0, 0, 1}, 0}, state);
+  TangentialResponse answer;
+  for (int step = 0; step < 1000; ++step) answer = law.respond(load, {{}, {0, 0, 1}, 1e-3}, state);
+  CHECK(answer.force.x == doctest::Approx(start.force.x * std::cos(1.0)).epsilon(1e-12));
+  CHECK(answer.force.y == doctest::Approx(start.force.x * std::sin(1.0)).epsilon(1e-12));
+}
+
+TEST_CASE_TEMPLATE("the stiffness of a fresh contact is Mindlin's", Law, Incremental,
+                   PartialSlip<8>) {
+  const Law law(friction, 4);
+  typename Law::State state;
+  law.respond({1, 5}, {{}, {0, 0, 1}, 0}, state);
+  const auto answer = law.respond({1, 5}, {{1e-9, 0, 0}, {0, 0, 1}, 0}, state);
+  CHECK(answer.force.x == doctest::Approx(5e-9).epsilon(1e-6));
+}
+
+TEST_CASE_TEMPLATE("a contact that ends forgets its history", Law, Incremental, PartialSlip<8>) {
+  const Law law(friction, 4);
+  typename Law::State state;
+  law.respond({1, 5}, {{0.01, 0, 0}, {0, 0, 1}, 0}, state);
+  const auto answer = law.respond({0, 0}, {{0.01, 0, 0}, {0, 0, 1}, 0}, state);
+  CHECK(length(answer.force) == 0);
+  const typename Law::State fresh;
+  CHECK(std::memcmp(&state, &fresh, sizeof state) == 0);
+}
