@@ -33,7 +33,10 @@ class AnyLaw {
   virtual ImpactOutcome central_impact(double radius_eff, double mass_eff, double speed) const = 0;
   virtual double overlap_range() const = 0;
   virtual double pull_off_distance(double radius_eff) const = 0;
-  virtual double recommended_timestep(double radius_eff, double mass_eff, double speed) const = 0;
+  virtual double pull_off_force(double radius_eff, double overlap, const double* state) const = 0;
+  // `impact` is the outcome of central_impact() for the same arguments.
+  virtual double recommended_timestep(double radius_eff, double mass_eff, double speed,
+                                      const ImpactOutcome& impact) const = 0;
 };
 
 // Histories of an array of contacts: those given, or those of first loading.

@@ -51,10 +51,16 @@ class LawOf : public AnyLaw {
   double pull_off_distance(double radius_eff) const override {
     return plastigran::pull_off_distance(law, radius_eff);
   }
-  double recommended_timestep(double radius_eff, double mass_eff, double speed) const override {
+  double pull_off_force(double radius_eff, double overlap, const double* values) const override {
+    typename Law::State state;
+    std::memcpy(&state, values, Law::state_names.size() * sizeof(double));
+    return plastigran::pull_off_force(law, radius_eff, overlap, state);
+  }
+  double recommended_timestep(double radius_eff, double mass_eff, double speed,
+                              const ImpactOutcome& impact) const override {
     const double factor = rate_factor(pair, radius_eff, speed);
     return plastigran::recommended_timestep(factor == 1 ? law : strengthened(factor).law,
-                                            radius_eff, mass_eff, speed);
+                                            radius_eff, mass_eff, speed, impact);
   }
   LawOf strengthened(double factor) const {
     return LawOf(plastigran::strengthened(pair, factor),

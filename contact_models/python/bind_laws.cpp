@@ -3,7 +3,9 @@
 // What every law does in Python, and the history of its contacts.
 #include <nanobind/stl/vector.h>
 
+#include <cmath>
 #include <numeric>
+#include <sstream>
 #include <stdexcept>
 
 #include "answers.h"
@@ -52,11 +54,35 @@ Broadcast impact_arguments(const nb::object& radius_eff, const nb::object& mass_
                     {"speed", speed, positive, "m/s"}});
 }
 
+// The outcome of an impact whose largest overlap can be computed.
+ImpactOutcome impact_of(const AnyLaw& law, double radius_eff, double mass_eff, double speed) {
+  constexpr double least = 1e-30, largest = 1e6;  // overlap over R*
+  const ImpactOutcome impact = law.central_impact(radius_eff, mass_eff, speed);
+  const double ratio = impact.overlap_max / radius_eff;
+  if (ratio >= least && ratio < largest && std::isfinite(impact.coefficient_of_restitution))
+    return impact;
+  std::ostringstream text;
+  text << "speed is " << speed << " m/s, mass_eff " << mass_eff << " kg and radius_eff "
+       << radius_eff << " m; an impact is computed only if its largest overlap is between " << least
+       << " and " << largest << " times radius_eff. Check the units";
+  throw std::invalid_argument(text.str());
+}
+
 Answer<ImpactOutcome> central_impact_of(const AnyLaw& law, const nb::object& radius_eff,
                                         const nb::object& mass_eff, const nb::object& speed) {
   const Broadcast given = impact_arguments(radius_eff, mass_eff, speed);
   return answer<ImpactOutcome>(given, [&](std::size_t i) {
-    return law.central_impact(given(0, i), given(1, i), given(2, i));
+    return impact_of(law, given(0, i), given(1, i), given(2, i));
+  });
+}
+
+nb::object pull_off_force_of(const AnyLaw& law, const nb::object& radius_eff,
+                             const nb::object& overlap, const nb::object& state) {
+  const Broadcast given(
+      {{"radius_eff", radius_eff, positive, "m"}, {"overlap", overlap, finite, "m"}});
+  States states(law, state, given.shape());
+  return column<double>(given, [&](std::size_t i) {
+    return law.pull_off_force(given(0, i), given(1, i), states[i]);
   });
 }
 
@@ -69,7 +95,8 @@ nb::object recommended_timestep_of(const AnyLaw& law, const nb::object& radius_e
                                    const nb::object& mass_eff, const nb::object& speed) {
   const Broadcast given = impact_arguments(radius_eff, mass_eff, speed);
   return column<double>(given, [&](std::size_t i) {
-    return law.recommended_timestep(given(0, i), given(1, i), given(2, i));
+    return law.recommended_timestep(given(0, i), given(1, i), given(2, i),
+                                    impact_of(law, given(0, i), given(1, i), given(2, i)));
   });
 }
 
@@ -202,6 +229,27 @@ Returns:
 
 Raises:
     ValueError: A radius is out of range; the message names it, its index and the range.)");
+  law.def("pull_off_force", &pull_off_force_of, "radius_eff"_a, "overlap"_a = 0.0,
+          "state"_a = nb::none(),
+          nb::sig("def pull_off_force(self, radius_eff: ArrayLike, overlap: ArrayLike = 0.0, "
+                  "state: ContactState | Sequence[ContactState] | NDArray[Any] | None = None) -> "
+                  "Numbers"),
+          R"(Largest attractive force [N] that a contact with this history can have; 0 for laws
+without adhesion.
+
+Args:
+    radius_eff: R* [m], positive. Numbers or arrays whose shapes broadcast together, as all below.
+    overlap: Overlap [m], used by laws whose adhesive limit is a function of the overlap.
+    state: History of the contact; for an array of contacts an array of histories of its shape.
+        None for a contact before yield.
+
+Returns:
+    A number, or an array of the broadcast shape.
+
+Raises:
+    ValueError: A value is out of range (the message names it, its index and the range), or the
+        shapes do not fit together.
+    TypeError: A state of another law.)");
   law.def(
       "recommended_timestep", &recommended_timestep_of, "radius_eff"_a, "mass_eff"_a, "speed"_a,
       nb::sig("def recommended_timestep(self, radius_eff: ArrayLike, mass_eff: ArrayLike, speed: "

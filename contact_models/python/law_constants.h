@@ -48,6 +48,9 @@ typename Law::Parameters parse_constants(const MaterialPair& pair, const nb::dic
     if (!nb::try_cast<double>(value, constants.*(known->value)))
       throw std::invalid_argument(name + " is " + nb::cast<std::string>(nb::repr(value)) +
                                   "; it must be a number [" + known->unit + "]");
+    const double number = constants.*(known->value);
+    if (std::isnan(number))  // to `validate`, NaN is a constant that is not given
+      raise_if(Complaint::about(name, number, allowed_values(*known)), std::string(Law::name) + ": ");
   }
   raise_if(validate<Law>(pair, constants), std::string(Law::name) + ": ");
   return constants;

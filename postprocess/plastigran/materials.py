@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Any
 import attrs
 
 from plastigran import laws
-from plastigran.declared import Declaration, declarations, number, read_float
+from plastigran.declared import Declaration, declarations, number, read_float, read_number
 from plastigran.engine.deck import commands, index_lines, index_variable
 from plastigran.engine.process import EngineError, inputs_folder, own_inputs
 
@@ -34,6 +34,9 @@ _NAME = re.compile(r"\w([\w .+-]*[\w.+-])?")
 #: Constants of a body in contact, by name: unit, range, default and meaning.
 BODY_CONSTANTS = {row["name"]: row for row in laws.body_constants()}
 
+#: Work of adhesion of two bodies.
+SURFACE_ENERGY = Declaration("work of adhesion", "J/m^2", 0, 1e3, True, True)
+
 
 def body_constant(name: str, required: bool = False) -> Any:
     """Declare a field for a constant of a body; `laws.Body` checks its range.
@@ -49,6 +52,17 @@ def body_constant(name: str, required: bool = False) -> Any:
         converter=lambda value: read_float(name, value, row["unit"]),
         metadata={"declaration": Declaration(row["meaning"], row["unit"], *bounds)},
     )
+
+
+def surface_energy_field(meaning: str) -> Any:
+    """Declare a keyword-only field for a work of adhesion [J/m^2]; None if it is not given."""
+    declaration = attrs.evolve(SURFACE_ENERGY, meaning=meaning)
+
+    def read(value: Any) -> float:
+        return read_number("surface_energy", value, declaration)
+
+    converter, metadata = attrs.converters.optional(read), {"declaration": declaration}
+    return attrs.field(default=None, kw_only=True, converter=converter, metadata=metadata)
 
 
 @attrs.frozen
@@ -70,6 +84,9 @@ class Material:
     reference_rate: float = body_constant("reference_rate")
     dissipative_constant: float | None = number(
         "ratio A of viscous to elastic constants", "s", 0, lower_allowed=True, default=None
+    )
+    surface_energy: float | None = surface_energy_field(
+        "work of adhesion Γ of two bodies of the material"
     )
 
     def __attrs_post_init__(self) -> None:
@@ -103,9 +120,14 @@ class Material:
         """
         constants = {key: getattr(self, key, None) for key in _needed(name)} | others
         if missing := [key for key, value in constants.items() if value is None]:
+            needs = f"law {name} needs {', '.join(missing)}, which"
+            if not has_constants(name):
+                raise ValueError(
+                    f"{needs} materials cannot define. Give it to plastigran.Contact, or use "
+                    "another law"
+                )
             raise ValueError(
-                f"law {name} needs {', '.join(missing)}, which material "
-                f"{self.name} does not define. Add it to the material, or use "
+                f"{needs} material {self.name} does not define. Add it to the material, or use "
                 "another law"
             )
         return laws.LAWS[name](pair, **constants)
@@ -143,6 +165,11 @@ def law_class(name: str) -> type:
 def has_constants(law: str) -> bool:
     """Return whether materials can define all constants that a law requires."""
     return set(_needed(law)) <= {field.name for field in attrs.fields(Material)}
+
+
+def has_surface_energy(law: str) -> bool:
+    """Return whether a law computes adhesion from a surface energy."""
+    return "surface_energy" in _needed(law)
 
 
 def _needed(law: str) -> list[str]:

@@ -14,15 +14,19 @@ from plastigran.materials import Material, has_constants, law_class
 def laws_for(shape: str, bodies: Iterable[Material] = ()) -> list[str]:
     """Return the names of the laws for bodies of a shape, "sphere" or "cylinder".
 
-    Laws with constants that no material can have, such as the surface energy of two bodies, are
-    left out.
+    Laws with constants that no material can have, such as given stiffnesses, are left out. So are
+    laws with adhesion, unless the materials have a surface energy.
 
     Args:
         shape: Shape of the bodies.
         bodies: Materials. A law that needs a constant is left out if a material lacks it.
     """
     bodies = list(bodies)
-    names = [name for name, law in laws.LAWS.items() if law.shape == shape and has_constants(name)]
+    names = [
+        name
+        for name, law in laws.LAWS.items()
+        if law.shape == shape and has_constants(name) and (bodies or not law.adhesive)
+    ]
     return [name for name in sorted(names) if not any(body.missing(name) for body in bodies)]
 
 

@@ -134,6 +134,9 @@ def test_histories_move_on_one_for_each_contact(law):
     [
         (lambda law: law.respond(0, 1e-5), r"radius_eff is 0; it must be positive and fin.* \[m\]"),
         (lambda law: law.respond(1, [[0, np.nan]]), r"overlap\[0, 1\] is nan; it must be finite"),
+        (lambda law: law.central_impact(1, 1e-300, 1), "mass_eff 1e-300 kg .* Check the units"),
+        (lambda law: law.central_impact(1, 1, 1e-300), "speed is 1e-300 m/s, mass_eff 1 kg and"),
+        (lambda law: law.recommended_timestep(1, 1, [1, 1e-300]), "speed is 1e-300 m/s, mass_eff"),
         (lambda law: law.follow(1, [0, 1], None, [0, np.inf]), r"overlap_rate\[1\] is inf; .*m/s"),
         (lambda law: law.follow([1, -1], [0, 1]), r"radius_eff\[1\] is -1; it must be positive"),
         (lambda law: law.central_impact(1, [1, 0], 1), r"mass_eff\[1\] is 0; .* \[kg\]"),

@@ -284,6 +284,8 @@ def test_thornton_ning_needs_a_surface_energy():
         laws.ThorntonNing1998(PAIR)
     with pytest.raises(ValueError, match=r"surface_energy is -1; it must be between 0 and 1000"):
         laws.Jkr(PAIR, surface_energy=-1)
+    with pytest.raises(ValueError, match=r"surface_energy is nan; it must be between 0 and 1000"):
+        laws.Jkr(PAIR, surface_energy=float("nan"))
     assert laws.Jkr(PAIR, surface_energy=0).pull_off_distance(RADIUS) == 0
     assert inf > laws.Jkr(PAIR, surface_energy=1e3).pull_off_distance(RADIUS) > 0
 

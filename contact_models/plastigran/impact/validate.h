@@ -61,17 +61,24 @@ Complaint joint_complaint(const MaterialPair&, const typename Law::Parameters&, 
   return {};
 }
 
-// The complaint about the value of a constant; empty if it is in range.
+// The range of a constant in words, and its meaning.
+template <class Parameters>
+std::string allowed_values(const Parameter<Parameters>& parameter) {
+  std::ostringstream words;
+  words << "between " << parameter.lower << " and " << parameter.upper << " [" << parameter.unit
+        << "]: " << parameter.meaning;
+  return words.str();
+}
+
+// The complaint about the value of a constant; empty if it is in range. NaN is a missing constant.
 template <class Parameters>
 Complaint complaint(const Parameter<Parameters>& parameter, double value) {
   if (value >= parameter.lower && value <= parameter.upper) return {};
-  std::ostringstream allowed;
-  allowed << "between " << parameter.lower << " and " << parameter.upper << " [" << parameter.unit
-          << "]: " << parameter.meaning;
+  const std::string allowed = allowed_values(parameter);
   if (std::isnan(value))
     return Complaint('{' + std::string(parameter.name) + "} is missing; it must be given, " +
-                     allowed.str());
-  return Complaint::about(parameter.name, value, allowed.str());
+                     allowed);
+  return Complaint::about(parameter.name, value, allowed);
 }
 
 template <class Law>

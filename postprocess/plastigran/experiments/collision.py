@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from math import nan
 from pathlib import Path
 
 import attrs
@@ -24,12 +25,13 @@ class CollisionOutcome:
 
     Attributes:
         closing_speed: Speed before contact [m/s].
-        coefficient_of_restitution: Normal separation / closing speed [-].
+        coefficient_of_restitution: Normal separation / closing speed [-]; 0 if the bodies stick.
         force_max: Largest force [N]; if measured, of the frames.
         overlap_max: Largest overlap [m].
         overlap_res: Overlap at zero force during unloading [m].
         loading_time: Time from first touch to largest overlap [s]; None if not predicted.
-        contact_time: Time from first touch to zero force [s]; None if not predicted.
+        contact_time: Time from first touch to the end of contact [s]; NaN if the bodies stick,
+            None if not predicted.
         in_range: Whether the load is within the range of the law; None if measured.
         loop: Collision over time, (N,) columns time [s], overlap [m], force [N], speed [m/s]
             (overlap rate); None if predicted.
@@ -120,35 +122,41 @@ def measure_loop(loop: pd.DataFrame) -> CollisionOutcome:
     time, overlap, force, speed = (
         loop[c].to_numpy() for c in ("time", "overlap", "force", "speed")
     )
-    loaded = np.flatnonzero(force > 0)
-    if loaded.size == 0:
+    touching = np.flatnonzero(force)
+    if touching.size == 0:
         raise CollisionError("the bodies never touch")
-    if loaded[-1] == len(loop) - 1 or speed[-1] >= 0:
+    start, last = touching[0], touching[-1]
+    if start == 0:
+        raise CollisionError("already in contact at the first frame")
+    opening = np.flatnonzero(speed[start:] < 0) + start
+    turn = int(opening[0]) if opening.size else len(loop)  # first frame of unloading
+    stuck = last == len(loop) - 1 and bool((speed[turn:] > 0).any())
+    if not stuck and (last == len(loop) - 1 or speed[-1] >= 0):
         raise CollisionError(
             f"still in contact at the last frame (t = {time[-1]:g} s). "
             "Increase the duration of the run"
         )
-    start, last = loaded[0], loaded[-1]
-    if start == 0:
-        raise CollisionError("already in contact at the first frame")
     touch = _crossing(time, overlap, speed, start - 1, 0.0)
-
-    turn = int(np.flatnonzero(speed[start:] < 0)[0]) + start  # first frame of unloading
     turning_time, overlap_max = _turning_point(time, overlap, speed, turn - 1)
 
-    rebound = slice(max(last - 3, turn), last + 1)
-    overlap_res = _residual(overlap[rebound], force[rebound])
-    if abs(overlap_res) < 1e-6 * overlap_max:
-        overlap_res = 0.0
-    release = time[last] + (overlap[last] - overlap_res) / -speed[last]
+    pressed = turn + int(np.argmin(np.append(force[turn:], 0) > 0)) - 1  # last frame that repels
+    rebound = slice(max(pressed - 3, turn), pressed + 1)
+    attracted = force[pressed + 1] < 0
+    if attracted:
+        share = force[pressed] / (force[pressed] - force[pressed + 1])
+        overlap_res = overlap[pressed] + share * (overlap[pressed + 1] - overlap[pressed])
+        release = time[last]
+    else:
+        overlap_res = _residual(overlap[rebound], force[rebound])
+        release = time[last] + (overlap[last] - overlap_res) / -speed[last]
     return CollisionOutcome(
         closing_speed=speed[start - 1],
-        coefficient_of_restitution=-speed[last + 1] / speed[start - 1],
+        coefficient_of_restitution=0.0 if stuck else -speed[last + 1] / speed[start - 1],
         force_max=force.max(),
         overlap_max=overlap_max,
-        overlap_res=overlap_res,
+        overlap_res=0.0 if abs(overlap_res) < 1e-6 * overlap_max else overlap_res,
         loading_time=turning_time - touch,
-        contact_time=release - touch,
+        contact_time=nan if stuck else release - touch,
         loop=loop,
     )
 

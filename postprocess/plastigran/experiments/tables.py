@@ -11,7 +11,7 @@ import pandas as pd
 from plastigran import laws
 
 #: Columns that are shown only if they have several values.
-VARIED = ("geometry", "radius", "wall", "options")
+VARIED = ("geometry", "radius", "wall", "options", "surface_energy")
 #: Names and units of columns, as heads of two lines.
 HEADS = {
     "material": "material",
@@ -20,6 +20,7 @@ HEADS = {
     "options": "options",
     "geometry": "geometry",
     "radius": "radius\nm",
+    "surface_energy": "Gamma\nJ/m2",
     "angle": "angle\ndeg",
     "speed": "speed\nm/s",
     "speed_ratio": "v/v_Y",

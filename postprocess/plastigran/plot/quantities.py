@@ -25,6 +25,7 @@ QUANTITIES = {
     "surface_speed": ("surface speed", "m/s"),
     "angular_velocity": ("angular velocity", "rad/s"),
     "radius": ("radius", "m"),
+    "surface_energy": ("surface energy", "J/m²"),
     "geometry": ("geometry", ""),
     "material": ("material", ""),
     "time": ("time", "s"),
@@ -57,7 +58,7 @@ QUANTITIES = {
     "revolutions": ("revolutions", ""),
 }
 #: Units that take no prefix.
-_WITHOUT_PREFIX = ("", "°", "m²/s²", "kg m/s", "rad/s", "kg", "m/s")
+_WITHOUT_PREFIX = ("", "J/m²", "°", "m²/s²", "kg m/s", "rad/s", "kg", "m/s")
 _PREFIXES = {-12: "p", -9: "n", -6: "µ", -3: "m", 0: "", 3: "k", 6: "M", 9: "G"}
 
 

@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from math import nan, pi
+from math import isfinite, nan, pi
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, ClassVar
 
@@ -36,7 +36,9 @@ from plastigran.materials import (
     RIGID_WALL,
     USUAL,
     Material,
+    has_surface_energy,
     material_field,
+    surface_energy_field,
 )
 from plastigran.physics import central
 from plastigran.physics.rebound_hardness import dented_flat
@@ -66,6 +68,9 @@ class CentralImpact(Experiment):
     geometry: str = word("geometry of the impact", tuple(GEOMETRIES), default="sphere_wall")
     wall: Material | None = material_field("material of the plane, or rigid", None, "_other")
     options: str | None = options_field()
+    surface_energy: float | None = surface_energy_field(
+        "work of adhesion of the two bodies, for laws with adhesion; default: that of the material"
+    )
 
     command = "impact"
     help = "run impacts with LIGGGHTS, with table and figures"
@@ -73,7 +78,9 @@ class CentralImpact(Experiment):
         "plastigran impact --law universal thornton --material steel --radius 0.005\n"
         "plastigran impact --law all --theory\n"
         "plastigran impact --law universal --options 'yielding flat' --material zirconia "
-        "--wall steel"
+        "--wall steel\n"
+        "plastigran impact --law jkr --surface-energy 0.05 --material pmma --radius 1e-5 "
+        "--speeds 0.01 0.5"
     )
     has_theory = True
     geometries: ClassVar = GEOMETRIES
@@ -86,6 +93,7 @@ class CentralImpact(Experiment):
         "geometry": Flag("sphere_wall"),
         "wall": Flag(),
         "options": Flag(many=False),
+        "surface_energy": Flag(),
     }
     quantities = (
         "coefficient_of_restitution",
@@ -98,6 +106,11 @@ class CentralImpact(Experiment):
     shown = tuple(HEADS)
 
     def __attrs_post_init__(self) -> None:
+        if self.work_of_adhesion is None:
+            raise ValueError(
+                f"law {self.law} needs surface_energy, which material {self.material.name} does "
+                "not define. Give surface_energy, add it to the material, or use another law"
+            )
         if self.wall is not None and self.bodies == 2:
             raise ValueError(f"wall is {self.wall.name}, but {self.geometry} has no wall")
         check_overlap(
@@ -164,9 +177,19 @@ class CentralImpact(Experiment):
         Args:
             others: Further constants of the law, and options that replace those of the case.
         """
-        return self.material.law(
-            self.law, self.pair, **law_options(self.law, self.options) | others
-        )
+        given = {} if self.surface_energy is None else {"surface_energy": self.surface_energy}
+        options = law_options(self.law, self.options)
+        return self.material.law(self.law, self.pair, **given | options | others)
+
+    @property
+    def work_of_adhesion(self) -> float | None:
+        """Work of adhesion of the two bodies [J/m^2]; NaN for a law without surface energy.
+
+        None if neither the case nor the material gives it.
+        """
+        if not has_surface_energy(self.law):
+            return nan
+        return self.material.surface_energy if self.surface_energy is None else self.surface_energy
 
     @property
     def deck(self) -> str:
@@ -212,9 +235,11 @@ class CentralImpact(Experiment):
         """Return the loop by the law alone: (2 points,) rows overlap [m] and force [N]."""
         impact = self.predict()
         loading = np.linspace(0, impact.overlap_max, points)
-        unloading = np.linspace(impact.overlap_max, impact.overlap_res, points)
+        law = self.contact_law()
+        end = -law.pull_off_distance(self.radius_eff) if law.adhesive else impact.overlap_res
+        unloading = np.linspace(impact.overlap_max, end, points)
         overlaps = np.concatenate([loading, unloading])
-        force = self.contact_law().follow(self.radius_eff, overlaps)["force"]
+        force = law.follow(self.radius_eff, overlaps)["force"]
         return pd.DataFrame({"overlap": overlaps, "force": force})
 
     def measure(self, folder: Path) -> CollisionOutcome:
@@ -229,30 +254,41 @@ class CentralImpact(Experiment):
             "speed": self.speed,
             "wall": self.wall_name,
             "options": self.options or USUAL,
+            "surface_energy": self.work_of_adhesion,
             "speed_ratio": self.speed / self.yield_speed() if laws.LAWS[self.law].yields else nan,
         }
 
     def notes(self, measured: CollisionOutcome, predicted: CollisionOutcome) -> dict[str, object]:
+        steps = measured.contact_time / self.timestep
         return {
             "in_range": predicted.in_range,
             "timestep": self.timestep,
-            "steps": round(measured.contact_time / self.timestep),
+            "steps": round(steps) if isfinite(steps) else nan,
         }
 
     @classmethod
     def plan(cls, **values: Any) -> list[CentralImpact]:
-        """Return every combination, with options only for the laws that have them.
+        """Return every combination, with options and surface energy only for laws that have them.
 
         Raises:
-            ValueError: A case cannot be run, or no law has an option; the message gives the reason.
+            ValueError: A case cannot be run, or no law has an option or a surface energy; the
+                message gives the reason.
         """
         values = {name: several(value) for name, value in values.items()}
         names, texts = values.get("law", ()), filter(None, values.get("options", ()))
+        given = [value for value in values.get("surface_energy", ()) if value is not None]
+        if given and not any(map(has_surface_energy, names)):
+            raise ValueError(
+                f"surface_energy is {given[0]}, but {', '.join(names)} has no surface energy. "
+                f"Use one of {', '.join(filter(has_surface_energy, laws.LAWS))}"
+            )
         having = {options: having_options(names, options) for options in texts}
         cases = combinations(values)
         for case in cases:
             if case["law"] not in having.get(case.get("options"), names):
                 case["options"] = None
+            if not has_surface_energy(case["law"]):
+                case["surface_energy"] = None
         return list(dict.fromkeys(cls(**case) for case in cases))
 
     @classmethod

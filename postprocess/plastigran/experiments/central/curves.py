@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from importlib.resources import files
+from math import isnan, nan
 
 import numpy as np
 import pandas as pd
@@ -26,6 +27,7 @@ APART = (
     "options",
     "geometry",
     "radius",
+    "surface_energy",
     "angle",
     "coefficient_of_friction",
 )
@@ -105,6 +107,8 @@ def _in_words(name: str, value: object) -> str:
         return on_wall(str(value))
     if isinstance(value, str):
         return title(value) if name in ("law", "material") else value.replace("_", " ")
+    if isnan(value):  # a law without this quantity
+        return ""
     axis = scale(name, [value])
     space = "" if axis.unit == "°" else " "
     shown = f"{value * axis.factor:.3g}{space}{axis.unit}".strip()
@@ -209,6 +213,7 @@ def central_case(row: pd.Series, materials: Mapping[str, Material]) -> CentralIm
     if row.get("geometry") not in GEOMETRIES:
         return None
     wall, options = row.get("wall"), row.get("options")
+    surface_energy = row.get("surface_energy", nan)
     try:
         case = CentralImpact(
             law=row["law"],
@@ -218,6 +223,7 @@ def central_case(row: pd.Series, materials: Mapping[str, Material]) -> CentralIm
             geometry=row["geometry"],
             wall=None if wall in (*WALLS, None) else materials.get(wall, wall),
             options=None if options in (USUAL, "") else options,
+            surface_energy=None if pd.isna(surface_energy) else surface_energy,
         )
     except ValueError:
         return None
@@ -247,13 +253,10 @@ def loop_panels(
     """
     table = _without_lone_defaults(pd.DataFrame([dict(case) for case, _ in loops]))
     names = [panel_by, *apart]
-    keys: dict[tuple, list[int]] = {}
-    for k in table.sort_values(curve_by).index:
-        keys.setdefault(tuple(table.loc[k, names]), []).append(k)
     axes = _loop_axes([loop for _, loop in loops]) if common_axes else None
     panels = {}
-    for key in sorted(keys):
-        chosen = [loops[k] for k in keys[key]]
+    for key, rows in table.sort_values(curve_by).groupby(names, dropna=False):
+        chosen = [loops[k] for k in rows.index]
         x, y = axes or _loop_axes([loop for _, loop in chosen])
         curves = [
             Curve(

@@ -92,7 +92,8 @@ def loops_figure(runs: Runs) -> Figure:
     loops = []
     for impact, collision in runs.outcomes.items():
         loop = impact.theoretical_loop() if collision.loop is None else collision.loop
-        loops.append((impact.facts(), loop[loop["overlap"] >= 0]))
+        touching = (loop["overlap"] >= 0) | (loop["force"] != 0)
+        loops.append((impact.facts(), loop[touching]))
     panels = loop_panels(loops, "law", "speed", varied(runs.table), common_axes=True)
     bodies = {(case.material, case.radius, case.geometry, case.wall) for case in runs.cases}
     alike = len(bodies) == 1

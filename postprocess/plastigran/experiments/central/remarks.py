@@ -6,9 +6,14 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
+import attrs
+
 from plastigran import laws
+from plastigran.declared import SPEED
 from plastigran.experiments.central.arrangement import on_wall
 from plastigran.experiments.runs import Runs
+from plastigran.materials import has_surface_energy
+from plastigran.physics.adhesion import sticking_speed
 from plastigran.plot.style import title
 
 if TYPE_CHECKING:
@@ -19,14 +24,14 @@ VISIBLE = 5e-5
 
 
 def remarks(runs: Runs) -> list[str]:
-    """Return sentences on the bodies, missing yield, laws for other bodies, and the time step."""
+    """Return sentences on the bodies, missing yield, adhesion, other bodies, and the time step."""
     sentences = [_arrangement(runs.cases)]
     if (runs.table["speed_ratio"] < 1).all():
         sentences.append(
             "every impact is slower than its yield speed (v/v_Y < 1), so nothing yields and "
             "the coefficient of restitution is 1"
         )
-    sentences += [dented(runs.cases), flattened(runs.cases)]
+    sentences += [*sticking(runs.cases), dented(runs.cases), flattened(runs.cases)]
     largest = runs.table["coefficient_of_restitution"].max()
     if largest > 1 + VISIBLE:
         sentences.append(
@@ -43,6 +48,22 @@ def _arrangement(impacts: Iterable[CentralImpact]) -> str:
     if len(radii) > 1 or len(walls) > 1:
         return ""
     return ", ".join(filter(None, (f"spheres of radius {radii.pop():g} m", on_wall(walls.pop()))))
+
+
+def sticking(impacts: Iterable[CentralImpact]) -> list[str]:
+    """Return a sentence on the sticking speed for each law and set of bodies that stick."""
+    stuck = [impact for impact in impacts if has_surface_energy(impact.law)]
+    stuck = [impact for impact in stuck if impact.predict().coefficient_of_restitution == 0]
+    bodies = {attrs.evolve(impact, speed=SPEED.lower): impact for impact in stuck}.values()
+    sentences = []
+    for impact in bodies:
+        closing = sticking_speed(impact.contact_law(), impact.radius_eff, impact.mass_eff)
+        where = ", ".join(filter(None, (title(impact.material.name), on_wall(impact.wall_name))))
+        sentences.append(
+            f"{impact.law}, {where}, {impact.work_of_adhesion:g} J/m2: bodies slower than "
+            f"{closing / impact.bodies:.4g} m/s stick, so the coefficient of restitution is 0"
+        )
+    return sentences
 
 
 def flattened(impacts: Iterable[CentralImpact]) -> str:

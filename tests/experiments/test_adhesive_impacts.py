@@ -1,0 +1,84 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Impacts of adhesive spheres on the command line, slower and faster than they stick."""
+
+from __future__ import annotations
+
+import json
+
+import numpy as np
+import pytest
+
+from plastigran.cli import main
+from plastigran.physics.adhesion import jkr_sticking_speed
+
+POWDER = """
+variable youngs_modulus index 1.2e9
+variable poissons_ratio index 0.3
+variable density        index 1350
+variable yield_strength index 22e6
+"""
+RADIUS, GAMMA = 2.5e-6, 0.2
+#: Of the sphere on a rigid wall.
+STICKING = jkr_sticking_speed(GAMMA, RADIUS, 1.2e9 / 0.91, 4 / 3 * np.pi * RADIUS**3 * 1350)
+LAWS = ["--law", "jkr", "thornton_ning_1998", "--surface-energy", str(GAMMA)]
+
+
+@pytest.fixture
+def call(tmp_path):
+    powder = tmp_path / "powder.in"
+    powder.write_text(POWDER)
+    folder = tmp_path / "results"
+    return ["impact", "--material", str(powder), "--radius", str(RADIUS), "--output", str(folder)]
+
+
+def test_impacts_stick_and_rebound(call, capsys):
+    speeds = [0.7 * STICKING, 1.3 * STICKING, 4 * STICKING]
+    assert main([*call, *LAWS, "--speed", *map(str, speeds), "--json"]) == 0
+    rows = json.loads(capsys.readouterr().out)["table"]
+    assert len(rows) == 6
+    for row in rows:
+        measured, predicted = (
+            row[f"coefficient_of_restitution{suffix}"] for suffix in ("", "_predicted")
+        )
+        # The recommended time step has an error of 1e-3; the largest here is 1.1e-3.
+        assert measured == pytest.approx(predicted, abs=2e-3)
+        assert row["overlap_res"] == pytest.approx(row["overlap_res_predicted"], rel=1e-2)
+        assert row["surface_energy"] == GAMMA
+        assert (measured == 0) == (predicted == 0) == (row["contact_time"] is None)
+    elastic = [row["coefficient_of_restitution"] for row in rows if row["law"] == "jkr"]
+    assert elastic == pytest.approx([0, (1 - 1.3**-2) ** 0.5, (1 - 4**-2) ** 0.5], abs=2e-3)
+
+
+def test_the_remark_has_the_sticking_speed_of_each_sphere(call, capsys):
+    """Two spheres close at twice the speed; R* and m* are halved, and so is E*."""
+    half = jkr_sticking_speed(GAMMA, RADIUS / 2, 0.6e9 / 0.91, 2 / 3 * np.pi * RADIUS**3 * 1350) / 2
+    assert main([*call, *LAWS, "--speed", "0.1", "--geometry", "two_spheres", "--theory"]) == 0
+    printed = capsys.readouterr().out
+    assert f"jkr, Powder, 0.2 J/m2: bodies slower than {half:.4g} m/s stick" in printed
+    assert "thornton_ning_1998, Powder, 0.2 J/m2: bodies slower than" in printed
+
+
+def test_surface_energy_of_the_material(call, tmp_path, capsys):
+    """The option replaces the value of the material; laws without adhesion ignore both."""
+    (tmp_path / "powder.in").write_text(POWDER + "variable surface_energy index 0.1\n")
+    found = []
+    for option in ([], ["--surface-energy", "0.1", "0.2"]):
+        line = [*call, "--law", "jkr", "thornton", *option, "--speed", "1", "--theory", "--json"]
+        assert main([*line, "--force"]) == 0
+        found += json.loads(capsys.readouterr().out)["table"]
+    assert [row["surface_energy"] for row in found] == [0.1, None, 0.1, 0.2, None]
+    jkr = [row["coefficient_of_restitution"] for row in found if row["law"] == "jkr"]
+    assert jkr[0] == jkr[1] > jkr[2]
+
+
+@pytest.mark.parametrize(
+    ("given", "message"),
+    [
+        (["--law", "jkr"], "law jkr needs surface_energy, which material powder does not define"),
+        (["--law", "thornton", "--surface-energy", "1"], "thornton has no surface energy. Use one"),
+        (["--law", "walton_braun"], "needs loading_stiffness, which materials cannot define"),
+    ],
+)
+def test_bad_input(call, given, message, capsys):
+    assert main([*call, *given, "--theory"]) == 1
+    assert message in capsys.readouterr().err
