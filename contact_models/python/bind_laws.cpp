@@ -71,9 +71,8 @@ ImpactOutcome impact_of(const AnyLaw& law, double radius_eff, double mass_eff, d
 Answer<ImpactOutcome> central_impact_of(const AnyLaw& law, const nb::object& radius_eff,
                                         const nb::object& mass_eff, const nb::object& speed) {
   const Broadcast given = impact_arguments(radius_eff, mass_eff, speed);
-  return answer<ImpactOutcome>(given, [&](std::size_t i) {
-    return impact_of(law, given(0, i), given(1, i), given(2, i));
-  });
+  return answer<ImpactOutcome>(
+      given, [&](std::size_t i) { return impact_of(law, given(0, i), given(1, i), given(2, i)); });
 }
 
 nb::object pull_off_force_of(const AnyLaw& law, const nb::object& radius_eff,

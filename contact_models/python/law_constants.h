@@ -50,7 +50,8 @@ typename Law::Parameters parse_constants(const MaterialPair& pair, const nb::dic
                                   "; it must be a number [" + known->unit + "]");
     const double number = constants.*(known->value);
     if (std::isnan(number))  // to `validate`, NaN is a constant that is not given
-      raise_if(Complaint::about(name, number, allowed_values(*known)), std::string(Law::name) + ": ");
+      raise_if(Complaint::about(name, number, allowed_values(*known)),
+               std::string(Law::name) + ": ");
   }
   raise_if(validate<Law>(pair, constants), std::string(Law::name) + ": ");
   return constants;

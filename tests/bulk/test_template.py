@@ -49,6 +49,16 @@ def test_default_template_stays_within_the_range_of_its_law(tmp_path):
     assert "the validity range of the law" not in (tmp_path / "run" / "log.liggghts").read_text()
 
 
+def test_falls_beyond_the_range_of_the_law_are_noted(tmp_path, capsys):
+    """The run of the default material, above, stays within the range."""
+    assert main(["new-deck", str(tmp_path / "hard")]) == 0
+    assert "note" not in capsys.readouterr().out
+    assert main(["new-deck", str(tmp_path / "soft"), "--material", "soft_granules"]) == 0
+    note = capsys.readouterr().out.split("note: ")[1]
+    assert "soft_granules overlap 6.2 times as far as the range of universal allows" in note
+    assert "Use one of ghaednia, ghaednia_2019, jackson_green" in note
+
+
 @pytest.mark.parametrize("radius", [0.001, 0.005])
 def test_time_step_is_the_recommended_one_for_the_radius(radius, tmp_path):
     line = ["new-deck", str(tmp_path / "mine"), "--law", "thornton", "--radius", str(radius)]
@@ -90,7 +100,11 @@ def test_template_takes_all_constants_of_the_material(tmp_path):
         ("new --law lim_stronge", "'lim_stronge' is not a law for spheres"),
         (
             "new --law jkr",
-            "the deck has no constants for 'jkr', which belong to two bodies in contact",
+            "'jkr' does not support walls of meshes, which the deck has; docs/adhesion.md has",
+        ),
+        (
+            "new --law walton_braun",
+            "the deck has no constants for 'walton_braun', which belong to two bodies in contact",
         ),
         ("new --radius 0.05", "radius is 0.05; it must lie from 0.0005 to 0.006"),
     ],

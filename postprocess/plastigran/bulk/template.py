@@ -11,11 +11,19 @@ from plastigran import laws
 from plastigran.contact import Contact
 from plastigran.declared import Declaration, read_number
 from plastigran.engine.process import inputs_folder, misread
-from plastigran.materials import Material, has_constants, read_material, write_material
+from plastigran.materials import (
+    Material,
+    has_constants,
+    has_surface_energy,
+    read_material,
+    write_material,
+)
 from plastigran.usable_laws import laws_for
 
 #: Upper bound of the impact speed in the template, a fall from its top [m/s].
 SPEED = 2.0
+#: Speed of a fall from the top of the template, 0.09 m [m/s].
+FALL_SPEED = 1.33
 #: Grain radii for which the box of the template is large enough [m].
 NEW_DECK_RADIUS = Declaration("radius", "m", 0.0005, 0.006, True, True)
 #: Further files of the folder.
@@ -54,12 +62,17 @@ def write_deck(
             )
     if folder.name == material.name:
         raise ValueError(f"deck and material are both called {folder.name!r}. Choose another name")
-    choices = [name for name in laws_for("sphere", [material]) if name != "hertz"]
+    choices = _choices(material)
     if law not in choices:
         problem = f"{law!r} is not a law for spheres of {material.name}"
         if law in laws.LAWS and not has_constants(law):
             problem = (
                 f"the deck has no constants for {law!r}, which belong to two bodies in contact"
+            )
+        if law in laws.LAWS and has_surface_energy(law):
+            problem = (
+                f"{law!r} does not support walls of meshes, which the deck has; docs/adhesion.md "
+                "has a deck with adhesion"
             )
         if law == "hertz":
             problem = "hertz is LIGGGHTS' own model without energy balance, which the deck needs"
@@ -86,6 +99,35 @@ def write_deck(
     for file in PARTS:
         shutil.copyfile(inputs_folder() / file, folder / Path(file).name)
     return deck
+
+
+def _choices(material: Material) -> list[str]:
+    """Return the laws that the deck can use."""
+    names = laws_for("sphere", [material])
+    return [name for name in names if name != "hertz" and not has_surface_energy(name)]
+
+
+def range_note(law: str, material: Material | str | Path, radius: float) -> str:
+    """Return a sentence if a fall in the deck exceeds the range of the law; "" if not.
+
+    Args:
+        law, material, radius: As for `write_deck`.
+    """
+    material = read_material(material)
+
+    def excess(name: str) -> float:
+        contact = Contact(name, material, material, radius=radius, radius_other=radius)
+        return contact.impact(FALL_SPEED).overlap_max / contact.overlap_range
+
+    if excess(law) <= 1:
+        return ""
+    covering = [name for name in _choices(material) if excess(name) <= 1]
+    remedy = f"one of {', '.join(covering)}, or " if covering else ""
+    return (
+        f"a fall in this deck reaches {FALL_SPEED:g} m/s, at which grains of {material.name} "
+        f"overlap {excess(law):.2g} times as far as the range of {law} allows. Use {remedy}a "
+        "stiffer and stronger material"
+    )
 
 
 def _rounded_down(step: float) -> str:

@@ -6,7 +6,7 @@ from __future__ import annotations
 import argparse
 from pathlib import Path
 
-from plastigran.bulk.template import write_deck
+from plastigran.bulk.template import range_note, write_deck
 from plastigran.cli.arguments import add_material, positive
 
 HELP = "write a new deck that runs without changes"
@@ -28,3 +28,5 @@ def add_arguments(command: argparse.ArgumentParser) -> None:
 def run(arguments: argparse.Namespace) -> None:
     deck = write_deck(arguments.name, arguments.law, arguments.material, arguments.radius)
     print(f"written: {deck}\nrun it: plastigran bulk {deck}")
+    if note := range_note(arguments.law, arguments.material, arguments.radius):
+        print(f"note: {note}")

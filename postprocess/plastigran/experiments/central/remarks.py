@@ -26,7 +26,8 @@ VISIBLE = 5e-5
 def remarks(runs: Runs) -> list[str]:
     """Return sentences on the bodies, missing yield, adhesion, other bodies, and the time step."""
     sentences = [_arrangement(runs.cases)]
-    if (runs.table["speed_ratio"] < 1).all():
+    adhesive = runs.table["law"].map(has_surface_energy)
+    if not adhesive.any() and (runs.table["speed_ratio"] < 1).all():
         sentences.append(
             "every impact is slower than its yield speed (v/v_Y < 1), so nothing yields and "
             "the coefficient of restitution is 1"
