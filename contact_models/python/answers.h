@@ -33,6 +33,15 @@ struct AnswerFields<ImpactOutcome> {
   static const std::array<AnswerField<ImpactOutcome>, 7> all;
 };
 
+// TangentialResponse in the plane of the contact.
+struct PlaneResponse {
+  double force_x, force_y, stored_energy, friction_work;
+};
+template <>
+struct AnswerFields<PlaneResponse> {
+  static const std::array<AnswerField<PlaneResponse>, 4> all;
+};
+
 template <class Record>
 struct Answer {
   std::vector<nb::object> values;

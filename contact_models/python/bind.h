@@ -7,8 +7,9 @@
 
 namespace plastigran {
 
-void bind_bodies(nb::module_& module);   // Body, MaterialPair and what is made of them
-void bind_answers(nb::module_& module);  // Response, ImpactOutcome
-void bind_laws(nb::module_& module);     // Law and ContactState, the bases of every law's own
+void bind_bodies(nb::module_& module);    // Body, MaterialPair and what is made of them
+void bind_answers(nb::module_& module);   // Response, ImpactOutcome
+void bind_laws(nb::module_& module);      // Law and ContactState, the bases of every law's own
+void bind_friction(nb::module_& module);  // the tangential laws
 
 }  // namespace plastigran

@@ -36,6 +36,17 @@ const std::array<AnswerField<ImpactOutcome>, 7> AnswerFields<ImpactOutcome>::all
     {"in_range", nullptr, &ImpactOutcome::in_range, "Whether the law is good for that load."},
 }};
 
+const std::array<AnswerField<PlaneResponse>, 4> AnswerFields<PlaneResponse>::all{{
+    {"force_x", &PlaneResponse::force_x, nullptr,
+     "Tangential force along x, which the first body exerts on the second [N]."},
+    {"force_y", &PlaneResponse::force_y, nullptr,
+     "Tangential force along y, which the first body exerts on the second [N]."},
+    {"stored_energy", &PlaneResponse::stored_energy, nullptr,
+     "Energy stored in the tangential deformation [J]."},
+    {"friction_work", &PlaneResponse::friction_work, nullptr,
+     "Energy dissipated by friction in the step [J]."},
+}};
+
 namespace {
 
 template <class Record>
@@ -74,6 +85,9 @@ void bind_answers(nb::module_& module) {
   bind_answer<ImpactOutcome>(
       module, "ImpactOutcome",
       "Outcome of a central impact by a law: fields of the broadcast shape. Immutable.");
+  bind_answer<PlaneResponse>(
+      module, "TangentialResponse",
+      "Response of a tangential law: fields of the broadcast shape. Immutable.");
 }
 
 }  // namespace plastigran

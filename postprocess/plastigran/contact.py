@@ -8,6 +8,7 @@ from math import inf, pi, sqrt
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+import attrs
 import numpy as np
 from numpy.typing import ArrayLike
 
@@ -15,6 +16,7 @@ from plastigran import laws
 from plastigran.declared import RADIUS, Declaration, read_number
 from plastigran.materials import RIGID, Material, law_class, read_material
 from plastigran.physics import central
+from plastigran.physics.oblique_contact import ObliqueOutcome, oblique_impacts
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -39,12 +41,16 @@ class Contact:
         radius_other: Radius of body b [m]; None for a flat.
         mass_eff: m* [kg]; None for spheres, or cylinders of `cylinder_length`, with the densities
             of the materials. A flat and a body without density do not move.
+        friction: Coefficient of friction [-].
+        tangential: Name of the tangential law, for `oblique_impact`.
+        rings: Number of rings of `partial_slip`, at most 8.
         constants: Constants and options of the law. Those that the material of a defines, or of b
             if a is rigid, can be omitted.
 
     Attributes:
         law: Law between the bodies, an instance of a class of `plastigran.laws.LAWS`.
         pair: Constants of the two bodies.
+        tangential: Tangential law between the bodies, of `plastigran.laws.TANGENTIAL_LAWS`.
         radius_eff: R* [m].
 
     Raises:
@@ -61,9 +67,20 @@ class Contact:
         radius: float,
         radius_other: float | None = None,
         mass_eff: float | None = None,
+        friction: float = 0.0,
+        tangential: str = "partial_slip",
+        rings: int = 4,
         **constants: float | str,
     ) -> None:
         law_type = law_class(law)
+        if tangential not in laws.TANGENTIAL_LAWS:
+            known = ", ".join(laws.TANGENTIAL_LAWS)
+            raise ValueError(f"tangential is {tangential!r}; it must be one of: {known}")
+        self.tangential: laws.PartialSlip | laws.Incremental
+        if tangential == "partial_slip":
+            self.tangential = laws.PartialSlip(friction, rings)
+        else:
+            self.tangential = laws.TANGENTIAL_LAWS[tangential](friction)
         self._bodies = [_read_body(name, body) for name, body in (("a", a), ("b", b))]
         self._radii = [read_number("radius", radius, RADIUS), inf]
         if radius_other is not None and radius_other != inf:
@@ -191,6 +208,54 @@ class Contact:
         """
         return self.law.central_impact(self.radius_eff, self.mass_eff, speeds)
 
+    def oblique_impact(self, speeds: ArrayLike, angles: ArrayLike) -> ObliqueOutcome:
+        """Return oblique impacts without spin before, with friction and the tangential law.
+
+        Args:
+            speeds: Relative speeds of the bodies before the impact [m/s].
+            angles: Angles between their velocity and the normal, 0 or more and below 90 [degrees].
+                Speeds and angles broadcast together.
+
+        Raises:
+            ValueError: A value is out of range, no body has a mass, or the law does not support
+                oblique impacts.
+
+        Warns:
+            RangeWarning: The overlap exceeds the range of the law.
+        """
+        if self.law.shape != "sphere" or self.law.adhesive:
+            raise ValueError(
+                f"law {self.law.name}: oblique impacts need a law for spheres without adhesion"
+            )
+        speeds, angles = np.broadcast_arrays(
+            np.asarray(speeds, dtype=float), np.asarray(angles, dtype=float)
+        )
+        if not ((angles >= 0) & (angles < 90)).all():
+            raise ValueError(f"angles are {angles}; they must be 0 or more and below 90 degrees")
+        closing = speeds * np.cos(np.radians(angles))
+        outcome = self.impact(closing)
+        self._warn("normal speed", "m/s", closing[~np.asarray(outcome.in_range)])
+        mass = self._mass(self._bodies[0], self._radii[0])
+        torque_arm = self._radii[0] * (self.mass_eff if mass == inf else mass)
+
+        def compute(law: laws.Law, speeds: np.ndarray, angles: np.ndarray) -> ObliqueOutcome:
+            bodies = self.radius_eff, self.mass_eff, torque_arm
+            return oblique_impacts(law, self.tangential, *bodies, speeds, angles)
+
+        flat = speeds.ravel(), angles.ravel()
+        if self.pair.rate_coefficient:  # each impact has its yield strength
+            parts = [
+                compute(self.law.at_impact(self.radius_eff, float(rate)), *np.atleast_1d(*impact))
+                for rate, *impact in zip(closing.ravel(), *flat, strict=True)
+            ]
+        else:
+            parts = [compute(self.law, *flat)]
+        values = [
+            np.concatenate([getattr(part, field.name) for part in parts]).reshape(speeds.shape)
+            for field in attrs.fields(ObliqueOutcome)
+        ]
+        return ObliqueOutcome(*values)
+
     def restitution(self, speeds: ArrayLike) -> float | np.ndarray:
         """Return the coefficient of restitution at closing speeds [m/s] of any shape.
 
@@ -221,6 +286,12 @@ class Contact:
             values["radius_other"] = self._radii[1]
         if self._mass_eff is not None:
             values["mass_eff"] = self._mass_eff
+        if self.tangential.coefficient_of_friction:
+            values["friction"] = self.tangential.coefficient_of_friction
+        if self.tangential.name != "partial_slip":
+            values["tangential"] = self.tangential.name
+        elif isinstance(self.tangential, laws.PartialSlip) and self.tangential.rings != 4:
+            values["rings"] = self.tangential.rings
         values |= self._constants
         arguments = ", ".join(f"{name}={value!r}" for name, value in values.items())
         return f"Contact({self.law.name!r}, {a}, {b}, {arguments})"

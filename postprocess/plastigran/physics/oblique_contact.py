@@ -1,0 +1,124 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Oblique impacts of spheres, by the equations of motion with a normal and a tangential law."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import attrs
+import numpy as np
+
+from plastigran import laws
+
+#: Ratio of the recommended time step of the law to the step of the integration.
+FINER = 12
+#: Largest number of steps of an impact.
+MOST_STEPS = 100_000
+
+
+@attrs.frozen
+class ObliqueOutcome:
+    """Outcome of oblique impacts. The first body has no spin before; all arrays have one shape.
+
+    Attributes:
+        normal_restitution: Ratio of the normal relative speeds after and before [-].
+        tangential_restitution: Ratio of the tangential relative speeds of the centers [-]; NaN for
+            a central impact.
+        spin: Spin of the first body after the impact [rad/s]; it rolls forward if positive.
+        rebound_angle: Angle of the first body's relative velocity from the normal after the impact
+            [degrees].
+        friction_work: Energy dissipated by friction [J].
+        plastic_work: Energy dissipated by plastic deformation [J].
+    """
+
+    normal_restitution: np.ndarray
+    tangential_restitution: np.ndarray
+    spin: np.ndarray
+    rebound_angle: np.ndarray
+    friction_work: np.ndarray
+    plastic_work: np.ndarray
+
+
+def normalized_angle(pair: laws.MaterialPair, friction: float, angle: np.ndarray) -> np.ndarray:
+    """Return psi = tan(angle) 4 G*/(mu E*), by which elastic impacts of any friction agree [-].
+
+    Args:
+        pair: Constants of the two materials.
+        friction: Coefficient of friction mu [-].
+        angle: Angle of the surface velocity from the normal [rad].
+
+    Source: Maw, Barber & Fawcett 1976, Wear 38:101.
+    """
+    return 4 * pair.shear_modulus_eff / (friction * pair.youngs_modulus_eff) * np.tan(angle)
+
+
+def oblique_impacts(
+    law: laws.Law,
+    tangential: laws.PartialSlip | laws.Incremental,
+    radius_eff: float,
+    mass_eff: float,
+    torque_arm: float,
+    speeds: np.ndarray,
+    angles: np.ndarray,
+) -> ObliqueOutcome:
+    """Integrate oblique impacts by velocity Verlet, with twelve times the recommended steps.
+
+    Both bodies are homogeneous spheres, or the second is an immovable flat. The tangential motion
+    of the surfaces then has the mass 2/7 m*.
+
+    Args:
+        law: Normal law of a sphere without adhesion.
+        tangential: Tangential law.
+        radius_eff: R* [m].
+        mass_eff: m* [kg].
+        torque_arm: Radius times mass of the first body [kg m], which sets its spin.
+        speeds: Relative speeds before the impact (N,) [m/s].
+        angles: Angles of the velocities from the normal (N,) [degrees].
+
+    Raises:
+        RuntimeError: An impact does not end.
+    """
+    closing, sliding = speeds * np.cos(np.radians(angles)), speeds * np.sin(np.radians(angles))
+    step = law.recommended_timestep(radius_eff, mass_eff, closing) / FINER
+    stiffness = 8 * law.pair.shear_modulus_eff
+    normal_states = np.array([law.State() for _ in speeds])
+    tangential_state: Any = tangential.State(speeds.shape)
+
+    rate, slip = closing.copy(), sliding.copy()  # of the overlap; of the surfaces
+    overlap, normal, friction = np.zeros_like(rate), np.zeros_like(rate), np.zeros_like(rate)
+    impulse, work, plastic = np.zeros_like(rate), np.zeros_like(rate), np.zeros_like(rate)
+    moving = np.ones_like(rate)  # 0 after an impact
+    for _ in range(MOST_STEPS):
+        half = 0.5 * step * moving
+        rate, slip = rate - normal * half / mass_eff, slip - 3.5 * friction * half / mass_eff
+        impulse = impulse + friction * half
+        overlap = overlap + 2 * half * rate
+        response = law.respond(radius_eff, overlap, normal_states, rate)
+        normal = moving * np.maximum(0.0, response.force)
+        answer = tangential.respond(
+            np.maximum(0.0, normal - response.viscous_force * moving),
+            stiffness * response.contact_radius,
+            2 * half * slip,
+            state=tangential_state,
+        )
+        friction = moving * answer.force_x
+        work = work + moving * answer.friction_work
+        plastic = np.asarray(response.plastic_work)
+        rate, slip = rate - normal * half / mass_eff, slip - 3.5 * friction * half / mass_eff
+        impulse = impulse + friction * half
+        moving = np.where((rate < 0) & (normal <= 0), 0.0, moving)
+        if not moving.any():
+            break
+    else:
+        raise RuntimeError(f"an impact does not end within {MOST_STEPS} steps")
+    along = sliding - impulse / mass_eff
+    with np.errstate(divide="ignore", invalid="ignore"):
+        tangential_restitution = np.where(sliding != 0, along / sliding, np.nan)
+    return ObliqueOutcome(
+        normal_restitution=-rate / closing,
+        tangential_restitution=tangential_restitution,
+        spin=2.5 * impulse / torque_arm,
+        rebound_angle=np.degrees(np.arctan2(along, -rate)),
+        friction_work=work,
+        plastic_work=plastic,
+    )
