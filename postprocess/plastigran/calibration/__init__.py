@@ -4,5 +4,6 @@
 from plastigran.calibration.calibrating import calibrate
 from plastigran.calibration.drop_test import DropTest
 from plastigran.calibration.metal import CalibratedMetal
+from plastigran.calibration.surface_energy import CalibratedAdhesion, calibrate_adhesion
 
-__all__ = ["CalibratedMetal", "DropTest", "calibrate"]
+__all__ = ["CalibratedAdhesion", "CalibratedMetal", "DropTest", "calibrate", "calibrate_adhesion"]

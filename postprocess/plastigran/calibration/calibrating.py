@@ -26,6 +26,7 @@ from plastigran.calibration.strength import LARGEST_RATIO, LEAST_RATIO, Strength
 from plastigran.contact import Contact
 from plastigran.declared import RADIUS, Declaration, read_number
 from plastigran.materials import RIGID, Material
+from plastigran.usable_laws import laws_for
 
 FEM_RADIUS = 0.1  # radius of the finite-element sphere [m]
 SPHERE_RADIUS = 1e-2  # radius of a sphere on a rigid plane [m]; restitution does not depend on it
@@ -192,12 +193,11 @@ def _check_numbers(**values: float | None) -> None:
 
 
 def _check_law(law: str) -> None:
-    names = sorted(
-        name for name, entry in laws.LAWS.items() if entry.shape == "sphere" and entry.yields
-    )
+    names = [name for name in laws_for("sphere") if laws.LAWS[name].yields]
     if law not in names:
         raise ValueError(
-            f"law is {law!r}; it must be one of the laws for spheres that yield: {', '.join(names)}"
+            f"law is {law!r}; it must be one of the laws for spheres that yield, without adhesion "
+            f"and given stiffnesses: {', '.join(names)}"
         )
 
 

@@ -48,6 +48,23 @@ def jkr_sticking_speed(
     return np.sqrt(2 * work / mass_eff)[()]
 
 
+def jkr_surface_energy(
+    sticking_speed: ArrayLike,
+    radius_eff: ArrayLike,
+    youngs_modulus_eff: ArrayLike,
+    mass_eff: ArrayLike,
+) -> np.ndarray | float:
+    """Return the work of adhesion for a sticking speed [J/m2], the inverse of `jkr_sticking_speed`.
+
+    Args:
+        sticking_speed: Speed below which the spheres stick [m/s].
+        radius_eff, youngs_modulus_eff, mass_eff: As for `jkr_sticking_speed`.
+    """
+    work = 0.5 * np.asarray(mass_eff, float) * np.square(sticking_speed) / _SEPARATION_WORK
+    gamma = (work**3 * np.square(youngs_modulus_eff) / np.power(radius_eff, 4.0)) ** 0.2
+    return gamma[()]
+
+
 def sticking_speed(
     law: laws.Law, radius_eff: float, mass_eff: float, slowest: float = 1e-6, fastest: float = 1e3
 ) -> float:

@@ -1,48 +1,79 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""`plastigran calibrate`: constants of a metal for a deck, from a measurement."""
+"""`plastigran calibrate`: constants for a deck, from a measurement."""
 
 from __future__ import annotations
 
 import argparse
 from pathlib import Path
 
-from plastigran.calibration import CalibratedMetal, DropTest, calibrate
+from plastigran import laws
+from plastigran.calibration import (
+    CalibratedAdhesion,
+    CalibratedMetal,
+    DropTest,
+    calibrate,
+    calibrate_adhesion,
+)
 from plastigran.calibration.calibrating import FEM_RADIUS
 from plastigran.calibration.drop_test import BALL_RADIUS, read_drop_test
 from plastigran.calibration.expected_errors import DEFAULT_LAW
 from plastigran.calibration.finite_elements import USUAL_RANGE
 from plastigran.calibration.strength import STEEL_RATE_COEFFICIENT
+from plastigran.calibration.surface_energy import DEFAULT_LAW as ADHESIVE_LAW
 from plastigran.cli.arguments import positive, print_json, refuse_idle
 from plastigran.cli.metal import add_elastic, add_strain
 from plastigran.materials import (
     RIGID,
+    RIGID_WALL,
+    Material,
     check_material_file,
+    has_surface_energy,
+    law_class,
     material_lines,
     read_material,
     write_material,
 )
 
-HELP = "find the yield strength of a metal from hardness, rebound or drops, for use in a deck"
+HELP = (
+    "find the yield strength of a metal from hardness, rebound or drops, or the surface energy "
+    "from a pull-off force or sticking speed"
+)
 EXAMPLE = """
 plastigran calibrate --young 206e9 --poisson 0.3 --density 7850 --hardness 45HRC --output spring.in
+plastigran calibrate --young 1.2e9 --poisson 0.3 --density 1350 --pull-off 2.4e-6 --radius 2.5e-6
 """
 
 #: Word for the calibrated metal itself, as ball or plate.
 METAL = "metal"
 #: Allowed suffixes of --figure.
 FIGURES = (".png", ".svg", ".pdf")
+#: Yield strength of a material that never yields [Pa].
+NO_YIELD = 1e30
+#: Measurements of the yield strength, and their arguments.
+MEASURED = {
+    "--yield": "yield_strength",
+    "--hardness": "hardness",
+    "--leeb": "leeb",
+    "--drop": "drop",
+}
+#: Arguments without a default that belong to the yield strength.
+OF_STRENGTH = ("ball", "ball_radius", "rate_coefficient", "scatter", "speeds", "force_ratio")
 #: Arguments that are passed on unchanged.
 PASSED_ON = (
     *("density", "yield_strength", "hardness", "leeb", "plastic_modulus", "rate_coefficient"),
-    *("scatter", "law", "speeds", "radius", "strain"),
+    *("scatter", "speeds", "strain"),
 )
 
 
 def add_arguments(command: argparse.ArgumentParser) -> None:
-    measured = command.add_mutually_exclusive_group(required=True)
-    measured.add_argument(
-        "--yield", type=positive, dest="yield_strength", help="yield strength, Pa"
+    command.add_argument(
+        "--yield",
+        type=positive,
+        dest="yield_strength",
+        help="yield strength, Pa; given alone, or for a law that yields with --pull-off or "
+        "--sticking-speed",
     )
+    measured = command.add_mutually_exclusive_group()
     measured.add_argument(
         "--hardness", help="hardness, HV or with its scale, for example 45HRC or 200HB"
     )
@@ -52,7 +83,24 @@ def add_arguments(command: argparse.ArgumentParser) -> None:
     measured.add_argument(
         "--drop", type=Path, metavar="FILE", help="table of drops, see docs/calibrate.md"
     )
+    measured.add_argument(
+        "--pull-off", type=positive, dest="pull_off_force", help="force that separates bodies, N"
+    )
+    measured.add_argument(
+        "--sticking-speed", type=positive, help="closing speed below which bodies stick, m/s"
+    )
+    command.add_argument(
+        "--load",
+        type=positive,
+        help="largest compressive force before --pull-off, N, default 0; for laws that yield",
+    )
+    command.add_argument(
+        "--radius-other",
+        type=positive,
+        help="radius of the other sphere of --pull-off or --sticking-speed, m, default a plate",
+    )
     add_elastic(command, FEM_RADIUS, density=None)
+    command.set_defaults(radius=None)  # --pull-off and --sticking-speed need a radius
     command.add_argument(
         "--hardening",
         type=float,
@@ -64,8 +112,9 @@ def add_arguments(command: argparse.ArgumentParser) -> None:
     command.add_argument(
         "--plate",
         help=(
-            "material of the plate of --drop: rigid (default for a ball of the "
-            "metal), metal, or a material"
+            "material of the plate of --drop, or of the other body of --pull-off or "
+            "--sticking-speed: rigid (default for a ball of the metal), metal (default with "
+            "--radius-other), or a material"
         ),
     )
     command.add_argument(
@@ -89,7 +138,9 @@ def add_arguments(command: argparse.ArgumentParser) -> None:
         help="relative standard deviation of one measured restitution, default 0.02 for drops",
     )
     command.add_argument(
-        "--law", default=DEFAULT_LAW, help=f"name of the law, default {DEFAULT_LAW}"
+        "--law",
+        help=f"name of the law, default {DEFAULT_LAW}, and {ADHESIVE_LAW} for --pull-off and "
+        "--sticking-speed",
     )
     command.add_argument(
         "--speeds",
@@ -132,15 +183,7 @@ def run(arguments: argparse.Namespace) -> None:
         check_material_file(output, arguments.force)
     if arguments.figure is not None and arguments.figure.suffix not in FIGURES:
         raise ValueError(f"figure is {arguments.figure}; it must end in {' or '.join(FIGURES)}")
-    calibrated = calibrate(
-        youngs_modulus=arguments.young,
-        poissons_ratio=arguments.poisson,
-        drops=_drops(arguments),
-        force_ratio=_finite_elements(arguments),
-        name=output.stem if output else "metal",
-        progress=True,
-        **{name: getattr(arguments, name) for name in PASSED_ON},
-    )
+    calibrated = _adhesion(arguments) if _is_of_adhesion(arguments) else _metal(arguments)
     if output is not None:
         write_material(calibrated.material, output, calibrated.remark, arguments.force)
     if arguments.figure is not None:
@@ -151,6 +194,66 @@ def run(arguments: argparse.Namespace) -> None:
         _print(calibrated, output)
 
 
+def _is_of_adhesion(arguments: argparse.Namespace) -> bool:
+    return arguments.pull_off_force is not None or arguments.sticking_speed is not None
+
+
+def _metal(arguments: argparse.Namespace) -> CalibratedMetal:
+    """Return the strength of the metal.
+
+    Raises:
+        ValueError: There is not exactly one measurement, or as for `calibrate`.
+    """
+    measured = [name for name in MEASURED if getattr(arguments, MEASURED[name]) is not None]
+    if len(measured) != 1:
+        raise ValueError(
+            f"{' and '.join(measured) or 'no measurement'} given; exactly one of "
+            f"{', '.join(MEASURED)}, --pull-off and --sticking-speed is needed"
+        )
+    output = arguments.output
+    return calibrate(
+        youngs_modulus=arguments.young,
+        poissons_ratio=arguments.poisson,
+        drops=_drops(arguments),
+        force_ratio=_finite_elements(arguments),
+        name=output.stem if output else "metal",
+        progress=True,
+        law=arguments.law or DEFAULT_LAW,
+        radius=arguments.radius or FEM_RADIUS,
+        **{name: getattr(arguments, name) for name in PASSED_ON},
+    )
+
+
+def _adhesion(arguments: argparse.Namespace) -> CalibratedAdhesion:
+    """Return the surface energy of the bodies.
+
+    Raises:
+        ValueError: The radius or a yield strength is missing, or as for `calibrate_adhesion`.
+    """
+    law = arguments.law or ADHESIVE_LAW
+    if arguments.radius is None:
+        raise ValueError("--pull-off and --sticking-speed need --radius, the sphere's radius in m")
+    if law_class(law).yields and has_surface_energy(law) and arguments.yield_strength is None:
+        raise ValueError(f"law {law} yields, so it needs --yield, the yield strength in Pa")
+    material = Material(
+        arguments.output.stem if arguments.output else "grain",
+        arguments.young,
+        arguments.poisson,
+        arguments.density,
+        yield_strength=arguments.yield_strength or NO_YIELD,
+    )
+    return calibrate_adhesion(
+        material,
+        _plate(arguments, METAL if arguments.radius_other else RIGID_WALL) or material,
+        radius=arguments.radius,
+        radius_other=arguments.radius_other,
+        pull_off_force=arguments.pull_off_force,
+        sticking_speed=arguments.sticking_speed,
+        load=arguments.load or 0.0,
+        law=law,
+    )
+
+
 def _refuse_idle(arguments: argparse.Namespace) -> None:
     """Refuse flags that have no effect.
 
@@ -158,16 +261,26 @@ def _refuse_idle(arguments: argparse.Namespace) -> None:
         ValueError: A flag has no effect; the message names it.
     """
     finite_elements = _finite_elements(arguments)
+    adhesion = _is_of_adhesion(arguments)
+    if adhesion:
+        needed = "a measurement of the yield strength"
+        refuse_idle(arguments, needed, **dict.fromkeys(OF_STRENGTH), plastic_modulus=0.0, fem=False)
+    else:
+        refuse_idle(arguments, "--pull-off or --sticking-speed", radius_other=None)
+    if arguments.pull_off_force is None:
+        refuse_idle(arguments, "--pull-off", load=None)
     if arguments.output is None:
         refuse_idle(arguments, "--output", force=False)
     if arguments.drop is None:
-        refuse_idle(arguments, "--drop", ball=None, plate=None, ball_radius=None)
+        plate = {} if adhesion else {"plate": None}
+        refuse_idle(arguments, "--drop", ball=None, **plate, ball_radius=None)
         if arguments.leeb is None:
             refuse_idle(arguments, "--drop or --leeb", scatter=None)
         if not finite_elements:
             refuse_idle(arguments, "--drop or --fem", figure=None)
     if not finite_elements:
-        refuse_idle(arguments, "--fem", radius=FEM_RADIUS)
+        if not adhesion:
+            refuse_idle(arguments, "--fem", radius=None)
         if arguments.strain == "finite":
             raise ValueError("--finite-strain needs --fem")
 
@@ -182,11 +295,16 @@ def _drops(arguments: argparse.Namespace) -> DropTest | None:
     if arguments.drop is None:
         return None
     ball = None if arguments.ball in (None, METAL) else read_material(arguments.ball)
-    plate = arguments.plate or ("rigid" if ball is None else METAL)
-    bodies = {"rigid": RIGID, METAL: None}
-    plate = bodies[plate] if plate in bodies else read_material(plate)
+    plate = _plate(arguments, RIGID_WALL if ball is None else METAL)
     drops = read_drop_test(arguments.drop)
     return DropTest(**drops, ball=ball, plate=plate, radius=arguments.ball_radius or BALL_RADIUS)
+
+
+def _plate(arguments: argparse.Namespace, default: str) -> Material | laws.Body | None:
+    """Return the body of --plate, or of a default word; None for the metal itself."""
+    plate = arguments.plate or default
+    bodies = {RIGID_WALL: RIGID, METAL: None}
+    return bodies[plate] if plate in bodies else read_material(plate)
 
 
 def _draw(calibrated: CalibratedMetal, path: Path) -> None:
@@ -196,9 +314,9 @@ def _draw(calibrated: CalibratedMetal, path: Path) -> None:
     save(figure(calibrated, progress=True), path, (path.suffix,))
 
 
-def _print(calibrated: CalibratedMetal, output: Path | None) -> None:
+def _print(calibrated: CalibratedMetal | CalibratedAdhesion, output: Path | None) -> None:
     print(calibrated)
-    if calibrated.pressed is not None:
+    if getattr(calibrated, "pressed", None) is not None:
         print()
         for name, value in calibrated.pressed.fitted.to_dict().items():
             print(f"{name:28s} {value:.5g}")
