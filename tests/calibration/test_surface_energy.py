@@ -79,7 +79,7 @@ def test_jkr_has_closed_forms(bodies):
 
 
 def test_flattening_increases_the_pull_off_force():
-    """A loaded contact yields, so the same force needs less surface energy; one at rest is elastic."""
+    """The same force then needs less surface energy; without load, this contact is elastic."""
     find = {"radius": RADIUS, "pull_off_force": 2e-6, "law": "thornton_ning_1998"}
     gammas = [calibrate_adhesion(POWDER, load=load, **find).surface_energy for load in (0, 1e-5)]
     elastic = calibrate_adhesion(POWDER, radius=RADIUS, pull_off_force=2e-6).surface_energy
