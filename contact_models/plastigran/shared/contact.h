@@ -11,6 +11,7 @@
 //   Parameters   struct of the law's own constants, each with its default
 //   State        struct of doubles, zero before first touch: the extremes that the contact has
 //                reached, symmetric in the two bodies
+//   state_names  array of the names of these doubles, in their order
 //   respond(radius_eff, overlap, state)
 //                returns the Response, which depends on overlap and state only. It changes `state`
 //                at a new extreme, so that a second call at the same overlap changes nothing. At
