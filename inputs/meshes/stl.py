@@ -8,21 +8,22 @@ from pathlib import Path
 import numpy as np
 
 
-def write(path: Path, triangles: np.ndarray) -> None:
+def write(path: Path, triangles: np.ndarray, digits: int = 9) -> None:
     """Write a solid of the file's name.
 
     Args:
         path: The file.
         triangles: Corners, shape (n, 3, 3); seen against the normal they turn counterclockwise.
+        digits: Decimal places of the corners.
     """
     lines = [f"solid {path.stem}"]
     for corners in triangles:
         normal = np.cross(corners[1] - corners[0], corners[2] - corners[0])
         lines += [f"  facet normal {_numbers(normal / np.linalg.norm(normal))}", "    outer loop"]
-        lines += [f"      vertex {_numbers(corner)}" for corner in corners]
+        lines += [f"      vertex {_numbers(corner, digits)}" for corner in corners]
         lines += ["    endloop", "  endfacet"]
     path.write_text("\n".join([*lines, f"endsolid {path.stem}", ""]))
 
 
-def _numbers(vector: np.ndarray) -> str:
-    return " ".join(f"{value:.7g}" for value in np.round(vector, 9) + 0.0)  # + 0: no -0
+def _numbers(vector: np.ndarray, digits: int = 9) -> str:
+    return " ".join(f"{value:.7g}" for value in np.round(vector, digits) + 0.0)  # + 0: no -0

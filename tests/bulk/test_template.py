@@ -100,7 +100,7 @@ def test_template_takes_all_constants_of_the_material(tmp_path):
         ("new --law lim_stronge", "'lim_stronge' is not a law for spheres"),
         (
             "new --law jkr",
-            "'jkr' does not support walls of meshes, which the deck has; docs/adhesion.md has",
+            "the deck has no constants for 'jkr', which belong to two bodies in contact",
         ),
         (
             "new --law walton_braun",

@@ -14,16 +14,13 @@ from numpy.testing import assert_allclose
 import plastigran as pg
 from plastigran.calibration.softening import (
     SOUND_OVERLAP,
-    adhesion_changes,
-    cohesive_to_factor,
     comparison,
     lowest_factor,
-    pull_off_over_weight,
     resting_overlap,
     soften,
 )
 from plastigran.cli import main
-from plastigran.materials import Material, read_material, write_material
+from plastigran.materials import read_material
 
 STEEL = pg.material("steel")
 RADIUS, SPEED = 1e-3, 0.5
@@ -77,78 +74,6 @@ def test_restitution_of_viscous_spheres_stays():
     )
     # The law integrates both in time, with an accuracy of 1e-6.
     assert_allclose(after.restitution(speeds), before.restitution(speeds), rtol=1e-6)
-
-
-POWDER = Material("powder", 1.2e9, 0.3, 1350.0, yield_strength=22e6, surface_energy=0.05)
-
-
-@pytest.mark.parametrize("factor", [0.1, 1e-4])
-def test_adhesion_stays(factor):
-    """Sticking speed and restitution stay; the pull-off force falls, and the weight does not."""
-    names = ["jkr", "thornton_ning_1998"]
-    table = comparison(POWDER, factor, 1e-5, 0.5, names)
-    assert (table["restitution_change"] == 0).all()
-    assert_allclose(table["timestep_softened"] / table["timestep"], factor**-0.4, rtol=1e-6)
-    changes = adhesion_changes(POWDER, factor, 1e-5, names)
-    ratios = {name: after / before for name, (before, after) in changes.items()}
-    powers = {"pull-off force / weight": 0.4, "pull-off distance / radius": -0.4}
-    for name, ratio in ratios.items():
-        assert_allclose(ratio, factor ** powers.get(name, 0), rtol=1e-9)
-    assert len(ratios) == 4
-    slow = changes["sticking speed, jkr"][0]
-    other = attrs.evolve(soften(POWDER, factor), surface_energy=0.05)
-    softer = pg.Contact("jkr", other, other, radius=1e-5, radius_other=1e-5)
-    # With the surface energy of the original, the softened grains stick at higher speeds.
-    assert softer.impact(1.1 * slow).coefficient_of_restitution == 0
-
-
-def test_constants_of_given_stiffnesses_can_be_softened_by_hand():
-    """The table of docs/soften.md, for a factor s of the stiffnesses: exact at every speed."""
-    s, body, sizes = 1e-2, POWDER.body(), {"radius": 1e-5, "radius_other": 1e-5}
-    soft = soften(POWDER, s).body()
-    mass, speeds = 2e-12, np.geomspace(1e-3, 10, 9)
-    springs = {"loading_stiffness": 1e3, "unloading_stiffness": 5e3, "adhesive_stiffness": 2e2}
-    softer = {name: value * s for name, value in springs.items()}
-    walton = {"loading_stiffness": 1e3, "unloading_stiffness_slope": 1e8}
-    edinburgh = {"stiffness_ratio": 5.0, "adhesion_ratio": 0.05}
-    cases = {
-        "luding_2008": (springs, softer | {"plasticity_depth": 0.05 * s**-0.5}),
-        "walton_braun": (
-            walton,
-            {"loading_stiffness": 1e3 * s, "unloading_stiffness_slope": 1e8 * s**0.5},
-        ),
-        "edinburgh_2014": (
-            edinburgh | {"constant_force": -1e-7},
-            edinburgh | {"constant_force": -1e-7 * s**0.4},
-        ),
-    }
-    for law, (before, after) in cases.items():
-        original, softened = (
-            pg.Contact(law, material, material, mass_eff=mass, **sizes, **constants)
-            for material, constants in ((body, before), (soft, after))
-        )
-        expected = original.impact(speeds).coefficient_of_restitution
-        # 1e-6: near sticking, restitution is the root of a small difference.
-        assert_allclose(softened.impact(speeds).coefficient_of_restitution, expected, atol=1e-6)
-        with pytest.raises(ValueError, match=f"{law} cannot be softened, because its constants"):
-            comparison(POWDER, s, 1e-5, 0.5, [law])
-
-
-def test_cohesion_against_the_weight_limits_the_factor(tmp_path, capsys):
-    """The pull-off force goes as s^(2/5), so it is equal to the weight at ratio^(-5/2)."""
-    radius = 5e-4
-    ratio = pull_off_over_weight(POWDER, radius)
-    weight = 4 / 3 * pi * radius**3 * 1350 * 9.81
-    assert_allclose(ratio, 1.5 * pi * 0.05 * radius / 2 / weight, rtol=1e-3)  # g = 9.81 m/s^2
-    factor = cohesive_to_factor(POWDER, radius)
-    assert_allclose(pull_off_over_weight(soften(POWDER, factor), radius), 1, rtol=1e-9)
-    assert cohesive_to_factor(POWDER, 0.1) == cohesive_to_factor(STEEL, radius) == 0
-    file = tmp_path / "powder.in"
-    write_material(POWDER, file, "A powder.")
-    call = ["soften", "--material", str(file), "--radius", str(radius), "--speed", "0.01"]
-    for share, verdict in ((0.5, "TOO SOFT: the pull-off"), (2, "exceeds the weight, as before")):
-        assert main([*call, "--law", "jkr", "--factor", str(share * factor)]) == 0
-        assert verdict in capsys.readouterr().out
 
 
 def test_lowest_factor_reaches_the_sound_overlap():
@@ -213,9 +138,7 @@ def test_command_writes_a_material(tmp_path, capsys):
     assert "soft.in exists" in capsys.readouterr().err
     for options, message in (
         (["--factor", "2"], "factor is 2; it must lie from"),
-        (["--speedup", "0.5"], "--speedup is 0.5; it must lie from 1 to 63095.7"),
-        (["--speedup", "1e300"], "--speedup is 1e+300; it must lie from 1 to 63095.7"),
-        (["--factor", "0.1", "--law", "luding_2008"], "luding_2008 cannot be softened, because"),
+        (["--speedup", "0.5"], "--speedup is 0.5; it must be at least 1"),
     ):
         assert main([*call, *options]) == 1
         assert message in capsys.readouterr().err

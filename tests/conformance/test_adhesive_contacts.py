@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Laws that attract, or are plastic from first touch, in LIGGGHTS: pairs and primitive walls."""
+"""Laws that attract, or are plastic from first touch, in LIGGGHTS: pairs and walls."""
 
 from __future__ import annotations
 
@@ -9,76 +9,22 @@ from pathlib import Path
 import numpy as np
 import pandas as pd
 import pytest
+from adhesive_grains import (
+    CONSTANTS,
+    GRAINS,
+    MASS,
+    PLATE,
+    RADIUS,
+    STRETCHED,
+    WALL,
+    law_of,
+    run,
+    sphere,
+    table,
+)
 
-from plastigran import laws
-from plastigran.engine.dumps import read_dump
-from plastigran.engine.process import EngineError, run_deck
+from plastigran.engine.process import EngineError
 from plastigran.physics import adhesion
-
-DECK = Path(__file__).parent / "decks" / "adhesion.in"
-RADIUS, DENSITY = 2.45e-6, 1350.0
-MASS = 4 / 3 * pi * RADIUS**3 * DENSITY
-GRAIN, PLANE = laws.Body(1.2e9, 0.3, 35.3e6, 1), laws.Body(182e9, 0.3)
-WALL, GRAINS = laws.combine(GRAIN, PLANE), laws.combine(GRAIN, GRAIN)
-CONSTANTS = {
-    "jkr": {"surface_energy": 0.2},
-    "thornton_ning_1998": {"surface_energy": 0.05},
-    "walton_braun": {"loading_stiffness": 1e3, "unloading_stiffness": 4e3},
-    "luding_2008": {
-        "loading_stiffness": 1e3,
-        "unloading_stiffness": 5e3,
-        "adhesive_stiffness": 500,
-        "plasticity_depth": 0.02,
-    },
-    "edinburgh_2014": {"stiffness_ratio": 5, "adhesion_ratio": 0.1},
-}
-BOX = "region box block -4e-5 4e-5 -4e-5 4e-5 -4e-5 4e-5 units box\ncreate_box 2 box\n"
-STRETCHED = ("jkr", "thornton_ning_1998")  # laws whose contacts last beyond zero overlap
-
-
-def property_lines(constants: dict[str, float]) -> str:
-    lines = []
-    for name, value in constants.items():
-        first, *rest = name.split("_")
-        keyword = first + "".join(word.capitalize() for word in rest)
-        lines.append(
-            f"fix {name} all property/global {keyword} peratomtypepair 2 {4 * f'{value} '}"
-        )
-    return "\n".join(lines) + "\n"
-
-
-def sphere(x: float, y: float, vx: float, radius: float = RADIUS, density: float = DENSITY) -> str:
-    """A line that creates a sphere, and two that set it; `@` is its atom ID."""
-    return (
-        f"create_atoms 1 single {x:.17g} {y:.17g} 0 units box\n"
-        f"set atom @ diameter {2 * radius:.17g} density {density:.17g}\n"
-        f"set atom @ vx {vx:.17g}\n"
-    )
-
-
-def run(law: str, folder: Path, bodies: list[str], commands: str, ranks: int = 1, **variables):
-    folder.mkdir(exist_ok=True)
-    text = "".join(body.replace("@", str(k)) for k, body in enumerate(bodies, 1))
-    constants = variables.pop("values", CONSTANTS.get(law, {}))
-    restart = variables.pop("restart", None)
-    for name, content in (
-        ("begin", f"read_restart {restart}\n" if restart else BOX),
-        ("bodies", "" if restart else text),
-        ("constants", property_lines(constants)),
-        ("commands", commands + "\n"),
-    ):
-        (folder / f"{name}.in").write_text(content)
-        variables[name] = (folder / f"{name}.in").resolve()
-    return run_deck(DECK, {"law": law, **variables}, folder, ranks=ranks)
-
-
-def table(folder: Path) -> pd.DataFrame:
-    return read_dump(folder / "trajectory.dump").drop_duplicates(["step", "id"])
-
-
-def law_of(name: str, pair: laws.MaterialPair = WALL) -> laws.Law:
-    return laws.LAWS[name](pair, **CONSTANTS[name])
-
 
 SPEEDS = np.geomspace(0.3, 6, 10)
 
@@ -126,7 +72,8 @@ def touch_and_pull(law: str, folder: Path, bodies: list[str], **variables) -> pd
 
 @pytest.mark.parametrize("law", CONSTANTS)
 def test_pair_and_plane_follow_the_law(law, tmp_path):
-    """A grain is pressed and pulled off at a wall, and two grains of twice the radius likewise.
+    """A grain is pressed and pulled off at a plane and at a mesh, where two triangles meet, and two
+    grains of twice the radius likewise.
 
     The force is that of the law at each step, to 1e-9 of the largest: positions are rounded to
     1e-16 of 1e-5 m, which is 1e-13 of the overlap.
@@ -134,6 +81,7 @@ def test_pair_and_plane_follow_the_law(law, tmp_path):
     step = 0.004 * RADIUS / 40  # by speed 1 m/s
     for name, bodies, pair in (
         ("plane", [sphere(-RADIUS, 0, 0)], WALL),
+        ("mesh", [sphere(-RADIUS, 0, 0)], WALL),
         (
             "pair",
             [
@@ -143,10 +91,11 @@ def test_pair_and_plane_follow_the_law(law, tmp_path):
             GRAINS,
         ),
     ):
-        trajectory = touch_and_pull(law, tmp_path / name, bodies, timestep=step)
+        surface = {"mesh": PLATE} if name == "mesh" else {}
+        trajectory = touch_and_pull(law, tmp_path / name, bodies, timestep=step, **surface)
         mover = trajectory[trajectory["id"] == 1].sort_values("step")
-        contact_at = 0.0 if name == "plane" else -16e-6 + 2 * RADIUS
-        size = RADIUS if name == "plane" else 4 * RADIUS
+        contact_at = 0.0 if name != "pair" else -16e-6 + 2 * RADIUS
+        size = RADIUS if name != "pair" else 4 * RADIUS
         overlap = size - (contact_at - mover["x"].to_numpy())
         model = law_of(law, pair)
         expected = model.follow(RADIUS, overlap, model.State())["force"]
@@ -159,7 +108,7 @@ def test_pair_and_plane_follow_the_law(law, tmp_path):
 
 
 @pytest.mark.parametrize("law", STRETCHED)
-@pytest.mark.parametrize("geometry", ["plane", "pair"])
+@pytest.mark.parametrize("geometry", ["plane", "mesh", "pair"])
 @pytest.mark.parametrize(("ranks", "grid"), [(1, "1 1 1"), (2, "1 2 1"), (4, "2 2 1")])
 def test_a_stretched_contact_outlives_restarts_ranks_and_rebuilds(
     law, geometry, ranks, grid, tmp_path
@@ -169,8 +118,9 @@ def test_a_stretched_contact_outlives_restarts_ranks_and_rebuilds(
     The neighbor lists are rebuilt and the atoms sorted in every run, which would forget a contact
     that LIGGGHTS does not see.
     """
-    depth, model = 0.002 * RADIUS, law_of(law, WALL if geometry == "plane" else GRAINS)
-    radius_eff = RADIUS if geometry == "plane" else RADIUS / 2
+    depth, model = 0.002 * RADIUS, law_of(law, GRAINS if geometry == "pair" else WALL)
+    radius_eff = RADIUS / 2 if geometry == "pair" else RADIUS
+    surface = {"mesh": PLATE} if geometry == "mesh" else {}
     path = np.linspace(depth, -model.pull_off_distance(radius_eff), 10001)
     contact_radius = model.follow(radius_eff, path, model.State())["contact_radius"]
     held_at = 0.7 * path[np.flatnonzero(contact_radius)[-1]]
@@ -193,6 +143,7 @@ def test_a_stretched_contact_outlives_restarts_ranks_and_rebuilds(
         ranks,
         timestep=step,
         grid=grid,
+        **surface,
     )
     held = table(tmp_path / "whole").query("id == 1").sort_values("step")
     force = -held["fx"].to_numpy()
@@ -206,6 +157,7 @@ def test_a_stretched_contact_outlives_restarts_ranks_and_rebuilds(
         ranks,
         timestep=step,
         grid=grid,
+        **surface,
         restart=tmp_path.resolve() / "middle.restart",
     )
     rest = table(tmp_path / "rest").query("id == 1").sort_values("step")

@@ -48,24 +48,31 @@ double cosine_between(const double* a, const double* b) {
 }  // namespace
 
 MeshContacts::MeshContacts(LAMMPS_NS::LAMMPS* engine, LAMMPS_NS::FixMeshSurface* mesh,
-                           double feature_cosine, std::vector<int> springs)
+                           double feature_cosine, std::vector<int> springs, int in_contact)
     : engine_(engine),
       fix_(mesh),
       mesh_(mesh->triMesh()),
       feature_cosine_(feature_cosine - rounding),
-      springs_(std::move(springs)) {}
+      springs_(std::move(springs)),
+      in_contact_(in_contact) {}
 
-bool MeshContacts::computes(int particle, int triangle, bool overlaps, double* history) {
+bool MeshContacts::computes(int particle, int triangle, double* history) {
   const auto [first, last] = overlaps_of(particle);
-  for (int k = first; k < last; ++k) {
-    Overlap& overlap = overlaps_[k];
-    // This contact ends, and another one will take over its history.
-    if (!overlaps && overlap.history && overlap.history == history) return false;
-    if (!overlaps || overlap.triangle != triangle) continue;
-    if (overlap.carries && overlap.history) take_over(particle, overlap, history);
-    return overlap.carries;
+  const auto begin = overlaps_.begin() + first, end = overlaps_.begin() + last;
+  const auto overlap =
+      std::find_if(begin, end, [&](const Overlap& o) { return o.triangle == triangle; });
+  if (overlap != end && overlap->carries) {
+    if (overlap->history) take_over(particle, *overlap, history);
+    return true;
   }
-  return true;
+  if (!history) return overlap == end;
+  const bool will_move =
+      std::any_of(begin, end, [&](const Overlap& o) { return o.history == history; });
+  if (will_move) return false;
+  if (overlap == end && in_contact_ < 0) return true;
+  // LIGGGHTS copies histories between coplanar triangles. A copy must not act as a second contact.
+  std::fill_n(history, fix_->contactHistory()->get_dnum(), 0.0);
+  return false;
 }
 
 std::pair<int, int> MeshContacts::overlaps_of(int particle) {
@@ -82,6 +89,7 @@ std::pair<int, int> MeshContacts::overlaps_of(int particle) {
     const int first = overlaps_.size();
     find_overlaps(particle);
     join_surfaces(particle, first);
+    add_nearer_triangles(particle, first);
     choose_carriers(particle, first);
     find_histories(particle, first);
     if (!check_->found(MeshCheck::seam)) look_for_seam(particle, first);
@@ -107,20 +115,20 @@ void MeshContacts::list_triangles() {
 }
 
 void MeshContacts::find_overlaps(int particle) {
-  const std::size_t first = overlaps_.size();
+  const double reach = reach_of(particle);
   double to_foot[3];
   for (int k = first_near_[particle]; k < first_near_[particle + 1]; ++k) {
     if (beyond_its_plane(particle, near_[k])) continue;
     const double gap = distance(particle, near_[k], false, to_foot);
-    if (gap > 0) continue;
-    const int index = overlaps_.size();
-    const bool has_history = slot_of(particle, near_[k]) >= 0;
-    overlaps_.push_back({near_[k], {}, -gap, has_history, index, false, nullptr, -1});
-    vectorCopy3D(to_foot, overlaps_.back().to_foot);
+    if (gap <= 0 || (gap < reach && is_stretched(particle, near_[k])))
+      add(particle, near_[k], gap, to_foot, overlaps_.size());
   }
-  if (overlaps_.size() - first == 1) return;
-  for (std::size_t k = first; k < overlaps_.size(); ++k)
-    overlaps_[k].depth = -distance(particle, overlaps_[k].triangle, true, to_foot);
+}
+
+void MeshContacts::add(int particle, int triangle, double gap, const double* to_foot, int surface) {
+  const bool has_history = slot_of(particle, triangle) >= 0;
+  overlaps_.push_back({triangle, {}, -gap, has_history, surface, false, nullptr, -1});
+  vectorCopy3D(to_foot, overlaps_.back().to_foot);
 }
 
 void MeshContacts::join_surfaces(int particle, int first) {
@@ -136,6 +144,30 @@ void MeshContacts::join_surfaces(int particle, int first) {
     }
 }
 
+// A stretched contact moves along its surface to the nearest triangle. Adds the triangles that are
+// nearer than a neighbor of the same surface, if the particle overlaps no triangle of the surface.
+void MeshContacts::add_nearer_triangles(int particle, int first) {
+  const double tolerance = same_depth * engine_->atom->radius[particle];
+  std::vector<int> overlapped;  // surfaces
+  for (std::size_t k = first; k < overlaps_.size(); ++k)
+    if (overlaps_[k].depth >= 0) overlapped.push_back(overlaps_[k].surface);
+  double to_foot[3];
+  for (std::size_t k = first; k < overlaps_.size(); ++k) {
+    const Overlap from = overlaps_[k];
+    if (std::count(overlapped.begin(), overlapped.end(), from.surface) > 0) continue;
+    for (int n = first_near_[particle]; n < first_near_[particle + 1]; ++n) {
+      const int triangle = near_[n];
+      const auto is_added = [&](const Overlap& o) { return o.triangle == triangle; };
+      if (beyond_its_plane(particle, triangle) ||
+          std::any_of(overlaps_.begin() + first, overlaps_.end(), is_added))
+        continue;
+      const double gap = distance(particle, triangle, false, to_foot);
+      if (-gap >= from.depth - tolerance && meet_as_one(particle, from.triangle, triangle))
+        add(particle, triangle, gap, to_foot, from.surface);
+    }
+  }
+}
+
 // Over an edge, or over a node if the particle does not reach the triangle between.
 bool MeshContacts::meet_as_one(int particle, int a, int b) const {
   return one_surface(*mesh_, a, b, engine_->atom->x[particle], feature_cosine_) ||
@@ -144,12 +176,16 @@ bool MeshContacts::meet_as_one(int particle, int a, int b) const {
 
 void MeshContacts::choose_carriers(int particle, int first) {
   const double tolerance = same_depth * engine_->atom->radius[particle];
+  const double reach = reach_of(particle);
   const int last = overlaps_.size();
+  double to_foot[3];
+  for (int k = first; k < last && last - first > 1; ++k)
+    overlaps_[k].depth = -distance(particle, overlaps_[k].triangle, true, to_foot);
   for (int surface = first; surface < last; ++surface) {
     Overlap* deepest = nullptr;
     for (int k = surface; k < last; ++k) {
       Overlap& overlap = overlaps_[k];
-      if (overlap.surface != surface || overlap.depth < 0) continue;
+      if (overlap.surface != surface || overlap.depth < -reach) continue;
       const double deeper = deepest ? overlap.depth - deepest->depth : overlap.depth;
       if (!deepest || deeper > tolerance ||
           (deeper >= -tolerance && overlap.has_history && !deepest->has_history))
@@ -243,13 +279,25 @@ void MeshContacts::take_over(int particle, Overlap& overlap, double* history) co
   for (int offset : springs_) rotate(before, now, history + offset);
 }
 
+// The gap to which LIGGGHTS keeps a stretched contact; 0 if contacts end with the overlap.
+double MeshContacts::reach_of(int particle) const {
+  if (in_contact_ < 0) return 0;
+  return (engine_->neighbor->contactDistanceFactor - 1) * engine_->atom->radius[particle];
+}
+
+bool MeshContacts::is_stretched(int particle, int triangle) const {
+  const int slot = slot_of(particle, triangle);
+  return slot >= 0 && fix_->contactHistory()->contacthistory(particle, slot)[in_contact_] != 0;
+}
+
 // Whether the particle does not reach the plane of the triangle. This fast test excludes most.
 bool MeshContacts::beyond_its_plane(int particle, int triangle) const {
   double node[3], normal[3], to_centre[3];
   mesh_->node(triangle, 0, node);
   mesh_->surfaceNorm(triangle, normal);
   vectorSubtract3D(engine_->atom->x[particle], node, to_centre);
-  return std::abs(vectorDot3D(to_centre, normal)) > engine_->atom->radius[particle];
+  return std::abs(vectorDot3D(to_centre, normal)) >
+         engine_->atom->radius[particle] + reach_of(particle);
 }
 
 // The distance from the particle's surface to the triangle; `to_foot` points from the particle's

@@ -8,6 +8,9 @@
 // deepest triangle of a surface carries its contact and takes over its history. The other triangles
 // have neither force nor history.
 //
+// A contact that adhesion stretches lasts while the particle overlaps no triangle. The nearest
+// triangle of its surface carries it.
+//
 // Everything is computed in each step from the mesh and LIGGGHTS' histories. Nothing has to follow
 // particles to other ranks or into restart files.
 #pragma once
@@ -24,8 +27,9 @@ namespace plastigran {
 class MeshContacts {
  public:
   // `springs`: the offset of each spring in the contact history, a vector in the tangent plane.
+  // `in_contact`: the offset of this history value, -1 if contacts end with the overlap.
   MeshContacts(LAMMPS_NS::LAMMPS* engine, LAMMPS_NS::FixMeshSurface* mesh, double feature_cosine,
-               std::vector<int> springs);
+               std::vector<int> springs, int in_contact);
 
   // For each setup.
   void begin_run(MeshCheck* check) {
@@ -34,16 +38,18 @@ class MeshContacts {
   }
 
   // Whether LIGGGHTS has to compute the contact of a local particle with a triangle that it
-  // overlaps, or the end of that contact. If so, the contact has taken over the history of its
-  // surface. `history` is LIGGGHTS' history of this contact, null if there is none.
-  bool computes(int particle, int triangle, bool overlaps, double* history);
+  // overlaps or from which it is stretched, or the end of that contact. If so, the contact has taken
+  // over the history of its surface. `history` is LIGGGHTS' history of this contact, null if there
+  // is none.
+  bool computes(int particle, int triangle, double* history);
 
  private:
-  // An overlap of a particle with a triangle.
+  // An overlap of a particle with a triangle, or a gap that a stretched contact may bridge.
   struct Overlap {
     int triangle;       // local index
     double to_foot[3];  // from the center of the particle to the nearest point of the triangle
-    double depth;       // negative: LIGGGHTS assigns this edge or corner to another triangle
+    double depth;       // negative for a gap; below -reach: LIGGGHTS assigns this edge or corner to
+                        // another triangle
     bool has_history;   // LIGGGHTS stores a history for this contact
     int surface;        // first overlap of the same surface
     bool carries;       // the contact of its surface
@@ -54,7 +60,9 @@ class MeshContacts {
   void list_triangles();
   std::pair<int, int> overlaps_of(int particle);
   void find_overlaps(int particle);
+  void add(int particle, int triangle, double gap, const double* to_foot, int surface);
   void join_surfaces(int particle, int first);
+  void add_nearer_triangles(int particle, int first);
   bool meet_as_one(int particle, int a, int b) const;
   void choose_carriers(int particle, int first);
   void find_histories(int particle, int first);
@@ -63,6 +71,8 @@ class MeshContacts {
   MeshCheck::Place place(int particle, const Overlap& a, const Overlap& b) const;
   Overlap* heir_of(int particle, int first, int triangle);
   void take_over(int particle, Overlap& overlap, double* history) const;
+  double reach_of(int particle) const;
+  bool is_stretched(int particle, int triangle) const;
   bool beyond_its_plane(int particle, int triangle) const;
   double distance(int particle, int triangle, bool as_liggghts, double* to_foot) const;
   bool any(const double* history) const;
@@ -73,6 +83,7 @@ class MeshContacts {
   LAMMPS_NS::TriMesh* mesh_;
   double feature_cosine_;
   std::vector<int> springs_;
+  int in_contact_;
   MeshCheck* check_ = nullptr;
 
   // The triangles near each local particle i, from near_[first_near_[i]] to near_[first_near_[i +

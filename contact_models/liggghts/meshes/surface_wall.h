@@ -46,7 +46,8 @@ class SurfaceWall : public LIGGGHTS::Walls::Granular<Contact> {
     for (int k = meshes_.size(); k < wall_->n_meshes(); ++k) {
       LAMMPS_NS::FixMeshSurface* const mesh = wall_->mesh_list()[k];
       if (!std::strstr(mesh->style, "planar")) mesh->triMesh()->setCurvature(1 - 1e-12);
-      meshes_.emplace_back(engine_, mesh, std::cos(feature_angle_ * M_PI / 180), spring_offsets());
+      meshes_.emplace_back(engine_, mesh, std::cos(feature_angle_ * M_PI / 180), spring_offsets(),
+                           this->get_history_offset("in_contact"));
     }
     MeshCheck* const check = ensure_fix<MeshCheck>(engine_);
     for (MeshContacts& mesh : meshes_) mesh.begin_run(check);
@@ -57,7 +58,7 @@ class SurfaceWall : public LIGGGHTS::Walls::Granular<Contact> {
                      double* velocity, LAMMPS_NS::FixMeshSurface* fix, int index,
                      LAMMPS_NS::TriMesh* mesh, int triangle) override {
     double* const history = wall->dnum() > 0 ? contact.contact_history : nullptr;
-    if (meshes_.empty() || meshes_[index].computes(contact.i, triangle, overlaps, history))
+    if (meshes_.empty() || meshes_[index].computes(contact.i, triangle, history))
       Base::compute_force(wall, contact, overlaps, velocity, fix, index, mesh, triangle);
     else if (wall->addflag() && wall->compute_wall_gran_local())
       list_without_force(wall, contact, velocity, index, mesh->id(triangle));

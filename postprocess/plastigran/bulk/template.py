@@ -65,14 +65,9 @@ def write_deck(
     choices = _choices(material)
     if law not in choices:
         problem = f"{law!r} is not a law for spheres of {material.name}"
-        if law in laws.LAWS and not has_constants(law):
+        if law in laws.LAWS and (has_surface_energy(law) or not has_constants(law)):
             problem = (
                 f"the deck has no constants for {law!r}, which belong to two bodies in contact"
-            )
-        if law in laws.LAWS and has_surface_energy(law):
-            problem = (
-                f"{law!r} does not support walls of meshes, which the deck has; docs/adhesion.md "
-                "has a deck with adhesion"
             )
         if law == "hertz":
             problem = "hertz is LIGGGHTS' own model without energy balance, which the deck needs"

@@ -6,16 +6,12 @@ on nu and v / v_Y, with the yield speed v_Y ~ (p_Y^5 / (E*^4 rho))^(1/2). If the
 multiplied by s^(4/5), at the same nu and rho, v_Y and the restitution at every speed are unchanged.
 Durations, time step and overlap grow as s^(-2/5), and contact radius / radius as s^(-1/5). Forces
 decrease as s^(2/5). Constants of a law are scaled by `POWERS`.
-
-With adhesion, the sticking speed v_s ~ (Gamma^5 R*^4/(E*^2 m*^3))^(1/6) is unchanged if the surface
-energy is multiplied by s^(2/5). The pull-off force 3/2 pi Gamma R* then decreases like all contact
-forces, but the weight does not: docs/soften.md.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
-from math import exp, inf, log, pi
+from math import exp, log, pi
 
 import attrs
 import numpy as np
@@ -24,9 +20,8 @@ from scipy.optimize import brentq
 
 from plastigran.contact import Contact
 from plastigran.declared import RADIUS, Declaration, read_number
-from plastigran.materials import Material, has_constants, has_surface_energy
+from plastigran.materials import Material
 from plastigran.physics import central
-from plastigran.physics.adhesion import jkr_sticking_speed, sticking_speed
 from plastigran.physics.rebound_hardness import GRAVITATIONAL_ACCELERATION
 from plastigran.usable_laws import laws_for
 
@@ -36,12 +31,9 @@ POWERS = {
     "yield_strength": 0.8,
     "tangent_modulus": 1.0,  # times a strain ~ a/R, it scales like the strength
     "dissipative_constant": -0.4,  # a time, it scales like the duration
-    "surface_energy": 0.4,  # a force over a length of the bodies, it scales like a force
 }
 #: Power of s by which durations, overlaps and time steps are multiplied.
 TIME_POWER = -0.4
-#: Power of s by which forces are multiplied.
-FORCE_POWER = 0.4
 #: Largest overlap / radius at which grains count as hard: one per cent of the diameter.
 SOUND_OVERLAP = 0.02
 #: Speeds / yield speed at which laws are compared.
@@ -53,8 +45,6 @@ COORDINATION, FILLING = 6, 0.6
 
 _MODULUS = Declaration("original modulus", "Pa", 1e4, 2e12)
 _FACTOR = Declaration("softened / original modulus", "-", 1e-12, 1, True, True)
-#: Speedup by the lowest factor.
-LARGEST_SPEEDUP = _FACTOR.lower**TIME_POWER
 
 
 def soften(material: Material, factor: float) -> Material:
@@ -91,23 +81,16 @@ def comparison(
 
     Returns:
         Columns law and restitution_change [-], the largest change from 1 to 1000 yield speeds, 0
-        for an exact law. With adhesion, the speeds are 1/2 to 500 sticking speeds of jkr, if these
-        are faster. Further columns, each also with the suffix _softened, are for `speed`:
+        for an exact law. Further columns, each also with the suffix _softened, are for `speed`:
         coefficient_of_restitution [-], the recommended timestep [s], the largest overlap / radius
         [-], and in_range, whether the impact is within the range of the law.
 
     Raises:
-        ValueError: A number is out of range, the material lacks a constant of a law, or a law has
-            given stiffnesses, which softening cannot change.
+        ValueError: A number is out of range, or the material lacks a constant of a law.
     """
     bodies = {"": material, "_softened": soften(material, factor)}
     rows = []
     for law in laws or laws_for("sphere", [material]):
-        if not has_constants(law):
-            raise ValueError(
-                f"{law} cannot be softened, because its constants do not belong to a material. "
-                "docs/soften.md#adhesion has the factor of each constant"
-            )
         row, restitutions = {"law": law}, []
         for suffix, body in bodies.items():
             contact = Contact(law, body, body, radius=radius, radius_other=radius)
@@ -118,72 +101,12 @@ def comparison(
                 f"overlap{suffix}": impact.overlap_max / radius,
                 f"in_range{suffix}": bool(impact.in_range),
             }
-            bodies_eff = contact.radius_eff, contact.mass_eff
-            slowest = central.yield_speed(contact.pair, *bodies_eff)
-            if has_surface_energy(law):
-                modulus = contact.pair.youngs_modulus_eff
-                jkr = jkr_sticking_speed(body.surface_energy, bodies_eff[0], modulus, bodies_eff[1])
-                slowest = max(jkr / 2, slowest)
-            speeds = SPEED_RATIOS * slowest
+            yield_speed = central.yield_speed(contact.pair, contact.radius_eff, contact.mass_eff)
+            speeds = SPEED_RATIOS * yield_speed
             restitutions.append(contact.impact(speeds).coefficient_of_restitution)
         change = np.max(np.abs(np.subtract(*restitutions)))
         rows.append(row | {"restitution_change": change if change > EXACT else 0.0})
     return pd.DataFrame(rows)
-
-
-def pull_off_over_weight(material: Material, radius: float) -> float:
-    """Return the pull-off force of two equal spheres that have not yielded / the weight of one [-].
-
-    Args:
-        material: Material with a surface energy.
-        radius: R [m].
-    """
-    force = 1.5 * pi * material.surface_energy * radius / 2
-    mass = 4 / 3 * pi * radius**3 * material.density
-    return force / (mass * GRAVITATIONAL_ACCELERATION)
-
-
-def adhesion_changes(
-    material: Material, factor: float, radius: float, laws: Iterable[str]
-) -> dict[str, tuple[float, float]]:
-    """Return what adhesion does to two equal spheres, before and after softening.
-
-    Args:
-        material: Original material, with a surface energy.
-        factor: s [-].
-        radius: R [m].
-        laws: Names of laws; those without a surface energy are left out.
-
-    Returns:
-        Pull-off force / weight [-], pull-off distance / radius [-], and the sticking speed of each
-        law [m/s], which is infinite if it exceeds the search.
-    """
-    pairs = []
-    for body in (material, soften(material, factor)):
-        row = {"pull-off force / weight": pull_off_over_weight(body, radius)}
-        for law in filter(has_surface_energy, laws):
-            contact = Contact(law, body, body, radius=radius, radius_other=radius)
-            distance = float(contact.law.pull_off_distance(contact.radius_eff))
-            row["pull-off distance / radius"] = distance / radius
-            try:
-                speed = sticking_speed(contact.law, contact.radius_eff, contact.mass_eff)
-            except ValueError:
-                speed = inf
-            row[f"sticking speed, {law}"] = float(speed)
-        pairs.append(row)
-    return {name: (value, pairs[1][name]) for name, value in pairs[0].items()}
-
-
-def cohesive_to_factor(material: Material, radius: float) -> float:
-    """Return the factor at which the pull-off force falls to the weight [-]; 0 without adhesion.
-
-    The factor is also 0 if the weight of the original grains exceeds their pull-off force.
-
-    Args:
-        material, radius: As for `pull_off_over_weight`.
-    """
-    ratio = pull_off_over_weight(material, radius) if material.surface_energy else 0.0
-    return ratio ** (-1 / FORCE_POWER) if ratio > 1 else 0.0
 
 
 def lowest_factor(impact: float, rest: Callable[[float], float] | None = None) -> float:

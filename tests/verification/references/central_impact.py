@@ -114,13 +114,10 @@ aluminium_zv02,0.1,0.20
 
 def motion(begin, force: Callable, *ends: float) -> tuple[float, np.ndarray]:
     """Time taken, and overlap and rate at its end, of a unit mass that is pushed back by a force.
-    Ends where the overlap reaches the first end or, if there is one, where the rate reaches the
-    second from its initial side; a mass at rest first moves away."""
+    Ends where the overlap reaches the first end or, if there is one, the rate the second."""
     events = [lambda _, y, i=i, end=end: y[i] - end for i, end in enumerate(ends)]
     for event in events:
         event.terminal = True
-    for event in events[1:]:
-        event.direction = -1 if begin[1] > 0 else 1
     found = solve_ivp(
         lambda _, y: [y[1], -float(force(y[0]))],
         (0, 99),

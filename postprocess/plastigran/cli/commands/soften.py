@@ -8,11 +8,8 @@ from pathlib import Path
 
 from plastigran import materials
 from plastigran.calibration.softening import (
-    LARGEST_SPEEDUP,
     SOUND_OVERLAP,
     TIME_POWER,
-    adhesion_changes,
-    cohesive_to_factor,
     comparison,
     lowest_factor,
     resting_overlap,
@@ -64,13 +61,10 @@ def add_arguments(command: argparse.ArgumentParser) -> None:
 def run(arguments: argparse.Namespace) -> None:
     if arguments.output is None:
         refuse_idle(arguments, "--output", force=False)
-    if arguments.speedup is not None and not 1 <= arguments.speedup <= LARGEST_SPEEDUP:
-        raise ValueError(
-            f"--speedup is {arguments.speedup:g}; it must lie from 1 to {LARGEST_SPEEDUP:g}, for "
-            "which the factor is 1e-12"
-        )
+    if arguments.speedup is not None and arguments.speedup < 1:
+        raise ValueError(f"--speedup is {arguments.speedup:g}; it must be at least 1")
     material = materials.read_material(arguments.material)
-    factor = arguments.factor or max(arguments.speedup ** (1 / TIME_POWER), 1e-12)
+    factor = arguments.factor or arguments.speedup ** (1 / TIME_POWER)
     softened = soften(material, factor)
     names = choose_laws(arguments.law, "sphere", [material])
     table = comparison(material, factor, arguments.radius, arguments.speed, names)
@@ -84,10 +78,6 @@ def run(arguments: argparse.Namespace) -> None:
         overlaps["rest"] = [overlap_at_rest(1), overlap_at_rest(factor)]
     at_rest = overlap_at_rest if arguments.depth else None
     lowest = lowest_factor(overlaps["impact"][0], at_rest)
-    cohesive = cohesive_to_factor(material, arguments.radius)
-    adhesion = {}
-    if material.surface_energy:
-        adhesion = adhesion_changes(material, factor, arguments.radius, names)
     speedup = factor**TIME_POWER
     numbers = {
         "factor": factor,
@@ -95,8 +85,6 @@ def run(arguments: argparse.Namespace) -> None:
         "material": softened.variables(),
         "overlap_softened": {name: after for name, (_, after) in overlaps.items()},
         "sound_to_factor": lowest,
-        "cohesive_to_factor": cohesive,
-        "adhesion_softened": {name: after for name, (_, after) in adhesion.items()},
         "laws": table.to_dict("records"),
     }
     if arguments.output:
@@ -121,8 +109,6 @@ def run(arguments: argparse.Namespace) -> None:
         f"  {verdict}. With the law below that has the largest overlap, {SOUND_OVERLAP:g} of "
         f"the radius is reached at the factor {1.0005 * lowest:.4g}"  # not rounded down
     )
-    if adhesion:
-        _print_adhesion(adhesion, factor, cohesive)
     print(
         "\nlaw                    restitution      softened  largest change  step, s  softened, s"
     )
@@ -136,18 +122,3 @@ def run(arguments: argparse.Namespace) -> None:
             f"{row['coefficient_of_restitution_softened']:13.4f} {change:>15s} "
             f"{row['timestep']:8.2g} {row['timestep_softened']:12.2g}{remark}"
         )
-
-
-def _print_adhesion(
-    adhesion: dict[str, tuple[float, float]], factor: float, cohesive: float
-) -> None:
-    """Print what softening keeps of adhesion, and what it changes."""
-    print("\nAdhesion of two grains, original -> softened:")
-    for name, (before, after) in adhesion.items():
-        unit = " m/s" if name.startswith("sticking speed") else ""
-        print(f"  {name:38s} {before:.4g} -> {after:.4g}{unit}")
-    if cohesive:
-        verdict = "the pull-off force exceeds the weight, as before"
-        if factor < cohesive:
-            verdict = "TOO SOFT: the pull-off force is smaller than the weight"
-        print(f"  {verdict}. They are equal at the factor {cohesive:.4g}")

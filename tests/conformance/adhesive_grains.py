@@ -1,0 +1,106 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Grains and a wall that attract, for the decks of adhesive laws."""
+
+from __future__ import annotations
+
+from math import pi
+from pathlib import Path
+
+import numpy as np
+import pandas as pd
+import stl
+
+from plastigran import laws
+from plastigran.engine.dumps import read_dump
+from plastigran.engine.process import run_deck
+
+DECK = Path(__file__).parent / "decks" / "adhesion.in"
+RADIUS, DENSITY = 2.45e-6, 1350.0
+MASS = 4 / 3 * pi * RADIUS**3 * DENSITY
+GRAIN, PLANE = laws.Body(1.2e9, 0.3, 35.3e6, 1), laws.Body(182e9, 0.3)
+WALL, GRAINS = laws.combine(GRAIN, PLANE), laws.combine(GRAIN, GRAIN)
+CONSTANTS = {
+    "jkr": {"surface_energy": 0.2},
+    "thornton_ning_1998": {"surface_energy": 0.05},
+    "walton_braun": {"loading_stiffness": 1e3, "unloading_stiffness": 4e3},
+    "luding_2008": {
+        "loading_stiffness": 1e3,
+        "unloading_stiffness": 5e3,
+        "adhesive_stiffness": 500,
+        "plasticity_depth": 0.02,
+    },
+    "edinburgh_2014": {"stiffness_ratio": 5, "adhesion_ratio": 0.1},
+}
+SIDE = 1.16e-4  # of the mesh in the plane of the wall [m]; LIGGGHTS refuses meshes below 1e-4
+CORNERS = SIDE / 2 * np.array([[0, -1, -1], [0, 1, -1], [0, 1, 1], [0, -1, 1]])
+PLATE = CORNERS[[[0, 1, 2], [0, 2, 3]]]  # two triangles that meet along y = z
+BOX = "region box block -6e-5 6e-5 -6e-5 6e-5 -6e-5 6e-5 units box\ncreate_box 2 box\n"
+STRETCHED = ("jkr", "thornton_ning_1998")  # laws whose contacts last beyond zero overlap
+
+
+def property_lines(constants: dict[str, float]) -> str:
+    lines = []
+    for name, value in constants.items():
+        first, *rest = name.split("_")
+        keyword = first + "".join(word.capitalize() for word in rest)
+        lines.append(
+            f"fix {name} all property/global {keyword} peratomtypepair 2 {4 * f'{value} '}"
+        )
+    return "\n".join(lines) + "\n"
+
+
+def sphere(
+    x: float,
+    y: float,
+    vx: float,
+    radius: float = RADIUS,
+    density: float = DENSITY,
+    z: float = 0,
+) -> str:
+    """A line that creates a sphere, and two that set it; `@` is its atom ID."""
+    return (
+        f"create_atoms 1 single {x:.17g} {y:.17g} {z:.17g} units box\n"
+        f"set atom @ diameter {2 * radius:.17g} density {density:.17g}\n"
+        f"set atom @ vx {vx:.17g}\n"
+    )
+
+
+def run(law: str, folder: Path, bodies: list[str], commands: str, ranks: int = 1, **variables):
+    """Run adhesion.in.
+
+    Args:
+        law: The law of pairs and wall.
+        folder: For the files of the deck and its output.
+        bodies: Lines of the spheres, with `@` for the atom ID.
+        commands: Lines that run the simulation.
+        ranks: Number of MPI ranks.
+        variables: Of the deck. `values` replaces the constants of the law, `restart` is a file to
+            read, `mesh` makes the wall of triangles, shape (n, 3, 3), and `motion` moves the mesh.
+    """
+    folder.mkdir(exist_ok=True)
+    text = "".join(body.replace("@", str(k)) for k, body in enumerate(bodies, 1))
+    constants = variables.pop("values", CONSTANTS.get(law, {}))
+    restart = variables.pop("restart", None)
+    mesh, surface = variables.pop("mesh", None), variables.pop("motion", "") + "\n"
+    if mesh is not None:
+        stl.write(folder / "plate.stl", mesh, digits=12)
+        surface = f"fix plate all mesh/surface file {folder}/plate.stl type 2\n" + surface
+        variables.setdefault("wall", "mesh n_meshes 1 meshes plate")
+    for name, content in (
+        ("begin", f"read_restart {restart}\n" if restart else BOX),
+        ("bodies", "" if restart else text),
+        ("constants", property_lines(constants)),
+        ("surface", surface),
+        ("commands", commands + "\n"),
+    ):
+        (folder / f"{name}.in").write_text(content)
+        variables[name] = (folder / f"{name}.in").resolve()
+    return run_deck(DECK, {"law": law, **variables}, folder, ranks=ranks)
+
+
+def table(folder: Path) -> pd.DataFrame:
+    return read_dump(folder / "trajectory.dump").drop_duplicates(["step", "id"])
+
+
+def law_of(name: str, pair: laws.MaterialPair = WALL) -> laws.Law:
+    return laws.LAWS[name](pair, **CONSTANTS[name])
