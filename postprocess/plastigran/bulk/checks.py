@@ -28,6 +28,9 @@ FINE_ROWS = 0.25
 
 #: Energy terms of inputs/energy_ledger.in whose sum is the energy input; gravity is not among them.
 ENERGIES = ["kinetic", "elastic", "plastic", "friction", "viscous"]
+#: Energy terms that only contacts with adhesion have: the surface energy, which is negative, and
+#: the loss where contacts form and break. They are part of the sum if the log has both.
+ADHESION = ["surfaces", "adhesion"]
 #: Dissipated energy terms.
 DISSIPATED = ["plastic", "friction", "viscous"]
 #: Energy terms that accumulate.
@@ -75,7 +78,12 @@ def energy_input(series: pd.DataFrame) -> float:
 
     It is the largest sum of kinetic, stored and dissipated energy.
     """
-    return float(series[ENERGIES].sum(axis="columns").max())
+    return float(series[energy_terms(series)].sum(axis="columns").max())
+
+
+def energy_terms(series: pd.DataFrame) -> list[str]:
+    """Return the terms whose sum is the energy input, as far as the series has them."""
+    return ENERGIES + (ADHESION if set(ADHESION) <= set(series) else [])
 
 
 def last_simulation(series: pd.DataFrame) -> pd.DataFrame:

@@ -6,7 +6,7 @@ from __future__ import annotations
 import pandas as pd
 from matplotlib.figure import Figure
 
-from plastigran.bulk.checks import ENERGIES, energy_input
+from plastigran.bulk.checks import energy_input, energy_terms
 from plastigran.plot.chart import Curve, Panel
 from plastigran.plot.quantities import Scale, scale, words
 from plastigran.plot.static import draw
@@ -19,21 +19,25 @@ SMALL = 2e-3
 def ledger_panels(series: pd.DataFrame, total: float, limit: float) -> tuple[Panel, Panel]:
     """Return the energies as fractions of the energy input, stacked over time, and the error.
 
+    The surface energy of contacts with adhesion is negative and lies below zero.
+
     Args:
         series: Columns time [s], the terms of the energy balance and their error `drift` [J].
         total: Energy input [J], positive.
         limit: Largest error allowed, as a fraction of the energy input.
     """
-    time = scale("time", series["time"])
+    time, terms = scale("time", series["time"]), energy_terms(series)
     areas = [
         Curve(
             x=series["time"].to_numpy(),
-            y=(series[term].clip(lower=0) / total).to_numpy(),
+            y=(
+                series[term].clip(**({"upper": 0} if term == "surfaces" else {"lower": 0})) / total
+            ).to_numpy(),
             name=words(term),
-            colour=ENERGIES.index(term),
+            colour=terms.index(term),
             look="area",
         )
-        for term in reversed(ENERGIES)
+        for term in reversed(terms)
         if series[term].abs().max() > SMALL * total
     ]
     drift = Curve(x=series["time"].to_numpy(), y=(series["drift"] / total).to_numpy(), name="error")

@@ -33,7 +33,8 @@ class Curve:
         law: Law that gives the curve its color; "" for none.
         colour: Index in `plastigran.plot.style.COLOURS`, for a curve without law.
         look: "line", "points", "joined" (points on a line), "dashes" or "cross" (a mark at each
-            point), or "area" (stacked on the areas before it).
+            point), or "area" (stacked on the areas before it; areas with negative values are
+            stacked below zero).
         dash: Index of the line style in `DASHES`.
         source: Source of the values, for example "theory".
         remarks: Texts (N,) that an interactive chart shows at the points, instead of x and y.
@@ -48,6 +49,11 @@ class Curve:
     dash: int = 0
     source: str = ""
     remarks: Sequence[str] = ()
+
+
+def is_below(area: Curve) -> bool:
+    """Return whether an area is stacked below zero."""
+    return bool(np.min(area.y) < 0)
 
 
 @attrs.frozen(eq=False, kw_only=True)

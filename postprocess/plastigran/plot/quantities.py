@@ -40,6 +40,8 @@ QUANTITIES = {
     "wallwork": ("work of walls", "J"),
     "inserted": ("energy inserted", "J"),
     "drift": ("balance error", "J"),
+    "surfaces": ("surface energy of contacts", "J"),
+    "adhesion": ("loss by adhesion", "J"),
     "springs": ("elastic energy in tangential springs", "J"),
     "temperature": ("granular temperature", "m²/s²"),
     "temperature_error": ("error of the predicted temperature", "m²/s²"),

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 
 from matplotlib.axes import Axes
 
-from plastigran.plot.chart import DASHES, INK, Curve, Panel
+from plastigran.plot.chart import DASHES, INK, Curve, Panel, is_below
 from plastigran.plot.style import COLOURS, MARKERS, law_number
 
 
@@ -20,8 +20,9 @@ def draw(axes: Axes, panel: Panel, colours: Sequence[object] = ()) -> None:
         colours: Colors of the curves, one for each; by default the law or `Curve.colour` decides.
     """
     areas = [curve for curve in panel.curves if curve.look == "area"]
-    if areas:
-        _stack(axes, panel, areas)
+    for below in (False, True):
+        if chosen := [area for area in areas if is_below(area) == below]:
+            _stack(axes, panel, chosen)
     entries: dict[str, dict] = {}
     for k, curve in enumerate(panel.curves):
         if curve.look == "area":

@@ -5,7 +5,15 @@ from __future__ import annotations
 
 import pandas as pd
 
-from plastigran.bulk.checks import ENERGIES, LEDGER, LEDGER_CHECKS, energy_input, last_simulation
+from plastigran.bulk.checks import (
+    ADHESION,
+    ENERGIES,
+    LEDGER,
+    LEDGER_CHECKS,
+    energy_input,
+    energy_terms,
+    last_simulation,
+)
 from plastigran.bulk.ledger_chart import energy_text, ledger_panels
 from plastigran.plot.chart import Curve, Panel
 from plastigran.plot.quantities import PREDICTED, scale
@@ -18,18 +26,25 @@ ROWS = 400
 def ledger_chart(series: pd.DataFrame, checks: pd.DataFrame) -> Chart | None:
     """Return the chart of the energy balance; None for a log without its terms."""
     series = last_simulation(series)
+    terms = energy_terms(series)
     if not {*ENERGIES, "drift", "time"} <= set(series) or not energy_input(series) > 0:
         return None
     total = energy_input(series)
     limits = checks.loc[checks["name"] == LEDGER_CHECKS[0], "limit"]
     limit = float(limits.iloc[0]) if len(limits) else LEDGER
+    adhesion = (
+        " With adhesion, the surface energy of contacts lies below zero, and contacts that form or "
+        "break lose energy."
+        if terms != ENERGIES and series[ADHESION].any(axis=None)
+        else ""
+    )
     return Chart(
         name="ledger",
         views={"": ledger_panels(_thin(series), total, limit)},
         description="shares of the energy input, stacked over time, and the balance error",
         caption=f"Shares of the energy input, {energy_text(total)}: kinetic energy, energy stored "
         "in contacts, and energy dissipated by yielding, friction and viscosity. The lower panel "
-        f"shows the balance error. Dotted lines are its limit, {100 * limit:.2g} %.",
+        f"shows the balance error. Dotted lines are its limit, {100 * limit:.2g} %.{adhesion}",
         height=460,
         by_time=True,
     )

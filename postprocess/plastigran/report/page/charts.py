@@ -11,7 +11,7 @@ import numpy as np
 import plotly.graph_objects as go
 from plotly.subplots import make_subplots
 
-from plastigran.plot.chart import DASHES, Curve, Panel
+from plastigran.plot.chart import DASHES, Curve, Panel, is_below
 
 #: Share of the height that the upper of two panels takes.
 UPPER = 0.76
@@ -114,7 +114,7 @@ def _trace(panel: Panel, curve: Curve, by_time: bool) -> go.Scatter:
         mode=mode,
         marker=marker,
         line=line,
-        stackgroup="energy" if curve.look == "area" else None,
+        stackgroup=(("below" if is_below(curve) else "above") if curve.look == "area" else None),
     )
 
 
