@@ -137,11 +137,11 @@ def ledger(folder: Path, _: int) -> Iterator[Row]:
         grains, steps = int(series["atoms"].max()), int(series["step"].iloc[-1])
         share = np.ptp(series["plastic"]) / energy_input(series)
         yield Row(
-            f"`{deck}`, {grains} grains, {steps} steps, {share:.0%} plastic work; seconds",
+            f"seconds for `{deck}`: {grains} grains, {steps} steps, {share:.0%} plastic work",
             round(seconds),
         )
         error = LEDGER_CHECKS[0]
-        yield Row(f"`{deck}`, {error}", checks.value[error], checks.limit[error])
+        yield Row(error.replace(",", f" of `{deck}`,"), checks.value[error], checks.limit[error])
 
 
 def size(folder: Path, _: int) -> Iterator[Row]:
@@ -163,7 +163,9 @@ def size(folder: Path, _: int) -> Iterator[Row]:
     )[-1]
     seconds, grains = float(loop[0]), int(loop[1])
     written = max(file.stat().st_size for file in folder.glob(PATTERN))
-    yield Row(f"`cooling_gas`, {grains} grains, 20 000 steps on two ranks: seconds", round(seconds))
+    yield Row(
+        f"seconds for `cooling_gas`: {grains} grains, 20 000 steps on two ranks", round(seconds)
+    )
     yield Row("grains · steps per second", grains * 20000 / seconds)
     yield Row("memory of both ranks, GiB", 2 * peak / 2**30, 24)
     yield Row("bytes per grain", 2 * peak / grains)

@@ -39,10 +39,10 @@ def how_far_off(law: str, table: pd.DataFrame) -> str:
             errors.append(f"{rms:.0f}" if rms >= 10 else f"{rms:.2g}")
             start = end
         parts.append(f"{word} {', '.join(errors)} %")
-    metals = ", for metals outside its fit" if law == FITTED_LAW else ""
+    metals = " of metals outside the fit" if law == FITTED_LAW else ""
     return (
-        f"rms error of {' and '.join(parts)}, in "
-        f"[four ranges of speed](../laws.md#accuracy-on-law-pages){metals}"
+        f"rms error compared with finite elements{metals}, in "
+        f"[four ranges of speed](../laws.md#accuracy-on-law-pages): {'; '.join(parts)}"
     )
 
 
