@@ -104,3 +104,24 @@ def table(folder: Path) -> pd.DataFrame:
 
 def law_of(name: str, pair: laws.MaterialPair = WALL) -> laws.Law:
     return laws.LAWS[name](pair, **CONSTANTS[name])
+
+
+TERMS = ["kinetic", "gravity", "elastic", "plastic", "friction", "viscous", "wallwork"]
+TERMS += ["inserted", "drift", "springs", "surface", "adhesion"]
+
+
+def energy_terms(
+    law: str, folder: Path, bodies: list[str], steps: int, **variables
+) -> pd.DataFrame:
+    """Run with the energy balance; return about 100 rows of its terms [J]."""
+    columns = " ".join(f"f_energy_ledger[{k}]" for k in range(1, 13))
+    commands = (
+        f"thermo_style custom step {columns}\nthermo_modify norm no lost error format float %.12g\n"
+        f"thermo {max(1, steps // 100)}\nrun {steps}"
+    )
+    log = run(law, folder, bodies, commands, every=steps, **variables)
+    rows = [line.split() for line in log.splitlines()]
+    numbers = [row for row in rows if len(row) == 13 and row[0].isdigit()]
+    table = pd.DataFrame(np.array(numbers, float)[:, 1:], columns=TERMS)
+    assert len(table) > 90
+    return table

@@ -7,7 +7,19 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from adhesive_grains import PLATE, RADIUS, SIDE, STRETCHED, law_of, run, sphere, table
+from adhesive_grains import (
+    DENSITY,
+    MASS,
+    PLATE,
+    RADIUS,
+    SIDE,
+    STRETCHED,
+    energy_terms,
+    law_of,
+    run,
+    sphere,
+    table,
+)
 
 STEP = 1e-4 * RADIUS  # of a motion at 1 m/s [s]
 DEPTH = 0.002 * RADIUS
@@ -73,7 +85,7 @@ def block() -> np.ndarray:
 def constant_force(law: str, folder: Path, mesh: np.ndarray, start: tuple, moves: str) -> None:
     """Check that a stretched contact keeps its force during motions along the surface.
 
-    1e-4, because corners in a mesh file have seven digits, and LIGGGHTS extends triangles by 1e-8 m.
+    1e-4, because corners in a mesh file have 7 digits, and LIGGGHTS extends triangles by 1e-8 m.
     """
     gap = held_gap(law)
     bodies = [sphere(-RADIUS, start[0], 0, z=start[1])]
@@ -103,10 +115,17 @@ def test_a_stretched_contact_moves_over_a_corner(law, tmp_path):
     constant_force(law, tmp_path, block(), (-travel, -travel), moves)
 
 
+LAW = "thornton_ning_1998"  # its force depends on the history
+HALF = 6e-5  # of the box
 GEOMETRIES = {
     "pair": ([sphere(-3e-6 - 2 * RADIUS, 0, 0), sphere(-3e-6, 0, 0)], {}),
     "plane": ([sphere(-RADIUS, 0, 0)], {}),
     "mesh": ([sphere(-RADIUS, 0, 0)], {"mesh": PLATE}),
+}
+AT_THE_SIDE = {
+    "pair": ([sphere(HALF - 1e-7, 0, 0), sphere(-HALF - 1e-7 + 2 * RADIUS, 0, 0)], {}),
+    "plane": ([sphere(-RADIUS, HALF - 1e-7, 0)], {}),
+    "mesh": ([sphere(-RADIUS, HALF - 1e-7, 0)], {"mesh": PLATE * 2 * HALF / SIDE}),
 }
 
 
@@ -115,18 +134,149 @@ def test_a_stretched_contact_outlives_other_grains(geometry, tmp_path):
     """Deleting and creating other grains changes the atom IDs between runs."""
     bodies, variables = GEOMETRIES[geometry]
     others = [sphere(-2e-5, (k - 1.5) * 3 * RADIUS, 0) for k in range(4)]
-    stretched = pressed_and_stretched(held_gap("thornton_ning_1998") / 2)
     commands = (
         "region whole block INF INF INF INF INF INF\n"
-        + stretched.replace("mover id 1", "mover id 5")
+        + pressed_and_stretched(held_gap(LAW) / 2).replace("mover id 1", "mover id 5")
         + "run 10\ngroup gone id 1 3\ndelete_atoms group gone compress yes\nrun 10\n"
         "create_atoms 1 single -3e-5 2e-5 0 units box\n"
         f"set region whole diameter {2 * RADIUS:.17g} density 1350\nrun 10\n"
     )
-    law = "thornton_ning_1998"
-    run(law, tmp_path, others + bodies, commands, timestep=STEP, **variables)
-    trajectory = table(tmp_path).query("step >= 70")
-    force = trajectory.groupby("step")["fx"].max().to_numpy()
+    run(LAW, tmp_path, others + bodies, commands, timestep=STEP, **variables)
+    force = table(tmp_path).query("step >= 70").groupby("step")["fx"].max().to_numpy()
     assert len(force) == 31
     assert force == pytest.approx(force[0], rel=1e-12)
     assert force[0] > 0
+
+
+@pytest.mark.parametrize("geometry", GEOMETRIES)
+def test_a_stretched_grain_can_be_deleted(geometry, tmp_path):
+    """A new grain in its place starts without history: it overlaps nothing and has no force."""
+    bodies, variables = GEOMETRIES[geometry]
+    spot = np.array([-RADIUS if geometry != "pair" else -3e-6 - 2 * RADIUS, 0, 0])
+    spot[0] -= held_gap(LAW) / 2
+    place = " ".join(f"{x:.17g}" for x in spot)
+    commands = (
+        "region whole block INF INF INF INF INF INF\n"
+        + pressed_and_stretched(held_gap(LAW) / 2)
+        + "delete_atoms group mover compress yes\nrun 10\n"
+        f"create_atoms 1 single {place} units box\n"
+        f"set region whole diameter {2 * RADIUS:.17g} density 1350\nrun 10\n"
+    )
+    run(LAW, tmp_path, [*bodies, sphere(-2e-5, 2e-5, 0)], commands, timestep=STEP, **variables)
+    after = table(tmp_path).query("step > 70")
+    assert len(after[after["step"] == 90]) == len(bodies) + 1
+    assert (after["fx"] == 0).all()
+
+
+@pytest.mark.parametrize("ranks", [1, 2])
+@pytest.mark.parametrize("geometry", AT_THE_SIDE)
+def test_a_stretched_contact_crosses_a_periodic_side(geometry, ranks, tmp_path):
+    """Across the side, with a restart file written before. The force stays to round-off."""
+    bodies, variables = AT_THE_SIDE[geometry]
+    axis = "x" if geometry == "pair" else "y"
+    variables = {
+        **variables,
+        "timestep": STEP,
+        "grid": "2 1 1" if axis == "x" else f"1 {ranks} 1",
+        "boundary": "p p p" if axis == "x" else "f p p",
+    }
+    if ranks == 1:
+        variables["grid"] = "1 1 1"
+    across = "fix across all move linear " + ("50 0 0" if axis == "x" else "0 50 0")
+    across += " units box\nrun 20\n"
+    file = tmp_path.resolve() / "middle.restart"
+    commands = pressed_and_stretched(held_gap(LAW) / 2) + f"write_restart {file}\n" + across
+    run(LAW, tmp_path / "whole", bodies, commands, ranks, **variables)
+    run(LAW, tmp_path / "rest", bodies, "unfix motion\n" + across, ranks, restart=file, **variables)
+    force = forces(tmp_path / "whole")
+    assert np.linalg.norm(force[0]) > 0
+    assert force == pytest.approx(np.broadcast_to(force[0], force.shape), rel=1e-9)
+    rest = table(tmp_path / "rest").query("id == 1").sort_values("step")
+    assert rest[axis].iloc[0] > 0 > rest[axis].iloc[-1]
+    assert rest[["fx", "fy", "fz"]].to_numpy() == pytest.approx(force[-len(rest) :], rel=1e-12)
+
+
+def strips(count: int) -> np.ndarray:
+    """Return the plate in x = 0, cut into strips along z."""
+    y = np.linspace(-SIDE / 2, SIDE / 2, count + 1)
+    low, high = (np.stack([0 * y, y, z + 0 * y], axis=1) for z in (-SIDE / 2, SIDE / 2))
+    return np.concatenate(
+        [
+            np.stack([low[:-1], low[1:], high[1:]], axis=1),
+            np.stack([low[:-1], high[1:], high[:-1]], axis=1),
+        ]
+    )
+
+
+@pytest.mark.parametrize("law", STRETCHED)
+@pytest.mark.parametrize("ranks", [1, 2])
+def test_a_grain_that_sticks_to_triangles_moves_as_on_a_plane(law, ranks, tmp_path):
+    """An oblique impact below the sticking speed, with friction, over edges and a rank border.
+
+    1e-9 of the largest value, for sums in another order.
+    """
+    bodies = [sphere(-RADIUS - 1e-9, -8e-7, 0.3) + "set atom 1 vy 12\n"]
+    timestep = 0.5 * float(law_of(law).recommended_timestep(RADIUS, MASS, 0.3))
+    variables = {"timestep": timestep, "every": 20, "tangential": "history"}
+    commands = f"run {int(1.5e-7 / timestep)}"
+    plane = run(law, tmp_path / "plane", bodies, commands, **variables)
+    variables |= {"mesh": strips(300), "grid": f"1 {ranks} 1"}
+    mesh = run(law, tmp_path / "mesh", bodies, commands, ranks, **variables)
+    plane, mesh = (table(tmp_path / name).sort_values("step") for name in ("plane", "mesh"))
+    assert plane["y"].iloc[-1] > 8e-7
+    assert (plane["x"] < -RADIUS).mean() > 0.1, "the contact is not stretched"
+    for column in ("x", "y", "vx", "vy", "fx", "fy"):
+        scale = plane[column].abs().max()
+        assert mesh[column].to_numpy() == pytest.approx(plane[column], abs=1e-9 * scale)
+
+
+@pytest.mark.parametrize("law", STRETCHED)
+def test_a_plate_pulls_on_a_grain(law, tmp_path):
+    """The plate moves away from a held grain, and the force follows the law until it is zero."""
+    commands = (
+        "group mover id 1\nunfix motion\n"
+        + leg((DEPTH, 0, 0), 40)
+        + "fix away all move/mesh mesh plate linear 0.4 0 0\n"
+        + leg((0, 0, 0), 200)
+    )
+    run(law, tmp_path, [sphere(-RADIUS, 0, 0)], commands, mesh=PLATE, timestep=STEP)
+    grain = table(tmp_path).sort_values("step")
+    plate = 0.4 * STEP * np.maximum(0, grain["step"].to_numpy() - 40)
+    overlap = RADIUS + grain["x"].to_numpy() - plate
+    model = law_of(law)
+    expected = model.follow(RADIUS, overlap, model.State())["force"]
+    assert expected[-1] == 0 > expected.min()
+    assert -grain["fx"].to_numpy() == pytest.approx(expected, abs=1e-9 * np.abs(expected).max())
+
+
+def test_a_moving_plate_takes_light_grains_along(tmp_path):
+    """The plate starts at the speed at which a grain of density 1350 kg/m^3 just comes off.
+
+    In the frame of the plate, grains of 0.8 and 1.25 times this density have too little and too
+    much energy to break the contact. 1e-3 of the speed, 2e-3 of the energy: the force jumps where
+    the contact breaks.
+    """
+    law = law_of("jkr")
+    overlap = np.linspace(-law.pull_off_distance(RADIUS), 1e-8, 100_001)
+    path = law.follow(RADIUS, overlap[::-1], law.State())["force"][::-1]
+    rest = int(np.flatnonzero(path < 0)[-1])  # overlap of zero force
+    work = -np.sum(path[:rest]) * (overlap[1] - overlap[0])
+    speed = np.sqrt(2 * work / MASS)
+    bodies = [
+        sphere(overlap[rest] - RADIUS, y, 0, density=share * DENSITY)
+        for y, share in ((-2e-5, 0.8), (2e-5, 1.25))
+    ]
+    timestep = 0.3 * float(law.recommended_timestep(RADIUS, 0.8 * MASS, speed))
+    steps = int(2e-7 / timestep)
+    motion = f"fix away all move/mesh mesh plate linear {speed:.17g} 0 0"
+    variables = {"mesh": PLATE, "motion": motion, "timestep": timestep}
+    options = "energy_ledger on"
+    terms = energy_terms("jkr", tmp_path, bodies, steps, options=options, **variables)
+    light, heavy = table(tmp_path).query(f"step == {steps}").sort_values("id").to_dict("records")
+    plate = speed * timestep * steps
+    assert plate > 10 * law.pull_off_distance(RADIUS)
+    assert RADIUS - (plate - light["x"]) > -law.pull_off_distance(RADIUS)
+    assert RADIUS - (plate - heavy["x"]) < -law.pull_off_distance(RADIUS)
+    assert heavy["vx"] == pytest.approx(speed * (1 - np.sqrt(1 - 1 / 1.25)), abs=1e-3 * speed)
+    energy = terms["wallwork"].iloc[-1]
+    assert terms["drift"].abs().max() < 2e-3 * energy

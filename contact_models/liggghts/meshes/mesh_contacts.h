@@ -38,9 +38,9 @@ class MeshContacts {
   }
 
   // Whether LIGGGHTS has to compute the contact of a local particle with a triangle that it
-  // overlaps or from which it is stretched, or the end of that contact. If so, the contact has taken
-  // over the history of its surface. `history` is LIGGGHTS' history of this contact, null if there
-  // is none.
+  // overlaps or from which it is stretched, or the end of that contact. If so, the contact has
+  // taken over the history of its surface. `history` is LIGGGHTS' history of this contact, null if
+  // there is none.
   bool computes(int particle, int triangle, double* history);
 
  private:
