@@ -197,25 +197,12 @@ class NormalModelSetup : public NormalModelBase {
       text << "the contact of the smallest particles, of radius " << smallest << ", lasts to a "
            << "separation of " << share << " of their size; at most 0.2 is allowed. Reduce "
            << "surfaceEnergy, or raise youngsModulus";
-    else if (owner_.is_wall() && !owner_.is_mesh_wall() && neighbor->skin < distance)
+    else if (owner_.is_wall() && neighbor->skin < distance)
       text << "the neighbor skin is " << neighbor->skin << "; it must be at least " << distance
            << ", the separation at which a contact with the wall breaks. Raise the skin in the "
            << "neighbor command";
     if (!text.str().empty()) fail(text.str());
     neighbor->register_contact_dist_factor(1 + 2 * share);
-    if (owner_.is_mesh_wall()) update_cutoffs();
-  }
-
-  // LIGGGHTS has set the cutoffs of pairs before the wall raised the factor. Meshes use the largest
-  // cutoff to find the triangles near a rank.
-  void update_cutoffs() {
-    LAMMPS_NS::Pair* const pair = force->pair;
-    for (int type = 1; pair && type <= atom->ntypes; ++type)
-      for (int other = type; other <= atom->ntypes; ++other) {
-        const double cutoff = pair->init_one(type, other);
-        pair->cutsq[type][other] = pair->cutsq[other][type] = cutoff * cutoff;
-        pair->cutforce = std::max(pair->cutforce, cutoff);
-      }
   }
 
   // Reports unused properties and doubtful values once, and lines with different normal models.
