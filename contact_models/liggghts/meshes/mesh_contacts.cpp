@@ -147,14 +147,15 @@ void MeshContacts::join_surfaces(int particle, int first) {
 // A stretched contact moves along its surface to the nearest triangle. Adds the triangles that are
 // nearer than a neighbor of the same surface, if the particle overlaps no triangle of the surface.
 void MeshContacts::add_nearer_triangles(int particle, int first) {
+  if (in_contact_ < 0) return;
   const double tolerance = same_depth * engine_->atom->radius[particle];
-  std::vector<int> overlapped;  // surfaces
-  for (std::size_t k = first; k < overlaps_.size(); ++k)
-    if (overlaps_[k].depth >= 0) overlapped.push_back(overlaps_[k].surface);
   double to_foot[3];
   for (std::size_t k = first; k < overlaps_.size(); ++k) {
     const Overlap from = overlaps_[k];
-    if (std::count(overlapped.begin(), overlapped.end(), from.surface) > 0) continue;
+    const auto is_overlapped = [&](const Overlap& o) {
+      return o.surface == from.surface && o.depth >= 0;
+    };
+    if (std::any_of(overlaps_.begin() + first, overlaps_.end(), is_overlapped)) continue;
     for (int n = first_near_[particle]; n < first_near_[particle + 1]; ++n) {
       const int triangle = near_[n];
       const auto is_added = [&](const Overlap& o) { return o.triangle == triangle; };
