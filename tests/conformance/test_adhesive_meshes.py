@@ -280,3 +280,42 @@ def test_a_moving_plate_takes_light_grains_along(tmp_path):
     assert heavy["vx"] == pytest.approx(speed * (1 - np.sqrt(1 - 1 / 1.25)), abs=1e-3 * speed)
     energy = terms["wallwork"].iloc[-1]
     assert terms["drift"].abs().max() < 2e-3 * energy
+
+
+def test_a_box_of_triangles_is_a_box_of_planes(tmp_path):
+    """Grains hit the faces, edges and corners of a box from inside, below and above sticking.
+
+    On two ranks, the triangles give the forces of six primitive planes. 1e-6 of the largest value:
+    sums in another order differ by round-off, which grows at each impact.
+    """
+    wall, random = 5.2e-5, np.random.default_rng(3)
+    bodies = []
+    for k, side in enumerate(s for s in np.ndindex(3, 3, 3) if s != (1, 1, 1)):
+        side = np.array(side) - 1
+        place = side * (wall - RADIUS - 1e-9)
+        velocity = np.where(side, side * random.uniform(0.05, 1.2, 3), random.uniform(-5, 5, 3))
+        bodies.append(
+            sphere(place[0], place[1], velocity[0], z=place[2])
+            + f"set atom {k + 1} vy {velocity[1]:.17g}\nset atom {k + 1} vz {velocity[2]:.17g}\n"
+        )
+    corners = wall * np.array([[1, -1, -1], [1, 1, -1], [1, 1, 1], [1, -1, 1]])
+    face = corners[[[0, 1, 2], [0, 2, 3]]]
+    faces = [np.roll(side, k, axis=2) for k in range(3) for side in (face, face * [-1, 1, 1])]
+    line = f"fix w@ all wall/gran model {LAW} tangential history primitive type 2 "
+    ends = [f"{axis}plane {end}" for axis in "xyz" for end in (-wall, wall)]
+    planes = "\n".join(line.replace("@", str(k)) + end for k, end in enumerate(ends[1:]))
+    timestep = 0.4 * float(law_of(LAW).recommended_timestep(RADIUS, MASS, 1.0))
+    variables = {"timestep": timestep, "tangential": "history", "every": 200}
+    commands = f"run {int(1.5e-7 / timestep)}"
+    first = f"primitive type 2 {ends[0]}"
+    run(LAW, tmp_path / "planes", bodies, commands, motion=planes, wall=first, **variables)
+    mesh = np.concatenate(faces)
+    run(LAW, tmp_path / "mesh", bodies, commands, 2, mesh=mesh, grid="2 1 1", **variables)
+    planes, mesh = (
+        table(tmp_path / name).sort_values(["step", "id"]) for name in ("planes", "mesh")
+    )
+    gaps = wall - RADIUS - planes[["x", "y", "z"]].abs()
+    assert ((gaps > 0) & (planes[["fx", "fy", "fz"]] != 0).to_numpy()).any(axis=1).mean() > 0.05
+    for column in ("x", "y", "z", "vx", "vy", "vz", "fx", "fy", "fz"):
+        scale = planes[column].abs().max()
+        assert mesh[column].to_numpy() == pytest.approx(planes[column], abs=1e-6 * scale)
