@@ -32,12 +32,14 @@ class Analysis:
         checks: Checks of the deck.
         figures: Figures by name.
         notes: Sentences on quantities that could not be measured.
+        results: Measured numbers by name, with the unit in the name.
     """
 
     series: pd.DataFrame
     checks: list[Check] = attrs.field(factory=list)
     figures: dict[str, Figure] = attrs.field(factory=dict)
     notes: list[str] = attrs.field(factory=list)
+    results: dict[str, float] = attrs.field(factory=dict)
 
     @property
     def failed(self) -> list[Check]:

@@ -66,6 +66,11 @@ class BulkRun:
         return self.analysis.notes
 
     @property
+    def results(self) -> dict[str, float]:
+        """Measured numbers by name, with the unit in the name; empty for most decks."""
+        return self.analysis.results
+
+    @property
     def passed(self) -> bool:
         """Whether the run finished and every check passed."""
         return self.finished and not self.analysis.failed

@@ -98,6 +98,7 @@ def run(arguments: argparse.Namespace) -> None:
             {
                 "checks": bulk_run.checks.to_dict("records"),
                 "notes": bulk_run.notes,
+                "results": bulk_run.results,
                 "warnings": warnings_of(bulk_run),
                 "written": str(arguments.output),
             }
@@ -133,11 +134,13 @@ def has_no_new_step(run: BulkRun) -> bool:
 
 
 def report(run: BulkRun) -> None:
-    """Print every check of a run, its notes, and warnings of the models.
+    """Print the results of a run, its checks and notes, and warnings of the models.
 
     Raises:
         CheckError: A check failed.
     """
+    for name, value in run.results.items():
+        print(f"{name}: {value:.4g}")
     for check in run.checks.itertuples():
         verdict = "ok" if check.passed else "NO"
         value = f"{check.value:.3g}, at most {check.limit:.3g}"

@@ -189,6 +189,8 @@ def _facts(
         first, last, most = grains.iloc[0], grains.iloc[-1], grains.max()
         more = f", at most {number(float(most))}" if most > max(first, last) else ""
         facts["grains"] = span(first, last) + more
+    if run is not None:
+        facts |= {name: number(value) for name, value in run.results.items()}
     if record.get("restart"):
         facts["continues"] = Path(record["restart"]).name
     return facts | version_facts(record.get("versions", {}))

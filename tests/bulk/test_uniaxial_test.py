@@ -1,0 +1,103 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Uniaxial tests in LIGGGHTS: strength grows with adhesion and consolidation, porosity falls."""
+
+from __future__ import annotations
+
+import pandas as pd
+import pytest
+
+from plastigran.bulk.decks.uniaxial_test.measurement import (
+    Stage,
+    free_height,
+    measure_strength,
+    platen_height,
+    platen_work,
+    stage_of,
+)
+from plastigran.bulk.outcome import BulkRun
+from plastigran.bulk.run import run_bulk
+from plastigran.bulk.series import read_series
+
+
+@pytest.fixture(scope="module")
+def test_run(brief_run) -> BulkRun:
+    """Seventy-two grains with adhesion."""
+    return brief_run("uniaxial_test")
+
+
+@pytest.fixture(scope="module")
+def other(test_run, tmp_path_factory):
+    """Run the test with other settings."""
+
+    def run(**changes: object) -> BulkRun:
+        settings = {**test_run.deck.briefs[""].settings, **changes}
+        folder = tmp_path_factory.mktemp("uniaxial") / "run"
+        return run_bulk("uniaxial_test", settings, folder, show=False)
+
+    return run
+
+
+def strength_of(run: BulkRun):
+    return run.deck.strength(run.series)
+
+
+def test_free_sample_is_strong(test_run):
+    """The sample reaches the set stress, stands free, and fails at a part of that stress."""
+    assert test_run.passed, repr(test_run)
+    strength = strength_of(test_run)
+    assert strength.consolidation == pytest.approx(5e3, rel=0.01)
+    assert 0.1 < strength.ratio < 0.6 and 0.4 < strength.porosity < 0.6
+    assert test_run.results["unconfined yield strength (Pa)"] == strength.unconfined
+
+
+def test_without_adhesion_there_is_no_strength(test_run, other):
+    """Grains without adhesion collapse, and pack more densely before."""
+    loose = strength_of(other(surface_energy=0, adhesion_ratio=0))
+    assert loose.ratio < 0.01
+    assert loose.porosity < strength_of(test_run).porosity - 0.02
+
+
+def test_consolidation_strengthens(test_run, other):
+    """At four times the stress, porosity falls and strength rises; seeds differ by less."""
+    weak, strong = strength_of(test_run), strength_of(other(consolidation_stress=2e4))
+    assert strong.porosity < weak.porosity - 0.02
+    assert strong.unconfined > 1.3 * weak.unconfined
+
+
+def test_wrong_force_is_noticed(test_run):
+    """An error of a tenth in the force fails the check of the platen's work and that of its stress."""
+    series = read_series(test_run.folder)
+    series["force"] *= 1.1
+    failed = {check.name.split(" compared")[0] for check in test_run.deck.analyse(series).failed}
+    assert {"work of the platen", "stress at the end of consolidation"} <= failed
+
+
+def test_short_strain_is_noted(test_run):
+    series = read_series(test_run.folder)
+    (note,) = test_run.deck.analyse(series.iloc[:-8]).notes
+    assert "Raise strain" in note
+
+
+def test_measurement_of_a_known_test():
+    """The platen goes down by 2, up by 1, waits, and goes down by 1 on a sample of height 9."""
+    table = pd.DataFrame(
+        {
+            "step": range(9),
+            "time": [0.0, 1, 2, 3, 4, 5, 6, 7, 8],
+            "velocity": [0, -1, -1, 0.5, 0.5, 0, 0, -0.5, -0.5],
+            "force": [0.0, 50, 100, 0, 0, 0, 0, 30, 20],
+        }
+    )
+    table["stage"] = stage_of(table["step"], [2, 4, 6])
+    assert table["stage"].tolist() == [0, 0, 0, 1, 1, 2, 2, 3, 3]
+    table["height"] = platen_height(table, 10.0)
+    assert table["height"].tolist() == [10, 9, 8, 8.5, 9, 9, 9, 8.5, 8]
+    assert platen_work(table).sum() == pytest.approx(50 + 100 + 15 + 10)
+    table["stress"], table["porosity"] = table["force"], 0.5
+    table["strain"] = 1 - table["height"] / free_height(table)
+    strength = measure_strength(table, 0.2)
+    assert (strength.unconfined, strength.ratio) == (30, 0.3)
+    assert strength.failure_strain == pytest.approx(0)
+    table.loc[table["stage"] == Stage.CONSOLIDATION, "stress"] = 0
+    with pytest.raises(ValueError, match="raise consolidation"):
+        free_height(table)
