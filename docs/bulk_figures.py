@@ -6,12 +6,14 @@ from __future__ import annotations
 import tempfile
 from pathlib import Path
 
+from flow_function import flow_functions
 from matplotlib.figure import Figure
 
 from plastigran.bulk.decks.compaction.figure import compaction_figure
 from plastigran.bulk.decks.cooling_gas.figure import cooling_figure
 from plastigran.bulk.decks.hopper import orifices
 from plastigran.bulk.decks.hopper.figure import orifices_figure
+from plastigran.bulk.decks.uniaxial_test.figure import flow_function_figure
 from plastigran.bulk.outcome import BulkRun
 from plastigran.bulk.run import run_bulk
 from plastigran.plot.frame_files import find_frames
@@ -92,6 +94,17 @@ def draw_compaction(folder: Path) -> None:
     save(compactions(), folder / "compaction", (".png",))
 
 
+def draw_uniaxial_test(folder: Path) -> None:
+    save(bulk("uniaxial_test").figures["uniaxial_test"], folder / "uniaxial_test", (".png",))
+
+
+def draw_flow_function(folder: Path) -> None:
+    """Draw nine uniaxial tests: five minutes."""
+    with tempfile.TemporaryDirectory() as runs:
+        table = flow_functions(Path(runs))
+    save(flow_function_figure(table), folder / "flow_function", (".png",))
+
+
 def draw_bed_impact(folder: Path) -> None:
     for name, figure in shot_figures().items():
         save(figure, folder / name, (".png",))
@@ -115,6 +128,8 @@ BULK = {
     "collision_spectra": draw_collision_spectra,
     "chute": draw_chute,
     "compaction": draw_compaction,
+    "uniaxial_test": draw_uniaxial_test,
+    "flow_function": draw_flow_function,
     "bed_impact": draw_bed_impact,
     "hopper": draw_hopper,
     "hopper_grains": draw_hopper_grains,

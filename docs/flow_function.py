@@ -57,7 +57,11 @@ def flow_functions(folder: Path) -> pd.DataFrame:
     return pd.DataFrame(
         row(
             run(
-                folder, consolidation_stress=stress, surface_energy=energy, adhesion_ratio=0, **SAMPLE
+                folder,
+                consolidation_stress=stress,
+                surface_energy=energy,
+                adhesion_ratio=0,
+                **SAMPLE,
             )
         )
         for energy in ENERGIES

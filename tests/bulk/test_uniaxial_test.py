@@ -65,7 +65,7 @@ def test_consolidation_strengthens(test_run, other):
 
 
 def test_wrong_force_is_noticed(test_run):
-    """An error of a tenth in the force fails the check of the platen's work and that of its stress."""
+    """An error of a tenth in the force fails the checks of work and of consolidation stress."""
     series = read_series(test_run.folder)
     series["force"] *= 1.1
     failed = {check.name.split(" compared")[0] for check in test_run.deck.analyse(series).failed}

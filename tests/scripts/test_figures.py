@@ -34,7 +34,7 @@ def test_figures_of_the_bulk_decks(brief_run, bulk_run, tmp_path, monkeypatch):
 
     monkeypatch.setattr(bulk_figures, "run_bulk", run)
     monkeypatch.setattr(BulkRun, "raise_if_failed", lambda self: self)  # too short for all checks
-    parts = ["drum", "chute", "cooling_gas", "compaction", "bed_impact"]
+    parts = ["drum", "chute", "cooling_gas", "compaction", "uniaxial_test", "bed_impact"]
     make_figures.main(parts, tmp_path)
     drawn = sorted(path.name for path in tmp_path.iterdir())
     assert drawn == sorted(
@@ -85,6 +85,7 @@ def test_each_part_starts(tmp_path, monkeypatch):
     for name in ("calibrate", "overview_figure", "plastigran"):
         monkeypatch.setattr(make_figures, name, begin(name))
     monkeypatch.setattr(bulk_figures, "run_bulk", begin("bulk"))
+    monkeypatch.setattr("flow_function.run_bulk", begin("bulk"))
     monkeypatch.setattr("plastigran.experiments.base.sweep", begin("sweep"))
     monkeypatch.setattr("plastigran.validation.spheres.fit.fit", begin("fit"))
     parts = make_figures.parts()

@@ -45,12 +45,12 @@ def flow_function_figure(table: pd.DataFrame) -> Figure:
     """
     with styled():
         figure, (flow, trend) = subplots(1, 2, figsize=(9.2, 3.8))
-        for colour, (energy, tests) in zip(
-            COLOURS, table.groupby("surface_energy"), strict=False
-        ):
+        for colour, (energy, tests) in zip(COLOURS, table.groupby("surface_energy"), strict=False):
             stress = tests.sort_values("consolidation") / 1e3
             label = f"{energy:g} J/m²"
-            flow.plot(stress["consolidation"], stress["unconfined"], "o-", color=colour, label=label)
+            flow.plot(
+                stress["consolidation"], stress["unconfined"], "o-", color=colour, label=label
+            )
         largest = table["consolidation"].max() / 1e3
         flow.set(xlabel="consolidation stress (kPa)", ylabel="unconfined yield strength (kPa)")
         flow.set(xlim=(0, 1.05 * largest), ylim=(0, None))

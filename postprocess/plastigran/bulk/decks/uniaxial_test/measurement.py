@@ -29,8 +29,8 @@ class Strength:
     Attributes:
         consolidation: Stress at the end of consolidation [Pa].
         porosity: Porosity at the end of consolidation [-].
-        unconfined: Peak stress of the free sample, its unconfined yield strength [Pa]; NaN if it was
-            not compressed.
+        unconfined: Unconfined yield strength, the peak stress of the free sample [Pa]; NaN if it
+            was not compressed.
         failure_strain: Strain at the peak [-].
     """
 
