@@ -78,6 +78,15 @@ def test_short_strain_is_noted(test_run):
     assert "Raise strain" in note
 
 
+def test_sample_that_stays_loaded_is_noted(test_run):
+    """With a stress that never falls, there is no strength, and a check fails."""
+    series = read_series(test_run.folder)
+    series["force"] += series["force"].max()
+    analysis = test_run.deck.analyse(series)
+    assert "Raise release" in analysis.notes[0]
+    assert any("when the mold opens" in check.name for check in analysis.failed)
+
+
 def test_measurement_of_a_known_test():
     """The platen goes down by 2, up by 1, waits, and goes down by 1 on a sample of height 9."""
     table = pd.DataFrame(

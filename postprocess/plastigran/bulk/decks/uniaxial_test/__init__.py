@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from math import pi
+from math import isnan, pi
 from typing import ClassVar
 
 import attrs
@@ -180,8 +180,10 @@ def results(strength: Strength) -> dict[str, float]:
 
 
 def notes(table: pd.DataFrame, strain: float) -> list[str]:
-    """Return a note if the sample was not compressed to the set strain."""
+    """Return a note if the sample was not freed, or not compressed to the set strain."""
     reached = table["strain"].iloc[-1]
+    if isnan(reached):
+        return ["the strength was not measured: the platen did not leave the sample. Raise release"]
     if reached >= strain:
         return []
     return [
