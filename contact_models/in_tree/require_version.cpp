@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// In the engine's own source tree: what is compiled with the engine fits it.
+// Version check for builds in the LIGGGHTS source tree: always passes, because the laws are
+// compiled with LIGGGHTS itself.
 #include "liggghts/plugin/registered.h"
 
 namespace plastigran {

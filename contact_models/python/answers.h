@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// A law's answers as Python has them: records whose fields are numbers, or arrays with one number
-// an element.
+// Conversion of the results of a law (Response, ImpactOutcome) to Python objects. Their fields are
+// numbers, or arrays with one element per contact.
 #pragma once
 
 #include <array>
@@ -18,7 +18,7 @@ template <class Record>
 struct AnswerField {
   const char* name;
   double Record::*number;
-  bool Record::*truth;  // set where `number` is null
+  bool Record::*truth;  // pointer to a bool member; used if `number` is null
   const char* meaning;
 };
 
@@ -47,11 +47,12 @@ struct Answer {
   std::vector<nb::object> values;
 };
 
-// Ask for every element, `ask(element)`, and turn the records into fields.
-template <class Record, class Ask>
-Answer<Record> answer(const Broadcast& given, const Ask& ask) {
+// Calls compute(element) for every element and returns the fields of the records as numbers or
+// arrays.
+template <class Record, class Compute>
+Answer<Record> answer(const Broadcast& given, const Compute& compute) {
   std::vector<Record> records(given.size());
-  for (std::size_t i = 0; i < records.size(); ++i) records[i] = ask(i);
+  for (std::size_t i = 0; i < records.size(); ++i) records[i] = compute(i);
   Answer<Record> answer;
   for (const auto& field : AnswerFields<Record>::all)
     answer.values.push_back(

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// A law, its history and its answers as Python sees them, whichever law it is: what one function
-// can do for all laws, it does through these.
+// Type-erased law and contact history, with which one Python binding works for all laws.
 #pragma once
 
 #include <array>
@@ -18,7 +17,7 @@ namespace plastigran {
 // History of one contact of a law.
 struct AnyState {
   static constexpr std::size_t capacity = 8;
-  const char* law;  // its name
+  const char* law;  // name of the law
   const char* const* names;
   std::size_t count;
   std::array<double, capacity> values{};
@@ -39,11 +38,11 @@ class AnyLaw {
                                       const ImpactOutcome& impact) const = 0;
 };
 
-// Histories of an array of contacts: those given, or those of first loading.
+// Histories of an array of contacts: the caller's State objects, or zeros for first loading.
 class States {
  public:
-  // One for each element, or for each path along the last axis of `shape`. Raises TypeError for
-  // another law's state, ValueError when there are more or fewer than asked for.
+  // Creates one history per contact; `shape` is the shape of the array of contacts. Raises
+  // TypeError for the State of another law, and ValueError for a wrong number of states.
   States(const AnyLaw& law, const nb::object& given, std::vector<std::size_t> shape);
   double* operator[](std::size_t contact) {
     return given_.empty() ? untouched_[contact].data() : given_[contact]->values.data();

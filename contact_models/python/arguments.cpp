@@ -28,7 +28,8 @@ void check(const Argument& argument, const std::string& index, double value) {
 
 bool is_number(nb::handle given) { return PyFloat_Check(given.ptr()) || PyLong_Check(given.ptr()); }
 
-// Any array-like as an array of doubles, each in its range.
+// Returns an array-like argument as an array of doubles. Raises ValueError if it has no numbers or
+// a value is out of range.
 nb::object to_array(const nb::module_& numpy, const Argument& argument) {
   nb::object array;
   try {
@@ -64,18 +65,19 @@ Broadcast::Broadcast(std::initializer_list<Argument> arguments) {
   const nb::module_ numpy = nb::module_::import_("numpy");
   std::vector<nb::object> arrays;
   nb::list shapes;
-  std::string said;
+  std::string description;
   for (const Argument& argument : arguments) {
     arrays.push_back(to_array(numpy, argument));
     shapes.append(arrays.back().attr("shape"));
-    said += (said.empty() ? "" : ", ") + std::string(argument.name) + ' ' +
-            text(numpy.attr("shape")(argument.given));
+    description += (description.empty() ? "" : ", ") + std::string(argument.name) + ' ' +
+                   text(numpy.attr("shape")(argument.given));
   }
   nb::object shape;
   try {
     shape = numpy.attr("broadcast_shapes")(*shapes);
   } catch (const nb::python_error&) {
-    throw std::invalid_argument("the shapes do not fit together: " + said);
+    throw std::invalid_argument("the shapes of the arguments cannot be broadcast together: " +
+                                description);
   }
   for (const nb::object& array : arrays) {
     const nb::object spread = numpy.attr("broadcast_to")(array, shape);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// What Python gives and gets: numbers or arrays of numbers, checked, broadcast against each other
-// as numpy does, and answered by numbers or arrays of the shape they have together.
+// Arguments and results of Python functions: numbers or arrays of numbers. Arguments are checked
+// and broadcast together as in numpy; results have the broadcast shape.
 #pragma once
 
 #include <nanobind/nanobind.h>
@@ -19,10 +19,11 @@ namespace plastigran {
 namespace nb = nanobind;
 using namespace nb::literals;
 
-// Throw what Python sees as ValueError, unless there is nothing to complain of.
+// Throws an exception that Python receives as ValueError, unless the complaint is empty. `about`
+// precedes the message.
 void raise_if(const Complaint& complaint, const std::string& about = "");
 
-// Values an argument may have, and the words for them.
+// Allowed values of an argument, and their description for messages.
 struct Allowed {
   bool (*holds)(double value);
   const char* words;
@@ -34,35 +35,37 @@ struct Argument {
   nb::object given;
   Allowed allowed;
   const char* unit;
-  bool one_per_path = false;  // an array of it has no axis along the path
+  bool one_per_path = false;  // whether an array lacks the axis along the path
 };
 
 class Broadcast {
  public:
-  // Raises ValueError naming the argument, its index and value, and what is allowed; or the shapes
-  // when they do not fit together.
+  // Checks and broadcasts the arguments. Raises ValueError for a value out of range (the message
+  // names argument, index, value and range), or for shapes that cannot be broadcast.
   explicit Broadcast(std::initializer_list<Argument> arguments);
 
-  // The value of an argument, counted as given, for an element, counted in C order.
+  // Returns the value of argument number `argument` for an element of the broadcast shape in C
+  // order.
   double operator()(std::size_t argument, std::size_t element) const {
     const Column& column = columns_[argument];
     return column.array.is_valid() ? column.array.data()[element] : column.number;
   }
-  const std::vector<std::size_t>& shape() const { return shape_; }  // empty for a number
+  const std::vector<std::size_t>& shape() const { return shape_; }  // empty if all are numbers
   std::size_t size() const { return size_; }
 
  private:
   typedef nb::ndarray<const double, nb::c_contig, nb::device::cpu> Array;
   struct Column {
     double number;
-    Array array;  // not valid when all arguments are numbers
+    Array array;  // invalid (no data) if all arguments are numbers
   };
   std::vector<Column> columns_;
   std::vector<std::size_t> shape_;
   std::size_t size_ = 1;
 };
 
-// One number for numbers, else an array: value(element) of every element.
+// Returns value(element) of every element as an array of the broadcast shape, or one number if all
+// arguments are numbers.
 template <class Value, class ValueOf>
 nb::object column(const Broadcast& given, const ValueOf& value) {
   if (given.shape().empty()) return nb::cast(static_cast<Value>(value(0)));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// What two bodies bring to a contact, in Python.
+// Python bindings of the constants of bodies and pairs of bodies.
 #include <cmath>
 #include <sstream>
 #include <string>
@@ -21,14 +21,16 @@ constexpr std::array<Field<MaterialPair>, 9> pair_fields{{
      "G* [Pa]: 1/G* = (2-nu1)/G1 + (2-nu2)/G2."},
     {"yield_pressure", &MaterialPair::yield_pressure,
      "Contact pressure p_y at which the weaker body yields [Pa]."},
-    {"yield_strength", &MaterialPair::yield_strength, "sigma_Y of the weaker body [Pa]."},
-    {"poissons_ratio", &MaterialPair::poissons_ratio, "nu of the weaker body [-]."},
-    {"youngs_modulus", &MaterialPair::youngs_modulus, "E of the weaker body [Pa]."},
-    {"tangent_modulus", &MaterialPair::tangent_modulus, "E_t of the weaker body [Pa]."},
+    {"yield_strength", &MaterialPair::yield_strength,
+     "Yield strength sigma_Y of the weaker body [Pa]."},
+    {"poissons_ratio", &MaterialPair::poissons_ratio, "Poisson's ratio nu of the weaker body [-]."},
+    {"youngs_modulus", &MaterialPair::youngs_modulus, "Young's modulus E of the weaker body [Pa]."},
+    {"tangent_modulus", &MaterialPair::tangent_modulus,
+     "Tangent modulus E_t of the weaker body [Pa]."},
     {"rate_coefficient", &MaterialPair::rate_coefficient,
-     "C of the weaker body's yield strength [-]."},
+     "Rate coefficient C of the weaker body [-]."},
     {"reference_rate", &MaterialPair::reference_rate,
-     "Rate of strain at which the weaker body's yield strength holds [1/s]."},
+     "Strain rate to which the yield strength of the weaker body refers [1/s]."},
 }};
 
 constexpr Allowed ratio_of_a_body{[](double value) { return value > -1 && value <= 0.5; },
@@ -74,12 +76,12 @@ std::string body_doc() {
   return text.str();
 }
 
-// The body of positional and named arguments of Python.
+// Returns the body defined by positional and keyword arguments of Python.
 Body read_body(const nb::args& values, const nb::kwargs& named) {
   nb::dict given;
   for (auto [name, value] : named) given[name] = value;
   for (std::size_t k = 0; k < values.size(); ++k) {
-    if (k >= body_constant_count) throw nb::type_error("too many constants of a body");
+    if (k >= body_constant_count) throw nb::type_error("too many positional constants for Body");
     const char* const name = body_constants[k].name;
     if (given.contains(name)) throw nb::type_error((std::string(name) + " is given twice").c_str());
     given[name] = values[k];
@@ -96,7 +98,7 @@ Body read_body(const nb::args& values, const nb::kwargs& named) {
     }
   }
   for (auto [name, value] : given)
-    throw nb::type_error(("a body has no constant " + nb::cast<std::string>(name)).c_str());
+    throw nb::type_error(("Body has no constant " + nb::cast<std::string>(name)).c_str());
   raise_if(validate(body));
   return body;
 }
@@ -122,7 +124,7 @@ nb::list constant_table() {
 }  // namespace
 
 void bind_bodies(nb::module_& module) {
-  nb::class_<Body> body(module, "Body", "One body's bulk constants. Immutable.");
+  nb::class_<Body> body(module, "Body", "Material constants of one body. Immutable.");
   static const std::string signature = body_signature(), doc = body_doc();
   body.def(
       "__init__",
@@ -133,8 +135,9 @@ void bind_bodies(nb::module_& module) {
   bind_fields(body, body_fields());
   module.def(
       "body_constants", &constant_table, nb::sig("def body_constants() -> list[dict[str, Any]]"),
-      R"(The constants of a body: name, symbol, unit, lower and upper bound, `above` if the lower
-bound is not allowed, default (None if it must be given; it is always allowed), and meaning.)");
+      R"(Return one dict per constant of a body: name, symbol, unit, lower and upper (bounds), above
+(whether the lower bound is excluded), default (None if the constant is required; a default is
+always allowed), and meaning.)");
 
   nb::class_<MaterialPair> pair(
       module, "MaterialPair",
@@ -142,11 +145,11 @@ bound is not allowed, default (None if it must be given; it is always allowed), 
   bind_fields(pair, pair_fields);
 
   module.def("combine", &combine, "a"_a, "b"_a,
-             R"(The pair two bodies form, the same in either order.
+             R"(Combine the constants of two bodies to a pair; the order does not matter.
 
 Args:
     a: One body.
-    b: The other. The one that yields at the lower contact pressure sets the pair's yield.
+    b: The other body. The body with the lower yield pressure determines the yield of the pair.
 
 Source: effective moduli of Hertz 1881 and Mindlin 1949.)");
   module.def(
@@ -158,7 +161,7 @@ Source: effective moduli of Hertz 1881 and Mindlin 1949.)");
       },
       "poissons_ratio"_a,
       nb::sig("def hertz_yield_pressure_factor(poissons_ratio: ArrayLike) -> Numbers"),
-      R"(Peak Hertz pressure over yield strength [-] at which a contact first yields (von Mises).
+      R"(Return peak Hertz pressure / yield strength at first yield (von Mises) [-].
 
 Args:
     poissons_ratio: nu [-], a number or an array of any shape, above -1 and at most
@@ -182,14 +185,15 @@ Source: Johnson, Contact Mechanics (1985), sec. 3.4 and 4.1.)");
       "pair"_a, "radius_eff"_a, "speed"_a,
       nb::sig("def rate_factor(pair: MaterialPair, radius_eff: ArrayLike, speed: ArrayLike) -> "
               "Numbers"),
-      R"(What an impact multiplies the yield strength of its weaker body by [-], in steps of 1e-4:
-1 + C ln(rate/reference_rate) above the reference rate, 1 up to it. The rate is v/R of the weaker
-body's sphere on a rigid plane: speed/R* (E*/E')^2.
+      R"(Return the factor by which the strain rate of an impact increases the yield strength [-].
+
+The factor is 1 + C ln(rate/reference_rate) above the reference rate and 1 below, rounded to
+multiples of 1e-4. C and E' belong to the weaker body. The rate is speed/R* (E*/E')^2.
 
 Args:
     pair: The two bodies.
     radius_eff: R* [m], positive. Numbers or arrays whose shapes broadcast together, as all below.
-    speed: At which the bodies close in at first touch [m/s].
+    speed: Closing speed at first touch [m/s].
 
 Returns:
     A number, or an array of the shape all have together.
@@ -199,7 +203,7 @@ Raises:
 
 Source: Johnson & Cook 1983, 7th Int. Symp. Ballistics: 541.)");
   module.def("yield_radius_ratio", &yield_radius_ratio, "pair"_a,
-             R"(Contact radius over effective radius at first yield [-]: pi p_y/(2 E*).
+             R"(Return contact radius / effective radius at first yield [-]: pi p_y/(2 E*).
 
 Args:
     pair: The two bodies.

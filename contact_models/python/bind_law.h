@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// Binds one law to Python: a class named as in C++, with its State, constants and options.
+// Binds one law to Python: a class with the name of the C++ class, its State, constants and
+// options.
 #pragma once
 
 #include <nanobind/stl/string.h>
@@ -68,7 +69,7 @@ class LawOf : public AnyLaw {
   }
 };
 
-// Laws with more functions, such as a force-driven form, bind them in a specialisation.
+// Binds additional functions of a law, such as a force-driven form, in a specialization.
 template <class Law>
 void bind_extras(nb::class_<LawOf<Law>, AnyLaw>&) {}
 
@@ -76,14 +77,14 @@ template <class Law>
 void bind_state(nb::class_<LawOf<Law>, AnyLaw>& law) {
   typedef StateOf<Law> State;
   nb::class_<State, AnyState> state(
-      law, "State", "History of one contact of this law: zeros before first yield.");
-  state.def(nb::init<>(), "Create the history of a contact before first yield.");
+      law, "State", "History of one contact of this law: zeros before first touch.");
+  state.def(nb::init<>(), "Create the history of a contact before first touch.");
   state.def(
-      "copy", [](const State& self) { return State(self); }, "The same history once more.");
+      "copy", [](const State& self) { return State(self); }, "Return a copy of this history.");
   for (std::size_t k = 0; k < Law::state_names.size(); ++k)
     state.def_prop_ro(
         Law::state_names[k], [k](const State& self) { return self.values[k]; },
-        "State variable of the contact; 0 before first yield.");
+        "State variable of the contact; 0 before first touch.");
   bind_values(
       state,
       [](const State& self) {
@@ -137,28 +138,28 @@ void bind_law(nb::module_& module, const char* class_name) {
             {{"radius_eff", radius_eff, positive, "m"}, {"speed", speed, positive, "m/s"}});
         if (!given.shape().empty())
           throw std::invalid_argument(
-              "at_impact is for one impact: radius_eff and speed are numbers");
+              "at_impact describes one impact: radius_eff and speed must be numbers, not arrays");
         return self.strengthened(rate_factor(self.pair, given(0, 0), given(1, 0)));
       },
       "radius_eff"_a, "speed"_a,
       nb::sig("def at_impact(self, radius_eff: float, speed: float) -> Self"),
-      R"(The law during one impact: its yield strength times `rate_factor`, whatever the rate then.
+      R"(Return the law for one impact, with the yield strength multiplied by `rate_factor`.
 
 Args:
     radius_eff: R* [m], positive.
-    speed: At which the bodies close in at first touch [m/s], positive.
+    speed: Closing speed at first touch [m/s], positive.
 
 Returns:
-    A law whose pair has no rate coefficient; the same law where it had none.
+    A law without rate coefficient; this law itself if it has no rate coefficient.
 
 Raises:
     ValueError: A value is out of range.)");
-  law.def_static("parameters", &parameter_table<Law>,
-                 nb::sig("def parameters() -> list[dict[str, Any]]"),
-                 "The law's own constants: name, unit, default (None: it must be given), per_body "
-                 "(of each body, a pair has the larger), lower, upper, meaning.");
+  law.def_static(
+      "parameters", &parameter_table<Law>, nb::sig("def parameters() -> list[dict[str, Any]]"),
+      "Return one dict per constant of the law: name, unit, default (None: required), per_body "
+      "(whether each body has a value; the pair uses the larger), lower, upper, meaning.");
   law.def_static("options", &option_table<Law>, nb::sig("def options() -> list[dict[str, Any]]"),
-                 "The choices the law leaves open: name, choices, default, meaning.");
+                 "Return one dict per option of the law: name, choices, default, meaning.");
   law.attr("name") = Law::name;
   law.attr("source") = Law::source;
   law.attr("range") = Law::range;

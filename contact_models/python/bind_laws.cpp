@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// What every law does in Python, and the history of its contacts.
+// Python bindings of the methods that all laws have, and of contact histories.
 #include <nanobind/stl/vector.h>
 
 #include <cmath>
@@ -28,19 +28,19 @@ States::States(const AnyLaw& law, const nb::object& given, std::vector<std::size
   }
   const nb::module_ numpy = nb::module_::import_("numpy");
   const nb::object states = numpy.attr("asarray")(given, "dtype"_a = "object");
-  for (nb::handle each : states.attr("flat")) {
-    if (!nb::isinstance<AnyState>(each) || nb::cast<AnyState&>(each).law != law.name())
-      throw nb::type_error((std::string("state is ") + nb::cast<std::string>(nb::repr(each)) +
-                            "; " + law.name() + " takes its own State, or an array of them")
+  for (nb::handle state : states.attr("flat")) {
+    if (!nb::isinstance<AnyState>(state) || nb::cast<AnyState&>(state).law != law.name())
+      throw nb::type_error((std::string("state is ") + nb::cast<std::string>(nb::repr(state)) +
+                            "; it must be a " + law.name() + " State, or an array of them")
                                .c_str());
-    given_.push_back(&nb::cast<AnyState&>(each));
+    given_.push_back(&nb::cast<AnyState&>(state));
   }
   const std::vector<std::size_t> its_shape =
       nb::cast<std::vector<std::size_t>>(states.attr("shape"));
   if (given_.size() != count || (!its_shape.empty() && its_shape != shape))
     throw std::invalid_argument("state has shape " +
                                 nb::cast<std::string>(nb::repr(states.attr("shape"))) +
-                                "; it must be one State for each contact, of shape " +
+                                "; it must contain one State per contact, with the shape " +
                                 nb::cast<std::string>(nb::repr(nb::tuple(nb::cast(shape)))));
   kept_ = states;
 }
@@ -135,36 +135,37 @@ nb::dict follow(const AnyLaw& law, const nb::object& radius_eff, const nb::objec
 
 void bind_laws(nb::module_& module) {
   nb::class_<AnyState>(module, "ContactState",
-                       "History of one contact, made by a law's own `State()`: zeros "
-                       "before first yield. Calls that take it update it.")
+                       "History of one contact, created by `State()` of a law: zeros before first "
+                       "touch. `respond` and `follow` update it.")
       .def(
           "values",
           [](const AnyState& self) {
             return std::vector<double>(self.values.begin(), self.values.begin() + self.count);
           },
-          "The values as a list, in the order of the law's `state_names`.");
+          "Values of the state variables as a list, in the order of `state_names` of the law.");
 
-  nb::class_<AnyLaw> law(module, "Law",
-                         "A contact law between two bodies: what all laws have. Its classes are in "
-                         "`LAWS`. Immutable.");
-  law.def_prop_ro("overlap_range", &AnyLaw::overlap_range,
-                  "Largest overlap over R* that the law is good for [-]; in words `range`.");
-  law.def(
-      "respond", &respond_to, "radius_eff"_a, "overlap"_a, "state"_a = nb::none(),
-      "overlap_rate"_a = 0.0,
-      nb::sig("def respond(self, radius_eff: ArrayLike, overlap: ArrayLike, state: "
-              "ContactState | Sequence[ContactState] | NDArray[Any] | None = None, "
-              "overlap_rate: ArrayLike = 0.0) -> "
-              "Response"),
-      R"(The law's answer for one contact, or for an array of contacts, with its yield strength at
-rest; `at_impact` has it at the rate of an impact.
+  nb::class_<AnyLaw> law(
+      module, "Law",
+      "Contact law between two bodies: base class of the laws in `LAWS`. Immutable.");
+  law.def_prop_ro(
+      "overlap_range", &AnyLaw::overlap_range,
+      "Largest overlap/R* for which the law is valid [-]; `range` describes it in words.");
+  law.def("respond", &respond_to, "radius_eff"_a, "overlap"_a, "state"_a = nb::none(),
+          "overlap_rate"_a = 0.0,
+          nb::sig("def respond(self, radius_eff: ArrayLike, overlap: ArrayLike, state: "
+                  "ContactState | Sequence[ContactState] | NDArray[Any] | None = None, "
+                  "overlap_rate: ArrayLike = 0.0) -> "
+                  "Response"),
+          R"(Return the response of one contact or of an array of contacts, without rate effect.
+
+For the yield strength at the strain rate of an impact, use the law of `at_impact`.
 
 Args:
     radius_eff: R* [m], positive. Numbers or arrays whose shapes broadcast together, as all below.
-    overlap: [m].
-    state: The contact's history, moved on when it reaches a new extreme; for an array of contacts
-        an array of histories of its shape. None for first loading.
-    overlap_rate: Rate of overlap [m/s], closing positive; matters to a `rate_dependent` law only.
+    overlap: Overlap [m].
+    state: History of the contact, updated at a new extreme; for an array of contacts an array of
+        histories with the broadcast shape. None for first loading.
+    overlap_rate: Overlap rate [m/s], positive while closing; used only by `rate_dependent` laws.
 
 Returns:
     Force, contact radius and energies: numbers, or arrays of the shape all have together.
@@ -173,37 +174,40 @@ Raises:
     ValueError: A value is out of range (the message names it, its index and the range), or the
         shapes do not fit together.
     TypeError: A state of another law.)");
-  law.def("follow", &follow, "radius_eff"_a, "overlap"_a, "state"_a = nb::none(),
-          "overlap_rate"_a = nb::none(),
-          nb::sig("def follow(self, radius_eff: ArrayLike, overlap: ArrayLike, state: "
-                  "ContactState | Sequence[ContactState] | NDArray[Any] | None = None, "
-                  "overlap_rate: ArrayLike | None = "
-                  "None) -> dict[str, Numbers]"),
-          R"(The law's answers along a path of overlaps, or along an array of paths, with its yield
-strength at rest; `at_impact` has it at the rate of an impact.
+  law.def(
+      "follow", &follow, "radius_eff"_a, "overlap"_a, "state"_a = nb::none(),
+      "overlap_rate"_a = nb::none(),
+      nb::sig("def follow(self, radius_eff: ArrayLike, overlap: ArrayLike, state: "
+              "ContactState | Sequence[ContactState] | NDArray[Any] | None = None, "
+              "overlap_rate: ArrayLike | None = "
+              "None) -> dict[str, Numbers]"),
+      R"(Return the responses along a path of overlaps, or along an array of paths, without rate effect.
+
+For the yield strength at the strain rate of an impact, use the law of `at_impact`.
 
 Args:
-    radius_eff: R* [m], positive: one, or one for each path, of shape (...).
+    radius_eff: R* [m], positive: a number, or an array (...) with one value per path.
     overlap: Path [m], shape (..., N): each contact follows the last axis.
-    state: History the path begins with, moved along; an array of shape (...) for several paths.
-        None for first loading.
-    overlap_rate: Rate of overlap [m/s], closing positive, broadcast with `overlap`; None for zero.
-        Matters to a `rate_dependent` law only.
+    state: History at the start of the path, updated along it; an array of shape (...) for several
+        paths. None for first loading.
+    overlap_rate: Overlap rate [m/s], positive while closing, broadcast with `overlap`; None for
+        zero. Used only by `rate_dependent` laws.
 
 Returns:
     Arrays of shape (..., N): force [N], contact_radius [m], elastic_energy [J], plastic_work [J],
-    viscous_force [N], surface_energy [J]. pandas.DataFrame takes a single path's as they are.
+    viscous_force [N], surface_energy [J]. pandas.DataFrame accepts the dict of a single path.
 
 Raises:
     ValueError: A value is out of range (the message names it, its index and the range), or the
         shapes do not fit together.
     TypeError: A state of another law.)");
-  law.def(
-      "central_impact", &central_impact_of, "radius_eff"_a, "mass_eff"_a, "speed"_a,
-      nb::sig("def central_impact(self, radius_eff: ArrayLike, mass_eff: ArrayLike, speed: "
-              "ArrayLike) -> ImpactOutcome"),
-      R"(Central impact of two bodies, from the law's energies; by the equation of motion when the
-law is `rate_dependent`. Its yield strength is that at the impact's rate (`rate_factor`).
+  law.def("central_impact", &central_impact_of, "radius_eff"_a, "mass_eff"_a, "speed"_a,
+          nb::sig("def central_impact(self, radius_eff: ArrayLike, mass_eff: ArrayLike, speed: "
+                  "ArrayLike) -> ImpactOutcome"),
+          R"(Compute the central impact of two bodies.
+
+The outcome follows from the energies of the law; for a `rate_dependent` law, from the equation
+of motion. The yield strength is multiplied by `rate_factor`.
 
 Args:
     radius_eff: R* [m], positive. Numbers or arrays whose shapes broadcast together, as all below.
@@ -216,9 +220,10 @@ Returns:
 Raises:
     ValueError: A value is out of range (the message names it, its index and the range), or the
         shapes do not fit together.)");
-  law.def("pull_off_distance", &pull_off_distance_of, "radius_eff"_a,
-          nb::sig("def pull_off_distance(self, radius_eff: ArrayLike) -> Numbers"),
-          R"(Largest separation [m] at which two bodies may still be in contact; 0 for most laws.
+  law.def(
+      "pull_off_distance", &pull_off_distance_of, "radius_eff"_a,
+      nb::sig("def pull_off_distance(self, radius_eff: ArrayLike) -> Numbers"),
+      R"(Return the largest separation at which bodies may be in contact [m]; 0 without adhesion.
 
 Args:
     radius_eff: R* [m], positive, number or array.
@@ -253,8 +258,10 @@ Raises:
       "recommended_timestep", &recommended_timestep_of, "radius_eff"_a, "mass_eff"_a, "speed"_a,
       nb::sig("def recommended_timestep(self, radius_eff: ArrayLike, mass_eff: ArrayLike, speed: "
               "ArrayLike) -> Numbers"),
-      R"(Time step [s] that resolves the rebound of a central impact to 1e-3 in restitution: a tenth
-of sqrt(m*/k) on the steepest branch, less where the force depends on the rate.
+      R"(Return the time step for an error of 1e-3 in the restitution of a central impact [s].
+
+The step is a tenth of sqrt(m*/k) with the largest stiffness k, and shorter if the force depends
+on the overlap rate or jumps.
 
 Args:
     radius_eff: R* [m], positive. Numbers or arrays whose shapes broadcast together, as all below.

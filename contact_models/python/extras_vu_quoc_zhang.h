@@ -25,12 +25,12 @@ inline void bind_extras(nb::class_<LawOf<VuQuocZhang>, AnyLaw>& law) {
       "radius_eff"_a, "force"_a, "state"_a = nb::none(),
       nb::sig("def overlap(self, radius_eff: ArrayLike, force: ArrayLike, state: "
               "ContactState | Sequence[ContactState] | NDArray[Any] | None = None) -> Numbers"),
-      R"(The force-driven form of the law: overlap [m] at a force.
+      R"(Return the overlap at a given force [m]: the force-driven form of the law.
 
 Args:
     radius_eff: R* [m], positive. Numbers or arrays whose shapes broadcast together, as all below.
-    force: [N], not negative.
-    state: As `respond` takes it.
+    force: Normal force [N], not negative.
+    state: History of the contact, as in `respond`.
 
 Raises:
     ValueError: A value is out of range, or the shapes do not fit together.
@@ -44,7 +44,7 @@ Source: Vu-Quoc, Zhang & Lesburg 2000, J. Appl. Mech. 67:363.)");
                               [&](std::size_t i) { return self.law.yield_force(given(0, i)); });
       },
       "radius_eff"_a, nb::sig("def yield_force(self, radius_eff: ArrayLike) -> Numbers"),
-      R"(Force P_Y at first yield [N].
+      R"(Return the force P_Y at first yield [N].
 
 Args:
     radius_eff: R* [m], positive, of any shape.

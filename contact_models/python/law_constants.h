@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// A law's constants and options in Python: read from keywords, and told as tables and signatures.
+// Constants and options of a law in Python: parsing of keyword arguments, tables, constructor
+// signature and docstring.
 #pragma once
 
 #include <nanobind/stl/string.h>
@@ -39,11 +40,11 @@ typename Law::Parameters parse_constants(const MaterialPair& pair, const nb::dic
     }
     const auto known = std::find_if(parameters_of<Law>.begin(), parameters_of<Law>.end(), is_named);
     if (known == parameters_of<Law>.end()) {
-      std::string text = std::string(Law::name) + " has no constant '" + name + "'; it takes";
-      for (const auto& p : parameters_of<Law>) text += std::string(" ") + p.name;
-      for (const auto& o : options_of<Law>) text += std::string(" ") + o.name;
+      std::string message = std::string(Law::name) + " has no constant '" + name + "'; it takes";
+      for (const auto& p : parameters_of<Law>) message += std::string(" ") + p.name;
+      for (const auto& o : options_of<Law>) message += std::string(" ") + o.name;
       throw std::invalid_argument(
-          text + (parameters_of<Law>.empty() && options_of<Law>.empty() ? " none" : ""));
+          message + (parameters_of<Law>.empty() && options_of<Law>.empty() ? " none" : ""));
     }
     if (!nb::try_cast<double>(value, constants.*(known->value)))
       throw std::invalid_argument(name + " is " + nb::cast<std::string>(nb::repr(value)) +
@@ -71,7 +72,7 @@ nb::list rows(const Table& table, const Fill& fill) {
   return all;
 }
 
-// The law's own constants with their defaults, None for one that must be given.
+// Returns the table of a law's constants with their defaults; None marks a required constant.
 template <class Law>
 nb::list parameter_table() {
   return rows(parameters_of<Law>, [](const auto& p, nb::dict& row) {
@@ -95,35 +96,36 @@ nb::list option_table() {
   });
 }
 
-// The constructor as Python writes it.
+// Returns the Python signature of the constructor, for the stub file.
 template <class Law>
 std::string constructor_signature() {
-  std::string said, star = ", *";
+  std::string text, star = ", *";
   const typename Law::Parameters defaults;
   for (const auto& p : parameters_of<Law>) {
     const double value = defaults.*p.value;
-    said += star + ", " + p.name + ": float";
-    if (!std::isnan(value)) said += " = " + nb::cast<std::string>(nb::repr(nb::float_(value)));
+    text += star + ", " + p.name + ": float";
+    if (!std::isnan(value)) text += " = " + nb::cast<std::string>(nb::repr(nb::float_(value)));
     star.clear();
   }
   for (const auto& o : options_of<Law>) {
-    said += star + ", " + o.name + ": Literal[";
+    text += star + ", " + o.name + ": Literal[";
     for (const char* choice : o.choices)
-      if (choice) said += (choice == o.choices[0] ? "'" : ", '") + std::string(choice) + "'";
-    said += std::string("] = '") + o.choices[defaults.*o.value] + "'";
+      if (choice) text += (choice == o.choices[0] ? "'" : ", '") + std::string(choice) + "'";
+    text += std::string("] = '") + o.choices[defaults.*o.value] + "'";
     star.clear();
   }
-  return "def __init__(self, pair: MaterialPair" + said + ") -> None";
+  return "def __init__(self, pair: MaterialPair" + text + ") -> None";
 }
 
 template <class Law>
 std::string constructor_doc() {
-  std::string said = "The law between two bodies.\n\nArgs:\n    pair: The two bodies.\n";
+  std::string text =
+      "Create the law for two bodies.\n\nArgs:\n    pair: Constants of the two bodies.\n";
   for (const auto& p : parameters_of<Law>)
-    said += std::string("    ") + p.name + ": " + p.meaning + " [" + p.unit + "].\n";
+    text += std::string("    ") + p.name + ": " + p.meaning + " [" + p.unit + "].\n";
   for (const auto& o : options_of<Law>)
-    said += std::string("    ") + o.name + ": " + o.meaning + ".\n";
-  return said +
+    text += std::string("    ") + o.name + ": " + o.meaning + ".\n";
+  return text +
          "\nRaises:\n    ValueError: A constant is missing, unknown or out of range. The message\n "
          "       names it, its value and the range.";
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// What every class here is to Python: the values it names. They make its repr, its equality, its
-// hash and what pickle and copy carry.
+// Value semantics of the Python classes: repr, equality, hash, pickle and copy use the named values
+// of an object.
 #pragma once
 
 #include <nanobind/nanobind.h>
@@ -15,7 +15,7 @@ namespace plastigran {
 
 namespace nb = nanobind;
 
-// A member of a plain struct, as Python has it.
+// Python attribute for a member of a plain struct.
 template <class Struct, class Value = double>
 struct Field {
   const char* name;
@@ -23,14 +23,15 @@ struct Field {
   const char* meaning;
 };
 
-// `repr(self)` from a class's values: Thornton.State(overlap_max=1e-06).
+// Returns repr(self) built from the values, for example Thornton.State(overlap_max=1e-06).
 std::string described(nb::handle self, const nb::dict& values);
-// Whether all values are equal, arrays element by element.
+// Returns whether all values are equal; arrays are compared element by element.
 bool equal(const nb::dict& values, const nb::dict& others);
-// hash() of the values.
+// Returns the Python hash of the values.
 Py_hash_t hashed(const nb::dict& values);
 
-// `values(self)` is a dict of names and values; `restore(memory, values)` makes an object of them.
+// Binds repr, equality, hash, pickle and copy. `values(self)` returns a dict of names and values;
+// `restore(memory, values)` constructs an object from them in `memory`.
 template <class Class, class Values, class Restore>
 void bind_values(Class& type, const Values& values, const Restore& restore, bool hashable) {
   typedef typename Class::Type Self;
@@ -53,7 +54,7 @@ void bind_values(Class& type, const Values& values, const Restore& restore, bool
   });
 }
 
-// A struct of numbers with its fields: they are read-only attributes, and its values.
+// Binds a struct of numbers: its fields become read-only attributes and the values of the object.
 template <class Class, std::size_t count>
 void bind_fields(Class& type, const std::array<Field<typename Class::Type>, count>& fields) {
   typedef typename Class::Type Self;

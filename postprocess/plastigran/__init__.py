@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Plastigran: elasto-plastic contact laws for LIGGGHTS, and a lab that tests them.
+"""Plastigran: elasto-plastic contact laws for LIGGGHTS, with tools to run, test and plot them.
 
     import numpy as np, plastigran as pg
 
@@ -12,7 +12,7 @@
     flow = pg.bulk("hopper", law="thornton", ranks=2)    # or pg.open("results/hopper")
     flow.series, flow.checks, flow.figures["hopper"]
 
-Names are loaded on first use. Type checkers and editors see plain imports.
+Public names are imported on first use to save start-up time. Type checkers see plain imports.
 """
 
 from importlib import import_module

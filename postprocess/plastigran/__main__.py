@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The command `plastigran`, and `python -m plastigran`."""
+"""Entry point of the command `plastigran` and of `python -m plastigran`."""
 
 from __future__ import annotations
 
@@ -8,10 +8,10 @@ import sys
 
 
 def start() -> int:
-    """Run the command; an interrupt while modules load is reported, too."""
+    """Run the command and return its exit code, also if Ctrl-C interrupts the import of modules."""
     signal.signal(signal.SIGTERM, signal.default_int_handler)
     try:
-        from plastigran.cli import main  # takes a second
+        from plastigran.cli import main  # imported here, because the import takes a second
 
         return main()
     except KeyboardInterrupt:

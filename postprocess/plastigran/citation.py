@@ -25,7 +25,7 @@ def fields(entry: str) -> dict[str, str]:
 
 
 def subjects() -> dict[str, list[str]]:
-    """Return the keys of the entries for each law and for `rate_factor`."""
+    """Return the keys of the BibTeX entries for each law and for `rate_factor`."""
     keys: dict[str, list[str]] = {}
     for key, entry in entries().items():
         for subject in fields(entry)["keywords"].split(", "):
@@ -49,7 +49,7 @@ def cite(names: Iterable[str] | str = ()) -> str:
     names = [names] if isinstance(names, str) else list(names)
     sources, bibtex = subjects(), entries()
     if unknown := [name for name in names if name not in sources]:
-        raise ValueError(f"nothing to cite for {unknown[0]!r}; there are {', '.join(sources)}")
+        raise ValueError(f"no citation for {unknown[0]!r}. Available names: {', '.join(sources)}")
     keys = dict.fromkeys([SOFTWARE, *(key for name in names for key in sources[name])])
     notes = [
         f"% {name} is a law of this software; cite the entry of {SOFTWARE}.\n"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A contact of two bodies with a law, without LIGGGHTS."""
+"""Contact of two bodies computed with a law in Python, without LIGGGHTS."""
 
 from __future__ import annotations
 
@@ -130,7 +130,7 @@ class Contact:
         Warns:
             RangeWarning: An overlap exceeds the range of the law.
         """
-        import pandas as pd  # slow to load
+        import pandas as pd  # imported here, because pandas is slow to load
 
         overlaps = np.array(overlaps, dtype=float, ndmin=1)
         self._warn("overlap", "m", overlaps[overlaps > self.overlap_range])
@@ -150,8 +150,9 @@ class Contact:
 
         Spheres: R* (pi p_y/(2 E*))^2, where the largest Hertzian pressure is p_y, the contact yield
         pressure of the weaker body (Johnson, Contact Mechanics, 1985, sec. 6.1). Cylinders: where
-        the mean pressure is 1.5 sigma_Y (Katta & Polycarpou 2010, J. Tribol. 132). All laws of a
-        shape have this value; a law may leave its elastic curve earlier or later.
+        the mean pressure is 1.5 sigma_Y (Katta & Polycarpou 2010, J. Tribol. 132). This value is
+        the same for all laws of a shape; the curve of a law may deviate from the elastic curve
+        earlier or later.
 
         Raises:
             ValueError: The contact of a cylinder at yield is too large for the thickness of the

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Quantities declared once, as attrs fields: unit, bounds and meaning beside the name.
+"""Declarations of quantities as attrs fields, with unit, bounds and meaning.
 
 Cases of experiments and settings of bulk decks are attrs classes of such fields. A value may be a
 number or the text of a deck. Creating the object checks it; the error names the field, the value
@@ -17,7 +17,7 @@ import attrs
 
 
 class SizeWarning(UserWarning):
-    """A size is unusual for grains."""
+    """A radius is unusually small or large for grains."""
 
 
 @attrs.frozen
@@ -67,10 +67,11 @@ class Declaration:
         )
 
 
-#: Radius of a grain, ball or tip.
+#: Declaration of the radius of a grain, ball or tip.
 RADIUS = Declaration("radius", "m", 1e-12, 1e6, True, True, usual=(1e-9, 0.5))
 
-#: Impact speed. A slower impact has an overlap below the round-off of LIGGGHTS' positions.
+#: Declaration of an impact speed. The overlap of a slower impact is below the round-off of
+#: positions in LIGGGHTS.
 SPEED = Declaration("speed", "m/s", 1e-9, lower_allowed=True)
 
 
@@ -86,7 +87,7 @@ def number(
     """Declare a field for a number between two bounds; None is allowed if it is the default.
 
     Args:
-        meaning, unit, lower, upper, lower_allowed, upper_allowed: As of `Declaration`.
+        meaning, unit, lower, upper, lower_allowed, upper_allowed: See `Declaration`.
         default: Default value; without one, the field is required.
     """
     declaration = Declaration(meaning, unit, lower, upper, lower_allowed, upper_allowed)
@@ -112,7 +113,7 @@ def whole(meaning: str, lower: int = 0, default: Any = attrs.NOTHING, upper: flo
 
 
 def word(meaning: str, choices: Sequence[str], default: Any = attrs.NOTHING) -> Any:
-    """Declare a field for one of some words."""
+    """Declare a field whose value is one of several words."""
     declaration = Declaration(meaning, choices=tuple(choices), value_type=str)
     return _field(declaration, _read_word, default)
 
@@ -131,7 +132,7 @@ def _field(
 
 
 def declarations(cls: type) -> dict[str, Declaration]:
-    """Return the declaration of each declared field of an attrs class, by name."""
+    """Return the declarations of the fields of an attrs class, by name."""
     return {
         field.name: field.metadata["declaration"]
         for field in attrs.fields(cls)
@@ -174,7 +175,7 @@ def read_float(name: str, value: Any, unit: str) -> float:
     """
     try:
         if isinstance(value, bool) or (isinstance(value, str) and "_" in value):
-            raise ValueError  # Python takes both as a number, and LIGGGHTS does not
+            raise ValueError  # reject text that Python reads as a number, but LIGGGHTS does not
         return float(value)
     except (TypeError, ValueError):
         raise ValueError(f"{name} is {value!r}, not a number [{unit}]") from None
@@ -207,5 +208,6 @@ def _check_range(name: str, value: float, declaration: Declaration) -> None:
             f"{declaration.usual[0]:g} and {declaration.usual[1]:g} m. Check the unit: radii are "
             "in m, not mm",
             SizeWarning,
-            stacklevel=1,  # the same place for every radius, so that Python shows a text once
+            # Report this line as the origin, so that Python shows equal warnings once.
+            stacklevel=1,
         )

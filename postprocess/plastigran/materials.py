@@ -39,7 +39,7 @@ SURFACE_ENERGY = Declaration("work of adhesion", "J/m^2", 0, 1e3, True, True)
 
 
 def body_constant(name: str, required: bool = False) -> Any:
-    """Declare a field for a constant of a body; `laws.Body` checks its range.
+    """Declare a field for a constant of a body; `laws.Body` checks the range.
 
     Args:
         name: Name in `BODY_CONSTANTS`.
@@ -138,7 +138,7 @@ class Material:
 
 
 def _check_name(name: object) -> None:
-    """Refuse a name that tables or folders cannot use."""
+    """Reject a name that is not possible in tables and folder names."""
     if not isinstance(name, str) or not _NAME.fullmatch(name):
         raise ValueError(
             f"name is {name!r}; it must be letters, digits, spaces and _ . + -, "
@@ -155,10 +155,10 @@ def law_class(name: str) -> type:
     """Return the class of a law.
 
     Raises:
-        ValueError: The law does not exist; the message lists those that do.
+        ValueError: The law does not exist; the message lists the available laws.
     """
     if not isinstance(name, str) or name not in laws.LAWS:
-        raise ValueError(f"no law {name!r}; there are {', '.join(sorted(laws.LAWS))}")
+        raise ValueError(f"no law {name!r}. Available laws: {', '.join(sorted(laws.LAWS))}")
     return laws.LAWS[name]
 
 
@@ -179,7 +179,7 @@ def _needed(law: str) -> list[str]:
 
 def folder() -> Path:
     """Return the folder of the materials that are found by name."""
-    with suppress(EngineError):  # materials exist without decks
+    with suppress(EngineError):  # the folder may not exist; materials can still be read from files
         named = inputs_folder() / "materials"
         if named.is_dir():
             return named
@@ -197,7 +197,7 @@ def table() -> pd.DataFrame:
     Raises:
         ValueError: A file cannot be read.
     """
-    import pandas as pd  # slow to load
+    import pandas as pd  # imported here, because pandas is slow to load
 
     return pd.DataFrame([attrs.asdict(read_material(name)) for name in names()]).set_index("name")
 
@@ -206,8 +206,8 @@ def read_material(name: Material | str | Path) -> Material:
     """Read a material by name or from a file. Return `name` unchanged if it is a Material.
 
     Raises:
-        ValueError: It is none of these, the material does not exist, or a constant is missing,
-            unknown, repeated, not a number or out of range.
+        ValueError: `name` is not a Material, a name or a path; the material does not exist; or a
+            constant is missing, unknown, repeated, not a number or out of range.
     """
     if isinstance(name, Material):
         return name
@@ -220,25 +220,30 @@ def read_material(name: Material | str | Path) -> Material:
         path = folder() / f"{name}.in"
     if not path.is_file():
         file = Path(f"{name}.in")
-        hint = f"is it {file}? " if file.is_file() else ""
-        raise ValueError(f"no material {str(name)!r}; {hint}there are {', '.join(names())}")
+        hint = f"To read the file, write {file}. " if file.is_file() else ""
+        raise ValueError(
+            f"no material {str(name)!r}. {hint}Available materials: {', '.join(names())}"
+        )
     try:
         lines = index_lines(path)
     except UnicodeDecodeError:
-        raise ValueError(f"{path} is not a text file") from None
+        raise ValueError(f"{path} is not a text file in UTF-8") from None
     _check_lines(path)
     values: dict[str, str] = {}
     for constant, value in lines:
         if constant in values:
-            raise ValueError(f"{path}: {constant} is given twice")
+            raise ValueError(f"{path}: {constant} is defined twice. Remove one line")
         values[constant] = value
     fields = {field.name: field for field in attrs.fields(Material)[1:]}
     required = [name for name, field in fields.items() if field.default is attrs.NOTHING]
     if missing := [name for name in required if name not in values]:
-        raise ValueError(f"{path}: no value for {', '.join(missing)}")
+        raise ValueError(
+            f"{path}: {', '.join(missing)} is not defined. Add `variable NAME index VALUE`"
+        )
     if unknown := sorted(values.keys() - fields.keys()):
         raise ValueError(
-            f"{path}: {unknown[0]} is not a constant of a material; there are {', '.join(fields)}"
+            f"{path}: {unknown[0]} is not a constant of a material. Available constants: "
+            f"{', '.join(fields)}"
         )
     try:
         return Material(path.stem, **values)

@@ -8,7 +8,7 @@ from typing import Any
 
 from tqdm import tqdm
 
-#: Seconds until the first line in a pipe, and between lines.
+#: Time [s] before the first progress line in a pipe, and between lines.
 FIRST, EVERY = 5.0, 10.0
 
 
@@ -16,9 +16,9 @@ class ProgressBar(tqdm):
     """Progress bar on a terminal; otherwise lines, and none for short work.
 
     Args:
-        *arguments: As of tqdm.
-        shown: Whether to show it.
-        **named: As of tqdm, except `file`, which is standard error.
+        *arguments: Positional arguments of tqdm.
+        shown: Whether to show the progress.
+        **named: Keyword arguments of tqdm, except `file`, which is standard error.
     """
 
     def __init__(self, *arguments: Any, shown: bool = True, **named: Any) -> None:
@@ -30,7 +30,8 @@ class ProgressBar(tqdm):
 
     def reset(self, total: float | None = None) -> None:
         """Start again, with another total if given."""
-        display, self.display = self.display, lambda *_, **__: False  # draw nothing at zero
+        # Prevent the constructor from drawing a bar at zero.
+        display, self.display = self.display, lambda *_, **__: False
         try:
             super().reset(total)
         finally:
@@ -48,7 +49,7 @@ class ProgressBar(tqdm):
     def close(self) -> None:
         """Close the bar, which stays on a terminal; in a pipe, print the final state as a line."""
         if not (self.disable or self._in_place):
-            self.leave = False  # each line already ends with a line feed
+            self.leave = False  # do not add a line feed: each printed line ends with one
             if self.last_print_t >= self.start_t + self.delay and self.n > self.last_print_n:
                 self.display()
         super().close()

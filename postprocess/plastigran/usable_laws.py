@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Laws that bodies of a shape and of given materials can use."""
+"""Selection of the laws that are usable for a shape of bodies and given materials."""
 
 from __future__ import annotations
 

@@ -73,12 +73,12 @@ def test_incomplete_checkpoint_is_not_the_newest(short_gas, ranks, tmp_path):
 def test_missing_checkpoint_is_an_error(tmp_path):
     """The log does not reach the first file; the second one is cut short."""
     (tmp_path / "checkpoint.100.restart").write_bytes(b"half")
-    with pytest.raises(EngineError, match="no whole checkpoint"):
+    with pytest.raises(EngineError, match="no complete checkpoint"):
         newest_checkpoint(tmp_path)
     (tmp_path / "checkpoint.0.restart").write_bytes(b"half")
     with (
         pytest.warns(UserWarning, match="cut short"),
-        pytest.raises(EngineError, match="no whole checkpoint"),
+        pytest.raises(EngineError, match="no complete checkpoint"),
     ):
         newest_checkpoint(tmp_path)
 
@@ -131,7 +131,7 @@ def test_flipped_bit_is_noticed(copied, seed, tmp_path):
         plan_bulk("cooling_gas", {"start": "checkpoint", "checkpoint": newest}, tmp_path / "rest")
     for file in earlier:
         flip(file)
-    with pytest.warns(UserWarning), pytest.raises(EngineError, match="no whole checkpoint"):
+    with pytest.warns(UserWarning), pytest.raises(EngineError, match="no complete checkpoint"):
         newest_checkpoint(copied)
 
 
@@ -159,7 +159,7 @@ def test_failure_to_write_a_checksum_gives_one_warning(copied):
         file.unlink()
         (copied / f"{file.name}.new").mkdir()
     writer = ChecksumWriter(copied)
-    with pytest.warns(UserWarning, match="no checksum is written: Is a directory") as warned:
+    with pytest.warns(UserWarning, match="cannot write a checksum: Is a directory") as warned:
         writer.update()
         writer.update()
     assert len(warned) == 1

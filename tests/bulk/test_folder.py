@@ -74,7 +74,7 @@ def test_results_are_not_overwritten_unless_forced(whole, tmp_path, monkeypatch)
     (folder / "notes.txt").write_text("mine")
     (folder / "checkpoint.999999999.restart").write_bytes(b"of a longer run")
     (folder / "collision_spectra.csv").write_text("step\n")
-    with pytest.raises(ValueError, match="holds results; choose another folder"):
+    with pytest.raises(ValueError, match=r"contains results\. Choose another folder"):
         run_bulk("cooling_gas", SHORT, folder)
     assert (folder / "series.csv").read_bytes() == (whole / "series.csv").read_bytes()
     monkeypatch.setattr(

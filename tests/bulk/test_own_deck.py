@@ -41,7 +41,7 @@ def test_plain_deck_runs_in_its_folder(plain, tmp_path, monkeypatch, capsys):
     """Includes and meshes are found from any folder; time comes from the command `timestep`."""
     monkeypatch.chdir(tmp_path)
     assert main(["bulk", str(plain)]) == 0
-    assert "nothing was checked: the deck keeps no energy balance" in capsys.readouterr().out
+    assert "no checks were made: the deck has no energy balance" in capsys.readouterr().out
     run = pg.open("results/plain")
     series = run.series
     assert run.deck is None and run.finished
@@ -191,7 +191,7 @@ def test_deck_without_checkpoints_cannot_continue(plain, tmp_path):
     """It has the settings, but no `restart` command for checkpoints."""
     write_plain(plain, head=START)
     run_bulk(plain, {}, tmp_path / "run", show=False)
-    message = r"no whole checkpoint .*: .*`restart` .* \$\{output\}/checkpoint\.\*\.restart"
+    message = r"no complete checkpoint .*: .*`restart` .* \$\{output\}/checkpoint\.\*\.restart"
     with pytest.raises(EngineError, match=message):
         plan_bulk(plain, {}, tmp_path / "rest", restart=tmp_path / "run")
 
@@ -215,14 +215,14 @@ def test_run_without_checkpoints_continues_from_its_own_start(plain, tmp_path):
         record = {"deck": "plain", "values": values, "settings": values}
         folder = finished_run(tmp_path / f"run_{name}", "LIGGGHTS\n", **record)
         if name == "mine.500":
-            with pytest.raises(EngineError, match="no whole checkpoint"):
+            with pytest.raises(EngineError, match="no complete checkpoint"):
                 plan_bulk(plain, {}, tmp_path / "rest", restart=folder)
         else:
             assert plan_bulk(plain, {}, tmp_path / "rest", restart=folder).checkpoint == start
 
 
 def test_unknown_setting_is_refused(plain, tmp_path):
-    message = r"plain\.in has no setting 'radius'; it has none. A setting is a line `variable"
+    message = r"plain\.in has no setting 'radius'; the deck has none. A setting is a line `variable"
     with pytest.raises(ValueError, match=message):
         plan_bulk(plain, {"radius": 1}, tmp_path / "run")
 
@@ -266,7 +266,7 @@ def test_run_without_contacts_has_a_note(tmp_path):
     """The energy balance has nothing to check; the grains of the template fall 60 mm first."""
     deck = write_deck(tmp_path / "falling", "thornton", "steel")
     run = run_bulk(deck, {"duration": 0.002}, tmp_path / "run", show=False)
-    assert any("Did grains meet?" in note for note in run.notes)
+    assert any("Check whether grains touched" in note for note in run.notes)
 
 
 def test_deck_that_includes_itself_is_refused(tmp_path):

@@ -61,12 +61,12 @@ def test_a_run_far_beyond_the_range_fails(tmp_path, capsys):
     assert main(line) == 1
     output = capsys.readouterr()
     assert output.out.startswith(
-        "NO  largest overlap, divided by the largest of universal's range: "
+        "NO  largest overlap, divided by the largest valid overlap of universal: "
     )
-    assert "largest overlap, divided by the largest of universal's range" in output.err
+    assert "largest overlap, divided by the largest valid overlap of universal" in output.err
     assert main([*line, "--force", "--json"]) == 1
     first = json.loads(capsys.readouterr().out)["checks"][0]
-    assert first["name"] == "largest overlap, divided by the largest of universal's range"
+    assert first["name"] == "largest overlap, divided by the largest valid overlap of universal"
     assert first["value"] > EXCESS == first["limit"] and not first["passed"]
     section = make_section(collect([tmp_path / "run"])[0])
     assert section.state == "failed" and section.checks[0]["name"] == first["name"]
@@ -135,9 +135,9 @@ def test_a_run_without_contacts_passes_no_check(tmp_path):
     assert main(["bulk", str(deck), "--output", str(tmp_path / "run")]) == 0
     section = make_section(collect([tmp_path / "run"])[0])
     assert section.state == "done" and not section.checks
-    assert any("Did grains meet?" in line for line in section.notes)
+    assert any("Check whether grains touched" in line for line in section.notes)
     page = write_report([tmp_path / "run"], tmp_path / "page.html").read_text()
-    assert "Did grains meet?" in page and "checks passed" not in page
+    assert "Check whether grains touched" in page and "checks passed" not in page
 
 
 @pytest.mark.parametrize("text", ["", "step\n"])

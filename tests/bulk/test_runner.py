@@ -89,7 +89,7 @@ def test_run_continues_after_a_kill_of_liggghts(start, tmp_path):
     os.kill(max(engines(tmp_path / "run")), signal.SIGKILL)  # a rank: they start after mpirun
     _, message = run.communicate(timeout=60)
     assert run.returncode == 1 and "cooling_gas.in" in message
-    assert "LIGGGHTS was ended by SIGKILL" in message
+    assert "LIGGGHTS was stopped by the signal SIGKILL" in message
     assert f"continue from its newest checkpoint with --restart {tmp_path}" in message
     assert not engines(tmp_path / "run")
     before = read_series(tmp_path / "run")
@@ -166,13 +166,13 @@ def test_record_nested_too_deeply_is_refused(tmp_path, capsys):
     (tmp_path / "run.json").write_text("[" * 100_000 + "]" * 100_000)
     line = ["bulk", "cooling_gas", "--restart", str(tmp_path), "--output", str(tmp_path / "rest")]
     assert main(line) == 1
-    assert "run.json is damaged: it is nested too deeply" in capsys.readouterr().err
+    assert "run.json is damaged: the JSON is nested too deeply" in capsys.readouterr().err
 
 
 @pytest.mark.parametrize(
     ("line", "message"),
     [
-        (["cooling_gass"], "no deck 'cooling_gass'; there are "),
+        (["cooling_gass"], "no deck 'cooling_gass'. Available decks: "),
         (["cooling_gas", "-v", "siide=3"], "has no setting 'siide'; it takes law"),
         (["cooling_gas", "--restart", "/nowhere"], "contains no run.json"),
         (["cooling_gas", "-v", "ledger=ON"], "ledger is 'ON', possible values are off, on"),

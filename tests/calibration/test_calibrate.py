@@ -141,7 +141,7 @@ def test_expected_error_is_unknown_for_other_pairs():
     on_glass = attrs.evolve(drops, plate=read_material("glass_kp10"))
     unknown = calibrate(**STEEL, drops=on_glass).expected_error
     assert unknown.restitution is None
-    reason = "finite elements are of spheres on a rigid plane"
+    reason = "unknown, because finite elements exist only for spheres on a rigid plane"
     assert str(unknown).startswith(f"not known ({reason}, ")
     # Intended speeds are those of a sphere on a rigid plane.
     intended = calibrate(**STEEL, drops=on_glass, speeds=(0.05, 0.3)).expected_error

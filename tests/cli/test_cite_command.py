@@ -75,7 +75,7 @@ def test_command(capsys):
     assert main(["cite", "universal"]) == 0
     assert capsys.readouterr().out.startswith("% universal is a law of this software; cite the")
     assert main(["cite", "nix"]) == 1
-    assert "nothing to cite for 'nix'; there are brake_2012" in capsys.readouterr().err
+    assert "no citation for 'nix'. Available names: brake_2012" in capsys.readouterr().err
 
 
 def test_all_entries_are_cited_once():

@@ -42,7 +42,7 @@ def test_impact_writes_table_and_figures(tmp_path, capsys):
 
     line = ["impact", "--law", "thornton", "--speed", "0.1", "--output", str(folder)]
     assert main(line) == 1
-    assert "another folder (--output), or overwrite them (--force)" in capsys.readouterr().err
+    assert "another folder with --output, or overwrite them with --force" in capsys.readouterr().err
     assert len(pd.read_csv(folder / "impacts.csv")) == len(table)
     assert main([*line, "--force"]) == 0
     assert pd.read_csv(folder / "impacts.csv")["law"].tolist() == ["thornton"]
@@ -67,7 +67,7 @@ def test_chung_ooi_writes_a_table_and_a_figure_each(tmp_path, capsys):
         assert (tmp_path / f"benchmark_{number}.png").read_bytes().startswith(b"\x89PNG")
     assert "Largest deviations from theory" in capsys.readouterr().out
     assert main(line) == 1
-    assert "overwrite them (--force)" in capsys.readouterr().err
+    assert "overwrite them with --force" in capsys.readouterr().err
 
 
 def test_laws_lists_every_law_with_its_constants(capsys):
@@ -119,8 +119,8 @@ def test_timestep_of_every_law_reports_laws_that_are_left_out(capsys):
 @pytest.mark.parametrize(
     ("line", "message"),
     [
-        ("impact --law hook", "no law 'hook'; there are brake_2012, "),
-        ("impact --material cheese", "no material 'cheese'; there are alumina, "),
+        ("impact --law hook", "no law 'hook'. Available laws: brake_2012, "),
+        ("impact --material cheese", "no material 'cheese'. Available materials: alumina, "),
         ("timestep --speed 1 --law x", "no law 'x'"),
         ("timestep --speed 1 --law all hook", "no law 'hook'"),
         ("impact --law lim_stronge", "lim_stronge is a law for cylinders"),

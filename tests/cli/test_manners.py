@@ -118,7 +118,7 @@ def test_impact_by_theory_needs_no_engine(tmp_path, monkeypatch, capsys):
     for name in ("restitution", "loops"):
         assert (tmp_path / "out" / f"{name}.png").read_bytes().startswith(b"\x89PNG")
     assert main(line) == 1
-    assert "or overwrite them (--force)" in capsys.readouterr().err
+    assert "or overwrite them with --force" in capsys.readouterr().err
     assert main([*line, "--force"]) == 0
 
 
@@ -157,7 +157,7 @@ def test_a_material_file_without_its_suffix_gets_a_hint(tmp_path, monkeypatch, c
     (tmp_path / "own.in").write_text("")
     monkeypatch.chdir(tmp_path)
     assert main(["modes", "--material", "./own", "--radius", "1"]) == 1
-    assert "no material './own'; is it own.in?" in capsys.readouterr().err
+    assert "no material './own'. To read the file, write own.in." in capsys.readouterr().err
 
 
 def test_an_internal_error_is_one_line_and_with_v_a_trace(monkeypatch, capsys):

@@ -20,7 +20,7 @@ def test_results_are_not_overwritten(ending, tmp_path, capsys):
     (name, *_) = (name for name in find_paper("zv02").files if name.endswith(ending))
     (tmp_path / name).write_text("kept")
     assert main(["reproduce", "zv02", "--output", str(tmp_path)]) == 1
-    assert f"holds results ({name})" in capsys.readouterr().err
+    assert f"contains results ({name})" in capsys.readouterr().err
 
 
 def test_a_folder_that_cannot_be_made_is_refused_before_anything_is_computed(tmp_path, capsys):

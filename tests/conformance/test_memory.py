@@ -261,11 +261,11 @@ REFUSED = {
     "its fix plastic_work was removed": ("unfix plastic_work; run 3 pre no", LEDGER),
     f"{NO_LONGER}": ("pair_style " + LINE.format("thornton"), LEDGER),
     f"{NO_LONGER}.": ("pair_style " + LINE.format("hertz"), LEDGER),
-    "cannot be removed between the parts of one run": (
+    "A command in `run ... every` cannot remove it": (
         "run 4 pre no every 1 'unfix plastigran_range'",
         {},
     ),
-    "LIGGGHTS cannot replace a wall": (
+    "LIGGGHTS cannot replace a wall with the same ID": (
         "fix wall all wall/gran model thornton tangential history primitive type 2 xplane -0.45",
         {},
     ),

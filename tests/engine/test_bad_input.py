@@ -177,9 +177,7 @@ def test_brake_refuses(law, more, message, tmp_path):
 def test_viscoelastic_hertz_asks_for_its_constant_and_no_strength(tmp_path):
     law = {"law": "viscoelastic_hertz", "yield_strength": ""}
     assert "yield pressure" not in run(tmp_path, **law)
-    message = (
-        r"dissipativeConstant is missing; it must be given, between 0 and 1 \[s\].*types 1 and 1"
-    )
+    message = r"dissipativeConstant is missing\. Add a value between 0 and 1 \[s\].*types 1 and 1"
     with pytest.raises(EngineError, match=f"model viscoelastic_hertz: {message}"):
         run(tmp_path, **law, dissipative_constant="")
     with pytest.raises(EngineError, match="dissipativeConstant is 2; it must be between 0 and 1"):
@@ -224,7 +222,8 @@ def test_negative_friction_is_refused(name, tmp_path):
 
 
 def test_unknown_law(tmp_path):
-    with pytest.raises(EngineError, match="model vu_quok_zhang is unknown; there are brake_2012"):
+    message = "model vu_quok_zhang is unknown. Available models: brake_2012"
+    with pytest.raises(EngineError, match=message):
         run(tmp_path, law="vu_quok_zhang")
 
 

@@ -36,5 +36,8 @@ def test_a_model_that_does_not_exist_is_named(line, tmp_path):
         check=False,
     )
     assert done.returncode != 0
-    assert "WARNING: plastigran: model throton is unknown; there are brake_2012 " in done.stderr
+    assert (
+        "WARNING: plastigran: model throton is unknown. Available models: brake_2012 "
+        in done.stderr
+    )
     assert done.stderr.count("is unknown") == 1

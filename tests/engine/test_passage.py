@@ -56,7 +56,7 @@ def test_a_modulus_typed_in_gpa(engine_wall, tmp_path):
     )
     assert 0 < float(place[1]) < 0.05 * 0.005
     assert float(place[2]) == pytest.approx(1 - float(place[1]) / 0.005, abs=1e-4)
-    assert "it had warned: model kogut_etsion: youngsModulus is 210 [Pa]" in text
+    assert "earlier warnings: model kogut_etsion: youngsModulus is 210 [Pa]" in text
 
 
 @pytest.fixture(params=["plane", "mesh"])

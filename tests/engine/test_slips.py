@@ -195,7 +195,8 @@ def test_an_unknown_law_is_refused_with_the_possible_ones(tmp_path):
     with pytest.raises(EngineError) as error:
         run(tmp_path, model="vu_quok_zhang tangential off")
     assert "Invalid model specified" in str(error.value)
-    assert "model vu_quok_zhang is unknown; there are brake_2012 brake_2015" in str(error.value)
+    message = "model vu_quok_zhang is unknown. Available models: brake_2012 brake_2015"
+    assert message in str(error.value)
     assert " hertz " in str(error.value) and " vu_quoc_zhang " in str(error.value)
 
 

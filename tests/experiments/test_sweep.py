@@ -36,7 +36,7 @@ def test_a_folder_of_results_is_refused_unless_forced(tmp_path):
     """A folder whose sweep has not written its table yet is refused, too."""
     runs = sweep(impacts(speed=0.1), tmp_path, progress=False)
     for left in (TABLE, "nothing more"):
-        with pytest.raises(ValueError, match=f"{tmp_path} holds results; choose another"):
+        with pytest.raises(ValueError, match=f"{tmp_path} contains results. Choose another"):
             pg.collide("stronge", 0.1, "steel", radius=0.1, folder=tmp_path)
         assert (tmp_path / left).exists() == (left == TABLE)
         (tmp_path / TABLE).unlink(missing_ok=True)

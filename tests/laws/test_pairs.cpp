@@ -62,7 +62,7 @@ TEST_CASE("two bodies that never yield may not meet under a law that yields") {
   TypePairs<Thornton> pairs = table<Thornton>(three_types());
   CHECK(pairs(1, 3).refusal.empty());
   CHECK(pairs(3, 3).refusal.text() ==
-        "yield_strength is missing; one of the bodies at least must have it, positive and finite "
+        "yield_strength is missing. At least one of the bodies needs it, positive and finite "
         "[Pa] (atom types 3 and 3)");
   const auto refused = [&](const std::vector<Meeting>& meetings) {
     return !refusal(meetings, {}, pairs).empty();

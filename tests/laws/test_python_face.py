@@ -159,7 +159,7 @@ def test_values_out_of_range_are_named(ask, said):
 
 def test_histories_of_other_laws_are_refused():
     for state in (laws.Stronge.State(), [laws.Stronge.State()], 3):
-        with pytest.raises(TypeError, match="thornton takes its own State"):
+        with pytest.raises(TypeError, match="it must be a thornton State"):
             laws.Thornton(PAIR).respond(RADIUS, 1e-5, state)
 
 

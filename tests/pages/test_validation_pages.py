@@ -27,7 +27,7 @@ def test_the_pages_show_every_picture():
 def test_results_are_not_overwritten(tmp_path, capsys):
     (tmp_path / "leeb.csv").write_text("kept")
     assert main(["validate", "--output", str(tmp_path)]) == 1
-    assert "holds results (leeb.csv)" in capsys.readouterr().err
+    assert "contains results (leeb.csv)" in capsys.readouterr().err
 
 
 @pytest.mark.parametrize("law", sorted(laws.LAWS))

@@ -19,7 +19,7 @@ NAMES = paper_names()
 
 def test_papers_by_name():
     assert {"gcm15", "zv02"} <= set(NAMES)
-    with pytest.raises(ValueError, match=r"no paper 'xy99'; there are .*gcm15"):
+    with pytest.raises(ValueError, match=r"no paper 'xy99'\. Available papers: .*gcm15"):
         find_paper("xy99")
 
 

@@ -378,7 +378,7 @@ def test_theory_alone_is_named_and_keeps_its_figures(tmp_path):
 
 
 def test_theory_replaces_an_earlier_sweep(copied_sweep):
-    with pytest.raises(ValueError, match="holds results"), claim(copied_sweep, force=False):
+    with pytest.raises(ValueError, match="contains results"), claim(copied_sweep, force=False):
         pass
     (copied_sweep / "runs" / "mine").mkdir()
     with claim(copied_sweep, force=True):

@@ -98,9 +98,9 @@ def test_two_materials_with_one_name_are_refused(tmp_path):
         material = Material("mine", **steel | {"yield_strength": strength})
         write_material(material, tmp_path / str(k) / "mine.in", "One of two.")
     files = [tmp_path / str(k) / "mine.in" for k in (0, 1)]
-    with pytest.raises(ValueError, match="two materials are named mine; give their files differ"):
+    with pytest.raises(ValueError, match="two different materials have the name mine"):
         collide("thornton", 0.1, files, 0.005, folder=tmp_path / "results")
-    with pytest.raises(ValueError, match="two materials are named mine; give their files differ"):
+    with pytest.raises(ValueError, match="two different materials have the name mine"):
         CentralImpact.theory(law=["thornton"], material=files, speed=0.1).write(tmp_path / "theory")
     assert not list((tmp_path / "theory").iterdir())
 

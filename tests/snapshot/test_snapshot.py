@@ -62,7 +62,7 @@ def test_force_chains_are_where_grains_touch(pairs, tmp_path):
 @pytest.mark.parametrize(
     ("options", "message"),
     [
-        (["--step", "70"], "no frame of step 70 in .*; there are 0, 50, 100"),
+        (["--step", "70"], r"no frame of step 70 in .*\. Available steps: 0, 50, 100"),
         (["--colour", "red"], "invalid choice: 'red'"),
     ],
 )

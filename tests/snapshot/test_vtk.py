@@ -157,4 +157,4 @@ def test_wrong_movie_options_are_refused(pairs, capsys):
     message = "grains.avi cannot be a movie: its name must end in .mp4 or .gif"
     assert message in capsys.readouterr().err
     assert main(["snapshot", str(pairs), "--rate", "3"]) == 1
-    assert "--rate is 3; it needs --movie" in capsys.readouterr().err
+    assert "--rate is 3, but has no effect without --movie" in capsys.readouterr().err

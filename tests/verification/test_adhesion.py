@@ -280,7 +280,7 @@ def test_a_path_has_the_surface_energy_of_laws_that_attract():
 
 
 def test_thornton_ning_needs_a_surface_energy():
-    with pytest.raises(ValueError, match=r"surface_energy is missing; it must be given"):
+    with pytest.raises(ValueError, match=r"surface_energy is missing\. Add a value"):
         laws.ThorntonNing1998(PAIR)
     with pytest.raises(ValueError, match=r"surface_energy is -1; it must be between 0 and 1000"):
         laws.Jkr(PAIR, surface_energy=-1)

@@ -153,7 +153,7 @@ def test_rates_of_another_length_are_refused():
 
 
 def test_the_constant_must_be_given():
-    said = r"dissipative_constant is missing; it must be given, between 0 and 1 \[s\]"
+    said = r"dissipative_constant is missing\. Add a value between 0 and 1 \[s\]"
     with pytest.raises(ValueError, match=f"viscoelastic_hertz: {said}"):
         laws.ViscoelasticHertz(PAIR)
     with pytest.raises(

@@ -21,8 +21,8 @@ std::vector<std::string> lines_of(const std::string& text) {
 
 }  // namespace
 
-// For each owner a text line: owner, models, settings and position, separated by tabs. A text line
-// per pair of atom types follows: a tab and the constants.
+// Returns one text line per owner: owner, models, settings and position, separated by tabs. One
+// text line per pair of atom types follows it: a tab and the constants.
 std::string restart_text(const ContactLines& lines) {
   std::string text;
   for (const auto& [owner, line] : lines) {
@@ -60,7 +60,7 @@ void refuse_other_models(LAMMPS_NS::LAMMPS* engine, const std::string& owner,
 }
 
 std::string constants_report(const ContactLines& lines) {
-  std::vector<std::pair<std::string, std::string>> entries;  // constants and their owners
+  std::vector<std::pair<std::string, std::string>> entries;  // {constants, owners of the lines}
   for (const auto& [owner, line] : lines)
     for (const std::string& constants : lines_of(line.report)) {
       const auto entry = std::find_if(entries.begin(), entries.end(),

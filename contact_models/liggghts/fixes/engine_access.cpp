@@ -41,7 +41,7 @@ PRIVATE_MEMBER(WallNumberCount, LAMMPS_NS::PrimitiveWall::nParam);
 
 void add_choice(Settings& settings, const std::string& name, const char* const* words,
                 std::size_t count, int& chosen) {
-  EnumSetting<int>* const setting = new EnumSetting<int>(name);  // Settings deletes it
+  EnumSetting<int>* const setting = new EnumSetting<int>(name);  // deleted by Settings
   for (std::size_t k = 0; k < count; ++k)
     if (words[k]) setting->addOption(words[k], k);
   setting->setDefault(words[chosen]);
@@ -82,7 +82,7 @@ bool discard_restarted(LAMMPS_NS::Modify* modify, const std::string& id, const s
   bool any = false;
   const auto discard = [&](char* restarted_id, const char* restarted_style) {
     if (restarted_id != id || restarted_style != style) return;
-    restarted_id[0] = '\0';  // no fix has this ID
+    restarted_id[0] = '\0';  // an empty ID, which no fix has, marks the entry as unused
     any = true;
   };
   for (int k = 0; k < modify->nfix_restart_global; ++k)
@@ -94,7 +94,7 @@ bool discard_restarted(LAMMPS_NS::Modify* modify, const std::string& id, const s
 }
 
 bool lost_is_error(const LAMMPS_NS::Output* output) {
-  constexpr int error = 2;  // of Thermo's IGNORE, WARN, ERROR
+  constexpr int error = 2;  // value of ERROR in Thermo's enum IGNORE, WARN, ERROR
   return output->thermo->*member_of(LostFlag()) == error;
 }
 
@@ -107,9 +107,9 @@ std::string variable_name(LAMMPS_NS::FixPropertyGlobal* property) {
 }
 
 int particles_to_insert(const LAMMPS_NS::FixInsert* fix) {
-  if (fix->next_reneighbor <= 0) return 0;  // insertion is complete
-  const int total =
-      fix->*member_of(InsertTotal());  // 0 before the first run if the deck gives a mass
+  if (fix->next_reneighbor <= 0) return 0;  // 0 or less: insertion is complete
+  // The total is 0 before the first run if the deck gives a mass.
+  const int total = fix->*member_of(InsertTotal());
   if (fix->*member_of(InsertHasTotal()) && total > 0) return total - fix->*member_of(InsertDone());
   const auto pack = dynamic_cast<const LAMMPS_NS::FixInsertPack*>(fix);
   const bool once = fix->*member_of(InsertEvery()) == 0;

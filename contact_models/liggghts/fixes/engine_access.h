@@ -31,41 +31,42 @@ namespace plastigran {
 void add_choice(Settings& settings, const std::string& name, const char* const* words,
                 std::size_t count, int& chosen);
 
-// All settings of a model line.
+// Returns all settings of a model line by name.
 const std::map<std::string, Setting*>& settings_by_name(const Settings& settings);
 
-// Whether the value of a setting is a number, which is then returned.
+// Returns whether the value of a setting is a number, and if so stores it in `number`.
 bool is_number(const Setting& setting, double& number);
 
-// Registers a style of fixes.
+// Registers a fix style, which decks and the plugin can then create.
 typedef LAMMPS_NS::Fix* (*FixCreator)(LAMMPS_NS::LAMMPS*, int, char**);
 void add_fix_style(LAMMPS_NS::Modify* modify, const std::string& style, FixCreator creator);
 
-// The creator of a style of fixes, null if the style is unknown.
+// Returns the function that creates fixes of a style, or null if the style is unknown.
 FixCreator fix_creator(LAMMPS_NS::Modify* modify, const std::string& style);
 
-// The global state of a fix in the restart file, null if there is none. Available until the first
-// run after the restart.
+// Returns the global state of a fix from the restart file, or null if the file has none. The state
+// is available until the first run after the restart.
 const char* restarted_state(LAMMPS_NS::Modify* modify, const std::string& id,
                             const std::string& style);
 
-// Discards the state of a fix in the restart file, unless a new fix has read it. Returns whether
-// there was a state.
+// Discards the state of a fix that was read from the restart file, unless a new fix has used it.
+// Returns whether a state was discarded.
 bool discard_restarted(LAMMPS_NS::Modify* modify, const std::string& id, const std::string& style);
 
-// Whether lost particles are an error (thermo_modify lost error).
+// Returns whether lost particles are an error (thermo_modify lost error).
 bool lost_is_error(const LAMMPS_NS::Output* output);
 
-// The step of the next file of the `restart` command.
+// Returns the time step at which the `restart` command writes its next file.
 LAMMPS_NS::bigint next_restart(const LAMMPS_NS::Output* output);
 
-// The name of a property in `fix ID all property/global NAME`.
+// Returns NAME of a property defined by `fix ID all property/global NAME`.
 std::string variable_name(LAMMPS_NS::FixPropertyGlobal* property);
 
-// The number of particles that a fix insert/... has left to insert; the largest int if unlimited.
+// Returns the number of particles that a fix insert/... will still insert; the largest int if
+// unlimited.
 int particles_to_insert(const LAMMPS_NS::FixInsert* fix);
 
-// The type of a primitive wall and its numbers in the deck.
+// Returns the type of a primitive wall, followed by its parameters in the deck.
 std::vector<double> geometry(const LAMMPS_NS::PrimitiveWall* wall);
 
 }  // namespace plastigran

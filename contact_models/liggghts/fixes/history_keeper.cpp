@@ -47,7 +47,8 @@ std::string HistoryKeeper::restarted_lines(LAMMPS_NS::LAMMPS* engine) {
 
 void HistoryKeeper::connect(const std::string& owner, const ContactLine& line) {
   ContactLine& connected = connected_[owner];
-  const ContactLine earlier = std::exchange(connected, line);  // of a run that had no setup
+  // Not empty if an earlier run of this line had no setup.
+  const ContactLine earlier = std::exchange(connected, line);
   connected.is_new = line.is_new || earlier.is_new;
   if (line.report.empty()) connected.report = earlier.report;
   const auto entry = restarted_.find(owner);
@@ -84,7 +85,7 @@ void HistoryKeeper::write_restart(FILE* file) {
   write_state(file, text.c_str(), text.size() + 1);
 }
 
-// Histories of a pair style of LIGGGHTS itself are stored too.
+// Adds the line of a pair style of LIGGGHTS itself, because its histories are stored too.
 ContactLines HistoryKeeper::with_host_pair_style(const ContactLines& lines) const {
   ContactLines all = lines;
   LAMMPS_NS::Pair* const pair = force->pair_match("gran", 1);
@@ -140,12 +141,12 @@ void HistoryKeeper::restore_lost_histories() {
     const auto entry = lines.find(stored.owner);
     if (entry == lines.end()) continue;
     const ContactLine& line = entry->second;
-    // Walls lose their histories only if their line is given again.
+    // Skip unchanged walls: walls lose their histories only if the deck gives their line again.
     if (stored.owner != pair_owner && !line.is_new) continue;
     LAMMPS_NS::Fix* const fix = modify->find_fix_id(stored.fix.c_str());
     if (fix && !fix->just_created && is_unchanged(stored, fix)) continue;
     if (fix && can_continue(stored, line, fix)) {
-      fix->just_created = 0;  // else LIGGGHTS would clear the fix at the beginning of the run
+      fix->just_created = 0;  // LIGGGHTS clears fixes with just_created at the beginning of the run
       restore(stored, fix, new_ids);
     } else if (any_history(stored)) {
       warn_on_first_rank(stored.owner + ": contacts start without history, because " +
@@ -158,8 +159,8 @@ void HistoryKeeper::restore_lost_histories() {
   }
 }
 
-// Whether a fix still has the stored histories, and no particle was renumbered. If the deck changed
-// the page sizes, LIGGGHTS has freed the memory that the fix points to.
+// Returns whether a fix still has the stored histories and no particle was renumbered. If the deck
+// changed the page sizes, LIGGGHTS has freed the memory that the fix points to.
 bool HistoryKeeper::is_unchanged(const Stored& stored, LAMMPS_NS::Fix* fix) const {
   bool unchanged = page_ == neighbor->pgsize && largest_list_ == neighbor->oneatom;
   for (int i = 0; unchanged && i < atom->nlocal; ++i) {
@@ -209,7 +210,7 @@ void HistoryKeeper::restore(const Stored& stored, LAMMPS_NS::Fix* fix,
       StoredHistories(fix).clear(i);
 }
 
-// After a restart, for walls that stand elsewhere than in the earlier run.
+// Clears, after a restart, the histories of walls whose position differs from the restart file.
 void HistoryKeeper::clear_moved_walls(const ContactLines& restarted) {
   for (const auto& [owner, line] : lines_) {
     const auto former = restarted.find(owner);
@@ -218,8 +219,8 @@ void HistoryKeeper::clear_moved_walls(const ContactLines& restarted) {
       continue;
     if (any_history(line))
       warn_on_first_rank(owner +
-                         ": contacts start without history, because the wall stands elsewhere "
-                         "than when the restart file was written");
+                         ": contacts start without history, because the position of the wall "
+                         "differs from the restart file");
     for (const std::string& id : line.histories)
       for (int i = 0; i < atom->nlocal; ++i)
         StoredHistories(modify->find_fix_id(id.c_str())).clear(i);

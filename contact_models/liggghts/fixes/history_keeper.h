@@ -30,18 +30,21 @@ class HistoryKeeper : public PluginFix {
   static const char* id() { return "plastigran_history"; }
   static const char* style() { return "plastigran/history"; }
 
-  // The keeper, added if there is none. `restarted`: restarted_lines() when LIGGGHTS read the line
-  // of the caller, because LIGGGHTS discards them when it initializes the first wall.
+  // Returns the HistoryKeeper; adds it if there is none. `restarted` is the value of
+  // restarted_lines() when LIGGGHTS read the line of the caller. The caller must save this value,
+  // because LIGGGHTS discards these lines when it initializes the first wall.
   static HistoryKeeper* of(LAMMPS_NS::LAMMPS* engine, const std::string& restarted);
 
-  // The lines in the restart file, as restart_text(). Available until the first run.
+  // Returns the contact lines from the restart file, as text of restart_text(). They are available
+  // until the first run.
   static std::string restarted_lines(LAMMPS_NS::LAMMPS* engine);
 
-  // For a model before each run. Stops if the restart file has contacts of other models.
-  // Collective.
+  // Registers the line of a contact model before each run. Stops if the restart file has contacts
+  // of other models. Collective.
   void connect(const std::string& owner, const ContactLine& line);
 
-  // The settings of an owner in the restart file. Empty with a warning if there are none.
+  // Returns the settings of an owner from the restart file. If the file has none, warns and returns
+  // an empty string.
   std::string restarted_settings(const std::string& owner) const;
 
   int setmask() override;
@@ -61,11 +64,11 @@ class HistoryKeeper : public PluginFix {
   double memory_usage() override { return ids_.size() * sizeof(int); }
 
  private:
-  // The histories of one of LIGGGHTS' fixes at the end of a run.
+  // Copy of the histories that one fix of LIGGGHTS has at the end of a run.
   struct Stored {
     std::string owner, models, fix;
     StoredHistories::Layout layout;
-    std::uint64_t position;  // wall_position()
+    std::uint64_t position;  // hash from wall_position(); 0 for pairs
     ParticleRecords records;
   };
 
@@ -80,12 +83,12 @@ class HistoryKeeper : public PluginFix {
   void warn_of_new_constants(const ContactLines& former) const;
   void warn_on_first_rank(const std::string& text) const;
 
-  ContactLines connected_;      // since the last setup
+  ContactLines connected_;      // lines that models have registered since the last setup
   ContactLines lines_;          // lines of the current or last run, or of the restart file
   ContactLines restarted_;      // lines of the restart file whose owners have not connected yet
-  std::vector<Stored> stored_;  // between two runs
+  std::vector<Stored> stored_;  // histories kept between two runs
   std::vector<int> ids_;        // IDs of local particles at the end of the last run, 0 if new
-  long particle_total_ = 0;     // at the end of the last run, on all ranks
+  long particle_total_ = 0;     // number of particles on all ranks at the end of the last run
   int page_ = 0, largest_list_ = 0;  // neigh_modify `page` and `one` at the end of the last run
 };
 

@@ -20,12 +20,12 @@ void warn(const LAMMPS_NS::LAMMPS* engine, const std::string& text) {
 
 void stop(const LAMMPS_NS::LAMMPS* engine, const std::string& text) {
   engine->error->all(FLERR, text.c_str());
-  std::abort();  // not reached
+  std::abort();  // unreachable; for [[noreturn]], because Error::all() lacks the attribute
 }
 
 void stop_from_rank(const LAMMPS_NS::LAMMPS* engine, const std::string& text) {
   engine->error->one(FLERR, text.c_str());
-  std::abort();  // not reached
+  std::abort();  // unreachable; for [[noreturn]], because Error::one() lacks the attribute
 }
 
 std::string describe_particle(const LAMMPS_NS::Atom* atom, int i) {

@@ -12,16 +12,16 @@ namespace plastigran {
 
 void print(const LAMMPS_NS::LAMMPS* engine, const std::string& text);
 
-// The Python package finds the warnings of this plugin by their first word, "plastigran".
+// Prints a warning with the prefix "plastigran", by which the Python package finds it in the log.
 void warn(const LAMMPS_NS::LAMMPS* engine, const std::string& text);
 
-// Stops the run. Collective.
+// Stops the run with an error message. Collective.
 [[noreturn]] void stop(const LAMMPS_NS::LAMMPS* engine, const std::string& text);
 
-// Stops the run from one rank, while the others may be elsewhere.
+// Stops the run with an error message from one rank; other ranks need not call this function.
 [[noreturn]] void stop_from_rank(const LAMMPS_NS::LAMMPS* engine, const std::string& text);
 
-// "particle ID at (X Y Z)", for a particle of this rank.
+// Returns "particle ID at (X Y Z)" for the particle with local index `i`.
 std::string describe_particle(const LAMMPS_NS::Atom* atom, int i);
 
 }  // namespace plastigran

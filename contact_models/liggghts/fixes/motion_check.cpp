@@ -30,7 +30,7 @@ void MotionCheck::init() {
 
 void MotionCheck::reset_dt() { timestep_ = update->dt; }
 
-// Checks the forces of the setup, because the first step would change the positions too.
+// Checks the forces after the setup, because the first step would spread a NaN force to positions.
 void MotionCheck::pre_initial_integrate() {
   if (update->dt != timestep_) {
     std::ostringstream text;

@@ -3,7 +3,7 @@
 // Stops a run when a particle has an infinite or NaN velocity or force, moves by more than its
 // radius in one step, or leaves the box with `thermo_modify lost error`. The rank that has the
 // particle checks before LIGGGHTS' next output, so that no restart file contains such a particle.
-// Also stops a run with another time step than the one of the last setup.
+// Also stops a run whose time step differs from the last setup.
 #pragma once
 
 #include <string>
@@ -18,17 +18,17 @@ class MotionCheck : public PluginFix {
   static const char* id() { return "plastigran_motion"; }
   static const char* style() { return "plastigran/motion"; }
 
-  // For a wall that adds this fix. LIGGGHTS has then listed the fixes of the run already, and lists
-  // them again in init().
+  // Makes init() rebuild LIGGGHTS' lists of active fixes. A wall that adds this fix calls this
+  // function, because LIGGGHTS has already built the lists for the run.
   void list_fixes_again() { list_again_ = true; }
 
-  // For the model of a pair style before each run: stops if a periodic side is too short, now or
-  // when a fix changes the box. Collective.
+  // Stops if a periodic side of the box is too short, now or when a fix changes the box. The model
+  // of a pair style calls this function before each run. Collective.
   void check_periodic_sides(const std::string& model);
 
   int setmask() override;
   void init() override;
-  void reset_dt() override;  // a fix may change the time step in a run
+  void reset_dt() override;  // called when a fix changes the time step during a run
   void setup(int) override { first_ = true; }
   void pre_initial_integrate() override;
   void end_of_step() override;
@@ -40,7 +40,7 @@ class MotionCheck : public PluginFix {
 
   bool first_ = true;
   bool list_again_ = false;
-  std::string model_of_pairs_;  // model of the pair style, if contacts have histories
+  std::string model_of_pairs_;  // model of the pair style; empty if contacts have no histories
   double timestep_ = 0;         // time step of the last setup
 };
 

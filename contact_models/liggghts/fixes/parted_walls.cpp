@@ -19,7 +19,8 @@ void PartedWalls::pre_neighbor() {
     const auto state = states_.find(std::string("fix ") + wall->id);
     LAMMPS_NS::Fix* const fix = modify->find_fix_id((std::string("history_") + wall->id).c_str());
     if (!fix || state == states_.end()) continue;
-    // This model also stores positions of surfaces there, which stay valid between contacts.
+    // Surface model multicontact also stores surface positions in the history. They stay valid
+    // between contacts, so only the state of the law is cleared.
     const bool keeps_surfaces = wall->contact_match("surface", "multicontact");
     const auto [first, count] = keeps_surfaces ? state->second : std::pair(0, wall->dnum());
     for (int i = 0; i < atom->nlocal; ++i)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// Clears the histories of contacts with primitive walls that have ended. LIGGGHTS calls the model
+// Clears the histories of ended contacts with primitive walls. LIGGGHTS calls the model
 // of a wall only for particles within one neighbor skin of it. A particle that crosses the skin in
 // one step, or any particle with `neighbor 0.0`, would keep the history of its last contact.
 #pragma once
@@ -19,7 +19,7 @@ class PartedWalls : public PluginFix {
   static const char* id() { return "plastigran_parted_walls"; }
   static const char* style() { return "plastigran/parted_walls"; }
 
-  // Tells where the state of the law is in the contact history of "fix ID".
+  // Sets the offset and the number of values of the law's state in the contact history of "fix ID".
   void set_state(const std::string& owner, int offset, int count) {
     states_[owner] = {offset, count};
   }

@@ -34,7 +34,7 @@ void ParticleRecords::fetch(const int* ids, int count, MPI_Comm ranks) {
   for (int i = 0; i < count; ++i)
     if (ids[i] && !spans_.count(ids[i])) missing.push_back(ids[i]);
   if (!on_any_rank(!missing.empty(), ranks)) return;
-  std::vector<double> sent;  // of each record: ID, number of values, values
+  std::vector<double> sent;  // for each record: ID, number of values, values
   for (const int id : gather_all(missing, ranks))
     if (const Record record = find(id); record.values) {
       sent.insert(sent.end(), {static_cast<double>(id), static_cast<double>(record.count)});

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// Particles between two runs. A deck may renumber particles (delete_atoms, create_atoms) and move
-// them to other ranks (displace_atoms, change_box).
+// Identification of particles between two runs, in which a deck may renumber particles
+// (delete_atoms, create_atoms) and move them to other ranks (displace_atoms, change_box).
 #pragma once
 
 #include <mpi.h>
@@ -12,14 +12,14 @@
 
 namespace plastigran {
 
-// The map from the former IDs of all particles to their current IDs.
+// Map from the former IDs of all particles to their current IDs.
 class NewIds {
  public:
   // `former` and `current`: IDs of the `count` particles of this rank; 0 is the former ID of a new
   // particle. `former_total`: former number of particles on all ranks. Collective.
   NewIds(const int* former, const int* current, int count, long former_total, MPI_Comm ranks);
 
-  // The current ID, 0 if the particle was deleted.
+  // Returns the current ID of a particle by its former ID; 0 if it was deleted.
   int of(int former) const {
     if (unchanged_) return former;
     const auto id = ids_.find(former);
@@ -31,11 +31,12 @@ class NewIds {
   std::unordered_map<int, int> ids_;
 };
 
-// Values of particles by ID. First add() all, then fetch() those of other ranks, then find() them.
+// Values of particles by ID. Call add() for all local records, then fetch() to get records of other
+// ranks, then find().
 class ParticleRecords {
  public:
   struct Record {
-    const double* values = nullptr;  // null: there is no record
+    const double* values = nullptr;  // values of the particle; null if it has no record
     int count = 0;
   };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// Fixes that the plugin adds by itself. No deck names them.
+// Base class and helpers of the fixes that the plugin adds itself, without a line in the deck.
 #pragma once
 
 #include <cstdio>
@@ -18,18 +18,18 @@
 
 namespace plastigran {
 
-// For the removal of a fix that contact models point to. A deck may remove it (unfix). The next run
-// then needs a setup, also with `pre no`, which finds all pointers again.
+// Forces a setup of the next run, even with `pre no`. The destructor of a fix that contact models
+// point to calls it, because only a setup renews these pointers after `unfix`.
 inline void require_setup(LAMMPS_NS::LAMMPS* engine, const char* id) {
-  // The parts of a `run ... every` have no setup between them.
+  // Stop inside a `run ... every` command, because its parts have no setup between them.
   if (engine->update->whichflag)
     stop(engine, std::string(id) +
-                     ": the contact models need this fix. It cannot be removed between "
-                     "the parts of one run ... every");
+                     ": the contact models need this fix. A command in `run ... every` cannot "
+                     "remove it. Use `unfix` after the run");
   engine->update->first_update = 0;
 }
 
-// A derived class has static id() and style().
+// Base class of the fixes that the plugin adds. A derived class defines static id() and style().
 class PluginFix : public LAMMPS_NS::Fix {
  public:
   using Fix::Fix;
@@ -38,7 +38,7 @@ class PluginFix : public LAMMPS_NS::Fix {
   }
 
  protected:
-  // Writes a state for restart() from the first rank. LIGGGHTS needs its size first.
+  // Writes the state for restart() on rank 0. LIGGGHTS expects the size before the data.
   void write_state(FILE* file, const void* state, int size) const {
     if (comm->me != 0) return;
     fwrite(&size, sizeof size, 1, file);
@@ -52,7 +52,7 @@ inline void add_fix(LAMMPS_NS::Modify* modify, std::vector<std::string> words) {
   modify->add_fix(pointers.size(), pointers.data());
 }
 
-// All fixes of a class.
+// Returns all fixes of the class `Type`.
 template <class Type>
 std::vector<Type*> fixes_of(const LAMMPS_NS::Modify* modify) {
   std::vector<Type*> fixes;
@@ -61,16 +61,18 @@ std::vector<Type*> fixes_of(const LAMMPS_NS::Modify* modify) {
   return fixes;
 }
 
-// Stops if a wall replaces another of the same ID. LIGGGHTS would crash, because the list of fixes
-// has a null pointer meanwhile.
+// Stops if a wall replaces a wall with the same ID. LIGGGHTS would crash, because its list of fixes
+// contains a null pointer during the replacement.
 inline void refuse_replacement(LAMMPS_NS::LAMMPS* engine) {
   LAMMPS_NS::Modify* const modify = engine->modify;
   for (int k = 0; k < modify->nfix; ++k)
     if (!modify->fix[k])
-      stop(engine, "fix wall/gran: LIGGGHTS cannot replace a wall. Use `unfix` first");
+      stop(engine,
+           "fix wall/gran: LIGGGHTS cannot replace a wall with the same ID. Remove the earlier "
+           "wall first: `unfix ID`");
 }
 
-// Registers the style of a class of fixes.
+// Registers the fix style of the class `Style`.
 template <class Style>
 void add_style(LAMMPS_NS::Modify* modify) {
   add_fix_style(modify, Style::style(),
@@ -79,13 +81,13 @@ void add_style(LAMMPS_NS::Modify* modify) {
                 });
 }
 
-// The fix of that class, null if there is none.
+// Returns the fix of the class `Style`, or null if there is none.
 template <class Style>
 Style* find_fix(LAMMPS_NS::LAMMPS* engine) {
   return static_cast<Style*>(engine->modify->find_fix_id_style(Style::id(), Style::style()));
 }
 
-// The fix of that class, added if there is none. Collective.
+// Returns the fix of the class `Style`; adds it if there is none. Collective.
 template <class Style>
 Style* ensure_fix(LAMMPS_NS::LAMMPS* engine) {
   if (Style* const fix = find_fix<Style>(engine)) return fix;

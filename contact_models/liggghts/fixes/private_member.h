@@ -6,7 +6,7 @@
 #pragma once
 
 namespace plastigran {
-namespace {  // so that each source file has functions member_of() of its own
+namespace {  // gives each source file separate functions member_of()
 
 template <class Tag, auto pointer>
 struct MemberOf {

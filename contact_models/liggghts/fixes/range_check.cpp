@@ -18,7 +18,7 @@ RangeCheck::Excess* RangeCheck::of(LAMMPS_NS::LAMMPS* engine, const std::string&
 
 int RangeCheck::setmask() { return LAMMPS_NS::FixConst::END_OF_STEP; }
 
-// So that the log of a killed run has the largest overlaps.
+// Prints the largest overlaps during the run, so that the log of a killed run contains them.
 void RangeCheck::end_of_step() {
   for (auto& [model, excess] : models_) print_furthest(model, excess, 1.1);
 }
@@ -33,7 +33,8 @@ void RangeCheck::post_run() {
     excess.warned_contacts = excess.all_contacts;
     std::ostringstream text;
     text << model << ": ";
-    // Elastic contacts are not counted, because their state does not show an earlier excess.
+    // Elastic contacts are reported without a count: their state does not record whether they were
+    // counted before.
     if (excess.all_contacts == 0)
       text << "contacts, still elastic, exceed";
     else
@@ -44,14 +45,14 @@ void RangeCheck::post_run() {
   }
 }
 
-// Prints the largest overlap if it has grown by more than a factor. Collective.
+// Prints the largest overlap if it exceeds the last printed one by more than `factor`. Collective.
 void RangeCheck::print_furthest(const std::string& model, Excess& excess, double factor) {
   double furthest;
   MPI_Reduce(&excess.contacts, &excess.all_contacts, 1, MPI_DOUBLE, MPI_SUM, 0, world);
   MPI_Reduce(&excess.furthest, &furthest, 1, MPI_DOUBLE, MPI_MAX, 0, world);
   if (comm->me != 0 || furthest <= factor * excess.printed_furthest) return;
   excess.printed_furthest = furthest;
-  std::ostringstream line;  // read by the Python package
+  std::ostringstream line;  // log line that the Python package parses
   line << "plastigran range " << model.substr(model.find(' ') + 1)
        << " contacts=" << excess.all_contacts << " furthest=" << furthest << '\n';
   print(lmp, line.str());

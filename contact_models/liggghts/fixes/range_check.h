@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
 // Counts contacts that exceed the validity range of their law, and warns at the end of a run. Every
-// 1000 steps, if the largest overlap has grown, a line in the log gives it to programs.
+// 1000 steps, if the largest overlap has grown, prints it as a machine-readable log line.
 #pragma once
 
 #include <map>
@@ -15,24 +15,24 @@ namespace plastigran {
 
 class RangeCheck : public PluginFix {
  public:
-  // Counts of one model on this rank. The members are for the first rank.
+  // Counts of one model on this rank. Only rank 0 uses the members declared here.
   struct Excess : RangeAccount {
     const char* range = "";
-    double all_contacts = 0;                // over all ranks
-    double warned_contacts = 0;             // in the last warning
-    double printed_furthest = 0;            // largest overlap divided by its limit, in the log
-    double warned_speed = 0;                // speed in the last warning before a run [m/s]
+    double all_contacts = 0;                // number of contacts beyond the range on all ranks
+    double warned_contacts = 0;             // number of contacts reported in the last warning
+    double printed_furthest = 0;            // last printed ratio of overlap to limit
+    double warned_speed = 0;                // impact speed in the last warning [m/s]
     bool warned = false;                    // whether contacts beyond the range were reported
-    std::set<std::string> unique_warnings;  // given once, before a run
+    std::set<std::string> unique_warnings;  // warnings that were printed already, each only once
   };
 
   RangeCheck(LAMMPS_NS::LAMMPS* engine, int count, char** words) : PluginFix(engine, count, words) {
-    nevery = 1000;  // steps between reductions
+    nevery = 1000;  // number of steps between two reductions over ranks
   }
   static const char* id() { return "plastigran_range"; }
   static const char* style() { return "plastigran/range"; }
 
-  // The counts of a model. Collective.
+  // Returns the counts of a model; adds the fix if needed. Collective.
   static Excess* of(LAMMPS_NS::LAMMPS* engine, const std::string& model, const char* range);
 
   int setmask() override;

@@ -27,7 +27,7 @@ inline long sum_over_ranks(long value, MPI_Comm ranks) {
   return value;
 }
 
-// The values of all ranks, one rank after the other.
+// Returns the values of all ranks, in the order of ranks. Collective.
 template <class Value>
 std::vector<Value> gather_all(const std::vector<Value>& values, MPI_Comm ranks) {
   const MPI_Datatype type = sizeof(Value) == sizeof(int) ? MPI_INT : MPI_DOUBLE;

@@ -25,17 +25,17 @@ using LAMMPS_NS::FixPropertyAtom;
 
 namespace {
 
-// LIGGGHTS stores integers in the bits of a double.
+// Returns the double with the same bits as an integer, as LIGGGHTS stores integers.
 double as_double(std::int64_t number) {
   double same_bits;
   std::memcpy(&same_bits, &number, sizeof number);
   return same_bits;
 }
 
-// LIGGGHTS' IDs of these fixes: a prefix and the ID of the mesh or wall.
+// Prefixes in the IDs of LIGGGHTS' history fixes. The ID of the mesh or wall follows the prefix.
 const char mesh_histories[] = "tracker_", primitive_histories[] = "history_";
 
-// The mesh or wall of these histories, null if their ID has another prefix.
+// Returns the mesh or wall of these histories, or null if the ID of `histories` lacks the prefix.
 LAMMPS_NS::Fix* fix_of(LAMMPS_NS::LAMMPS* engine, const LAMMPS_NS::Fix* histories,
                        const char* prefix) {
   const std::size_t length = std::strlen(prefix);
@@ -130,8 +130,8 @@ std::uint64_t wall_position(LAMMPS_NS::LAMMPS* engine, const LAMMPS_NS::Fix* his
       dynamic_cast<LAMMPS_NS::FixMeshSurface*>(fix_of(engine, histories, mesh_histories));
   if (!fix) return 0;
   LAMMPS_NS::TriMesh* const mesh = fix->triMesh();
-  std::uint64_t sum = 0;  // independent of the order of triangles, which depends on the ranks
-  const bool is_distributed = mesh->isParallel();  // else each rank has all triangles
+  std::uint64_t sum = 0;  // a sum, because the order of triangles depends on the number of ranks
+  const bool is_distributed = mesh->isParallel();  // if false, each rank has all triangles
   for (int triangle = 0; triangle < mesh->sizeLocal(); ++triangle) {
     if (!is_distributed && engine->comm->me != 0) break;
     std::uint64_t of_triangle = mesh->id(triangle) + 1;

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// LIGGGHTS' fixes that store contact histories by particle. Those of pairs and meshes have a list
-// of partners with values for each, those of primitive walls have the values of one contact.
+// Access to the fixes in which LIGGGHTS stores contact histories by particle. A fix for pairs or
+// meshes stores a list of partners with values for each. A fix for a primitive wall stores the
+// values of one contact.
 #pragma once
 
 #include <cstdint>
@@ -18,12 +19,12 @@ namespace plastigran {
 
 class StoredHistories {
  public:
-  // The layout of the values of a particle.
+  // Layout of the history values of one particle.
   struct Layout {
-    bool has_partners;  // number of contacts, then ID of the partner and values of each contact
-    int width;          // values of a contact
+    bool has_partners;  // true: number of contacts, then partner ID and values per contact
+    int width;          // number of history values per contact
 
-    // Whether any history value differs from zero.
+    // Returns whether any history value differs from zero.
     bool any(const double* values, int count) const;
   };
 
@@ -31,7 +32,8 @@ class StoredHistories {
 
   Layout layout() const { return {has_partners_, width()}; }
 
-  // Copies the histories of pairs from the neighbor lists. The functions below need that.
+  // Copies the histories of pairs from the neighbor lists to the fix. Call it before the functions
+  // below.
   void update() {
     if (has_partners_) fix_->setup_pre_exchange();
   }
@@ -39,7 +41,8 @@ class StoredHistories {
   std::size_t size_of(int i) const;
   std::vector<double> of(int i) const;
 
-  // Sets the values of a particle after a renumbering, without contacts of deleted partners.
+  // Sets the history values of a particle after a renumbering; omits contacts with deleted
+  // partners.
   void set(int i, const double* values, int count, const NewIds& ids);
 
   void clear(int i);
@@ -51,10 +54,11 @@ class StoredHistories {
   bool has_partners_, of_pairs_;
 };
 
-// A hash of the geometry of the primitive wall with these histories; 0 for others.
+// Returns a hash of the geometry of the primitive wall with these histories; 0 for meshes and
+// pairs.
 std::uint64_t primitive_wall_position(LAMMPS_NS::LAMMPS* engine, const LAMMPS_NS::Fix* histories);
 
-// A hash of the geometry of the primitive wall or the mesh with these histories; 0 for pairs.
+// Returns a hash of the geometry of the primitive wall or mesh with these histories; 0 for pairs.
 // Collective.
 std::uint64_t wall_position(LAMMPS_NS::LAMMPS* engine, const LAMMPS_NS::Fix* histories);
 

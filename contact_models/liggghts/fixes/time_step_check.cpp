@@ -13,7 +13,7 @@ namespace plastigran {
 
 TimeStepCheck::TimeStepCheck(LAMMPS_NS::LAMMPS* engine, int count, char** words)
     : PluginFix(engine, count, words) {
-  nevery = 1000;  // steps between reductions
+  nevery = 1000;  // number of steps between two reductions over ranks
 }
 
 void TimeStepCheck::expect(const std::string& model, const Recommended& impact, double rayleigh,
@@ -56,7 +56,7 @@ void TimeStepCheck::end_of_step() {
   warn_if_first(text.str());
 }
 
-// Finds the stiffest contact of all ranks.
+// Replaces stiffest_ by the contact with the shortest recommended step of all ranks. Collective.
 void TimeStepCheck::find_stiffest() {
   struct {
     double step;
@@ -78,7 +78,7 @@ void TimeStepCheck::print_ratios() {
   ratio(impact_.step, "the recommended time step");
   ratio(stiffest_.step, "the recommended one for the stiffest contact");
   std::string line = text.str();
-  if (line.back() == ':') return;  // no particles yet
+  if (line.back() == ':') return;  // print nothing if there are no particles yet
   line.back() = '\n';
   print(lmp, line);
 }

@@ -56,7 +56,8 @@ void DissipationHeat::add(const Contact& contact, const AccountedLoad& on_i, con
     pairs_.push_back({contact.i, contact.j, load});
 }
 
-// The rank of a ghost's particle adds the part of the ghost.
+// Adds heat only for local particles: the rank that owns a ghost's particle adds the heat of that
+// particle.
 void DissipationHeat::add_plastic_work(const Contact& contact, double work) {
   const double part = shares_.of_plastic_work(contact.itype, contact.jtype);
   const double mine = part * work, others = (1 - part) * work;
@@ -77,7 +78,7 @@ void DissipationHeat::begin_pass() {
   heat_.assign(atom->nlocal + atom->nghost, 0);
 }
 
-// The work of a load on a particle in half a step [J].
+// Returns the work of a force and a torque on particle `i` in half a time step [J].
 double DissipationHeat::work_on(int i, const Vector& force, const Vector& torque) const {
   return 0.5 * update->dt * (dot(force, atom->v[i]) + dot(torque, atom->omega[i]));
 }
@@ -101,7 +102,7 @@ void DissipationHeat::add_lossy_work() {
   }
 }
 
-// Adds the work of the current forces in half a step, and new plastic work, to the heat flux.
+// Adds the work of the current forces in half a time step, and new plastic work, to the heat flux.
 void DissipationHeat::deliver() {
   add_lossy_work();
   comm->reverse_comm_fix(this);
@@ -112,7 +113,7 @@ void DissipationHeat::deliver() {
 
 int DissipationHeat::pack_reverse_comm(int count, int first, double* buffer) {
   std::copy_n(heat_.begin() + first, count, buffer);
-  return 1;  // value of each particle
+  return 1;  // one value per particle: its heat
 }
 
 void DissipationHeat::unpack_reverse_comm(int count, int* list, double* buffer) {
@@ -132,7 +133,7 @@ void DissipationHeat::write_restart(FILE* file) {
 }
 
 void DissipationHeat::restart(char* data) {
-  if (comm->me == 0) std::memcpy(sums_, data, sizeof sums_);  // the first rank takes the sum
+  if (comm->me == 0) std::memcpy(sums_, data, sizeof sums_);  // rank 0 takes the sums of all ranks
 }
 
 }  // namespace plastigran

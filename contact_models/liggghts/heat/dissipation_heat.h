@@ -4,11 +4,12 @@
 // docs/heat.md defines how the bodies share the heat.
 //
 // Heat is added to LIGGGHTS' heat flux, which fix heat/gran integrates at the end of a step and
-// clears at the beginning of the next one. The laws give the plastic work. The work of friction and
-// dashpots is integrated as velocity Verlet moves the particles: half a step of the old force and
-// half a step of the new one. It is summed by contact, because both bodies take half of it. Each
-// rank computes only the work on its own particles, because it does not have the velocity of a
-// ghost at that time, and sends the ghost's part of the heat to the rank of its particle.
+// clears at the beginning of the next one. The laws return the plastic work. The work of friction
+// and dashpots is integrated as in velocity Verlet: half a step with the old force and half a step
+// with the new force. This work is summed per contact, because each of the two bodies receives half
+// of the heat. Each rank computes only the work on its own particles, because it does not have the
+// velocity of a ghost at that time, and sends the ghost's part of the heat to the rank of its
+// particle.
 #pragma once
 
 #include <vector>
@@ -23,12 +24,12 @@ namespace plastigran {
 
 class DissipationHeat : public ContactObserver {
  public:
-  // Elements of the fix's vector in their order, summed since the fix was made [J].
+  // Elements of the fix's vector f_ID[1], f_ID[2], ...: energies since the fix was created [J].
   enum Entry {
-    FROM_PLASTIC_WORK,  // heat of the particles
+    FROM_PLASTIC_WORK,  // heat of the particles from plastic work
     FROM_FRICTION,      // heat of the particles, from friction, rolling friction and dashpots
-    TO_WALLS,           // heat of walls, of both kinds
-    STORED,             // plastic work that does not become heat, of particles and walls
+    TO_WALLS,           // heat of walls from plastic work, friction and dashpots
+    STORED,             // plastic work of particles and walls that does not become heat
     ENTRIES
   };
 
@@ -43,10 +44,11 @@ class DissipationHeat : public ContactObserver {
   void setup_pre_force(int) override { begin_pass(); }
   void pre_force(int) override { begin_pass(); }
 
-  // LIGGGHTS calls this with new positions, velocities at mid-step, and old forces.
+  // Adds the heat of the old forces. At this time, positions are new and velocities are at
+  // mid-step.
   void post_integrate() override { deliver(); }
 
-  // LIGGGHTS calls this with new forces, and velocities at mid-step.
+  // Adds the heat of the new forces. At this time, velocities are at mid-step.
   void pre_final_integrate() override { deliver(); }
 
   int pack_reverse_comm(int count, int first, double* buffer) override;
@@ -78,10 +80,10 @@ class DissipationHeat : public ContactObserver {
   BodyShares shares_;
   bool described_ = false;
   LAMMPS_NS::FixPropertyAtom* flux_ = nullptr;  // heat flux of each particle in LIGGGHTS [W]
-  std::vector<PairContact> pairs_;  // contacts of the last force computation, on this rank
+  std::vector<PairContact> pairs_;  // contacts on this rank in the last force computation
   std::vector<WallContact> walls_;
-  std::vector<double> heat_;   // by particle with ghosts, not yet in the flux [J]
-  double sums_[ENTRIES] = {};  // on this rank
+  std::vector<double> heat_;   // of each local and ghost particle, not yet in the flux [J]
+  double sums_[ENTRIES] = {};  // elements of the fix's vector, summed on this rank [J]
 };
 
 }  // namespace plastigran

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// LIGGGHTS' contact model with three additions. It reports every contact to the energy ledger and
-// the observers, it has the setting `energy_ledger on|off`, and it restores the settings of its
-// line from a restart file.
+// LIGGGHTS' contact model with three additions: it reports every contact to the energy ledger and
+// the observers, adds the setting `energy_ledger on|off`, and restores the settings of its line
+// from a restart file.
 #pragma once
 
 #include <algorithm>
@@ -24,7 +24,8 @@
 
 namespace plastigran {
 
-// ContactSetup is the first base, because the models use it while they are constructed.
+// ContactSetup is the first base class, because the contact models use it during their
+// construction.
 template <class Style>
 class AccountedContact : private ContactSetup, public LIGGGHTS::ContactModels::ContactModel<Style> {
   typedef LIGGGHTS::ContactModels::ContactModel<Style> Base;
@@ -32,7 +33,7 @@ class AccountedContact : private ContactSetup, public LIGGGHTS::ContactModels::C
   typedef LIGGGHTS::ContactModels::ForceData Load;
 
  public:
-  // Whether two bodies may exert forces before they touch.
+  // Whether two bodies may exert forces on each other before they touch.
   static constexpr bool acts_at_a_distance =
       Style::COHESION != LIGGGHTS::ContactModels::COHESION_OFF;
 
@@ -47,13 +48,14 @@ class AccountedContact : private ContactSetup, public LIGGGHTS::ContactModels::C
     if constexpr (std::is_same_v<Owner, LAMMPS_NS::PairGran>) pair_ = owner;
   }
 
-  // LIGGGHTS needs the models of the deck here. The base class has the placeholders ANY.
+  // Returns the hash of the models in the deck. The hash of the base class contains placeholders
+  // ANY.
   int64_t hashcode() { return hash(); }
   bool contact_match(const std::string& kind, const std::string& name) {
     return has_model(kind, name);
   }
 
-  // The offset of a history value, -1 if no model has registered it.
+  // Returns the offset of a history value, or -1 if no model has registered it.
   int get_history_offset(const std::string& name) {
     const int offset = offset_of(name);
     return offset < 0 ? Base::get_history_offset(name) : offset;
@@ -68,7 +70,7 @@ class AccountedContact : private ContactSetup, public LIGGGHTS::ContactModels::C
   void postSettings(LIGGGHTS::IContactHistorySetup* owner) {
     if (this->is_wall()) refuse_replacement(engine_);
     Base::postSettings(owner);
-    // A wall cannot open the ledger, because LIGGGHTS cannot add a fix while it makes another one.
+    // Only pairs open the ledger, because LIGGGHTS cannot add a fix while it creates a wall.
     if (requests_ledger_ && !this->is_wall()) EnergyLedger::open(engine_);
   }
 
@@ -87,10 +89,11 @@ class AccountedContact : private ContactSetup, public LIGGGHTS::ContactModels::C
     Base::connectToProperties(registry);
   }
 
-  // Whether the ledger or an observer needs the energies of these contacts.
+  // Returns whether the ledger or an observer needs the energies of these contacts.
   bool counts_energies() const { return ledger_ || !observers_.empty(); }
 
-  // For LIGGGHTS' loops, whose loads have no room for energies.
+  // Computes the forces of an overlapping pair for LIGGGHTS' loops, whose loads do not store
+  // energies.
   void surfacesIntersect(Contact& contact, Load& on_i, Load& on_j) {
     if (counts_energies() && contact.computeflag)
       on_i = counted(contact, on_i, on_j);
@@ -98,15 +101,15 @@ class AccountedContact : private ContactSetup, public LIGGGHTS::ContactModels::C
       compute(contact, on_i, on_j);
   }
 
-  // Whether adhesion keeps two bodies in contact that may not overlap.
+  // Returns whether adhesion keeps two bodies in contact, even if they do not overlap.
   bool in_contact(const LIGGGHTS::ContactModels::SurfacesCloseData& contact) const {
     return in_contact_offset_ >= 0 && contact.contact_history &&
            contact.contact_history[in_contact_offset_] != 0;
   }
 
-  // For LIGGGHTS' loops, which call this for bodies that are close and do not overlap.
+  // Computes the forces of a close pair without overlap, for LIGGGHTS' loops.
   void surfacesClose(LIGGGHTS::ContactModels::SurfacesCloseData& close, Load& on_i, Load& on_j) {
-    // All callers pass the data of a contact.
+    // The cast is safe, because all callers pass a SurfacesIntersectData.
     Contact& contact = static_cast<Contact&>(close);
     if (in_contact(contact)) {
       if (!this->is_wall()) complete(contact);
@@ -114,31 +117,32 @@ class AccountedContact : private ContactSetup, public LIGGGHTS::ContactModels::C
       contact.has_force_update = true;
     }
     if (!in_contact(contact)) Base::surfacesClose(contact, on_i, on_j);
-    // LIGGGHTS computes the heat flux from a wall next, and its formula needs an overlap.
+    // Set a valid overlap, because LIGGGHTS next computes the heat flux from the wall with it.
     if (this->is_wall()) contact.deltan = std::max(0.0, contact.deltan);
   }
 
-  // Computes the forces of all models.
+  // Computes the forces of all contact models without energies.
   void compute(Contact& contact, Load& on_i, Load& on_j) {
     Base::surfacesIntersect(contact, on_i, on_j);
   }
 
-  // Computes the forces and reports them to the ledger and the observers.
+  // Computes the forces and energies, and reports them to the ledger and the observers.
   void compute_and_count(Contact& contact, AccountedLoad& on_i, Load& on_j) {
     compute_with_energies(contact, on_i, on_j);
     if (ledger_) ledger_->add(contact, on_i, on_j);
-    // `run 0` does not advance the contacts, so the next setup reports the same again.
+    // `run 0` does not advance the contacts, so the next setup reports the same energies again.
     if (!contact.shearupdate && engine_->update->nsteps == 0) return;
     for (ContactObserver* const observer : observers_) observer->add(contact, on_i, on_j, owner_);
   }
 
-  // Reports the stored energies to the ledger. Some models write to the history meanwhile.
+  // Reports the stored energies to the ledger. Some models write to the contact history in this
+  // call.
   void count_stored(Contact& contact, AccountedLoad& on_i, Load& on_j) {
     compute_with_energies(contact, on_i, on_j);
     add_stored(contact, on_i);
   }
 
-  // Lets the ledger get the stored energies from `contacts` when it needs them.
+  // Registers `contacts` with the ledger, which computes the stored energies when it needs them.
   void defer_stored_energies(StoredEnergies& contacts) {
     if (ledger_) ledger_->defer(contacts);
   }
@@ -150,7 +154,7 @@ class AccountedContact : private ContactSetup, public LIGGGHTS::ContactModels::C
     counted_load = nullptr;
   }
 
-  // Takes the settings of the line from a restart file.
+  // Restores the settings of the line from a restart file.
   void restore_line() {
     const std::string name = ContactOwner(owner(), this->is_wall()).name();
     restore_settings(engine_, *this, ensure_fix<HistoryKeeper>(engine_)->restarted_settings(name),
@@ -183,7 +187,7 @@ class AccountedContact : private ContactSetup, public LIGGGHTS::ContactModels::C
     ledger_->add_stored(contact, on_i.elastic_energy, on_i.surface_energy, spring_energy(contact));
   }
 
-  // Fills in what LIGGGHTS' loop over pairs computes for overlaps alone.
+  // Computes the contact data that LIGGGHTS' loop over pairs computes only for overlapping pairs.
   void complete(Contact& contact) const {
     const LAMMPS_NS::Atom* const atom = engine_->atom;
     contact.r = std::sqrt(contact.rsq);
@@ -211,12 +215,12 @@ class AccountedContact : private ContactSetup, public LIGGGHTS::ContactModels::C
   }
 
   LAMMPS_NS::LAMMPS* engine_;
-  const void* owner_;                          // the Pair or Fix, which fixes compare by address
-  const LAMMPS_NS::PairGran* pair_ = nullptr;  // null for a wall
+  const void* owner_;  // the Pair or Fix of these contacts; observers compare its address
+  const LAMMPS_NS::PairGran* pair_ = nullptr;  // pair style; null for a wall
   EnergyLedger* ledger_ = nullptr;
   std::vector<ContactObserver*> observers_;
   int spring_offset_;      // offset of the tangential spring in the history, -1 if there is none
-  int in_contact_offset_;  // offset of `in_contact`, -1 if contacts end with the overlap
+  int in_contact_offset_;  // offset of `in_contact`; -1: contacts end with the overlap
   bool requests_ledger_ = false;
   bool line_read_ = false;
 };

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// The potential energy of LIGGGHTS' cohesion models whose force is a function of the overlap alone.
-// The force is proportional to an area that grows from zero at first touch.
+// Potential energy of LIGGGHTS' cohesion models sjkr and sjkr2. Their force depends only on the
+// overlap: it is proportional to an area that grows from zero at first touch.
 #pragma once
 
 #include "contact_interface.h"
@@ -13,7 +13,7 @@ class CohesiveEnergy {
   typedef LIGGGHTS::ContactModels::SurfacesIntersectData Contact;
 
  public:
-  // `model`: ID of the cohesion model.
+  // Creates the energy of a cohesion model, whose LIGGGHTS ID is `model`.
   explicit CohesiveEnergy(int model) : model_(model) {}
 
   static bool is_known(int model) {
@@ -21,18 +21,18 @@ class CohesiveEnergy {
     return model == COHESION_OFF || model == COHESION_SJKR || model == COHESION_SJKR2;
   }
 
-  // The energy [J], which has the sign of the cohesive force `pull` [N].
+  // Returns the energy [J]. Its sign is the sign of the cohesive force `pull` [N].
   double of(const Contact& contact, double pull) const {
     using namespace LIGGGHTS::ContactModels;
     if (pull == 0) return 0;
-    // sjkr2's area grows in proportion to the overlap.
+    // The area of sjkr2 is proportional to the overlap.
     if (model_ == COHESION_SJKR2) return 0.5 * pull * contact.deltan;
     return pull * integral(contact) / area(contact);
   }
 
  private:
-  // The area of sjkr divided by pi: the circle in which the spheres, or sphere and plane,
-  // intersect.
+  // Returns the area of sjkr divided by pi: the circle in which two spheres, or a sphere and a
+  // plane, intersect [m2].
   static double area(const Contact& contact) {
     const double overlap = contact.deltan, r = contact.r;
     if (contact.is_wall) return overlap * (contact.radi + r);
@@ -40,9 +40,10 @@ class CohesiveEnergy {
     return overlap * (sum + r) * (r * r - difference * difference) / (4 * r * r);
   }
 
-  // The integral of the area over the overlap from first touch. For two spheres, the antiderivative
-  // over the distance r is (r^3/3 - (s^2 + d^2) r - s^2 d^2 / r) / 4, with sum s and difference d
-  // of the radii. The code has its difference from r = s, without cancellation.
+  // Returns the integral of the area over the overlap from first touch [m3]. For two spheres, the
+  // antiderivative over the distance r is (r^3/3 - (s^2 + d^2) r - s^2 d^2 / r) / 4, with sum s and
+  // difference d of the radii. The code evaluates its difference from r = s in a form without
+  // cancellation.
   static double integral(const Contact& contact) {
     const double overlap = contact.deltan, r = contact.r;
     if (contact.is_wall) return overlap * overlap * (contact.radi - overlap / 3);

@@ -31,7 +31,8 @@ void EnergyLedger::open(LAMMPS_NS::LAMMPS* engine) {
     stop(engine, "energy_ledger on: give the pair_style line after create_box");
   if (find_fix<EnergyLedger>(engine)) return;
   ensure_fix<EnergyLedger>(engine);
-  // yes: in restart files; no, no: not on ghosts; initial value 0.
+  // Words of fix property/atom: saved in restart files (yes), not sent to ghosts (no, no), initial
+  // value 0.
   add_style<ParticlePlasticWork>(engine->modify);
   add_fix(engine->modify, {ParticlePlasticWork::id(), "all", ParticlePlasticWork::style(),
                            "plastic_work", "scalar", "yes", "no", "no", "0.0"});
@@ -65,7 +66,7 @@ void EnergyLedger::refuse_unsupported() {
   if (!reason.empty()) stop(lmp, "energy_ledger on: " + reason);
 }
 
-// Stops if the pair style does not report, and warns of walls that do not.
+// Stops if the pair style does not report its contacts; warns of walls that do not report theirs.
 void EnergyLedger::check_owners() {
   if (!owners_.has(force->pair_match("gran", 1))) stop(lmp, complaint(this, false, false));
   const std::string walls = owners_.new_missing_walls(modify);
@@ -97,16 +98,17 @@ void EnergyLedger::setup_pre_exchange() {
   if (ran_) count_changes();
 }
 
-// Counts the changes of the particles by the deck since the last run.
+// Adds the energy change caused by deck commands since the last run to the term `inserted`.
 void EnergyLedger::count_changes() {
   const double now = mechanical_energy();
   sums_.inserted += now - mechanical_before_;
-  mechanical_before_ = now;  // commands that write files have a setup, and the next run another one
+  // Count the change once: commands that write files run a setup before the setup of the next run.
+  mechanical_before_ = now;
 }
 
-// The energy that the deck has added to the contacts since the last run: by other positions,
-// diameters, atom types or constants, or new and deleted particles and walls. Known when the setup
-// has computed all forces. On this rank; only the sum over ranks is meaningful.
+// Returns the contact energy that deck commands have added since the last run [J]: by changed
+// positions, diameters, atom types or constants, or by new and deleted particles and walls. The
+// value is known when the setup has computed all forces. Only its sum over ranks is meaningful.
 double EnergyLedger::change_of_contacts() const {
   return ran_ && phase_ == SETUP ? contact_energy() - contacts_before_ : 0;
 }
@@ -114,7 +116,7 @@ double EnergyLedger::change_of_contacts() const {
 void EnergyLedger::report_change_of_contacts() const {
   const double change = sum_over_ranks(change_of_contacts(), world);
   const double energy = sum_over_ranks(contact_energy(), world);
-  if (comm->me != 0 || std::abs(change) <= 1e-6 * std::abs(energy)) return;  // round-off
+  if (comm->me != 0 || std::abs(change) <= 1e-6 * std::abs(energy)) return;  // round-off only
   std::ostringstream text;
   text << "energy_ledger: between the runs the deck changed the energy of contacts by " << change
        << ' ' << unit_in_deck(update->unit_style, "J") << " (part of the entry inserted)\n";
@@ -170,7 +172,8 @@ void EnergyLedger::count_deferred() {
 
 void EnergyLedger::add_plastic_work(const Contact& contact, double work, bool has_local_partner) {
   const double share = share_of(contact, has_local_partner) * work;
-  if (update->nsteps == 0) {  // `run 0` writes no history, so the next setup reports it again
+  // `run 0` writes no history, so the next setup reports this work again.
+  if (update->nsteps == 0) {
     plastic_work_of_run_0_ += share;
     return;
   }
@@ -181,7 +184,7 @@ void EnergyLedger::add_plastic_work(const Contact& contact, double work, bool ha
 }
 
 void EnergyLedger::add_adhesion_loss(const Contact& contact, double loss, bool has_local_partner) {
-  // `run 0` writes no history, so the next setup reports it again.
+  // `run 0` writes no history, so the next setup reports this loss again.
   double& sum = update->nsteps == 0 ? adhesion_loss_of_run_0_ : sums_.adhesion_loss;
   sum += share_of(contact, has_local_partner) * loss;
 }
@@ -212,7 +215,7 @@ void EnergyLedger::begin_pass() {
   dashpots_.clear();
 }
 
-// Adds the work of the current forces in half a step.
+// Adds the work of the current forces in half a time step to the sums.
 void EnergyLedger::add_work() {
   double friction = 0, viscous = 0, wall = 0;
   for (const WallContact& contact : walls_) {
@@ -232,7 +235,8 @@ void EnergyLedger::add_work() {
 }
 
 double EnergyLedger::kinetic_energy() const {
-  const double inertia = domain->dimension == 2 ? 0.5 : 0.4;  // divided by m R^2
+  // Moment of inertia of a disc or sphere, divided by m R^2.
+  const double inertia = domain->dimension == 2 ? 0.5 : 0.4;
   double energy = 0;
   for (int i = 0; i < atom->nlocal; ++i) {
     const double* const v = atom->v[i];
@@ -252,7 +256,7 @@ double EnergyLedger::gravitational_energy() const {
     field->get_gravity(acceleration);
     for (int i = 0; i < atom->nlocal; ++i) {
       if (!(atom->mask[i] & field->groupbit)) continue;
-      double position[3];  // without periodic wrapping
+      double position[3];  // unwrapped coordinates across periodic boundaries
       domain->unmap(atom->x[i], atom->image[i], position);
       energy -= atom->rmass[i] * dot(acceleration, position);
     }
@@ -290,7 +294,7 @@ void EnergyLedger::write_restart(FILE* file) {
 }
 
 void EnergyLedger::restart(char* data) {
-  // Older files have no mark, and no loss by adhesion at the end of the sums.
+  // Restart files of older versions have no mark and lack adhesion_loss at the end of the sums.
   Sums sums;
   double mark;
   std::memcpy(&mark, data, sizeof mark);
@@ -299,7 +303,7 @@ void EnergyLedger::restart(char* data) {
   else
     std::memcpy(&sums, data, offsetof(Sums, adhesion_loss));
   started_ = true;
-  if (comm->me == 0) sums_ = sums;  // the first rank takes the sums of all
+  if (comm->me == 0) sums_ = sums;  // rank 0 takes the sums of all ranks
   sums_.initial_total = sums.initial_total;
 }
 

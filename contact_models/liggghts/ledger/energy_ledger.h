@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// The energy balance of the particles, as a fix with the ID `energy_ledger`. `energy_ledger on` in
-// the pair_style line adds it, with a second fix for the plastic work of every particle (ID
+// Energy balance of the particles, as a fix with the ID `energy_ledger`. `energy_ledger on` in the
+// pair_style line adds this fix and a second one for the plastic work of every particle (ID
 // `plastic_work`). docs/energy_balance.md defines the energy terms.
 //
 // No term is computed as the remainder of the others. Elastic energy and plastic work are state
 // functions of each contact. The work of friction and damping is integrated as velocity Verlet
 // moves the particles: half a step of the old force and half a step of the new one, along the
 // displacement between them. Work is linear in the forces, so it suffices to sum the forces by
-// particle. The sums live from one force computation to the displacement of the next step, while no
-// particle changes its index.
+// particle. These sums are kept from one force computation to the displacement of the next step,
+// because no particle changes its index in between.
 #pragma once
 
 #include <vector>
@@ -31,19 +31,19 @@ class EnergyLedger : public PluginFix {
   typedef LIGGGHTS::ContactModels::ForceData Load;
 
  public:
-  // Elements of the fix's vector in their order [J].
+  // Elements of the fix's vector f_energy_ledger[1], [2], ...: energy terms [J].
   enum Entry {
-    KINETIC,             // translation and rotation
-    GRAVITATIONAL,       // -m g.x in every fix gravity
-    ELASTIC,             // stored in the contacts by the laws
-    PLASTIC,             // plastic work
+    KINETIC,             // kinetic energy of translation and rotation
+    GRAVITATIONAL,       // potential energy -m g.x for every fix gravity
+    ELASTIC,             // elastic energy of the contacts, from the laws
+    PLASTIC,             // plastic work of the contacts, from the laws
     FRICTION,            // work of tangential and rolling models, with springs and dashpots
     VISCOUS,             // work of the normal dashpot
     WALL_WORK,           // work of moving walls on the particles
     INSERTED,            // energy of inserted particles minus that of deleted ones
     DRIFT,               // balance error: the first six, surface and adhesion - their initial sum
                          // - wall work - inserted
-    TANGENTIAL_SPRINGS,  // the part of friction that tangential springs store
+    TANGENTIAL_SPRINGS,  // elastic energy of tangential springs, a part of FRICTION
     SURFACE,             // surface energy of the contacts, relative to separated bodies
     ADHESION,            // energy lost when contacts with adhesion form and break
     ENTRIES
@@ -53,14 +53,14 @@ class EnergyLedger : public PluginFix {
   static const char* id() { return "energy_ledger"; }
   static const char* style() { return "plastigran/energy_ledger"; }
 
-  // Adds the ledger if there is none. Collective.
+  // Adds the energy ledger if there is none. Collective.
   static void open(LAMMPS_NS::LAMMPS* engine);
 
-  // Why a line with or without `energy_ledger on` does not fit the ledger (null: none); null if it
-  // does.
+  // Returns why a line with or without `energy_ledger on` conflicts with `ledger` (null: no
+  // ledger); null if there is no conflict.
   static const char* complaint(const EnergyLedger* ledger, bool requested, bool is_wall);
 
-  // For each setup: the pair style or wall `owner` will report its contacts.
+  // Registers the pair style or wall `owner`, which will report its contacts, in each setup.
   void attach(const void* owner) { owners_.add(owner); }
 
   // Adds the loads of a contact. The tangential and rolling models cause all torques, and all
@@ -71,7 +71,7 @@ class EnergyLedger : public PluginFix {
   void add_stored(const Contact& contact, double elastic_energy, double surface_energy,
                   double spring_energy);
 
-  // Contacts whose stored energies are computed when a term is read.
+  // Registers contacts whose stored energies are computed when an energy term is read.
   void defer(StoredEnergies& contacts) { deferred_ = &contacts; }
 
   int setmask() override;
@@ -86,34 +86,34 @@ class EnergyLedger : public PluginFix {
   }
   void pre_force(int) override { begin_pass(); }
 
-  // Here all forces of the setup are known, including those of walls.
+  // Ends the setup: at this time all its forces are known, including wall forces.
   void pre_initial_integrate() override {
     if (phase_ == BETWEEN_RUNS) begin_without_setup();
     if (phase_ == SETUP) end_setup();
     phase_ = STEP;
   }
 
-  // With new positions, velocities at mid-step, and old forces.
+  // Adds the work of the old forces. Positions are new, and velocities are at mid-step.
   void post_integrate() override {
     add_work();
     if (!acts_first_) mechanical_before_ = mechanical_energy();
   }
 
-  // Before LIGGGHTS inserts and deletes particles and moves them to other ranks.
+  // Saves the energy before LIGGGHTS inserts, deletes and moves particles to other ranks.
   void pre_exchange() override {
     if (acts_first_) mechanical_before_ = mechanical_energy();
   }
 
   void pre_neighbor() override { sums_.inserted += mechanical_energy() - mechanical_before_; }
 
-  // With new forces and velocities at mid-step.
+  // Adds the work of the new forces. Velocities are at mid-step.
   void pre_final_integrate() override {
     add_work();
     phase_ = STEP_END;
   }
 
   void post_run() override {
-    if (phase_ == BETWEEN_RUNS) begin_without_setup();  // a run of no steps
+    if (phase_ == BETWEEN_RUNS) begin_without_setup();  // true for `run 0`
     if (phase_ == SETUP) end_setup();
     phase_ = BETWEEN_RUNS;
     ran_ = true;
@@ -124,20 +124,20 @@ class EnergyLedger : public PluginFix {
 
   double compute_scalar() override { return compute_vector(DRIFT); }
 
-  // Collective. Between runs, the terms at the end of the last run.
+  // Returns an energy term [J]; between runs, its value at the end of the last run. Collective.
   double compute_vector(int entry) override;
 
   void write_restart(FILE* file) override;
   void restart(char* data) override;
 
  private:
-  // The loads of tangential and rolling models on a particle.
+  // Sum of the loads of tangential and rolling models on one particle.
   struct FrictionLoad {
     Vector force{}, torque{};
   };
 
-  // A contact with a wall and its forces on the particle. A mesh moves between two force
-  // computations, so its velocity is read when it is needed.
+  // Contact with a wall, and its forces on the particle. The wall velocity is read when needed,
+  // because a mesh moves between two force computations.
   struct WallContact {
     WallPoint point;
     Vector force, friction, dashpot;
@@ -147,25 +147,25 @@ class EnergyLedger : public PluginFix {
     double elastic = 0, surface = 0, springs = 0;
   };
 
-  // Sums since the ledger was opened, on this rank, and the total energy at that time, on all ranks
-  // [J]. In the order of restart files.
+  // Sums on this rank since the ledger was opened, and the total energy of all ranks at that time
+  // [J]. Restart files contain them in this order.
   struct Sums {
     double plastic_work = 0, friction = 0, viscous = 0, wall_work = 0, inserted = 0;
     double initial_total = 0, adhesion_loss = 0;
   };
   static constexpr double not_a_sum = std::numeric_limits<double>::quiet_NaN();
   struct StoredSums {
-    double mark;  // not_a_sum
+    double mark;  // the value not_a_sum
     Sums sums;
   };
 
-  // The part of a contact's energies to count. The other particle's side reports a contact with a
-  // ghost too.
+  // Returns the fraction of a contact's energies to count: 1/2 with a ghost, because the rank of
+  // the other particle reports the contact too.
   static double share_of(const Contact& contact, bool has_local_partner) {
     return contact.is_wall || has_local_partner ? 1 : 0.5;
   }
 
-  // In a step, the terms are not known before all forces are.
+  // Phase of the simulation. In phase STEP, energy terms are unknown until all forces are computed.
   enum Phase { BETWEEN_RUNS, SETUP, STEP, STEP_END };
 
   void count_deferred();
@@ -197,29 +197,29 @@ class EnergyLedger : public PluginFix {
   ReportingOwners owners_;
   Phase phase_ = BETWEEN_RUNS;
   bool ran_ = false;
-  bool acts_first_ = false;  // no other fix acts in pre_exchange() before this one
+  bool acts_first_ = false;  // whether pre_exchange() of this fix runs before all other fixes
 
-  // Of the last force computation, on this rank.
+  // Energies stored in contacts in the last force computation, on this rank.
   Stored by_pairs_, by_walls_;          // separate, so that sums do not depend on their order
-  StoredEnergies* deferred_ = nullptr;  // contacts that are not yet in these sums
-  // Not in sums_, because `run 0` writes no history.
+  StoredEnergies* deferred_ = nullptr;  // contacts to add to these sums when needed
+  // Losses in `run 0`. They are not in sums_, because `run 0` writes no history.
   double plastic_work_of_run_0_ = 0, adhesion_loss_of_run_0_ = 0;
   std::vector<WallContact> walls_;
-  std::vector<FrictionLoad> friction_;  // by local particle
-  std::vector<Vector> dashpots_;        // forces by local particle; empty if there are none
+  std::vector<FrictionLoad> friction_;  // by local particle index
+  std::vector<Vector> dashpots_;        // forces by local particle index; empty without dashpots
 
   Sums sums_;
-  double mechanical_before_ = 0;  // before LIGGGHTS or the deck changes the particles
+  double mechanical_before_ = 0;  // before LIGGGHTS or the deck changes particles
   double contacts_before_ = 0;    // contact_energy() at the end of the last run
 
-  // Over all ranks.
+  // Energy terms over all ranks [J], and whether they belong to the current step.
   double terms_[ENTRIES] = {};
   bool terms_are_current_ = false;
   double total_ = 0;
   bool started_ = false;
 };
 
-// Inline, because it is called for every contact in every step.
+// Inline, because this function is called for every contact in every step.
 inline void EnergyLedger::add(const Contact& contact, const AccountedLoad& on_i, const Load& on_j) {
   const bool has_local_partner = !contact.is_wall && contact.j < atom->nlocal;
   const double along = dot(on_i.delta_F, contact.en);

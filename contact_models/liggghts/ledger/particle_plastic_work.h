@@ -13,14 +13,14 @@ class ParticlePlasticWork : public LAMMPS_NS::FixPropertyAtom {
  public:
   ParticlePlasticWork(LAMMPS_NS::LAMMPS* engine, int count, char** words)
       : FixPropertyAtom(engine, count, words) {
-    static char before[] = "property/atom";  // its style in older restart files
+    static char before[] = "property/atom";  // fix style in restart files of older versions
     accepts_restart_data_from_style = before;
   }
   static const char* id() { return "plastic_work"; }
   static const char* style() { return "property/atom/plastic_work"; }
 
-  // Clears a new fix before the forces of the first setup. LIGGGHTS itself would do so after the
-  // forces of pairs.
+  // Clears a new fix before the forces of the first setup. LIGGGHTS would clear it after the pair
+  // forces, which already add plastic work.
   void begin() {
     if (!just_created) return;
     just_created = 0;

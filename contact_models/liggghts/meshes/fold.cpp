@@ -27,7 +27,8 @@ struct Leaf {
   }
 };
 
-// Whether `other` is in the plane of the triangle, or behind it as seen from the centre.
+// Returns whether `other` lies in the plane of the triangle, or behind that plane as seen from the
+// particle center `centre`.
 bool behind(TriMesh& mesh, int triangle, const Leaf& leaf, const Leaf& other,
             const double* centre) {
   double normal[3], to_centre[3];
@@ -36,7 +37,8 @@ bool behind(TriMesh& mesh, int triangle, const Leaf& leaf, const Leaf& other,
   return vectorDot3D(to_centre, normal) * vectorDot3D(other.away, normal) <= 0;
 }
 
-// Nodes of neighboring triangles may differ by round-off.
+// Returns whether two triangles share a node. Nodes of neighboring triangles may differ by
+// round-off.
 bool share_a_node(TriMesh& mesh, int a, int b) {
   const double tolerance = 1e-6 * mesh.edgeLen(a, 0);
   for (int node_a = 0; node_a < 3; ++node_a)
@@ -64,7 +66,7 @@ bool around_a_node(TriMesh& mesh, int a, int b, double feature_cosine) {
   double normal_a[3], normal_b[3];
   mesh.surfaceNorm(a, normal_a);
   mesh.surfaceNorm(b, normal_b);
-  // The absolute value, because normals in STL files may point to either side.
+  // Use the absolute value, because normals in STL files may point to either side.
   return std::fabs(vectorDot3D(normal_a, normal_b)) >= feature_cosine;
 }
 

@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// Whether two triangles of a mesh form one surface.
+// Tests whether two triangles of a mesh form one smooth surface.
 #pragma once
 
 #include "tri_mesh.h"
 
 namespace plastigran {
 
-// Whether a particle at `centre` touches the triangles `a` and `b` (local indices) as one surface.
-// They share an edge, and the surface bends there by at most the feature angle, or away from the
-// particle, which then touches only the nearer triangle.
+// Returns whether a particle at `centre` touches the triangles `a` and `b` (local indices) as one
+// surface. They share an edge, and the surface bends there by at most the feature angle, or away
+// from the particle, which then touches only the nearer triangle.
 bool one_surface(LAMMPS_NS::TriMesh& mesh, int a, int b, const double* centre,
                  double feature_cosine);
 
-// Whether the triangles share a node, and their planes differ by at most the feature angle.
+// Returns whether the triangles share a node and their planes differ by at most the feature angle.
 bool around_a_node(LAMMPS_NS::TriMesh& mesh, int a, int b, double feature_cosine);
 
 }  // namespace plastigran

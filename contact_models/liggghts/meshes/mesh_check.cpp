@@ -33,7 +33,7 @@ void MeshCheck::post_run() {
   report(ring);
 }
 
-// Reports the contact of the first rank that has one.
+// Warns of the unsupported contact on the lowest rank that has one. Collective.
 void MeshCheck::report(Kind kind) {
   int rank = found(kind) ? comm->me : comm->nprocs, first;
   MPI_Allreduce(&rank, &first, 1, MPI_INT, MPI_MIN, world);

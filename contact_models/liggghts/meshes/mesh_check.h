@@ -21,9 +21,9 @@ class MeshCheck : public PluginFix {
 
   // A particle that touches two triangles of a mesh. Ranks send it as bytes.
   struct Place {
-    int particle, triangles[2];  // by their IDs
+    int particle, triangles[2];  // IDs of the particle and of both triangles
     double x[3];                 // position of the particle
-    double angle;                // between the directions to the triangles [degrees]
+    double angle;                // angle between the directions to the triangles [degrees]
   };
 
   MeshCheck(LAMMPS_NS::LAMMPS* engine, int count, char** words) : PluginFix(engine, count, words) {}
@@ -39,7 +39,7 @@ class MeshCheck : public PluginFix {
  private:
   void report(Kind kind);
 
-  std::optional<Place> found_[2];  // the first of each kind, on this rank
+  std::optional<Place> found_[2];  // first unsupported contact of each kind on this rank
   bool reported_[2] = {false, false};
 };
 

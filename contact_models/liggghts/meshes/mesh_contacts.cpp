@@ -169,7 +169,8 @@ void MeshContacts::add_nearer_triangles(int particle, int first) {
   }
 }
 
-// Over an edge, or over a node if the particle does not reach the triangle between.
+// Returns whether two triangles form one surface for this particle: across a shared edge, or across
+// a shared node if the particle does not reach the triangle between them.
 bool MeshContacts::meet_as_one(int particle, int a, int b) const {
   return one_surface(*mesh_, a, b, engine_->atom->x[particle], feature_cosine_) ||
          around_a_node(*mesh_, a, b, feature_cosine_);
@@ -196,7 +197,8 @@ void MeshContacts::choose_carriers(int particle, int first) {
   }
 }
 
-// Contacts with two surfaces whose directions differ by less than the feature angle.
+// Reports a seam: contacts with two surfaces whose directions differ by less than the feature
+// angle.
 void MeshContacts::look_for_seam(int particle, int first) const {
   const int last = overlaps_.size();
   for (int a = first; a < last; ++a)
@@ -206,7 +208,7 @@ void MeshContacts::look_for_seam(int particle, int first) const {
         return check_->note(MeshCheck::seam, place(particle, overlaps_[a], overlaps_[b]));
 }
 
-// Triangles of one surface on opposite sides of the particle.
+// Reports a ring: triangles of one surface on opposite sides of the particle.
 void MeshContacts::look_for_ring(int particle, int first) const {
   const int last = overlaps_.size();
   for (int a = first; a < last; ++a)
@@ -249,7 +251,8 @@ void MeshContacts::find_histories(int particle, int first) {
   }
 }
 
-// The overlap that carries the contact of the triangle's surface, null if the particle has left it.
+// Returns the overlap that carries the contact of the triangle's surface, or null if the particle
+// has left this surface.
 MeshContacts::Overlap* MeshContacts::heir_of(int particle, int first, int triangle) {
   const double* const centre = engine_->atom->x[particle];
   const auto begin = overlaps_.begin() + first, end = overlaps_.end();
@@ -280,7 +283,8 @@ void MeshContacts::take_over(int particle, Overlap& overlap, double* history) co
   for (int offset : springs_) rotate(before, now, history + offset);
 }
 
-// The gap to which LIGGGHTS keeps a stretched contact; 0 if contacts end with the overlap.
+// Returns the largest gap of a stretched contact in LIGGGHTS [m]; 0 if contacts end with the
+// overlap.
 double MeshContacts::reach_of(int particle) const {
   if (in_contact_ < 0) return 0;
   return (engine_->neighbor->contactDistanceFactor - 1) * engine_->atom->radius[particle];
@@ -291,7 +295,8 @@ bool MeshContacts::is_stretched(int particle, int triangle) const {
   return slot >= 0 && fix_->contactHistory()->contacthistory(particle, slot)[in_contact_] != 0;
 }
 
-// Whether the particle does not reach the plane of the triangle. This fast test excludes most.
+// Returns whether the particle does not reach the plane of the triangle. This fast test excludes
+// most triangles.
 bool MeshContacts::beyond_its_plane(int particle, int triangle) const {
   double node[3], normal[3], to_centre[3];
   mesh_->node(triangle, 0, node);
@@ -301,9 +306,9 @@ bool MeshContacts::beyond_its_plane(int particle, int triangle) const {
          engine_->atom->radius[particle] + reach_of(particle);
 }
 
-// The distance from the particle's surface to the triangle; `to_foot` points from the particle's
-// center to the nearest point. `as_liggghts`: at edges and corners that LIGGGHTS assigns to another
-// triangle the distance is positive.
+// Returns the distance from the particle's surface to the triangle [m], negative for an overlap.
+// `to_foot` becomes the vector from the particle center to the nearest point. With `as_liggghts`,
+// the distance is positive at edges and corners that LIGGGHTS assigns to another triangle.
 double MeshContacts::distance(int particle, int triangle, bool as_liggghts, double* to_foot) const {
   double weights[3];
   int region;

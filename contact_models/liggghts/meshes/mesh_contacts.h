@@ -26,18 +26,19 @@ namespace plastigran {
 
 class MeshContacts {
  public:
-  // `springs`: the offset of each spring in the contact history, a vector in the tangent plane.
-  // `in_contact`: the offset of this history value, -1 if contacts end with the overlap.
+  // Creates the contacts with one mesh. `springs` are the offsets of tangential and rolling springs
+  // in the contact history; each spring is a vector in the tangent plane. `in_contact` is the
+  // offset of this history value, -1 if contacts end with the overlap.
   MeshContacts(LAMMPS_NS::LAMMPS* engine, LAMMPS_NS::FixMeshSurface* mesh, double feature_cosine,
                std::vector<int> springs, int in_contact);
 
-  // For each setup.
+  // Prepares a run. Each setup calls this function.
   void begin_run(MeshCheck* check) {
     check_ = check;
     list_step_ = contact_step_ = -1;
   }
 
-  // Whether LIGGGHTS has to compute the contact of a local particle with a triangle that it
+  // Returns whether LIGGGHTS has to compute the contact of a local particle with a triangle that it
   // overlaps or from which it is stretched, or the end of that contact. If so, the contact has
   // taken over the history of its surface. `history` is LIGGGHTS' history of this contact, null if
   // there is none.
@@ -46,15 +47,15 @@ class MeshContacts {
  private:
   // An overlap of a particle with a triangle, or a gap that a stretched contact may bridge.
   struct Overlap {
-    int triangle;       // local index
+    int triangle;       // local index of the triangle
     double to_foot[3];  // from the center of the particle to the nearest point of the triangle
-    double depth;       // negative for a gap; below -reach: LIGGGHTS assigns this edge or corner to
-                        // another triangle
-    bool has_history;   // LIGGGHTS stores a history for this contact
-    int surface;        // first overlap of the same surface
-    bool carries;       // the contact of its surface
-    double* history;    // history of the surface, to take over; null: none
-    int former;         // triangle of that history
+    double depth;  // overlap [m], negative for a gap; below -reach: LIGGGHTS assigns this edge or
+                   // corner to another triangle
+    bool has_history;  // whether LIGGGHTS stores a history for this contact
+    int surface;       // index of the first overlap with the same surface
+    bool carries;      // whether this overlap carries the contact of its surface
+    double* history;   // history of the surface to take over; null if none
+    int former;        // triangle that had this history
   };
 
   void list_triangles();

@@ -25,7 +25,7 @@ class SurfaceWall : public LIGGGHTS::Walls::Granular<Contact> {
   SurfaceWall(LAMMPS_NS::LAMMPS* engine, LAMMPS_NS::FixWallGran* wall, int64_t hash)
       : Base(engine, wall, hash), engine_(engine), wall_(wall) {}
 
-  // Reads feature_angle, and passes the other settings to the models.
+  // Reads feature_angle and passes the other settings to the contact models.
   void settings(int count, char** words, LIGGGHTS::IContactHistorySetup* owner) override {
     std::vector<char*> others;
     for (int k = 0; k < count; k += 2) {
@@ -37,9 +37,9 @@ class SurfaceWall : public LIGGGHTS::Walls::Granular<Contact> {
     Base::settings(others.size(), others.data(), owner);
   }
 
-  // LIGGGHTS calls this before every run, and sets up the meshes after the first call. It removes
-  // the edges that bend by less than the `curvature` of a mesh. A particle that passes such an edge
-  // on its convex side would have no contact, so `curvature` is set to about zero.
+  // Sets `curvature` of the meshes to about zero before every run. LIGGGHTS sets up the meshes
+  // after the first call and removes edges that bend by less than `curvature`. A particle on the
+  // convex side of a removed edge would have no contact.
   void init_granular() override {
     Base::init_granular();
     if (feature_angle_ == 0 || !wall_->is_mesh_wall()) return;
@@ -76,7 +76,7 @@ class SurfaceWall : public LIGGGHTS::Walls::Granular<Contact> {
           (std::string("feature_angle is ") + word + "; it must be from 0 to 90 degrees").c_str());
   }
 
-  // The offsets of tangential and rolling springs in the contact history.
+  // Returns the offsets of tangential and rolling springs in the contact history.
   std::vector<int> spring_offsets() {
     std::vector<int> offsets;
     for (const char* first : {"shearx", "r_torquex_old"}) {
@@ -86,7 +86,7 @@ class SurfaceWall : public LIGGGHTS::Walls::Granular<Contact> {
     return offsets;
   }
 
-  // Adds a row for an overlap without a force, because compute wall/gran/local lists all overlaps.
+  // Adds a row with zero force for an overlap, because compute wall/gran/local lists all overlaps.
   void list_without_force(LAMMPS_NS::FixWallGran* wall,
                           LIGGGHTS::ContactModels::SurfacesIntersectData& contact, double* velocity,
                           int index, int id) {

@@ -15,14 +15,14 @@ struct AccountedLoad : LIGGGHTS::ContactModels::ForceData {
   explicit AccountedLoad(const ForceData& load) : ForceData(load) {}
 
   bool needs_elastic_energy = true;
-  double elastic_energy = 0;  // at the current overlap, if needed [J]
-  double surface_energy = 0;  // likewise
-  double adhesion_loss = 0;   // where the contact formed or broke since then [J]
-  double plastic_work = 0;    // since the history was last written [J]
-  double dashpot_force = 0;   // on particle i, along the normal [N]
+  double elastic_energy = 0;  // elastic energy at the current overlap, if needed [J]
+  double surface_energy = 0;  // surface energy at the current overlap, if needed [J]
+  double adhesion_loss = 0;   // energy lost when the contact formed or broke in this step [J]
+  double plastic_work = 0;    // plastic work since the last update of the history [J]
+  double dashpot_force = 0;   // normal dashpot force on particle i [N]
 
-  // Counts the energies of a law in a step that changes its state from `before` to `now`. Most
-  // contacts keep their state, and then their plastic work needs no call of the law.
+  // Counts the energies of a law in a step that changes its state from `before` to `now`. If the
+  // state is unchanged, as in most contacts, plastic work needs no call of the law.
   template <class Law>
   void count(const Law& law, double radius_eff, double overlap, const typename Law::State& before,
              const typename Law::State& now) {

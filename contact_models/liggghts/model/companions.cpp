@@ -39,13 +39,13 @@ const std::array<CompanionKind, 4>& companion_kinds() {
   return kinds;
 }
 
-bool has_model(std::int64_t hash, const std::string& kind, const std::string& name) {
-  if (kind == "normal")
+bool has_model(std::int64_t hash, const std::string& keyword, const std::string& name) {
+  if (keyword == "normal")
     return LIGGGHTS::ContactModels::Factory::instance().getNormalModelId(name) == model_of(hash, 0);
   const auto& kinds = companion_kinds();
   for (std::size_t k = 0; k < kinds.size(); ++k)
     for (const Companion& companion : kinds[k].models)
-      if (kind == kinds[k].keyword && name == companion.name)
+      if (keyword == kinds[k].keyword && name == companion.name)
         return companion.id == model_of(hash, k + 1);
   return false;
 }

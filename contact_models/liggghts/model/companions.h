@@ -12,23 +12,23 @@
 namespace plastigran {
 
 struct Companion {
-  const char* name;  // in decks
-  int id;            // in LIGGGHTS' hash; 0 is the model of a line that names none
+  const char* name;  // name in decks
+  int id;            // ID in LIGGGHTS' hash; 0 is the default model of a line
 };
 
 struct CompanionKind {
-  const char* keyword;  // in decks
+  const char* keyword;  // keyword in decks
   std::vector<Companion> models;
 };
 
-// In the order of LIGGGHTS' hash, in which the normal model comes first.
+// Returns the kinds in the order of LIGGGHTS' hash, where they follow the normal model.
 const std::array<CompanionKind, 4>& companion_kinds();
 
-// The ID of the model in a place of LIGGGHTS' hash: 0 normal, 1 tangential, 2 cohesion, 3 rolling,
-// 4 surface. Each place has six bits.
+// Returns the ID of the model at `place` of LIGGGHTS' hash: 0 normal, 1 tangential, 2 cohesion, 3
+// rolling, 4 surface. Each place has six bits.
 inline int model_of(std::int64_t hash, std::size_t place) { return hash >> 6 * place & 63; }
 
-// Whether the hash has the model `name` of the kind "normal", "tangential", ...
-bool has_model(std::int64_t hash, const std::string& kind, const std::string& name);
+// Returns whether the hash contains the model `name` after `keyword`: "normal", "tangential", ...
+bool has_model(std::int64_t hash, const std::string& keyword, const std::string& name);
 
 }  // namespace plastigran

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
 // Run-time checks of contacts for a model: the overlap limit, the validity range of the law, and
-// the time step. A contact is checked only if it is a tenth deeper than earlier ones of its pair of
-// atom types, or beyond a limit.
+// the time step. A contact is checked only if its overlap is 10 % larger than in earlier contacts
+// of the same atom types, or exceeds a limit.
 #pragma once
 
 #include <algorithm>
@@ -26,8 +26,8 @@
 
 namespace plastigran {
 
-// Messages on an overlap beyond `overlap_limit`, both in radii of the smaller body, and on a
-// particle that is about to cross a wall.
+// Return the messages for an overlap beyond `overlap_limit` (both in radii of the smaller body) and
+// for a particle that is about to cross a wall.
 std::string describe_overlap(const LAMMPS_NS::Atom* atom,
                              const LIGGGHTS::ContactModels::SurfacesIntersectData& contact,
                              double overlap, double overlap_limit);
@@ -42,7 +42,7 @@ class ContactChecks : protected LAMMPS_NS::Pointers {
  public:
   explicit ContactChecks(LAMMPS_NS::LAMMPS* engine) : Pointers(engine) {}
 
-  // For each setup, after the laws were built. Collective.
+  // Prepares the checks in each setup, after the laws were built. Collective.
   void begin(const std::string& model, double overlap_limit) {
     model_ = model;
     overlap_limit_ = overlap_limit;
@@ -57,7 +57,8 @@ class ContactChecks : protected LAMMPS_NS::Pointers {
     time_step_check_->expect(model_, {times.step, times.step_speed, is_wall}, rayleigh,
                              times.hertz);
     if (times.outside_speed <= 1.01 * excess_->warned_speed) return;
-    excess_->warned_speed = times.outside_speed;  // once for all walls, unless it increases
+    // Warn once for all walls, and again only for higher speeds.
+    excess_->warned_speed = times.outside_speed;
     std::ostringstream text;
     text << model_ << ": impacts at the current speeds (up to " << times.outside_speed << ' '
          << unit_in_deck(update->unit_style, "m/s")
@@ -65,7 +66,7 @@ class ContactChecks : protected LAMMPS_NS::Pointers {
     warn(lmp, text.str());
   }
 
-  // For each setup, on the first rank: a warning that is given once for all walls.
+  // Prints a warning once for all walls. Each setup calls this function on rank 0.
   void warn_once(const std::string& text) {
     if (excess_->unique_warnings.insert(text).second) warn(lmp, model_ + ": " + text);
   }
@@ -78,7 +79,8 @@ class ContactChecks : protected LAMMPS_NS::Pointers {
       fail(describe_overlap(atom, contact, contact.deltan / smaller, overlap_limit_));
     if (contact.is_wall && overlap_limit_ <= 1 && contact.deltan + 2 * approach(contact) > smaller)
       fail(describe_crossing(atom, contact));
-    const bool deeper = pair.deepens(contact.deltan / radius_eff, overlap_limit_);  // R* <= smaller
+    // The limit holds for overlap/R* too, because R* is at most the smaller radius.
+    const bool deeper = pair.deepens(contact.deltan / radius_eff, overlap_limit_);
     pair.at_factor(factor, [&](const auto& law, double range) {
       if (contact.deltan > range * radius_eff)
         check_range(contact, law, range, radius_eff, before, now);
@@ -86,19 +88,19 @@ class ContactChecks : protected LAMMPS_NS::Pointers {
     });
   }
 
-  // Stops in the force loop, for two atom types that the law does not support.
+  // Stops the run in the force loop, because the law does not support two atom types.
   [[gnu::noinline, gnu::cold]] void refuse(const Complaint& complaint) {
     fail(sentence_in_deck(update->unit_style, complaint.worded(property_name)));
   }
 
  private:
-  // From one rank, because the others are not at the same contact.
+  // Stops the run from one rank, because other ranks compute other contacts.
   void fail(const std::string& reason) { stop_from_rank(lmp, model_ + ": " + reason); }
 
-  // How far the two bodies approach each other in a step [m].
+  // Returns the distance by which the two bodies approach each other in a step [m].
   double approach(const Contact& contact) const { return std::max(0.0, -contact.vn) * update->dt; }
 
-  // Recommends the time step of an impact that reaches the same overlap.
+  // Records the recommended time step of an impact that reaches the same overlap as `contact`.
   template <class AnyLaw>
   void check_time_step(const Contact& contact, const AnyLaw& law, double radius_eff) {
     State state;
@@ -114,8 +116,9 @@ class ContactChecks : protected LAMMPS_NS::Pointers {
          contact.is_wall ? 0 : atom->tag[contact.j]});
   }
 
-  // In the first step of a run a contact may have any state, because decks move particles between
-  // runs. A contact across a border of ranks is checked on both.
+  // Counts a contact that exceeds the validity range. In the first step of a run, a contact may
+  // have any state, because decks move particles between runs. Both ranks check a contact across
+  // their border.
   template <class AnyLaw>
   void check_range(const Contact& contact, const AnyLaw& law, double range, double radius_eff,
                    const State& before, const State& now) {

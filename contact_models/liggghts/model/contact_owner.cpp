@@ -25,8 +25,8 @@ std::string ContactOwner::name() const {
   return wall_ ? std::string("fix ") + wall_->id : "pair_style";
 }
 
-bool ContactOwner::has_model(const std::string& kind, const std::string& name) const {
-  return wall_ ? wall_->contact_match(kind, name) : pair_->contact_match(kind, name);
+bool ContactOwner::has_model(const std::string& keyword, const std::string& name) const {
+  return wall_ ? wall_->contact_match(keyword, name) : pair_->contact_match(keyword, name);
 }
 
 std::string ContactOwner::law() const {
@@ -107,8 +107,8 @@ std::set<int> wall_types(LAMMPS_NS::Modify* modify) {
 
 MixedModels mixed_models(LAMMPS_NS::LAMMPS* engine) {
   MixedModels mixed;
-  std::vector<std::string> laws;             // in the order of their first line
-  std::map<std::string, std::string> lines;  // of each law
+  std::vector<std::string> laws;             // laws in the order of their first line
+  std::map<std::string, std::string> lines;  // names of the lines, for each law
   const auto add = [&](const ContactOwner& owner) {
     const std::string law = owner.law();
     if (law.empty()) mixed.has_foreign = true;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// The pair style, or the wall with all its meshes, whose contacts a model computes.
+// Owner of the contacts that a model computes: the pair style, or a wall with all its meshes.
 #pragma once
 
 #include <set>
@@ -27,24 +27,25 @@ class ContactOwner {
   bool is_wall() const { return wall_; }
   bool is_mesh_wall() const;
 
-  // "pair_style", or "fix ID" of a wall.
+  // Returns "pair_style", or "fix ID" for a wall.
   std::string name() const;
 
-  bool has_model(const std::string& kind, const std::string& name) const;
+  bool has_model(const std::string& keyword, const std::string& name) const;
 
-  // The law of this package in the line; empty for a model of LIGGGHTS.
+  // Returns the name of the law in the line; empty for a normal model of LIGGGHTS.
   std::string law() const;
 
-  // The other models in the line (" KIND NAME ..."), without those that are off.
+  // Returns the other contact models in the line (" KIND NAME ..."), without those that are off.
   std::string other_models() const;
 
-  // Why one of the other models cannot be combined with a law; empty if all can.
+  // Returns why one of the other models cannot be combined with a law; empty if all can.
   std::string unsuitable_model(const std::string& law, bool is_cylinder, bool is_adhesive) const;
 
-  // IDs of LIGGGHTS' fixes that store the contact histories; none without histories.
+  // Returns the IDs of the LIGGGHTS fixes that store the contact histories; empty without
+  // histories.
   std::vector<std::string> histories() const;
 
-  // The atom types that particles can touch: all, or those of the wall.
+  // Returns the atom types that particles can touch: all, or only those of the wall.
   std::vector<int> partner_types(int type_count) const;
 
  private:
@@ -52,15 +53,15 @@ class ContactOwner {
   LAMMPS_NS::FixWallGran* wall_ = nullptr;
 };
 
-// The atom types of all granular walls.
+// Returns the atom types of all granular walls.
 std::set<int> wall_types(LAMMPS_NS::Modify* modify);
 
 // The normal models in the lines of a deck, if they differ.
 struct MixedModels {
   std::string
       text;  // "pair_style has thornton; fix floor has a model of LIGGGHTS"; empty: one model
-  std::string first;         // the first line with a law, as ContactOwner::name()
-  bool has_foreign = false;  // a line has a model of LIGGGHTS
+  std::string first;         // first line with a law, as in ContactOwner::name()
+  bool has_foreign = false;  // whether a line has a model of LIGGGHTS
 };
 MixedModels mixed_models(LAMMPS_NS::LAMMPS* engine);
 

@@ -7,7 +7,8 @@
 
 namespace plastigran {
 
-// LIGGGHTS calls this once per pair style, in the setup of its first run.
+// Returns the number of history values to add: 1 if rates matter, else 0. LIGGGHTS calls this
+// function once per pair style, in the setup of its first run.
 int RateHistory::n_history_extra() {
   if (needed_ == Needed::unknown) {
     const DeckProperties deck(lmp, style(), atom->ntypes);

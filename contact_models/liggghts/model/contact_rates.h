@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// A contact keeps the rate factor of its first touch until it ends. The factor is a history value,
-// which exists only if a yield strength depends on the rate. Walls register it when they are made.
-// Pair styles get it from a fix before the first run, because the deck may define its properties
-// after the pair style or after a restart.
+// Rate factor of the yield strength in a contact. The impact speed at first touch determines this
+// factor, which is constant until the contact ends. The factor is a history value, which exists
+// only if a yield strength depends on the rate. Walls register it when they are made. Pair styles
+// get it from a fix before the first run, because the deck may define its properties after the pair
+// style or after a restart.
 #pragma once
 
 #include "contact_interface.h"
@@ -20,11 +21,11 @@ class RateHistory : public LAMMPS_NS::Fix {
   static const char* id() { return "plastigran_rate"; }
   static const char* style() { return "plastigran/rate"; }
 
-  // For a new pair style with a law that yields, and for its end.
+  // Call begin() for a new pair style with a law that yields, and end() when it is deleted.
   void begin() { needed_ = Needed::unknown; }
   void end() { needed_ = Needed::no; }
 
-  // The offset of the value in the contact history, -1 if there is none.
+  // Returns the offset of the rate factor in the contact history; -1 if there is none.
   int offset() const;
 
   int setmask() override { return 0; }
@@ -46,17 +47,17 @@ class ContactRates {
   }
   ContactRates(const ContactRates&) = delete;
 
-  // For the construction of a contact model.
+  // Registers the history value. The constructor of a contact model calls this function.
   void begin(LIGGGHTS::IContactHistorySetup& setup, const DeckProperties& deck, bool has_types);
 
-  // For each setup. Stops if rates matter and the contact history has no value for them.
+  // Stops in the setup if rates matter but the contact history has no value for the rate factor.
   void connect(const DeckProperties& deck, bool rate_matters);
 
-  // Whether the contact history has a rate factor.
+  // Returns whether the contact history stores a rate factor.
   bool stored() const { return offset_ >= 0; }
 
-  // The rate factor of a contact, whose history has 0 before its first touch. `writes`: whether the
-  // history may change.
+  // Returns the rate factor of a contact; computes it at first touch, when the history contains 0.
+  // `writes` allows this function to store it in the history.
   double factor(const Contact& contact, const MaterialPair& bodies, double radius_eff,
                 bool writes) const {
     const double factor = contact.contact_history[offset_];
@@ -77,7 +78,7 @@ class ContactRates {
 
   LAMMPS_NS::LAMMPS* engine_;
   bool is_wall_;
-  int offset_ = -1;  // in the contact history
+  int offset_ = -1;  // offset of the rate factor in the contact history; -1 if none
 };
 
 }  // namespace plastigran

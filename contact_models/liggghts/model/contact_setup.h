@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// Stands between a pair style or wall and the models of its contacts. It tells the models what
-// their owner cannot: which models the deck names, where each value stands in the contact history,
-// and which load the energies of a contact go to.
+// Interface between a pair style or wall and its contact models. It provides data that LIGGGHTS
+// does not: the models named in the deck, the offset of each value in the contact history, and the
+// load that stores the energies of a contact.
 #pragma once
 
 #include <cstddef>
@@ -21,7 +21,7 @@ class ContactSetup : public LIGGGHTS::IContactHistorySetup {
   ContactSetup(LIGGGHTS::IContactHistorySetup* owner, int64_t hash) : owner_(owner), hash_(hash) {}
   virtual ~ContactSetup() {}
 
-  // The setup that LIGGGHTS passes to the models of an AccountedContact.
+  // Returns the setup object that LIGGGHTS passes to the models of an AccountedContact.
   static ContactSetup& of(LIGGGHTS::IContactHistorySetup* setup) {
     return dynamic_cast<ContactSetup&>(*setup);
   }
@@ -32,23 +32,23 @@ class ContactSetup : public LIGGGHTS::IContactHistorySetup {
     return offset;
   }
 
-  // The pair style or wall.
+  // Returns the pair style or wall.
   LIGGGHTS::IContactHistorySetup* owner() const { return owner_; }
 
-  // LIGGGHTS' hash of the combination of models.
+  // Returns LIGGGHTS' hash of the combination of models.
   int64_t hash() const { return hash_; }
   int model(std::size_t place) const { return model_of(hash_, place); }
-  bool has_model(const std::string& kind, const std::string& name) const {
-    return plastigran::has_model(hash_, kind, name);
+  bool has_model(const std::string& keyword, const std::string& name) const {
+    return plastigran::has_model(hash_, keyword, name);
   }
 
-  // The offset of a history value, -1 if no model has registered it.
+  // Returns the offset of a history value; -1 if no model has registered this value.
   int offset_of(const std::string& name) const {
     const auto entry = offsets_.find(name);
     return entry == offsets_.end() ? -1 : entry->second;
   }
 
-  // The load on particle i in the call that is being computed, if its energies are counted.
+  // Load on particle i in the current call, if its energies are counted; otherwise null.
   AccountedLoad* counted_load = nullptr;
 
  private:

@@ -16,7 +16,8 @@ namespace plastigran {
 
 namespace {
 
-// The number of letters to change, add or remove between two words (Levenshtein 1966).
+// Returns the number of letters to change, add or remove to turn one word into the other
+// (Levenshtein 1966).
 int letters_apart(const std::string& one, const std::string& other) {
   std::vector<int> before(other.size() + 1);
   std::iota(before.begin(), before.end(), 0);
@@ -55,7 +56,8 @@ bool DeckProperties::given(const char* field) const {
          find(field, "matrix", 0, 0, false);
 }
 
-// The property of a deck, null if it is not given. LIGGGHTS stops if its shape is wrong.
+// Returns a property of the deck; null if the deck does not define it. LIGGGHTS stops if its shape
+// is wrong.
 LAMMPS_NS::FixPropertyGlobal* DeckProperties::values(const char* field, const char* shape, int rows,
                                                      int columns) const {
   return given(field) ? find(field, shape, rows, columns, true) : nullptr;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// The material properties of a deck, `fix ID all property/global`, by the field names of the laws.
+// Material properties of a deck (`fix ID all property/global`), accessed by the field names of
+// laws.
 #pragma once
 
 #include <cmath>
@@ -19,31 +20,31 @@ class FixPropertyGlobal;
 
 namespace plastigran {
 
-// The property of a field, in camel case like LIGGGHTS' properties: yieldStrength for
-// yield_strength.
+// Returns the LIGGGHTS property name of a field in camel case: yieldStrength for yield_strength.
 std::string property_name(const std::string& field);
 
 class DeckProperties : protected LAMMPS_NS::Pointers {
  public:
-  // `model` is the name of the caller in messages.
+  // Creates the access for a caller, whose messages begin with `model`.
   DeckProperties(LAMMPS_NS::LAMMPS* engine, const std::string& model, int type_count)
       : Pointers(engine), model_(model), type_count_(type_count) {}
 
   bool given(const char* field) const;
 
-  // Whether a property is given and positive for any atom type.
+  // Returns whether the deck defines a property that is positive for at least one atom type.
   bool positive(const char* field) const;
 
-  // The value for an atom type. Stops if it is missing and there is no fallback.
+  // Returns the value for an atom type. Stops if the property is missing and there is no fallback.
   double per_type(const char* field, int type, const char* unit, double fallback = NAN) const;
 
-  // The value for a pair of atom types.
+  // Returns the value for a pair of atom types, or `fallback` if the property is missing.
   double per_pair(const char* field, int type, int other_type, double fallback) const;
 
-  // The constants of every atom type, unchecked. Stops if a strength is missing and `yields`.
+  // Returns the constants of every atom type without checking them. Stops if a strength is missing
+  // and `yields` is true.
   std::vector<Body> bodies(bool yields) const;
 
-  // All constants that a law needs.
+  // Returns all material constants that a law needs.
   template <class Law>
   Materials materials() const {
     Materials materials;
@@ -67,21 +68,21 @@ class DeckProperties : protected LAMMPS_NS::Pointers {
   // Stops if a coefficient of friction is negative, which LIGGGHTS accepts.
   void check_friction() const;
 
-  [[noreturn]] void fail(const std::string& reason) const;  // collective
-  void check(const Complaint& complaint) const;             // fails unless it is empty
+  [[noreturn]] void fail(const std::string& reason) const;  // stops the run; collective
+  void check(const Complaint& complaint) const;             // stops unless the complaint is empty
 
-  // A complaint, a unit, and all names with the property names and the units of the deck.
+  // Convert complaints, SI units and field names to the property names and units of the deck.
   std::string worded(const Complaint& complaint) const;
   std::string unit(const std::string& si) const;
   Words words() const {
     return {property_name, [this](const std::string& si) { return unit(si); }};
   }
 
-  // Sentences on unused properties with a name that differs from a used one by one or two letters.
+  // Returns warnings of unused properties whose name differs from a used one by one or two letters.
   std::vector<std::string> misspellings() const;
 
-  // The same, and sentences on values that are allowed but probably wrong. `cohesive`: the contacts
-  // have a cohesion model.
+  // Returns the warnings of misspellings(), and of values that are allowed but probably wrong.
+  // `cohesive` is true if the contacts have a cohesion model.
   std::vector<std::string> doubts(const std::vector<Body>& bodies, bool cohesive) const;
 
  private:
@@ -93,7 +94,7 @@ class DeckProperties : protected LAMMPS_NS::Pointers {
 
   std::string model_;
   int type_count_;
-  mutable std::set<std::string> used_;  // names of properties
+  mutable std::set<std::string> used_;  // names of the properties that were read
 };
 
 }  // namespace plastigran

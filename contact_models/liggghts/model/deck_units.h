@@ -1,20 +1,21 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// Names of the units in a deck. Laws compute in any consistent units, and their messages are in SI.
+// Names of the units in a deck. Laws compute in any consistent units; the units in their messages
+// are SI and are converted here.
 #pragma once
 
 #include <string>
 
 namespace plastigran {
 
-// The unit of the deck for an SI unit: dyn/cm2 for Pa with `units cgs`, "micro units" with `units
-// micro`.
+// Returns the deck's unit for an SI unit: dyn/cm2 for Pa with `units cgs`, "micro units" with
+// `units micro`.
 std::string unit_in_deck(const std::string& unit_style, const std::string& si);
 
-// Replaces the units in brackets, "[Pa]", by those of the deck.
+// Returns the sentence with SI units in brackets, such as "[Pa]", replaced by the deck's units.
 std::string sentence_in_deck(const std::string& unit_style, std::string sentence);
 
-// 1 Pa in the unit of the deck; 0 if unknown.
+// Returns the value of 1 Pa in the pressure unit of the deck; 0 if the unit style is unknown.
 double pascal_in_deck(const std::string& unit_style);
 
 }  // namespace plastigran

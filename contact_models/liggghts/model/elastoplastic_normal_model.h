@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// The normal contact model of LIGGGHTS for any law. It stores the state of the law in the contact
-// history, and returns the force and the tangential stiffness.
+// Normal contact model of LIGGGHTS for any law. Stores the state of the law in the contact history,
+// and sets the normal force and the tangential stiffness.
 //
 // The include guard follows contact_models.h, because that header includes this one.
 #include "contact_models.h"
@@ -31,7 +31,7 @@ class ElastoplasticNormalModel : public NormalModelSetup<Law> {
   typedef plastigran::TypePair<Law> TypePair;
   static constexpr std::size_t state_size = Law::state_names.size() * sizeof(double);
   static_assert(state_size == 0 || state_size == sizeof(State),
-                "a law's State consists of its named doubles");
+                "struct State of a law must contain exactly the doubles in state_names");
 
   using Setup::checks_, Setup::damping_, Setup::history_offset_, Setup::pairs_, Setup::rates_,
       Setup::least_radius_eff_, Setup::settings_, Setup::setup_, Setup::smooth_friction_,
@@ -40,7 +40,8 @@ class ElastoplasticNormalModel : public NormalModelSetup<Law> {
  public:
   using Setup::Setup;
 
-  // Exponent of the overlap in the elastic force: Hertz, or the nearly linear line contact.
+  // Returns the exponent of the overlap in the elastic force: 1.5 for spheres (Hertz), 1 for the
+  // nearly linear line contact of cylinders.
   double stressStrainExponent() override { return Setup::is_cylinder ? 1 : 1.5; }
 
   void surfacesIntersect(SurfacesIntersectData& contact, ForceData& i_forces,
@@ -73,11 +74,11 @@ class ElastoplasticNormalModel : public NormalModelSetup<Law> {
                                   ? contact.radi
                                   : contact.radi * contact.radj / (contact.radi + contact.radj);
     TypePair& pair = pairs_(contact.itype, contact.jtype);
-    // Particles of these types may have been inserted since the check before the run.
+    // Check again, because particles of these types may have been inserted during the run.
     if (!pair.refusal.empty()) checks_.refuse(pair.refusal);
     if constexpr (plastigran::can_stretch<Law>)
       if (radius_eff < least_radius_eff_) checks_.refuse(too_small(contact));
-    // `run 0` moves no particle, so it does not change the history. Any other run writes the
+    // Do not write the history in `run 0`, which moves no particle. Any other run writes the
     // history in its setup too, because the forces of the setup move the particles.
     const bool writes = contact.computeflag && (contact.shearupdate || update->nsteps > 0);
     const double factor =
@@ -98,7 +99,7 @@ class ElastoplasticNormalModel : public NormalModelSetup<Law> {
     }
 
     // A residual indentation carries no force and no friction. A tangential spring still needs a
-    // stiffness while it is released: use the one of the undeformed sphere.
+    // stiffness while it relaxes: use the stiffness of the undeformed sphere.
     const bool carries =
         plastigran::adhesive<Law> ? response.contact_radius > 0 : response.force > 0;
     const double contact_radius =
@@ -106,16 +107,17 @@ class ElastoplasticNormalModel : public NormalModelSetup<Law> {
     const plastigran::Stiffness elastic = plastigran::elastic_stiffness(
         pair.law, pair.bodies.youngs_modulus_eff, pair.bodies.shear_modulus_eff, contact_radius);
     contact.kt = elastic.tangential;
-    // Friction is limited to mu times this force.
+    // LIGGGHTS limits friction to mu kn deltan, so kn is a secant stiffness. With adhesion, the
+    // limit is mu times `limiting`: the normal force plus the pull-off force.
     const double limiting =
         response.force + plastigran::pull_off_force(pair.law, radius_eff, contact.deltan, state);
     if constexpr (plastigran::adhesive<Law>)
-      contact.kn = contact.deltan != 0 && carries ? limiting / contact.deltan : 0;  // secant
+      contact.kn = contact.deltan != 0 && carries ? limiting / contact.deltan : 0;
     else
-      contact.kn = contact.deltan > 0 ? response.force / contact.deltan : 0;  // secant
+      contact.kn = contact.deltan > 0 ? response.force / contact.deltan : 0;
     contact.gamman = 0;
-    // Friction without a spring is a viscous force, limited to mu F. Critical damping of the spring
-    // that it replaces makes the limit the rule, and creep the exception.
+    // `tangential no_history` is a viscous force limited to mu F. With critical damping of the
+    // equivalent spring, contacts usually reach this limit and hardly creep.
     contact.gammat = smooth_friction_ ? 2 * std::sqrt(contact.kt * contact.meff) : 0;
     double force = response.force;
     if (settings_.viscous_damping) {
@@ -148,7 +150,7 @@ class ElastoplasticNormalModel : public NormalModelSetup<Law> {
         "Do `run 0` after particles of new sizes were created");
   }
 
-  // The state before this step, which the history holds until the end of the step.
+  // Returns the state before this step. The history contains this state until the end of the step.
   State state_before(const SurfacesIntersectData& contact) const {
     State before;
     std::memcpy(static_cast<void*>(&before), contact.contact_history + history_offset_, state_size);
@@ -160,7 +162,7 @@ class ElastoplasticNormalModel : public NormalModelSetup<Law> {
     checks_.check(contact, pair, factor, radius_eff, state_before(contact), now);
   }
 
-  // Response at a rate factor above 1.
+  // Returns the response of the law at a rate factor above 1.
   [[gnu::flatten, gnu::noinline]] static plastigran::Response respond_at_factor(
       const TypePair& pair, double factor, double radius_eff, double overlap, State& state) {
     return pair.at_factor(factor, [&](const auto& law, double) {
@@ -178,7 +180,7 @@ class ElastoplasticNormalModel : public NormalModelSetup<Law> {
       count_at_factor(pair, factor, radius_eff, contact.deltan, before, now, load);
   }
 
-  // Counts the energies at a rate factor above 1.
+  // Adds the energies of the law at a rate factor above 1 to the load.
   [[gnu::flatten, gnu::noinline]] static void count_at_factor(const TypePair& pair, double factor,
                                                               double radius_eff, double overlap,
                                                               const State& before, const State& now,

@@ -9,7 +9,8 @@
 
 namespace plastigran {
 
-// LIGGGHTS can only print settings to a file, with few digits.
+// Returns the settings with full precision; LIGGGHTS itself prints them only to a file, with few
+// digits.
 std::string settings_text(Settings& settings) {
   std::string text;
   for (const auto& [name, setting] : settings_by_name(settings)) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// The settings of a pair style or wall as text: NAME WORD NAME WORD ...
+// Conversion of the settings of a pair style or wall to text (NAME WORD NAME WORD ...), and back.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@
 
 namespace plastigran {
 
-// The text of settings that LIGGGHTS has read.
+// Returns the text of settings that LIGGGHTS has read.
 std::string settings_text(Settings& settings);
 
 // Sets the registered settings that the text names.

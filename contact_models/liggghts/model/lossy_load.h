@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// Loads that dissipate energy without yielding: friction, rolling friction and dashpots.
+// Loads that dissipate energy without plastic flow: friction, rolling friction and dashpots.
 #pragma once
 
 #include <array>
@@ -16,9 +16,9 @@ double dot(const A& a, const B& b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-// The load of a contact without the force of the law.
+// Load of a contact minus the force of the law.
 struct LossyLoad {
-  Vector force{};  // on particle i, its opposite on the other body
+  Vector force{};  // force on particle i; the other body has the opposite force
   Vector torque_i{}, torque_j{};
 
   LossyLoad() {}
@@ -32,7 +32,7 @@ struct LossyLoad {
     }
   }
 
-  // The load for exchanged bodies.
+  // Returns the load with the two bodies exchanged.
   LossyLoad exchanged() const {
     LossyLoad other;
     other.force = {-force[0], -force[1], -force[2]};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// The settings of a normal model in the line of a pair style or wall.
+// Settings of a normal model in a pair_style or fix wall/gran line.
 #pragma once
 
 #include <string>
@@ -15,10 +15,10 @@ namespace plastigran {
 template <class Law>
 class NormalModelSettings {
  public:
-  typename Law::Parameters choices;  // options of the law; constants have their defaults
+  typename Law::Parameters choices;  // options of the law; the constants in it keep their defaults
   bool viscous_damping = false;
-  bool tangential_damping = true;  // also a dashpot of the tangential spring
-  double overlap_limit = 1.0;      // in smaller radii; a larger overlap stops the run
+  bool tangential_damping = true;  // whether the tangential spring has a dashpot
+  double overlap_limit = 1.0;      // largest overlap/smaller radius before the run stops
 
   // LIGGGHTS reads the line into `settings` between declare() and read().
   void declare(Settings& settings) {
@@ -33,7 +33,7 @@ class NormalModelSettings {
     settings.registerOnOff("computeDissipatedEnergy", host_dissipated_energy_, false);
   }
 
-  // Stores the text of the line. Returns what is wrong with it; empty if nothing is.
+  // Stores the text of the settings. Returns an error message; empty if all settings are valid.
   std::string read() {
     text_ = settings_text(*being_read_);
     being_read_ = nullptr;
@@ -44,8 +44,8 @@ class NormalModelSettings {
            "; it must be above 0 and at most 2, in radii of the smaller body";
   }
 
-  // Log lines on properties of the deck that this model does not use, for pairs only.
-  // `has_foreign`: another line has a model of LIGGGHTS, which uses the restitution.
+  // Returns log lines on deck properties that this model does not use; empty for walls.
+  // `has_foreign` is true if another line has a model of LIGGGHTS, which uses the restitution.
   std::string describe_unused(const std::string& caller, const DeckProperties& deck, bool is_wall,
                               bool has_foreign) const {
     if (is_wall) return "";
@@ -59,7 +59,7 @@ class NormalModelSettings {
     return text;
   }
 
-  // The settings as NAME WORD NAME WORD ...; empty before LIGGGHTS has read a line.
+  // Returns the settings as NAME WORD NAME WORD ...; empty before LIGGGHTS has read a line.
   const std::string& text() const { return text_; }
 
  private:

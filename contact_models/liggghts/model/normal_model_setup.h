@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// The setup of a normal model for any law: it reads settings and properties of the deck, checks
-// them, and builds the table of type pairs.
+// Setup of a normal model for any law: reads settings and properties of the deck, checks them, and
+// builds the table of type pairs.
 //
-// History values have the flag "0", because they are scalars, equal for both particles. With "1"
-// LIGGGHTS would change their sign if it stores the pair from the side of the other particle.
+// History values have the flag "0", because they are scalars, equal for both particles. With the
+// flag "1", LIGGGHTS would reverse their sign when it stores the pair for the other particle.
 //
 // The include guard follows contact_models.h, because that header includes this one.
 #include "contact_models.h"
@@ -53,7 +53,7 @@ class NormalModelSetup : public NormalModelBase {
         owner_(setup.owner(), contact_model->is_wall()),
         restarted_lines_(plastigran::HistoryKeeper::restarted_lines(lmp)) {
     plastigran::refuse_replacement(lmp);
-    // A new line needs a setup, also with `run ... pre no`.
+    // Force a setup, because a new line needs one even with `run ... pre no`.
     if (!update->whichflag) update->first_update = 0;
     for (std::size_t k = 0; k < Law::state_names.size(); ++k) {
       const int offset = setup.add_history_value(Law::state_names[k], "0");
@@ -97,7 +97,7 @@ class NormalModelSetup : public NormalModelBase {
   plastigran::ContactChecks<Law> checks_;
   int history_offset_ = 0;
   bool smooth_friction_ = false;
-  double least_radius_eff_ = 0;  // contacts of smaller bodies are refused
+  double least_radius_eff_ = 0;  // least R* in the setup; the run stops at contacts with smaller R*
   double** damping_ = nullptr;   // LIGGGHTS' beta(coefficientRestitution) by type pair
 
  private:
@@ -143,7 +143,7 @@ class NormalModelSetup : public NormalModelBase {
     return keeper;
   }
 
-  // Gives the models and constants of the line to the keeper of histories.
+  // Registers the models and constants of the line with the HistoryKeeper.
   void describe_line(HistoryKeeper& keeper, const DeckProperties& deck) {
     const auto constants = [&](const std::string& name, const char* assumed) {
       return pairs_.describe(name, deck.words(), settings_.choices, assumed);
@@ -166,9 +166,9 @@ class NormalModelSetup : public NormalModelBase {
       registry.connect("betaeff", damping_, caller().c_str());
     }
     smooth_friction_ = owner_.has_model("tangential", "no_history");
-    // LIGGGHTS then calls surfacesClose() just outside of contact, which clears the history.
-    // Without it, a pair that separates and touches again before the next neighbor build would keep
-    // it.
+    // Makes LIGGGHTS call surfacesClose() just outside of contact, which clears the history.
+    // Otherwise a pair that separates and touches again before the next neighbor-list build would
+    // keep its history.
     neighbor->register_contact_dist_factor(1.01);
   }
 
@@ -244,7 +244,7 @@ class NormalModelSetup : public NormalModelBase {
 
   plastigran::ContactOwner owner_;
   const std::string restarted_lines_;  // HistoryKeeper::restarted_lines() at construction
-  bool reported_ = false;              // the line, in an earlier run
+  bool reported_ = false;              // whether an earlier run has printed the report of this line
 };
 
 }  // namespace ContactModels

@@ -27,7 +27,7 @@ void take(TwoLargest& largest, double diameter) {
     largest[1] = diameter;
 }
 
-// The diameters of the two largest particles; 0 if there are fewer.
+// Returns the diameters of the two largest particles on all ranks; 0 for missing particles.
 TwoLargest largest_diameters(LAMMPS_NS::LAMMPS* engine) {
   TwoLargest largest{};
   for (int i = 0; i < engine->atom->nlocal; ++i) take(largest, 2 * engine->atom->radius[i]);

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// LIGGGHTS stores one contact history for each pair of particles. In a box whose periodic side is
-// too short, a pair can touch across both ends of the side at once, and two contacts share it.
+// Check of the periodic box size. LIGGGHTS stores one contact history per pair of particles. If a
+// periodic side is too short, a pair can touch across both ends of the side, and both contacts
+// would share this history.
 #pragma once
 
 #include <string>
@@ -12,8 +13,8 @@ class LAMMPS;
 
 namespace plastigran {
 
-// Returns why a periodic side of the box is too short for the particles present and those that
-// fixes insert; empty if none is. Collective.
+// Returns a message if a periodic side of the box is too short for the present particles and those
+// that fixes will insert; otherwise an empty string. Collective.
 std::string short_periodic_side(LAMMPS_NS::LAMMPS* engine);
 
 }  // namespace plastigran

@@ -8,11 +8,11 @@ class LAMMPS;
 namespace plastigran {
 
 struct RadiusRange {
-  double smallest, largest;  // infinity and 0 without particles
+  double smallest, largest;  // radii; infinity and 0 if there are no particles
 };
 
-// Range of the radii of the particles on all ranks and of those that fixes will insert. All ranks
-// must call it together.
+// Returns the range of radii of the particles on all ranks, and of those that fixes will insert.
+// Collective.
 RadiusRange radius_range(LAMMPS_NS::LAMMPS* engine);
 
 }  // namespace plastigran

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// Contacts that can compute their stored energies again, until their particles move.
+// Interface of contacts that can compute their stored energies again, until their particles move.
 #pragma once
 
 namespace plastigran {
@@ -8,7 +8,7 @@ namespace plastigran {
 class StoredEnergies {
  public:
   virtual ~StoredEnergies() {}
-  virtual void count_stored_energies() = 0;  // calls EnergyLedger::add_stored()
+  virtual void count_stored_energies() = 0;  // calls EnergyLedger::add_stored() for each contact
 };
 
 }  // namespace plastigran

@@ -11,7 +11,7 @@ class LAMMPS;
 
 namespace plastigran {
 
-// The extremes of the particles of each atom type (by type - 1) on all ranks. Collective.
+// Returns the extremes of the particles on all ranks; element k has atom type k + 1. Collective.
 std::vector<TypeExtremes> type_extremes(LAMMPS_NS::LAMMPS* engine, int type_count);
 
 }  // namespace plastigran

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// The contact point on a wall, and the velocity of the wall there. A mesh moves by its velocity
-// times the time step before forces are computed. After that, its velocity is the one of the
-// current step.
+// Contact point on a wall, and the velocity of the wall at this point. A mesh moves by its velocity
+// times the time step before forces are computed; then its velocity belongs to the current step.
 #pragma once
 
 #include <array>
@@ -14,7 +13,8 @@ namespace plastigran {
 
 class WallPoint {
  public:
-  // `centre`: of the particle. Valid until ranks exchange triangles.
+  // Creates the contact point for a particle with its center at `centre`. The point is valid until
+  // ranks exchange triangles.
   WallPoint(const LIGGGHTS::ContactModels::SurfacesIntersectData& contact, double* centre)
       : mesh_(contact.mesh),
         triangle_(contact.j),
@@ -39,7 +39,7 @@ class WallPoint {
   }
 
  private:
-  LAMMPS_NS::TriMesh* mesh_;  // null for a primitive wall
+  LAMMPS_NS::TriMesh* mesh_;  // mesh of the wall; null for a primitive wall
   int triangle_;
   double weights_[3] = {0, 0, 0};   // weights of the nodes of the triangle
   std::array<double, 3> velocity_;  // velocity of a primitive wall

@@ -37,7 +37,8 @@ class PairLoop : public LIGGGHTS::PairStyles::Granular<Contact>, private StoredE
   typedef LIGGGHTS::ContactModels::ForceData Load;
 
  public:
-  // `models`: the member of LIGGGHTS' pair style that holds the contact models.
+  // Creates the pair style. `models` is the member of LIGGGHTS' pair style that contains the
+  // contact models.
   PairLoop(LAMMPS_NS::LAMMPS* engine, LAMMPS_NS::PairGran* pair, int64_t hash,
            Contact Base::*models)
       : Base(engine, pair, hash), engine_(engine), pair_(pair), models_(this->*models) {}
@@ -64,11 +65,11 @@ class PairLoop : public LIGGGHTS::PairStyles::Granular<Contact>, private StoredE
     visit_contacts<ACCOUNTED_FORCES>();
   }
 
-  // Computes the forces again, as a setup does, and discards them.
+  // Computes the forces again, as a setup does, to get the stored energies; discards the forces.
   void count_stored_energies() override { visit_contacts<STORED_ENERGIES>(); }
 
-  // Whether this step needs an output or a feature that only LIGGGHTS' loop has. (Its factor
-  // `relax` is 1 in the public version.)
+  // Returns whether this step needs an output or a feature that only LIGGGHTS' loop has. (The
+  // factor `relax` in LIGGGHTS' loop is 1 in the public version.)
   bool needs_host_loop(LAMMPS_NS::PairGran* pair) const {
     const LAMMPS_NS::Atom* const atom = engine_->atom;
     return pair->storeContactForces() || pair->storeContactForcesStress() ||
@@ -83,11 +84,12 @@ class PairLoop : public LIGGGHTS::PairStyles::Granular<Contact>, private StoredE
   void visit_contacts() {
     const LAMMPS_NS::Atom* const atom = engine_->atom;
     const LAMMPS_NS::NeighList* const list = pair_->list;
-    const LAMMPS_NS::NeighList* const histories = pair_->listgranhistory;  // null: no history
+    // Null if contacts have no history.
+    const LAMMPS_NS::NeighList* const histories = pair_->listgranhistory;
     const int width = pair_->dnum();
     frozen_ = pair_->freeze_group_bit();
     ContactData contact;
-    std::memset(static_cast<void*>(&contact), 0, sizeof contact);  // as in LIGGGHTS' loop
+    std::memset(static_cast<void*>(&contact), 0, sizeof contact);  // LIGGGHTS' loop does the same
     contact.area_ratio = 1;
     contact.computeflag = pass == STORED_ENERGIES || pair_->computeflag();
     contact.shearupdate = pass != STORED_ENERGIES && pair_->shearupdate();
@@ -119,7 +121,7 @@ class PairLoop : public LIGGGHTS::PairStyles::Granular<Contact>, private StoredE
     models_.endPass(contact, on_i, on_j);
   }
 
-  // Gives the models a copy of the history, because some models of LIGGGHTS write to it in every
+  // Passes a copy of the history to the models, because some LIGGGHTS models write to it in every
   // call.
   void protect_history(ContactData& contact, int width) {
     if (contact.contact_history) {
@@ -132,14 +134,14 @@ class PairLoop : public LIGGGHTS::PairStyles::Granular<Contact>, private StoredE
     }
   }
 
-  // Selects from a particle's list the pairs that touch, and the near pairs that the models need:
-  // those that touched before, and with cohesion all. Returns their number.
+  // Selects from a particle's neighbor list the touching pairs, and the near pairs that the models
+  // need (those that touched before; with cohesion, all). Returns the number of selected pairs.
   int select_pairs(int i, const int* neighbours, int count, const int* flags) {
     const LAMMPS_NS::Atom* const atom = engine_->atom;
     double** const x = atom->x;
     const double* const radius = atom->radius;
     const double factor = engine_->neighbor->contactDistanceFactor;
-    const double squares[] = {1, factor * factor};  // limits of touching and near pairs
+    const double squares[] = {1, factor * factor};  // squared limits of touching and near pairs
     const double xi = x[i][0], yi = x[i][1], zi = x[i][2], radius_i = radius[i];
     if (selected_.size() < std::size_t(count)) selected_.resize(count);
     int* end = selected_.data();
@@ -192,7 +194,7 @@ class PairLoop : public LIGGGHTS::PairStyles::Granular<Contact>, private StoredE
     contact.meff = contact.mi * contact.mj / (contact.mi + contact.mj);
     if (atom->mask[contact.i] & frozen_) contact.meff = contact.mj;
     if (atom->mask[contact.j] & frozen_) contact.meff = contact.mi;
-    models_.checkSurfaceIntersect(contact);  // always true for spheres
+    models_.checkSurfaceIntersect(contact);  // ignore the result: always true for spheres
     if constexpr (pass == FORCES) models_.compute(contact, on_i, on_j);
     if constexpr (pass == ACCOUNTED_FORCES) models_.compute_and_count(contact, on_i, on_j);
     if constexpr (pass == STORED_ENERGIES) models_.count_stored(contact, on_i, on_j);
@@ -204,7 +206,8 @@ class PairLoop : public LIGGGHTS::PairStyles::Granular<Contact>, private StoredE
     add(torque, load.delta_torque);
   }
 
-  // Reads all three sums before it writes one, so that the compiler can vectorize.
+  // Adds `part` to `sum`. Reads all three components before writing, so that the compiler can
+  // vectorize.
   static void add(double* sum, const double* part) {
     const double x = sum[0] + part[0], y = sum[1] + part[1], z = sum[2] + part[2];
     sum[0] = x, sum[1] = y, sum[2] = z;
@@ -213,7 +216,7 @@ class PairLoop : public LIGGGHTS::PairStyles::Granular<Contact>, private StoredE
   LAMMPS_NS::LAMMPS* engine_;
   LAMMPS_NS::PairGran* pair_;
   Contact& models_;
-  int frozen_ = 0;  // bit of the group of fix freeze
+  int frozen_ = 0;  // group bit of fix freeze; 0 if there is none
   std::vector<int> selected_;
   std::vector<double> copied_history_;
   int copied_flags_ = 0;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// LIGGGHTS' tangential, cohesion and rolling models, each compiled once.
+// Instantiates LIGGGHTS' tangential, cohesion and rolling models, so that each is compiled once.
 #include "liggghts/plugin/any_model.h"
 
 namespace plastigran {

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// One contact model per kind that forwards every call to the model that the deck names. Each law
-// and each other model is therefore compiled once, instead of every law in every combination.
+// One forwarding contact model for each kind (normal, tangential, cohesion, rolling). It passes
+// every call to the model that the deck names. Therefore each law and each other model is compiled
+// once, instead of every law in every combination.
 #pragma once
 
 #include <memory>
@@ -12,7 +13,7 @@
 
 namespace plastigran {
 
-// Makes the model of that kind that the setup names.
+// Creates the model of the kind `Base` that the deck names.
 template <class Base>
 std::shared_ptr<Base> make_model(LAMMPS_NS::LAMMPS* engine, ContactSetup& setup,
                                  LIGGGHTS::ContactModels::ContactModelBase* contact_model);
@@ -65,8 +66,9 @@ class NormalModel<ANY> : public plastigran::AnyModel<NormalModelBase> {
  public:
   NormalModel(LAMMPS* engine, IContactHistorySetup* setup, ContactModelBase* contact_model)
       : AnyModel(engine, setup, contact_model) {
-    // Luding's friction reads the adhesion of Luding's normal model. The laws have none, so a value
-    // that stays zero replaces it.
+    // LIGGGHTS' tangential and rolling models `luding` read the adhesion of its normal model
+    // `luding` from the history. The laws have no such value; a history value that stays zero
+    // replaces it.
     if (setup_.model(1) != TANGENTIAL_LUDING && setup_.model(3) != ROLLING_LUDING) return;
     const int no_adhesion = setup->add_history_value("no_adhesion", "0");
     for (const char* name : {"kc_offset", "fo_offset"})

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// Plastigran's include of LIGGGHTS' contact models, pair styles and walls, without compiler
+// Includes LIGGGHTS' contact models, pair styles and walls for Plastigran, without compiler
 // warnings.
 #pragma once
 

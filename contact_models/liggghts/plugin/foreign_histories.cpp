@@ -25,17 +25,17 @@ using LAMMPS_NS::LAMMPS;
 
 namespace {
 
-// The fix styles in which LIGGGHTS stores contact histories of pairs, meshes and primitive walls.
+// A fix style in which LIGGGHTS stores contact histories, of pairs, meshes or primitive walls.
 struct HistoryStyle {
   const char* style;
   FixCreator creator;
 } styles[] = {
     {"contacthistory", nullptr}, {"contacthistory/mesh", nullptr}, {"property/atom", nullptr}};
 
-// The pair style or wall whose histories a fix stores.
+// Pair style or wall whose histories a fix stores.
 struct Owner {
   std::string name;    // "pair_style" or "fix ID"; empty: the fix stores something else
-  std::string models;  // as in ContactLine, without options; empty: a model of LIGGGHTS
+  std::string models;  // models as in ContactLine, without options; empty: a model of LIGGGHTS
 };
 
 std::string models_of(const ContactOwner& owner) {
@@ -43,7 +43,7 @@ std::string models_of(const ContactOwner& owner) {
   return law.empty() ? "" : "model " + law + owner.other_models();
 }
 
-// Whether the models in a restart file, which options may follow, are these models.
+// Returns whether the models in a restart file are `models`; options may follow them.
 bool are_models(const std::string& restarted, const std::string& models) {
   if (restarted.compare(0, models.size(), models) != 0) return false;
   const std::string options = restarted.substr(models.size());
@@ -88,7 +88,8 @@ void discard_if_foreign(LAMMPS* engine, const std::string& fix_id, const std::st
   }
   if (owner.models.empty() && models.empty()) return;
   if (!discard_restarted(engine->modify, fix_id, style) || engine->comm->me != 0) return;
-  if (fix_id.rfind(mesh_contacts, 0) == 0) return;  // the message about the histories is enough
+  // Print no second message: the message about the histories suffices.
+  if (fix_id.rfind(mesh_contacts, 0) == 0) return;
   if (owner.models.empty()) {
     warn(engine, owner.name + ": the restart file has contacts of `" + models +
                      "`, which a model of LIGGGHTS cannot continue. Their residual overlaps and "

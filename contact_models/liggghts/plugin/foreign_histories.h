@@ -2,7 +2,8 @@
 //
 // A deck may read a restart file of LIGGGHTS' own models and continue with a law, for example after
 // a bed has settled with `hertz`, or the reverse. LIGGGHTS would stop, because the history values
-// differ. They are discarded with a message, and the contacts start with their current overlap.
+// differ. This file discards these histories with a message, and the contacts start as first
+// contacts with their current overlap.
 #pragma once
 
 namespace LAMMPS_NS {
@@ -11,7 +12,7 @@ class LAMMPS;
 
 namespace plastigran {
 
-// Checks every fix that stores contact histories from now on, when it is made.
+// Makes LIGGGHTS check every new fix that stores contact histories, when the fix is created.
 void discard_foreign_histories(LAMMPS_NS::LAMMPS* engine);
 
 }  // namespace plastigran

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// liggghts-plastigran: LIGGGHTS with the laws of libplastigran, and the command line of `liggghts`.
-// A signal ends the run at the end of a step, output is written by lines, and unknown normal models
-// are named.
+// Program liggghts-plastigran: LIGGGHTS with the laws of libplastigran. Its command line equals
+// that of `liggghts`. Differences: a signal stops the run at the end of a step, output is
+// line-buffered, and a warning names unknown normal models.
 #include <mpi.h>
 #include <signal.h>
 
@@ -35,7 +35,8 @@ struct CommandLine {
   }
 };
 
-// A warning for each unknown normal model in a deck, because LIGGGHTS stops without naming it.
+// Returns a warning for each unknown normal model in a deck, because LIGGGHTS stops without naming
+// it.
 std::string unknown_models(const CommandLine& command) {
   const std::string known = PLASTIGRAN_MODELS;
   std::ifstream file(command.deck);
@@ -48,7 +49,8 @@ std::string unknown_models(const CommandLine& command) {
       const bool is_model = last == "model" && (earlier == "gran" || earlier == "wall/gran");
       if (is_model && word.find('$') == std::string::npos &&
           (' ' + known + ' ').find(' ' + word + ' ') == std::string::npos)
-        text += "WARNING: plastigran: model " + word + " is unknown; there are " + known + '\n';
+        text +=
+            "WARNING: plastigran: model " + word + " is unknown. Available models: " + known + '\n';
       earlier = last;
       last = word;
     }
@@ -56,9 +58,10 @@ std::string unknown_models(const CommandLine& command) {
   return text;
 }
 
-// Without a launcher, Open MPI starts a daemon and searches for networks, which takes as long as
-// the start of LIGGGHTS. One rank needs neither. Without a daemon all such processes share one
-// session directory, which a process deletes when it ends, so one rank does without it.
+// Configures Open MPI for one rank if no launcher such as mpirun was used. Otherwise Open MPI
+// starts a daemon and searches for networks, which takes as long as the start of LIGGGHTS. The
+// session directory is disabled too: without a daemon, all such processes share it, and the first
+// to end deletes it.
 void start_alone() {
   for (const char* name : {"OMPI_COMM_WORLD_SIZE", "PMIX_RANK", "PMI_RANK"})
     if (std::getenv(name)) return;
@@ -73,13 +76,13 @@ void start_alone() {
 int main(int argc, char** argv) {
   struct sigaction action;
   std::memset(&action, 0, sizeof action);
-  action.sa_handler = LAMMPS_NS::SignalHandler::int_handler;  // finish the step, write what is due
+  action.sa_handler = LAMMPS_NS::SignalHandler::int_handler;  // ends the run after this step
   sigaction(SIGINT, &action, nullptr);
   sigaction(SIGTERM, &action, nullptr);
   action.sa_handler = LAMMPS_NS::SignalHandler::usr1_handler;
   sigaction(SIGUSR1, &action, nullptr);
 
-  // One rank's error ends in MPI_Abort, which would take the buffered message with it.
+  // Use line buffering: an error on one rank calls MPI_Abort, which discards buffered messages.
   std::setvbuf(stdout, nullptr, _IOLBF, BUFSIZ);
   start_alone();
   MPI_Init(&argc, &argv);

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
 // Checks that the plugin was compiled for this LIGGGHTS: the data layout when the plugin is loaded,
-// the version when LIGGGHTS exists. With a wrong layout pairs would work and walls would crash.
-// Builds with the larger layout export the superquadric atom style.
+// the version when LIGGGHTS exists. With a wrong layout, pairs would work but walls would crash.
+// LIGGGHTS builds with superquadric particles have a larger layout, and export the superquadric
+// atom style.
 #include <dlfcn.h>
 #include <unistd.h>
 

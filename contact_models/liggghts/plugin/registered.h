@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// The laws and the combinations of other models that the plugin registers. Each is compiled in a
-// file of its own, from law.cpp.in or combination.cpp.in.
+// Laws and combinations of other models that the plugin registers. Each is compiled in a separate
+// file, generated from law.cpp.in or combination.cpp.in.
 #pragma once
 
 #include <memory>
@@ -11,17 +11,17 @@
 
 namespace plastigran {
 
-// The normal model of a law.
+// Name, ID and factory function of the normal model of a law.
 struct RegisteredLaw {
   typedef std::shared_ptr<LIGGGHTS::ContactModels::NormalModelBase> Model;
 
-  const char* name;  // in decks
-  int id;            // in LIGGGHTS' hash of a combination
+  const char* name;  // name in decks
+  int id;            // ID in LIGGGHTS' hash of a combination
   Model (*make)(LAMMPS_NS::LAMMPS*, ContactSetup&, LIGGGHTS::ContactModels::ContactModelBase*);
 };
 
-// The other models of a contact (ANY: any of its kind), and functions that make their pair style
-// and their wall.
+// IDs of the other models of a contact (ANY: any model of the kind), and factory functions of the
+// pair style and the wall for this combination.
 struct RegisteredCombination {
   int tangential, cohesion, rolling, surface;
   LIGGGHTS::PairStyles::IGranularPairStyle* (*pair)(LAMMPS_NS::LAMMPS*, LAMMPS_NS::PairGran*,

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// Registers every law in LIGGGHTS' factories when the program is loaded: its name, each combination
-// with other models that was compiled, and for all others a function that refuses them. (LIGGGHTS
-// would otherwise use its generic class, which has only LIGGGHTS' own models.) The first line with
-// a law registers the styles of the observers.
+// Registers every law in LIGGGHTS' factories when the program is loaded: its name, the compiled
+// combinations with other models, and for all other combinations a function that stops with an
+// error. (Otherwise LIGGGHTS would use its generic class, which has only LIGGGHTS' own models.) The
+// first line with a law registers the styles of the observers.
 #include <algorithm>
 #include <iterator>
 #include <string>
@@ -45,7 +45,7 @@ const RegisteredCombination* const combinations[] = {
 #undef LAW
 #undef COMBINATION
 
-// In the order of companion_kinds().
+// Members of RegisteredCombination in the order of companion_kinds().
 int RegisteredCombination::*const places[] = {
     &RegisteredCombination::tangential, &RegisteredCombination::cohesion,
     &RegisteredCombination::rolling, &RegisteredCombination::surface};
@@ -55,12 +55,12 @@ const RegisteredLaw& law_of(int64_t hash) {
                         [hash](const RegisteredLaw* law) { return law->id == model_of(hash, 0); });
 }
 
-// Whether a combination was compiled for a model in one of the places.
+// Returns whether a combination was compiled for `model` at `place`, or for any model there.
 bool has(const RegisteredCombination& combination, int RegisteredCombination::*place, int model) {
   return combination.*place == model || combination.*place == ANY;
 }
 
-// The combination with these models that names most of them.
+// Returns the compiled combination for these models that has the fewest ANY; null if there is none.
 const RegisteredCombination* find(const RegisteredCombination& models) {
   const RegisteredCombination* best = nullptr;
   int most = -1;
@@ -76,7 +76,8 @@ const RegisteredCombination* find(const RegisteredCombination& models) {
   return best;
 }
 
-// Names the models that no combination has, and the possible ones.
+// Returns the error message that names the models without a compiled combination, and the possible
+// ones.
 std::string describe_refusal(int64_t hash) {
   std::string text = std::string("model ") + law_of(hash).name + ':';
   for (std::size_t k = 0; k < std::size(places); ++k) {

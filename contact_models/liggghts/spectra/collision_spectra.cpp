@@ -22,7 +22,7 @@ CollisionSpectra::CollisionSpectra(LAMMPS_NS::LAMMPS* engine, int count, char** 
   extscalar = extvector = 1;
   restart_global = restart_peratom = 1;
   create_attribute = 1;
-  just_created = 0;  // else LIGGGHTS clears the records during the first setup
+  just_created = 0;  // prevents LIGGGHTS from clearing the records in the first setup
   grow_arrays(atom->nmax);
   atom->add_callback(0);
   atom->add_callback(1);
@@ -60,7 +60,8 @@ void CollisionSpectra::add(const Contact& contact, const AccountedLoad& on_i, co
     most_contacts_ = std::max(most_contacts_, ++contacts_[contact.j]);
   const bool exchanged = !contact.is_wall && atom->tag[contact.j] < atom->tag[contact.i];
   const int holder = exchanged ? contact.j : contact.i;
-  if (holder >= atom->nlocal) return;  // the rank of the other particle reports it too
+  // Skip ghosts: the rank of the other particle reports the contact too.
+  if (holder >= atom->nlocal) return;
   const Partner partner = contact.is_wall ? wall_partner(wall_number(owner))
                                           : atom->tag[exchanged ? contact.i : contact.j];
   const LossyLoad load(contact, on_i, on_j);
@@ -75,18 +76,19 @@ void CollisionSpectra::add(const Contact& contact, const AccountedLoad& on_i, co
       begun.load = exchanged ? load.exchanged() : load;
     place = records_.begin(holder, partner, begun);
   }
-  if (!contact.shearupdate) {  // in the setup
+  if (!contact.shearupdate) {  // true in the setup
     const double energy = on_i.plastic_work + on_i.adhesion_loss;
     records_.at(holder, place).energy += energy;
     energy_ += energy;
     return;
   }
-  const bool first = !records_.touch(holder, place);  // of several triangles of a wall
+  // A particle can touch several triangles of one wall in a step.
+  const bool first = !records_.touch(holder, place);
   advance(records_.at(holder, place), contact, on_i, load, exchanged, first);
 }
 
-// Adds a step to an impact, with velocities at mid-step. The old load acts on the holder, the new
-// one on particle i.
+// Adds the work of one step to an impact, with velocities at mid-step. The stored old load acts on
+// the holder; the new load `load` acts on particle i.
 void CollisionSpectra::advance(Impact& impact, const Contact& contact, const AccountedLoad& on_i,
                                const LossyLoad& load, bool exchanged, bool first) {
   const Vector between{contact.v_i[0] - contact.v_j[0], contact.v_i[1] - contact.v_j[1],
@@ -129,7 +131,8 @@ void CollisionSpectra::setup_pre_exchange() {
   pre_exchange();
 }
 
-// Reserves room for a particle that moves to another rank with its impacts and its contact history.
+// Enlarges the exchange buffers for particles that move to another rank with impacts and contact
+// history.
 void CollisionSpectra::pre_exchange() {
   const auto pair = static_cast<LAMMPS_NS::PairGran*>(force->pair_match("gran", 1));
   const int history = (pair->dnum() + 1) * most_contacts_ + 1;

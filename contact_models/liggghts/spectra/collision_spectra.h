@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// `fix ID all collision_spectra EVERY file FILE [per_decade N]`: counts impacts by speed, energy
-// and force, for each pair of atom types and each wall, and writes a table every EVERY steps.
+// Fix `fix ID all collision_spectra EVERY file FILE [per_decade N]`. Counts impacts by speed,
+// energy and force, for each pair of atom types and each wall. Writes a table every EVERY steps.
 // docs/collision_spectra.md defines an impact.
 //
 // An impact begins with the first step in which its contact is reported, and ends with the first
-// step in which it is not. Neighbor lists and contact histories do not matter. The work of friction
-// and dashpots is integrated as velocity Verlet moves the particles: the mean of the two forces of
-// a step along the displacement between them.
+// step in which it is not. Neighbor lists and contact histories do not affect the counts. The work
+// of friction and dashpots is integrated as in velocity Verlet: mean of the old and new force times
+// the displacement of the step.
 #pragma once
 
 #include <cstdio>
@@ -25,12 +25,12 @@ class CollisionSpectra : public ContactObserver {
  public:
   enum Quantity { NORMAL_SPEED, DISSIPATED_ENERGY, LARGEST_FORCE };
 
-  // Elements of the fix's vector in their order, since the fix was made.
+  // Elements of the fix's vector f_ID[1], f_ID[2], ..., since the fix was created.
   enum Entry {
-    IMPACTS,         // counted
-    CURRENT,         // contacts
-    IMPACT_ENERGY,   // dissipated in counted impacts [J]
-    CONTACT_ENERGY,  // dissipated in current contacts, and those older than the fix [J]
+    IMPACTS,         // number of counted impacts
+    CURRENT,         // number of current contacts
+    IMPACT_ENERGY,   // energy dissipated in counted impacts [J]
+    CONTACT_ENERGY,  // energy dissipated in current contacts and those older than the fix [J]
     ENTRIES
   };
 
@@ -71,19 +71,19 @@ class CollisionSpectra : public ContactObserver {
   void count(Partner partner, const Impact& impact);
   void write_table();
 
-  LAMMPS_NS::bigint every_ = 0;  // steps
+  LAMMPS_NS::bigint every_ = 0;  // number of steps between two tables
   int per_decade_ = 10;
   std::string path_;
-  std::unique_ptr<FILE, int (*)(FILE*)> file_;  // on the first rank
+  std::unique_ptr<FILE, int (*)(FILE*)> file_;  // output file, open on rank 0
   ImpactRecords records_;
-  std::vector<int> contacts_;               // contacts of each particle in this step
-  int most_contacts_ = 0;                   // largest number for any particle in any step
+  std::vector<int> contacts_;               // number of contacts of each particle in this step
+  int most_contacts_ = 0;                   // largest number of contacts of a particle so far
   Tally tally_;                             // impacts on this rank since the last table
   double impacts_ = 0, impact_energy_ = 0;  // counted impacts on this rank
-  double energy_ = 0;                       // energy of all contacts on this rank
-  long particle_total_ = 0;                 // at the end of the last run, 0 before the first
-  std::vector<std::string> wall_ids_;       // by number; a wall keeps its number
-  std::vector<const void*> walls_;          // by number, null if there is no wall of that ID
+  double energy_ = 0;                       // dissipated energy of all contacts on this rank [J]
+  long particle_total_ = 0;            // particles at the end of the last run; 0 before the first
+  std::vector<std::string> wall_ids_;  // IDs of walls; the index of a wall never changes
+  std::vector<const void*> walls_;     // walls at the same indices; null if removed
 };
 
 }  // namespace plastigran

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// The line, the table and the restart data of the collision spectra.
+// Deck line, table file and restart data of fix collision_spectra.
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
@@ -19,10 +19,10 @@ namespace {
 const char heading[] = "step,quantity,with,type,other_type,lower,upper,count,sum\n";
 const char* const quantities[] = {"normal_speed", "dissipated_energy", "largest_force"};
 
-// More classes would differ only in the last printed digits.
+// Limit of per_decade: edges of more classes would differ only in the last printed digits.
 const long most_per_decade = 1000;
 
-// 0 unless the word is a positive whole number.
+// Returns the number in `word`; 0 unless the word is a positive integer.
 long positive_number(const char* word) {
   char* end;
   const long number = std::strtol(word, &end, 10);
@@ -34,7 +34,7 @@ long positive_number(const char* word) {
 void CollisionSpectra::read_words(int count, char** words) {
   if (count < 4 || !(every_ = positive_number(words[3])))
     fail(std::string("EVERY is ") + (count < 4 ? "missing" : words[3]) +
-         "; it must be a positive number of steps, the first word after the style");
+         "; it must be a positive number of steps, the first word after collision_spectra");
   for (int k = 4; k < count; k += 2) {
     const std::string word = words[k];
     if (word != "file" && word != "per_decade")
@@ -57,8 +57,8 @@ void CollisionSpectra::read_words(int count, char** words) {
   if (comm->me == 0) open(path_);
 }
 
-// On the first rank. Keeps the tables up to this step, because a run from a restart file writes the
-// later ones again.
+// Opens the table file on rank 0. Keeps the tables up to the current step; a run from a restart
+// file writes the later tables again.
 void CollisionSpectra::open(const std::string& path) {
   std::string kept = heading;
   std::ifstream before(path);
@@ -69,7 +69,7 @@ void CollisionSpectra::open(const std::string& path) {
                    name() + ": the file " + path +
                        " is not a table of collision spectra. Choose another name, to keep it");
   while (std::getline(before, line) &&
-         !before.eof())  // a killed run may leave a truncated last line
+         !before.eof())  // skip a truncated last line, which a killed run may leave
     if (std::atoll(line.c_str()) <= update->ntimestep) kept += line + '\n';
   before.close();
   file_.reset(std::fopen(path.c_str(), "w"));
@@ -94,7 +94,7 @@ void CollisionSpectra::write_table() {
   std::fflush(file_.get());
 }
 
-// LIGGGHTS needs the number of values first.
+// Packs the impacts of a particle. The first value is the number of values, as LIGGGHTS requires.
 int CollisionSpectra::pack_restart(int i, double* buffer) {
   buffer[0] = size_restart(i);
   records_.write(i, buffer + 1);
@@ -114,8 +114,8 @@ int CollisionSpectra::maxsize_restart() {
   return largest;
 }
 
-// Text: numbers of particles and impacts, their energy and that of other contacts, per_decade, the
-// number and IDs of the walls, and the counts since the last table.
+// Writes text to the restart file: number of particles, number and energy of impacts, energy of
+// other contacts, per_decade, number and IDs of walls, and the counts since the last table.
 void CollisionSpectra::write_restart(FILE* file) {
   const double impacts = compute_vector(IMPACTS), impact_energy = compute_vector(IMPACT_ENERGY);
   const double contact_energy = compute_vector(CONTACT_ENERGY);
@@ -139,7 +139,7 @@ void CollisionSpectra::restart(char* data) {
   if (per_decade != per_decade_)
     fail("the restart file has per_decade " + std::to_string(per_decade) + ", but the line has " +
          std::to_string(per_decade_) + ". Use the earlier value, or another fix ID");
-  if (comm->me != 0) return;  // the first rank takes the sum
+  if (comm->me != 0) return;  // rank 0 takes the sums of all ranks
   impacts_ = impacts, impact_energy_ = impact_energy;
   energy_ = impact_energy + contact_energy;
   std::vector<double> packed;

@@ -11,7 +11,7 @@
 namespace plastigran {
 
 static_assert(std::is_trivially_copyable_v<Impact> && sizeof(Impact) % sizeof(double) == 0,
-              "an impact is its doubles and nothing else");
+              "struct Impact must contain only doubles");
 
 namespace {
 
@@ -50,7 +50,7 @@ void ImpactRecords::renumber(const int* ids, int count, long former_total, MPI_C
   std::vector<int> former(count);
   for (int i = 0; i < count; ++i) former[i] = held_[i].id;
   const NewIds new_ids(former.data(), ids, count, former_total, ranks);
-  std::vector<double> sent;  // to new holders: ID of the holder, partner, impact
+  std::vector<double> sent;  // records for new holders: ID of the holder, partner, impact
   for (int i = 0; i < count; ++i) {
     const Held old = held_[i];
     held_[i].keys.clear();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// The current impacts by the particles that hold them, which take them along to other ranks and
-// into restart files.
+// Current impacts, stored by the particle that holds them. LIGGGHTS moves them with the particle to
+// other ranks and to restart files.
 #pragma once
 
 #include <mpi.h>
@@ -19,7 +19,7 @@ class ImpactRecords {
   void copy(int from, int to) { held_[to] = held_[from]; }
   void clear(int i) { held_[i] = Held(); }
 
-  // The index of a particle's impact with a partner, -1 if there is none.
+  // Returns the index of a particle's impact with a partner; -1 if there is none.
   int find(int i, Partner partner) const {
     const std::vector<Key>& keys = held_[i].keys;
     for (std::size_t k = 0; k < keys.size(); ++k)
@@ -29,17 +29,18 @@ class ImpactRecords {
   int begin(int i, Partner partner, const Impact& impact = Impact());
   Impact& at(int i, int place) { return held_[i].impacts[place]; }
 
-  // Marks an impact as touched in this step. Returns whether it was marked before.
+  // Marks an impact as in contact in this step. Returns whether the impact was already marked.
   bool touch(int i, int place) {
     const bool before = held_[i].keys[place].touched;
     held_[i].keys[place].touched = true;
     return before;
   }
 
-  // The number of impacts of the first `count` particles.
+  // Returns the number of impacts of the first `count` particles.
   std::size_t count(int count) const;
 
-  // Removes the impacts of a particle that were not touched in this step, after a call of `count`.
+  // Removes the impacts of a particle that have no contact in this step, after calling `count` for
+  // each.
   template <class Count>
   void advance(int i, Count count) {
     Held& held = held_[i];
@@ -62,26 +63,28 @@ class ImpactRecords {
   // run, on all ranks. Collective.
   void renumber(const int* ids, int count, long former_total, MPI_Comm ranks);
 
-  // The impacts of a particle as values in a buffer. Each function returns the number of values.
+  // Functions that convert the impacts of a particle to values in a buffer, and back. Each returns
+  // the number of values.
   int size(int i) const { return 2 + values_each * held_[i].keys.size(); }
   int largest_size(int count) const;
   int write(int i, double* buffer) const;
   int read(int i, const double* buffer);
 
  private:
-  static constexpr int values_each = 1 + sizeof(Impact) / sizeof(double);  // with the partner
+  // Number of values of one impact, with the ID of its partner.
+  static constexpr int values_each = 1 + sizeof(Impact) / sizeof(double);
 
-  // Separate from the impacts, because every step searches the keys.
+  // Keys are separate from the impacts for speed, because every step searches the keys.
   struct Key {
     Partner partner;
-    bool touched;  // in this step
+    bool touched;  // whether the contact was reported in this step
   };
   struct Held {
     int id = 0;  // ID of the particle at the end of the last run, 0 if new
     std::vector<Key> keys;
     std::vector<Impact> impacts;
   };
-  std::vector<Held> held_;  // by local particle
+  std::vector<Held> held_;  // impacts by local particle index
 };
 
 }  // namespace plastigran

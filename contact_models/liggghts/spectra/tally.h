@@ -13,28 +13,28 @@ namespace plastigran {
 
 class Tally {
  public:
-  // `wall` is -1 for impacts of particles.
+  // Key of a count. `wall` is -1 for impacts between particles.
   struct Key {
     int quantity, wall, type, other_type, bin;
     bool operator<(const Key& other) const { return in_order() < other.in_order(); }
     std::array<int, 5> in_order() const { return {quantity, wall, type, other_type, bin}; }
   };
   struct Count {
-    double number = 0, sum = 0;  // impacts, and the sum of their values
+    double number = 0, sum = 0;  // number of impacts, and sum of the quantity over them
     void operator+=(const Count& other) { number += other.number, sum += other.sum; }
   };
-  static constexpr int no_bin = -1000000;  // bin of zero and negative values
+  static constexpr int no_bin = -1000000;  // class of zero and negative values
 
-  // The class of a value, and the lower edge of a class.
+  // Return the logarithmic class of a value, and the lower edge of a class.
   static int bin_of(double value, int per_decade);
   static double edge(int bin, int per_decade);
 
   void add(const Key& key, const Count& count) { counts_[key] += count; }
 
-  // The counts of all ranks. Collective.
+  // Returns the counts summed over all ranks. Collective.
   Tally of_all(MPI_Comm ranks) const;
 
-  // The counts as a list of values.
+  // Returns the counts as a list of values, which merge() reads.
   std::vector<double> packed() const;
   void merge(const std::vector<double>& packed);
 

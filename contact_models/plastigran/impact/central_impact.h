@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// Central impact of two bodies for any law: from the energies of the law, or from the equation of
-// motion if the force depends on the overlap rate. It needs no host program.
+// Central impact of two bodies for any law, without a host program. The outcome follows from the
+// energies of the law, or from the equation of motion if the force depends on the overlap rate.
 #pragma once
 
 #include <algorithm>
@@ -13,29 +13,30 @@
 namespace plastigran {
 
 struct ImpactOutcome {
-  double overlap_max = 0;                 // [m]
-  double force_max = 0;                   // [N]
-  double overlap_res = 0;                 // overlap at which the rebound's force vanishes [m]
-  double coefficient_of_restitution = 0;  // [-]; 0 if the bodies stick
-  double stiffness_max = 0;               // steepest slope of force over overlap [N/m]
-  double damping_max = 0;                 // slope of force over rate at overlap_max [N s/m]
-  bool in_range = true;                   // the law is good for that load
+  double overlap_max = 0;  // largest overlap [m]
+  double force_max = 0;    // largest force [N]
+  double overlap_res = 0;  // overlap at which the force vanishes during unloading [m]
+  double coefficient_of_restitution = 0;  // rebound speed/impact speed [-]; 0 if the bodies stick
+  double stiffness_max = 0;               // largest dF/d(overlap) [N/m]
+  double damping_max = 0;                 // dF/d(overlap rate) at overlap_max [N s/m]
+  bool in_range = true;                   // whether overlap_max is in the validity range of the law
 };
 
-// Whether a law lists overlaps at which its force of first loading may jump, overlap_breaks().
+// Whether a law has overlap_breaks(): overlaps at which its force of first loading may jump.
 template <class Law, class = void>
 constexpr bool has_breaks = false;
 template <class Law>
 constexpr bool has_breaks<Law, std::void_t<decltype(&Law::overlap_breaks)>> = true;
 
-// The central impact of a law that depends on the rate of overlap: m* d^2 overlap/dt^2 = -F, from
-// the first touch until the force is gone. In root = sqrt(overlap) over a time tau with
-// dt = root dtau it is smooth, also where the force begins like the root:
+// Computes the central impact of a rate-dependent law by integrating m* d^2 overlap/dt^2 = -F from
+// first touch until the force vanishes. With root = sqrt(overlap) and the time tau, dt = root dtau,
+// the equations are smooth even if the force begins as sqrt(overlap):
 //
 //   d root/dtau = rate/2,   d rate/dtau = -root F/m*
 //
-// Runge-Kutta of fourth order, each step done whole and in halves; their difference is held to
-// 1e-12 of the impact's own root and speed, and removed.
+// The integrator is Runge-Kutta of fourth order. Each step is computed once in full and once as two
+// half steps. The difference estimates the error, which is limited to 1e-12 of the largest root and
+// of the impact speed, and is subtracted (Richardson extrapolation).
 template <class Law>
 ImpactOutcome rate_dependent_impact(const Law& law, double radius_eff, double mass_eff,
                                     double speed) {
@@ -64,7 +65,7 @@ ImpactOutcome rate_dependent_impact(const Law& law, double radius_eff, double ma
                      std::abs(off.rate) / (1e-12 * speed));
     return half.after(1, off);
   };
-  // Where in a step a condition turns true.
+  // Finds by bisection the point in a step at which a condition becomes true.
   const auto turn = [&](Point p, double h, auto condition) {
     double before = 0, after = h;
     halve(before, after, [&](double part) { return condition(step(p, part)); });
@@ -83,7 +84,8 @@ ImpactOutcome rate_dependent_impact(const Law& law, double radius_eff, double ma
       h *= std::max(growth, 0.1);
       continue;
     }
-    if (!back(now)) {  // the force is largest while closing; golden section finds it in a step
+    // The force is largest while the bodies close: search its maximum in this step.
+    if (!back(now)) {
       const auto along = [&](double part) { return force(step(now, part * h)); };
       impact.force_max = std::max(impact.force_max, along(golden_section(along, 0, 1, 30)));
     }
@@ -111,8 +113,8 @@ ImpactOutcome rate_dependent_impact(const Law& law, double radius_eff, double ma
   return impact;
 }
 
-// The rebound of a law that does not depend on the rate, from `impact.overlap_max`; with it the
-// force there and the overlap at which it is gone. Returns the law's answer at the largest overlap.
+// Computes the unloading from `impact.overlap_max` for a law without rate dependence: largest
+// force, residual overlap and steepest slope. Returns the response at the largest overlap.
 template <class Law>
 Response follow_rebound(const Law& law, double radius_eff, ImpactOutcome& impact) {
   typename Law::State state;
@@ -127,8 +129,9 @@ Response follow_rebound(const Law& law, double radius_eff, ImpactOutcome& impact
   halve(low, high, [&](double middle) { return force(middle) > 0; });
   impact.overlap_res = high < 1e-9 * impact.overlap_max ? 0 : high;
 
-  // A law resolves its force to about 1e-14 of the overlap. A rebound over less than 1e-7 of the
-  // overlap is taken as Hertz's with the same energy.
+  // Slope from a small finite difference. The overlap has a relative round-off of about 1e-14, so
+  // if unloading covers less than 1e-7 of the overlap, the slope of a Hertz contact with the same
+  // energy is used.
   const double step = 1e-4 * (impact.overlap_max - impact.overlap_res);
   impact.stiffness_max = step > 1e-11 * impact.overlap_max
                              ? (peak.force - force(impact.overlap_max - step)) / step
@@ -136,7 +139,7 @@ Response follow_rebound(const Law& law, double radius_eff, ImpactOutcome& impact
   return peak;
 }
 
-// The contact at first touch. Without adhesion force and energies are zero.
+// Returns the response at first touch. Without adhesion, force and energies are zero.
 template <class Law>
 Response first_touch([[maybe_unused]] const Law& law, [[maybe_unused]] double radius_eff) {
   if constexpr (adhesive<Law>) {
@@ -147,7 +150,7 @@ Response first_touch([[maybe_unused]] const Law& law, [[maybe_unused]] double ra
   }
 }
 
-// The contact just before it ends, after first loading to an overlap.
+// Returns the response just before the contact ends, after first loading to `overlap_max`.
 template <class Law>
 Response end_of_contact(const Law& law, double radius_eff, double overlap_max) {
   typename Law::State loaded;
@@ -161,10 +164,10 @@ Response end_of_contact(const Law& law, double radius_eff, double overlap_max) {
   return unloaded_to(high);
 }
 
-// Bodies of effective mass mass_eff [kg] meet at relative speed `speed` [m/s]. At the largest
-// overlap the work of loading equals 1/2 m* v^2. Unloading releases the elastic energy; with
-// adhesion it does work on the contact until pull-off, and the bodies stick if that exceeds the
-// kinetic energy.
+// Computes the central impact of bodies with effective mass mass_eff [kg] at relative speed `speed`
+// [m/s]. At the largest overlap, the work of loading equals 1/2 m* v^2. Unloading releases the
+// elastic energy. With adhesion, pulling the bodies apart takes work; they stick if this work
+// exceeds the kinetic energy.
 template <class Law>
 ImpactOutcome central_impact(const Law& law, double radius_eff, double mass_eff, double speed) {
   if constexpr (rate_dependent<Law>) return rate_dependent_impact(law, radius_eff, mass_eff, speed);
@@ -190,14 +193,14 @@ ImpactOutcome central_impact(const Law& law, double radius_eff, double mass_eff,
   return impact;
 }
 
-// Relative error of restitution per second of time step [1/s] that jumps of the force cause: those
-// of first loading, and with adhesion those where the contact forms and breaks. In the step in
-// which the overlap passes a jump, the integrator uses the force of one side for up to half a step
+// Returns the relative error of restitution per second of time step [1/s] due to jumps of the
+// force: jumps in first loading, and with adhesion the jumps where a contact forms and breaks. In
+// the step that passes a jump, the integrator uses the force before the jump for up to half a step
 // too long.
 template <class Law>
 double jump_error([[maybe_unused]] const Law& law, [[maybe_unused]] double radius_eff,
                   double mass_eff, double speed) {
-  double power = 0;  // [W]
+  double power = 0;  // sum of force jump times speed [W]
   if constexpr (has_breaks<Law>)
     for (const double depth : law.overlap_breaks()) {
       typename Law::State before, after;
@@ -209,23 +212,24 @@ double jump_error([[maybe_unused]] const Law& law, [[maybe_unused]] double radiu
         power += std::abs(above.force - below.force) * std::sqrt(speed_squared);
     }
   if constexpr (adhesive<Law>) {
-    // Bodies that stick have no restitution to resolve: take the slowest that do not.
+    // If the bodies stick, there is no restitution to resolve: use the lowest speed at which they
+    // rebound.
     const Response touch = first_touch(law, radius_eff);
     const Response end = end_of_contact(law, radius_eff, std::numeric_limits<double>::min());
     const double held = contact_energy(end) - contact_energy(touch);
     speed = std::max(speed, std::sqrt(2 * held / mass_eff));
-    power += 2 * std::abs(touch.force) * speed;  // breaking has the smaller jump
+    power += 2 * std::abs(touch.force) * speed;  // 2: the contact forms and breaks
   }
   return 0.5 * power / (mass_eff * speed * speed);
 }
 
-// The time step that resolves the rebound of an impact: a fraction of sqrt(m*/k) on the steepest
-// branch. It is shorter if the force has a slope c over the rate, because hosts pass the rate of
-// half a step earlier. For a smooth force the error of the coefficient of restitution is at most
-// 9e-4, of second order in the step. If the force jumps, the step is shorter, so that the two
-// errors together are 1e-3. Kinks of the force add up to 2e-4 (docs/timestep.md).
+// Constants of the recommended time step: 0.1 sqrt(m*/k), with the largest stiffness k during the
+// impact. The step is shorter if the force depends on the overlap rate with slope c, because hosts
+// pass the rate of half a step earlier. For a smooth force, the error of restitution is at most
+// 9e-4 and of second order in the step. For a force with jumps, the step is shorter, so that the
+// total error is 1e-3. Kinks of the force add up to 2e-4 (docs/timestep.md).
 constexpr double timestep_fraction = 0.1;
-constexpr double timestep_damping = 16;  // factor of c^2/(k m*)
+constexpr double timestep_damping = 16;  // coefficient of c^2/(k m*)
 constexpr double smooth_error = 9e-4, restitution_error = 1e-3;
 
 template <class Law>
@@ -246,8 +250,8 @@ double recommended_timestep(const Law& law, double radius_eff, double mass_eff, 
                               central_impact(law, radius_eff, mass_eff, speed));
 }
 
-// Of the impact, at this speed, that loads to this overlap. The overlap spares looking for it where
-// the rate of overlap does not matter.
+// Returns the recommended time step [s] of the impact at `speed` that loads to `overlap`. Given the
+// overlap, laws without rate dependence need no search for the largest overlap.
 template <class Law>
 double recommended_timestep_of_load(const Law& law, double radius_eff, double mass_eff,
                                     double speed, double overlap) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// Times of an elastic sphere that time steps are usually compared with.
+// Reference times of elastic spheres with which DEM time steps are usually compared.
 #pragma once
 
 #include <cmath>
@@ -9,7 +9,8 @@
 
 namespace plastigran {
 
-// Duration of an elastic impact [s] (Hertz 1881; Johnson, Contact Mechanics, 1985, sec. 11.4).
+// Returns the duration of an elastic impact [s] (Hertz 1881; Johnson, Contact Mechanics, 1985, sec.
+// 11.4).
 inline double hertz_duration(double radius_eff, double mass_eff, double youngs_modulus_eff,
                              double speed) {
   return 2.868266 * std::pow(mass_eff * mass_eff /
@@ -17,9 +18,9 @@ inline double hertz_duration(double radius_eff, double mass_eff, double youngs_m
                              0.2);
 }
 
-// Time of a surface wave from pole to pole [s]. The ratio of its speed to the shear wave's is
-// 0.8766 + 0.1631 nu, the usual linear fit to the root of Rayleigh's equation (Li, Xu & Thornton
-// 2005, Powder Technol. 160:219).
+// Returns the travel time of a surface wave from pole to pole of a sphere [s]. The ratio of its
+// speed to the shear wave speed is 0.8766 + 0.1631 nu, the usual linear fit to the root of
+// Rayleigh's equation (Li, Xu & Thornton 2005, Powder Technol. 160:219).
 inline double rayleigh_time(double radius, double density, double youngs_modulus,
                             double poissons_ratio) {
   const double shear_modulus = 0.5 * youngs_modulus / (1 + poissons_ratio);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// Values that are allowed but probably have a wrong unit.
+// Detection of constants that are in the allowed range but probably have a wrong unit.
 #pragma once
 
 #include <sstream>
@@ -11,12 +11,13 @@
 
 namespace plastigran {
 
-// Why a body's constants are implausible; empty if they are not. `pascal` is 1 Pa in their unit.
+// Returns why the constants of a body are implausible; empty if they are plausible. `pascal` is the
+// value of 1 Pa in their unit.
 //
 // Modulus: LIGGGHTS requires 5 MPa, and solids below 1 MPa are gels. Strength: the ideal strength
 // of a solid is about a tenth of its modulus and never reaches a third (Kelly & Macmillan, Strong
-// Solids, 1986); pure annealed metals have 1e-4 of it, and none has 2e-5. Bodies beyond
-// `rigid_modulus` are not checked.
+// Solids, 1986); for pure annealed metals it is 1e-4 of the modulus, and for no metal below 2e-5.
+// Bodies beyond `rigid_modulus` are not checked.
 inline Complaint implausible(const Body& body, double pascal) {
   const double modulus = body.youngs_modulus, strength = body.yield_strength;
   const double rigid = rigid_modulus * pascal;
@@ -25,7 +26,7 @@ inline Complaint implausible(const Body& body, double pascal) {
     text << "{youngs_modulus} is " << modulus << " [Pa], as soft as a gel";
     const char* stop = "; ";
     for (const auto& [unit, in_pascal] : {std::pair("GPa", 1e9), std::pair("MPa", 1e6)})
-      if (modulus * in_pascal < 2e12) {  // diamond: 1.2e12 Pa
+      if (modulus * in_pascal < 2e12) {  // above the modulus of diamond, 1.2e12 Pa
         text << stop << "meant in " << unit << " it is " << modulus * in_pascal * pascal;
         stop = ", ";
       }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// Checks of constants before anything runs.
+// Range checks of material and law constants, before a simulation starts.
 #pragma once
 
 #include <cmath>
@@ -12,7 +12,7 @@
 
 namespace plastigran {
 
-// The range of a constant in words: "positive and finite [Pa]".
+// Returns the allowed range of a constant in words, for example "positive and finite [Pa]".
 inline std::string allowed_values(const BodyConstant& constant) {
   std::ostringstream words;
   if (!std::isfinite(constant.upper))
@@ -43,8 +43,9 @@ inline Complaint validate(const Body& body) {
   return {};
 }
 
-// A law may add a joint condition on its constants and the pair: static bool admissible(const
-// MaterialPair&, const Parameters&) with a sentence `admissibility` that names fields in braces.
+// Checks the joint condition of a law on its constants and the pair, if it has one: a function
+// static bool admissible(const MaterialPair&, const Parameters&), and the error message
+// `admissibility` with field names in braces.
 template <class Law>
 auto joint_complaint(const MaterialPair& pair, const typename Law::Parameters& constants, int)
     -> decltype(Law::admissible(pair, constants), Complaint()) {
@@ -61,7 +62,7 @@ Complaint joint_complaint(const MaterialPair&, const typename Law::Parameters&, 
   return {};
 }
 
-// The range of a constant in words, and its meaning.
+// Returns the allowed range of a constant in words, with its unit and meaning.
 template <class Parameters>
 std::string allowed_values(const Parameter<Parameters>& parameter) {
   std::ostringstream words;
@@ -70,14 +71,14 @@ std::string allowed_values(const Parameter<Parameters>& parameter) {
   return words.str();
 }
 
-// The complaint about the value of a constant; empty if it is in range. NaN is a missing constant.
+// Returns a complaint about the value of a constant; empty if the value is in range. NaN marks a
+// missing constant.
 template <class Parameters>
 Complaint complaint(const Parameter<Parameters>& parameter, double value) {
   if (value >= parameter.lower && value <= parameter.upper) return {};
   const std::string allowed = allowed_values(parameter);
   if (std::isnan(value))
-    return Complaint('{' + std::string(parameter.name) + "} is missing; it must be given, " +
-                     allowed);
+    return Complaint('{' + std::string(parameter.name) + "} is missing. Add a value " + allowed);
   return Complaint::about(parameter.name, value, allowed);
 }
 
@@ -85,14 +86,14 @@ template <class Law>
 Complaint validate(const MaterialPair& pair, const typename Law::Parameters& constants) {
   if (yields<Law> && !std::isfinite(pair.yield_strength))
     return Complaint(
-        "{yield_strength} is missing; one of the bodies at least must have it, positive and finite "
+        "{yield_strength} is missing. At least one of the bodies needs it, positive and finite "
         "[Pa]");
   const typename Law::Parameters defaults;
   for (const auto& parameter : parameters_of<Law>) {
     const double value = constants.*parameter.value;
     if (value == defaults.*parameter.value) continue;
-    const Complaint found = complaint(parameter, value);
-    if (!found.empty()) return found;
+    const Complaint problem = complaint(parameter, value);
+    if (!problem.empty()) return problem;
   }
   return joint_complaint<Law>(pair, constants, 0);
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// Brake 2012 (Int. J. Solids Struct. 49:3129): Hertz to yield, full plasticity at the indentation
-// pressure P0, and between the two the cubic that has the values and slopes of both ends.
+// Brake 2012 (Int. J. Solids Struct. 49:3129): Hertz until yield, full plasticity at the
+// indentation pressure P0, and in between a cubic that matches values and slopes at both ends.
 //
 //   overlap_y = R* (pi p_y/2E*)^2,  a_p = 3 pi P0 R*/(4E*),  alpha = a_p/a_y,  x_p = alpha^2
 //   f = alpha (2x - alpha^2),  a^2 = (2x - alpha^2) a_y^2          x >= x_p
@@ -12,8 +12,8 @@
 // undeformed sphere. Force, radius and their slopes are continuous. Unloading keeps the contact
 // area. Onset, growth and unloading are assumptions of this package.
 //
-// Near yield the rebound returns up to 5 % more speed than the impact had; the energy guard
-// prevents it. Range: as good as the P0 given; P0 above 2/3 p_y.
+// Near yield, the published rebound speed is up to 5 % higher than the impact speed; the energy
+// guard prevents this. Range: as accurate as the given P0; P0 must be above 2/3 p_y.
 #pragma once
 
 #include "plastigran/shared/indentation_pressure.h"
@@ -34,7 +34,7 @@ struct Brake2012Curve {
       indentation_pressure_parameter(&Parameters::indentation_pressure),
   }};
 
-  // Yield must come before full plasticity.
+  // Returns whether yield occurs before full plasticity.
   static bool admissible(const MaterialPair& pair, const Parameters& constants) {
     return Brake2012Curve(pair, constants).alpha > 1;
   }
@@ -52,7 +52,7 @@ struct Brake2012Curve {
               pair.yield_pressure),
         breaks{1, alpha * alpha} {}
 
-  // The cubic through (1, value) with slope, and (x_p, value_p) with slope_p.
+  // Returns the cubic at x that passes (1, value) with `slope` and (x_p, value_p) with `slope_p`.
   PLASTIGRAN_DEVICE double between(double x, double value, double slope, double value_p,
                                    double slope_p) const {
     const double length = breaks[1] - 1, t = (x - 1) / length, back = 1 - t;

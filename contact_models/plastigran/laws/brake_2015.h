@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// Brake 2015 (Int. J. Solids Struct. 62:104): Hertz hands over to a plastic indentation of Meyer
-// index n by hyperbolic secants. As collected in Ghaednia et al. 2015 (Int. J. Impact Eng. 86:307),
-// eqs 28-31, repaired.
+// Brake 2015 (Int. J. Solids Struct. 62:104): Hyperbolic secants blend the Hertz force into a
+// plastic indentation with Meyer index n. As collected in Ghaednia et al. 2015 (Int. J. Impact Eng.
+// 86:307), eqs 28-31, repaired.
 //
 //   overlap_y = R* (pi p_y/2E*)^2,  overlap_p = R* (3 pi P0/2E*)^2,  x_p = overlap_p/overlap_y
 //   s = (x - 1)/(x_p - 1)
@@ -10,9 +10,9 @@
 //   overlap_res = overlap_max (1 - f/x^1.5), not below 0;   a^2 = R* overlap (2 - sech((n-1) s))
 //
 // P0 is the indentation pressure (hardness), n = 2 is perfect plasticity. Force and slope are
-// continuous. The source gives no contact radius; this one goes from Hertz's R* overlap to the
-// 2 R* overlap of a plastic indentation as the force does. Beyond n = 2.7 the force would fall with
-// overlap.
+// continuous. The source gives no contact radius. Here a^2 changes from R* overlap (Hertz) to 2 R*
+// overlap (plastic indentation) with the same blend as the force. For n above 2.7, the force would
+// decrease with overlap.
 #pragma once
 
 #include "plastigran/shared/indentation_pressure.h"
@@ -32,10 +32,10 @@ struct Brake2015Curve {
   static constexpr std::array<Parameter<Parameters>, 2> parameters{{
       indentation_pressure_parameter(&Parameters::indentation_pressure),
       {"meyer_index", "-", &Parameters::meyer_index, 2, 2.7,
-       "Meyer's hardening index; 2 is perfectly plastic"},
+       "Meyer index of hardening; 2: perfectly plastic"},
   }};
 
-  // Yield must come before full plasticity.
+  // Returns whether yield occurs before full plasticity.
   static bool admissible(const MaterialPair& pair, const Parameters& constants) {
     return Brake2015Curve(pair, constants).plastic > 1;
   }
@@ -43,10 +43,10 @@ struct Brake2015Curve {
       "{indentation_pressure} must be more than a third of the weaker body's contact yield "
       "pressure";
 
-  std::array<double, 2> breaks;  // the second only says how far the transition reaches
+  std::array<double, 2> breaks;  // yield, and the end of the transition
   double yield_radius_ratio;
-  double meyer;    // n
-  double plastic;  // x_p
+  double meyer;    // Meyer index n
+  double plastic;  // x_p, start of full plasticity
 
   Brake2015Curve(const MaterialPair& pair, const Parameters& constants)
       : yield_radius_ratio(plastigran::yield_radius_ratio(pair)), meyer(constants.meyer_index) {

@@ -9,8 +9,8 @@
 //   overlap_0^n = (1 - k_1/k_2) overlap_max^n
 //   k_1 = 4/3 E* R*^(1/2) for n = 3/2,  k_1 = 2 E* R* for n = 1
 //
-// On the adhesive limit overlap_max falls so that the contact lies on its unloading line. The
-// constant force f_0 <= 0 acts while the bodies overlap; its energy is the surface energy.
+// On the adhesive limit, overlap_max decreases so that the contact stays on its unloading line. The
+// constant force f_0 <= 0 acts while the bodies overlap; its potential is the surface energy.
 // Morrissey 2013 (PhD thesis, Edinburgh) instead derives k_adh from a surface energy and the
 // largest contact.
 //
@@ -39,7 +39,7 @@ class Edinburgh2014 : public AdhesiveLimit<Edinburgh2014> {
        "k_2/k_1, unloading over loading stiffness"},
       {"adhesion_ratio", "-", &Parameters::adhesion_ratio, 0, 1e6, "k_adh/k_1"},
       {"constant_force", "N", &Parameters::constant_force, -1e6, 0,
-       "f_0, attractive force that does not depend on the load"},
+       "f_0, constant attractive force"},
   }};
   static constexpr std::array<Option<Parameters>, 1> options{{{"exponent",
                                                                &Parameters::exponent,
@@ -69,14 +69,14 @@ class Edinburgh2014 : public AdhesiveLimit<Edinburgh2014> {
  private:
   friend AdhesiveLimit<Edinburgh2014>;
 
-  PLASTIGRAN_DEVICE double scale(double radius_eff) const {  // k_1
+  PLASTIGRAN_DEVICE double scale(double radius_eff) const {  // returns k_1 [N/m^n]
     return linear_ ? 2 * modulus_ * radius_eff : 4.0 / 3.0 * modulus_ * std::sqrt(radius_eff);
   }
   PLASTIGRAN_DEVICE static double limited(double, double overlap) { return overlap; }
   PLASTIGRAN_DEVICE double power(double overlap) const {
     return linear_ ? overlap : overlap * std::sqrt(overlap);
   }
-  PLASTIGRAN_DEVICE double integral(double overlap) const {  // of overlap^n from 0
+  PLASTIGRAN_DEVICE double integral(double overlap) const {  // integral of overlap^n from 0
     return power(overlap) * overlap / (exponent_ + 1);
   }
   PLASTIGRAN_DEVICE double force(double first, double overlap, double max) const {
@@ -95,11 +95,11 @@ class Edinburgh2014 : public AdhesiveLimit<Edinburgh2014> {
   PLASTIGRAN_DEVICE double limit_begins(double, double max) const { return begin_ * max; }
   PLASTIGRAN_DEVICE double max_on_limit(double, double overlap) const { return overlap / begin_; }
 
-  double modulus_;  // E*
+  double modulus_;  // E* [Pa]
   bool linear_;
   double exponent_, ratio_, adhesion_, constant_;
-  double residual_;  // overlap_0/overlap_max
-  double begin_;     // overlap at the adhesive limit over overlap_max
+  double residual_;  // overlap_0/overlap_max [-]
+  double begin_;     // overlap where unloading meets the adhesive limit, divided by overlap_max [-]
 };
 
 }  // namespace plastigran

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// Ghaednia, Marghitu & Jackson 2014 (J. Tribol. 137:011403): Jackson & Green's law refitted to the
-// impact of a rod on a flat in which both bodies deform. As collected in Ghaednia et al. 2015 (Int.
-// J. Impact Eng. 86:307), eqs 32-34. Symbols of jackson_green.h.
+// Ghaednia, Marghitu & Jackson 2014 (J. Tribol. 137:011403): the law of Jackson & Green refitted to
+// the impact of a rod on a flat, with deformation of both bodies. As collected in Ghaednia et al.
+// 2015 (Int. J. Impact Eng. 86:307), eqs 32-34. Symbols as in jackson_green.h.
 //
 //   f = exp(-0.17 x^(5/12)) x^1.5 + 4H/(C sigma_Y) (1 - exp(-x^(5/9)/78)) x^1.1   x > 1.9
 //   overlap_res = 0.8 overlap_max (1 - ((x + 5.5)/6.5)^-2)                        x > 1.9
 //
-// The source is ambiguous about the 1.1: an exponent of x (option loading exponent, the default) or
-// a factor before x (prefactor). The force jumps by -10 % at 1.9.
+// In the source, 1.1 may be an exponent of x (option loading exponent, the default) or a factor of
+// x (option loading prefactor). The force jumps by -10 % at x = 1.9.
 // Range: one steel on iron, overlaps to about 1000 overlap_c.
 #pragma once
 
@@ -31,7 +31,7 @@ struct GhaedniaCurve : JacksonGreenCurve {
       {"loading",
        &Parameters::loading,
        {"exponent", "prefactor", nullptr},
-       "reading of the 1.1 in the loading curve"},
+       "meaning of 1.1 in the loading curve: exponent or factor"},
       reading_option(&Parameters::reading),
   }};
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// Hertz 1881 (J. reine angew. Math. 92:156): frictionless elastic contact, the limit of every law
-// here for an unyielding body.
+// Hertz 1881 (J. reine angew. Math. 92:156): frictionless elastic contact, the limit of every
+// yielding law for an infinite yield strength.
 //
 //   F = 4/3 E* sqrt(R*) overlap^(3/2),   a = sqrt(R* overlap),   energy 2/5 F overlap
 //
-// Range: a << R*; contact time long against the bodies' slowest vibration.
+// Range: a << R*; contact time much longer than the period of the slowest vibration of the bodies.
 #pragma once
 
 #include "plastigran/shared/contact.h"
@@ -31,7 +31,7 @@ class Hertz : public NoConstants {
   }
 
  private:
-  double modulus_;  // 4/3 E*
+  double modulus_;  // 4/3 E* [Pa]
 };
 
 }  // namespace plastigran

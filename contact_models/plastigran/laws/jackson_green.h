@@ -12,10 +12,11 @@
 //   H/sigma_Y = 2.84 (1 - exp(-0.82 (a/R)^-0.7))               option hardness exponential (2005)
 //   overlap_res = 1.02 overlap_max (1 - ((x + 5.9)/6.9)^-0.54)            0 up to 1.9
 //
-// R and E' are the fitted sphere's: fitted_sphere.h says which that is for two bodies.
+// R and E' belong to the fitted sphere, which fitted_sphere.h defines for two bodies.
 //
-// The fit of the residual would pass overlap_max at x = 10 000: at least 1 % is recovered.
-// The force jumps at 1.9, by +0.5 % for weak bodies of nu = 0.3 (page). Range: a/R <= 0.41.
+// The fitted residual overlap would exceed overlap_max from x = 10 000; therefore at least 1 % of
+// the overlap is recovered. The force jumps at x = 1.9, by +0.5 % for small sigma_Y/E' and nu =
+// 0.3. Range: a/R <= 0.41.
 #pragma once
 
 #include "plastigran/shared/fitted_sphere.h"
@@ -36,16 +37,16 @@ struct JacksonGreenCurve {
       {"hardness",
        &Parameters::hardness,
        {"cosine", "exponential", nullptr},
-       "how hardness falls with contact radius"},
+       "dependence of hardness on the contact radius"},
       reading_option(&Parameters::reading),
   }};
 
   std::array<double, 1> breaks{1.9};
   FittedSphere sphere;
-  double pressure_factor;  // C
-  double area_exponent;    // B
+  double pressure_factor;  // C, from Poisson's ratio [-]
+  double area_exponent;    // B, exponent of the contact area [-]
   int hardness;
-  double yield_radius;  // a_y/R
+  double yield_radius;  // a_y/R [-]
   double yield_radius_ratio;
 
   JacksonGreenCurve(const MaterialPair& pair, const Parameters& constants)
@@ -57,7 +58,8 @@ struct JacksonGreenCurve {
         yield_radius_ratio(yield_radius * sphere.radius_ratio) {}
 
   PLASTIGRAN_DEVICE double force(double x) const { return force(x, contact_radius(x)); }
-  // With another a/a_y.
+  // Returns f at x for a given contact radius `radius` = a/a_y; ghaednia_2019 passes its own
+  // contact radius.
   PLASTIGRAN_DEVICE double force(double x, double radius) const {
     return std::exp(-0.25 * std::pow(x, 5.0 / 12)) * x * std::sqrt(x) +
            4 * hardness_ratio(radius) / pressure_factor * -std::expm1(-std::pow(x, 5.0 / 9) / 25) *
@@ -69,13 +71,14 @@ struct JacksonGreenCurve {
   PLASTIGRAN_DEVICE double contact_radius(double x) const {
     return std::sqrt(x * std::pow(x / 1.9, area_exponent));
   }
-  // Where a/R = 0.41, the end of the fit.
+  // Returns the overlap/R* at which a/R = 0.41, the end of the fitted range.
   double overlap_range() const {
     const double x_scale = 1 / (1.9 * yield_radius * yield_radius);
     return sphere.overlap_range(
         std::pow(0.41 * 0.41 / std::pow(x_scale, area_exponent), 1 / (1 + area_exponent)));
   }
-  // H / sigma_Y at a/a_y; the cosine form was fitted up to a/R = 0.41 and is held at a/R = 1.
+  // Returns H/sigma_Y at `radius` = a/a_y. The cosine form was fitted up to a/R = 0.41 and is
+  // constant beyond a/R = 1.
   PLASTIGRAN_DEVICE double hardness_ratio(double radius) const {
     const double a = yield_radius * radius;
     if (hardness == exponential) return -2.84 * std::expm1(-0.82 * std::pow(a, -0.7));

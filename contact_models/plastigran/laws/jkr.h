@@ -11,9 +11,9 @@
 //     |   /     _/
 //     |   `---'
 //
-// A contact that forms and breaks loses 1.0524 (pi^5 Gamma^5 R*^4/E*^2)^(1/3).
-// Range: a << R*; soft or large bodies: (R* Gamma^2/E*^2)^(1/3) much larger than the
-// distance of atoms.
+// Forming and breaking a contact dissipates 1.0524 (pi^5 Gamma^5 R*^4/E*^2)^(1/3).
+// Range: a << R*; soft or large bodies: (R* Gamma^2/E*^2)^(1/3) much larger than the distance
+// between atoms.
 #pragma once
 
 #include "plastigran/shared/adhesion.h"

@@ -12,7 +12,8 @@
 //   f = (3/K) x, a^2 = 2x a_c^2            beyond 110, option fully_plastic on
 //   overlap_res = overlap_max (1 - x^-0.28)(1 - x^-0.69),   n = 1.5 x^-0.0331
 //
-// Jumps of the force: +3.0 % at 1, +1.7 % at 6, with fully_plastic on +7.9 % (nu = 0.3) at 110.
+// Jumps of the force: +3.0 % at x = 1, +1.7 % at x = 6, and with fully_plastic on +7.9 % (nu = 0.3)
+// at x = 110.
 // Range: fitted for x <= 110.
 #pragma once
 
@@ -37,7 +38,7 @@ struct KogutEtsionCurve {
 
   std::array<double, 3> breaks{1, 6, 110};
   double yield_radius_ratio;
-  double hardness_ratio;  // K
+  double hardness_ratio;  // K [-]
   bool fully_plastic;
 
   KogutEtsionCurve(const MaterialPair& pair, const Parameters& constants)

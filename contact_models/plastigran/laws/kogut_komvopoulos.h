@@ -9,12 +9,12 @@
 //   N = 0.839 + ln((E'/sigma_Y)^0.656 t^0.651),  D = 2.192 - ln((E'/sigma_Y)^0.394 t^0.419)
 //   overlap_max - overlap_res = 0.591 (E'/sigma_Y)^-0.156 overlap_max
 //
-// R and E' are the fitted sphere's: fitted_sphere.h says which that is for two bodies.
+// R and E' belong to the fitted sphere, which fitted_sphere.h defines for two bodies.
 //
-// The force jumps by +11 % at yield and the residual overlap from 0 to three quarters, so that
-// restitution falls from 1 to one half there and stays: use it for well-developed plasticity only.
-// D would vanish for deep indentation; it is held at 0.71, where Ye & Komvopoulos's area ends, and
-// beyond overlap = R pressure and area are kept.
+// At yield, the force jumps by +11 % and the residual overlap jumps from 0 to three quarters of the
+// overlap. Restitution therefore drops from 1 to one half and stays there: use the law only for
+// well-developed plasticity. D would vanish for deep indentation, so it is at least 0.71, the limit
+// of Ye & Komvopoulos. Beyond overlap = R, pressure and area are constant.
 #pragma once
 
 #include "plastigran/shared/fitted_sphere.h"
@@ -31,8 +31,8 @@ struct KogutKomvopoulosCurve : ReadingAlone {
   std::array<double, 3> breaks;
   double yield_radius_ratio;
   FittedSphere sphere;
-  double stiffness;    // E'/sigma_Y
-  double yield_depth;  // overlap_y/R
+  double stiffness;    // E'/sigma_Y [-]
+  double yield_depth;  // overlap_y/R [-]
 
   KogutKomvopoulosCurve(const MaterialPair& pair, const Parameters& constants)
       : sphere(pair, constants.reading), stiffness(sphere.modulus / pair.yield_strength) {
@@ -46,7 +46,7 @@ struct KogutKomvopoulosCurve : ReadingAlone {
 
   PLASTIGRAN_DEVICE double depth(double x) const { return std::min(x * yield_depth, 1.0); }
   double overlap_range() const { return sphere.overlap_range(widest_overlap_range); }
-  PLASTIGRAN_DEVICE double area(double x) const {  // A/R^2
+  PLASTIGRAN_DEVICE double area(double x) const {  // returns A/R^2 [-]
     const double z = depth(x), log_t = 0.5 * std::log(z / (2 - z));
     return pi * z * (2 - z) / std::max(0.71, 2.192 - 0.394 * std::log(stiffness) - 0.419 * log_t);
   }

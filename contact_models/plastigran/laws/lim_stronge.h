@@ -2,19 +2,19 @@
 //
 // Lim & Stronge 1998 (Math. Comput. Model. 28:323): a rigid cylinder on an elastic-plastic body in
 // plane strain. Loading as in line_loading.h; equations as collected in Katta & Polycarpou 2010 (J.
-// Tribol. 132), repaired.
+// Tribol. 132), with misprints corrected.
 //
 //   overlap_res = a_max^2/(2 R_b),   1/R_b = 1/R - 1/R_e
 //   F = F_max (overlap - overlap_res)/(overlap_max - overlap_res)
 //
 //   F |          /     first loading, convex before yield and concave beyond
-//     |        _//     straight rebound to the crater as deep as its circle over the loaded width
+//     |        _//     linear unloading to overlap_res
 //     |      _/ /
 //     |_____/__/____ overlap
 //
-// Range: length >= 10 R*, contact narrower than 0.6 thicknesses (nu near 0.25). Below yield the
-// rebound is the elastic curve, above it a straight line: the rebound jumps at yield, the force
-// does not.
+// Range: length >= 10 R*, contact narrower than 0.6 thicknesses (nu near 0.25). Unloading follows
+// the elastic curve below yield and a straight line above, so the unloading curve jumps at yield,
+// but the force does not.
 #pragma once
 
 #include "plastigran/tables/line_contact.h"
@@ -25,7 +25,7 @@ struct StraightRebound {
   static constexpr const char* name = "lim_stronge";
   static constexpr const char* source = "Lim & Stronge 1998, Math. Comput. Model. 28:323";
   static constexpr bool straight = true;
-  // overlap_max - overlap_res, with a_max^2 = 4 load R_e and the loading curve put in
+  // Returns overlap_max - overlap_res, using a_max^2 = 4 load R_e and the loading curve.
   PLASTIGRAN_DEVICE static double recovery(double load_y, double overlap_y, double load, double) {
     return overlap_y + 2 * (load - load_y);
   }

@@ -9,9 +9,9 @@
 //   overlap_limit = k_2/(k_2 - k_1) phi 2 R*
 //
 // Beyond overlap_limit the contact follows its unloading line, elastic with k_2. On the adhesive
-// limit overlap_max falls so that the contact lies on its unloading line: overlap_max is the
-// positive root of x^2 - overlap x = (k_1 + k_c) overlap overlap_limit/(k_2 - k_1). There is no
-// force without overlap. In the source 2 R* is 2 a_1 a_2/(a_1 + a_2).
+// limit, overlap_max decreases so that the contact stays on its unloading line: overlap_max is the
+// positive root of x^2 - overlap x = (k_1 + k_c) overlap overlap_limit/(k_2 - k_1). Without
+// overlap, the force is zero. The source writes 2 a_1 a_2/(a_1 + a_2) for 2 R*.
 //
 //   F |          / |
 //     |        /  /        k_1, then k
@@ -42,11 +42,11 @@ class Luding2008 : public AdhesiveLimit<Luding2008> {
   static constexpr std::array<Parameter<Parameters>, 4> parameters{{
       {"loading_stiffness", "N/m", &Parameters::loading_stiffness, 1e-6, 1e15, "k_1"},
       {"unloading_stiffness", "N/m", &Parameters::unloading_stiffness, 1e-6, 1e18,
-       "k_2, largest stiffness of unloading, more than k_1"},
+       "k_2, largest stiffness of unloading, above k_1"},
       {"adhesive_stiffness", "N/m", &Parameters::adhesive_stiffness, 0, 1e18,
        "k_c, slope of the adhesive limit"},
       {"plasticity_depth", "-", &Parameters::plasticity_depth, 1e-6, 1,
-       "phi, largest residual overlap over 2 R*"},
+       "phi, largest residual overlap divided by 2 R*"},
   }};
   static bool admissible(const MaterialPair&, const Parameters& constants) {
     return constants.unloading_stiffness > constants.loading_stiffness;
@@ -70,13 +70,13 @@ class Luding2008 : public AdhesiveLimit<Luding2008> {
  private:
   friend AdhesiveLimit<Luding2008>;
 
-  PLASTIGRAN_DEVICE double scale(double radius_eff) const {  // overlap_limit
+  PLASTIGRAN_DEVICE double scale(double radius_eff) const {  // returns overlap_limit [m]
     return limit_ratio_ * radius_eff;
   }
   PLASTIGRAN_DEVICE static double limited(double limit, double overlap) {
     return std::min(overlap, limit);
   }
-  PLASTIGRAN_DEVICE double stiffness(double limit, double max) const {  // k
+  PLASTIGRAN_DEVICE double stiffness(double limit, double max) const {  // returns k [N/m]
     return loading_ + growth_ * (max / limit);
   }
   PLASTIGRAN_DEVICE double force(double limit, double overlap, double max) const {
@@ -101,8 +101,8 @@ class Luding2008 : public AdhesiveLimit<Luding2008> {
     return 0.5 * (overlap + std::sqrt(overlap * overlap + 4 * shift * overlap));
   }
 
-  double loading_, growth_, adhesive_;  // k_1, k_2 - k_1, k_c
-  double limit_ratio_;                  // overlap_limit/R*
+  double loading_, growth_, adhesive_;  // k_1, k_2 - k_1, k_c [N/m]
+  double limit_ratio_;                  // overlap_limit/R* [-]
 };
 
 }  // namespace plastigran

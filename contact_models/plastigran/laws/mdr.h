@@ -2,8 +2,8 @@
 //
 // Zunker & Kamrin 2024 (J. Mech. Phys. Solids 183:105492), method of dimensionality reduction for
 // one contact without adhesion: a sphere on a rigid flat is mapped to an elliptical indenter that
-// sinks into a bed of springs. Equations as in LAMMPS' `normal mdr`; those of several contacts on
-// one body (bulk response, growth of the radius) are no part of it.
+// is pressed into a bed of springs. Equations as in LAMMPS' `normal mdr`; the equations for several
+// contacts on one body (bulk response, growth of the radius) are not included.
 //
 // For a sphere of modulus E' and radius R, in xi = overlap/R and y, the indenter's depth over half
 // its height:
@@ -16,14 +16,14 @@
 //   recovery = A/2 (1 - a_max/s (1 - (1-2 nu) z/(2 (1-nu) (s+z)))),
 //   A/2 = 2 p a_max/E',  z = R - overlap_max + A/2,  s^2 = a_max^2 + z^2
 //
-// Below y = 1 the elliptical indenter, beyond (overlaps of 2 R that never yielded) a flat punch.
-// Two bodies are read as one sphere on a rigid flat (shared/fitted_sphere.h), which is what LAMMPS
-// does with equal ones.
+// For y < 1 the indenter is elliptical; beyond (overlaps above 2 R without yield) it is a flat
+// punch. Two bodies are replaced by one sphere on a rigid flat (shared/fitted_sphere.h), as LAMMPS
+// does for equal bodies.
 //
-// Just beyond yield what unloading gives back grows faster than what loading puts in: there the
-// energy guard (default on) keeps the work lost. Beyond an overlap of 0.7 R, where the source's
-// rebound shrinks to nothing, the contact no longer grows. Range: a contact that no other one on
-// the same body disturbs.
+// Just beyond yield, the published released energy grows faster than the work of loading. The
+// energy guard (default on) then keeps the plastic work from decreasing. Beyond an overlap of 0.7
+// R, where the published recovery tends to zero, the contact area is constant. Range: contacts that
+// do not influence each other.
 #pragma once
 
 #include "plastigran/shared/fitted_sphere.h"
@@ -33,18 +33,18 @@
 
 namespace plastigran {
 
-// In x = overlap/R, f = F/(4/3 E' R^2).
+// Curve of the law in the units x = overlap/R and f = F/(4/3 E' R^2).
 struct MdrCurve : NoConstants {
   static constexpr const char* name = "mdr";
   static constexpr const char* source = "Zunker & Kamrin 2024, J. Mech. Phys. Solids 183:105492";
-  static constexpr const char* range = "overlap <= 0.1 R, contacts apart from each other";
-  static constexpr double largest = 0.7;  // overlap over R up to which the contact grows
+  static constexpr const char* range = "overlap <= 0.1 R, contacts without influence on each other";
+  static constexpr double largest = 0.7;  // overlap/R up to which the contact area grows
 
   FittedSphere sphere;
-  double strength;             // sigma_Y/E'
-  double correction;           // (1 - 2 nu)/(2 (1 - nu))
-  double yield_radius_ratio;   // the unit of length here: R/R*
-  double depth_y = unlimited;  // xi_Y
+  double strength;             // sigma_Y/E' [-]
+  double correction;           // (1 - 2 nu)/(2 (1 - nu)) [-]
+  double yield_radius_ratio;   // R/R* [-], because this curve has R as its unit of length
+  double depth_y = unlimited;  // xi_Y, overlap/R at yield [-]
   std::array<double, 2> breaks;
 
   MdrCurve(const MaterialPair& pair, const Parameters&)
@@ -52,7 +52,8 @@ struct MdrCurve : NoConstants {
         strength(pair.yield_strength / sphere.modulus),
         correction((1 - 2 * pair.poissons_ratio) / (2 * (1 - pair.poissons_ratio))),
         yield_radius_ratio(sphere.radius_ratio) {
-    // The Hertzian mean pressure rises with the overlap, the pressure of yield falls.
+    // Bisection is safe: the mean Hertz pressure increases with overlap, and the yield pressure
+    // decreases.
     const auto yielded = [this](double x) { return 4 * std::sqrt(x) > 3 * pi * pressure(x); };
     if (yielded(largest)) {
       double low = 0, high = largest;
@@ -62,11 +63,11 @@ struct MdrCurve : NoConstants {
     breaks = {depth_y, std::max(depth_y, largest)};
   }
 
-  // p/E'
+  // Returns p/E' [-].
   PLASTIGRAN_DEVICE double pressure(double x) const {
     return strength * (1.75 * std::exp(-4.4 * std::min(x, largest)) + 1);
   }
-  // (a_max/R)^2
+  // Returns (a_max/R)^2 [-].
   PLASTIGRAN_DEVICE double area(double x) const {
     const double grown = std::min(x, largest);
     return grown * (2 - grown) - depth_y * (1 - depth_y);

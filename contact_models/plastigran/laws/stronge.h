@@ -8,14 +8,14 @@
 //   f = q (1 + ln q/(3 th))    until the mean pressure is 2.8 sigma_Y, at q = exp(3 (2.8 - th))
 //   f = q 2.8/th               beyond
 //
-// No source prints the unloading; three readings are in use, all with n = 3/2:
+// The sources do not state the unloading curve. Three versions are in use, all with n = 3/2:
 //   book             overlap_max - overlap_res = overlap_Y sqrt(q)           (default)
-//   area             the contact area is kept: 3 F_max/(4 E* a_max)
+//   area             constant contact area: 3 F_max/(4 E* a_max)
 //   original_radius  Hertz with the undeformed R*: (3 F_max/(4 E* sqrt(R*)))^(2/3)
 //
-// The force is continuous; its slope rises by 1.74 at yield, so that every reading returns more
-// than it took up to x = 1.9 (book) or 4.0: the energy guard sees to it. No reading may leave a
-// negative residual overlap.
+// The force is continuous, but its slope increases by a factor of 1.74 at yield. Every version
+// would therefore release more energy than loading took, up to x = 1.9 (book) or 4.0; the energy
+// guard prevents this. Residual overlaps are at least 0.
 #pragma once
 
 #include "plastigran/tables/power_unloading.h"
@@ -26,7 +26,7 @@ struct StrongeCurve {
   static constexpr const char* name = "stronge";
   static constexpr const char* source = "Stronge 2000, Impact Mechanics, ch. 6";
   static constexpr const char* range =
-      "a << R*; small strain; unloading not settled by the sources";
+      "a << R*; small strain; the sources do not define the unloading";
   static constexpr bool self_similar = true;
   enum Unloading { book, area, original_radius };
   struct Parameters {
@@ -36,14 +36,14 @@ struct StrongeCurve {
       {"unloading",
        &Parameters::unloading,
        {"book", "area", "original_radius"},
-       "reading of the unloading curve"},
+       "version of the unloading curve"},
   }};
 
-  static constexpr double threshold = 1.1;      // th: mean pressure at yield over sigma_Y
-  static constexpr double fully_plastic = 2.8;  // the same, fully plastic
+  static constexpr double threshold = 1.1;      // th: mean pressure/sigma_Y at yield
+  static constexpr double fully_plastic = 2.8;  // mean pressure/sigma_Y when fully plastic
   double yield_radius_ratio;
   int unloading;
-  double plastic_area = std::exp(3 * (fully_plastic - threshold));  // q there
+  double plastic_area = std::exp(3 * (fully_plastic - threshold));  // q at full plasticity
   std::array<double, 2> breaks{1, 0.5 * (plastic_area + 1)};
 
   StrongeCurve(const MaterialPair& pair, const Parameters& constants)

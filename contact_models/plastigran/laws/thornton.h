@@ -61,7 +61,7 @@ class Thornton : public NoConstants, public LargestOverlap {
   }
 
  private:
-  // Work of first loading to overlap_max, minus the work that unloading returns.
+  // Returns the work of first loading to overlap_max minus the energy released by unloading [J].
   PLASTIGRAN_DEVICE double plastic_work(double radius_eff, double overlap_max) const {
     if (overlap_max == 0) return 0;
     const double overlap_y = radius_eff * yield_overlap_ratio_;
@@ -75,9 +75,9 @@ class Thornton : public NoConstants, public LargestOverlap {
     return loading_work - 0.4 * force_max * recovery;
   }
 
-  double modulus_;              // 4/3 E*
-  double slope_;                // dF/d(overlap) per R* beyond yield: pi p_y
-  double yield_overlap_ratio_;  // overlap_y / R*
+  double modulus_;              // 4/3 E* [Pa]
+  double slope_;                // pi p_y [Pa]: dF/d(overlap)/R* beyond yield
+  double yield_overlap_ratio_;  // overlap_y/R* [-]
 };
 
 }  // namespace plastigran

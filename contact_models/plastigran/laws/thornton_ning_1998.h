@@ -13,9 +13,9 @@
 // Without adhesion the law is `thornton`; without yield it is `jkr`. A contact that was pulled off
 // forms again where the flattened surfaces touch, at overlap_p.
 //
-// If a contact yields at s_y^3 < 5/4 c R*, under tension, the published unloading returns more than
-// loading put in. With the option energy_guard the contact then yields at s_y^3 = 5/4 c R*, as if
-// p_y were that much larger.
+// If a contact yields at s_y^3 < 5/4 c R*, under tension, the published unloading releases more
+// energy than loading took. With the option energy_guard the contact then yields at s_y^3 = 5/4 c
+// R*, as if p_y were that much larger.
 //
 // Range: a << R*; as `thornton`, the force is too low well beyond yield.
 #pragma once
@@ -137,7 +137,8 @@ class ThorntonNing1998 {
     return {radius, cube * s * (1 / radius_eff - 1 / radius)};
   }
 
-  // Energy of the contact at yield and work from there on, less the energy on unloading.
+  // Returns the plastic work [J]: energy at yield plus the work beyond yield, minus the energy on
+  // the unloading curve at the same contact radius s^2.
   PLASTIGRAN_DEVICE double plastic_work(double radius_eff, Yield yield, double s) const {
     if (!(s > yield.root)) return 0;
     // F = first + p s^4 - linear s,  d overlap = (4 s^3/R* - c) ds

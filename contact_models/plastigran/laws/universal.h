@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// A law of this project: Hertz to yield, then closed forms through the fully plastic regime, with
-// linear hardening, fitted to finite elements of spheres on a rigid plane (docs/laws/universal.md).
-// F_Y = 4/3 E* a_Y^3/R*, overlap_Y = a_Y^2/R*, a_Y = pi p_y R*/(2 E*), s = t - 1,
-// t = (overlap/overlap_Y)^(1/2):
+// Law of this project: Hertz until yield, then closed forms up to full plasticity, with linear
+// hardening. The constants are fitted to finite-element solutions of spheres on a rigid plane
+// (docs/laws/universal.md). F_Y = 4/3 E* a_Y^3/R*, overlap_Y = a_Y^2/R*, a_Y = pi p_y R*/(2 E*),
+// s = t - 1, t = (overlap/overlap_Y)^(1/2):
 //
-//   q = (q_1 + s)/(q_1 + w s) + q_2 h s/(1 + q_3 s)       strength, over that at yield
+//   q = (q_1 + s)/(q_1 + w s) + q_2 h s/(1 + q_3 s)       strength/strength at yield
 //   S = <t/q - 1>
 //   F = F_Y t^3/(1 + f_1 S^2 (S + f_2)/((S + f_3)(S + f_4)) (1 + f_5 Z)),  Z = (r S)^2/(1 + r S)
 //   a = a_Y t (1 + c_1 S^2/((1 + c_4 h) S^2 + c_2 S + c_3))^(1/2) (1 + c_5 Z)
@@ -14,13 +14,15 @@
 //   F = F_max y^(3/2) (1 + g)/(1 + g y^(1/2)),  g = g_1 D,       unloading and reloading
 //   y = (overlap - overlap_res)/(overlap_max - overlap_res)
 //
-// w is p_y/sigma_Y over that at nu = 0.3: far from yield only sigma_Y matters.
+// w is p_y/sigma_Y divided by its value at nu = 0.3, because far from yield only sigma_Y matters.
 // h = (p_y/sigma_Y) H/E', H the plastic modulus; r = a_Y/R. E' and R are those of the fitted
-// sphere, see fitted_sphere.h. Where a hard sphere dents a flat, the body that yields has no
-// radius: option yielding flat, r = 0. The contact radius falls as dF/d(overlap) does.
+// sphere, see fitted_sphere.h. If a hard sphere indents a flat, the yielding body has no radius:
+// option yielding flat sets r = 0. During unloading, the contact radius is proportional to
+// dF/d(overlap).
 //
-// Why e <= 1: beyond yield F/t^3 and the released energy over F^2/a fall, and a/t grows. With all
-// three constant, as in Hertz's contact, the released energy grows as the work done.
+// Restitution is at most 1, because beyond yield F/t^3 and (released energy)/(F^2/a) decrease, and
+// a/t increases. If all three were constant, as in a Hertz contact, the released energy would equal
+// the work of loading.
 #pragma once
 
 #include "plastigran/shared/fitted_sphere.h"
@@ -41,18 +43,17 @@ struct UniversalCurve {
       {"yielding",
        &Parameters::yielding,
        {"sphere", "flat", nullptr},
-       "the body that yields: a sphere that flattens, or a flat; for a flat, the fit for small a/R "
-       "holds at any a/R"},
+       "shape of the yielding body: a sphere that flattens, or a flat; for a flat, the fit for "
+       "small a/R holds at any a/R"},
   }};
 
   static bool admissible(const MaterialPair& pair, const Parameters&) {
     return pair.yield_pressure <= 3 * pair.yield_strength;
   }
   static constexpr const char* admissibility =
-      "{yield_pressure_factor} of the weaker body must be at most 3: the finite elements have 1.5 "
-      "to 2.1";
+      "{yield_pressure_factor} of the weaker body must be at most 3; the fit has 1.5 to 2.1";
 
-  // `python -m plastigran.validation.spheres.fit` prints these.
+  // Fitted constants, printed by `python -m plastigran.validation.spheres.fit`.
   static constexpr double q_1 = 6.791, q_2 = 0.3561, q_3 = 0.01798;
   static constexpr double f_1 = 0.1253, f_2 = 11.91, f_3 = 8.355, f_4 = 1.114, f_5 = 3.802;
   static constexpr double c_1 = 1.248, c_2 = 5.11, c_3 = 4.411, c_4 = 3.473, c_5 = 7.842;
@@ -60,11 +61,11 @@ struct UniversalCurve {
   static constexpr double g_1 = 3.642;
 
   FittedSphere fitted;
-  double yield_radius_ratio;  // a_Y/R*
-  double yield_radius;        // a_Y/R of the fitted sphere
-  double widening_radius;     // r
-  double onset;               // w
-  double hardening;           // h
+  double yield_radius_ratio;  // a_Y/R* [-]
+  double yield_radius;        // a_Y/R of the fitted sphere [-]
+  double widening_radius;     // r [-]; 0 with option yielding flat
+  double onset;               // w [-]
+  double hardening;           // h [-]
   std::array<double, 1> breaks{1};
 
   UniversalCurve(const MaterialPair& pair, const Parameters& constants)
@@ -79,12 +80,12 @@ struct UniversalCurve {
     hardening = pressure_factor * plastic_modulus / fitted.modulus;
   }
 
-  PLASTIGRAN_DEVICE double depth(double t) const {  // S
+  PLASTIGRAN_DEVICE double depth(double t) const {  // returns S [-]
     const double s = t - 1;
     const double strength = (q_1 + s) / (q_1 + onset * s) + q_2 * hardening * s / (1 + q_3 * s);
     return std::max(0.0, t / strength - 1);
   }
-  PLASTIGRAN_DEVICE double large(double S) const {  // Z
+  PLASTIGRAN_DEVICE double large(double S) const {  // returns Z [-]
     const double a = widening_radius * S;
     return a * a / (1 + a);
   }
@@ -98,7 +99,7 @@ struct UniversalCurve {
     const double widening = c_1 * S * S / ((1 + c_4 * hardening) * S * S + c_2 * S + c_3);
     return t * std::sqrt(1 + widening) * (1 + c_5 * large(S));
   }
-  PLASTIGRAN_DEVICE double lacking(double x) const {  // D
+  PLASTIGRAN_DEVICE double lacking(double x) const {  // returns D [-]
     const double S = depth(std::sqrt(x));
     return d_1 * S * S / (S * S + d_2 * S + d_3);
   }
@@ -107,8 +108,8 @@ struct UniversalCurve {
   }
   PLASTIGRAN_DEVICE double steepness(double x) const { return 1 + g_1 * lacking(x); }
 
-  double overlap_range() const {                  // the finite elements reach a/R = 0.1
-    double left = 0, right = 0.1 / yield_radius;  // bounds of t: a is that of Hertz or larger
+  double overlap_range() const {                  // overlap/R* at a/R = 0.1, the end of the fit
+    double left = 0, right = 0.1 / yield_radius;  // bounds of t: a is at least the Hertz radius
     halve(left, right,
           [this](double t) { return yield_radius * (t > 1 ? contact_radius(t * t) : t) >= 0.1; });
     return fitted.overlap_range(left * left * yield_radius * yield_radius);

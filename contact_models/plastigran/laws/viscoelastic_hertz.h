@@ -1,20 +1,21 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// Viscoelastic spheres: Hertz with the viscous stress of the same deformation, quasi-static.
+// Viscoelastic spheres: quasi-static Hertz contact with an additional viscous stress.
 // Kuwabara & Kono 1987 (Jpn. J. Appl. Phys. 26:1230); Brilliantov, Spahn, Hertzsch & Pöschel 1996
-// (Phys. Rev. E 53:5382, eq. 19); where a contact ends: Schwager & Pöschel 2008 (Phys. Rev. E
+// (Phys. Rev. E 53:5382, eq. 19); end of the contact: Schwager & Pöschel 2008 (Phys. Rev. E
 // 78:051304).
 //
 //   F = rho_k (overlap^(3/2) + 3/2 A sqrt(overlap) d overlap/dt),   rho_k = 4/3 E* sqrt(R*)
 //   a = sqrt(R* overlap),   stored 2/5 rho_k overlap^(5/2)
 //
-//   F |   closing  . - ~ .     Largest before the largest overlap; on the way back it vanishes
-//     |        . '      , |    while the spheres still overlap. They part there: the surfaces
-//     |     . '  Hertz , '     recover more slowly and never pull.
-//     |   . '     , '  parting
+//   F |   closing  . - ~ .     The force peaks before the largest overlap. On unloading it vanishes
+//     |        . '      , |    while the spheres still overlap. The contact ends there: the
+//     surfaces |     . '  Hertz , '     recover more slowly and never attract. |   . '     , '
+//     parting
 //     +------------------- overlap
 //
-// Range: no yield; impact slow against sound and contact time long against A.
+// Range: no yield; impact speed much lower than the speed of sound, contact time much longer than
+// A.
 #pragma once
 
 #include "plastigran/shared/contact.h"
@@ -26,7 +27,7 @@ class ViscoelasticHertz {
   static constexpr const char* name = "viscoelastic_hertz";
   static constexpr const char* source =
       "Brilliantov, Spahn, Hertzsch & Pöschel 1996, Phys. Rev. E 53:5382";
-  static constexpr const char* range = "no yield, a << R*, contact time long against A";
+  static constexpr const char* range = "no yield, a << R*, contact time >> A";
   static constexpr bool rate_dependent = true;
   static constexpr bool yields = false;
 
@@ -35,7 +36,7 @@ class ViscoelasticHertz {
   };
   static constexpr std::array<Parameter<Parameters>, 1> parameters{
       {{"dissipative_constant", "s", &Parameters::dissipative_constant, 0, 1,
-        "A, viscous over elastic constants of the two bodies; 0 is Hertz"}}};
+        "A, ratio of viscous to elastic constants of the two bodies; 0: Hertz"}}};
 
   struct State {};
   static constexpr std::array<const char*, 0> state_names{};
@@ -55,15 +56,15 @@ class ViscoelasticHertz {
       response.force = force;
       response.contact_radius = radius;
     }
-    // What is still stored where the spheres part is lost while their surfaces recover.
+    // The elastic energy left when the contact ends is dissipated while the surfaces recover.
     response.elastic_energy = 0.4 * elastic_force * overlap;
     response.viscous_force = response.force - elastic_force;
     return response;
   }
 
  private:
-  double modulus_;  // 4/3 E*
-  double delay_;    // 3/2 A
+  double modulus_;  // 4/3 E* [Pa]
+  double delay_;    // 3/2 A [s]
 };
 
 }  // namespace plastigran

@@ -9,8 +9,8 @@
 //   unloading, reloading: a_p and C_R keep their values at the largest force
 //   P_Y = pi^3 R*^2 p_y^3/(6 E*^2),  a_Y = pi p_y R*/(2 E*),  overlap_Y = a_Y^2/R*   (yield)
 //
-// In s = a_e/a_Y, with F = P_Y s^3, u = <s^3 - 1>, c_a = C_a P_Y/a_Y, k_c = K_c P_Y, the law has
-// no size or material left in it:
+// In s = a_e/a_Y, with F = P_Y s^3, u = <s^3 - 1>, c_a = C_a P_Y/a_Y, k_c = K_c P_Y, the law is
+// independent of size and material:
 //
 //   overlap/overlap_Y = A^2/C,   A = s + c_a u,   C = 1 + k_c u
 //
@@ -36,12 +36,12 @@ struct VuQuocZhangCurve {
       {"contact_radius_coefficient", "-", &Parameters::contact_radius_coefficient, 0, 10,
        "growth of the plastic contact radius with force, C_a P_Y / a_Y"},
       {"curvature_coefficient", "-", &Parameters::curvature_coefficient, 0, 0.99,
-       "growth of the contact's radius of curvature with force, K_c P_Y"},
+       "growth of the radius of curvature with force, K_c P_Y"},
   }};
 
-  double ca, kc;              // c_a, k_c
-  double yield_radius_ratio;  // a_Y/R*
-  double yield_force_ratio;   // P_Y/R*^2
+  double ca, kc;              // c_a, k_c [-]
+  double yield_radius_ratio;  // a_Y/R* [-]
+  double yield_force_ratio;   // P_Y/R*^2 [Pa]
 
   VuQuocZhangCurve(const MaterialPair& pair, const Parameters& constants)
       : ca(constants.contact_radius_coefficient),
@@ -50,10 +50,10 @@ struct VuQuocZhangCurve {
         yield_force_ratio(4.0 / 3.0 * pair.youngs_modulus_eff * yield_radius_ratio *
                           yield_radius_ratio * yield_radius_ratio) {}
 
-  // Sufficient, and at most a quarter stricter in c_a than necessary, for the force of first
-  // loading to rise and for every increment of plastic work to be positive: c_a^(3/2) (2 - k_c) >=
-  // 2/5 sqrt(1/5) k_c. Curvature that grows without the contact radius would return more energy
-  // than it took.
+  // Returns whether c_a^(3/2) (2 - k_c) >= 2/5 sqrt(1/5) k_c. This condition ensures that the force
+  // of first loading increases and that plastic work never decreases. It is at most a quarter
+  // stricter in c_a than necessary. If the radius of curvature grew without the contact radius,
+  // unloading would release more energy than loading took.
   static bool admissible(const MaterialPair&, const Parameters& constants) {
     const double ca = constants.contact_radius_coefficient, kc = constants.curvature_coefficient;
     return ca * std::sqrt(ca) * (2 - kc) >= 0.4 * std::sqrt(0.2) * kc;
@@ -62,14 +62,15 @@ struct VuQuocZhangCurve {
       "{contact_radius_coefficient}^1.5 * (2 - {curvature_coefficient}) must be at least "
       "0.1789 * {curvature_coefficient}, or the contact might create energy";
 
-  // a_p/a_Y, A, C and the slopes of A and C at s
+  // Return a_p/a_Y, A, C and the derivatives of A and C at s.
   PLASTIGRAN_DEVICE double plastic_radius(double s) const { return ca * (s * s * s - 1); }
   PLASTIGRAN_DEVICE double radius(double s) const { return s + plastic_radius(s); }
   PLASTIGRAN_DEVICE double curvature(double s) const { return 1 + kc * (s * s * s - 1); }
   PLASTIGRAN_DEVICE double radius_slope(double s) const { return 1 + 3 * ca * s * s; }
   PLASTIGRAN_DEVICE double curvature_slope(double s) const { return 3 * kc * s * s; }
 
-  // s at F = 42 P_Y: the calibration reaches 41 P_Y; 2 % for rounded figures.
+  // Returns s at F = 42 P_Y, the end of the range: the calibration ends at 41 P_Y, plus 2 % for
+  // rounded values in the source.
   static double largest() { return std::cbrt(42); }
 };
 

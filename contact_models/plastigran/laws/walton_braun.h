@@ -7,8 +7,8 @@
 //   overlap_res = (1 - k_1/k_2) overlap_max,  k_2 = k_2' + S F_max
 //
 // With S = 0 restitution is (k_1/k_2)^(1/2) at any speed. With k_2' = k_1 and S > 0 it falls with
-// speed v: (w/(S v + w))^(1/2), w^2 = 2 k_1/m for a sphere of mass m and one like it.
-// Range: stiffnesses are fitted; the law has no size or material of its own.
+// speed v: (w/(S v + w))^(1/2), w^2 = 2 k_1/m for two spheres of mass m.
+// Range: stiffnesses are fitted; the law itself depends on neither size nor material.
 #pragma once
 
 #include "plastigran/shared/contact.h"
@@ -32,7 +32,7 @@ class WaltonBraun : public LargestOverlap {
   static constexpr std::array<Parameter<Parameters>, 3> parameters{{
       {"loading_stiffness", "N/m", &Parameters::loading_stiffness, 1e-6, 1e15, "k_1"},
       {"unloading_stiffness", "N/m", &Parameters::unloading_stiffness, 0, 1e18,
-       "k_2 without load, at least k_1; 0: k_1"},
+       "k_2' (k_2 at zero load), at least k_1; 0 means k_1"},
       {"unloading_stiffness_slope", "1/m", &Parameters::unloading_stiffness_slope, 0, 1e15,
        "S, growth of k_2 with the largest force"},
   }};
@@ -48,7 +48,7 @@ class WaltonBraun : public LargestOverlap {
         unloading_(std::max(constants.unloading_stiffness, constants.loading_stiffness)),
         slope_(constants.unloading_stiffness_slope) {}
 
-  // Tangential stiffness: the usual 2/7 of k_1.
+  // Returns k_1 and the usual tangential stiffness 2/7 k_1 [N/m].
   PLASTIGRAN_DEVICE Stiffness elastic_stiffness(double) const {
     return {loading_, 2.0 / 7.0 * loading_};
   }

@@ -6,11 +6,11 @@
 //   r'^2 = overlap (2R - overlap),  Q = (E'/sigma_Y) overlap/r',  yield at Q = 1.78
 //   F = p A;  p/sigma_Y = 0.70 ln Q + 0.66, 2.9 above Q = 21
 //   A = pi r'^2/(0.05 ln^2 Q - 0.57 ln Q + 2.41), pi r'^2/0.71 above Q = 400
-//   residual overlap: Jackson & Green's, not below 0 (the source of 2015's own choice)
+//   residual overlap: as Jackson & Green, at least 0 (as in Ghaednia et al. 2015)
 //
-// The force jumps by -5 % at yield, +4 % at Q = 21 and +11 % at 400. Below yield the source's line
-// is Hertz but for O(overlap/R); Hertz is used. Beyond overlap = R the pressure and area there are
-// kept. R and E' are the fitted sphere's: fitted_sphere.h says which that is for two bodies.
+// The force jumps by -5 % at yield, +4 % at Q = 21 and +11 % at Q = 400. Below yield, the published
+// line equals Hertz up to O(overlap/R); here Hertz is used. Beyond overlap = R, pressure and area
+// are constant. R and E' belong to the fitted sphere, which fitted_sphere.h defines for two bodies.
 #pragma once
 
 #include "plastigran/laws/jackson_green.h"
@@ -26,10 +26,10 @@ struct YeKomvopoulosCurve : ReadingAlone {
   static constexpr bool indentation = true;
 
   FittedSphere sphere;
-  double compliance;  // sigma_Y/E'
+  double compliance;  // sigma_Y/E' [-]
   JacksonGreenCurve flattening;
-  double yield_depth;       // overlap_y/R
-  double flattening_scale;  // this law's yield overlap over Jackson & Green's
+  double yield_depth;       // overlap_y/R [-]
+  double flattening_scale;  // yield overlap of this law divided by overlap_c of Jackson & Green [-]
   double yield_radius_ratio;
   std::array<double, 4> breaks;
 
@@ -44,18 +44,18 @@ struct YeKomvopoulosCurve : ReadingAlone {
     std::sort(breaks.begin(), breaks.end());
   }
 
-  // overlap/R at which Q has this value.
+  // Returns the overlap/R at which Q = q.
   double depth_at(double q) const {
     const double slope = q * compliance;
     return 2 * slope * slope / (1 + slope * slope);
   }
   PLASTIGRAN_DEVICE double depth(double x) const { return std::min(x * yield_depth, 1.0); }
   double overlap_range() const { return sphere.overlap_range(widest_overlap_range); }
-  PLASTIGRAN_DEVICE double strain(double x) const {  // Q
+  PLASTIGRAN_DEVICE double strain(double x) const {  // returns Q [-]
     const double z = depth(x);
     return std::sqrt(z / (2 - z)) / compliance;
   }
-  PLASTIGRAN_DEVICE double area(double x) const {  // A/R^2
+  PLASTIGRAN_DEVICE double area(double x) const {  // returns A/R^2 [-]
     const double z = depth(x), circle = pi * z * (2 - z), q = strain(x);
     if (q > 400) return circle / 0.71;
     const double log_q = std::log(q);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// The hardest impacts that the current velocities allow: for each two atom types that can touch,
-// the smallest particles at the largest relative speed. The extremes of the velocity components
-// limit this speed, so particles that fly side by side do not count.
+// Forecast of the hardest impacts at the current velocities: for each pair of atom types that can
+// touch, the smallest particles at the largest relative speed. The extremes of the velocity
+// components limit the relative speed, so a common velocity of all particles does not count.
 #pragma once
 
 #include <algorithm>
@@ -20,8 +20,8 @@
 
 namespace plastigran {
 
-// The particles of one atom type on all ranks: number, smallest radius and mass, largest speed, and
-// the extremes of each velocity component.
+// Statistics of the particles of one atom type on all ranks: number, smallest radius [m] and mass
+// [kg], largest speed, and the extremes of each velocity component [m/s].
 struct TypeExtremes {
   static constexpr double infinity = std::numeric_limits<double>::infinity();
   double count = 0, radius = infinity, mass = infinity, speed = 0;
@@ -42,8 +42,8 @@ struct TypeExtremes {
 
 class ImpactForecast {
  public:
-  // `types`: by type - 1. `partners`: the types that particles can touch, all or those of a wall.
-  // `wall_types`: the types of all walls.
+  // Creates the forecast. `types[k]` belongs to atom type k + 1. `partners` are the types that
+  // particles can touch: all, or those of a wall. `wall_types` are the types of all walls.
   ImpactForecast(const std::vector<TypeExtremes>& types, const std::vector<int>& partners,
                  bool is_wall, const std::set<int>& wall_types)
       : types_(types) {
@@ -68,11 +68,12 @@ class ImpactForecast {
 
   const std::vector<Meeting>& meetings() const { return meetings_; }
 
-  // Pairs of types that can touch now or later: all but those of wall types without particles.
+  // Returns the pairs of types that can touch now or later: all pairs except those with wall types
+  // that have no particles.
   const std::vector<std::pair<int, int>>& expected() const { return expected_; }
 
-  // The shortest Rayleigh time of the particles, as spheres of these materials (by type - 1) [s];
-  // ImpactTimes::unknown without particles.
+  // Returns the shortest Rayleigh time of the particles as spheres [s]; ImpactTimes::unknown
+  // without particles. `materials[k]` belongs to atom type k + 1.
   double rayleigh_time(const std::vector<Body>& materials) const {
     double shortest = ImpactTimes::unknown;
     for (std::size_t k = 0; k < types_.size(); ++k) {

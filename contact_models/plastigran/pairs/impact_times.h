@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// The times of the hardest impacts that a host expects, by a law.
+// Times of the hardest impacts that a host expects, computed with a law.
 #pragma once
 
 #include <algorithm>
@@ -15,14 +15,15 @@
 
 namespace plastigran {
 
-// Two atom types that can touch.
+// The hardest expected impact of two atom types that can touch.
 struct Meeting {
   int type, partner_type;
   double radius_eff, mass_eff;  // R* [m] and m* [kg] of the smallest and lightest particles
-  double speed;                 // may be 0 [m/s]
+  double speed;                 // relative speed [m/s], may be 0
 };
 
-// Why the law does not support types that can touch now, or later (`expected`); empty if it does.
+// Returns why the law does not support types that can touch now (`meetings`) or later (`expected`);
+// empty if it supports all.
 template <class Law>
 Complaint refusal(const std::vector<Meeting>& meetings,
                   const std::vector<std::pair<int, int>>& expected, TypePairs<Law>& pairs) {
@@ -38,11 +39,11 @@ Complaint refusal(const std::vector<Meeting>& meetings,
 }
 
 struct ImpactTimes {
-  static constexpr double unknown = 1e300;  // [s]
+  static constexpr double unknown = 1e300;  // a time [s] that no impact determines
   double step = unknown;                    // shortest recommended time step [s]
-  double step_speed = 0;                    // speed of that impact [m/s]
+  double step_speed = 0;                    // speed of the impact with this step [m/s]
   double hertz = unknown;                   // shortest duration of an elastic impact [s]
-  double outside_speed = 0;                 // largest beyond the range of the law [m/s]
+  double outside_speed = 0;  // largest speed that exceeds the validity range of the law [m/s]
 };
 
 template <class Law>

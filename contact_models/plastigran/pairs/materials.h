@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// The materials of a simulation, which a host reads from its deck, and the names that it uses.
+// Materials of a simulation, which a host reads from its deck, and the names that the host uses for
+// fields and units.
 #pragma once
 
 #include <functional>
@@ -15,21 +16,21 @@
 
 namespace plastigran {
 
-// Atom types count from 1.
+// Constants of all atom types, which are numbered from 1.
 struct Materials {
-  std::vector<Body> bodies;  // by type - 1
-  // Constants of the law by field: a value per type if the constant is `per_body`, else a value per
-  // pair of types, row by row. A missing field has its default.
+  std::vector<Body> bodies;  // constants of atom type k + 1 at index k
+  // Constants of the law by field name: one value per atom type if the constant is `per_body`,
+  // otherwise one value per pair of types, row by row. A missing field has its default value.
   std::map<std::string, std::vector<double>> constants;
   std::set<std::string> given;  // fields that the deck defines
 };
 
-// The host's names of fields and SI units.
+// Functions that translate field names and SI units to the names that the host uses.
 struct Words {
   std::function<std::string(const std::string&)> name, unit;
 };
 
-// Adds the atom types to a sentence (other_type 0: one type).
+// Returns a sentence with the atom types appended; only `type` if other_type is 0.
 inline std::string about_types(const std::string& sentence, int type, int other_type = 0) {
   std::string types = (other_type ? " (atom types " : " (atom type ") + std::to_string(type);
   if (other_type) types += " and " + std::to_string(other_type);
@@ -40,7 +41,7 @@ inline Complaint about_types(const Complaint& complaint, int type, int other_typ
   return Complaint(about_types(complaint.sentence(), type, other_type));
 }
 
-// The complaint about the first body with a wrong constant; empty if there is none.
+// Returns a complaint about the first body with an invalid constant; empty if all are valid.
 inline Complaint validate(const std::vector<Body>& bodies) {
   for (std::size_t k = 0; k < bodies.size(); ++k) {
     const Complaint complaint = validate(bodies[k]);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// Counts contacts that exceed the validity range of their law, and finds the largest overlap.
+// Counts contacts that exceed the validity range of their law, and records the largest overlap.
 #pragma once
 
 #include <algorithm>
@@ -8,23 +8,24 @@
 
 namespace plastigran {
 
-// A contact beyond the range, in one step.
+// A contact beyond the validity range in one time step.
 template <class State>
 struct DeepContact {
-  double radius_eff, overlap;  // [m]
-  double closing;              // approach of the two bodies in a step [m]
+  double radius_eff, overlap;  // R* and overlap [m]
+  double closing;              // approach of the two bodies in one time step [m]
   const State &before, &now;   // state before and after the step
   bool has_moved_freely;       // whether commands may have moved the particles
-  double share;  // share of the contact that this rank counts; another counts the rest
+  double share;  // fraction of the contact that this rank counts; another rank counts the rest
 };
 
 struct RangeAccount {
-  double contacts = 0;  // beyond the range
-  double furthest = 0;  // largest overlap divided by the limit
+  double contacts = 0;  // number of contacts beyond the range
+  double furthest = 0;  // largest ratio of overlap to limit
 
-  // Counts a contact when it passes its limit, the range times R*, for the first time: its state
-  // before this step is less than loading to the limit produces. The law is called only if that is
-  // possible, not if the state is unchanged or the contact was well beyond the limit one step ago.
+  // Counts a contact when its overlap exceeds the limit (range times R*) for the first time. This
+  // is the case if its state before the step is below the state after loading to the limit. The law
+  // is not called if the state is unchanged, or if the overlap was well beyond the limit one step
+  // ago.
   template <class Law>
   void add(const Law& law, double range, const DeepContact<typename Law::State>& contact) {
     typedef typename Law::State State;

@@ -1,19 +1,21 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// The law of a material pair at any rate factor k (shared/rate_factor.h), without a new table.
+// Evaluation of a law at any rate factor k of the yield strength (shared/rate_factor.h) without a
+// table for each k.
 //
 // A law is `self_similar` if F/F_y and a/a_y are functions of overlap/overlap_y for any yield
-// strength. Because a_y/R* grows as k, the law at k is the law at rest for another radius:
+// strength. Because a_y/R* is proportional to k, the law at k equals the law at k = 1 for another
+// radius:
 //
-//   F_k(R*, overlap) = F(k^2 R*, overlap)/k,   contact radius and energies likewise
+//   F_k(R*, overlap) = F(k^2 R*, overlap)/k, and likewise for contact radius and energies
 //
-// A law whose strength enters by a few numbers has respond_stronger(k, radius_eff, overlap, state).
-// For all others, where a/R or sigma_Y/E matters, two more tables at larger factors k_j are built
-// before a run. The two tables next to k give responses for k/k_j as above, which are interpolated
-// linearly in k^2, because the first term in a/R grows as a^2/R^2. A contact keeps its factor, so
-// the weights, between 0 and 1, are constant along its path. The force therefore remains the
-// derivative of the energies, and plastic work never decreases. docs/rate_factor.md gives the
-// error.
+// A law in which only a few constants depend on the strength has respond_stronger(k, radius_eff,
+// overlap, state). For all others, where a/R or sigma_Y/E matters, two more tables at larger
+// factors k_j are built before a run. The two tables next to k give responses for k/k_j as above.
+// They are interpolated linearly in k^2, because the leading term in a/R is quadratic. The factor
+// of a contact is constant, so the weights (0 to 1) are constant along its path. The force
+// therefore remains the derivative of the energies, and plastic work never decreases.
+// docs/rate_factor.md gives the error.
 #pragma once
 
 #include <algorithm>
@@ -41,13 +43,13 @@ constexpr bool responds_stronger = false;
 template <class Law>
 constexpr bool responds_stronger<Law, std::void_t<decltype(&Law::respond_stronger)>> = true;
 
-// The tables of a pair at larger factors, if the law needs them.
+// Tables of a material pair at larger rate factors, if the law needs them.
 template <class Law>
 class RateTables {
  public:
   static constexpr bool interpolates = yields<Law> && !self_similar<Law> && !responds_stronger<Law>;
-  static constexpr double largest_ratio = 1e9;   // rate divided by reference rate
-  static constexpr double largest_factor = 2.5;  // the last table is used beyond it
+  static constexpr double largest_ratio = 1e9;   // largest rate/reference rate [-]
+  static constexpr double largest_factor = 2.5;  // factor of the last table, also used beyond
 
   RateTables(const MaterialPair& bodies, const typename Law::Parameters& constants) {
     if (!interpolates || !(bodies.rate_coefficient > 0)) return;
@@ -64,12 +66,13 @@ class RateTables {
 
   bool built() const { return !laws_.empty(); }
 
-  // Table 0 is the law at rest.
+  // Returns table k: 0 is the law at rate factor 1.
   const Law& law(const Law& at_rest, std::size_t k) const { return k ? laws_[k - 1] : at_rest; }
   double range(double at_rest, std::size_t k) const { return k ? ranges_[k - 1] : at_rest; }
   double factor(std::size_t k) const { return factors_[k]; }
 
-  // The first of the two tables for a factor, and the weight of the second.
+  // Return the index of the first of the two tables for a factor, and the weight of the second
+  // table.
   std::size_t begin(double factor) const { return factor < factors_[1] ? 0 : 1; }
   double weight_of_next(double factor) const {
     const double low = factors_[begin(factor)], high = factors_[begin(factor) + 1];
@@ -78,18 +81,19 @@ class RateTables {
 
  private:
   std::vector<Law> laws_;
-  std::vector<double> ranges_;  // largest overlaps over R*
+  std::vector<double> ranges_;  // validity ranges of the tables: largest overlap/R*
   std::array<double, 3> factors_{};
 };
 
-// The law at one factor, with the interface of a law. It refers to the law at rest and its tables.
+// The law at one rate factor, with the interface of a law. Stores references to the law at factor 1
+// and to its tables, which must outlive it.
 template <class Law>
 class LawAtFactor {
  public:
   typedef typename Law::State State;
   static constexpr auto state_names = Law::state_names;
 
-  // `range`: of the law at rest.
+  // Creates the law at `factor`; `range` is the validity range at factor 1.
   LawAtFactor(const Law& at_rest, double range, const RateTables<Law>& tables, double factor)
       : factor_(factor) {
     parts_.fill({&at_rest, range, factor, 0});
@@ -112,9 +116,10 @@ class LawAtFactor {
       add(sum, parts_[0], radius_eff, overlap, state);
       return sum;
     } else {
-      static_assert(std::is_base_of_v<LargestOverlap, Law>,
-                    "interpolation needs LargestOverlap; else the law is self_similar or has "
-                    "respond_stronger");
+      static_assert(
+          std::is_base_of_v<LargestOverlap, Law>,
+          "interpolation requires the state LargestOverlap; other laws must be self_similar "
+          "or define respond_stronger()");
       const State before = state;
       Response sum;
       for (const Part& part : parts_) {
@@ -134,7 +139,7 @@ class LawAtFactor {
     return range;
   }
 
-  // The distinct breaks of all tables.
+  // Returns the distinct breaks of all tables, as overlap/R*.
   std::vector<double> overlap_breaks() const {
     std::vector<double> all;
     if constexpr (has_breaks<Law>)
@@ -151,8 +156,8 @@ class LawAtFactor {
   static constexpr std::size_t parts = RateTables<Law>::interpolates ? 2 : 1;
   struct Part {
     const Law* law;
-    double range;   // largest overlap over R*
-    double factor;  // rate factor of the contact, divided by the factor of the table
+    double range;   // validity range: largest overlap/R*
+    double factor;  // rate factor of the contact/factor of the table
     double weight;
   };
 

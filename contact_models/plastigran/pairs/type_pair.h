@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// The law of two atom types and its data.
+// Law of a pair of atom types, with the data of its run-time checks.
 #pragma once
 
 #include <algorithm>
@@ -15,12 +15,12 @@ template <class Law>
 struct TypePair {
   typedef typename Law::Parameters Constants;
 
-  double checked_from = 0;  // a host checks contacts beyond this overlap/R*
-  Complaint refusal;        // why the law does not support the two types; empty if it does
-  bool lacking = false;     // both bodies lack a constant, which matters only if they touch
+  double checked_from = 0;  // overlap/R* beyond which a host checks contacts
+  Complaint refusal;        // reason why the law does not support the two types; empty if it does
+  bool lacking = false;     // whether both bodies lack a constant, an error only if they touch
   Law law;
   MaterialPair bodies;
-  double checked_to = 0;  // largest overlap/R* checked so far, plus 10 %
+  double checked_to = 0;  // 1.1 times the largest overlap/R* checked so far
   double range;           // validity range: largest overlap/R*, at rate factor 1
   Constants constants;
   RateTables<Law> rates;
@@ -32,8 +32,8 @@ struct TypePair {
         constants(constants_),
         rates(bodies_, constants_) {}
 
-  // Whether a contact is deeper than `checked_to`, which then grows. Contacts beyond the range or
-  // `limit` are always checked. Depths are overlaps/R*.
+  // Returns whether to check a contact: `depth` (overlap/R*) exceeds `checked_to`, which is then
+  // increased, or exceeds the range or `limit`.
   bool deepens(double depth, double limit) {
     if (depth <= checked_to) return false;
     checked_to = 1.1 * depth;
@@ -41,7 +41,7 @@ struct TypePair {
     return true;
   }
 
-  // Calls `use` with the law at a rate factor and its range.
+  // Calls `use` with the law at a rate factor and with its range; returns the result.
   template <class Use>
   decltype(auto) at_factor(double factor, const Use& use) const {
     if constexpr (yields<Law>)

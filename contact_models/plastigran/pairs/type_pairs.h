@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// The laws of all pairs of atom types, for any host. Each is mixed from two materials, or has a
-// reason why the two types must not touch.
+// Laws of all pairs of atom types, for any host. Each entry contains a law with the combined
+// constants of two materials, or the reason why the two types must not touch.
 //
 //   TypePairs<Thornton> pairs;
 //   const Complaint complaint = pairs.build(materials, Thornton::Parameters());
@@ -28,7 +28,7 @@ namespace plastigran {
 template <class Law>
 constexpr bool is_cylinder = std::string_view(shape<Law>) == std::string_view("cylinder");
 
-// The options of a law with their choices, each after a separator.
+// Returns the options of a law with their choices, each preceded by `separator`.
 template <class Law>
 std::string options_text(const typename Law::Parameters& choices, const char* separator) {
   std::string text;
@@ -44,8 +44,8 @@ class TypePairs {
   typedef typename Law::Parameters Constants;
 
  public:
-  // Builds the table. `defaults` has the options, and the constants that the materials do not
-  // define. Returns what is wrong with a value; empty if nothing is.
+  // Builds the table. `defaults` contains the options, and the constants that the materials do not
+  // define. Returns a complaint about an invalid value; empty if all are valid.
   Complaint build(const Materials& materials, const Constants& defaults) {
     Complaint complaint = validate(materials.bodies);
     if (complaint.empty()) complaint = wrong_body_constant(materials);
@@ -64,9 +64,9 @@ class TypePairs {
 
   TypePair<Law>& operator()(int type, int other_type) { return *at(type, other_type); }
 
-  // A line for each pair of types that may touch, with effective constants, constants and options
-  // of the law. `caller` begins each line; `assumed` follows constants that the deck does not
-  // define.
+  // Returns one text line for each pair of types that may touch, with effective constants,
+  // constants and options of the law. Each line begins with `caller`. The text `assumed` follows
+  // constants that the deck does not define.
   std::string describe(const std::string& caller, const Words& words, const Constants& options,
                        const char* assumed) {
     std::ostringstream text;
@@ -97,7 +97,7 @@ class TypePairs {
     return text.str();
   }
 
-  // Whether the strength of any pair depends on the impact rate.
+  // Returns whether the yield strength of any pair depends on the strain rate.
   bool rate_matters() const {
     return std::any_of(pairs_.begin(), pairs_.end(), [](const auto& pair) {
       return yields<Law> && pair->bodies.rate_coefficient > 0;
@@ -105,14 +105,15 @@ class TypePairs {
   }
 
   int type_count() const { return type_count_; }
-  const std::vector<Body>& bodies() const { return materials_.bodies; }  // by type - 1
+  const std::vector<Body>& bodies() const { return materials_.bodies; }  // k: type k + 1
 
  private:
   TypePair<Law>*& at(int type, int other_type) {
     return of_types_[static_cast<std::size_t>((type - 1) * type_count_ + other_type - 1)];
   }
 
-  // The constant of a body may be 0, if the other body has one.
+  // Returns a complaint about an invalid constant of a body. The value 0 is valid if the other body
+  // has a positive one.
   static Complaint wrong_body_constant(const Materials& materials) {
     for (const auto& parameter : parameters_of<Law>) {
       const auto values = materials.constants.find(parameter.name);
@@ -152,7 +153,7 @@ class TypePairs {
   int type_count_ = 0;
   Materials materials_;
   std::vector<std::unique_ptr<TypePair<Law>>> pairs_;
-  std::vector<TypePair<Law>*> of_types_;  // in either order
+  std::vector<TypePair<Law>*> of_types_;  // of (i, j) and (j, i)
 };
 
 }  // namespace plastigran

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
 // The adhesive elastic contact of spheres by Johnson, Kendall & Roberts 1971 (Proc. R. Soc. Lond. A
-// 324:301), and what adhesive laws share. Gamma is the work of adhesion; with s = a^(1/2) and
-// c = (2 pi Gamma/E*)^(1/2):
+// 324:301), and functions that adhesive laws share. Gamma is the work of adhesion; with s = a^(1/2)
+// and c = (2 pi Gamma/E*)^(1/2):
 //
 //   overlap = s^4/R* - c s
 //   F = 4/3 E* s^6/R* - 2 E* c s^3
@@ -26,7 +26,8 @@ constexpr bool can_stretch = false;
 template <class Law>
 constexpr bool can_stretch<Law, std::void_t<decltype(&Law::pull_off_distance)>> = true;
 
-// Largest separation at which two bodies may still be in contact [m]; 0 for most laws.
+// Returns the largest separation at which two bodies may still be in contact [m]; 0 for laws
+// without adhesion.
 template <class Law>
 double pull_off_distance([[maybe_unused]] const Law& law, [[maybe_unused]] double radius_eff) {
   if constexpr (can_stretch<Law>)
@@ -43,21 +44,21 @@ class JkrContact {
         pull_(std::sqrt(2 * pi * work_of_adhesion / youngs_modulus_eff)) {}
 
   PLASTIGRAN_DEVICE double modulus() const { return modulus_; }
-  PLASTIGRAN_DEVICE double pull() const { return pull_; }  // c [m^(1/2)]
+  PLASTIGRAN_DEVICE double pull() const { return pull_; }  // returns c [m^(1/2)]
 
-  // Overlap at which a contact of radius s^2 is in equilibrium.
+  // Returns the overlap of an equilibrium contact with radius a = s^2 [m].
   PLASTIGRAN_DEVICE double overlap(double radius_eff, double s) const {
     return (s * s * s / radius_eff - pull_) * s;
   }
-  PLASTIGRAN_DEVICE double pull_off_force(double radius_eff) const {  // 3/2 pi Gamma R*
+  PLASTIGRAN_DEVICE double pull_off_force(double radius_eff) const {  // returns 3/2 pi Gamma R* [N]
     return 0.75 * modulus_ * pull_ * pull_ * radius_eff;
   }
-  // Least overlap of a contact.
+  // Returns the overlap at pull-off, the least overlap of a contact [m].
   PLASTIGRAN_DEVICE double pull_off_overlap(double radius_eff) const {
     return -0.75 * pull_ * root_at_pull_off(radius_eff);
   }
 
-  // s at an overlap; at pull-off below the least one.
+  // Returns s at an overlap; below the least overlap, s at pull-off.
   PLASTIGRAN_DEVICE double root(double radius_eff, double overlap) const {
     if (pull_ == 0) return overlap > 0 ? std::sqrt(std::sqrt(radius_eff * overlap)) : 0;
     const double least = root_at_pull_off(radius_eff), x = overlap / (0.75 * pull_ * least);
@@ -85,12 +86,12 @@ class JkrContact {
     return std::cbrt(0.25 * pull_ * radius_eff);
   }
 
-  double modulus_ = 0;  // E*
-  double pull_ = 0;     // c
+  double modulus_ = 0;  // E* [Pa]
+  double pull_ = 0;     // c [m^(1/2)]
 };
 
-// The pull-off force F_c, which enters the limit of friction: |T| <= mu (F + F_c) (Derjaguin 1934,
-// Z. Phys. 88:661). Luding 2008 uses k_c overlap for F_c.
+// Returns the pull-off force F_c [N], which enters the limit of friction: |T| <= mu (F + F_c)
+// (Derjaguin 1934, Z. Phys. 88:661). Luding 2008 uses k_c overlap for F_c.
 template <class Law>
 PLASTIGRAN_DEVICE double pull_off_force([[maybe_unused]] const Law& law,
                                         [[maybe_unused]] double radius_eff,
@@ -102,7 +103,8 @@ PLASTIGRAN_DEVICE double pull_off_force([[maybe_unused]] const Law& law,
     return 0;
 }
 
-// Energy that is lost when a contact forms or breaks in a step from `before` to `now` [J].
+// Returns the energy dissipated if a contact forms or breaks in the step from `before` to `now`
+// [J].
 template <class Law>
 double lost_at_ends([[maybe_unused]] const Law& law, [[maybe_unused]] double radius_eff,
                     [[maybe_unused]] const typename Law::State& before,

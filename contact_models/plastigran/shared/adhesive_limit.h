@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// Springs with a residual overlap and an adhesive limit, which laws from powder technology share.
-// On the limit overlap_max falls, so that the contact lies on its unloading curve. A law gives:
+// Base of laws from powder technology: springs with a residual overlap and an adhesive limit. On
+// this limit, overlap_max decreases so that the contact stays on its unloading curve. A law
+// defines:
 //
-//   scale(radius_eff)                   what depends on R*
-//   limited(scale, overlap)             how far first loading goes to reach `overlap`
-//   force(scale, overlap, max)          on the unloading curve from the largest overlap `max`
+//   scale(radius_eff)                   constants that depend on R*
+//   limited(scale, overlap)             overlap_max after first loading to `overlap`
+//   force(scale, overlap, max)          force on the unloading curve from the largest overlap `max`
 //   elastic_energy(scale, overlap, max)
 //   loading_work(scale, overlap)        work of first loading from 0
 //   limit_work(scale, overlap)          work along the adhesive limit from 0
@@ -30,8 +31,8 @@ class AdhesiveLimit {
   static constexpr bool adhesive = true;
 
   struct State {
-    double overlap_max = 0;   // largest overlap, less after the adhesive limit [m]
-    double plastic_work = 0;  // [J]
+    double overlap_max = 0;   // largest overlap, reduced on the adhesive limit [m]
+    double plastic_work = 0;  // plastic work so far [J]
   };
   static constexpr std::array<const char*, 2> state_names{"overlap_max", "plastic_work"};
 
@@ -56,7 +57,7 @@ class AdhesiveLimit {
  private:
   PLASTIGRAN_DEVICE const Law& law() const { return static_cast<const Law&>(*this); }
 
-  // First loading from the largest overlap to `overlap`.
+  // Updates the state for first loading from the largest overlap to `overlap`.
   template <class Scale>
   PLASTIGRAN_DEVICE void load(const Scale& scale, double overlap, State& state) const {
     const double before = state.overlap_max;
@@ -67,7 +68,8 @@ class AdhesiveLimit {
     state.overlap_max = overlap;
   }
 
-  // Unloading or reloading to `overlap`, along the adhesive limit if the contact has reached it.
+  // Updates the state for unloading or reloading to `overlap`, along the adhesive limit if it is
+  // reached.
   template <class Scale>
   PLASTIGRAN_DEVICE void unload(const Scale& scale, double overlap, State& state) const {
     const double lower = law().max_on_limit(scale, overlap);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// What is wrong with a value, in one sentence that a host can put in its own names.
+// Error message about a value, in which a host can replace field names by its own names.
 #pragma once
 
 #include <sstream>
@@ -9,14 +9,14 @@
 
 namespace plastigran {
 
-// A sentence in which every field is named in braces: "{yield_strength} is 0; it must be positive
-// and finite [Pa]". Empty when nothing is wrong.
+// Sentence with field names in braces: "{yield_strength} is 0; it must be positive and finite
+// [Pa]". Empty if there is no error.
 class Complaint {
  public:
   Complaint() = default;
   explicit Complaint(std::string sentence) : sentence_(std::move(sentence)) {}
 
-  // "{field} is value; it must be allowed"
+  // Returns the complaint "{field} is VALUE; it must be ALLOWED".
   static Complaint about(const std::string& field, double value, const std::string& allowed) {
     std::ostringstream text;
     text << '{' << field << "} is " << value << "; it must be " << allowed;
@@ -24,9 +24,9 @@ class Complaint {
   }
 
   bool empty() const { return sentence_.empty(); }
-  const std::string& sentence() const { return sentence_; }  // with the braces
+  const std::string& sentence() const { return sentence_; }  // text with braces
 
-  // The sentence with each field called what `name_of(field)` says.
+  // Returns the sentence with each field in braces replaced by name_of(field).
   template <class NameOf>
   std::string worded(const NameOf& name_of) const {
     std::string text;
@@ -40,7 +40,7 @@ class Complaint {
     return text + sentence_.substr(at);
   }
 
-  // The sentence with the fields' own names.
+  // Returns the sentence with the field names without braces.
   std::string text() const {
     return worded([](const std::string& field) { return field; });
   }

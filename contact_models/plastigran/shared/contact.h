@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// The contract of a contact law: the constants of two bodies in contact, and the response of a law.
-// Neither this header nor a law allocates, throws, reads a variable that changes, or depends on a
-// host program.
+// Interface of contact laws: the constants of two bodies in contact, and the response of a law.
+// This header and all laws do not allocate, throw, read mutable globals or depend on a host
+// program.
 //
 // A law is a class that is constructed from a MaterialPair. From the overlap and the history of a
 // contact it computes force and energies. It has these members:
@@ -58,7 +58,8 @@ namespace plastigran {
 
 constexpr double pi = 3.14159265358979323846;
 
-// Constants of two bodies in contact, the same in either order. The weaker body yields.
+// Combined constants of two bodies in contact, independent of their order. The weaker body, with
+// the lower yield pressure, yields.
 struct MaterialPair {
   double youngs_modulus_eff = 0;  // E*: 1/E* = (1-nu1^2)/E1 + (1-nu2^2)/E2 [Pa]
   double shear_modulus_eff = 0;   // G*: 1/G* = (2-nu1)/G1 + (2-nu2)/G2 [Pa]
@@ -76,11 +77,11 @@ struct MaterialPair {
 // surface_energy and plastic_work together, plus the loss viscous_force * overlap_rate >= 0.
 struct Response {
   double force = 0;           // normal force, negative where the bodies attract each other [N]
-  double contact_radius = 0;  // half-width of a line contact [m]
+  double contact_radius = 0;  // contact radius; half-width of a line contact [m]
   double elastic_energy = 0;  // energy that unloading would release [J]
   double plastic_work = 0;    // energy dissipated by plastic deformation [J]
   double viscous_force = 0;   // part of `force` due to the rate, negative while parting [N]
-  double surface_energy = 0;  // relative to separated bodies, never positive [J]
+  double surface_energy = 0;  // surface energy relative to separated bodies, never positive [J]
 };
 
 PLASTIGRAN_DEVICE inline double contact_energy(const Response& response) {
@@ -92,14 +93,15 @@ template <class Parameters>
 struct Option {
   const char* name;
   int Parameters::*value;
-  std::array<const char*, 3> choices;  // null where there are fewer
+  std::array<const char*, 3> choices;  // names of the choices; null after the last
   const char* meaning;
 };
 
-// The option of laws that, as published, may return more energy than was put in.
+// Returns the option energy_guard, for laws whose published curves may release more energy than
+// loading took.
 template <class Parameters>
 constexpr Option<Parameters> energy_guard_option(int Parameters::*value) {
-  return {"energy_guard", value, {"off", "on", nullptr}, "the work lost never falls"};
+  return {"energy_guard", value, {"off", "on", nullptr}, "plastic work never decreases"};
 }
 
 // One constant of a law: its name for users, and its range.
@@ -108,10 +110,10 @@ struct Parameter {
   const char* name;
   const char* unit;
   double Parameters::*value;
-  double lower, upper;  // allowed range, ends included
+  double lower, upper;  // allowed range, including both ends
   const char* meaning;
-  // Constant of each body instead of the pair, without a default. It is 0 for a body that does not
-  // have it, and the pair takes the larger value.
+  // Whether the constant belongs to each body instead of the pair. It then has no default; 0 means
+  // that it does not apply to a body. The pair uses the larger value.
   bool per_body = false;
 };
 
@@ -120,7 +122,7 @@ struct NoConstants {
   struct Parameters {};
 };
 
-// The optional members of a law, and their defaults.
+// Optional members of a law, and their defaults.
 template <class Law, class = void>
 constexpr std::array<Parameter<typename Law::Parameters>, 0> parameters_of{};
 template <class Law>
@@ -167,7 +169,7 @@ constexpr bool indentation = false;
 template <class Law>
 constexpr bool indentation<Law, std::void_t<decltype(Law::indentation)>> = Law::indentation;
 
-// Ask any law; one that does not depend on the rate never sees it.
+// Returns the response of any law. Passes overlap_rate only to rate-dependent laws.
 template <class Law>
 PLASTIGRAN_DEVICE Response respond(const Law& law, double radius_eff, double overlap,
                                    typename Law::State& state, double overlap_rate) {
@@ -177,7 +179,8 @@ PLASTIGRAN_DEVICE Response respond(const Law& law, double radius_eff, double ove
     return law.respond(radius_eff, overlap, state);
 }
 
-// Plastic work of a contact with this history [J]. A law whose history contains it has a function.
+// Returns the plastic work of a contact with the history `state` [J]. A law whose state contains it
+// defines plastic_work_in().
 template <class Law, class = void>
 constexpr bool keeps_plastic_work = false;
 template <class Law>
@@ -192,8 +195,8 @@ PLASTIGRAN_DEVICE double plastic_work_of(const Law& law, [[maybe_unused]] double
     return law.respond(radius_eff, 0, state).plastic_work;
 }
 
-// Largest overlap over R* for which a law is valid: 0.1 if the law has no overlap_range(), because
-// no contact law is valid for overlaps of the order of the radius.
+// Default of the largest valid overlap/R*, for laws without overlap_range(). No contact law is
+// valid for overlaps of the order of the radius.
 constexpr double widest_overlap_range = 0.1;
 
 template <class Law, class = void>
@@ -209,9 +212,10 @@ double overlap_range(const Law& law) {
     return widest_overlap_range;
 }
 
-// p_y / sigma_Y at which a Hertzian contact first yields (von Mises) below its centre: the inverse
-// of the largest shear over peak pressure on the axis, max over z (depth / contact radius) of
-// 1.5/(1+z^2) - (1+nu)(1 - z atan(1/z)). Johnson, Contact Mechanics (1985), sec. 3.4 and 4.1.
+// Returns p_y/sigma_Y at which a Hertz contact first yields below its center (von Mises). This is
+// the inverse of the largest (shear stress)/(peak pressure) on the axis, max over z (depth /
+// contact radius) of 1.5/(1+z^2) - (1+nu)(1 - z atan(1/z)). Johnson, Contact Mechanics (1985), sec.
+// 3.4 and 4.1.
 inline double hertz_yield_pressure_factor(double poissons_ratio) {
   const auto shear = [=](double z) {
     return 1.5 / (1 + z * z) - (1 + poissons_ratio) * (1 - z * std::atan2(1.0, z));
@@ -226,7 +230,7 @@ inline double yield_pressure(const Body& body) {
   return factor * body.yield_strength;
 }
 
-// (1-nu^2)/E [1/Pa], of a Body or of a MaterialPair's weaker body.
+// Returns (1-nu^2)/E [1/Pa] of a Body, or of the weaker body of a MaterialPair.
 template <class Constants>
 double plane_strain_compliance(const Constants& body) {
   return (1 - body.poissons_ratio * body.poissons_ratio) / body.youngs_modulus;
@@ -236,7 +240,8 @@ inline MaterialPair combine(const Body& a, const Body& b) {
   const auto shear_compliance = [](const Body& body) {
     return 2 * (2 - body.poissons_ratio) * (1 + body.poissons_ratio) / body.youngs_modulus;
   };
-  // The one that yields at the lower pressure; ties are broken so that the order never matters.
+  // The weaker body has the lower yield pressure. Further constants break ties, so that the order
+  // of the bodies never matters.
   const auto rank = [](const Body& body) {
     return std::make_tuple(yield_pressure(body), body.yield_strength, body.poissons_ratio,
                            body.youngs_modulus, body.tangent_modulus, body.rate_coefficient,
@@ -256,14 +261,14 @@ inline MaterialPair combine(const Body& a, const Body& b) {
   return pair;
 }
 
-// a_Y / R*: contact radius over effective radius when the peak Hertz pressure reaches p_y.
+// Returns a_Y/R* [-]: contact radius/effective radius when the peak Hertz pressure reaches p_y.
 inline double yield_radius_ratio(const MaterialPair& pair) {
   return pi * pair.yield_pressure / (2 * pair.youngs_modulus_eff);
 }
 
-// Stiffness of the elastic contact with a given contact radius [N/m], for springs and dashpots
-// along and across the normal. A law of other bodies than spheres says its own. Spheres: Mindlin
-// 1949; Johnson, Contact Mechanics (1985), sec. 4.2 and 7.2.
+// Normal and tangential stiffness of an elastic contact [N/m], for springs and dashpots. A law for
+// bodies other than spheres defines elastic_stiffness(). For spheres: Mindlin 1949; Johnson,
+// Contact Mechanics (1985), sec. 4.2 and 7.2.
 struct Stiffness {
   double normal, tangential;
 };

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// Marks the functions that the force loop calls. Compilers for GPUs compile them for the device,
-// too.
+// Macro that marks functions called in the force loop. GPU compilers compile these functions for
+// the device, too.
 #pragma once
 
 #if defined(__CUDACC__) || defined(__HIPCC__) || defined(__CUDA__)

@@ -1,19 +1,20 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// Laws fitted to one yielding sphere on a rigid plane, for two bodies that both deform.
+// Application of laws that were fitted to one yielding sphere on a rigid plane to two bodies that
+// both deform.
 //
-// Such a fit depends on the sphere's own plane strain modulus E' = E/(1-nu^2) and radius R, as in
-// sigma_Y/E' and a/R. For two bodies (option reading yielding_body, the default) the sphere is the
-// one of the yielding body's material that has their Hertzian force and contact radius:
+// Such a fit depends on the plane strain modulus E' = E/(1-nu^2) and the radius R of the sphere, as
+// in sigma_Y/E' and a/R. For two bodies, option `reading yielding_body` (the default) uses a sphere
+// of the yielding body's material that has the Hertz force and contact radius of the pair:
 //
-//   E',   R = R* E'/E*,   its overlap is overlap E*/E'
+//   E',   R = R* E'/E*,   overlap of this sphere: overlap E*/E'
 //
-// Of two equal spheres that is each sphere with its half of the overlap; on a rigid plane it is the
-// sphere itself. So two equal spheres that meet and one of them on a rigid plane are the same
-// collision. Reading pair takes E* and R* instead.
+// For two equal spheres, this is each sphere with half of the overlap. For a sphere on a rigid
+// plane, this is the sphere itself. A collision of two equal spheres and of one of them with a
+// rigid plane are thus equivalent. Option `reading pair` uses E* and R* instead.
 //
-// A curve in yield units, x = overlap/overlap_y and f = F/F_y, is the same in either; with
-// the fitted sphere's a_y/R the pair's is (a_y/R) radius_ratio.
+// A curve in yield units, x = overlap/overlap_y and f = F/F_y, is the same for the pair and for the
+// fitted sphere. If the fitted sphere has a_y/R, the pair has a_y/R* = (a_y/R) radius_ratio.
 #pragma once
 
 #include <algorithm>
@@ -32,8 +33,9 @@ struct FittedSphere {
       : modulus(reading == of_pair ? pair.youngs_modulus_eff : 1 / plane_strain_compliance(pair)),
         radius_ratio(modulus / pair.youngs_modulus_eff) {}
 
-  // The law's overlap_range(), of the fit's largest overlap over R. The other body's share of the
-  // overlap, 1 - E*/E', is held against that body's sphere likewise.
+  // Returns overlap_range() of the law. `depth` is the largest overlap/R of the fit. It limits the
+  // overlap of the fitted sphere, and also the part 1 - E*/E' of the overlap on the sphere of the
+  // other body.
   double overlap_range(double depth) const {
     const double others_share = 1 - 1 / radius_ratio;
     return std::min(std::min(depth, widest_overlap_range) * radius_ratio * radius_ratio,
@@ -43,13 +45,14 @@ struct FittedSphere {
 
 template <class Parameters>
 constexpr Option<Parameters> reading_option(int Parameters::*value) {
-  return {"reading",
-          value,
-          {"yielding_body", "pair", nullptr},
-          "whose modulus and radius the fit to one sphere takes"};
+  return {
+      "reading",
+      value,
+      {"yielding_body", "pair", nullptr},
+      "which modulus and radius enter the fit to one sphere: of the yielding body or of the pair"};
 }
 
-// Laws with no other option and no constants of their own say so with this base.
+// Base of laws whose only option is `reading`, without constants.
 struct ReadingAlone {
   struct Parameters {
     int reading = of_yielding_body;

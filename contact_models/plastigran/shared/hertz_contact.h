@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// The elastic contact of spheres, which laws follow up to yield: Hertz 1881, equations in
-// laws/hertz.h.
+// Elastic contact of spheres, which laws follow until yield: Hertz 1881, equations in laws/hertz.h.
 #pragma once
 
 #include <cmath>
@@ -11,7 +10,7 @@
 
 namespace plastigran {
 
-// At an overlap above 0; `modulus` is 4/3 E* [Pa].
+// Returns the response of a Hertz contact at a positive overlap; `modulus` is 4/3 E* [Pa].
 PLASTIGRAN_DEVICE inline Response hertz_response(double modulus, double radius_eff,
                                                  double overlap) {
   Response response;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// The pressure of a fully plastic indentation (hardness) as laws take it: given, or by default 2.8
-// yield strengths (Tabor, The Hardness of Metals, 1951).
+// Pressure of a fully plastic indentation (hardness), a constant of several laws. The default is
+// 2.8 times the yield strength (Tabor, The Hardness of Metals, 1951).
 #pragma once
 
 #include "plastigran/shared/contact.h"
@@ -14,14 +14,13 @@ inline double indentation_pressure(const MaterialPair& pair, double given) {
 
 template <class Parameters>
 constexpr Parameter<Parameters> indentation_pressure_parameter(double Parameters::*value) {
-  return {
-      "indentation_pressure",
-      "Pa",
-      value,
-      1e5,
-      1e13,
-      "pressure of a fully plastic indentation, 9.80665e6 times a hardness in kgf/mm2; 0 stands "
-      "for 2.8 times the yield strength"};
+  return {"indentation_pressure",
+          "Pa",
+          value,
+          1e5,
+          1e13,
+          "pressure of a fully plastic indentation, 9.80665e6 times a hardness in kgf/mm2; 0 means "
+          "2.8 times the yield strength"};
 }
 
 }  // namespace plastigran

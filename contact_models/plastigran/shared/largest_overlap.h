@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// The history of laws whose contacts keep their largest overlap and nothing else.
+// State of laws whose contact history consists of the largest overlap only.
 #pragma once
 
 #include <array>

@@ -1,25 +1,26 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// What the laws of a cylinder pressed into an elastic-plastic body share: the line contact in plane
-// strain, elastic and beyond yield. Lim & Stronge 1998 (Math. Comput. Model. 28:323) and Katta &
-// Polycarpou 2010 (J. Tribol. 132); elastic part after Johnson, Contact Mechanics (1985), sec. 5.6.
+// Loading of a cylinder on an elastic-plastic body, shared by the laws for cylinders: line contact
+// in plane strain, elastic and beyond yield. Lim & Stronge 1998 (Math. Comput. Model. 28:323) and
+// Katta & Polycarpou 2010 (J. Tribol. 132); elastic part after Johnson, Contact Mechanics (1985),
+// sec. 5.6.
 //
 //   L  length of the cylinder          D  thickness of the body that yields    R  R* of the pair
-//   p  F/L, force a length             a  half-width of the contact            Y  yield strength
-//   q  p/(pi E*), a load in metres     k  nu/(1-nu)                            s  a/a_Y
+//   p  F/L, force per length           a  half-width of the contact            Y  yield strength
+//   q  p/(pi E*), load [m]             k  nu/(1-nu)                            s  a/a_Y
 //
 //   elastic      overlap = q (ln(4 D^2/a^2) - k),  a^2 = 4 q R            mean pressure <= 1.5 Y
 //   yield        a_Y = 12 Y R/(pi E*)
 //   beyond       overlap = overlap_Y + (a^2 - a_Y^2)/(2R),  F = 2 a L Y p
 //                p = min(1.5 + ln(s)/sqrt(3), 2.4)
-//   unloading    a^2 = 4 q R_e with the radius R_e that the rebound gives back: flatter than R
+//   unloading    a^2 = 4 q R_e with the radius R_e of the unloaded surface, larger than R
 //
-// A line contact, unlike a point contact, has no overlap without a place to measure it from: the
-// far side of the body, D away; hence the logarithm. Its slope falls short as a grows; from
-// ln(4 D^2/a^2) - k = 2 on (a = 0.6 D for nu near 0.25, out of range) the load follows its tangent
-// instead.
+// The overlap of a line contact depends on the reference point: the far side of the body, at the
+// distance D. This causes the logarithm. For large a, the logarithmic formula is invalid. From
+// ln(4 D^2/a^2) - k = 2 (a = 0.6 D for nu near 0.25, out of range), the load follows the tangent
+// of the curve instead.
 //
-// The laws differ in the rebound (tables/line_contact.h).
+// The laws differ in the unloading (tables/line_contact.h).
 #pragma once
 
 #include <algorithm>
@@ -29,8 +30,9 @@
 
 namespace plastigran {
 
-// The root w > 1 of w - ln w = t, for t >= 1.25: -W(-exp(-t)) on the lower branch of Lambert's
-// function. Halley from two terms of its asymptotic series; four steps leave rounding only.
+// Returns the root w > 1 of w - ln w = t for t >= 1.25, which is -W(-exp(-t)) on the lower branch
+// of Lambert's function. Halley's method starts from two terms of the asymptotic series; four steps
+// converge to round-off.
 PLASTIGRAN_DEVICE inline double lambert_root(double t) {
   const double log_t = std::log(t);
   double w = t + log_t + log_t / t;
@@ -41,21 +43,23 @@ PLASTIGRAN_DEVICE inline double lambert_root(double t) {
   return w;
 }
 
-// The elastic load over its overlap, 1/w with w - ln w = ln(1/x), at x = overlap/reach.
+// Returns elastic load/overlap at x = overlap/reach: 1/w with w - ln w = ln(1/x).
 PLASTIGRAN_DEVICE inline double load_share(double x) {
   return 1 / lambert_root(std::max(1.25, -std::log(x)));
 }
 
-// A contact beyond yield, at s and ln(s); load and work over those at yield.
+// Contact beyond yield as functions of s and ln(s). Load and work are divided by their values at
+// yield.
 struct LineYielding {
-  static constexpr double hardening = 0.38490017945975051;    // (1/sqrt(3))/1.5
-  static constexpr double pressure_cap = 1.6;                 // 2.4/1.5
-  static constexpr double plastic_from = 4.7533314343482855;  // s there, exp(0.9 sqrt(3))
+  static constexpr double hardening = 0.38490017945975051;  // pressure slope, (1/sqrt(3))/1.5
+  static constexpr double pressure_cap = 1.6;  // largest mean pressure/pressure at yield, 2.4/1.5
+  static constexpr double plastic_from = 4.7533314343482855;  // s at the cap, exp(0.9 sqrt(3))
 
   PLASTIGRAN_DEVICE static double load(double s, double log_s) {
     return s * std::min(1 + hardening * log_s, pressure_cap);
   }
-  // Integral of s^2 p/1.5 over s from yield, the work beyond it over F_Y a_Y^2/R.
+  // Returns the work beyond yield divided by F_Y a_Y^2/R: the integral of s^2 p/1.5 over s from
+  // yield.
   PLASTIGRAN_DEVICE static double work(double s, double log_s) {
     const double cube = s * s * s;
     if (s > plastic_from) {

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// Integrals, maxima and roots that several laws need.
+// Numerical integration, maximization and root finding for the laws.
 #pragma once
 
 #include "plastigran/shared/device.h"
 
 namespace plastigran {
 
-// Integral of f from left to right by Gauss-Legendre on 12 points.
+// Returns the integral of f from left to right by Gauss-Legendre quadrature with 12 points.
 template <class Function>
 PLASTIGRAN_DEVICE double gauss_legendre(const Function& f, double left, double right) {
   constexpr double node[6] = {0.1252334085114689, 0.3678314989981802, 0.5873179542866175,
@@ -21,8 +21,8 @@ PLASTIGRAN_DEVICE double gauss_legendre(const Function& f, double left, double r
   return sum;
 }
 
-// Where f, with one maximum between left and right, is largest: golden section, which narrows the
-// stretch by 0.618 a step.
+// Returns the position of the only maximum of f between left and right, by golden section search.
+// Each step shortens the interval by the factor 0.618.
 template <class Function>
 double golden_section(const Function& f, double left, double right, int steps) {
   const double golden = 0.6180339887498949;
@@ -36,7 +36,8 @@ double golden_section(const Function& f, double left, double right, int steps) {
   return 0.5 * (left + right);
 }
 
-// Brings the two ends of a stretch, in the latter of which a condition holds, to within a digit.
+// Bisects the interval [low, high] until its ends are adjacent numbers. The condition `holds` must
+// be false at low and true at high.
 template <class Condition>
 void halve(double& low, double& high, const Condition& holds) {
   for (int i = 0; i < 100; ++i) {

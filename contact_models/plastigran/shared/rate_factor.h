@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// A yield strength that grows with the rate of strain (Johnson & Cook 1983, 7th Int. Symp.
-// Ballistics: 541), without heat:
+// Yield strength that increases with the strain rate (Johnson & Cook 1983, 7th Int. Symp.
+// Ballistics: 541), without temperature:
 //
 //   factor = 1 + C ln(rate/reference_rate) above the reference rate, 1 up to it
 //
-// One rate stands for a whole impact: closing speed at first touch over radius, v/R. The mean
-// strain of an indentation is 0.2 a/R (Tabor, The Hardness of Metals, 1951), and it takes a time of
-// about a^2/(2 R v): its rate 0.4 v/a is v/R at a = 0.4 R, ten times that at a = 0.04 R, which
-// moves the factor by 2.3 C. R is the sphere of the yielding body's material on a rigid plane that
-// has the pair's Hertzian force and contact radius (shared/fitted_sphere.h), v its share of the
-// speed: R = R* E'/E*, v = speed E*/E'. Of two equal spheres that is each one's own.
+// One rate represents a whole impact: v/R, closing speed at first touch divided by radius. The mean
+// strain of an indentation is 0.2 a/R (Tabor, The Hardness of Metals, 1951) and develops in a time
+// of about a^2/(2 R v). The strain rate 0.4 v/a thus equals v/R at a = 0.4 R. At a = 0.04 R it is
+// ten times larger, which changes the factor by 2.3 C. R and v belong to the fitted sphere
+// (shared/fitted_sphere.h): R = R* E'/E*, v = speed E*/E'. For two equal spheres, R is their radius
+// and v is half of the speed.
 #pragma once
 
 #include <cmath>
@@ -21,16 +21,17 @@
 
 namespace plastigran {
 
-// Factors are rounded to multiples of this.
+// Rate factors are rounded to multiples of this step.
 constexpr double rate_factor_step = 1e-4;
 
-// v/R of an impact [1/s]; `speed` is that at which the two bodies close in [m/s].
+// Returns v/R of an impact [1/s]; `speed` is the closing speed of the two bodies [m/s].
 inline double impact_rate(const MaterialPair& pair, double radius_eff, double speed) {
   const double ratio = FittedSphere(pair, of_yielding_body).radius_ratio;
   return speed / (radius_eff * ratio * ratio);
 }
 
-// What an impact multiplies the yield strength of its weaker body by.
+// Returns the factor by which the strain rate of an impact increases the yield strength of the
+// weaker body.
 inline double rate_factor(const MaterialPair& pair, double radius_eff, double speed) {
   if (!(pair.rate_coefficient > 0)) return 1;
   const double ratio = impact_rate(pair, radius_eff, speed) / pair.reference_rate;
@@ -39,7 +40,7 @@ inline double rate_factor(const MaterialPair& pair, double radius_eff, double sp
          rate_factor_step * std::round(pair.rate_coefficient * std::log(ratio) / rate_factor_step);
 }
 
-// The pair with its strength at a rate factor, which does not depend on the rate any more.
+// Returns the pair with its strength multiplied by a rate factor and without rate dependence.
 inline MaterialPair strengthened(MaterialPair pair, double factor) {
   pair.yield_strength *= factor;
   pair.yield_pressure *= factor;
@@ -47,7 +48,8 @@ inline MaterialPair strengthened(MaterialPair pair, double factor) {
   return pair;
 }
 
-// A law's constants for that pair: those in Pa are pressures of plastic flow.
+// Returns the constants of a law for the strengthened pair. Constants in Pa are pressures of
+// plastic flow, so they are multiplied by the factor.
 template <class Law>
 typename Law::Parameters strengthened_constants(typename Law::Parameters constants, double factor) {
   for (const auto& parameter : parameters_of<Law>)

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// The table of a law that is given by a first-loading curve and a residual overlap. The host builds
-// it once per pair of materials; the force loop reads it. It is trivially copyable.
+// Table of a law that is defined by a first-loading curve and a residual overlap. The host builds
+// the table once per pair of materials; the force loop reads it. The table is trivially copyable.
 //
-// A curve gives the law in yield units, x = overlap/overlap_y and f = F/F_y:
+// A class Curve defines the law in yield units, x = overlap/overlap_y and f = F/F_y:
 //
 //   yield_radius_ratio  r = a_y/R*: overlap_y = r^2 R*, F_y = 4/3 E* r^3 R*^2
 //   breaks              values of x where the formula changes, ascending; elastic below the first
@@ -11,10 +11,11 @@
 //   recovery(x)         (overlap_max - overlap_res)/overlap_y after loading to x
 //   contact_radius(x)   a/a_y beyond the first break
 //
-// It also has the members of contact.h that describe a law: name, source, range, Parameters. It is
-// constructed from (MaterialPair, Parameters).
+// Curve also has the members of contact.h that describe a law: name, source, range, Parameters. Its
+// constructor takes (MaterialPair, Parameters).
 //
-// An unloading (unloading.h) gives the shape of the curve between overlap_res and overlap_max.
+// A class Unloading (unloading.h) defines the shape of the curve between overlap_res and
+// overlap_max.
 #pragma once
 
 #include <algorithm>
@@ -63,11 +64,11 @@ class CurveTable : public Curve, public LargestOverlap {
       return unloading_.elastic(modulus_, radius_eff, Curve::yield_radius_ratio, overlap);
     }
     if (!(overlap > 0)) {
-      if (!(state.overlap_max > 0)) return {};  // the overlap is not a number
+      if (!(state.overlap_max > 0)) return {};  // overlap is NaN
       return {0, 0, 0, plastic_work(radius_eff, overlap_y, state.overlap_max)};
     }
-    // Two branches let the processor start on the largest overlap of a contact that unloads before
-    // it has loaded the present one.
+    // Keep two branches: in unloading, the processor can then start with the stored overlap_max
+    // before the current overlap is loaded.
     if (overlap > state.overlap_max) {
       state.overlap_max = overlap;
       return unloading_.at_largest(peak(radius_eff, overlap_y, overlap));
@@ -78,7 +79,7 @@ class CurveTable : public Curve, public LargestOverlap {
   }
 
  private:
-  // Values after loading to x, in yield units. Further loading reads only the first two.
+  // Quantities of a contact loaded to x, in yield units. First loading reads only the first two.
   enum Quantity { FORCE, RADIUS, INVERSE_RECOVERY, SHAPE };
   static constexpr std::size_t quantities = Unloading::has_shape ? 4 : 3;
   typedef std::array<double, quantities> Values;
@@ -107,16 +108,17 @@ class CurveTable : public Curve, public LargestOverlap {
     if constexpr (Unloading::has_shape) at[SHAPE] = unloading_.shape(*this, x);
     return at;
   }
-  // The same beyond the end of the table.
+  // Returns the values beyond the end of the table.
   [[gnu::noinline, gnu::cold]] PLASTIGRAN_DEVICE Values computed(double x) const {
     return compute(x);
   }
 
-  // Work of loading to x, over F_y overlap_y.
+  // Returns the work of loading to x, divided by F_y overlap_y.
   PLASTIGRAN_DEVICE double loading_work(double x) const {
     return loading_work_.covers(x) ? loading_work_(x)[0] : summed_work(x);
   }
-  // The same beyond the end of the table, summed on panels that double in length.
+  // Returns the work of loading beyond the end of the table, integrated on panels of doubling
+  // length.
   [[gnu::noinline, gnu::cold, gnu::pure]] PLASTIGRAN_DEVICE double summed_work(double x) const {
     if (!(x > Curve::breaks[0])) return unloading_.elastic_work(x);
     double left = loading_work_.end(), sum = loading_work_(left * (1 - 1e-15))[0];
@@ -130,7 +132,8 @@ class CurveTable : public Curve, public LargestOverlap {
     return sum;
   }
 
-  // Work of loading to x and work that unloading returns, over F_y overlap_y.
+  // Returns the work of loading to x and the energy released by unloading, divided by F_y
+  // overlap_y.
   [[gnu::noinline, gnu::cold]] PLASTIGRAN_DEVICE std::array<double, 2> computed_works(
       double x) const {
     return {loading_work(x), Curve::force(x) * guarded_recovery(x) / work_ratio(x)};
@@ -142,24 +145,25 @@ class CurveTable : public Curve, public LargestOverlap {
     const double returned = loading_work(x) - guard_.least_loss(x);
     return std::min(Curve::recovery(x), work_ratio(x) * returned / Curve::force(x));
   }
-  // F_max (overlap_max - overlap_res) over the returned work.
+  // Returns F_max (overlap_max - overlap_res) divided by the energy released by unloading.
   PLASTIGRAN_DEVICE double work_ratio(double x) const {
     return unloading_.work_ratio(unloading_.shape(*this, x));
   }
 
   typedef EnergyGuard<std::tuple_size_v<decltype(Curve::breaks)>> Guard;
 
-  double modulus_;        // 4/3 E*
-  double overlap_ratio_;  // overlap_y/R*
+  double modulus_;        // 4/3 E* [Pa]
+  double overlap_ratio_;  // overlap_y/R* [-]
   Unloading unloading_;
-  Guard guard_;                   // least loss as a function of x, over F_y overlap_y
-  Tabulated<1, 9> loading_work_;  // work of loading, over F_y overlap_y
-  Tabulated<2> works_;            // works of loading and unloading, over F_y overlap_y
+  Guard guard_;                   // least plastic work as a function of x, divided by F_y overlap_y
+  Tabulated<1, 9> loading_work_;  // work of loading divided by F_y overlap_y
+  Tabulated<2> works_;            // work of loading and released energy, divided by F_y overlap_y
   Tabulated<quantities> loaded_;
 };
 
-// A law whose published curves return more energy than loading put in, near yield or where the
-// force jumps up: the option energy_guard (energy_guard.h, on by default) shortens the rebound.
+// Table of a law whose published curves release more energy than loading took, near yield or where
+// the force jumps up. The option energy_guard (energy_guard.h, on by default) reduces the recovered
+// overlap.
 template <class Curve, class Unloading>
 class GuardedTable : public CurveTable<Curve, Unloading> {
  public:

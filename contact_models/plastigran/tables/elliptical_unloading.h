@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// Unloading of an elliptical indenter from a bed of springs (laws/mdr.h), for curve_table.h. In
-// y, the depth of the indenter over half its height:
+// Unloading of an elliptical indenter from a bed of springs (laws/mdr.h), for curve_table.h. With
+// y, the depth of the indenter divided by half its height:
 //
 //   F = F_max h(y),   h = 2/pi (acos(1-y) - (1-y) c),   a = a_max c,   c = sqrt(2y - y^2)
 //   integral of h = 2/pi (c - (1-y) acos(1-y) - c^3/3)
 //
 // Beyond y = 1 the indenter is a flat punch, h = 1 + 4/pi (y-1), c = 1. Near y = 0 the closed forms
-// cancel; there h = 4/pi times the integral of sqrt(2y) sqrt(1 - y/2), as a series in y. The table
-// holds h/y^(3/2) and its integral over y^(5/2), which are smooth. Below yield F_max = pi E' R^2,
-// a_max = R and y = overlap/(2R).
+// lose digits by cancellation. There a series is used: h is 4/pi times the integral of sqrt(2y)
+// sqrt(1 - y/2). The table holds h/y^(3/2) and its integral over y^(5/2), which are smooth. Below
+// yield F_max = pi E' R^2, a_max = R and y = overlap/(2R).
 #pragma once
 
 #include <array>
@@ -42,7 +42,8 @@ class EllipticalUnloading {
     response.elastic_energy = force_unit * overlap_unit * 2 * y * y * root * share[1];
     return response;
   }
-  // Over 4/3 E* r^5 R*^3, with r = yield_radius_ratio.
+  // Returns the work of elastic loading to x divided by 4/3 E* r^5 R*^3, with r =
+  // yield_radius_ratio.
   PLASTIGRAN_DEVICE static double elastic_work(double x) { return 1.5 * pi * stored(0.5 * x); }
 
   template <class Table>
@@ -52,7 +53,7 @@ class EllipticalUnloading {
   PLASTIGRAN_DEVICE static double work_ratio(double) { return 0.75 * pi; }
 
   PLASTIGRAN_DEVICE Response at(const Peak& peak, double y) const {
-    if (y == 1) return at_largest(peak);  // the same value as on loading, bitwise
+    if (y == 1) return at_largest(peak);  // ensures a value bitwise identical to loading
     Response response;
     if (y > 0) {
       const double root = std::sqrt(y);
@@ -70,7 +71,7 @@ class EllipticalUnloading {
   }
 
  private:
-  // h/y^(3/2) and its integral over y^(5/2).
+  // Returns h/y^(3/2), and the integral of h divided by y^(5/2).
   typedef std::array<double, 2> Shares;
   PLASTIGRAN_DEVICE Shares shares(double y) const {
     return shares_.covers(1 + y) ? shares_(1 + y) : computed_shares(y);
@@ -80,12 +81,12 @@ class EllipticalUnloading {
     const double root = std::sqrt(y);
     return {share(y) / (y * root), stored(y) / (y * y * root)};
   }
-  // h
+  // Returns h at y.
   PLASTIGRAN_DEVICE static double share(double y) {
     if (y > 1) return 1 + 4 / pi * (y - 1);
     return 2 / pi * (std::acos(1 - y) - (1 - y) * chord(y));
   }
-  // The integral of h.
+  // Returns the integral of h from 0 to y.
   PLASTIGRAN_DEVICE static double stored(double y) {
     if (y < series_end) return y * y * std::sqrt(y) * series(y, 1);
     if (y > 1) return stored(1) + (y - 1) + 2 / pi * (y - 1) * (y - 1);
@@ -94,8 +95,8 @@ class EllipticalUnloading {
   }
   PLASTIGRAN_DEVICE static double chord(double y) { return y < 1 ? std::sqrt(y * (2 - y)) : 1; }
 
-  // 4 sqrt(2)/pi times the sum of (1/2 over k) (-y/2)^k/(k + 3/2), each term over (k + 5/2) once
-  // more for the integral. 16 terms leave 1e-17 below y = 1/4.
+  // Returns 4 sqrt(2)/pi times the sum of binomial(1/2, k) (-y/2)^k/(k + 3/2). For the integral of
+  // h, each term is also divided by (k + 5/2). For y < 1/4, 16 terms have an error below 1e-17.
   static constexpr double series_end = 0.25;
   PLASTIGRAN_DEVICE static double series(double y, int integrals) {
     double sum = 0, term = 4 * 1.4142135623730951 / pi;
@@ -108,7 +109,7 @@ class EllipticalUnloading {
     return sum;
   }
 
-  Tabulated<2, 8, 2, 40> shares_;  // functions of 1 + y
+  Tabulated<2, 8, 2, 40> shares_;  // shares() as functions of 1 + y
 };
 
 }  // namespace plastigran

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// Energy guard: some published curves return more energy than loading put in. There the guard
-// shortens the rebound, so that the work lost never falls as a contact is pressed further.
+// Energy guard: some published curves release more energy than loading took. There the guard
+// reduces the recovery, so that plastic work never decreases during loading.
 //
-// The search follows the published loss upwards from yield. A stretch begins where the loss is
-// largest so far and ends where the loss reaches that value again. Published curves lose too little
-// just beyond a break of the formula, so the distance of the points from the last break grows from
-// 1e-9 of the break by a quarter each, up to steps of 2 %.
+// The search evaluates the published plastic work at increasing overlaps from yield. An interval
+// begins where the plastic work starts to decrease and ends where it reaches the earlier value
+// again. Decreases are likely just beyond a break of the formula. The distance of the points from
+// the last break therefore starts at 1e-9 of the break and grows by a quarter per point, up to
+// steps of 2 %.
 #pragma once
 
 #include <algorithm>
@@ -19,22 +20,24 @@
 
 namespace plastigran {
 
-// At most one stretch per break, one on the smooth curve from yield on, one beyond the last break.
+// Intervals: at most one per break, one on the smooth curve from yield, and one beyond the last
+// break.
 template <std::size_t breaks>
 class EnergyGuard {
  public:
-  // The guard that is off.
+  // Creates an inactive guard.
   EnergyGuard() = default;
 
-  // Arguments: the overlaps at which the formula changes, ascending, the first at yield; the
-  // largest overlap of the search; taken(overlap) and loss(overlap), the work of loading and the
-  // part of it that the published curve does not return.
+  // Finds the intervals. `edges` are the overlaps at which the formula changes, ascending,
+  // beginning with yield. `reach` is the largest overlap of the search. taken(overlap) is the work
+  // of loading; loss(overlap) is the published plastic work.
   template <class Taken, class Loss>
   EnergyGuard(const std::array<double, breaks>& edges, double reach, const Taken& taken,
               const Loss& loss) {
     double before = edges[0], top = before, lost = std::max(0.0, loss(top));
-    std::size_t found = 0;
-    for (double last = top, x = next(edges, last); x < reach && found < stretches_.size();) {
+    std::size_t interval_count = 0;
+    for (double last = top, x = next(edges, last);
+         x < reach && interval_count < stretches_.size();) {
       const double now = loss(x);
       if (now >= lost) {
         before = last, top = x, lost = now;
@@ -44,7 +47,7 @@ class EnergyGuard {
         double low = x, high = x;
         while (high < reach && loss(high) < lost) low = high, high = next(edges, high);
         halve(low, high, [&](double middle) { return !(loss(middle) < lost); });
-        stretches_[found++] = {top, high, lost};
+        stretches_[interval_count++] = {top, high, lost};
         before = top = x = high;
       }
       last = x;
@@ -52,7 +55,7 @@ class EnergyGuard {
     }
   }
 
-  // The work that loading to an overlap loses at least.
+  // Returns the least plastic work of loading to an overlap.
   PLASTIGRAN_DEVICE double least_loss(double overlap) const {
     for (const Stretch& stretch : stretches_)
       if (overlap >= stretch.begin && overlap < stretch.end) return stretch.lost;
@@ -68,7 +71,7 @@ class EnergyGuard {
   static constexpr double close = 1e-9;
   static constexpr double rounding = 1e-14;  // round-off, relative to the work of loading
 
-  // The next point of the search: close to both sides of each break.
+  // Returns the next overlap of the search; points are dense on both sides of each break.
   static double next(const std::array<double, breaks>& edges, double x) {
     double step = 0.02 * x;
     for (double edge : edges) {

@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// The table of a law of a line contact: loading of shared/line_loading.h and the rebound of the
-// law. It is trivially copyable. A rebound has the law's `name` and `source`, and
+// Table of a law for a line contact: loading of shared/line_loading.h and the unloading of the law.
+// The table is trivially copyable. A class Rebound has `name` and `source` of the law, and
 //
 //   recovery(load_y, overlap_y, load, flattening)   overlap_max - overlap_res [m]
-//   straight    whether the rebound is a straight line; else it is the elastic curve of a cylinder
-//               of radius R_e, stretched to that length. flattening = R/R_e
+//   straight    whether unloading is a straight line; otherwise it is the elastic curve of a
+//               cylinder of radius R_e, stretched to `recovery`. flattening = R/R_e
 //
-// Published rebounds return more than was put in just above yield, because loading beyond yield
-// leaves out the logarithm: its slope jumps up by about 3. The energy guard limits the rebound to
-// the energy that was put in. From where the published one returns less, the work lost only grows.
+// Just above yield, the published unloading releases more energy than loading took, because loading
+// beyond yield omits the logarithm: its slope jumps up by a factor of about 3. The energy guard
+// limits the released energy to the work of loading. At larger overlaps, where the published
+// unloading releases less, plastic work only increases.
 #pragma once
 
 #include <algorithm>
@@ -23,7 +24,8 @@
 
 namespace plastigran {
 
-// Functions of line contacts in units that are the same for all materials.
+// Tables of functions of line contacts in dimensionless units, which are the same for all
+// materials.
 class LineTables {
  public:
   LineTables()
@@ -39,13 +41,13 @@ class LineTables {
   Tabulated<1, 8, 30> load_shares_;
 };
 
-// The elastic line contact, overlap = q ln(reach/q), with the load q [m].
+// Elastic line contact, overlap = q ln(reach/q), with the load q [m].
 class LineCompliance {
  public:
   PLASTIGRAN_DEVICE LineCompliance(const LineTables& tables, double reach)
       : tables_(tables), reach_(reach), tangent_from_(reach * tangent_share) {}
 
-  // The overlap at a load and log = ln(reach/load) [m].
+  // Returns the overlap at a load [m]; `log` is ln(reach/load).
   PLASTIGRAN_DEVICE double overlap(double load, double log) const {
     return log > 2 ? load * log : load + tangent_from_;
   }
@@ -53,14 +55,14 @@ class LineCompliance {
     if (!(overlap < 2 * tangent_from_)) return overlap - tangent_from_;
     return overlap * tables_.load_share(overlap / reach_);
   }
-  // Integral of the load over its overlap [m^2].
+  // Returns the integral of the load over the overlap [m^2].
   PLASTIGRAN_DEVICE double work(double load, double overlap) const {
     return load < tangent_from_ ? 0.25 * load * (2 * overlap - load)
                                 : 0.5 * load * load + 0.25 * tangent_from_ * tangent_from_;
   }
 
  private:
-  static constexpr double tangent_share = 0.13533528323661269;  // exp(-2)
+  static constexpr double tangent_share = 0.13533528323661269;  // exp(-2): load/reach
   const LineTables& tables_;
   double reach_;
   double tangent_from_;
@@ -70,17 +72,18 @@ template <class Rebound>
 class LineContact : public Rebound, public LargestOverlap {
  public:
   static constexpr const char* shape = "cylinder";
-  static constexpr const char* range = "cylinder 10 radii long or more, contact narrower than body";
+  static constexpr const char* range =
+      "cylinder length >= 10 radii, contact narrower than the body";
   struct Parameters {
-    double cylinder_length = required;  // L [m]
-    double body_thickness = required;   // D [m]
+    double cylinder_length = required;  // length L of the cylinder [m]
+    double body_thickness = required;   // thickness D of the yielding body [m]
     int energy_guard = 1;
   };
   static constexpr std::array<Parameter<Parameters>, 2> parameters{{
       {"cylinder_length", "m", &Parameters::cylinder_length, 1e-12, 1e6, "length of the cylinder",
        true},
       {"body_thickness", "m", &Parameters::body_thickness, 1e-12, 1e6,
-       "thickness of the body that yields, to where the overlap is measured from", true},
+       "thickness of the yielding body; the overlap is measured relative to its far side", true},
   }};
   static constexpr std::array<Option<Parameters>, 1> options{{
       energy_guard_option(&Parameters::energy_guard),
@@ -98,24 +101,24 @@ class LineContact : public Rebound, public LargestOverlap {
   PLASTIGRAN_DEVICE Response respond(double radius_eff, double overlap, State& state) const {
     return respond(load_ratio_, log_yield_, radius_eff, overlap, state);
   }
-  // The same with the yield strength times a factor.
+  // Returns the response with the yield strength multiplied by `factor`.
   PLASTIGRAN_DEVICE Response respond_stronger(double factor, double radius_eff, double overlap,
                                               State& state) const {
     const double log_yield = log_yield_ - 2 * tables_.logs.natural_log(factor);
     return respond(load_ratio_ * factor * factor, log_yield, radius_eff, overlap, state);
   }
 
-  // Stiffness of the undented contact [N/m]. Normal: slope of the elastic force. Tangential: a
-  // strip of that half-width sticking to the body and shifted along it against the same far side;
-  // from the displacements of a line force, Johnson (1985) sec. 2.2-2.3.
+  // Returns the stiffness of the elastic contact [N/m]. Normal: slope of the elastic force.
+  // Tangential: a sticking strip of the same half-width, displaced relative to the far side of the
+  // body; from the displacements of a line force, Johnson (1985) sec. 2.2-2.3.
   PLASTIGRAN_DEVICE Stiffness elastic_stiffness(double contact_radius) const {
     const double far = std::max(compliance(contact_radius), 2.0);
     return {stiffness_ / (far - 1), stiffness_ / (far + 2 * lateral_ + 1)};
   }
 
  private:
-  static constexpr double overlap_min = 1e-200;  // [m] above this overlap no ratio overflows
-  static constexpr double square_min = 1e-300;   // [m^2] a narrower contact has no width yet
+  static constexpr double overlap_min = 1e-200;  // overlap above which no ratio overflows [m]
+  static constexpr double square_min = 1e-300;   // a^2 of a contact without width [m^2]
 
   PLASTIGRAN_DEVICE Response respond(double yield_ratio, double log_yield, double radius_eff,
                                      double overlap, State& state) const {
@@ -135,7 +138,7 @@ class LineContact : public Rebound, public LargestOverlap {
     }
     if (overlap > state.overlap_max) state.overlap_max = overlap;
 
-    // At the largest overlap: loads in q, works over stiffness_.
+    // Values at the largest overlap: loads as q [m], work divided by stiffness_ [m^2].
     const double area = 1 + (state.overlap_max - overlap_y) / (2 * load_y);  // s^2
     const double s = std::sqrt(area), log_s = 0.5 * tables_.logs.natural_log(area);
     const double load_ratio = LineYielding::load(s, log_s);
@@ -165,15 +168,15 @@ class LineContact : public Rebound, public LargestOverlap {
     return response;
   }
 
-  // ln(4 D^2/a^2) - k
+  // Returns ln(4 D^2/a^2) - k.
   PLASTIGRAN_DEVICE double compliance(double half_width) const {
     const double square = half_width * half_width;
     return square > square_min ? log_reach_ - tables_.logs.natural_log(square) : unlimited;
   }
 
   double stiffness_;   // pi E* L [N/m]: F = stiffness q
-  double lateral_;     // k
-  double reach_;       // D^2 exp(-k): overlap = q ln(reach/(R q))
+  double lateral_;     // k = nu/(1-nu) [-]
+  double reach_;       // D^2 exp(-k) [m^2]: overlap = q ln(reach/(R q))
   double log_reach_;   // ln(4 reach)
   double load_ratio_;  // load_y/R = (a_Y/(2R))^2
   double log_yield_;   // ln(reach/load_ratio)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// One panel of a table: polynomials in x - centre, fitted at the Chebyshev points of the panel.
+// One panel of a table: polynomials in x - centre that interpolate functions at Chebyshev points.
 #pragma once
 
 #include <algorithm>
@@ -14,18 +14,18 @@
 
 namespace plastigran {
 
-// Two numbers in one vector register.
+// Two doubles in one vector register.
 typedef double Two __attribute__((vector_size(2 * sizeof(double))));
 
-// Chebyshev points on (-1, 1), and the weights of the values there in the coefficients of the
-// polynomial through them.
+// Chebyshev points on (-1, 1), and the matrix that converts function values at these points to
+// polynomial coefficients.
 template <std::size_t terms>
 struct Interpolation {
   double point[terms];
   double weight[terms][terms] = {};
 
   Interpolation() {
-    double chebyshev[terms][terms] = {{1}, {0, 1}};  // [degree][power]
+    double chebyshev[terms][terms] = {{1}, {0, 1}};  // coefficients by [degree][power]
     for (std::size_t k = 2; k < terms; ++k)
       for (std::size_t power = 0; power < terms; ++power)
         chebyshev[k][power] =
@@ -42,11 +42,11 @@ struct Interpolation {
   }
 };
 
-// Polynomials of `count` functions up to `end`.
+// Polynomials of `count` functions, valid for x < `end`.
 template <std::size_t count, std::size_t terms>
 struct Panel {
   typedef std::array<double, count> Values;
-  // Functions are packed in pairs; a single function is not packed.
+  // Functions are packed in pairs for vector instructions; a single function is not packed.
   typedef std::conditional_t<count == 1, double, Two> Pack;
   static constexpr std::size_t packs = (count + 1) / 2;
   typedef std::array<Pack, packs> Row;
@@ -62,8 +62,8 @@ struct Panel {
     return unpacked(sum<0, terms>(power));
   }
 
-  // Fits the polynomials to the functions at the Chebyshev points from `begin` to `right`. Returns
-  // the largest error between these points, over the allowed error.
+  // Interpolates the functions at the Chebyshev points of [begin, right]. Returns the largest error
+  // at the check points between them, divided by the allowed error.
   template <class Functions>
   double fit(double begin, double right, const Functions& functions,
              const Interpolation<terms>& through) {
@@ -77,7 +77,8 @@ struct Panel {
         largest[i] = std::max(largest[i], std::abs(value[j][i]));
     }
     double scale = 1;
-    // Relative to the value near the middle, which removes the rounding of the weights.
+    // Interpolate the difference from the value near the middle: the round-off of the weights then
+    // scales with the variation on the panel.
     const Values middle = value[terms / 2];
     for (std::size_t k = 0; k < terms; ++k) {
       Values sums{};
@@ -89,19 +90,19 @@ struct Panel {
       coefficient[k] = packed(sums);
       scale /= half;
     }
-    double off = 0;
+    double error_ratio = 0;
     for (double x : {right * (1 - ulp), begin * (1 + ulp), centre, centre + 0.6 * half}) {
-      const Values found = at(x), expected = functions(x);
+      const Values interpolated = at(x), exact = functions(x);
       for (std::size_t i = 0; i < count; ++i) {
-        const double error = std::abs(found[i] - expected[i]);
+        const double error = std::abs(interpolated[i] - exact[i]);
         if (!(error <= tolerance * largest[i])) return infinite;
-        if (error > 0) off = std::max(off, error / (tolerance * largest[i]));
+        if (error > 0) error_ratio = std::max(error_ratio, error / (tolerance * largest[i]));
       }
     }
-    return off;
+    return error_ratio;
   }
 
-  // Sets one value for the whole panel.
+  // Sets the functions to the constant `value` on the whole panel.
   void hold(double begin, double right, const Values& value) {
     *this = {};
     centre = begin;
@@ -111,13 +112,13 @@ struct Panel {
 
   static constexpr double infinite = std::numeric_limits<double>::infinity();
   static constexpr double tolerance = 3e-14;
-  static constexpr double ulp = 4e-16;  // moves any number by one or two of its last digits
+  static constexpr double ulp = 4e-16;  // relative change by one or two units in the last place
 
  private:
   static constexpr std::size_t levels = 4;
   static_assert(terms <= 16);
 
-  // Sum of `length` terms by Estrin's scheme.
+  // Returns the sum of `length` terms of the polynomials, by Estrin's scheme.
   template <std::size_t first, std::size_t length, std::size_t level = levels - 1>
   PLASTIGRAN_DEVICE Row sum(const double (&power)[levels]) const {
     constexpr std::size_t half = std::size_t{1} << level, below = level ? level - 1 : 0;

@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// The table of a law that gives both force and overlap of first loading by the elastic part of the
-// contact radius, s = a_e/a_Y (laws/vu_quoc_zhang.h). In yield units, with s_max the largest s:
+// Table of a law whose force and overlap of first loading are both functions of the elastic part of
+// the contact radius, s = a_e/a_Y (laws/vu_quoc_zhang.h). In yield units, with the largest value
+// s_max of s:
 //
 //   F = s^3,   overlap = A^2/C                                   first loading, s > 1
 //   overlap C_max = s^2 + A_max^2 - s_max^2,   a = s + A_max - s_max        unloading, reloading
 //
-// The curve gives A = radius(s), C = curvature(s), their slopes, and the yield constants. The host
-// tabulates s of the overlap and the works; the force loop reads them. Trivially copyable.
+// A class Curve defines A = radius(s), C = curvature(s), their derivatives, and the yield
+// constants. The host tabulates s as a function of overlap, and the works; the force loop reads the
+// tables. The table is trivially copyable.
 #pragma once
 
 #include <algorithm>
@@ -25,7 +27,7 @@ template <class Curve>
 class ParametricTable : public Curve {
  public:
   struct State {
-    double elastic_radius_max = 0;  // largest a_e beyond yield, over a_Y [-]; 0 while elastic
+    double elastic_radius_max = 0;  // largest a_e/a_Y beyond yield [-]; 0 while elastic
   };
   static constexpr std::array<const char*, 1> state_names{"elastic_radius_max"};
 
@@ -47,8 +49,8 @@ class ParametricTable : public Curve {
     Point max = point(std::max(state.elastic_radius_max, 1.0));
     if (!(overlap > 0)) return {0, 0, 0, force_y * overlap_y * plastic_work(max)};
     double s = max.s;
-    // Within the error of the table's roots, the contact is at its largest overlap: a second equal
-    // call must not load further.
+    // Treat a contact within the table error of its largest overlap as unchanged, so that a second
+    // call at the same overlap does not load it further.
     const double reached = max.radius * max.radius;
     const double ahead = max.curvature * x - reached;
     if (ahead > rounding * reached) {  // first loading beyond yield
@@ -66,8 +68,8 @@ class ParametricTable : public Curve {
     return response;
   }
 
-  // The force-driven form of the same law (Vu-Quoc, Zhang & Lesburg 2000, J. Appl. Mech. 67:363):
-  // the overlap at a given force >= 0.
+  // Returns the overlap at a given force >= 0 [m]: the force-driven form of the law (Vu-Quoc, Zhang
+  // & Lesburg 2000, J. Appl. Mech. 67:363).
   double overlap(double radius_eff, double force, State& state) const {
     const double overlap_y = radius_eff * Curve::yield_radius_ratio * Curve::yield_radius_ratio;
     const double s = std::cbrt(force / yield_force(radius_eff));
@@ -83,14 +85,15 @@ class ParametricTable : public Curve {
                     widest_overlap_range);
   }
 
-  // P_Y [N].
+  // Returns the yield force P_Y [N].
   double yield_force(double radius_eff) const {
     return radius_eff * radius_eff * Curve::yield_force_ratio;
   }
 
-  // Root s >= 1 of g(s) = A^2 - x C for x >= 1, from a start at or left of it, by Newton's method.
-  // For admissible constants g is negative left of the root, and rising and convex right of it. So
-  // an iterate right of the root descends monotonically; left of it, no step is longer than s.
+  // Returns the root s >= 1 of g(s) = A^2 - x C for x >= 1 by Newton's method, from a start at or
+  // left of the root. For admissible constants, g is negative left of the root, and increasing and
+  // convex right of it. Iterates right of the root therefore decrease monotonically; left of the
+  // root, no step is longer than s.
   PLASTIGRAN_DEVICE double elastic_radius(double x, double start) const {
     double s = start;
     for (int iteration = 0; iteration < 200; ++iteration) {
@@ -99,53 +102,55 @@ class ParametricTable : public Curve {
       const double slope = 2 * at.radius * Curve::radius_slope(s) - x * Curve::curvature_slope(s);
       const double step = slope > 0 ? std::min(-value / slope, s) : s;
       s += step;
-      if (std::abs(step) <= 1e-8 * s) break;  // quadratic: the next step would be below rounding
+      if (std::abs(step) <= 1e-8 * s) break;  // quadratic: the next step is round-off
     }
     return s;
   }
 
  private:
   struct Point {
-    double s;          // a_e/a_Y
-    double plastic;    // a_p/a_Y
-    double radius;     // A = a/a_Y
-    double curvature;  // C
+    double s;          // a_e/a_Y [-]
+    double plastic;    // a_p/a_Y [-]
+    double radius;     // A = a/a_Y [-]
+    double curvature;  // C [-]
   };
   PLASTIGRAN_DEVICE Point point(double s) const {
     const double radius = Curve::radius(s);
     return {s, Curve::plastic_radius(s), radius, Curve::curvature(s)};
   }
 
-  // Beyond the end of the table.
+  // Returns s beyond the end of the table.
   [[gnu::noinline, gnu::cold]] PLASTIGRAN_DEVICE double solved(double x, double start) const {
     return elastic_radius(x, start);
   }
 
-  // Of A^2/C: the table has s to 3e-14, and A rises at most three times as fast as s.
+  // Relative tolerance of A^2/C: s in the table has an error of 3e-14, and A grows at most as s^3.
   static constexpr double rounding = 2e-13;
 
-  // overlap/overlap_Y d(F/P_Y)/ds
+  // Returns overlap/overlap_Y d(F/P_Y)/ds.
   PLASTIGRAN_DEVICE double complement(double s) const {
     const Point at = point(s);
     return 3 * s * s * at.radius * at.radius / at.curvature;
   }
 
-  // Plastic work over P_Y overlap_Y.
+  // Returns the plastic work divided by P_Y overlap_Y.
   PLASTIGRAN_DEVICE double plastic_work(const Point& max) const {
     if (!(max.s > 1)) return 0;
     const auto [taken, returned] =
         works_.covers(max.s) ? works_(max.s) : works(max, summed_complement(max.s));
     return taken - returned;
   }
-  // Work of first loading, 2/5 + integral of s^3 d(overlap), and the returned work 2/5 s^5/C. The
-  // integral is F overlap - integral of overlap dF, the latter being `complementary`.
+  // Returns the work of first loading, 2/5 + integral of s^3 d(overlap), and the released energy
+  // 2/5 s^5/C. The integral equals F overlap - `complementary`, where `complementary` is the
+  // integral of overlap dF.
   PLASTIGRAN_DEVICE std::array<double, 2> works(const Point& max, double complementary) const {
     const double force = max.s * max.s * max.s;
     return {0.4 + force * max.radius * max.radius / max.curvature - 1 - complementary,
             0.4 * force * max.s * max.s / max.curvature};
   }
-  // That integral beyond the end of the table, by Gauss-Legendre on panels that double in length:
-  // the integrand's poles are complex and some panel lengths away, so 12 points leave below 1e-12.
+  // Returns the integral of overlap dF beyond the end of the table, by Gauss-Legendre quadrature on
+  // panels of doubling length. The poles of the integrand are several panel lengths away, so 12
+  // points have an error below 1e-12.
   [[gnu::noinline, gnu::cold, gnu::pure]] PLASTIGRAN_DEVICE double summed_complement(
       double s) const {
     double sum = 0;
@@ -155,8 +160,8 @@ class ParametricTable : public Curve {
     return sum;
   }
 
-  Tabulated<1> root_;   // s of first loading at overlap/overlap_Y
-  Tabulated<2> works_;  // works of loading to s and of unloading, over P_Y overlap_Y
+  Tabulated<1> root_;   // s of first loading as a function of overlap/overlap_Y
+  Tabulated<2> works_;  // work of loading to s and released energy, divided by P_Y overlap_Y
 };
 
 }  // namespace plastigran

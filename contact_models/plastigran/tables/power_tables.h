@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// Logarithms and powers for the force loop: log2 and exp2 from short tables and short series. They
-// take a third of the time of the C library's pow, which is exact to one more digit.
+// Logarithms and powers for the force loop: log2 and exp2 from short tables and short series. These
+// functions take a third of the time of pow in the C library, with one digit less.
 #pragma once
 
 #include <array>
@@ -16,7 +16,8 @@ namespace plastigran {
 
 constexpr double ln_2 = 0.69314718055994530942;
 
-// 256 stretches of [1, 2) for the logarithm, 128 of [0, 1) for the exponential.
+// Tables of 256 intervals of [1, 2) for the logarithm and 128 intervals of [0, 1) for the
+// exponential.
 class PowerTables {
  public:
   PowerTables() {
@@ -28,21 +29,21 @@ class PowerTables {
       exp2_[k] = std::exp2(static_cast<double>(k) / 128);
   }
 
-  // ln(x) of a normal number above 0, to 2e-16 and 2e-16 of it.
+  // Returns ln(x) of a normal number x > 0, with absolute and relative errors of 2e-16.
   PLASTIGRAN_DEVICE double natural_log(double x) const { return ln_2 * binary_log(x); }
 
-  // base^exponent to 3e-15 of it and 2e-16 |exponent log2(base)|, for a base and a result that are
-  // normal numbers above 0.
+  // Returns base^exponent; base and result must be normal numbers above 0. The relative error is
+  // 3e-15 + 2e-16 |exponent log2(base)|.
   PLASTIGRAN_DEVICE double power(double base, double exponent) const {
     const double way = exponent * binary_log(base);
-    constexpr double round = 6755399441055744.0 / 128;  // 1.5 2^52, over 128: rounds to a 128th
+    constexpr double round = 6755399441055744.0 / 128;  // 1.5 2^52/128, rounds to 1/128
     const double near = way + round;
     std::int64_t steps;
     std::memcpy(&steps, &near, sizeof steps);
-    // e^s, |s| < 0.0028
+    // Series of e^s for |s| < 0.0028.
     const double s = (way - (near - round)) * ln_2, s_2 = s * s;
     const double rest = (1 + s) + s_2 * ((0.5 + 1.0 / 6 * s) + s_2 * (1.0 / 24));
-    // The low bits of `near` are the number of 128ths.
+    // The low bits of `near` contain the exponent as a multiple of 1/128.
     const std::int64_t powers =
         static_cast<std::int64_t>(static_cast<std::uint64_t>(steps) << 13) >> 20;
     const std::uint64_t scale = static_cast<std::uint64_t>(powers + 1023) << 52;
@@ -53,10 +54,10 @@ class PowerTables {
 
  private:
   struct Stretch {
-    double inverse, log2;  // values at the middle of the stretch
+    double inverse, log2;  // values at the middle of the interval
   };
 
-  // log2(x)
+  // Returns log2(x).
   PLASTIGRAN_DEVICE double binary_log(double x) const {
     std::uint64_t bits;
     std::memcpy(&bits, &x, sizeof bits);
@@ -65,14 +66,14 @@ class PowerTables {
     bits = (bits & ((std::uint64_t{1} << 52) - 1)) | std::uint64_t{1023} << 52;
     double mantissa;
     std::memcpy(&mantissa, &bits, sizeof mantissa);
-    // log2(1 + r), |r| < 1/512
+    // Series of log2(1 + r) for |r| < 1/512.
     const double r = mantissa * stretch.inverse - 1, r_2 = r * r;
     const double series = (1 - 0.5 * r) + r_2 * ((1.0 / 3 - 0.25 * r) + r_2 * 0.2);
     return whole + (stretch.log2 + r * (1 / ln_2) * series);
   }
 
   std::array<Stretch, 256> stretches_;
-  std::array<double, 128> exp2_;  // 2^x at the start of each stretch
+  std::array<double, 128> exp2_;  // 2^x at the start of each interval
 };
 
 }  // namespace plastigran

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// Laws that unload along a power of the remaining overlap, F = F_max y^n, with n = 3/2 unless the
-// curve (curve_table.h) has a function exponent(x). A curve may also give overlap_range(), its
-// largest overlap over R*. The law is
+// Base of laws that unload along a power of the remaining overlap, F = F_max y^n. n is 3/2 unless
+// the curve (curve_table.h) has a function exponent(x). A curve may also define overlap_range(),
+// its largest valid overlap/R*. A law is then declared as
 //
 //   using KogutEtsion = PowerUnloading<KogutEtsionCurve>;
 #pragma once
@@ -17,7 +17,7 @@ class PowerUnloading : public GuardedTable<Curve, PowerOfOverlap<Curve>> {
  public:
   using GuardedTable<Curve, PowerOfOverlap<Curve>>::GuardedTable;
 
-  // Overlaps over R* where the formula changes: the force of first loading may jump there.
+  // Returns the overlaps/R* where the formula changes and the force of first loading may jump.
   auto overlap_breaks() const {
     auto overlaps = Curve::breaks;
     for (double& overlap : overlaps)

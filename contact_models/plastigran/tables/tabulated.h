@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// Functions of a law as polynomials on panels. The host computes powers, logarithms and integrals
-// once per pair of materials; the force loop reads polynomials. A table is trivially copyable.
+// Tables of functions of a law, as piecewise polynomials on panels. The host computes powers,
+// logarithms and integrals once per pair of materials; the force loop evaluates only polynomials. A
+// table is trivially copyable.
 //
-// The leading bits of x, its exponent and the 32nd of the octave, give the panel without a search.
-// A panel is as wide as its polynomials allow. They pass through the functions' values at the
-// Chebyshev points, and their error between these points is at most 3e-14 of the largest value on
-// the panel. A panel ends at a kink or a jump of a function, which bisection finds.
+// The exponent and the five leading mantissa bits of x select a bucket (32 per octave), and thus a
+// panel, without a search. A panel is as wide as its accuracy allows: polynomials interpolate the
+// functions at Chebyshev points, and their error is at most 3e-14 of the largest value on the
+// panel. A panel ends at a kink or jump of a function, which bisection finds.
 //
 //   const auto both = [](double x) { return std::array{std::log(x), std::exp(-x)}; };
 //   const Tabulated<2> table(1, both);
@@ -27,21 +28,21 @@
 namespace plastigran {
 
 template <std::size_t count, std::size_t terms = 8, std::size_t octaves = 14,
-          std::size_t capacity = 160>  // panels
+          std::size_t capacity = 160>  // largest number of panels
 class Tabulated {
   typedef plastigran::Panel<count, terms> Panel;
-  static constexpr std::size_t per_octave = 32;  // buckets, each with the index of its first panel
+  static constexpr std::size_t per_octave = 32;  // number of buckets per octave
   static constexpr std::size_t buckets = octaves * per_octave;
-  static constexpr std::size_t widest = 32;  // buckets in a panel
+  static constexpr std::size_t widest = 32;  // largest number of buckets in a panel
 
  public:
   typedef typename Panel::Values Values;
 
-  // An empty table.
+  // Creates an empty table.
   Tabulated() = default;
 
-  // A table from `begin` > 0 over its octaves, or as far as the panels reach. `functions` returns
-  // Values; naming `kinks` makes their search shorter.
+  // Builds the table from `begin` > 0. The table ends after `octaves` octaves, or when all panels
+  // are used. `functions(x)` returns Values. The optional positions `kinks` shorten the bisection.
   template <class Functions, class Kinks = std::array<double, 0>>
   Tabulated(double begin, const Functions& functions, const Kinks& kinks = {})
       : begin_(begin), end_(begin) {
@@ -58,14 +59,14 @@ class Tabulated {
   PLASTIGRAN_DEVICE bool covers(double x) const { return x >= begin_ && x < end_; }
   PLASTIGRAN_DEVICE double end() const { return end_; }
 
-  // Values at an x that is covered.
+  // Returns the values at x; covers(x) must be true.
   PLASTIGRAN_DEVICE Values operator()(double x) const {
     const Panel* panel = &panels_[panel_of_[bucket_of(x)]];
     while (x >= panel->end) ++panel;
     return panel->at(x);
   }
 
-  // The integral of one function, `constant` at the begin.
+  // Returns the table of the integral, which equals `constant` at `begin`. Requires count == 1.
   Tabulated<1, terms + 1, octaves, capacity> integral(double constant) const {
     static_assert(count == 1);
     Tabulated<1, terms + 1, octaves, capacity> sum;
@@ -91,7 +92,7 @@ class Tabulated {
   PLASTIGRAN_DEVICE static std::uint64_t leading_bits(double x) {
     std::uint64_t bits;
     std::memcpy(&bits, &x, sizeof bits);
-    return bits >> 47;  // exponent and five bits
+    return bits >> 47;  // exponent and five leading mantissa bits
   }
   PLASTIGRAN_DEVICE std::size_t bucket_of(double x) const {
     return leading_bits(x) - leading_bits(begin_);
@@ -103,8 +104,8 @@ class Tabulated {
     return x;
   }
 
-  // Adds a panel from end_ on, of at most `width` buckets, shorter where the functions have a kink.
-  // Returns the number of buckets to try next, 0 where no panel begins.
+  // Adds a panel that begins at end_, with at most `width` buckets; the panel is shorter if the
+  // functions have a kink. Returns the number of buckets to try next; 0 if no panel is possible.
   template <class Functions, class Kinks>
   std::size_t add(Panel& panel, std::size_t width, const Functions& functions, const Kinks& kinks,
                   const Interpolation<terms>& through) {
@@ -125,7 +126,7 @@ class Tabulated {
       panel.end = end_;
     else
       panel.hold(begin, end_, functions(begin));
-    return std::isfinite(panel.at(begin)[0]);  // 0 where there is no number
+    return std::isfinite(panel.at(begin)[0]);  // 0 (false) if the functions are not finite
   }
 
   double begin_ = 0, end_ = 0;

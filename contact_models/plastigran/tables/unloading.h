@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// Shapes of unloading for curve_table.h: force, contact radius and returned energy between the
-// residual and the largest overlap, y = (overlap - overlap_res)/(overlap_max - overlap_res).
+// Shapes of unloading for curve_table.h: force, contact radius and released energy between the
+// residual and the largest overlap, as functions of y = (overlap - overlap_res)/(overlap_max -
+// overlap_res).
 //
 //   power       F = F_max y^n,  a = a_max y^(1/2),  n = 3/2 or the curve's exponent(x)
 //   steepening  F = F_max y^(3/2) (1 + g)/(1 + g y^(1/2)),  1 + g is the curve's steepness(x);
-//               the contact radius falls as dF/d(overlap) does
+//               the contact radius is proportional to dF/d(overlap)
 //
-// Below yield both are Hertz's contact. work_ratio is F_max (overlap_max - overlap_res) over the
-// work that unloading returns: n + 1 for the power, and for steepening 1/((1 + g) W(g)), with W(g)
-// the integral of 2 z^4/(1 + g z) from 0 to 1.
+// Below yield, both are the Hertz contact. work_ratio is F_max (overlap_max - overlap_res) divided
+// by the energy that unloading releases: n + 1 for `power`, and 1/((1 + g) W(g)) for `steepening`,
+// with W(g) the integral of 2 z^4/(1 + g z) from 0 to 1.
 #pragma once
 
 #include <array>
@@ -25,21 +26,21 @@
 
 namespace plastigran {
 
-// A contact at its largest overlap.
+// Quantities of a contact at its largest overlap.
 struct Peak {
   double force, contact_radius;
-  double inverse_recovery;  // 1/(overlap_max - overlap_res)
-  double shape;             // n or 1 + g
+  double inverse_recovery;  // 1/(overlap_max - overlap_res) [1/m]
+  double shape;             // n or 1 + g [-]
   double plastic_work;
 };
 
-// Elastic contact below yield.
+// Base of the shapes: Hertz contact below yield.
 struct HertzBelowYield {
   PLASTIGRAN_DEVICE static Response elastic(double modulus, double radius_eff, double,
                                             double overlap) {
     return hertz_response(modulus, radius_eff, overlap);
   }
-  // Over F_y overlap_y.
+  // Returns the work of elastic loading to x, divided by F_y overlap_y.
   PLASTIGRAN_DEVICE static double elastic_work(double x) { return 0.4 * x * x * std::sqrt(x); }
 };
 
@@ -48,7 +49,7 @@ constexpr bool has_exponent = false;
 template <class Curve>
 constexpr bool has_exponent<Curve, std::void_t<decltype(&Curve::exponent)>> = true;
 
-// n = 3/2, unless the curve has an exponent.
+// Power shape with n = 3/2, for curves without a function exponent(x).
 struct ThreeHalves {
   PLASTIGRAN_DEVICE static double share(double y, double root, double) { return y * root; }
 };
@@ -111,7 +112,8 @@ class SteepeningUnloading : public HertzBelowYield {
 
   PLASTIGRAN_DEVICE Response at(const Peak& peak, double left) const {
     const double y = left > 0 ? left : 0, root = std::sqrt(y), g = peak.shape - 1;
-    // `steeper` and `wider` are exactly 1 at the largest overlap, where loading continues.
+    // `steeper` and `wider` are exactly 1 at the largest overlap, so that first loading continues
+    // without a jump.
     const double steeper = peak.shape / (1 + g * root);
     const double wider = steeper * steeper * ((3 + 2 * g * root) / (3 + 2 * g));
     return scaled(peak, root, y * root * steeper, root * wider);
@@ -119,7 +121,8 @@ class SteepeningUnloading : public HertzBelowYield {
   PLASTIGRAN_DEVICE Response at_largest(const Peak& peak) const { return scaled(peak, 1, 1, 1); }
 
  private:
-  // Response at y = root^2 with the given shares of the largest force and contact radius.
+  // Returns the response at y = root^2 with the given fractions of the largest force and contact
+  // radius.
   PLASTIGRAN_DEVICE Response scaled(const Peak& peak, double root, double force_share,
                                     double radius_share) const {
     const double g = peak.shape - 1, square = root * root;
@@ -132,7 +135,7 @@ class SteepeningUnloading : public HertzBelowYield {
     return response;
   }
 
-  // W(g)
+  // Returns W(g).
   PLASTIGRAN_DEVICE double work(double g) const {
     return work_.covers(1 + g) ? work_(1 + g)[0] : summed_work(g);
   }

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Decks of many grains: run, check and draw them.
+"""Bulk decks (simulations of many grains): run them, check them and draw figures.
 
 Call the package, `plastigran.bulk("hopper", law="thornton")`, to run a deck and get a `BulkRun`.
-Errors are those of `run_bulk`.
+The call raises the errors of `run_bulk`.
 
     plastigran.bulk(deck, *, folder=None, show=True, force=False, ranks=1, restart=None, **settings)
 
@@ -29,7 +29,7 @@ from plastigran.engine.deck import deck_name
 
 
 class _Package(ModuleType):
-    """Class of this module, which can be called to run a deck."""
+    """Module type that makes the package callable: a call runs a deck."""
 
     def __call__(
         self,

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Checks that several bulk decks share.
+"""Checks of the results of bulk runs, used by several decks.
 
 A `series` has one row per line of the log, and the energy terms of inputs/energy_ledger.in [J].
 """
@@ -9,13 +9,13 @@ from __future__ import annotations
 import attrs
 import pandas as pd
 
-#: Largest relative error of restitution at the recommended time step, from its derivation.
+#: Largest relative error of restitution at the recommended time step (docs/timestep.md).
 RESTITUTION_ERROR = 1e-3
-#: Largest balance error as a fraction of the energy input, at the recommended time step: energy
-#: goes as the square of restitution.
+#: Largest balance error / energy input at the recommended time step. The factor is 2, because
+#: energy is proportional to the square of restitution.
 LEDGER = 2 * RESTITUTION_ERROR
 
-#: Largest overlap / validity range of the law from which a run fails.
+#: Ratio of overlap to validity range of the law above which a run fails its check.
 EXCESS = 10.0
 #: Names of the checks of the energy balance.
 LEDGER_CHECKS = (
@@ -60,14 +60,15 @@ class Check:
 
 
 def range_checks(excess: dict[str, float]) -> list[Check]:
-    """Return a failed check for each law whose range contacts have left by more than `EXCESS`.
+    """Return a failed check for each law whose validity range was exceeded by more than `EXCESS`.
 
     Args:
-        excess: For each law, its largest overlap divided by the largest of its range.
+        excess: For each law, largest overlap / largest valid overlap [-].
     """
-    reason = "beyond the range the law's fit does not hold; check units, softness and time step"
+    reason = "the law is not valid there. Check the units, Young's modulus and the time step"
+    name = "largest overlap, divided by the largest valid overlap of"
     return [
-        Check(f"largest overlap, divided by the largest of {law}'s range", ratio, EXCESS, reason)
+        Check(f"{name} {law}", ratio, EXCESS, reason)
         for law, ratio in excess.items()
         if ratio > EXCESS
     ]
@@ -117,7 +118,7 @@ def ledger_checks(series: pd.DataFrame, limit: float = LEDGER) -> list[Check]:
             LEDGER_CHECKS[0],
             series["drift"].abs().max() / total,
             limit,
-            "every impact at the largest error of the integrator for this time step",
+            "bound for impacts with the largest integration error at this time step",
         ),
         Check(
             LEDGER_CHECKS[1],
@@ -129,9 +130,9 @@ def ledger_checks(series: pd.DataFrame, limit: float = LEDGER) -> list[Check]:
 
 
 def trapezia_factor(time: pd.Series, diameter: float, gravitational_acceleration: float) -> float:
-    """Return the error of trapezoidal integration relative to that with `FINE_ROWS`, at least 1.
+    """Return the ratio of the integration error to the error with `FINE_ROWS` [-], at least 1.
 
-    It is proportional to the square of the spacing.
+    The error of trapezoidal integration is proportional to the square of the row spacing.
 
     Args:
         time: Evenly spaced times [s].

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A bulk deck: its settings, and the checks and figures of its runs."""
+"""Base classes of bulk decks: settings, checks and figures of runs."""
 
 from __future__ import annotations
 
@@ -43,7 +43,7 @@ class Analysis:
 
     @property
     def failed(self) -> list[Check]:
-        """Failed checks."""
+        """Checks that failed."""
         return [check for check in self.checks if not check.passed]
 
 
@@ -53,8 +53,8 @@ class Brief:
 
     Attributes:
         settings: Settings that make the run short.
-        start: Further settings that end it so soon after the first impacts that runs on several
-            ranks agree to 1e-9.
+        start: Further settings for comparing ranks. They end the run so soon after the first
+            impacts that results on several ranks agree to 1e-9.
         restart: Largest difference of a continued run, divided by the largest value of the column
             [-]; 0 if it is bitwise identical.
     """
@@ -66,10 +66,10 @@ class Brief:
 
 @attrs.frozen(kw_only=True)
 class BulkDeck:
-    """Settings of every bulk deck, from text or numbers; the class of a deck adds its own.
+    """Settings that every bulk deck has, read from text or numbers. Subclasses add settings.
 
     Attributes:
-        output: Folder of the run, with files that a deck reads in addition to the log.
+        output: Folder of the run. Decks read the log and further files from it.
 
     Raises:
         ValueError: A setting is out of range; the message names it, its value and what is allowed.
@@ -105,36 +105,39 @@ class BulkDeck:
     ledger: str = word("energy balance", ("on", "off"))
 
     def __init_subclass__(cls) -> None:
-        """Refuse a setting with a name that the class itself uses, such as `grains`."""
+        """Reject a setting whose name is an attribute of the class, such as `grains`."""
         for name in cls.__annotations__:
             inherited = getattr(super(cls, cls), name, None)
             if isinstance(inherited, property) or callable(inherited):
                 raise TypeError(
-                    f"{cls.__name__}: a setting cannot be called {name}, because decks have an "
-                    "attribute of that name"
+                    f"{cls.__name__}: the setting name {name} is an attribute of all decks. "
+                    "Choose another name"
                 )
 
     def __attrs_post_init__(self) -> None:
         self.check()
 
     def check(self) -> None:
-        """Check conditions between settings. A deck that adds conditions calls this one, too.
+        """Check conditions between settings. A subclass that overrides this method must call it.
 
         Raises:
             ValueError: A condition is violated; the message names the setting.
         """
-        if self.rows % self.checkpoints:  # steps of checkpoints need a line of the log
+        if self.rows % self.checkpoints:  # a checkpoint needs a log line at the same step
             raise ValueError(f"checkpoints is {self.checkpoints}; it must divide rows, {self.rows}")
         if self.law == "hertz" and self.ledger == "on":
             raise ValueError(
                 "ledger is on, but LIGGGHTS' own hertz has no energy balance. Set ledger=off"
             )
         if self.contact_history and not laws.LAWS[self.law].yields:
-            raise ValueError(f"contact_history is {self.contact_history}, but {self.law} has none")
+            raise ValueError(
+                f"contact_history is {self.contact_history}, but {self.law} stores "
+                "no contact history. Set contact_history=0"
+            )
         self.grains.contact_law()  # raises an error for invalid constants
 
     def check_inputs(self) -> None:
-        """Check before a run that the files that the deck reads exist.
+        """Check before a run that all files which the deck reads exist.
 
         Raises:
             ValueError: A file is missing.
@@ -148,7 +151,7 @@ class BulkDeck:
                 and the columns of the deck.
 
         Raises:
-            ValueError: The series contains nothing to measure.
+            ValueError: The series lacks the data for a measurement.
         """
         raise NotImplementedError
 
@@ -162,7 +165,8 @@ class BulkDeck:
         names = [field.name for field in attrs.fields(cls)]
         if missing := [name for name in names if name not in settings]:
             raise ValueError(
-                f"{cls.__name__} declares {missing[0]}, but the deck has no such setting"
+                f"{cls.__name__} declares the field {missing[0]}, but the deck has no setting of "
+                "that name. Add it to the deck"
             )
         return cls(**{name: settings[name] for name in names})
 
@@ -197,7 +201,7 @@ class BulkDeck:
         return Grains(self.law, options, material, self.radius)
 
     def derived(self, name: str) -> float:
-        """Return a number that the script derives from its settings; errors of `read_derived`."""
+        """Return a number that the script has derived; raises as `read_derived`."""
         return read_derived(self.output, name)
 
     def ledger_checks(self, series: pd.DataFrame) -> list[Check]:
@@ -208,9 +212,8 @@ class BulkDeck:
         """Return the largest balance error as a fraction of the energy input [-].
 
         It is `LEDGER` times the square of the time step divided by the recommended one, because the
-        integrator is of second order. The recommended step is that for two grains which meet at the
-        speed that all grains have when the whole energy input is kinetic. Where that step is
-        shorter than the time step, as in slow compaction, the limit is `LEDGER`.
+        integrator is of second order. The recommended step belongs to the impact of two grains at
+        the speed that corresponds to the whole energy input. The limit is at least `LEDGER`.
 
         Args:
             series: Terms of inputs/energy_ledger.in [J], and the column atoms.

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Folder of a bulk run: its record, its files, and numbers that its deck derived.
+"""Folder of a bulk run: the record run.json, the other files, and numbers that the deck printed.
 
 It contains `run.json` (deck, settings, ranks, versions), `deck/` (the deck as it ran, with its
 includes), the logs, numbered checkpoints, and after the run `series.csv`, `checks.csv` and
@@ -31,11 +31,11 @@ RECORD = "run.json"
 BEFORE = "before.csv"
 SERIES = "series.csv"
 CHECKS = "checks.csv"
-#: Frames of the grains, to which decks append.
+#: File of grain positions; decks append frames to it.
 DUMP = "grains.dump"
 #: Collision spectra; LIGGGHTS appends tables and removes those after a checkpoint itself.
 SPECTRA = "collision_spectra.csv"
-#: Files of a run, which are removed together with its checkpoints before it is overwritten.
+#: Files of a run. These and the checkpoints are removed before the run is overwritten.
 RUN_FILES = (
     RECORD,
     f"{RECORD}.new",
@@ -49,7 +49,7 @@ RUN_FILES = (
     CHECKS,
     f"{PATTERN}{CHECKSUM}*",
 )
-#: Types of the entries of a record that are tables, which may be missing.
+#: Optional entries of a record that are tables, with the type of their values.
 _TABLES = {
     "values": str,
     "settings": str,
@@ -69,24 +69,38 @@ def read_record(folder: str | Path) -> dict:
     """
     path = Path(folder) / RECORD
     if not path.is_file():
-        raise EngineError(f"{folder} contains no {RECORD}; it is not a run of `plastigran bulk`")
+        raise EngineError(
+            f"{folder} contains no {RECORD}, so it is not a run of `plastigran "
+            "bulk`. Check the path"
+        )
     try:
         record = json.loads(path.read_text())
     except ValueError as error:
         raise EngineError(f"{path}: {error}") from None
     except RecursionError:
-        raise EngineError(f"{path} is damaged: it is nested too deeply for a record") from None
+        raise EngineError(
+            f"{path} is damaged: the JSON is nested too deeply. Restore the file or repeat the run"
+        ) from None
     required = {"deck": str, "values": dict, "settings": dict}
     if not isinstance(record, dict) or not all(
         isinstance(record.get(name), type_) for name, type_ in required.items()
     ):
-        raise EngineError(f"{path} is not the record of a run: it names no deck and settings")
+        raise EngineError(
+            f"{path} is not the record of a run: the entries deck and settings are "
+            "missing. Check the path"
+        )
     for name, type_ in _TABLES.items():
         table = record.get(name, {})
         if not (isinstance(table, dict) and all(isinstance(v, type_) for v in table.values())):
-            raise EngineError(f"{path} is damaged: entry {name} has a wrong type")
+            raise EngineError(
+                f"{path} is damaged: entry {name} has a wrong type. Restore the "
+                "file or repeat the run"
+            )
     if not isinstance(record.get("restart"), str | None):
-        raise EngineError(f"{path} is damaged: entry restart must be a folder")
+        raise EngineError(
+            f"{path} is damaged: entry restart must be the path of a folder. "
+            "Restore the file or repeat the run"
+        )
     return record
 
 
@@ -101,7 +115,7 @@ def prepare_folder(folder: Path, force: bool) -> None:
     """Create the folder of a run, or remove the files of an earlier run from it. Other files stay.
 
     Raises:
-        ValueError: The folder contains files and `force` is not given, or files that no run wrote.
+        ValueError: The folder contains a run and `force` is false; it contains files but no run; or
             LIGGGHTS is writing there.
     """
     if processes := engines(folder):
@@ -114,7 +128,8 @@ def prepare_folder(folder: Path, force: bool) -> None:
         return
     if not force:
         raise ValueError(
-            f"{folder} holds results; choose another folder (--output), or overwrite them (--force)"
+            f"{folder} contains results. Choose another folder with --output, or overwrite them "
+            "with --force"
         )
     if not (folder / RECORD).is_file():
         raise ValueError(
@@ -159,15 +174,17 @@ def all_excess(folder: str | Path) -> dict[str, float]:
 
 
 def read_derived(folder: str | Path, name: str) -> float:
-    """Return one of `all_derived`.
+    """Return one of the values of `all_derived` by name.
 
     Raises:
-        ValueError: The deck did not print it.
+        ValueError: The deck did not print this value.
     """
     try:
         return all_derived(folder)[name]
     except KeyError:
-        raise ValueError(f"{folder}: the log has no line `derived {name} = `") from None
+        raise ValueError(
+            f"{folder}: the log has no line `derived {name} = VALUE`. Add it to the deck"
+        ) from None
 
 
 def carry_files(earlier: Path, folder: Path, last: int) -> None:
@@ -183,7 +200,7 @@ def carry_files(earlier: Path, folder: Path, last: int) -> None:
 
 
 def _next_frame(dump: TextIO) -> list[str]:
-    """Return the lines of the next frame of a dump: nine of head, then atoms; [] if incomplete."""
+    """Return the lines of the next frame of a dump, header and atoms; [] if incomplete."""
     head = list(islice(dump, 9))
     if len(head) < 9:
         return []

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Grains of a bulk deck and the law between them."""
+"""Grains of a bulk deck and the contact law between them."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from plastigran.physics import central
 
 @dataclass(frozen=True)
 class Grains:
-    """Equal spheres and the law between two of them.
+    """Equal spheres and the contact law between two of them.
 
     Attributes:
         law: Name of the law.

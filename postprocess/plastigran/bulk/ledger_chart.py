@@ -42,19 +42,19 @@ def ledger_panels(series: pd.DataFrame, total: float, limit: float) -> tuple[Pan
     ]
     drift = Curve(x=series["time"].to_numpy(), y=(series["drift"] / total).to_numpy(), name="error")
     return (
-        Panel(x=time, y=Scale("share of energy input", "%", 100), curves=areas),
+        Panel(x=time, y=Scale("fraction of energy input", "%", 100), curves=areas),
         Panel(x=time, y=Scale("error", "%", 100), curves=[drift], limits=(-limit, limit)),
     )
 
 
 def energy_text(energy: float) -> str:
-    """Return an energy [J] with its unit, three digits."""
+    """Return an energy [J] as text with three digits and a unit."""
     size = scale("kinetic_energy", [energy])
     return f"{energy * size.factor:.3g} {size.unit}"
 
 
 def ledger_figure(series: pd.DataFrame, limit: float) -> Figure:
-    """Draw the energy balance; `series` and `limit` as for `ledger_panels`."""
+    """Draw the energy balance; arguments as for `ledger_panels`."""
     total = energy_input(series)
     energies, error = ledger_panels(series, total, limit)
     with styled():

@@ -22,7 +22,7 @@ from plastigran.engine.process import EngineError
 
 
 class CheckError(ValueError):
-    """A deck ran to its end but failed a check; the message names it."""
+    """A run reached its end but failed a check; the message names the check."""
 
 
 @attrs.frozen(repr=False)
@@ -98,10 +98,10 @@ class BulkRun:
 
 
 def open_run(folder: str | Path) -> BulkRun:
-    """Read a run of a deck, finished or not, as `run_bulk` returns it.
+    """Read a finished or unfinished run of a deck from its folder, as `run_bulk` returns it.
 
     Args:
-        folder: Folder of its results; it may have been moved.
+        folder: Folder of the results; it may have been moved.
 
     Raises:
         EngineError: The folder contains no run, or its record is damaged.

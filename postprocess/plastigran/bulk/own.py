@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A user's input scripts, without a class: where they run and how they are checked."""
+"""Input scripts of users, which have no deck class: paths, restart and checks."""
 
 from __future__ import annotations
 
@@ -33,14 +33,15 @@ from plastigran.engine.process import EngineError, inputs_folder, misread
 CONTINUE_SETTINGS = ("start", "checkpoint")
 #: Requirements of a deck that can continue.
 CONTINUE_HINT = (
-    "it needs settings `start` (fresh or checkpoint) and `checkpoint` (a file), and a `restart` "
+    "the deck needs settings `start` (fresh or checkpoint) and `checkpoint` (a file), and a "
+    "`restart` "
     f"command that writes ${{output}}/{PATTERN}; `plastigran new-deck` writes a deck with them"
 )
 #: Commands after which the number of steps cannot be predicted from the script.
 CONTROL = {"if", "jump", "next", "label", "reset_timestep", "read_restart"}
 
-#: Notes on what was not checked or drawn.
-NO_TERMS = "nothing was checked: the deck keeps no energy balance, or its log has no terms of it"
+#: Remarks on omitted checks and figures.
+NO_TERMS = "no checks were made: the deck has no energy balance, or the log lacks its terms"
 NO_INPUT = "the energy balance was not checked, because the energy input is zero"
 NO_TIME = (
     "the energy balance was not drawn, because the log has no time. Add `time` to thermo_style"
@@ -50,7 +51,7 @@ SEVERAL_PARTS = (
 )
 NO_CONTACTS = (
     "the energy balance was not checked, because no line of the log has stored or dissipated "
-    "energy of contacts. Did grains meet?"
+    "energy of contacts. Check whether grains touched"
 )
 
 _RESET_TIMESTEP = re.compile(r"^reset_timestep\s", re.MULTILINE)
@@ -58,7 +59,7 @@ _MODEL = re.compile(r"\bgran\s+(?:&\s*)?model\s+(\S+)")
 
 
 def planned_steps(source: DeckSource) -> int:
-    """Return the steps of all `run` commands of a deck together; 0 where only LIGGGHTS can tell."""
+    """Return the steps of all `run` commands together; 0 if the script does not determine them."""
     for file in _scripts(source)[1:]:
         names = {source.resolve(command).partition(" ")[0] for command in commands(file)}
         if names & {"run", *CONTROL}:
@@ -76,15 +77,15 @@ def planned_steps(source: DeckSource) -> int:
 
 
 def _scripts(source: DeckSource) -> list[Path]:
-    """Return the script of a deck and its includes."""
+    """Return the paths of a deck's script and its includes."""
     return [file for file in source.files if file.suffix.lower() not in MESHES]
 
 
 def own_places(source: DeckSource, folder: Path) -> dict[str, object]:
-    """Return the values of `inputs` and `output` that a user's deck reads; None for the others.
+    """Return the values of `inputs` and `output`; None for one that the deck does not read.
 
     Raises:
-        ValueError: The deck reads ${output}, and LIGGGHTS would misread its value.
+        ValueError: The deck reads ${output}, and its value has characters that LIGGGHTS misreads.
     """
     variables = source.references | source.settings.keys()
     inputs = inputs_folder() if "inputs" in variables else None
@@ -102,13 +103,14 @@ def own_places(source: DeckSource, folder: Path) -> dict[str, object]:
 
 
 def check_laws(source: DeckSource) -> None:
-    """Refuse a contact model whose name resembles that of a law.
+    """Reject a contact model whose name is probably a misspelled law.
 
     Raises:
-        ValueError: There is such a model.
+        ValueError: The name of a contact model is probably a misspelled law.
 
     Warns:
-        UserWarning: The name of a model contains that of a law; it may be the user's own model.
+        UserWarning: The name of a model contains the name of a law, but may be the user's own
+            model.
     """
     for file in _scripts(source):
         for model in _MODEL.finditer("\n".join(commands(file))):
@@ -119,7 +121,7 @@ def check_laws(source: DeckSource) -> None:
             text = f"{file.name}: no contact model {name!r}. Possible misspelling of {similar[0]}"
             if similar[0] not in name:
                 raise ValueError(text)
-            warnings.warn(f"{text}. Ignore this if the model is your own", stacklevel=2)
+            warnings.warn(f"{text}. Ignore this warning if the model is your own", stacklevel=2)
 
 
 def own_restart_point(source: DeckSource, earlier: Path, record: dict) -> Path:
@@ -132,7 +134,7 @@ def own_restart_point(source: DeckSource, earlier: Path, record: dict) -> Path:
 
     Raises:
         ValueError: The deck lacks the settings to continue.
-        EngineError: There is no such point.
+        EngineError: There is no complete checkpoint.
     """
     if missing := [name for name in CONTINUE_SETTINGS if name not in source.settings]:
         raise ValueError(
@@ -172,7 +174,7 @@ def analyse_own(series: pd.DataFrame) -> Analysis:
 
 
 def _worst_checks(series: pd.DataFrame) -> list[Check]:
-    """Return the checks of the energy balance, each at its worst; `clear` restarts the balance."""
+    """Return the worst result of each energy check over the parts between `clear` commands."""
     parts = [series]
     if "simulation" in series:
         parts = [part for _, part in series.groupby("simulation") if energy_input(part) > 0]

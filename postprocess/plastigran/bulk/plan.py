@@ -16,13 +16,13 @@ from plastigran.engine.checkpoints import refuse_damaged
 from plastigran.engine.deck import DeckSource, deck_name, find_deck, is_supplied, read_deck
 from plastigran.engine.process import typed_command
 
-#: Settings that name files and folders; they may differ between runs.
+#: Settings for paths of files and folders, which may differ between a run and its continuation.
 PLACES = frozenset({"start", "checkpoint", "inputs", "output", "materials"})
 
 
 @attrs.frozen
 class Plan:
-    """Run of a bulk deck, ready to start.
+    """A checked bulk run, ready to start.
 
     Attributes:
         source: Deck with its includes.
@@ -50,7 +50,7 @@ class Plan:
         return self.folder if self.deck_type else self.source.path.parent
 
     def command_line(self) -> str:
-        """Command line that runs the deck itself; a run uses a copy of it."""
+        """Command line that runs the original deck; `run_bulk` runs a copy of it."""
         settings = self.values if self.deck_type else self.values | self.places
         return typed_command(
             self.source.path, settings, self.folder, self.working_folder, self.ranks
@@ -64,7 +64,7 @@ def plan_bulk(
     ranks: int = 1,
     restart: str | Path | None = None,
 ) -> Plan:
-    """Return what `run_bulk` would start; arguments and errors as there."""
+    """Check the arguments of `run_bulk` and return the plan of the run; raises the same errors."""
     if not (isinstance(ranks, int) and ranks >= 1):
         raise ValueError(f"ranks is {ranks!r}; it must be 1 or more")
     if "output" in values:
@@ -83,7 +83,7 @@ def plan_bulk(
         else:
             checkpoint = own_restart_point(read_deck(script, {}, folder), restart, record)
         values = record["values"] | values | {"start": "checkpoint", "checkpoint": str(checkpoint)}
-    # The path is relative to the current folder, but LIGGGHTS runs elsewhere.
+    # Make the path absolute: it is relative to the current folder, but LIGGGHTS runs elsewhere.
     if deck_type and "materials" in values:
         values["materials"] = str(Path(values["materials"]).resolve())
     source = read_deck(script, values, folder)
@@ -103,10 +103,10 @@ def plan_bulk(
 def check_continued(
     settings: dict[str, str], earlier: dict[str, str], continuable: frozenset[str]
 ) -> None:
-    """Check that the settings allow to continue a run: its grains are in the checkpoint.
+    """Check that no setting differs that a continued run must not change.
 
     Raises:
-        ValueError: A setting has changed that may not; the message names it.
+        ValueError: A setting differs that must not change; the message names it.
     """
     for name in settings.keys() - continuable - PLACES:
         if settings[name] != earlier.get(name, settings[name]):
@@ -117,18 +117,21 @@ def check_continued(
 
 
 def _read_earlier_record(restart: Path, folder: Path, script: Path, own: bool) -> dict:
-    """Return the record of the run to continue.
+    """Read the record of the run to continue.
 
     Raises:
-        ValueError: It is a run of another deck, or of a supplied deck instead of a user's.
+        ValueError: The run belongs to another deck, or `folder` is the run to continue.
     """
     record = read_record(restart)
     name, was_own = record["deck"], bool(record.get("own"))
     if name != deck_name(script):
-        raise ValueError(f"{restart} is a run of {name}, not of {deck_name(script)}")
+        raise ValueError(
+            f"{restart} is a run of {name}, not of {deck_name(script)}. Choose a run "
+            "of the same deck"
+        )
     if was_own != own:
         deck = "a user's deck" if was_own else f"the package's {name}"
-        raise ValueError(f"{restart} is a run of {deck}, not of {script}")
+        raise ValueError(f"{restart} is a run of {deck}, not of {script}. Choose another run")
     if restart == folder:
         raise ValueError(f"{folder} is the run to continue. Choose another --output")
     return record

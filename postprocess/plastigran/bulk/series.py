@@ -34,7 +34,7 @@ def read_series(folder: str | Path) -> pd.DataFrame:
         series = _read_own_log(folder) if own else _read_supplied_log(folder)
         parts.append(series.rename(columns=lambda name: name.removeprefix("v_")))
     except DumpError:
-        if not parts:  # otherwise the run was stopped before its first line
+        if not parts:  # there are no parts if no line was written, in an earlier run either
             raise
     parts = [part for part in parts if len(part)] or parts[-1:]
     if own and len(parts) == 2:
@@ -86,7 +86,7 @@ def _read_own_log(folder: Path) -> pd.DataFrame:
     time, end = pd.Series(nan, series.index), None
     for number, rows in series.groupby("run"):
         time[rows.index] = _time_of_run(rows, runs[number].timestep)
-        if end is not None:  # a run may restart the count of steps
+        if end is not None:  # end is None for the first run of the log
             time[rows.index] += end - time[rows.index[0]]
         end = time[rows.index[-1]]
     if time.notna().all():
@@ -109,12 +109,12 @@ def _time_of_run(rows: pd.DataFrame, timestep: float) -> pd.Series:
         timestep = rows["timestep"].iloc[0] if rows["timestep"].nunique() == 1 else nan
     first = rows["step"].iloc[0]
     steps = rows["step"] - first
-    # Without steps, no time passes, whatever the time step.
+    # Keep the start time for rows without steps, even if the time step is NaN.
     return (first * timestep if first else 0.0) + (steps * timestep).where(steps > 0, 0.0)
 
 
 def _continue_simulations(before: pd.DataFrame, after: pd.DataFrame) -> list[pd.DataFrame]:
-    """Number the simulations of a continued log: its first one is the last of the earlier log."""
+    """Renumber column `simulation` of a continued log, so that it follows the earlier log."""
     before = before.assign(simulation=before.get("simulation", 0))
     last = before["simulation"].iloc[-1]
     return [before, after.assign(simulation=after["simulation"] + last)]
@@ -130,7 +130,8 @@ def _continue_time(before: pd.DataFrame, after: pd.DataFrame) -> list[pd.DataFra
     start = before["time"].iloc[-1]
     gap = after["step"].iloc[0] - before["step"].iloc[-1]
     steps = after.groupby("run")["step"].diff()
-    if gap > 0 and (steps > 0).any():  # a checkpoint may lie between two lines of the earlier log
+    # Add the time between the last line of the earlier log and the checkpoint.
+    if gap > 0 and (steps > 0).any():
         line = (steps > 0).idxmax()
         start += gap * (after["time"].diff() / steps)[line]
     return [before, after.assign(time=after["time"] + (start - after["time"].iloc[0]))]

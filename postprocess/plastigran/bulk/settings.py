@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Fields that only bulk decks declare."""
+"""Declarations of attrs fields for settings of bulk decks."""
 
 from __future__ import annotations
 

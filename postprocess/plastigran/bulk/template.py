@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Write a user's deck from the template of `inputs/template`."""
+"""Write a new deck for the user from the template in `inputs/template`."""
 
 from __future__ import annotations
 
@@ -26,9 +26,9 @@ SPEED = 2.0
 FALL_SPEED = 1.33
 #: Grain radii for which the box of the template is large enough [m].
 NEW_DECK_RADIUS = Declaration("radius", "m", 0.0005, 0.006, True, True)
-#: Further files of the folder.
+#: Further files that are copied to the folder of the new deck.
 PARTS = ("energy_ledger.in", "meshes/plate.stl", "template/fresh.in", "template/checkpoint.in")
-#: Names that these files use.
+#: Names of these files, which the deck and the material must not have.
 USED_NAMES = [Path(file).stem for file in PARTS]
 
 
@@ -47,8 +47,8 @@ def write_deck(
         Path of the deck.
 
     Raises:
-        ValueError: The law for spheres or the material does not exist, the name cannot be used, or
-            the radius is out of range.
+        ValueError: The law or the material does not exist, the law is not for spheres, the name of
+            the folder is not allowed, or the radius is out of range.
         FileExistsError: The folder exists.
     """
     material, radius = read_material(material), read_number("radius", radius, NEW_DECK_RADIUS)
@@ -126,6 +126,6 @@ def range_note(law: str, material: Material | str | Path, radius: float) -> str:
 
 
 def _rounded_down(step: float) -> str:
-    """Return a step rounded down to one digit."""
+    """Return a time step rounded down to one digit, as text."""
     power = floor(log10(step))
     return f"{floor(step / 10.0**power)}.0e{power}"

@@ -33,10 +33,10 @@ def write_vtk(run: BulkRun, folder: str | Path) -> list[Path]:
         folder: Folder of the files; created if missing.
 
     Returns:
-        The lists.
+        Paths of the list files (.pvd).
 
     Raises:
-        SnapshotError: There are no frames, or pyvista is not installed.
+        SnapshotError: The run has no frames, or pyvista is not installed.
         DumpError: A file of contact histories is damaged.
 
     Warns:

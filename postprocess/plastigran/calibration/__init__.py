@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Constants of a deck from measurements, and softened materials."""
+"""Calibration of material constants from measurements, and softening of materials."""
 
 from plastigran.calibration.calibrating import calibrate
 from plastigran.calibration.drop_test import DropTest

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Constants of a metal, a law and deck lines from one measurement."""
+"""Calibration of a metal from one measurement: constants, law, expected error and deck lines."""
 
 from __future__ import annotations
 
@@ -130,7 +130,7 @@ def calibrate(
         youngs_modulus,
         poissons_ratio,
         density,
-        yield_strength=youngs_modulus,  # until it is known
+        yield_strength=youngs_modulus,  # placeholder until the strength is known
         tangent_modulus=youngs_modulus * plastic_modulus / (youngs_modulus + plastic_modulus),
         rate_coefficient=rate,
     )
@@ -149,7 +149,7 @@ def calibrate(
     contact = Contact(law, metal, RIGID, radius=SPHERE_RADIUS)
     notes = [*result.notes, *rate_notes]
     if plastic_modulus and not laws.LAWS[law].hardens:
-        notes.append(f"{law} does not include hardening: it uses only the yield strength")
+        notes.append(f"{law} does not include hardening: the plastic modulus has no effect")
     pressed = None
     if force_ratio is not None:
         pressed = press_sphere(metal, plastic_modulus, force_ratio, radius, strain, progress)
@@ -169,7 +169,7 @@ def calibrate(
 def _refuse_unused(
     quantity: str, scatter: float | None, force_ratio: float | None, radius: float, strain: str
 ) -> None:
-    """Refuse a scatter for measurements without scatter, and settings of unused finite elements."""
+    """Reject `scatter` and finite-element settings if the calibration does not use them."""
     if scatter is not None and quantity not in ("leeb", "drops"):
         raise ValueError(
             f"scatter is {scatter!r}, but it applies only to leeb or drops, not to {quantity}"
@@ -227,7 +227,7 @@ def _drop_test(drops: Any) -> DropTest:
 
 
 def _check_strength(value: float, youngs_modulus: float) -> None:
-    """Refuse a strength that no solid of that modulus has."""
+    """Reject a yield strength that is impossible for a solid of this Young's modulus."""
     least, largest = LEAST_RATIO * youngs_modulus, LARGEST_RATIO * youngs_modulus
     if not least < value < largest:
         raise ValueError(

@@ -27,11 +27,12 @@ IMPACT = {
     "drop_height": Declaration("height of the fall", "m", 1e-6, 10),
 }
 REBOUND = {
-    "restitution": Declaration("coefficient of restitution", "-", 0, 1.000001),  # 1 is allowed
+    # Slightly above 1, so that 1 is in the open range.
+    "restitution": Declaration("coefficient of restitution", "-", 0, 1.000001),
     "rebound_speed": Declaration("speed after the impact", "m/s", 0, 1000),
     "rebound_height": Declaration("height after the impact", "m", 0, 10),
 }
-BALL_RADIUS = 5e-3  # default radius [m]
+BALL_RADIUS = 5e-3  # default radius of the ball [m]
 SYNONYMS = {"coefficient_of_restitution": "restitution"}
 
 
@@ -93,7 +94,7 @@ class DropTest:
         return self.plate.name if isinstance(self.plate, Material) else "a rigid plate"
 
     def contact(self, law: str, metal: Material) -> Contact:
-        """Return the contact of ball and plate, with `metal` as the metal to be calibrated."""
+        """Return the contact of ball and plate; `metal` stands for the metal to be calibrated."""
         options = dented_flat(law) if self.ball else {}
         return Contact(law, self.ball or metal, self.plate or metal, radius=self.radius, **options)
 
@@ -155,5 +156,5 @@ def _read_drop(label: str, cells: dict[str, str]) -> tuple[float, float]:
 
 
 def _fall_speed(height: float) -> float:
-    """Return the speed after a fall [m/s]."""
+    """Return the speed after a free fall from a height [m] in m/s."""
     return float(np.sqrt(2 * GRAVITATIONAL_ACCELERATION * height))

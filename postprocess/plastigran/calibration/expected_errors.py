@@ -9,13 +9,13 @@ from importlib.resources import files
 import attrs
 import pandas as pd
 
-#: Default law.
+#: Law that `calibrate` uses by default.
 DEFAULT_LAW = "universal"
-#: Smallest a/R of the contacts "large a/R".
+#: Smallest contact radius / sphere radius of the kind "large a/R".
 WIDE = 0.05
 #: Kinds of contacts in the table of errors.
 KINDS = ("perfectly plastic", "hardening", "large a/R")
-#: Default speeds / yield speed.
+#: Default range of impact speeds, divided by the yield speed.
 USUAL_SPEEDS = (1.0, 300.0)
 
 
@@ -40,8 +40,10 @@ class ExpectedError:
 
     @classmethod
     def of_another_pair(cls, speed_ratio: tuple[float, float]) -> ExpectedError:
-        """Return an unknown error, for bodies other than spheres on a rigid plane."""
-        return cls("finite elements are of spheres on a rigid plane", speed_ratio)
+        """Return unknown errors, for bodies other than spheres on a rigid plane."""
+        return cls(
+            "unknown, because finite elements exist only for spheres on a rigid plane", speed_ratio
+        )
 
     def __str__(self) -> str:
         ends = " to ".join(dict.fromkeys(f"{end:.3g}" for end in self.speed_ratio))
@@ -56,7 +58,7 @@ class ExpectedError:
 
 @cache
 def errors_table() -> pd.DataFrame:
-    """Read the errors by law, kind of contact and speed regime of `plastigran validate`."""
+    """Read the errors of `plastigran validate` by law, kind of contact and speed regime."""
     with (files("plastigran") / "data" / "errors.csv").open() as file:
         return pd.read_csv(file, comment="#")
 

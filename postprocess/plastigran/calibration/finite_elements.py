@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Finite elements of a sphere, for the constants of `vu_quoc_zhang`."""
+"""Finite-element compression of a sphere, and the fit of the constants of `vu_quoc_zhang`."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ UNLOADING_FRACTIONS = (0.08, 0.25, 0.5, 1.0)
 
 @attrs.frozen
 class PressedSphere:
-    """Sphere on a rigid plane.
+    """Result of a finite-element compression of a sphere on a rigid plane.
 
     Attributes:
         pressing: Compression to the largest force, and unloading.

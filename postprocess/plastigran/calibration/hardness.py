@@ -25,9 +25,9 @@ from numpy.typing import ArrayLike
 from plastigran.declared import Declaration, read_number
 
 CONSTRAINT_FACTOR = 2.8  # mean pressure of an indentation / flow stress
-CONSTRAINT_SCATTER = 0.07  # 2.6 to 3.0
+CONSTRAINT_SCATTER = 0.07  # relative 95 % half-width of the factor: 2.6 to 3.0
 INDENTATION_STRAIN = 0.08  # strain of the flow stress of an indentation
-READING_SCATTER = 0.03  # permissible error of a tester, ISO 6507-2
+READING_SCATTER = 0.03  # permissible relative error of a tester, ISO 6507-2
 
 #: Rockwell C and Vickers hardness of steel, ASTM E140-12b, table 1.
 ROCKWELL_C = np.arange(20, 70, 2.0)

@@ -49,12 +49,12 @@ class CalibratedMetal:
 
     @property
     def yield_strength(self) -> float:
-        """sigma_Y [Pa]."""
+        """Yield strength [Pa]."""
         return self.material.yield_strength
 
     @property
     def constants(self) -> dict[str, float]:
-        """C_a P_Y/a_Y and K_c P_Y [-] of `vu_quoc_zhang`.
+        """Constants C_a P_Y/a_Y and K_c P_Y of the law `vu_quoc_zhang` [-], by name.
 
         They are fitted to finite elements of this metal if available. Otherwise they are the
         defaults of the law, for perfectly plastic metals up to 41 P_Y.
@@ -107,11 +107,11 @@ class CalibratedMetal:
 
     @property
     def remark(self) -> str:
-        """Source of the strength, for the head of a material file."""
+        """Source of the strength as a sentence, for the header of a material file."""
         return f"Yield strength from {self.source}; 95 % {self._interval()} Pa."
 
     def __str__(self) -> str:
-        """Return a summary for people."""
+        """Return a summary as readable text."""
         lines = {
             "yield strength": f"{self.yield_strength:.4g} Pa, 95 % {self._interval()} Pa",
             "from": self.source,

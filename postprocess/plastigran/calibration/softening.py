@@ -29,8 +29,8 @@ from plastigran.usable_laws import laws_for
 POWERS = {
     "youngs_modulus": 1.0,
     "yield_strength": 0.8,
-    "tangent_modulus": 1.0,  # times a strain ~ a/R, it scales like the strength
-    "dissipative_constant": -0.4,  # a time, it scales like the duration
+    "tangent_modulus": 1.0,  # tangent modulus times strain (~ a/R) scales like the strength
+    "dissipative_constant": -0.4,  # a time, which scales like the contact duration
 }
 #: Power of s by which durations, overlaps and time steps are multiplied.
 TIME_POWER = -0.4
@@ -38,7 +38,7 @@ TIME_POWER = -0.4
 SOUND_OVERLAP = 0.02
 #: Speeds / yield speed at which laws are compared.
 SPEED_RATIOS = np.geomspace(1, 1000, 61)
-#: Largest change of restitution of an exact law.
+#: Change of restitution below which softening counts as exact for a law.
 EXACT = 1e-9
 #: Contacts per grain and volume fraction of a random packing.
 COORDINATION, FILLING = 6, 0.6
@@ -138,7 +138,7 @@ def resting_overlap(material: Material, radius: float, depth: float, law: str = 
         law: Law of the contact, in first loading.
 
     Returns:
-        At most 1, for a contact that cannot carry the load.
+        Overlap / radius; 1 if the contact cannot carry the load.
 
     Raises:
         ValueError: A number is out of range, or the material lacks a constant of the law.

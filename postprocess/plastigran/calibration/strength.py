@@ -40,7 +40,8 @@ LEEB_SCATTER = 0.045 / 1.96
 TREND_SIGNIFICANCE = 0.01  # significance level of a trend with speed
 LEEB_RANGE = Declaration("rebound hardness", "HL", 100, 1000, True, True)
 STEEL = Declaration("Young's modulus of steel", "Pa", 1.9e11, 2.2e11)
-STEEL_RATE_COEFFICIENT = 0.014  # for 4340 at 1/s: Johnson & Cook, 7th Int. Symp. Ballistics 1983
+# Steel 4340, strength at 1/s: Johnson & Cook, 7th Int. Symp. Ballistics 1983.
+STEEL_RATE_COEFFICIENT = 0.014
 
 
 @attrs.frozen
@@ -108,7 +109,7 @@ def read_leeb(reading: float | str) -> tuple[ReboundTester, float]:
     """Return device and reading from a number, which is HLD, or a text such as "750HLG".
 
     Raises:
-        ValueError: The value is neither, or out of range.
+        ValueError: `reading` is not a valid text or number, or is out of range.
     """
     match = re.fullmatch(r"\s*([-+.\dE]+?)\s*(?:HL([A-Z]*))?\s*", str(reading).upper())
     device = (match and match[2]) or "D"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The command `plastigran`: command lines for functions that a notebook can call."""
+"""Command-line interface `plastigran`; every command calls functions of the Python package."""
 
 from __future__ import annotations
 
@@ -76,9 +76,9 @@ def main(argv: list[str] | None = None) -> int:
         with _terminate_as_interrupt(), warnings.catch_warnings():
             warnings.showwarning = _print_once()
             arguments.run(arguments)
-    except BrokenPipeError:  # the reader of the output has closed it
+    except BrokenPipeError:  # the program that reads the output has closed the pipe
         sys.stderr.close()
-    except KeyboardInterrupt as stop:  # its text, if any, states which results are left
+    except KeyboardInterrupt as stop:  # the text of the exception, if any, names the kept results
         output = getattr(arguments, "output", None)
         results = str(stop) or (output and f"finished runs are in {output}")
         print(f"plastigran: stopped{f'; {results}' if results else ''}", file=sys.stderr)
@@ -105,9 +105,10 @@ def _print_once() -> Callable[..., None]:
 
 @contextmanager
 def _terminate_as_interrupt() -> Iterator[None]:
-    """Stop a command on SIGTERM of a batch system as on Ctrl-C.
+    """Handle SIGTERM, which batch systems send, like Ctrl-C.
 
-    This has no effect outside the main thread, because Python handles signals only there.
+    Outside the main thread this has no effect, because Python handles signals only in the main
+    thread.
     """
     if threading.current_thread() is not threading.main_thread():
         yield
@@ -135,7 +136,7 @@ def _report(error: Exception, arguments: argparse.Namespace) -> int:
 
 
 def _message(error: Exception, arguments: argparse.Namespace) -> str:
-    """Return the message of an error; that of the system with the file or the folder of results."""
+    """Return the message of an error; an OSError gets the name of the file or folder."""
     if isinstance(error, FileNotFoundError) and error.filename:
         return f"no file {error.filename}"
     if isinstance(error, OSError) and error.filename:

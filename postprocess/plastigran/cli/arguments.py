@@ -60,10 +60,10 @@ def add_dry_run(command: argparse.ArgumentParser) -> None:
 
 
 def refuse_json_of_dry_run(arguments: argparse.Namespace) -> None:
-    """Refuse --json together with --dry-run.
+    """Reject --json together with --dry-run.
 
     Raises:
-        ValueError: Both are given.
+        ValueError: Both flags are given.
     """
     if arguments.json and arguments.dry_run:
         raise ValueError(
@@ -85,7 +85,7 @@ def print_json(numbers: Any) -> None:
 
 
 def refuse_idle(arguments: argparse.Namespace, needed: str, **idle: object) -> None:
-    """Refuse flags that have no effect without another one.
+    """Reject flags that have no effect without another flag.
 
     Args:
         arguments: Parsed arguments.
@@ -93,12 +93,15 @@ def refuse_idle(arguments: argparse.Namespace, needed: str, **idle: object) -> N
         **idle: Argument name to its default.
 
     Raises:
-        ValueError: One of them was given; the message names it.
+        ValueError: A flag without effect is given; the message names it.
     """
     for name, default in idle.items():
         if (value := getattr(arguments, name)) != default:
             given = "is given" if value is True else f"is {_shown(value)}"
-            raise ValueError(f"--{name.replace('_', '-')} {given}; it needs {needed}")
+            raise ValueError(
+                f"--{name.replace('_', '-')} {given}, but has no effect without "
+                f"{needed}. Add {needed} or remove the flag"
+            )
 
 
 def _shown(value: object) -> str:
@@ -111,7 +114,7 @@ def read_as(value_type: type, text: str) -> Any:
     """Return the text of an argument as a value of a type.
 
     Raises:
-        ArgumentTypeError: The text is not such a value; argparse prints the message.
+        ArgumentTypeError: The text is not a value of this type; argparse prints the message.
     """
     try:
         return value_type(text)

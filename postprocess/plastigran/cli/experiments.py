@@ -142,7 +142,7 @@ def run(experiment: type[Experiment], arguments: argparse.Namespace) -> None:
             show_study(runs, folder, arguments.json)
     else:
         _need_engine(experiment)
-        with lock_folder(folder):  # keep the lock until the figures are written
+        with lock_folder(folder):  # the lock must cover the figures, too
             runs = experiment.study(folder, arguments.jobs, force=arguments.force, **settings)
             show_study(runs, folder, arguments.json)
 
@@ -151,7 +151,7 @@ def _need_engine(experiment: type[Experiment]) -> None:
     """Check that LIGGGHTS can run.
 
     Raises:
-        EngineError: It cannot; the message names an alternative if there is one.
+        EngineError: LIGGGHTS cannot run; the message names an alternative if there is one.
     """
     try:
         engine_path()

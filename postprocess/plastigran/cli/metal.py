@@ -118,7 +118,7 @@ def plane(arguments: argparse.Namespace) -> ElasticPlastic | None:
 def _hardening(
     strength: float | None, modulus: float | None, prefix: str
 ) -> LinearHardening | None:
-    """Return the hardening of a metal; None for one that does not yield."""
+    """Return the hardening of a metal; None if the metal does not yield."""
     if strength is not None:
         return LinearHardening(strength, modulus or 0.0)
     if modulus is not None:
@@ -133,9 +133,9 @@ def computed(compute: Callable, *arguments: object, strain: str = "small", **nam
 
     Args:
         compute: Function that takes settings and progress after its arguments.
-        arguments: Its arguments.
+        arguments: Positional arguments of `compute`.
         strain: "small" or "finite".
-        named: Its keyword arguments, after settings and progress.
+        named: Keyword arguments of `compute`, after settings and progress.
 
     Raises:
         ValueError: The computation cannot start.
@@ -159,5 +159,5 @@ def computed(compute: Callable, *arguments: object, strain: str = "small", **nam
 
 
 def say(line: str) -> None:
-    """Print a line on stderr that belongs to no result."""
+    """Print a line on stderr, so that stdout contains only results."""
     print(f"plastigran: {line}", file=sys.stderr)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Parts of subcommands that compute evidence: tables and figures for pages of the docs."""
+"""Helpers of the subcommands that compute tables and figures for pages of the docs."""
 
 from __future__ import annotations
 
@@ -30,7 +30,9 @@ def add_evidence_arguments(command: argparse.ArgumentParser, results: str, pages
         f"is {pages}",
     )
     command.add_argument(
-        "--coarse", action="store_true", help="take a quick look; results are off by some per cent"
+        "--coarse",
+        action="store_true",
+        help="use coarse meshes and few cases for a quick look; errors of some per cent",
     )
     add_json(command)
 
@@ -48,14 +50,14 @@ def run_evidence(evidence: Evidence, head: str, arguments: argparse.Namespace) -
             `Evidence.run`.
         EngineError: LIGGGHTS stopped with an error.
     """
-    # matplotlib is slow to load
+    # imported here, because matplotlib is slow to load
     from plastigran.report.pages import publish, read_pages, to_markdown
 
     folder = arguments.output or Path("results") / evidence.name
     taken = [name for name in evidence.files if (folder / name).exists()]
     if taken and not arguments.force:
         raise ValueError(
-            f"{folder} holds results ({taken[0]}); choose another --output, or add --force"
+            f"{folder} contains results ({taken[0]}). Choose another --output, or add --force"
         )
     if arguments.docs:
         if arguments.coarse:

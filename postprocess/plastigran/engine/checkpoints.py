@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Restart files of a run: numbered checkpoints with checksums, and those of a signal."""
+"""Restart files of a run: numbered checkpoints with checksums, and files written after a signal."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ PATTERN = "checkpoint.*.restart"
 SIGNAL_FILE = "restart_forced_liggghts"
 #: Suffix of the checksum files, which `sha256sum --check` reads.
 CHECKSUM = ".sha256"
-#: Number of values of a file that are read together.
+#: Number of values read from a file at a time.
 _BLOCK = 1 << 20
 
 
@@ -35,7 +35,7 @@ def step_of(checkpoint: Path) -> int:
 
 
 def is_numbered(file: Path) -> bool:
-    """Return whether a file is named like a checkpoint of LIGGGHTS."""
+    """Return whether a file name has the form of a checkpoint of LIGGGHTS."""
     return re.fullmatch(PATTERN.replace(".", r"\.").replace("*", r"\d+"), file.name) is not None
 
 
@@ -53,7 +53,8 @@ def newest_checkpoint(folder: str | Path) -> Path:
     checkpoint without a checksum.
 
     Raises:
-        EngineError: There is none; the message names the newest one beyond the log.
+        EngineError: There is no complete checkpoint; the message names the newest one beyond the
+            log.
     """
     log, beyond = Path(folder) / LOG, None
     progress = LogFollower(log).read()
@@ -74,11 +75,11 @@ def newest_checkpoint(folder: str | Path) -> Path:
             f"newest checkpoint, {beyond.name}. Restore the complete log, or start the run "
             "again"
         )
-    raise EngineError(f"no whole checkpoint ({PATTERN}) in {folder}. Start the run again")
+    raise EngineError(f"no complete checkpoint ({PATTERN}) in {folder}. Start the run again")
 
 
 class ChecksumWriter:
-    """Writer of a checksum for each checkpoint of a run as soon as the checkpoint is complete.
+    """Writes a checksum for each checkpoint of a run as soon as the checkpoint is complete.
 
     Args:
         folder: Folder of the run.
@@ -100,8 +101,8 @@ class ChecksumWriter:
         except OSError as error:
             if not self._warned:
                 warnings.warn(
-                    f"no checksum is written: {error.strerror} ({error.filename}). A damaged "
-                    "checkpoint would not be noticed",
+                    f"cannot write a checksum: {error.strerror} ({error.filename}). A damaged "
+                    "checkpoint will not be detected",
                     stacklevel=2,
                 )
             self._warned = True
@@ -109,7 +110,7 @@ class ChecksumWriter:
     def _write(self) -> None:
         step = self._log.read().step
         for checkpoint in checkpoints(self._folder):
-            if step_of(checkpoint) > step:  # LIGGGHTS may still be writing it
+            if step_of(checkpoint) > step:  # skip a checkpoint that LIGGGHTS may still be writing
                 break
             if _lacks_checksum(checkpoint) and is_complete(checkpoint):
                 draft = checkpoint.with_name(f"{checkpoint.name}{CHECKSUM}.new")
@@ -124,10 +125,10 @@ def differs(checkpoint: Path) -> bool:
 
 
 def refuse_damaged(checkpoint: Path) -> None:
-    """Refuse a checkpoint that differs from its checksum.
+    """Reject a checkpoint that differs from its checksum.
 
     Raises:
-        EngineError: The checkpoint differs.
+        EngineError: The checkpoint differs from its checksum.
     """
     if checkpoint.is_file() and differs(checkpoint):
         raise EngineError(f"{_damage(checkpoint)}. Choose another checkpoint, or restore the file")
@@ -156,7 +157,7 @@ def signal_files(working_folder: Path) -> dict[Path, int]:
     """Return the restart files of signals in a folder, with their times of modification [ns]."""
     times = {}
     for file in working_folder.glob(f"{SIGNAL_FILE}_*"):
-        with suppress(FileNotFoundError):  # another run has moved it
+        with suppress(FileNotFoundError):  # another run may have moved the file
             times[file] = file.stat().st_mtime_ns
     return times
 
@@ -175,7 +176,8 @@ def fetch_signal_file(working_folder: Path, earlier: dict[Path, int], folder: Pa
     name = f"{SIGNAL_FILE}_{LogFollower(folder / LOG).read().step}"
     for file, time in signal_files(working_folder).items():
         if file.stem == name and earlier.get(file) != time:
-            with suppress(FileNotFoundError):  # another run has stopped at the same step
+            # Another run that stopped at the same step may have moved the file.
+            with suppress(FileNotFoundError):
                 shutil.move(file, folder / file.name)
 
 

@@ -28,7 +28,7 @@ PAIR_COLUMNS = {
     "delta": ("overlap",),
     "contactPoint": ("contact_x", "contact_y", "contact_z"),
     "ms_id": ("multisphere_i", "multisphere_j"),
-    "heatFlux": ("heat_flux",),  # always last
+    "heatFlux": ("heat_flux",),  # the heat flux is always the last column
 }
 WALL_COLUMNS = PAIR_COLUMNS | {
     "pos": ("contact_x", "contact_y", "contact_z", "x", "y", "z"),
@@ -80,7 +80,8 @@ def read_contacts(
         path: File. Its label gives kind and fields (`dump_modify ID label "PAIR pos id ..."`).
         kind: "PAIR" or "WALL", for a file without such a label.
         fields: Fields of the compute, e.g. "pos id force delta", for a file without such a label.
-        touching: Drop near neighbors without overlap and force, which LIGGGHTS lists, too.
+        touching: Whether to drop near neighbors without overlap and force, which LIGGGHTS also
+            lists.
 
     Returns:
         One row per contact and frame: `step`, then columns named as in `PAIR_COLUMNS` and

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A deck as it will run: its included files and the values of its settings."""
+"""Read a deck with its included files and the values of its settings, as LIGGGHTS will run it."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from pathlib import Path
 
 from plastigran.engine.process import EngineError, inputs_folder
 
-#: Largest number of files of a deck; more mean that a file includes itself.
+#: Largest number of files of a deck; a larger number indicates that a file includes itself.
 MOST_FILES = 200
 #: Suffixes of other files that decks read.
 MESHES = (".stl", ".vtk")
@@ -46,15 +46,15 @@ def index_variable(command: str) -> tuple[str, str] | None:
 
 
 def index_variables(deck: str | Path) -> dict[str, str]:
-    """Return the values of a script's own `variable NAME index VALUE` lines, as text."""
+    """Return the values of the index variables of a script without includes, as text."""
     values: dict[str, str] = {}
     for name, value in index_lines(deck):
-        values.setdefault(name, value)  # LIGGGHTS keeps the first value, too
+        values.setdefault(name, value)  # keep the first value, as LIGGGHTS does
     return values
 
 
 def index_lines(deck: str | Path) -> list[tuple[str, str]]:
-    """Return names and values of a script's own `variable NAME index VALUE` lines, in order."""
+    """Return names and values of the index variables of a script without includes, in order."""
     return list(filter(None, map(index_variable, commands(Path(deck)))))
 
 
@@ -64,7 +64,7 @@ class DeckSource:
 
     Attributes:
         path: Input script.
-        files: Script, includes, meshes, and other files that they read from the inputs.
+        files: Paths of the script, its includes, meshes and other input files.
         settings: All settings with their values.
         references: Names of variables that are read as ${name} but not defined.
     """
@@ -103,7 +103,7 @@ class DeckSource:
         return folder / self._place(self.path)
 
     def _place(self, file: Path) -> Path:
-        """Return the place of a file in a copy, unless it is taken."""
+        """Return the relative path of a file in a copy of the deck."""
         inputs = inputs_folder().resolve()
         if file.resolve().is_relative_to(inputs):
             return file.resolve().relative_to(inputs)
@@ -155,7 +155,7 @@ def find_deck(deck: str | Path) -> Path:
     """Return a deck of `inputs/bulk` by name, or an input script by its path.
 
     Raises:
-        EngineError: There is no such deck; the message lists those of `inputs/bulk`.
+        EngineError: The deck does not exist; the message lists the decks of `inputs/bulk`.
     """
     name = str(deck)
     is_path = os.sep in name or name.endswith(".in")
@@ -165,7 +165,7 @@ def find_deck(deck: str | Path) -> Path:
             return path.resolve()
     if is_path:
         raise EngineError(f"no input script {name}")
-    raise EngineError(f"no deck {name!r}; there are {', '.join(deck_names())}")
+    raise EngineError(f"no deck {name!r}. Available decks: {', '.join(deck_names())}")
 
 
 def read_deck(deck: str | Path, values: Mapping[str, object], folder: Path) -> DeckSource:
@@ -176,7 +176,7 @@ def read_deck(deck: str | Path, values: Mapping[str, object], folder: Path) -> D
     Args:
         deck: Name or path, see `find_deck`.
         values: Settings to override.
-        folder: Folder of the results, the deck's `output`.
+        folder: Folder of the results, the value of the deck variable `output`.
 
     Raises:
         EngineError: A file is missing.
@@ -198,7 +198,8 @@ def read_deck(deck: str | Path, values: Mapping[str, object], folder: Path) -> D
             raise EngineError(f"{included_by} includes {file}, which does not exist{hint}")
         if len(files) > MOST_FILES:
             raise EngineError(
-                f"{included_by} includes {file}, and so on. Check whether a file includes itself"
+                f"{included_by} includes {file}, and more than {MOST_FILES} files in total. Check "
+                "whether a file includes itself"
             )
         files.append(file)
         for command in commands(file):
@@ -224,5 +225,5 @@ def read_deck(deck: str | Path, values: Mapping[str, object], folder: Path) -> D
     if unknown := sorted(set(overrides) - set(settings) - references - {"inputs", "output"}):
         none = "has none. A setting is a line `variable NAME index VALUE`"
         possible = f"takes {' '.join(settings)}" if settings else none
-        raise ValueError(f"{path.name} has no setting {unknown[0]!r}; it {possible}")
+        raise ValueError(f"{path.name} has no setting {unknown[0]!r}; the deck {possible}")
     return DeckSource(path, files, settings, frozenset(references))

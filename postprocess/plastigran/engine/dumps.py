@@ -17,7 +17,7 @@ from pathlib import Path
 import numpy as np
 import pandas as pd
 
-#: Number of rows that are read together.
+#: Number of rows read at a time.
 BATCH = 100_000
 #: Prefixes of columns from computes, fixes and variables.
 PREFIXES = ("c_", "f_", "v_")
@@ -81,7 +81,7 @@ def _frames(path: Path) -> Iterator[_Frame]:
 
 
 def _label_and_columns(header: str) -> tuple[str, list[str]]:
-    """Return label and columns of a frame; a local dump may have a label of several words."""
+    """Return label and columns from a frame header; a label may have several words."""
     label, *words = header.removeprefix("ITEM:").split()
     first = 0
     while label != "ATOMS" and first < len(words) and words[first][:2] not in PREFIXES:

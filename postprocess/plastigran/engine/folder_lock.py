@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Lock of a folder of results for one command at a time."""
+"""Lock for a folder of results, so that only one command writes to it."""
 
 from __future__ import annotations
 
@@ -10,12 +10,13 @@ from fcntl import LOCK_EX, LOCK_NB, flock
 from pathlib import Path
 from threading import get_ident
 
-_locked: set[tuple[Path, int]] = set()  # with the IDs of the threads of this process that hold them
+# Locked folders, with the ID of the thread of this process that locked each.
+_locked: set[tuple[Path, int]] = set()
 
 
 @contextmanager
 def lock_folder(folder: str | Path) -> Iterator[None]:
-    """Create a folder and lock it for this thread, which may lock it again.
+    """Create a folder and lock it for this thread; the thread may lock it repeatedly.
 
     The lock ends with the process.
 

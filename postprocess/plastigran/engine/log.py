@@ -29,15 +29,16 @@ THERMO_COLUMNS = {
     "CPU": "cpu_time",
 }
 _RUN = re.compile(r"run\s+(\d+)(\s+upto)?\s*$")
-#: Line of a deck with several runs, printed before the first.
+#: Line that a deck with several runs prints before the first run.
 _PLANNED = re.compile(r"planned steps = (\d+)\s*$")
-#: Error line of LIGGGHTS. A deck may also print or echo the word.
+#: Error line of LIGGGHTS. The word must start the line, because a deck may also print or echo it.
 _ERROR = re.compile(r"^ERROR(?: on proc \d+)?: .*", re.MULTILINE)
 #: Warning of the plugin or launcher, without the place in the source.
 _WARNING = re.compile(r"^WARNING: plastigran: (.*?)(?: \(\S+:\d+\))?$", re.M)
 #: Machine-readable line of a contact model before its first run.
 _LAW = re.compile(r"^plastigran law (\w+)$", re.M)
-#: LIGGGHTS echoes a command as typed, then with the values of its variables.
+#: Echoed pair_style command. LIGGGHTS echoes a command first as typed, then with the values of
+#: variables; only the latter matches.
 _PAIR_STYLE = re.compile(r"^pair_style\s+([^$\n]+)$", re.M)
 _UNITS = re.compile(r"^units\s+(\w+)\s*$", re.M)
 #: Machine-readable line at the end of a run.
@@ -73,13 +74,13 @@ def find_models(text: str) -> list[str]:
 
 
 def find_pair_style(text: str) -> str | None:
-    """Return the arguments of the last `pair_style` command in a log; None without one."""
+    """Return the arguments of the last `pair_style` command in a log; None if there is none."""
     arguments = next(reversed(_PAIR_STYLE.findall(text)), None)
     return arguments and " ".join(arguments.split())
 
 
 def find_units(text: str) -> str | None:
-    """Return the unit system in a log; None without one."""
+    """Return the unit system in a log; None if there is none."""
     return next(reversed(_UNITS.findall(text)), None)
 
 
@@ -113,7 +114,8 @@ class LogFollower:
         self.log = log
         self.progress = Progress()
         self._offset = 0
-        self._steps, self._upto = 0, False  # arguments of the last `run` command
+        # Number of steps of the last `run` command, and whether it has the keyword upto.
+        self._steps, self._upto = 0, False
         self._columns: list[str] = []
         self._run_has_lines = False
 
@@ -185,14 +187,14 @@ def read_runs(path: str | Path) -> list[LoggedRun]:
             elif runs and not runs[-1].finished and line.startswith("Loop time of"):
                 runs[-1].finished = True
             elif words[:1] == ["timestep"]:
-                timestep = _number(words[1:])  # the value of a variable is in the next line
+                timestep = _number(words[1:])  # NaN for a variable, whose value is in the next line
             elif words[:1] == ["fix"] and words[3:4] == ["dt/reset"]:
                 adaptive = True
             elif words == ["clear"]:
                 timestep, adaptive, simulation = nan, False, simulation + 1
             elif runs and not runs[-1].finished and len(words) == len(runs[-1].columns):
                 if line.endswith("\n"):
-                    with suppress(ValueError):  # a message between two rows
+                    with suppress(ValueError):  # ignore messages between two rows
                         runs[-1].rows.append([float(word) for word in words])
     return runs
 

@@ -19,9 +19,9 @@ from plastigran.engine.watch import RunBar
 
 PROJECT = Path(__file__).resolve().parents[3]
 
-#: Seconds that LIGGGHTS has to finish its step and close its files after a request to stop.
+#: Time [s] for LIGGGHTS to finish its step and close its files after a request to stop.
 GRACE = 10.0
-#: Seconds between checks of the log and the clock.
+#: Time [s] between checks of the log and the time-out.
 INTERVAL = 0.2
 
 
@@ -161,7 +161,7 @@ def run_deck(
         working_folder: Folder in which LIGGGHTS runs, where relative paths of the deck start;
             `folder` if None.
         planned: Total steps of all runs of the deck for the progress bar, or 0 if unknown.
-        meanwhile: Function that is called now and then during the run.
+        meanwhile: Function that is called every `INTERVAL` seconds during the run.
 
     Returns:
         The log.
@@ -202,7 +202,7 @@ def run_deck(
             _stop(process, folder)
     text = log.read_text(errors="replace") if log.exists() else ""
     if returncode:
-        complete = text[: text.rfind("\n") + 1]  # LIGGGHTS may stop in the middle of a line
+        complete = text[: text.rfind("\n") + 1]  # LIGGGHTS may have stopped in the middle of a line
         reason = _reason(returncode, complete + screen.read_text(errors="replace"))
         raise EngineStopped(f"{deck.name}: {reason} (log: {log if text else screen})")
     return text
@@ -212,7 +212,7 @@ def engines(folder: Path) -> list[int]:
     """Return the process IDs of mpirun and LIGGGHTS that work for a folder on this machine."""
     log, numbers = str(folder / LOG).encode(), []
     for process in Path("/proc").glob("[0-9]*"):
-        with suppress(OSError):  # the process has ended
+        with suppress(OSError):  # ignore a process that has ended meanwhile
             if log in (process / "cmdline").read_bytes().split(b"\0"):
                 numbers.append(int(process.name))
     return numbers
@@ -227,7 +227,7 @@ def _wait(
     """Wait until LIGGGHTS ends and return its exit code.
 
     Raises:
-        subprocess.TimeoutExpired: It has not ended in time.
+        subprocess.TimeoutExpired: LIGGGHTS has not ended after `timeout` seconds.
     """
     started, ended = monotonic(), select.poll()
     descriptor = os.pidfd_open(process.pid)
@@ -245,7 +245,7 @@ def _wait(
 
 
 def _stop(process: subprocess.Popen, folder: Path) -> None:
-    """Ask LIGGGHTS or mpirun, and thus every rank, to stop; kill them after `GRACE`."""
+    """Send all ranks a signal to stop, and kill them after `GRACE` seconds."""
     if process.poll() is not None:
         return
     process.terminate()
@@ -253,7 +253,7 @@ def _stop(process: subprocess.Popen, folder: Path) -> None:
         process.wait(GRACE)
     except subprocess.TimeoutExpired:
         pass
-    finally:  # also after a second Ctrl-C
+    finally:  # kill also after a second Ctrl-C
         if process.poll() is None:
             for number in engines(folder):
                 with suppress(ProcessLookupError):
@@ -266,9 +266,9 @@ def _reason(returncode: int, output: str) -> str:
     if error := find_error(output):
         # The first warnings, before any step, often show the cause; the last is the latest.
         first, last = find_warnings(output)[:2], find_warnings(output)[2:][-1:]
-        return f"{error}; it had warned: {'; '.join(first + last)}" if first else error
-    # mpirun adds 128 to the number of the signal
+        return f"{error}; earlier warnings: {'; '.join(first + last)}" if first else error
+    # mpirun returns 128 plus the number of the signal
     number = -returncode if returncode < 0 else returncode - 128
     if number in set(signal.Signals):
-        return f"LIGGGHTS was ended by {signal.Signals(number).name}"
+        return f"LIGGGHTS was stopped by the signal {signal.Signals(number).name}"
     return (output.strip().splitlines() or ["no output"])[-1]

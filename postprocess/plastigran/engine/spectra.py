@@ -9,13 +9,13 @@ import pandas as pd
 
 from plastigran.engine.dumps import DumpError
 
-#: Counted quantities: entry of the column, and words with the unit of an SI deck.
+#: Counted quantities: entry in the column `quantity`, and description with the unit of an SI deck.
 QUANTITIES = {
     "normal_speed": "normal speed of approach (m/s)",
     "dissipated_energy": "energy dissipated (J)",
     "largest_force": "largest force (N)",
 }
-#: Partner of an impact with another particle; otherwise it is the ID of a wall.
+#: Entry in the column `with` for impacts between particles; for walls, the entry is the ID.
 PARTICLE = "particle"
 _COLUMNS = ["step", "quantity", "with", "type", "other_type", "lower", "upper", "count", "sum"]
 
@@ -33,7 +33,7 @@ def read_spectra(path: str | Path) -> pd.DataFrame:
         positive; `count` of impacts and `sum` of their values. Units are those of the deck.
 
     Raises:
-        DumpError: The file is not such a table.
+        DumpError: The file is not a table of collision spectra.
     """
     path = Path(path)
     try:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Experiments: single impacts that LIGGGHTS runs, compared with theory.
+"""Experiments: simulations of single impacts in LIGGGHTS, compared with theory.
 
 Each experiment is a module or package, here or in a folder of $PLASTIGRAN_EXPERIMENTS.
 """

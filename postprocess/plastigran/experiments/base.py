@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Base class of experiments: a case with prediction and measurement, and studies of many cases.
+"""Base class of experiments, which adds studies of many cases to the class `Case`.
 
 docs/add_an_experiment.md shows how to write one.
 """
@@ -65,7 +65,7 @@ class Experiment(Case):
 
     @classmethod
     def all_flags(cls) -> Mapping[str, Flag]:
-        """Return the settings of its study; a field without default is required."""
+        """Return the settings of the study; a field without default is required."""
         defaults = {field.name: field.default for field in attrs.fields(cls)}
         return cls.flags or {name: Flag(defaults[name]) for name in declarations(cls)}
 
@@ -79,11 +79,12 @@ class Experiment(Case):
         flags = cls.all_flags()
         if unknown := sorted(set(given) - set(flags)):
             raise ValueError(
-                f"{cls.command} has no setting {unknown[0]!r}; it has {' '.join(flags)}"
+                f"{cls.command} has no setting {unknown[0]!r}. Available settings: "
+                f"{' '.join(flags)}"
             )
         settings = {name: flag.values() for name, flag in flags.items()} | given
         if missing := [name for name, value in settings.items() if value is attrs.NOTHING]:
-            raise ValueError(f"{cls.command} needs {', '.join(missing)}")
+            raise ValueError(f"{cls.command} needs values for {', '.join(missing)}")
         settings = {k: v for k, v in settings.items() if not isinstance(v, attrs.Factory)}
         if "law" in flags and flags["law"].many:
             defaults = {field.name: field.default for field in attrs.fields(cls)}
@@ -94,7 +95,7 @@ class Experiment(Case):
 
     @classmethod
     def cases(cls, **settings: Any) -> list[Experiment]:
-        """Return the cases of a study with the settings of `flags`; by default their `plan`."""
+        """Return the cases of a study, by default every combination of settings (`plan`)."""
         return cls.plan(**settings)
 
     @classmethod
@@ -110,7 +111,7 @@ class Experiment(Case):
 
         Args:
             folder, jobs, progress, force: As for `sweep`.
-            settings: Settings of `flags`; others have their defaults.
+            settings: Values of the settings in `flags`; omitted ones have their defaults.
         """
         settings = cls.study_settings(**settings)
         return sweep(cls.cases(**settings), folder, jobs, progress, settings, force)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""One case of an experiment: its inputs, its run, its row in the results table."""
+"""Base class of a case of an experiment: inputs, run, and row in the results table."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ class Case:
 
     Attributes:
         command: Name of the command of the experiment.
-        deck: Path of its input script in the folder of the input scripts.
+        deck: Path of the input script, relative to the folder of input scripts.
         shape: Shape of the bodies, "sphere" or "cylinder".
         quantities: Attributes of the outcome that become table columns.
         shown: Columns that are printed; by default all.
@@ -57,11 +57,11 @@ class Case:
 
     @property
     def timestep(self) -> float | None:
-        """Time step [s]; None to use that of the deck."""
+        """Time step [s]; None to use the time step of the deck."""
         return None
 
     def predict(self) -> Any:
-        """Return the outcome by theory; None without theory."""
+        """Return the outcome predicted by theory; None if there is no theory."""
         return None
 
     def measure(self, folder: Path) -> Any:
@@ -78,7 +78,7 @@ class Case:
         return {k: v.name if isinstance(v, Material) else v for k, v in inputs}
 
     def notes(self, measured: Any, predicted: Any) -> dict[str, object]:
-        """Return further columns."""
+        """Return additional columns of the results table."""
         return {}
 
     def row(self, measured: Any) -> dict[str, object]:
@@ -123,7 +123,7 @@ class Case:
         run_deck(self.deck, self._deck_variables(timestep) | variables, folder, ranks=ranks)
         return self.measure(Path(folder))
 
-    # Results of many cases; `runs` is a `Runs`.
+    # The class methods below describe the results of many cases; `runs` is an instance of `Runs`.
 
     @classmethod
     def tables(cls, runs: Any) -> dict[str, Any]:

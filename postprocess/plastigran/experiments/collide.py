@@ -20,7 +20,7 @@ from plastigran.experiments.runs import Runs, sweep
 from plastigran.experiments.tables import format_range
 from plastigran.materials import Material
 
-#: Class of impact for each shape of bodies.
+#: Experiment class for each shape of bodies.
 IMPACTS = {experiment.shape: experiment for experiment in (CentralImpact, CylinderImpact)}
 
 

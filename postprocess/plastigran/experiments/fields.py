@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Declarations of cases: flags of a study, and shared fields and checks."""
+"""Declarations for cases: flags of studies, and fields and checks that several cases share."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ class Flag:
     span: tuple[float, float, int] | None = None
 
     def values(self) -> Any:
-        """Return the default values; those of a span are evenly spaced in their logarithms."""
+        """Return the default values; the values of a span are logarithmically spaced."""
         return tuple(np.geomspace(*self.span)) if self.span else self.default
 
 
@@ -50,7 +50,7 @@ def several(value: Any) -> tuple:
 
 
 def law_field(default: Any = attrs.NOTHING) -> Any:
-    """Declare a field for the name of a law for bodies of the case's `shape`."""
+    """Declare a field for the name of a law that supports the `shape` of the case."""
 
     def check(case: Any, field: attrs.Attribute, name: str) -> None:
         if (shape := law_class(name).shape) != case.shape:
@@ -90,7 +90,9 @@ def law_options(law: str, text: str | None) -> dict[str, str]:
     choices = {option["name"]: option["choices"] for option in laws.LAWS[law].options()}
     for name, choice in chosen.items():
         if name not in choices:
-            raise ValueError(f"{law} has no option {name!r}; it has {', '.join(choices) or 'none'}")
+            raise ValueError(
+                f"{law} has no option {name!r}. Available options: {', '.join(choices) or 'none'}"
+            )
         if choice not in choices[name]:
             raise ValueError(f"{name} is {choice}; it must be {', '.join(choices[name])}")
     return chosen

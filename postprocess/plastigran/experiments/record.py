@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Files of a sweep in addition to its runs: a table of results, and a record of the study."""
+"""Results table and record of a sweep: files in addition to the folders of its runs."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ TABLE = "impacts.csv"
 STUDY = "study.json"
 #: Columns of text, if the record does not name them.
 WORDS = ("law", "material", "wall", "options", "geometry")
-#: Types of the entries of a record.
+#: Types of the entries of a record in study.json.
 _TEXTS = {"command": str, "words": list, "versions": dict}
 
 
@@ -68,7 +68,7 @@ def _cells(line: str) -> list[str]:
 
 
 def _damaged_rows(head: list[str], rows: list[list[str]], words: list[str]) -> list[int]:
-    """Return rows of another length, without a word, or with text where most have a number."""
+    """Return the indices of damaged rows: wrong length, empty word, or text among numbers."""
     damaged = {k for k, row in enumerate(rows) if len(row) != len(head)}
     for place, name in enumerate(head):
         cells = {k: row[place] for k, row in enumerate(rows) if k not in damaged}
@@ -104,7 +104,7 @@ def read_study(folder: Path) -> tuple[dict[str, Any], list[str]]:
 
 
 def _is_text(name: str, value: object) -> bool:
-    """Return whether an entry is a text, or a list or dict of texts, as `_TEXTS` says."""
+    """Return whether an entry is a text, or a list or dict of texts, as `_TEXTS` requires."""
     if not isinstance(value, _TEXTS[name]):
         return False
     texts = value.values() if isinstance(value, dict) else value
@@ -118,7 +118,7 @@ def write_study(
     made_with: Mapping[str, str],
     by_theory: bool = False,
 ) -> None:
-    """Record a sweep before it runs, or a study by theory."""
+    """Write the record of a sweep before its runs, or of a study by theory."""
     facts = [case.facts() for case in cases]
     record = {
         "command": cases[0].command,
@@ -133,7 +133,7 @@ def write_study(
 
 
 def _plain(value: Any) -> list | str:
-    """Return values as a list, and a material by its name, for JSON."""
+    """Convert a value for JSON: several values to a list, a material to its name."""
     return list(value) if isinstance(value, Iterable) else str(getattr(value, "name", value))
 
 
@@ -148,6 +148,6 @@ def materials_of(cases: Iterable[Case]) -> dict[str, Material]:
         for value in attrs.astuple(case, recurse=False):
             if isinstance(value, Material) and materials.setdefault(value.name, value) != value:
                 raise ValueError(
-                    f"two materials are named {value.name}; give their files different names"
+                    f"two different materials have the name {value.name}. Rename one of their files"
                 )
     return materials

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Cases that run in parallel, and their results: table, outcomes, figures."""
+"""Parallel runs of the cases of an experiment, and their results: table, outcomes, figures."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ class Runs:
     """Results of a sweep.
 
     Attributes:
-        experiment: Class of its cases.
+        experiment: Class of the cases.
         outcomes: Outcomes by case.
         table: One row per case, in the given order; columns of `Case.row`.
         settings: Settings of the study, if any.
@@ -63,11 +63,13 @@ class Runs:
         """Draw one figure.
 
         Raises:
-            ValueError: There is no figure of that name.
+            ValueError: No figure has this name.
         """
         drawings = self.experiment.figures(self)
         if name not in drawings:
-            raise ValueError(f"no figure {name!r}; there are {', '.join(drawings) or 'none'}")
+            raise ValueError(
+                f"no figure {name!r}. Available figures: {', '.join(drawings) or 'none'}"
+            )
         return drawings[name]()
 
     def write(self, folder: str | Path) -> list[Path]:
@@ -81,7 +83,7 @@ class Runs:
         Raises:
             ValueError: Two materials of outcomes by theory have one name; nothing is written.
         """
-        from plastigran.plot import style  # matplotlib is slow to load
+        from plastigran.plot import style  # imported here, because matplotlib is slow to load
 
         folder = Path(folder)
         folder.mkdir(parents=True, exist_ok=True)
@@ -131,15 +133,15 @@ def sweep(
         force: Whether to overwrite the results of an earlier sweep in `folder`.
 
     Raises:
-        ValueError: There is no case, `jobs` is out of range, two materials have one name, or
+        ValueError: `cases` is empty, `jobs` is out of range, two materials have one name, or
             `folder` contains results or is in use.
         EngineError: LIGGGHTS is missing.
-        EngineError, ValueError: The first case that failed; the rows of the others are written
-            before.
+        EngineError, ValueError: Error of the first failed case; the rows of all other cases are
+            written before.
     """
     cases, folder, settings = list(cases), Path(folder), dict(settings or {})
     if not cases:
-        raise ValueError("no case to run")
+        raise ValueError("cases is empty; give one or more cases")
     if jobs is not None and not (isinstance(jobs, int) and jobs >= 1):
         raise ValueError(f"jobs is {jobs!r}; it must be 1 or more")
     materials_of(cases)
@@ -165,12 +167,12 @@ def claim(folder: Path, force: bool) -> Iterator[None]:
     with lock_folder(folder):
         if not force and any([*folder.glob(TABLE), *folder.glob("runs/*/*")]):
             raise ValueError(
-                f"{folder} holds results; choose another folder (--output), or overwrite "
-                "them (--force)"
+                f"{folder} contains results. Choose another folder with --output, or overwrite "
+                "them with --force"
             )
         for name in (TABLE, STUDY):
             (folder / name).unlink(missing_ok=True)
-        for run in folder.glob("runs/[0-9]*_*"):  # as named by `case_folders`
+        for run in folder.glob("runs/[0-9]*_*"):  # names of folders by `case_folders`
             shutil.rmtree(run)
         yield
 
@@ -192,12 +194,12 @@ def _run(
             bar.update()
             try:
                 outcomes[case] = done.result()
-            except Exception as error:  # the other cases still run
+            except Exception as error:  # keep the error and let the other cases run
                 failures.append(error)
                 continue
             rows[case] = case.row(outcomes[case])
             add_row(folder / TABLE, rows[case])
-    finally:  # an interrupt starts no further runs
+    finally:  # after an interrupt, start no further runs
         pool.shutdown(wait=True, cancel_futures=True)
         bar.close()
     if failures:

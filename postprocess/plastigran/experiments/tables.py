@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Results of impacts as text."""
+"""Text form of the results of impacts."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from plastigran import laws
 
 #: Columns that are shown only if they have several values.
 VARIED = ("geometry", "radius", "wall", "options", "surface_energy")
-#: Names and units of columns, as heads of two lines.
+#: Column headers: name and unit in two lines.
 HEADS = {
     "material": "material",
     "law": "law",

@@ -22,8 +22,8 @@ from plastigran.fem.result_file import from_bytes, to_bytes
 from plastigran.fem.settings import Settings
 
 Result = TypeVar("Result")
-DIGEST = 32  # bytes of the checksum at the start of a file
-# libraries whose versions matter; pandas, because of the file format
+DIGEST = 32  # number of bytes of the checksum at the start of a file
+# libraries whose versions affect results (pandas: the file format)
 LIBRARIES = ("numpy", "scipy", "scikit-fem", "pandas")
 
 
@@ -56,7 +56,7 @@ def cached(
     path = folder() / f"{compute.__name__}_{key.hexdigest()[:32]}.result"
     try:
         return from_bytes(_checked(path.read_bytes()))
-    except (OSError, ValueError):  # missing, unreadable or damaged
+    except (OSError, ValueError):  # compute again if the file is missing, unreadable or damaged
         result = compute(*arguments, settings, progress, **options)
     if not getattr(result, "stopped", ""):
         _store(to_bytes(result), path)
@@ -89,7 +89,7 @@ def _checked(file: bytes) -> bytes:
     """Return the content after the checksum; raise ValueError if the checksum is wrong."""
     digest, content = file[:DIGEST], file[DIGEST:]
     if sha256(content).digest() != digest:
-        raise ValueError("the file is damaged")
+        raise ValueError("the cache file is damaged: its checksum differs")
     return content
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Checks and warnings before a computation."""
+"""Checks of input and warnings before a finite-element computation."""
 
 from __future__ import annotations
 
@@ -10,16 +10,16 @@ from math import isfinite, pi, sqrt
 
 from plastigran.fem.theory.hertz import HertzSphere
 
-SMALL_STRAIN = 0.1  # largest a/R at which the error of small strain is some tenths of a per cent
+SMALL_STRAIN = 0.1  # largest a/R for small strain, with errors of some tenths of a per cent
 LARGEST = 0.4  # largest a/R of any computation
-# smallest a/R; below it round-off of R hides the gap at the contact edge, r^2/2R
+# smallest a/R; below, the gap r^2/2R at the contact edge is lost in the round-off of R
 SMALLEST = 1e-6
 SUBSONIC = 0.1  # largest speed / speed of sound of an impact
 LEAST_HARDNESS = 2.5  # smallest mean pressure / flow stress of a fully plastic contact
 
 
 class SmallStrainWarning(UserWarning):
-    """The contact becomes too large for small strain."""
+    """The contact radius is too large for small-strain kinematics."""
 
 
 def contact_reach(sphere: HertzSphere, force: float) -> float:
@@ -29,7 +29,7 @@ def contact_reach(sphere: HertzSphere, force: float) -> float:
         return elastic
     strength = sphere.yielding.hardening.yield_strength
     ratio = (force / sphere.yield_force) ** (1 / 3)
-    # Fit to perfectly plastic spheres, within 1 % up to 600 times the yield force.
+    # Empirical fit for perfectly plastic spheres, within 1 % up to 600 times the yield force.
     plastic = sphere.contact_radius(sphere.yield_force) * (
         ratio + 0.745 * max(ratio**0.615 - 1, 0) ** 2.215
     )
@@ -44,7 +44,7 @@ def check_forces(sphere: HertzSphere, forces: Sequence[float], *, strain: str = 
             contact radius that is too small or too large; see `check_reach`.
     """
     if len(forces) == 0:
-        raise ValueError("forces is empty. Give one or more forces, N")
+        raise ValueError("forces is empty. Give one or more forces [N]")
     for before, force in pairwise([0.0, *forces]):
         if not before < force or not isfinite(force):
             raise ValueError(
@@ -60,7 +60,8 @@ def force_of_impact(sphere: HertzSphere, speed: float) -> tuple[float, float]:
     elastic = sphere.force(sphere.approach_max(speed))
     if elastic <= sphere.yield_force:
         return elastic, sphere.contact_radius(elastic)
-    # Finite elements give 17.8, 107 and 228 P_Y at 12, 60 and 120 v_Y, within 8 % of this.
+    # Empirical power law, within 8 % of finite elements: 17.8, 107 and 228 P_Y at 12, 60 and 120
+    # v_Y.
     force = min(sphere.yield_force * (speed / sphere.yield_speed) ** 1.15, elastic)
     return force, contact_reach(sphere, force)
 
@@ -86,7 +87,7 @@ def check_subsonic(name: str, speed: float, sound: float) -> None:
     """Check that a speed, m/s, is at most SUBSONIC times the speed of sound.
 
     Raises:
-        ValueError: The speed is larger.
+        ValueError: The speed exceeds the limit.
     """
     if speed > SUBSONIC * sound:
         raise ValueError(

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Finite-element results as bytes: numpy arrays, and JSON for the rest.
+"""Conversion of finite-element results to bytes and back: arrays as numpy, the rest as JSON.
 
 Reading a file does not execute code from it.
 """
@@ -18,7 +18,7 @@ import numpy as np
 import pandas as pd
 
 PACKAGE = "plastigran."
-TREE = "tree"  # name of the JSON text among the arrays
+TREE = "tree"  # name of the entry that contains the JSON text
 #: Errors of numpy, zip, JSON and the classes for content that is not a result.
 NOT_A_RESULT = (
     AttributeError,
@@ -61,7 +61,7 @@ def from_bytes(content: bytes) -> Any:
     """Return the result that `to_bytes` has written.
 
     Raises:
-        ValueError: The content was not written by `to_bytes`.
+        ValueError: `content` was not written by `to_bytes`.
     """
     try:
         with np.load(BytesIO(content), allow_pickle=False) as arrays:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Resolution of a computation."""
+"""Settings of the numerical resolution of a finite-element computation."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ CORE_OVER_REACH = 0.5  # largest core radius / largest contact radius
 
 @attrs.frozen(kw_only=True)
 class Settings:
-    """Mesh, steps and penalty.
+    """Settings of mesh, steps and penalty contact.
 
     With the defaults, forces are accurate to some tenths of a per cent; see docs/convergence.py.
     """
@@ -35,7 +35,7 @@ class Settings:
 
     @property
     def kinematics(self) -> SmallStrain:
-        """Relation of strains and displacements."""
+        """Relation between displacements and strains."""
         return KINEMATICS[self.strain]()
 
     def mesh(self, sphere: HertzSphere, reach: float, whole: bool) -> SphereMesh:

@@ -20,8 +20,8 @@ def find_paper(name: str) -> Paper:
     """Return a paper by its short name.
 
     Raises:
-        ValueError: There is no such paper.
+        ValueError: No paper has this name.
     """
     if name not in paper_names():
-        raise ValueError(f"no paper {name!r}; there are {', '.join(paper_names())}")
+        raise ValueError(f"no paper {name!r}. Available papers: {', '.join(paper_names())}")
     return import_module(f"{__name__}.{name}").PAPER

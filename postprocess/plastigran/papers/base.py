@@ -68,8 +68,8 @@ def declare(
 
     Args:
         compute: Function `compute(progress, coarse)` that returns the data.
-        tables, figures, movies: Functions of the results that the page shows.
-        data: Functions of the tables that no page shows.
+        tables, figures, movies: Functions that make the results shown on the page.
+        data: Functions that make further tables, which no page shows.
         description: `name`, `title` and `citation` of `Paper`.
     """
 
@@ -123,7 +123,7 @@ def draw_stress(
     """
     vertices = scale * (snapshot.vertices + snapshot.displacement - origin)
     stress = at_vertices(snapshot, snapshot.mises) / strength
-    stress = np.minimum(stress, 1 - 1e-9)  # points at the flow stress belong to the last level
+    stress = np.minimum(stress, 1 - 1e-9)  # keep points at the flow stress inside the last level
     contours = draw_field(
         axes, vertices, snapshot.quads, stress, STRESS_LEVELS, mirror, cmap="viridis"
     )

@@ -21,7 +21,7 @@ from plastigran.papers.base import declare
 from plastigran.physics.rod_motion import simulate
 from plastigran.report.base import add_difference
 
-#: The paper's nine laws; `ghaednia` is its modified Jackson and Green.
+#: The nine laws of the paper; `ghaednia` is its modified law of Jackson and Green.
 LAWS = [
     "ghaednia",
     "jackson_green",

@@ -20,7 +20,8 @@ from scipy.optimize import curve_fit
 COEFFICIENTS = (0.55, 0.65)
 EMPTY_ANNULI = (1.0, 2.0)
 
-#: Smallest packing of spheres. A bed with a lower value is too shallow to measure.
+#: Smallest volume fraction of a packing of spheres; a bed with a lower value is too shallow to
+#: measure.
 LOOSEST = 0.5
 #: Fraction of grains after whose discharge the steady part ends, because the level is near the
 #: cone.

@@ -26,7 +26,7 @@ def contact_time(law, radius_eff: float, mass_eff: float, speed: float) -> tuple
     """
     law = law.at_impact(radius_eff, speed)
     impact = law.central_impact(radius_eff, mass_eff, speed)
-    root = 0.5 * (1 - _NODES)  # descending, so that overlaps ascend along first loading
+    root = 0.5 * (1 - _NODES)  # descending roots, so that overlaps increase along first loading
 
     def time(start: float, energy) -> float:
         way = impact.overlap_max - start

@@ -39,8 +39,10 @@ def impact_modes(
                 break
             overtones += 1
         found.append(modes[modes["frequency"] <= highest])
-        overtones = len(found[-1]) + 1  # the next degree has at most as many modes below `highest`
-        # From degree 2, the lowest frequency rises with the degree.
+        # The next degree has at most this many modes below `highest`.
+        overtones = len(found[-1]) + 1
+        # Stop at a degree without modes: from degree 2, the lowest frequency increases with the
+        # degree.
         if degree >= 2 and found[-1].empty:
             break
     return pd.concat(found).sort_values("frequency", ignore_index=True)

@@ -20,11 +20,11 @@ from scipy.interpolate import PchipInterpolator
 #: Restitution as a function of normal impact speed [m/s], (N,) to (N,).
 Restitution = Callable[[np.ndarray], np.ndarray]
 
-#: Normal impact speeds of the average, divided by the thermal relative speed 2 T^(1/2). The rest
-#: has a probability of exp(-49). Steps are equal, because restitution has a kink at yield.
+#: Normal impact speeds of the average, divided by the thermal relative speed 2 T^(1/2). Higher
+#: speeds have a probability of exp(-49). Steps are equal, because restitution has a kink at yield.
 _SPEEDS = np.linspace(0, 7, 2801)[1:]
 
-#: Smallest tabulated ln(T/T0) of the loss; below it, the loss is constant.
+#: Smallest ln(T/T0) in the table of the energy loss; the loss is constant below.
 _DEEPEST = -25.0
 
 #: Highest volume fraction of a fluid of hard spheres (Hoover & Ree 1968, J. Chem. Phys. 49:3609).

@@ -18,8 +18,8 @@ import pandas as pd
 from scipy.optimize import brentq
 from scipy.special import spherical_jn
 
-#: Step of x of the search for spheroidal modes. Modes are some twenty steps apart; closer ones are
-#: separated by bisection.
+#: Step of x in the search for spheroidal modes. Most modes are some twenty steps apart; bisection
+#: separates closer modes.
 STEP = 0.1
 
 Function = Callable[[float], float]
@@ -153,7 +153,7 @@ def surface(degree: int, poissons_ratio: float, x: float) -> tuple[np.ndarray, n
     """
     square = degree * (degree + 1)
     arguments = np.array([x * wave_speed_ratio(poissons_ratio), x])
-    # a single call, because it is slow
+    # one call for both orders, because the function is slow
     below, (p, s) = spherical_jn([[degree - 1], [degree]], arguments)
     # x j_n'(x) = x j_(n-1)(x) - (n + 1) j_n(x)
     p_slope, s_slope = arguments * below - (degree + 1) * np.array([p, s])
@@ -196,7 +196,8 @@ def spheroidal_roots(degree: int, poissons_ratio: float, count: int) -> np.ndarr
     def passed(a, b) -> int:
         """Return the number of modes between a and b.
 
-        Angles decrease by pi between poles and jump up by pi at them.
+        The number follows from angles that decrease by pi between poles and jump up by pi at a
+        pole.
         """
         poles = int(np.ceil((b[2] - a[2]) / pi - 1e-9))
         return poles + b[1] - a[1]

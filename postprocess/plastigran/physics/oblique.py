@@ -146,7 +146,7 @@ class _SpringSlider:
     and the tangential stiffness is 5/4 (6 G*/E*) d^(1/2).
     """
 
-    START = 2e-8  # fraction of the largest overlap; the force there is 1e-12 of the peak
+    START = 2e-8  # initial overlap / largest overlap; the force is 1e-12 of the peak
 
     def __init__(self, impact: ObliqueImpact) -> None:
         self.impact = impact
@@ -159,7 +159,8 @@ class _SpringSlider:
         self.stiffness = 1 / impact.stretch_ratio
         self.flat = np.array([overlap / impact.radius, overlap / impact.radius_other])
         self.share = np.array([impact.mass_eff / impact.mass, impact.mass_eff / impact.mass_other])
-        self.sense = 0  # 0: sticks; +1, -1: slides with the spring stretched in this direction
+        # 0 for sticking; +1 or -1 for sliding with the spring stretched in this direction.
+        self.sense = 0
 
     def normal_force(self, overlap: float, rate: float) -> float:
         return 1.25 * overlap**1.5 + 2.5 * self.damping * overlap**0.25 * rate
@@ -218,7 +219,8 @@ class _SpringSlider:
         time, end = 0.0, 20.0
         sticks = abs(state[5]) < self.reach(state[0], state[1])
         self.sense = 0 if sticks else int(np.sign(state[5])) or 1
-        for _ in range(100):  # a few changes are usual
+        # Upper bound; impacts have only a few changes between sticking and sliding.
+        for _ in range(100):
             part = solve_ivp(
                 self.rates, (time, end), state, "DOP853", events=[released, changes],
                 rtol=1e-10, atol=1e-13,
@@ -229,13 +231,12 @@ class _SpringSlider:
             if part.status != 1:
                 break
             if self.sense:
-                # Start slightly below the limit, because round-off could otherwise end sticking at
-                # once.
+                # Start slightly below the limit; otherwise round-off could end sticking at once.
                 state[5] = self.sense * self.reach(state[0], state[1]) * (1 - 1e-9)
                 self.sense = 0
             else:
                 self.sense = int(np.sign(state[5]))
-        raise RuntimeError("the impact does not end")
+        raise RuntimeError("the impact does not end after 100 changes between sticking and sliding")
 
     def _motion(self, state: np.ndarray) -> Motion:
         impact, before, speed = self.impact, self.impact.before, self.impact.before.normal

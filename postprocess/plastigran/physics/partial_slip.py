@@ -3,10 +3,10 @@
 
 The contact sticks in its middle and slips at its edge. Each ring of the contact keeps its share of
 friction. Cattaneo's and Mindlin's tangential contact is a superposition of normal contacts.
-While the overlap changes from d to d + dd, the contact grows by a ring. It holds the force
-D F'(d) dd. It
-stretches the surfaces by D (E*/4G*) dd, with -mu <= D <= mu (Jaeger 1993, Arch. Appl. Mech. 63:402;
-method of memory diagrams, Aleshin, Bou Matar & Van Den Abeele 2015, Int. J. Solids Struct. 60).
+While the overlap changes from d to d + dd, the contact grows by a ring. The ring carries the
+tangential force D F'(d) dd and stretches the surfaces by D (E*/4G*) dd, with -mu <= D <= mu (Jaeger
+1993, Arch. Appl. Mech. 63:402; method of memory diagrams, Aleshin, Bou Matar & Van Den Abeele 2015,
+Int. J. Solids Struct. 60).
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ import attrs
 from plastigran.physics import central
 from plastigran.physics.oblique import Motion, ObliqueImpact
 
-#: Time steps of an impact; the error of tangential restitution is 2e-5.
+#: Default number of time steps of an impact; the error of tangential restitution is 2e-5.
 STEPS = 500
 
 
@@ -111,7 +111,7 @@ def partial_slip(impact: ObliqueImpact, steps: int = STEPS) -> Motion:
     def normal_force(overlap: float, rate: float) -> float:
         return 1.25 * overlap**1.5 + 2.5 * damping * overlap**0.25 * rate
 
-    half = 1.5 / steps  # length of a step; a contact lasts 2.94
+    half = 1.5 / steps  # length of a time step; the contact lasts 2.94 in these units
     overlap, rate, friction = 0.0, 1.0, 0.0
     along, turning = impact.before.along / speed, impact.before.spin * impact.radius / speed
     while True:

@@ -15,7 +15,7 @@ import attrs
 from plastigran import laws
 from plastigran.declared import number, radius_field
 
-GRAVITATIONAL_ACCELERATION = 9.81  # m/s^2
+GRAVITATIONAL_ACCELERATION = 9.81  # standard gravity [m/s^2]
 
 #: Cemented tungsten carbide: 600 to 650 GPa, elastic at the speeds of testers.
 TUNGSTEN_CARBIDE = laws.Body(625e9, 0.22)
@@ -84,7 +84,7 @@ class ReboundTester:
 
 
 def dented_flat(law: str) -> dict[str, str]:
-    """Return the options with which a law describes a yielding flat instead of a sphere."""
+    """Return the options of a law for a yielding flat instead of a yielding sphere."""
     words = {option["name"]: option["choices"] for option in laws.LAWS[law].options()}
     return {name: "flat" for name in ("yielding",) if "flat" in words.get(name, ())}
 

@@ -14,7 +14,8 @@ from plastigran.physics.rod import Rod, RodOutcome
 #: Fraction of the impact speed below which the slip of the tip counts as zero.
 STICKING_SLIP = 1e-3
 
-#: A spring beyond the limit of friction relaxes this much faster than the overlap grows.
+#: Relaxation rate of a spring beyond the limit of friction, divided by the growth rate of the
+#: overlap.
 YIELDING_RATE = 1e3
 
 #: Number of turning points after which the tip is assumed to stay in contact.
@@ -61,7 +62,7 @@ class _Motion:
         return -motion[4] - motion[5] * self.arm(motion)[0]
 
     def left(self, _time, motion) -> float:
-        """Return the overlap minus the residual overlap."""
+        """Return the overlap minus the residual overlap [m]."""
         return self.overlap(motion) - self.overlap_res
 
     def contact(self, motion, state=None):
@@ -69,7 +70,7 @@ class _Motion:
         return self.law.respond(self.rod.tip_radius, self.overlap(motion), state)
 
     def forces(self, motion) -> tuple[float, float, float]:
-        """Return normal force, friction and the rate of the spring's stretch."""
+        """Return normal force [N], friction [N] and the rate of the spring's stretch [m/s]."""
         contact = self.contact(motion)
         slip, limit = self.slip_velocity(motion), self.rod.coefficient_of_friction * contact.force
         if self.spring:
@@ -79,7 +80,7 @@ class _Motion:
             excess = (pull - friction) / stiffness if stiffness > 0 else 0.0
             return contact.force, friction, slip + self.yielding * excess
         arm_x, arm_y = self.arm(motion)
-        # Force that keeps the slip constant: v_T' = 0 of F_f (1/m + r_y^2/I) - F_n r_x r_y/I.
+        # Friction that keeps the slip constant: dv_T/dt = F_f (1/m + r_y^2/I) - F_n r_x r_y/I = 0.
         holding = arm_x * arm_y * contact.force / (self.rod.inertia / self.rod.mass + arm_y**2)
         friction = holding - slip / self.sticking * limit
         return contact.force, min(max(friction, -limit), limit), 0.0

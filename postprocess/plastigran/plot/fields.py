@@ -53,7 +53,7 @@ def draw_field(
     Returns:
         The contours, for a color bar.
     """
-    # Either diagonal of a quadrilateral works, because the fields are smooth on it.
+    # Split each quadrilateral along one diagonal; the choice hardly matters for smooth fields.
     triangles = np.concatenate([quads[:, [0, 1, 2]], quads[:, [0, 2, 3]]])
     if mirror:
         count = len(vertices)

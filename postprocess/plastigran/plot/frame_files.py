@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
 
 class SnapshotError(ValueError):
-    """A picture cannot be drawn, because data or pyvista is missing; the message names it."""
+    """A picture cannot be drawn; the message names the missing data or library."""
 
 
 class DamagedFrame(SnapshotError):
@@ -61,7 +61,8 @@ def find_frames(folder: str | Path) -> list[Frame]:
         folder = folder / "frames"
 
     def files_by_step(name: str) -> dict[int, Path]:
-        files = folder.glob(f"{name}_[0-9]*.vtk")  # other VTK files are bounding boxes
+        # A step number follows the name; other VTK files contain bounding boxes.
+        files = folder.glob(f"{name}_[0-9]*.vtk")
         return {int(path.stem.removeprefix(f"{name}_")): path for path in files}
 
     grains, contacts, mesh = map(files_by_step, ("grains", "contacts", "mesh"))
@@ -130,7 +131,7 @@ def read_vtk(path: Path) -> pyvista.DataSet:
     # VTK does not report a file that ends between two of its parts.
     if not data.n_points:
         whole = b"\nPOINTS 0 " in content
-    elif path.name.startswith("mesh_"):  # a mesh file may have no columns
+    elif path.name.startswith("mesh_"):  # mesh files may have no data columns
         whole = data.n_cells > getattr(data, "n_verts", 0)
     else:
         whole = bool(data.array_names)

@@ -110,7 +110,7 @@ def read_frame(frame: Frame) -> GrainFrame:
     grains, walls = read_vtk(frame.grains), np.empty((0, 3, 3))
     if frame.mesh and (mesh := read_vtk(frame.mesh)).n_cells:
         walls = np.asarray(mesh.points, float)[mesh.regular_faces]
-    if not grains.n_points:  # a file without grains has no columns
+    if not grains.n_points:  # skip the check of columns: a file without grains has none
         none = np.zeros(0)
         return GrainFrame(frame.step, np.empty((0, 3)), none, none, none, none, walls)
     if missing := {"radius", "v", "id"} - set(grains.point_data):
@@ -150,7 +150,8 @@ def _largest_forces(frame: Frame, positions: np.ndarray) -> np.ndarray:
     largest, forces = np.zeros(len(positions)), contact_forces(frame)
     if len(forces):
         ends = np.asarray(read_vtk(frame.contacts).points, float).reshape(-1, 3)
-        # A contact through a periodic side ends outside the grains. Coordinates have six digits.
+        # Skip the ends of contacts through a periodic side, which are not at grain centers. The
+        # tolerance is needed because coordinates have six digits.
         distance, grain = cKDTree(positions).query(ends)
         at_grain = distance < 1e-4 * np.ptp(positions, axis=0).max()
         np.maximum.at(largest, grain[at_grain], np.repeat(forces, 2)[at_grain])

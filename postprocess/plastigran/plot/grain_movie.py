@@ -86,7 +86,7 @@ def _bounds(frames: Sequence[Frame]) -> list[float]:
 
 
 def _load_imageio(suffix: str):
-    """Import imageio, and what it needs for the file type."""
+    """Import imageio, and PyAV for MP4 files."""
     try:
         import imageio.v3
 

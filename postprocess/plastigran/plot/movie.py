@@ -10,7 +10,7 @@ import attrs
 from matplotlib.animation import PillowWriter
 from matplotlib.figure import Figure
 
-RESOLUTION = 80  # pixels per inch
+RESOLUTION = 80  # resolution of the frames, pixels per inch
 
 
 @attrs.frozen(eq=False)

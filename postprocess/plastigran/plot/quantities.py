@@ -8,7 +8,7 @@ import numpy as np
 
 #: Suffix of the columns that hold predicted values.
 PREDICTED = "_predicted"
-#: Column of a table: its name in words and its SI unit, "" for a pure number.
+#: For each column of a table, its name in words and its SI unit; "" for a pure number.
 QUANTITIES = {
     "coefficient_of_restitution": ("coefficient of restitution", ""),
     "force_max": ("largest force", "N"),
@@ -59,7 +59,7 @@ QUANTITIES = {
     "weight_power": ("power of the weight", "W"),
     "revolutions": ("revolutions", ""),
 }
-#: Units that take no prefix.
+#: Units that are used without SI prefix.
 _WITHOUT_PREFIX = ("", "J/m²", "°", "m²/s²", "kg m/s", "rad/s", "kg", "m/s")
 _PREFIXES = {-12: "p", -9: "n", -6: "µ", -3: "m", 0: "", 3: "k", 6: "M", 9: "G"}
 

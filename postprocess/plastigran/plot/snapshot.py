@@ -37,7 +37,7 @@ SCALE_BAR = {
     "title_font_size": 22,
     "label_font_size": 20,
 }
-#: Values at the ends of a color scale; None for those of the frame.
+#: Values at the ends of a color scale; None to use the range of the frame.
 Span = tuple[float, float] | None
 
 
@@ -82,7 +82,7 @@ def draw(
     plotter.set_background("white")
     plotter.view_vector(side, viewup=up, bounds=bounds)
     plotter.enable_parallel_projection()
-    plotter.camera.SetWindowCenter(0.15, 0)  # leave room for the scale
+    plotter.camera.SetWindowCenter(0.15, 0)  # shift the picture to leave space for the color scale
     plotter.enable_anti_aliasing("ssaa")
     picture = plotter.screenshot(path and str(path), return_img=True)
     plotter.close()
@@ -110,7 +110,7 @@ def _add_contacts(plotter: pyvista.Plotter, frame: Frame, span: Span) -> None:
     lines, grains = read_vtk(frame.contacts), read_vtk(frame.grains)
     if not span and not grains.n_points:
         raise SnapshotError(f"{frame.grains} contains no grains")
-    # The line of a contact through a periodic side would cross the whole box.
+    # Leave out contacts through a periodic side, whose lines would cross the whole box.
     ends = lines.points.reshape(-1, 2, 3)
     lengths = np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1)
     radius = float(grains["radius"].max()) if grains.n_points else 0.0

@@ -48,7 +48,8 @@ def law_number(law: str) -> int:
     Laws for one shape of bodies have different indices. Laws that attract, or are plastic from
     first touch, are counted apart. Unknown laws are gray.
     """
-    from plastigran import laws  # compiled; figures without laws do not need it
+    # Imported here, because figures without laws do not need the compiled module.
+    from plastigran import laws
 
     if law not in laws.LAWS:
         return len(COLOURS) - 1
@@ -110,6 +111,6 @@ def save(
     files = [path.with_suffix(suffix) for suffix in suffixes]
     for file in files:
         metadata = {"Date": None} if file.suffix == ".svg" else None
-        with styled():  # its hash salt makes SVG files reproducible
+        with styled():  # the style sets the hash salt, which makes SVG files reproducible
             figure.savefig(file, dpi=resolution, metadata=metadata)
     return files

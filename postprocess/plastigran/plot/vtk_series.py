@@ -14,7 +14,7 @@ import numpy as np
 
 from plastigran.plot.frame_files import Frame, read_vtk
 
-#: Column names in the files of LIGGGHTS, and in ours; all in SI units.
+#: Column names in the files of LIGGGHTS, and their names in the written files; SI units.
 GRAINS = {"v": "velocity", "f_plastic_work": "plastic_work"}
 CONTACTS = {"delta": "overlap"}
 

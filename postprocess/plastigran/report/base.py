@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Evidence: computed tables and figures, and the pages of the docs that show them.
+"""Declaration of evidence: computed tables and figures, and the pages of the docs that show them.
 
     EVIDENCE = Evidence(
         name="impacts",
@@ -27,7 +27,7 @@ from matplotlib.figure import Figure
 from plastigran.plot.movie import Movie, save_movie
 from plastigran.plot.style import save
 
-RESOLUTION = 100  # dots per inch; keeps the picture of a page below 150 kB
+RESOLUTION = 100  # resolution of figures, dots per inch; keeps the pictures of a page below 150 kB
 
 
 @attrs.frozen(eq=False)

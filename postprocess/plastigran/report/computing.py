@@ -31,12 +31,13 @@ def compute_all(
         progress: Whether to show a bar.
 
     Raises:
-        ValueError: A computation found no equilibrium or stopped early; the message names it.
+        ValueError: A computation did not converge or stopped early; the message names it.
     """
     results: dict[Key, Any] = {}
     pool = ProcessPoolExecutor(
         os.cpu_count(),
-        mp_context=get_context("spawn"),  # a fork is unsafe, because this process may have threads
+        # Not fork, which is unsafe because this process may have threads.
+        mp_context=get_context("spawn"),
         initializer=_start_worker,
         initargs=(folder(),),
     )
@@ -70,6 +71,7 @@ def _start_worker(cache: Path) -> None:
 
 
 def _end_with_parent() -> None:
-    # A killed parent does not close the pool; an idle worker would wait forever.
+    # End with the parent: if the parent is killed, it does not close the pool, and an idle worker
+    # would wait forever.
     parent_process().join()
     os._exit(1)

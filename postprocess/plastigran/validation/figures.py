@@ -13,7 +13,7 @@ from plastigran.calibration.expected_errors import KINDS
 from plastigran.plot.style import COLOURS, MARKERS, law_colour, styled, subplots, title
 from plastigran.validation import oblique
 
-#: Columns of panels.
+#: Number of columns of panels.
 COLUMNS = 5
 #: Half the height of a panel of errors [%]; larger errors are drawn at its edge.
 REACH = 40

@@ -16,7 +16,7 @@ from plastigran.validation.tables import root_mean_square
 
 #: Bounds of the speed regimes, v/v_Y.
 REGIMES = (*SPEED_RATIOS, 1000)
-#: Law that was fitted to some of the metals, and the name of its rows for those.
+#: Law that was fitted to some of the metals, and the name of its rows for these metals.
 FITTED_LAW, ON_FITTED_METALS = "universal", "universal, metals of its fit"
 MASS = 1.0  # mass of a sphere [kg]; ratios do not depend on it
 #: Compared quantities, by column of the table of errors.
@@ -66,7 +66,7 @@ def errors(compared: pd.DataFrame) -> pd.DataFrame:
     """Return the errors by law, kind of contact and speed regime.
 
     Args:
-        compared: As of `compare`.
+        compared: Table of `compare`.
 
     Returns:
         Columns law, kind, speed_ratio_from and speed_ratio_to (the regime), quantity (one of

@@ -20,10 +20,11 @@ from plastigran.validation.tables import root_mean_square
 #: Constants of steel 4340 by Johnson & Cook, with the reference rate [1/s].
 RATE = {"rate_coefficient": STEEL_RATE_COEFFICIENT, "reference_rate": 1.0}
 #: Further uncertainties of the testers and of steel.
-MASS, SPEED = 5.5e-3, 2.00  # from makers' tables; ISO 16859 has 5.45 g and 2.05 m/s
+# Mass [kg] and speed [m/s] in makers' tables; ISO 16859 has 5.45 g and 2.05 m/s.
+MASS, SPEED = 5.5e-3, 2.00
 BALL_MODULI = (600e9, 650e9)
 CONSTRAINT_FACTORS = (2.6, 3.0)
-CONVERSION_SCATTER = 0.1  # relative, in HV
+CONVERSION_SCATTER = 0.1  # relative scatter of a conversion, in HV
 SENSOR_HEIGHT = 1e-3
 
 

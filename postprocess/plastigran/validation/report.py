@@ -19,7 +19,7 @@ from plastigran.validation import (
     steel,
 )
 
-#: Incident angles of LIGGGHTS runs for a quick look [degrees], one for each quantity.
+#: Incident angles of LIGGGHTS runs with `coarse` [degrees], one for each quantity.
 FEW_ANGLES = (20.01, 21.25, 20.57)
 #: Errors by law and regime, which other packages read.
 ERRORS = Path(plastigran.__file__).parent / "data" / "errors.csv"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Error of a law in one line, at the head of its page of docs/laws."""
+"""Summary of the error of a law in one line, at the top of its page in docs/laws."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ def how_far_off(law: str, table: pd.DataFrame) -> str:
 
     Args:
         law: Name in the table of errors.
-        table: As of `plastigran.calibration.expected_errors.errors_table`.
+        table: Table of `plastigran.calibration.expected_errors.errors_table`.
 
     Returns:
         Root mean square errors of restitution and largest force [%].
@@ -50,7 +50,7 @@ def summarised(page: str, law: str, table: pd.DataFrame) -> str:
     """Return the text of a law's page with its line from the table of errors.
 
     Raises:
-        ValueError: The page has no such line.
+        ValueError: The page lacks the line `| **How far off** | ... |`.
     """
     if not LINE.search(page):
         raise ValueError(f"the page of {law} has no line | **How far off** | ... |")
@@ -65,7 +65,7 @@ def write_summaries(folder: Path, table: pd.DataFrame) -> list[Path]:
         table: As for `how_far_off`.
 
     Raises:
-        ValueError: A page has no such line.
+        ValueError: A page lacks the line `| **How far off** | ... |`.
     """
     pages = [folder / f"{law}.md" for law in sorted(set(table["law"]))]
     for page in pages:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Helpers of several validation tables."""
+"""Helper functions for the tables of the validation."""
 
 from __future__ import annotations
 

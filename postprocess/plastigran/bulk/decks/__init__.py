@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Bulk decks with checks and figures: one module or package for each, named after the deck.
+"""Bulk decks with checks and figures: one module or package per deck, with the name of the deck.
 
-It defines one class, a `plastigran.bulk.deck.BulkDeck`. In a package, the class is in
+Each module defines one subclass of `plastigran.bulk.deck.BulkDeck`. In a package, the class is in
 `__init__.py`, its measurements in `measurement.py` (if they are not in `plastigran.physics`), and
 its figure in `figure.py`.
 """
@@ -20,7 +20,7 @@ def deck_names() -> list[str]:
 
 
 def deck_class(name: str) -> type[BulkDeck] | None:
-    """Return the class of a deck; None for a deck without one, which only runs.
+    """Return the class of a deck, or None if the deck has no class (then it runs without checks).
 
     Raises:
         TypeError: The module does not define exactly one class.
@@ -36,5 +36,8 @@ def deck_class(name: str) -> type[BulkDeck] | None:
         and value.__module__ == module.__name__
     ]
     if len(classes) != 1:
-        raise TypeError(f"{module.__name__} defines {len(classes)} bulk decks; it must define one")
+        raise TypeError(
+            f"{module.__name__} defines {len(classes)} subclasses of BulkDeck; it "
+            "must define exactly one"
+        )
     return classes[0]

@@ -72,7 +72,7 @@ def add_arguments(command: argparse.ArgumentParser) -> None:
 
 
 def run(arguments: argparse.Namespace) -> None:
-    from plastigran.bulk.plan import plan_bulk  # matplotlib is slow to load
+    from plastigran.bulk.plan import plan_bulk  # imported here, because matplotlib is slow to load
     from plastigran.bulk.run import run_bulk
 
     deck, settings, earlier = arguments.deck, dict(arguments.settings), arguments.restart
@@ -125,7 +125,7 @@ def how_to_continue(folder: Path) -> str:
 
 def has_no_new_step(run: BulkRun) -> bool:
     """Return whether a continued run computed nothing beyond the earlier run."""
-    import pandas as pd  # slow to load
+    import pandas as pd  # imported here, because pandas is slow to load
 
     from plastigran.bulk.folder import BEFORE
     from plastigran.bulk.series import read_series

@@ -43,7 +43,7 @@ plastigran calibrate --young 206e9 --poisson 0.3 --density 7850 --hardness 45HRC
 plastigran calibrate --young 1.2e9 --poisson 0.3 --density 1350 --pull-off 2.4e-6 --radius 2.5e-6
 """
 
-#: Word for the calibrated metal itself, as ball or plate.
+#: Word of --ball and --plate for the metal to be calibrated.
 METAL = "metal"
 #: Allowed suffixes of --figure.
 FIGURES = (".png", ".svg", ".pdf")
@@ -58,7 +58,7 @@ MEASURED = {
 }
 #: Arguments without a default that belong to the yield strength.
 OF_STRENGTH = ("ball", "ball_radius", "rate_coefficient", "scatter", "speeds", "force_ratio")
-#: Arguments that are passed on unchanged.
+#: Arguments that are passed to `calibrate` unchanged.
 PASSED_ON = (
     *("density", "yield_strength", "hardness", "leeb", "plastic_modulus", "rate_coefficient"),
     *("scatter", "speeds", "strain"),
@@ -255,7 +255,7 @@ def _adhesion(arguments: argparse.Namespace) -> CalibratedAdhesion:
 
 
 def _refuse_idle(arguments: argparse.Namespace) -> None:
-    """Refuse flags that have no effect.
+    """Reject flags that have no effect with the given measurement.
 
     Raises:
         ValueError: A flag has no effect; the message names it.
@@ -308,7 +308,8 @@ def _plate(arguments: argparse.Namespace, default: str) -> Material | laws.Body 
 
 
 def _draw(calibrated: CalibratedMetal, path: Path) -> None:
-    from plastigran.calibration.figures import figure  # slow to load
+    # Imported here, because matplotlib is slow to load.
+    from plastigran.calibration.figures import figure
     from plastigran.plot.style import save
 
     save(figure(calibrated, progress=True), path, (path.suffix,))

@@ -20,7 +20,8 @@ def add_arguments(command: argparse.ArgumentParser) -> None:
 
 
 def run(arguments: argparse.Namespace) -> None:
-    from plastigran.cli import parser  # it contains this command
+    # Imported here, because this module also imports the commands.
+    from plastigran.cli import parser
 
     top = parser()
     _complete_files(top)

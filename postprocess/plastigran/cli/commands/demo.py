@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""`plastigran demo`: a tour."""
+"""`plastigran demo`: run example simulations and write a report."""
 
 from __future__ import annotations
 
@@ -17,9 +17,9 @@ from plastigran.usable_laws import laws_for
 HELP = "run a tour: collisions, a cooling gas and a hopper, with figures and a report"
 EXAMPLE = "plastigran demo --output results/demo"
 
-#: Settings of the hopper. Its soft grains overlap by up to a quarter of the effective radius at
-#: landing; of the accurate laws, only `jackson_green` covers such overlaps. At these speeds, up to
-#: 27 yield speeds, the error of its restitution is 4 % (docs/validation.md).
+#: Settings of the hopper. Its soft grains overlap by up to a quarter of the effective radius when
+#: they land. Of the accurate laws, only `jackson_green` is valid for such overlaps. At these
+#: speeds, up to 27 yield speeds, the error of its restitution is 4 % (docs/validation.md).
 HOPPER = {"law": "jackson_green", "layers": "10", "frames": "20"}
 
 
@@ -34,8 +34,9 @@ def add_arguments(command: argparse.ArgumentParser) -> None:
 
 
 def run(arguments: argparse.Namespace) -> None:
-    """Run collisions, a cooling gas and a hopper of yielding grains, and write a page on them."""
-    from plastigran.bulk.run import run_bulk  # matplotlib and plotly are slow to load
+    """Run collisions, a cooling gas and a hopper of yielding grains, and write an HTML report."""
+    # Imported here, because matplotlib and plotly are slow to load.
+    from plastigran.bulk.run import run_bulk
     from plastigran.plot.frame_files import find_frames
     from plastigran.plot.snapshot import draw
     from plastigran.report.page import write_report
@@ -44,7 +45,7 @@ def run(arguments: argparse.Namespace) -> None:
     jobs, names = arguments.jobs, laws_for("sphere", [read_material("aluminium_zv02")])
     speeds = folder / "speeds"
     show_study(CentralImpact.study(speeds, jobs, force=True, law=names, speed=PAPER_SPEEDS), speeds)
-    print("Laws are shown beyond their range, too, so that they can be compared.")
+    print("For comparison, laws are also shown beyond their validity range.")
     print("\nThe same impact, 0.1 m/s, as a pair, on a primitive wall and on a mesh:")
     impacts = CentralImpact.plan(
         geometry=GEOMETRIES, law=names, speed=0.1, material="aluminium_zv02", radius=0.1

@@ -28,7 +28,7 @@ EXAMPLE = "plastigran doctor"
 #: Largest relative difference of restitution between LIGGGHTS and theory at the recommended time
 #: step.
 TOLERANCE = 1e-3
-#: Packages that some commands need, and these commands.
+#: Optional packages, and the commands that need each.
 OPTIONAL = {"pyvista": "snapshot", "imageio": "snapshot --movie", "av": "snapshot --movie FILE.mp4"}
 
 
@@ -39,7 +39,7 @@ class Finding:
     Attributes:
         name: Subject of the check.
         state: "ok", "lacks", or "without" for an optional part.
-        said: Result in words, such as a version or the missing file.
+        text: Result in words, such as a version or the missing file.
         remedy: Advice if something is missing.
     """
 
@@ -50,7 +50,7 @@ class Finding:
 
 
 class Lacking(Exception):
-    """Something is missing or does not work; the arguments are the fault and the remedy."""
+    """A check of the installation failed; the arguments are the fault and the remedy."""
 
 
 def add_arguments(command: argparse.ArgumentParser) -> None:
@@ -61,7 +61,7 @@ def run(arguments: argparse.Namespace) -> None:
     """Print the findings, one line each.
 
     Raises:
-        EngineError: Something is missing that runs of LIGGGHTS need.
+        EngineError: A part is missing that LIGGGHTS runs need.
     """
     findings = []
     for finding in examine():
@@ -79,7 +79,7 @@ def run(arguments: argparse.Namespace) -> None:
 
 
 def examine() -> Iterator[Finding]:
-    """Yield one finding after the other; skip the remaining checks of LIGGGHTS after a fault."""
+    """Yield the results of the checks; after a fault, skip the remaining checks of LIGGGHTS."""
     software = f"{version('plastigran')}, Python {platform.python_version()}"
     yield Finding("plastigran", "ok", f"{software}, {os.cpu_count()} cores")
     yield libraries()
@@ -138,7 +138,7 @@ def _engine() -> str:
 
 
 def _plugin() -> str:
-    """Find the plugin as the loader finds it for the launcher."""
+    """Return the path of the plugin that the dynamic loader uses; raise Lacking without one."""
     done = subprocess.run(["ldd", engine_path()], capture_output=True, text=True, check=False)
     needed = dict(line.strip().partition(" => ")[::2] for line in done.stdout.splitlines())
     if missing := [name for name, place in needed.items() if place.startswith("not found")]:
@@ -147,7 +147,7 @@ def _plugin() -> str:
             "install liggghts and openmpi-bin, or build again with ./run setup",
         )
     plugin = next((place for name, place in needed.items() if name == "libplastigran.so"), None)
-    if plugin is None:  # LIGGGHTS with the laws in its source tree
+    if plugin is None:  # the laws were compiled into LIGGGHTS
         return "none: the laws are part of LIGGGHTS"
     return str(Path(plugin.split(" (")[0]).resolve())
 

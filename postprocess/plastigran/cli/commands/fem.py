@@ -39,7 +39,7 @@ plastigran fem throw --young 2.1e11 --poisson 0.3 --density 7850 --yield 3e8 --r
 plastigran fem press --help
 """
 
-#: Units of printed numbers; for ratios, the reference.
+#: Units of printed numbers; for ratios, the reference quantity.
 UNITS = {
     "force": "N",
     "force_max": "N",
@@ -61,7 +61,7 @@ UNITS = {
     "nodal_restitution": "from the mean velocity of corner nodes, with the vibration",
     "vibration_energy": "fraction of the impact energy",
     "contact_time": "s",
-    "coefficient_of_restitution": "by momentum, of the center of mass",
+    "coefficient_of_restitution": "from the momentum of the center of mass",
 }
 
 #: Units of table columns.
@@ -69,7 +69,7 @@ COLUMNS = {"frequency": "Hz", "found": "Hz", "energy": "J"}
 
 
 def add_arguments(command: argparse.ArgumentParser) -> None:
-    """Add a command for each computation."""
+    """Add a subcommand for each finite-element computation."""
     computations = command.add_subparsers(
         dest="kind", required=True, metavar="press|throw|vibrate|cylinder"
     )

@@ -31,7 +31,7 @@ def add_arguments(command: argparse.ArgumentParser) -> None:
 
 
 def run(arguments: argparse.Namespace) -> None:
-    from plastigran.report.page import write_report  # plotly is slow to load
+    from plastigran.report.page import write_report  # imported here, because plotly is slow to load
 
     folders = arguments.folders
     default = folders[0] if len(folders) == 1 else Path("results")

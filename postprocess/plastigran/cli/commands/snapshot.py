@@ -50,7 +50,7 @@ def run(arguments: argparse.Namespace) -> None:
     if arguments.movie is None:
         refuse_idle(arguments, "--movie", rate=None)
     else:
-        refuse_idle(arguments, "a picture, not --movie", output=None)
+        refuse_idle(arguments, "a single picture; remove it or --movie", output=None)
         save_grain_movie(
             find_frames(arguments.folder),
             arguments.movie,
@@ -66,7 +66,9 @@ def run(arguments: argparse.Namespace) -> None:
     step = max(frames) if arguments.step is None else arguments.step
     if step not in frames:
         steps = ", ".join(map(str, frames))
-        raise SnapshotError(f"no frame of step {step} in {arguments.folder}; there are {steps}")
+        raise SnapshotError(
+            f"no frame of step {step} in {arguments.folder}. Available steps: {steps}"
+        )
     name = "contacts" if arguments.contacts else colour
     picture = (
         arguments.output or arguments.folder / "figures" / f"{name}_{arguments.view}_{step}.png"

@@ -19,7 +19,8 @@ def add_arguments(command: argparse.ArgumentParser) -> None:
 
 
 def run(arguments: argparse.Namespace) -> None:
-    from plastigran.bulk.outcome import open_run  # slow to load
+    # Imported here, because matplotlib is slow to load.
+    from plastigran.bulk.outcome import open_run
     from plastigran.bulk.vtk import write_vtk
 
     written = write_vtk(open_run(arguments.folder), arguments.output or arguments.folder / "vtk")

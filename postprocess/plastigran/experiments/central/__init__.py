@@ -46,10 +46,11 @@ from plastigran.physics.rebound_hardness import dented_flat
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-#: Decks, with the number of spheres; the other body of a single sphere is a wall.
+#: Geometries: name of the deck, and number of spheres (1: sphere and wall).
 GEOMETRIES = {"sphere_wall": 1, "sphere_mesh": 1, "two_spheres": 2}
 
-#: Speeds up to 120 yield speeds of the paper's sphere (aluminium_zv02, 0.1 m) [m/s].
+#: Default speeds, up to 120 yield speeds of the sphere of Zhang & Vu-Quoc (2002) (aluminium_zv02,
+#: 0.1 m) [m/s].
 PAPER_SPEEDS = (0.0005, 0.001, 0.002, 0.005, 0.01, 0.02, 0.06, 0.1, 0.2)
 
 
@@ -135,7 +136,7 @@ class CentralImpact(Experiment):
 
     @property
     def wall_name(self) -> str:
-        """Name of the wall's material, or a word of `arrangement.WALLS`."""
+        """Name of the material of the wall, or one of the words in `arrangement.WALLS`."""
         if self.wall is not None:
             return self.wall.name
         return NO_WALL if self.bodies == 2 else RIGID_WALL
@@ -215,7 +216,7 @@ class CentralImpact(Experiment):
 
     def variables(self) -> dict[str, object]:
         variables = super().variables()
-        del variables["geometry"]  # it selects the deck
+        del variables["geometry"]  # not a variable of the deck: it selects the deck
         return variables
 
     def predict(self) -> CollisionOutcome:
@@ -232,7 +233,7 @@ class CentralImpact(Experiment):
         )
 
     def theoretical_loop(self, points: int = 200) -> pd.DataFrame:
-        """Return the loop by the law alone: (2 points,) rows overlap [m] and force [N]."""
+        """Return the loop of the law alone: (2 points,) rows overlap [m] and force [N]."""
         impact = self.predict()
         loading = np.linspace(0, impact.overlap_max, points)
         law = self.contact_law()
@@ -297,7 +298,8 @@ class CentralImpact(Experiment):
 
     @classmethod
     def figures(cls, runs: Runs) -> dict[str, Callable[[], Figure]]:
-        from plastigran.experiments.central import figures  # matplotlib is slow to load
+        # Imported here, because matplotlib is slow to load.
+        from plastigran.experiments.central import figures
 
         return {
             "restitution": lambda: figures.restitution_figure(runs),

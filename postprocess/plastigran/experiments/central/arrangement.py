@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Names of the bodies of a central impact, for sentences and folders."""
+"""Descriptions of the bodies of a central impact, for sentences and folder names."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ def on_wall(wall: str) -> str:
     """Return "on" and the wall, such as "on a rigid wall", for a sentence; "" without a wall.
 
     Args:
-        wall: Name of its material, or a word of `WALLS`.
+        wall: Name of the material of the wall, or one of the words in `WALLS`.
     """
     phrases = {NO_WALL: "", RIGID_WALL: "on a rigid wall"}
     return phrases.get(wall, f"on {title(wall)}")
@@ -23,7 +23,7 @@ def on_wall(wall: str) -> str:
 def run_label(
     geometry: str, material: str, law: str, wall: str = RIGID_WALL, options: str = USUAL
 ) -> str:
-    """Return the name of an impact's folder, after its number, from its row in the table."""
+    """Return the part of an impact's folder name after the number, from the row in the table."""
     words = [geometry, material, law]
     words += [] if wall in WALLS else ["on", wall]
     words += [] if options == USUAL else options.split()

@@ -17,7 +17,8 @@ from plastigran.plot.chart import DASHES, Curve, Panel
 from plastigran.plot.quantities import PREDICTED, Scale, scale
 from plastigran.plot.style import title
 
-#: Number of speeds of a line of theory, and the factor by which it exceeds the measured speeds.
+#: Number of points of a theoretical line, and factor by which its speeds exceed the measured
+#: speeds.
 THEORY_POINTS = 120
 THEORY_MARGIN = 1.3
 #: Columns that distinguish curves of one law.
@@ -31,7 +32,7 @@ APART = (
     "angle",
     "coefficient_of_friction",
 )
-#: An axis is logarithmic if the natural logarithms of its values span more than this.
+#: Range of the natural logarithm of values above which their axis is logarithmic.
 LOGARITHMIC = 3.0
 
 Groups = dict[tuple[str, str], pd.DataFrame]
@@ -74,7 +75,7 @@ def measured_panels(
 
 def curve_groups(table: pd.DataFrame, abscissa: str) -> Groups:
     """Return the rows of each curve by its law and by the words that distinguish it."""
-    if abscissa == "geometry" and "wall" in table:  # the geometry already implies the wall
+    if abscissa == "geometry" and "wall" in table:  # omit the wall, which the geometry implies
         table = table.assign(wall=table["wall"].replace(NO_WALL, RIGID_WALL))
     table = _without_lone_defaults(table)
     apart = [name for name in varied(table) if name != abscissa]
@@ -116,7 +117,7 @@ def _in_words(name: str, value: object) -> str:
 
 
 def _without_lone_defaults(table: pd.DataFrame) -> pd.DataFrame:
-    """Blank the word for default options of laws that have no other options in the table."""
+    """Replace the word for default options by "" for laws without other options in the table."""
     if not {"law", "options"} <= set(table):
         return table
     lone = table.groupby("law")["options"].transform("nunique") == 1
@@ -140,7 +141,7 @@ def _measured(groups: Groups, theory: Groups, quantity: str, abscissa: str) -> P
             "law": law,
             "dash": dashes[others],
         }
-        # Words have no values between them, and a lone point has no line.
+        # Draw a line only for numbers with at least two points; otherwise draw dashes.
         look = "line" if numeric and len(line) > 1 else "dashes"
         y_line = line[predicted if predicted in line else quantity]
         x_line, x = _abscissae(line[abscissa]), _abscissae(rows[abscissa])

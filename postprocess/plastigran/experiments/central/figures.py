@@ -22,7 +22,7 @@ from plastigran.plot.chart import Panel
 from plastigran.plot.static import draw
 from plastigran.plot.style import styled, subplots, title
 
-#: Loops in a panel.
+#: Largest number of loops in a panel.
 LOOPS = 5
 RESTITUTION = "coefficient_of_restitution"
 
@@ -105,7 +105,7 @@ def loops_figure(runs: Runs) -> Figure:
         words = [_common(runs.cases)]
         if (speeds := max(len(panel.curves) for panel in panels.values())) > LOOPS:
             words.append(f"the {LOOPS} fastest of {speeds} speeds")
-        width = int(12 * figure.get_figwidth())  # characters
+        width = int(12 * figure.get_figwidth())  # width of the title in characters
         figure.suptitle(fill("; ".join(filter(None, words)), width), fontsize=10)
     return figure
 

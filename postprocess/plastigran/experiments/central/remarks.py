@@ -19,7 +19,7 @@ from plastigran.plot.style import title
 if TYPE_CHECKING:
     from plastigran.experiments.central import CentralImpact
 
-#: Smallest relative difference that the table shows.
+#: Smallest relative difference that is visible in the table.
 VISIBLE = 5e-5
 
 

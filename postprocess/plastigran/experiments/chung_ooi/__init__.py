@@ -52,7 +52,7 @@ TITLES = {
 
 DEFAULT_LAW, DEFAULT_STEPS = "vu_quoc_zhang", 1000
 
-#: Options of LIGGGHTS' own hertz that make it like the decks' models: damped, never attracting.
+#: Options of LIGGGHTS' own hertz for the benchmarks: normal damping only, and no attractive force.
 HERTZ_OPTIONS = "limitForce on tangential_damping off"
 
 
@@ -60,7 +60,7 @@ def folder() -> Path:
     """Return the folder of the decks.
 
     Raises:
-        EngineError: There are no input scripts.
+        EngineError: The folder of input scripts does not exist.
     """
     return inputs_folder() / "collision" / "chung_ooi"
 
@@ -71,7 +71,7 @@ class BenchmarkImpact(Experiment):
 
     Attributes:
         deck_name: Name of the deck, without `.in`; it begins with the number of the benchmark.
-        material: Material of the sphere, a file of `materials` beside the deck.
+        material: Material of the sphere: name of a file in the folder `materials` next to the deck.
         knob: Variable of the deck that the benchmark varies.
         value: Value of that variable, in its unit in the deck.
         modulus_ratio: Young's modulus of the second sphere divided by that of the first. The
@@ -113,7 +113,7 @@ class BenchmarkImpact(Experiment):
         return f"collision/chung_ooi/{self.deck_name}.in"
 
     def variables(self) -> dict[str, object]:
-        """Return the values that differ from the deck's defaults, by variable."""
+        """Return the variables whose values differ from the defaults of the deck."""
         changed = {
             "material": self.material,
             self.knob: self.value,
@@ -146,7 +146,7 @@ class BenchmarkImpact(Experiment):
 
     @cached_property
     def sphere(self) -> Material:
-        """Material of the sphere, from the file beside the decks."""
+        """Material of the sphere, read from the file next to the decks."""
         return read_material(folder() / "materials" / f"{self.material}.in")
 
     def before(self) -> Motion:
@@ -162,7 +162,7 @@ class BenchmarkImpact(Experiment):
         )
 
     def impact(self) -> ObliqueImpact:
-        """Return the impact for the theory."""
+        """Return the impact as input of the theory."""
         body, radius = self.sphere.body(), self.deck_number("radius")
         mass = 4 / 3 * pi * radius**3 * self.sphere.density
         other, radius_other, mass_other = RIGID, inf, inf
@@ -233,7 +233,8 @@ class BenchmarkImpact(Experiment):
 
     @classmethod
     def figures(cls, runs: Runs) -> dict[str, Callable[[], Figure]]:
-        from plastigran.experiments.chung_ooi import figures  # matplotlib is slow to load
+        # Imported here, because matplotlib is slow to load.
+        from plastigran.experiments.chung_ooi import figures
 
         return {
             f"benchmark_{number}": partial(figures.figure, number, runs.outcomes)

@@ -19,7 +19,8 @@ class BenchmarkOutcome:
 
     Attributes:
         after: Motion of the bodies after the impact.
-        collision: Normal motion of the first body; predicted by Hertz for impacts without damping.
+        collision: Normal motion of the first body; the prediction is the Hertz theory, without
+            damping.
     """
 
     after: Motion

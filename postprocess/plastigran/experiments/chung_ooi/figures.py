@@ -24,7 +24,7 @@ Entry = tuple[BenchmarkImpact, BenchmarkOutcome]
 
 @dataclass(frozen=True)
 class Quantity:
-    """One axis: its label and its value from an impact and the motion after it."""
+    """Quantity on an axis: label, and function of an impact and the motion after it."""
 
     label: str
     value: Callable[[ObliqueImpact, Motion], float]
@@ -99,7 +99,7 @@ def figure(number: int, outcomes: dict[BenchmarkImpact, BenchmarkOutcome]) -> Fi
 
     Args:
         number: 1 to 8.
-        outcomes: Outcomes of any benchmarks, as of `Runs.outcomes`.
+        outcomes: Outcomes of any benchmarks, as in `Runs.outcomes`.
 
     Raises:
         ValueError: There are no impacts of that benchmark.
@@ -191,6 +191,6 @@ def _oblique(
     axes.set(xlabel=across.label, ylabel=up.label)
     if across is SLIDING_SHARE:
         axes.set_xlim(0, 10)
-    if up is ALONG:  # only round-off is left; use the scale of the impact
+    if up is ALONG:  # values are only round-off, so scale the axis by the impact speed
         normal = measured[0][0].before.normal
         axes.set_ylim(-normal, normal)

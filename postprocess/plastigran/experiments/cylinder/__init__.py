@@ -45,10 +45,10 @@ class CylinderImpact(CentralImpact):
     help = "run the cylinder study: maps and comparison"
     example = "plastigran cylinder --points 10"
     shape = "cylinder"
-    has_theory = False  # its study compares LIGGGHTS with theory
+    has_theory = False  # the study always compares LIGGGHTS with theory
     geometries: ClassVar = {"cylinder_wall": 1}
-    # Beyond, the center of the disc passes the wall. The source goes as far; `in_range` is
-    # stricter.
+    # At larger overlaps, the center of the disc crosses the wall. The source uses overlaps up to
+    # this limit; the validity range of the laws is smaller.
     overlap_ratio_max = 1.0
     flags: ClassVar = {
         "points": Flag(
@@ -97,7 +97,7 @@ class CylinderImpact(CentralImpact):
 
     @classmethod
     def cases(cls, points: int = 30) -> list[CylinderImpact]:
-        """Return the impact of the source's finite elements for both laws."""
+        """Return the impact that Katta & Polycarpou computed by finite elements, for both laws."""
         return cls.plan(law=laws_for("cylinder"), material=study.MATERIAL, **study.FINITE_ELEMENTS)
 
     @classmethod
@@ -111,7 +111,8 @@ class CylinderImpact(CentralImpact):
 
     @classmethod
     def figures(cls, runs: Runs) -> dict[str, Callable[[], Figure]]:
-        from plastigran.experiments.cylinder import figures  # matplotlib is slow to load
+        # Imported here, because matplotlib is slow to load.
+        from plastigran.experiments.cylinder import figures
 
         def maps(ratio: float) -> Callable[[], Figure]:
             return lambda: figures.maps_figure(

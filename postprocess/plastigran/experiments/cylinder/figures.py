@@ -44,7 +44,7 @@ def maps_figure(table: pd.DataFrame) -> Figure:
         (straight, Panel("overlap_res", 1e6, "residual overlap (µm)", depths)),
         (curved, Panel("coefficient_of_restitution", 1, "coefficient of restitution", shares)),
     ]
-    both = {"overlap_max", "pressure_ratio"}  # loading is the same in both laws
+    both = {"overlap_max", "pressure_ratio"}  # both laws have the same loading curve
     with styled({"axes.grid": False}):
         figure, grid = subplots(2, 3, figsize=(11, 6.6), sharex=True, sharey=True)
         for axes, (law, panel) in zip(grid.flat, panels, strict=True):

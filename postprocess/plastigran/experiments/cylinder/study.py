@@ -23,10 +23,10 @@ from plastigran.usable_laws import laws_for
 
 MATERIAL = "glass_kp10"
 MASS = 1.59e-6  # mass of the slider [kg]
-BODY_THICKNESS = 1e-4  # [m]
-#: Length/radius of the source's cylinders, and the fastest impact of its maps [m/s].
+BODY_THICKNESS = 1e-4  # thickness of the glass [m]
+#: Length/radius of the cylinders in the source, and largest speed of the maps for each [m/s].
 LENGTH_RATIOS = {10.0: 1.0, 100.0: 5.0}
-RADII = (1e-6, 1e-5)  # from, to [m]
+RADII = (1e-6, 1e-5)  # smallest and largest radius of the maps [m]
 
 #: Finite elements of the source: cylinder of 10 um, length ratio 10, 1 m/s. Residual overlap [m],
 #: and the duration of the whole computation, an upper bound of the contact time [s].

@@ -42,8 +42,8 @@ class RodImpact(Experiment):
     paper.
 
     Raises:
-        ValueError: A field is out of range, LIGGGHTS cannot run it, or the tip would overlap too
-            far for any law.
+        ValueError: A field is out of range, LIGGGHTS does not support the combination, or the tip
+            would overlap too far for any law.
     """
 
     law: str = law_field()
@@ -54,13 +54,13 @@ class RodImpact(Experiment):
     )
     material: Material = material_field("material of the rod", "steel_gcm15")
     flat: Material = material_field("material of the flat", "iron_gcm15")
-    # In the paper, all laws take E* and R* of the pair.
+    # Default pair: in the paper, all laws use E* and R* of the pair.
     reading: str = word(
         "body whose modulus and radius enter laws fitted to one sphere",
         ("pair", "yielding_body"),
         default="pair",
     )
-    # The paper gives (2/H_rod + 2/H_flat)^-1 for the Brinell hardnesses 327 and 105.
+    # Default: (2/H_rod + 2/H_flat)^-1, as in the paper, for the Brinell hardnesses 327 and 105.
     indentation_pressure: float = number(
         "indentation pressure, for the laws that use it", "Pa", 0, default=3.8971e8
     )
@@ -101,7 +101,7 @@ class RodImpact(Experiment):
 
     @property
     def options(self) -> dict[str, str]:
-        """Options of the law that the case chooses, by name."""
+        """Options of the law in this case, by name."""
         names = {option["name"] for option in laws.LAWS[self.law].options()}
         return {"reading": self.reading} if "reading" in names else {}
 
@@ -133,7 +133,7 @@ class RodImpact(Experiment):
             pairs = (" ".join(option) for option in self.options.items())
             variables["options"] = " ".join(pairs)
         flat = {f"flat_{name}": value for name, value in self.flat.variables().items()}
-        del flat["flat_density"]  # the flat does not move
+        del flat["flat_density"]  # the deck has no density of the flat, because it does not move
         return variables | attrs.asdict(self.rod) | self.material.variables() | flat
 
     def predict(self) -> RodOutcome:
@@ -186,7 +186,8 @@ class RodImpact(Experiment):
 
     @classmethod
     def figures(cls, runs: Runs) -> dict[str, Callable[[], Figure]]:
-        from plastigran.experiments.rod import figures  # matplotlib is slow to load
+        # Imported here, because matplotlib is slow to load.
+        from plastigran.experiments.rod import figures
 
         def motion() -> Figure:
             closest = figures.closest_to_measured(runs.outcomes)

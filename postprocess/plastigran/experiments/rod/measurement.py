@@ -12,7 +12,7 @@ from plastigran.engine.dumps import read_dump
 from plastigran.experiments.collision import CollisionError, measure_loop
 from plastigran.physics.rod import RodOutcome
 
-#: Spheres of the deck.
+#: IDs of the spheres in the deck.
 TIP, CENTRE, FAR_END = 1, 2, 3
 
 
@@ -40,7 +40,7 @@ def measure_rod(
         {
             "time": tip["time"],
             "overlap": tip["radius"] - tip["y"],
-            # remove the round-off of the weight
+            # set forces to zero that are round-off of the subtracted weight
             "force": force.where(force > 1e-9 * force.max(), 0),
             "speed": -tip["vy"],
         }

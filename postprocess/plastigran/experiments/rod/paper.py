@@ -7,7 +7,7 @@ import attrs
 
 from plastigran.physics.rod import Rod
 
-#: Drop speeds [m/s]; 2.487 is that of the run whose velocities are printed.
+#: Drop speeds [m/s]. The paper prints the velocities of the run at 2.487 m/s.
 PAPER_SPEEDS = (0.5, 1.0, 1.75, 2.487, 3.25, 4.0)
 
 
@@ -31,7 +31,7 @@ class MeasuredRun:
         return rod.mass * (self.velocity_after - self.velocity_before)
 
     def coefficient_of_restitution(self, rod: Rod) -> float:
-        """Return that impulse divided by m_eff v of a sliding tip, minus 1 [-]."""
+        """Return impulse / (m_eff v) - 1 [-], with the effective mass of a sliding tip."""
         return self.impulse(rod) / (rod.mass_eff * -self.velocity_before) - 1
 
 
@@ -44,6 +44,6 @@ def paper_rods() -> tuple[Rod, ...]:
     return tuple(Rod(*set_up) for set_up in PAPER_FRICTION.items())
 
 
-#: Approximate result of the experiments at these angles, for all speeds: coefficient of restitution
-#: of the tip's normal velocity [-].
+#: Measured coefficient of restitution of the tip's normal velocity [-] at these angles [degrees],
+#: approximate and for all speeds.
 PAPER_RESTITUTION = {45.0: 0.43, 17.2: 0.55}

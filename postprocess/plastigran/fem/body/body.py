@@ -16,9 +16,10 @@ from skfem.helpers import dot
 from plastigran.fem.material.elastic_plastic import ElasticPlastic, Response, State
 from plastigran.fem.material.kinematics import SmallStrain
 
-STIFFNESS_ORDER = 3  # 2 x 2 Gauss points: no locking when plastic flow conserves volume
-MASS_ORDER = 5  # 3 x 3: with 2 x 2 the mass matrix would be singular
-# directions that each boundary of the mesh fixes
+# Order for 2 x 2 Gauss points, which avoid locking in volume-preserving plastic flow.
+STIFFNESS_ORDER = 3
+MASS_ORDER = 5  # order for 3 x 3 Gauss points; with 2 x 2, the mass matrix would be singular
+# displacement components that are zero on each boundary of the mesh
 FIXED = {"axis": "u^1", "equator": "u^2", "base": ["u^1", "u^2"]}
 
 
@@ -29,7 +30,7 @@ class Body:
         mesh: Mesh in (r, y), m.
         material: Material.
         length: Length out of the plane in plane strain, m; None for a full ring about the axis.
-        kinematics: Relation of strains and displacements.
+        kinematics: Relation between displacements and strains (small or finite strain).
         dofs: Degrees of freedom of each element (n_elements, 16), r and y of each node in turn.
         size: Number of degrees of freedom.
         locations: (r, y) of each degree of freedom (2, size), m.
@@ -83,7 +84,7 @@ class Body:
         self.fixed = np.concatenate([vector.get_dofs(name).all(FIXED[name]) for name in boundaries])
 
     def thickness(self, first: np.ndarray) -> np.ndarray:
-        """Return the thickness out of the plane, m, at first coordinates, m."""
+        """Return the thickness out of the plane, m, at radial coordinates `first`, m."""
         return 2 * pi * first if self.length is None else np.full_like(first, self.length)
 
     @property

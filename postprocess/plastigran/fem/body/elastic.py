@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""An elastic body: constant stiffness and mass matrices, and its free vibrations."""
+"""Elastic body with constant stiffness and mass matrices, and its free vibrations."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from scipy.sparse.linalg import eigsh
 
 from plastigran.fem.body.body import Body
 
-RIGID = 1e-6  # fraction of the highest eigenvalue; smaller ones are rigid-body motions
+RIGID = 1e-6  # eigenvalue / highest eigenvalue below which a mode is a rigid-body motion
 
 
 class ElasticBody:
@@ -51,9 +51,9 @@ class ElasticBody:
         scale = self.stiffness.diagonal().sum() / self.mass_matrix.diagonal().sum()
         squares, shapes = eigsh(
             self.stiffness,
-            k=count + 1,  # one more for the rigid motion along the axis
+            k=count + 1,  # one additional mode: the rigid-body motion along the axis
             M=self.mass_matrix,
-            sigma=-1e-8 * scale,  # the stiffness matrix itself is singular
+            sigma=-1e-8 * scale,  # small shift, because the stiffness matrix is singular
         )
         order = np.argsort(squares)
         elastic = order[squares[order] > RIGID * squares.max()][:count]

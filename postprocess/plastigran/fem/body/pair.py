@@ -55,7 +55,7 @@ class Pair:
         )
 
     def internal_force(self, displacement: np.ndarray, stress: np.ndarray) -> np.ndarray:
-        """See `Body.internal_force`."""
+        """Return the nodal forces of both bodies; see `Body.internal_force`."""
         above, below = np.split(displacement, [self.sphere.size])
         upper, lower = np.split(stress, [self.sphere.points])
         return np.append(
@@ -63,7 +63,7 @@ class Pair:
         )
 
     def stiffness(self, displacement: np.ndarray, response: Response) -> np.ndarray:
-        """See `Body.stiffness`."""
+        """Return the element stiffness matrices of both bodies; see `Body.stiffness`."""
         upper, lower = self._split(displacement, response)
         return np.concatenate([self.sphere.stiffness(*upper), self.block.stiffness(*lower)])
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A body and the rigid cylinder that hits it, in one system of equations."""
+"""Body and rigid cylinder that hits it, in one system of equations."""
 
 from __future__ import annotations
 

@@ -3,9 +3,9 @@
 
 The center of the circle adds two degrees of freedom; the circle does not rotate. d is the vector
 from the center to a point of the deformed surface, n = d/|d| the normal and g = |d| - R the gap.
-The surface has the pressure p = k <-g> along n. Its trial traction along the tangent t is the one
-of the last equilibrium minus k times the slip since then. The traction is at most mu p (Wriggers,
-Computational Contact Mechanics, 2006, sec. 5.2).
+The surface has the pressure p = k <-g> along n. The trial traction along the tangent t is the
+traction of the last equilibrium minus k times the slip since then. The traction is at most mu p
+(Wriggers, Computational Contact Mechanics, 2006, sec. 5.2).
 """
 
 from __future__ import annotations
@@ -25,7 +25,8 @@ class Rub(Touch):
     Attributes:
         drag: Force on the circle along the surface, N.
         shear: Tangential traction on the body at the Gauss points (n_edges, n_points), Pa.
-        distance: Vectors from the center of the circle to them (n_edges, n_points, 2), m.
+        distance: Vectors from the center of the circle to the Gauss points (n_edges, n_points, 2),
+            m.
         dissipated: Work of friction since the last equilibrium, J.
     """
 
@@ -82,7 +83,7 @@ class RigidCircle:
         self._areas = edges.areas
         self._stiffness = penalty * body.material.plane_modulus / edges.lengths[:, None]
         self._radius, self._friction = radius, coefficient_of_friction
-        # The drag of the halves on both sides of an axis cancels.
+        # With an axis of symmetry, the drag is zero, because the two halves cancel.
         self._drag_and_force = np.array([0.0 if "axis" in mesh.boundaries else 1.0, 1.0])
         self.coordinates = edges.first.ravel()
         self.start = start

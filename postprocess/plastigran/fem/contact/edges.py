@@ -8,7 +8,8 @@ from skfem import ElementQuadS2, ElementVector, FacetBasis
 
 from plastigran.fem.body.body import Body
 
-EDGE_ORDER = 5  # three Gauss points per edge; with fewer, the force oscillates when edges open
+# Order for three Gauss points per edge; with fewer, the force oscillates when edges open.
+EDGE_ORDER = 5
 
 
 class Edges:

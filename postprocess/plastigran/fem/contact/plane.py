@@ -14,8 +14,9 @@ import numpy as np
 from plastigran.fem.body.body import Body
 from plastigran.fem.contact.edges import Edges, contact_edge
 
-EDGE_NODES = 3  # nodes of the sphere's edge come first in `dofs`; those of a half space follow
-PENALTY = 50.0  # stiffness divided by E*/h, where h is the length of the edge
+# Number of nodes of an edge of the sphere, first in `dofs`; nodes of a half space follow.
+EDGE_NODES = 3
+PENALTY = 50.0  # penalty stiffness divided by E*/h, with the edge length h
 
 
 @attrs.frozen
@@ -27,7 +28,7 @@ class Touch:
         nodal: Forces on the degrees of freedom (size,), N.
         stiffness: Stiffness matrix of each edge (n_edges, n, n), N/m.
         gap: Gap at the Gauss points from the axis outward (n_points,), m.
-        pressure: Pressure there, per undeformed area (n_points,), Pa.
+        pressure: Pressure at the Gauss points, per undeformed area (n_points,), Pa.
         stored: Energy of the penalty, J.
     """
 

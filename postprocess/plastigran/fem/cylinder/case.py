@@ -10,8 +10,8 @@ from plastigran.fem.limits import check_subsonic
 from plastigran.fem.material.elastic_plastic import ElasticPlastic
 from plastigran.fem.theory.line import HertzLine
 
-LARGEST = 0.6  # largest half width / radius of the circle
-PLASTIC_PRESSURE = 2.0  # smallest mean pressure / flow stress of the estimated contact
+LARGEST = 0.6  # largest contact half width / radius of the circle
+PLASTIC_PRESSURE = 2.0  # lower estimate of mean pressure / flow stress
 MARGIN = 1.2  # factor on the thickness from which no wave returns during the contact
 
 

@@ -21,9 +21,9 @@ from plastigran.fem.stepping.flight import Flight, follow
 from plastigran.fem.stepping.increment import Balance, Equations, Equilibrium, Forces, NoConvergence
 from plastigran.progress import ProgressBar
 
-SHARES = (1.0, 0.5, 0.25, 0.1)  # fractions of a Newton change
-LONGEST = 4.0  # number of elastic contact durations after which an impact is stopped
-# largest sliding distance in a step / element length; Newton's method fails for larger ones
+SHARES = (1.0, 0.5, 0.25, 0.1)  # fractions of the Newton change that the line search tries
+LONGEST = 4.0  # time limit of an impact / elastic contact duration
+# largest sliding distance per step / element length; with larger steps, Newton's method fails
 STRIDE = 0.3
 TRACK_MARGIN = 1.2  # factor on the sliding distance during an elastic contact
 
@@ -41,7 +41,7 @@ class StrikeEquations(Equations):
         self, displacement: np.ndarray, balance: Balance, factor: float
     ) -> list[np.ndarray]:
         elements, edges = super()._matrices(displacement, balance, factor)
-        edges = edges.copy()  # contact matrices, without the mass of the circle
+        edges = edges.copy()  # do not add the mass of the circle to the shared contact matrices
         edges[0, -2:, -2:] += factor * self.body.center_mass * np.identity(2)
         return [elements, edges]
 
@@ -91,7 +91,8 @@ def equations(case: CylinderStrike, settings: Settings) -> StrikeEquations:
             divisions=settings.divisions,
             fineness=settings.fineness,
         )
-        length, start = 2 * case.length, 0.0  # half of the body represents the whole
+        # Half of the body with twice the length represents the whole.
+        length, start = 2 * case.length, 0.0
         track = (0.0, 2 * reach)
     body = StruckBody(block.build(), case.material, length, case.mass, settings.kinematics)
     circle = RigidCircle(

@@ -63,7 +63,7 @@ class Strike:
     stopped: str = ""
 
     def to_dict(self) -> dict:
-        """Return numbers only, for a file."""
+        """Return the results that are numbers, for a JSON file."""
         result = numbers(self)
         del result["start"]
         return result | {

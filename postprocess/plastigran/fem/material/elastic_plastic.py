@@ -17,11 +17,11 @@ from plastigran.declared import number
 from plastigran.fem.material.hardening import Hardening, RateFactor
 
 IDENTITY = np.array([1.0, 1.0, 1.0, 0.0])
-# Deviator of a strain with engineering shear, as a column like stress.
+# Matrix from a strain with engineering shear to its deviator with tensor shear, as in stress.
 DEVIATOR = np.diag([1.0, 1.0, 1.0, 0.5]) - np.outer(IDENTITY, IDENTITY) / 3
 TWICE_SHEAR = np.array([1.0, 1.0, 1.0, 2.0])
 RETURN_ITERATIONS = 50
-RETURN_TOLERANCE = 1e-13  # fraction of the trial stress
+RETURN_TOLERANCE = 1e-13  # tolerance of the radial return / trial stress
 
 
 class NoReturnError(ArithmeticError):
@@ -44,17 +44,17 @@ class State:
 
     @classmethod
     def virgin(cls, points: int) -> State:
-        """Return the state of points that have not yielded."""
+        """Return the state of material points that have not yielded."""
         return cls(np.zeros((points, 4)), np.zeros(points), np.zeros(points))
 
     def split(self, first: int) -> tuple[State, State]:
-        """Return the state of the points before `first`, and that of the others."""
+        """Split the state: points before index `first`, and the remaining points."""
         halves = (np.split(column, [first]) for column in attrs.astuple(self))
         before, others = zip(*halves, strict=True)
         return State(*before), State(*others)
 
     def joined(self, other: State) -> State:
-        """Return the state of these points followed by the other's."""
+        """Return the state of these points followed by the points of `other`."""
         columns = zip(attrs.astuple(self), attrs.astuple(other), strict=True)
         return State(*map(np.concatenate, columns))
 
@@ -67,7 +67,7 @@ class Response:
         stress: Stress (n, 4), Pa.
         state: State after the increment.
         flowing: Indices of the points that flow (k,).
-        tangent: d stress / d strain of these points (k, 4, 4), Pa.
+        tangent: d stress / d strain of the flowing points (k, 4, 4), Pa.
     """
 
     stress: np.ndarray
@@ -135,7 +135,8 @@ class ElasticPlastic:
             return Response(stress, state, flowing, np.empty((0, 4, 4)))
         trial = mises[flowing]
         step, flow, slope = self._flow(trial, state.accumulated[flowing], duration)
-        direction = deviator[flowing] / trial[:, None]  # 3/2 times the direction of flow
+        # Unit tensor; the direction of flow is 3/2 times this.
+        direction = deviator[flowing] / trial[:, None]
         stress[flowing] -= (3 * self.shear_modulus * step)[:, None] * direction
         after = State(*(column.copy() for column in attrs.astuple(state)))
         after.plastic_strain[flowing] += (1.5 * step)[:, None] * direction * TWICE_SHEAR

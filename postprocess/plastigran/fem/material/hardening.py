@@ -17,7 +17,7 @@ class Hardening(Protocol):
     yield_strength: float
 
     def flow_stress(self, strain: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """Return flow stresses and their derivatives by strain, Pa, at plastic strains (n,)."""
+        """Return flow stresses and their derivatives with respect to strain, both (n,), Pa."""
 
 
 @attrs.frozen
@@ -84,7 +84,7 @@ class RateFactor:
     reference_rate: float = number("strain rate at which the factor is 1", "1/s", 0, default=1.0)
 
     def factor(self, rate: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """Return the factor and its derivative by the rate, s."""
+        """Return the factor [-] and its derivative with respect to the rate, s."""
         above = rate > self.reference_rate
         safe = np.where(above, rate, self.reference_rate)
         factor = 1 + self.coefficient * np.log(safe / self.reference_rate)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Relation of strains and displacements: small strain, or finite logarithmic strain.
+"""Relation between displacements and strains: small strain, or finite logarithmic strain.
 
 Displacement gradients are columns (rr, yy, tt, ry, yr); ry is the derivative of the first
 displacement by the second coordinate. A "measure" is the quantity from which strains are computed.
@@ -13,7 +13,7 @@ import numpy as np
 from plastigran.fem.material.elastic_plastic import Response
 from plastigran.fem.material.stretch import Stretch
 
-# Small strain per displacement gradient.
+# Matrix from displacement gradients (rr, yy, tt, ry, yr) to small strains.
 SYMMETRIC = np.array([[1.0, 0, 0, 0, 0], [0, 1.0, 0, 0, 0], [0, 0, 1.0, 0, 0], [0, 0, 0, 1.0, 1.0]])
 
 

@@ -5,12 +5,13 @@ from __future__ import annotations
 
 import numpy as np
 
-IN_PLANE = np.array([0, 1, 3, 4])  # columns of displacement gradients (rr, yy, tt, ry, yr)
+# Columns rr, yy, ry, yr of displacement gradients (rr, yy, tt, ry, yr)
+IN_PLANE = np.array([0, 1, 3, 4])
 SERIES_BELOW = 1e-2  # relative difference of two eigenvalues below which a series is used
 
 
 class InvertedError(ArithmeticError):
-    """A displacement turns material inside out."""
+    """A displacement turns an element inside out (the determinant of F is not positive)."""
 
 
 class Stretch:
@@ -39,7 +40,8 @@ class Stretch:
         cosine, sine = np.cos(angle), np.sin(angle)
         self._vectors = np.stack([cosine, -sine, sine, cosine], axis=-1).reshape(-1, 2, 2)
         spread = np.hypot(half, mixed)
-        self._squares = np.stack([mean + spread, mean - spread], axis=-1)  # minus one
+        # Eigenvalues of C minus one.
+        self._squares = np.stack([mean + spread, mean - spread], axis=-1)
         self._difference = 2 * spread
         # dC in the basis of eigenvectors, for each component of dF, in the order rr, yy, ry, yr.
         turned = deformation @ self._vectors

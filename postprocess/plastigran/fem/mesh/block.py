@@ -23,7 +23,7 @@ from plastigran.fem.mesh.sphere import (
     strip_quads,
 )
 
-WIDEST_RING = 0.4  # largest ring in s of a track's block; elements far from the track are long
+WIDEST_RING = 0.4  # largest step in s between rings about a track; far elements may be long
 
 
 @attrs.frozen(kw_only=True)
@@ -45,7 +45,7 @@ class HalfBlock:
 
     @property
     def _fine(self) -> float:
-        """End of the fine rings, m."""
+        """Radius at which the fine rings end, m."""
         return max(FINE_REACH * self.reach, self.core)
 
     def build(self) -> MeshQuad2:

@@ -17,8 +17,8 @@ import numpy as np
 from skfem import MeshQuad, MeshQuad2
 
 FINE_RATIO = 3.0  # ratio of step in theta to step in s of the rings at the contact edge
-FINE_REACH = 1.3  # end of the fine rings, in largest contact radii
-GROWTH = 1.25  # growth of the ring distance outside the fine zone
+FINE_REACH = 1.3  # radius at which the fine rings end / largest contact radius
+GROWTH = 1.25  # ratio of consecutive ring distances outside the fine zone
 
 
 @attrs.frozen(kw_only=True)
@@ -54,7 +54,7 @@ class SphereMesh:
         first, second = linear.facets
         facet_middle = self._middle(w[first], w[second])
         facet_points = self._to_sphere(facet_middle)
-        # The center that the eight-node element interpolates, so that the element is isoparametric.
+        # Center interpolated from the eight nodes, so that the element is isoparametric.
         center = facet_points[linear.t2f].sum(axis=0) / 2 - corner_points[linear.t].sum(axis=0) / 4
         points = np.concatenate([corner_points, facet_points, center])
         on_axis = np.abs(facet_middle.imag) < 1e-12 * np.abs(facet_middle)
@@ -68,11 +68,12 @@ class SphereMesh:
         return MeshQuad2(coordinates, quadratic.t).with_boundaries(named)
 
     def _middle(self, first: np.ndarray, second: np.ndarray) -> np.ndarray:
-        """Return midpoints of edges.
+        """Return the midpoints (w-plane) of the edges from `first` to `second`.
 
         Edges are straight in w in the core, in 1/w in the upper half, and in ln w in between.
         """
-        with np.errstate(invalid="ignore", divide="ignore"):  # w = 0 is in the core
+        # 1/w and ln w are undefined at w = 0, but the core does not use them.
+        with np.errstate(invalid="ignore", divide="ignore"):
             middle = first * np.sqrt(second / first)
         core = self.core / (2 * self.radius) * (1 - 1e-9)
         inside = np.minimum(np.abs(first), np.abs(second)) < core
@@ -82,7 +83,7 @@ class SphereMesh:
         return middle
 
     def _to_sphere(self, w: np.ndarray) -> np.ndarray:
-        """Return r + iy for w: the formula at the top, mirrored to r >= 0."""
+        """Return r + iy for w by the formula in the module docstring, mirrored to r >= 0."""
         z = 2j * self.radius * w / (1 + w)
         return np.abs(z.real) + 1j * z.imag
 

@@ -11,8 +11,9 @@ from plastigran.fem.settings import Settings
 from plastigran.fem.stepping.increment import Equations
 from plastigran.fem.theory.hertz import HertzSphere
 
-BASE_OVER_REACH = 2000.0  # a fixed base at D reduces the approach by the fraction 0.4 a/D
-# base / path of a compression wave during Hertz' duration: reflections return after the contact
+# Radius D of the fixed base / a; the base reduces the approach by the fraction 0.4 a/D.
+BASE_OVER_REACH = 2000.0
+# base radius / path of a compression wave in Hertz' duration: reflections arrive after contact
 BASE_OVER_PATH = 0.6
 
 
@@ -25,7 +26,7 @@ def pressed(sphere: HertzSphere, reach: float, settings: Settings) -> Equations:
         settings: Resolution.
 
     Raises:
-        ValueError: Finite strain is not supported on a half space.
+        ValueError: Finite strain is chosen for a half space.
     """
     return _assemble(sphere, reach, settings, BASE_OVER_REACH * reach, whole=False)
 

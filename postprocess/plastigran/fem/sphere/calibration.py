@@ -97,7 +97,7 @@ def check_range(sphere: HertzSphere, force: float) -> None:
     """Check that a largest force, N, is enough for a fit.
 
     Raises:
-        ValueError: It is below LEAST_RATIO times the yield force.
+        ValueError: The force is below LEAST_RATIO times the yield force.
     """
     least = LEAST_RATIO * sphere.yield_force
     if force < (1 - ROUNDING) * least:
@@ -108,5 +108,5 @@ def check_range(sphere: HertzSphere, force: float) -> None:
 
 
 def _slope(x: np.ndarray, y: np.ndarray, weight: np.ndarray) -> float:
-    """Return the slope of the straight line through zero with the least weighted squares."""
+    """Return the slope of the weighted least-squares line through zero."""
     return float(np.sum(weight * x * y) / np.sum(weight * x * x))

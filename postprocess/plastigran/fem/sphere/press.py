@@ -23,14 +23,16 @@ from plastigran.fem.stepping.snapshot import energies, snapshot
 from plastigran.fem.theory.hertz import HertzSphere
 from plastigran.progress import ProgressBar
 
-ELASTIC_GROWTH = 1.4  # growth of increments below yield, where the path does not matter
-FIRST_FORCE = 0.3  # first force / yield force; for an elastic sphere / 100th of the largest force
-LEAST_FORCE = 1e-5  # fraction of the largest force at which an unloading ends
-CUTS = 6  # how often an increment is halved before the computation stops
+# Ratio of force increments below yield, where the response does not depend on the path.
+ELASTIC_GROWTH = 1.4
+# First force / yield force; for an elastic sphere, first force / (largest force/100)
+FIRST_FORCE = 0.3
+LEAST_FORCE = 1e-5  # last force of an unloading / largest force
+CUTS = 6  # largest number of halvings of an increment
 
 
 class ForceControl:
-    """Force increments on a supported sphere, each a row of the history."""
+    """Applies force increments to a supported sphere and adds a row to the history for each."""
 
     def __init__(self, equations: Equations, sphere: HertzSphere) -> None:
         self.equations, self.sphere = equations, sphere
@@ -71,7 +73,7 @@ class ForceControl:
                 self._increment(part, cuts + 1)
 
     def _guess(self, force: float) -> tuple[np.ndarray, float]:
-        """Return the extrapolation of the last increment, or the elastic response."""
+        """Return the initial guess of Newton's method: extrapolated or elastic."""
         now, before = self.now, self._before
         if now.touch.force == 0:
             return now.displacement, self.sphere.approach(force)
@@ -142,7 +144,7 @@ def loading_ladders(
     growth = settings.growth if sphere.yield_force < forces[-1] else ELASTIC_GROWTH
     virgin = np.concatenate([elastic, _geometric(yield_force, forces[-1], growth)[1:]])
     virgin = np.unique(np.concatenate([virgin, forces]))
-    # Cubes give equal steps of the contact radius.
+    # Force is proportional to the cube of the contact radius: cubes give equal steps in radius.
     down = np.maximum(np.linspace(1, 0, settings.unloading_steps + 1)[1:] ** 3, LEAST_FORCE)
     ladders, reached = [], 0.0
     for force in forces:
@@ -170,7 +172,7 @@ def unloading(history: pd.DataFrame, branch: int) -> dict[str, float]:
     up = virgin_loading(history.iloc[: top + 1])[["force", "approach"]].to_numpy().T
     down = np.append(top, np.flatnonzero(branches == branch))
     work_loading = 0.4 * up[0, 0] * up[1, 0] + _work(*up)
-    # The last increment is almost free: the remainder recovers like an elastic sphere.
+    # The last increment has almost no force: treat the rest of the recovery as a Hertz contact.
     last = down[-1]
     tail = (force[last] / force[top]) ** (2 / 3) * (approach[top] - approach[last])
     work_unloading = -_work(force[down], approach[down])

@@ -10,7 +10,8 @@ from plastigran.fem.material.elastic_plastic import ElasticPlastic
 from plastigran.fem.result_file import numbers
 from plastigran.fem.stepping.snapshot import Snapshot
 
-ROUNDING = 1e-6  # fraction of a force, above the error of Newton's method
+# Relative difference of forces that counts as equal, above the error of Newton's method.
+ROUNDING = 1e-6
 
 
 @attrs.frozen
@@ -38,7 +39,7 @@ class Pressing:
     plane: ElasticPlastic | None = None
 
     def to_dict(self) -> dict:
-        """Return numbers only, for a file."""
+        """Return the results that are numbers, for a JSON file."""
         return numbers(self) | {
             "unloadings": self.unloadings.to_dict("records"),
             "history": self.history.to_dict("list"),
@@ -46,7 +47,7 @@ class Pressing:
 
 
 def virgin_loading(history: pd.DataFrame) -> pd.DataFrame:
-    """Return the rows of a history whose force exceeds all earlier forces, to round-off."""
+    """Return the rows of first loading: the force is not below any earlier force, to round-off."""
     loading = history[history["branch"] % 2 == 0]
     reached = loading["force"].cummax().shift(fill_value=0)
     return loading[loading["force"] > (1 + ROUNDING) * reached]
@@ -92,5 +93,5 @@ class Throw:
     plane: ElasticPlastic | None = None
 
     def to_dict(self) -> dict:
-        """Return numbers only, for a file."""
+        """Return the results that are numbers, for a JSON file."""
         return numbers(self) | {"history": self.history.to_dict("list")}

@@ -7,7 +7,7 @@ import numpy as np
 from scipy.signal import find_peaks
 from scipy.signal.windows import blackmanharris
 
-PADDING = 8  # factor of zero padding; it interpolates the peaks, but does not add resolution
+PADDING = 8  # zero-padding factor, which interpolates peaks without improving the resolution
 
 
 def spectrum(values: np.ndarray, timestep: float) -> tuple[np.ndarray, np.ndarray]:

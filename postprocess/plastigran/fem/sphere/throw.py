@@ -21,7 +21,7 @@ from plastigran.fem.stepping.snapshot import energies, snapshot
 from plastigran.fem.theory.hertz import HertzSphere
 from plastigran.progress import ProgressBar
 
-LONGEST = 10.0  # number of Hertz' durations after which an impact is stopped
+LONGEST = 10.0  # time limit of an impact / Hertz' duration
 
 
 def throw(
@@ -96,7 +96,8 @@ def throw(
 def _row(flight: Flight) -> dict[str, float]:
     body, now = flight.equations.body, flight.now
     corners = body.vertex_dofs[:, 1]
-    corners = corners[body.upward[corners] > 0]  # without those of the half space
+    # Only corner nodes of the sphere, without the half space.
+    corners = corners[body.upward[corners] > 0]
     momentum = body.mass_matrix @ now.velocity
     return {
         "time": now.time,

@@ -25,7 +25,7 @@ from plastigran.fem.stepping.flight import end_of_contact, follow
 from plastigran.fem.theory.hertz import HertzSphere
 from plastigran.progress import ProgressBar
 
-STEPS_OF_TRANSIT = 40  # time steps while a compression wave crosses the sphere
+STEPS_OF_TRANSIT = 40  # number of time steps while a compression wave crosses the sphere
 TRANSITS = 200.0
 WIDEST = 0.5  # largest a/R of an elastic impact
 MODES = 12  # number of free vibrations computed
@@ -82,7 +82,7 @@ def vibrate(
 
 
 class _History:
-    """Rows of the history, one for the start and one for each step."""
+    """Builds the history: one row for the start and one for each step."""
 
     def __init__(self, steps: Steps, radius: float) -> None:
         self.steps, self._before = steps, steps.now
@@ -133,7 +133,7 @@ def _summary(
         "contact_displacement": np.abs(shapes[elastic.nearest((0.0, 0.0), vertical=True)]),
     }
     force, time = history["force"].to_numpy(), history["time"].to_numpy()
-    # The force of a step belongs to its middle.
+    # Subtract half a step, because the force of a step belongs to the middle of the step.
     contact_time = end_of_contact(time, force, 2 / 3) - steps.timestep / 2
     flight = history.iloc[np.flatnonzero(force)[-1] + 1 :]
     kinetic = history["kinetic_energy"].iloc[0]

@@ -17,7 +17,7 @@ from plastigran.fem.material.elastic_plastic import ElasticPlastic
 from plastigran.fem.result_file import numbers
 from plastigran.fem.sphere.spectrum import peaks, spectrum
 
-LEAST_PEAK = 0.01  # smallest / largest amplitude
+LEAST_PEAK = 0.01  # smallest amplitude of a peak / largest amplitude
 SIGNALS = ("middle_elastic_energy", "top_displacement", "equator_displacement")
 
 
@@ -95,7 +95,7 @@ class Vibration:
         return table[table["frequency"] < 1.01 * self.modes["frequency"].max()]
 
     def to_dict(self) -> dict:
-        """Return numbers only, for a file."""
+        """Return the results that are numbers, for a JSON file."""
         result = numbers(self)
         if not self.stopped:
             result |= {f"{name}_peaks": self.peaks(name).to_dict("list") for name in SIGNALS}

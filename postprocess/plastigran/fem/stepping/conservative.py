@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""An elastic body on a rigid plane, in time steps that conserve energy.
+"""Energy-conserving time steps of an elastic body on a rigid plane.
 
 Implicit midpoint rule: with velocity v and force f of the plane,
 
@@ -26,7 +26,7 @@ from plastigran.fem.contact.plane import PENALTY, RigidPlane
 from plastigran.fem.stepping.increment import NoConvergence
 
 ITERATIONS = 40
-TOLERANCE = 1e-13  # fraction of the surface displacements, at the level of round-off
+TOLERANCE = 1e-13  # tolerance / surface displacements, at the level of round-off
 
 
 class SpringPlane(RigidPlane):
@@ -34,7 +34,8 @@ class SpringPlane(RigidPlane):
 
     Attributes:
         surface: Vertical degrees of freedom of the body that may touch (n_surface,).
-        shapes: Displacements of the Gauss points per displacement of these (n_points, n_surface).
+        shapes: Displacements of the Gauss points per displacement of the surface (n_points,
+            n_surface).
     """
 
     def __init__(self, body: Body, radius: float, reach: float, penalty: float = PENALTY) -> None:
@@ -53,7 +54,7 @@ class SpringPlane(RigidPlane):
         return self._rest + self.shapes @ displacement
 
     def energy(self, gap: np.ndarray) -> float:
-        """Return the energy, J."""
+        """Return the energy of the penalty springs, J, for gaps (n_points,), m."""
         return float(self._springs @ np.minimum(gap, 0) ** 2) / 2
 
     def mean_force(self, start: np.ndarray, end: np.ndarray) -> tuple[np.ndarray, np.ndarray]:

@@ -16,9 +16,9 @@ import numpy as np
 from plastigran.fem.stepping.increment import Equations, Equilibrium, Inertia, NoConvergence
 from plastigran.progress import ProgressBar
 
-FIRST_STEP = 1 / 16  # fraction of the full time step, because the contact starts stiffly
+FIRST_STEP = 1 / 16  # first time step / full time step, because the contact is stiff at first touch
 STEP_GROWTH = 1.5
-CUTS = 6  # how often a step is halved before the computation stops
+CUTS = 6  # largest number of halvings of a step
 
 
 @attrs.frozen
@@ -48,7 +48,7 @@ class Flight:
     """
 
     def __init__(self, equations: Equations, velocity: np.ndarray, timestep: float) -> None:
-        """Set the initial motion of a body that just touches, with velocities (size,), m/s."""
+        """Set the initial motion: body at first touch, with velocities (size,), m/s."""
         self.equations, self.timestep = equations, timestep
         self.now = Motion(0.0, equations.at_rest(), velocity, np.zeros(velocity.size))
         self._step = FIRST_STEP * timestep

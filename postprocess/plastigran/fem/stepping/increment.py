@@ -19,7 +19,7 @@ from plastigran.fem.stepping.linear import SingularError, SymmetricSystem
 ITERATIONS = 16
 # largest residual / largest nodal force; `press` uses contact forces, `move` all forces
 TOLERANCE = 1e-5
-FORCE_TOLERANCE = 1e-8  # fraction of the prescribed force
+FORCE_TOLERANCE = 1e-8  # largest error of the contact force / prescribed force
 
 
 class NoConvergence(ArithmeticError):
@@ -28,7 +28,7 @@ class NoConvergence(ArithmeticError):
 
 @attrs.frozen
 class Equilibrium:
-    """Body in equilibrium.
+    """Equilibrium state of a body in contact.
 
     Attributes:
         displacement: Nodal displacements (size,), m.

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Linear systems of constant symmetric sparsity, assembled from element matrices."""
+"""Linear systems with constant, symmetric sparsity, assembled from element matrices."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ class SymmetricSystem:
     """
 
     def __init__(self, groups: list[np.ndarray], size: int, fixed: np.ndarray) -> None:
-        """Compute the sparsity.
+        """Compute the sparsity pattern and the ordering.
 
         Args:
             groups: Degrees of freedom of each type of element, (n_elements, n_dofs) each.
@@ -80,7 +80,7 @@ class SymmetricSystem:
 
 
 class Factor:
-    """Factored system."""
+    """Factored matrix of a system."""
 
     def __init__(self, factor: SuperLU, free: np.ndarray) -> None:
         self._factor = factor

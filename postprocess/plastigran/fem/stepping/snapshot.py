@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Fields of an equilibrium."""
+"""Snapshots: stress, strain and displacement fields of an equilibrium."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from plastigran.fem.body.pair import Pair
 from plastigran.fem.contact.plane import RigidPlane
 from plastigran.fem.stepping.increment import Equilibrium
 
-YIELDED = 1e-4  # accumulated plastic strain from which a point counts as yielded
+YIELDED = 1e-4  # accumulated plastic strain above which a point counts as yielded
 
 
 @attrs.frozen
@@ -23,9 +23,9 @@ class Snapshot:
         radii: Mean radius of each edge of the surface (n,), m.
         pressure: Mean pressure of each edge, Pa.
         positions: (r, y) of the Gauss points (points, 2), m.
-        mises: Von Mises stress there, Pa; in finite strain, of the stress conjugate to the
-            logarithmic strain.
-        plastic_strain: Accumulated plastic strain there.
+        mises: Von Mises stress at the Gauss points (points,), Pa; in finite strain, of the stress
+            conjugate to the logarithmic strain.
+        plastic_strain: Accumulated plastic strain at the Gauss points (points,).
         vertices: (r, y) of the corner nodes, undeformed (n_vertices, 2), m.
         quads: Corners of each element (n_elements, 4); its four Gauss points are consecutive.
         displacement: Displacements of the corner nodes (n_vertices, 2), m.

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""An elastic sphere on a plane or a half space after Hertz (1882).
+"""Hertz contact (1882) of an elastic sphere with a plane or a half space.
 
-It gives scales of steps and meshes, and reference solutions.
+The formulas set the scales of steps and meshes, and are reference solutions.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ class HertzSphere:
     """Elastic sphere on a plane.
 
     Attributes:
-        material: Material; only the start of plastic flow is used.
+        material: Material of the sphere; of its hardening, only the yield strength is used.
         radius: Radius of the sphere, m.
         plane: Material of the half space; None for a rigid plane.
     """

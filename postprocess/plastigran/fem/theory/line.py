@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A rigid circle on an elastic layer in plane strain.
+"""Contact of a rigid circle with an elastic layer in plane strain.
 
-It gives scales of steps and meshes, and reference solutions (Johnson, Contact Mechanics, 1985,
-secs. 4.2 and 5.6).
+The formulas set the scales of steps and meshes, and are reference solutions (Johnson, Contact
+Mechanics, 1985, secs. 4.2 and 5.6).
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ from plastigran.fem.material.elastic_plastic import ElasticPlastic
 
 @attrs.frozen(kw_only=True)
 class HertzLine:
-    """Circle of some length on a layer that is fixed on its far side."""
+    """Rigid circle (cylinder) on an elastic layer that is fixed on its far side."""
 
     material: ElasticPlastic
     radius: float = number("radius of the circle", "m", 0)

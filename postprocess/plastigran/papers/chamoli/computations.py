@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Results that several tables and figures share."""
+"""Computations whose results several tables and figures use."""
 
 from __future__ import annotations
 
@@ -30,7 +30,8 @@ LONG, SHORT = 200.0, 40.0
 #: within their range [m/s].
 ICE_RADIUS = 0.0275
 ICE_SPEEDS = (2e-4, 1e-3, 5e-3, 2e-2)
-#: Their fit: factor and power of the speed in cm/s.
+#: Fit of Bridges, Hatzes & Lin (1984) to the restitution: factor, and exponent of the speed in
+#: cm/s.
 ICE_RESTITUTION = (0.32, -0.234)
 #: Frequencies of the thesis [kHz] by type, degree and overtone: the radial mode, and the first
 #: toroidal one, which the thesis takes for the oblate-prolate mode.
@@ -119,7 +120,7 @@ def oscillation(vibration: Vibration) -> pd.DataFrame:
     hertz = HertzSphere(vibration.material, vibration.radius)
     history = vibration.history
     last = np.flatnonzero(history["force"])[-1]
-    # The force of a step belongs to its middle.
+    # Assign the force of a step to the middle of the step.
     middle = history[["time", "approach"]].rolling(2).mean().iloc[1 : last + 1]
     force = history["force"].to_numpy()[1 : last + 1]
     approach = np.maximum(middle["approach"].to_numpy(), 0)

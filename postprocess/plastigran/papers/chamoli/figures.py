@@ -19,7 +19,7 @@ from plastigran.papers.chamoli.computations import (
 from plastigran.physics.central import hertz_force, hertz_history
 from plastigran.plot.style import COLOURS, styled, subplots
 
-FLIGHT_SHOWN = 1.0  # time after contact / duration of contact
+FLIGHT_SHOWN = 1.0  # shown time after contact / duration of contact
 TOROIDAL = PAPER_MODES["toroidal", 1, 0]
 
 
@@ -36,7 +36,7 @@ def impact_figure(computed: Computed) -> Figure:
         panels[1].plot(time, history["approach"] / approach, color=colour, label=_label(impact))
         swing = oscillation(vibration)
         panels[2].plot(swing["time"] / duration, 100 * swing["relative_force"], color=colour)
-    # One curve is enough: in these units all Hertz impacts are the same.
+    # Draw Hertz once, because all Hertz impacts coincide in these units.
     force, approach, duration = _hertz_units(SHOWN[0])
     hertz = sphere(SHOWN[0][0])
     time, overlap = hertz_history(RADIUS, hertz.mass, hertz.modulus, SHOWN[0][1])
@@ -84,7 +84,7 @@ def energies_figure(computed: Computed) -> Figure:
         above.set_title(_label(impact), fontsize=10)
         below.set_xlabel("time / duration of contact")
     for panel in grid[:, 0]:
-        panel.set_ylabel("share of the energy")
+        panel.set_ylabel("fraction of the energy")
         panel.legend(fontsize=8)
     return figure
 
@@ -115,7 +115,7 @@ def spectrum_figure(computed: Computed) -> Figure:
     """Draw spectra in flight after some impacts, with the exact modes."""
     figure, panels = subplots(len(SHOWN), 1, figsize=(7.5, 6), sharex=True)
     highest = 1.04e-3 * computed.vibrations[SHOWN[1]].modes["frequency"].max()
-    # Energy oscillates twice in a period.
+    # The last number is the ratio of signal to mode frequency: energy oscillates twice per period.
     signals = (
         ("strain energy", "middle_elastic_energy", 2),
         ("top", "top_displacement", 1),

@@ -25,14 +25,14 @@ from plastigran.usable_laws import laws_for
 
 RADIUS = 1e-5
 GLASS = read_material(MATERIAL)
-#: Combined elasticity of both bodies, as in the material file.
+#: Body with the combined elasticity of glass and slider, as in the material file.
 BODY = ElasticPlastic(
     youngs_modulus=GLASS.youngs_modulus,
     poissons_ratio=GLASS.poissons_ratio,
     density=GLASS.density,
     hardening=LinearHardening(GLASS.yield_strength),
 )
-#: Glass alone: with a slider of 388 GPa and Poisson's ratio 0.22 it has the paper's E_r.
+#: Glass alone. With a slider of 388 GPa and Poisson's ratio 0.22, the pair has E_r of the paper.
 GLASS_ALONE = attrs.evolve(BODY, youngs_modulus=1.001e11)
 FRICTION = 0.15
 SLIDING_SPEED = 10.0

@@ -52,7 +52,7 @@ def depth_figure(computed: Computed) -> Figure:
         time, depth = (MICRO * strike.history[name] for name in ("time", "approach"))
         over_time.plot(time, depth, color=colour, label=direction)
         x, y = MICRO * strike.surface.T
-        if direction == "head-on":  # one half was computed
+        if direction == "head-on":  # mirror the surface, because only one half was computed
             x, y = np.r_[-x[::-1], x], np.r_[y[::-1], y]
         surface.plot(x, y, color=colour, label=direction)
     over_time.set(xlabel="time (µs)", ylabel="depth of the cylinder (µm)")

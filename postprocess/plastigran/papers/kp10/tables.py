@@ -51,7 +51,7 @@ def comparison(computed: Computed) -> pd.DataFrame:
             row[OURS] = factor * getattr(strike, name)
             for law in LAWS:
                 run = computed.runs[*SHOWN, law]
-                # The laws do not include sliding.
+                # Leave out LIGGGHTS for oblique impacts, because the laws do not include sliding.
                 value = nan if direction == "oblique" else factor * getattr(run, run_name)
                 row[f"LIGGGHTS, {law}"] = value
             rows.append(row)
@@ -165,7 +165,7 @@ def bodies(computed: Computed) -> pd.DataFrame:
     rows = []
     for body, description in BODIES.items():
         strike = computed.strikes.get(Case(*SHOWN, body=body))
-        if strike is None:  # left out of a coarse computation
+        if strike is None:  # skip bodies that a coarse computation does not contain
             continue
         rows.append(
             {

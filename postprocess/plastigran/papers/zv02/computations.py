@@ -37,7 +37,7 @@ SPHERE = HertzSphere(METAL, RADIUS)
 PAIR = laws.combine(MATERIAL.body(), RIGID)
 MASS = 4 / 3 * pi * RADIUS**3 * MATERIAL.density
 
-#: The paper's speeds [m/s], and one between them.
+#: Impact speeds [m/s]: those of the paper, and one between them.
 SPEEDS = (0.20, 0.10, 0.06, 0.02)
 #: Speeds of the paper's impacts without plastic flow [m/s].
 ELASTIC_SPEEDS = (0.02, 0.10)
@@ -86,7 +86,7 @@ def compute(progress: bool, coarse: bool) -> Computed:
     usual, frames = Settings(), 50
     if coarse:
         usual, frames = Settings(divisions=4, fineness=0.5, growth=1.15, steps_of_contact=80), 12
-    # Follow two periods of the fundamental mode after the contact.
+    # Continue for two periods of the fundamental mode after the contact.
     long = attrs.evolve(usual, free_steps=usual.steps_of_contact // 4, frames=frames)
     fine = attrs.evolve(usual, divisions=2 * usual.divisions, growth=1.002, unloading_steps=8)
     speeds = (SHOWN, 0.02) if coarse else SPEEDS

@@ -33,7 +33,8 @@ PAPER_YIELD_PRESSURE_FACTOR = 1.613
 PAPER_COEFFICIENTS = {"C_a": 2.33e-7, "K_c": 2.69e-4}
 PAPER_LAW_RESTITUTION = {0.20: 0.4773}
 COMPARED = {"force_max": "force", "coefficient_of_restitution": "restitution"}
-LARGEST_APPROACH = 0.01  # fraction of the radius; larger than any law needs for these forces
+# Upper bound of approach / radius in the search, sufficient for all laws and forces.
+LARGEST_APPROACH = 0.01
 
 
 def onset(computed: Computed) -> pd.DataFrame:
@@ -162,7 +163,8 @@ def nodal_restitution(impact: Throw) -> np.ndarray:
 
 def pressed(computed: Computed) -> pd.DataFrame:
     """Return the quasi-static compression: finite elements, and errors of laws."""
-    unloadings = computed.pressing.unloadings.iloc[1:]  # the first compression hardly yields
+    # Skip the first compression, which hardly yields.
+    unloadings = computed.pressing.unloadings.iloc[1:]
     by_law = {law: [_press_law(law, force) for force in unloadings["force"]] for law in LAWS}
     parts = []
     for quantity, unit, name, scale in (

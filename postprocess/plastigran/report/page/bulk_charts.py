@@ -63,7 +63,8 @@ def series_chart(series: pd.DataFrame) -> Chart | None:
         if values.nunique() < 2:
             continue
         panel = _series_panel(series.assign(**{column: values}), column)
-        title = panel.y.title.capitalize()  # two columns of a user's log may have one title
+        # Make titles unique: columns of a user's log may have the same title.
+        title = panel.y.title.capitalize()
         views[f"{title} ({column})" if title in views else title] = [panel]
     if not views:
         return None

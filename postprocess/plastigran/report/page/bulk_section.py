@@ -35,9 +35,9 @@ from plastigran.report.page.movie import Clock, GrainMovie, pack_movie
 from plastigran.report.page.pictures import read_pictures
 from plastigran.report.page.sections import Section, number, span, version_facts
 
-#: Settings in the head of the section.
+#: Settings shown at the top of the section.
 _HEAD = ("law", "material", "radius", "timestep")
-#: Settings of these that a user's deck may name differently; they are read from the log.
+#: Settings that are read from the log, because a user's deck may name them differently.
 _FROM_LOG = ("law", "timestep")
 #: Unit systems whose time is in seconds.
 _SECONDS = ("si", "cgs")
@@ -120,7 +120,8 @@ def _verdict(run: BulkRun | None, warnings: int) -> tuple[str, str]:
 def _timestep(record: dict[str, Any], log: Path) -> float | None:
     """Return the time step of a run [s]; None if it is unknown or changes.
 
-    A user's deck may use the setting of that name for anything; its commands decide.
+    For a user's deck, the commands determine the time step, because a setting `timestep` may have
+    another meaning.
     """
     if record.get("own"):
         timesteps = {run.timestep for run in read_runs(log)} if log.is_file() else set()
@@ -185,7 +186,7 @@ def _facts(
         facts |= log_facts
     facts["ranks"] = str(record.get("ranks", "unknown"))
     if run is not None and "atoms" in run.series and len(run.series):
-        grains = run.series["atoms"]  # their number may change during a run
+        grains = run.series["atoms"]  # the number of grains may change during a run
         first, last, most = grains.iloc[0], grains.iloc[-1], grains.max()
         more = f", at most {number(float(most))}" if most > max(first, last) else ""
         facts["grains"] = span(first, last) + more

@@ -13,9 +13,9 @@ from plotly.subplots import make_subplots
 
 from plastigran.plot.chart import DASHES, Curve, Panel, is_below
 
-#: Share of the height that the upper of two panels takes.
+#: Fraction of the height for the upper of two panels.
 UPPER = 0.76
-#: Looks of curves: mode, marker and line in plotly.
+#: Settings of plotly for each `Curve.look`: mode, marker and line.
 LOOKS = {
     "line": ("lines", None, {"width": 1.6}),
     "area": ("lines", None, {"width": 0.5}),

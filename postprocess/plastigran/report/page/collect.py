@@ -14,11 +14,11 @@ from plastigran.experiments.record import STUDY, TABLE
 
 #: Largest depth of subfolders that are searched.
 DEPTH = 4
-#: Subfolders that belong to a run.
+#: Subfolders that are parts of a run and are not searched.
 _PARTS_OF_RUNS = {"runs", "frames", "figures", "deck"}
-#: Categories of results in the order of the page. Those that share the switch of laws come first.
+#: Categories of results in the order of the page. Categories with a switch for laws come first.
 ORDER = ("sweep", "tables", "nothing", "bulk")
-#: File types that other commands write.
+#: Suffixes of the files that other commands write.
 _SUFFIXES = {".csv", ".png", ".svg", ".gif", ".in"}
 
 

@@ -30,7 +30,7 @@ COLOURED = {
     "force": ("largest contact force", "force"),
     "speed": ("speed", "speed"),
 }
-#: Time of a step as in the charts [s]; None to show steps instead.
+#: Function from step to time as in the charts [s]; None to show steps instead.
 Clock = Callable[[int], float] | None
 
 
@@ -179,7 +179,8 @@ def _numbers(frames: Sequence[GrainFrame], colours: list[str], clock: Clock) -> 
         "map": [matplotlib.colors.to_hex(shade) for shade in viridis],
     }
     line = json.dumps(head)
-    line += " " * (len(line) % 2 == 0) + "\n"  # the numbers must start at an even byte
+    # Pad the line, because the 16-bit numbers must start at an even byte.
+    line += " " * (len(line) % 2 == 0) + "\n"
     return line.encode() + b"".join(array.tobytes() for array in arrays)
 
 

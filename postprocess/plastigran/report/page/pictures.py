@@ -12,11 +12,11 @@ from xml.etree import ElementTree
 import attrs
 from PIL import Image, ImageSequence
 
-#: Largest SVG file [bytes] that a page contains; for a larger one it takes the bitmap.
+#: Largest SVG file [bytes] in a page; for a larger file, the bitmap is used.
 LARGEST_SVG = 120_000
 #: Largest bitmap [bytes] that a page contains.
 LARGEST_BITMAP = 500_000
-#: Ratio of width to height from which a picture is wide.
+#: Width / height above which a picture takes the full width of the page.
 WIDE = 1.7
 #: MIME types by suffix, in the order of preference.
 _MIME_TYPES = {".svg": "image/svg+xml", ".png": "image/png", ".gif": "image/gif"}

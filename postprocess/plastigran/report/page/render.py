@@ -65,7 +65,7 @@ def write_report(
 
 def _replace(path: Path, text: str) -> None:
     """Write a file completely or not at all: write a temporary file and move it."""
-    path = path.resolve()  # a symbolic link stays
+    path = path.resolve()  # replace the target of a symbolic link, not the link
     draft = path.with_name(f".{path.name}.{os.getpid()}.new")
     try:
         with open(draft, "w", encoding="utf-8") as file:

@@ -26,9 +26,9 @@ from plastigran.plot.chart import DASHES
 from plastigran.plot.quantities import PREDICTED, words
 from plastigran.report.page.charts import Chart
 
-#: Relative tolerance at which radii and speeds are equal; trajectories have 17 digits.
+#: Relative tolerance for equal radii and speeds; trajectories have 17 digits.
 TOLERANCE = 1e-9
-#: Columns that the name of a run's folder contains.
+#: Columns whose values are in the name of a run's folder.
 LABELLED = ("geometry", "material", "law", "wall", "options")
 #: Largest number of points of a loop.
 LOOP_POINTS = 80

@@ -26,7 +26,7 @@ from plastigran.report.page.sections import Section, Table, cells, span, version
 from plastigran.report.page.sweep_charts import loops_chart, measured_chart
 from plastigran.report.page.trust import Trust, trust, validation_chart, verification_chart
 
-#: Largest number of laws that the head names.
+#: Largest number of laws named at the top of the section.
 MOST_NAMED = 3
 #: Required columns of a table of impacts.
 _REQUIRED = ("law", "material", "radius", "speed")
@@ -181,7 +181,8 @@ def _facts(study: dict, table: pd.DataFrame, runs: list[Path]) -> dict[str, str]
             continue
         values = table[name].unique()
         if name == "wall" and len(values) > 1:
-            values = [wall for wall in values if wall != NO_WALL]  # two spheres have no wall
+            # Leave out the entry for two spheres, which have no wall.
+            values = [wall for wall in values if wall != NO_WALL]
         unit = {"radius": " m", "speed": " m/s", "angle": "°"}.get(name, "")
         if table[name].dtype.kind in "if":
             facts[words(name)] = span(values.min(), values.max()) + unit

@@ -20,8 +20,8 @@ overlap alpha_Y = a_Y^2/R, contact radius a_Y, work P_Y alpha_Y, speed v_Y with
     overlap_ratio                at the largest force, in yield units
     overlap_res_ratio            after unloading, in yield units
     contact_radius_ratio         at the largest force, in yield units
-    work_loading_ratio           up to the largest force, over P_Y alpha_Y
-    work_unloading_ratio         released, over P_Y alpha_Y
+    work_loading_ratio           work up to the largest force / (P_Y alpha_Y)
+    work_unloading_ratio         released energy / (P_Y alpha_Y)
     contact_radius_over_radius   a/R at the largest force
 """
 
@@ -34,7 +34,7 @@ import pandas as pd
 
 from plastigran.calibration.expected_errors import KINDS, WIDE
 
-#: Bounds of the speed regimes, v/v_Y; a table continues them to its largest speed.
+#: Lower bounds of the speed regimes, v/v_Y; the last regime ends at the largest speed of a table.
 SPEED_RATIOS = (1, 3, 10, 100, 300)
 TABLE = files("plastigran") / "data" / "finite_elements_spheres.csv"
 

@@ -24,7 +24,8 @@ from plastigran.validation.spheres import TABLE
 from plastigran.validation.spheres.metals import METALS, RADIUS, SphereMetal
 from plastigran.validation.spheres.release import press_and_release
 
-#: Smaller force increments than usual, because backward Euler is of first order.
+#: Settings with smaller force increments than the default, because backward Euler is of first
+#: order.
 SETTINGS = Settings(growth=1.04, unloading_steps=10)
 
 

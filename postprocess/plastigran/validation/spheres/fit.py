@@ -21,9 +21,10 @@ from scipy.optimize import least_squares
 from plastigran.validation.spheres import SPEED_RATIOS, contact_kinds, table
 from plastigran.validation.spheres.forms import Constants, Metals, errors, peak
 
-#: Scales of the relative differences, near the uncertainty of the finite elements.
+#: Weights of the fit: scales of the relative differences, close to the uncertainty of the finite
+#: elements.
 FORCE, CONTACT_RADIUS, WORK_UNLOADING, RECOVERY = 0.002, 0.006, 0.004, 0.008
-#: Smallest force, in yield units, with enough elements in the contact for its radius.
+#: Smallest force / yield force at which enough elements are in contact to determine its radius.
 SMALLEST_FORCE = 8.0
 DIGITS = 4
 

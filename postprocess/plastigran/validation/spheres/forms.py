@@ -17,7 +17,7 @@ import pandas as pd
 from plastigran import laws
 
 NODES, WEIGHTS = np.polynomial.legendre.leggauss(12)
-NODES, WEIGHTS = (NODES + 1) / 2, WEIGHTS / 2  # from 0 to 1
+NODES, WEIGHTS = (NODES + 1) / 2, WEIGHTS / 2  # Gauss nodes and weights on [0, 1]
 
 
 @attrs.frozen

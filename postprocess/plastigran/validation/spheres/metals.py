@@ -14,10 +14,10 @@ from plastigran.fem.material.hardening import LinearHardening
 from plastigran.fem.theory.hertz import HertzSphere
 from plastigran.materials import RIGID
 
-#: Constants of every sphere [Pa, m]; ratios depend on neither.
+#: Plane modulus [Pa] and radius [m] of every sphere; ratios do not depend on them.
 PLANE_MODULUS, RADIUS = 100e9, 0.01
 
-#: Largest forces, in yield units, from which a sphere is unloaded.
+#: Largest forces / yield force from which a sphere is unloaded.
 FORCE_RATIOS = (1.3, 2, 3, 5, 8, 13, 22, 38, 65, 110, 190, 320, 540, 900, 1600, 2700)
 
 
@@ -80,7 +80,7 @@ class SphereMetal:
     @property
     def pair(self) -> laws.MaterialPair:
         """The metal on a rigid plane, for the laws."""
-        # E_t = E H/(E + H)
+        # tangent modulus E_t = E H/(E + H)
         tangent_modulus = self.youngs_modulus * self.hardening_ratio / (1 + self.hardening_ratio)
         body = laws.Body(
             self.youngs_modulus,

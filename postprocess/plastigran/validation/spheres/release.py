@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Load a sphere once, and unload it from many forces on the way.
+"""Compression of a sphere by finite elements, with unloading from many forces during one loading.
 
 `plastigran.fem.sphere.press` reloads the sphere after each unloading. Here loading continues from
 the state before unloading, which gives the same result with half the increments.
@@ -31,10 +31,10 @@ def press_and_release(
 ) -> Pressing:
     """Load a sphere on a rigid plane and unload it from each of several forces.
 
-    Arguments and errors are as of `press`.
+    Arguments and errors are those of `press`.
 
     Returns:
-        As of `press`, without snapshots. If an unloading found no equilibrium, only the earlier
+        Result of `press`, without snapshots. If an unloading found no equilibrium, only the earlier
         ones
         and the reason in `stopped`.
     """

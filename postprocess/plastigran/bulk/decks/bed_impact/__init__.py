@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Shots on a plate, compared with the central impact of the law, or on a bed."""
+"""Deck bed_impact: shots on a plate, compared with the central impact of the law, or on a bed."""
 
 from __future__ import annotations
 
@@ -19,17 +19,17 @@ from plastigran.bulk.decks.bed_impact.measurement import (
 )
 from plastigran.declared import number, require, whole, word
 
-#: Integrator's error at an adequate time step: restitution, rebound speed and plastic work.
+#: Error of the integrator at an adequate time step, in restitution, rebound speed and plastic work.
 INTEGRATOR = 1e-3
-#: Plastic work of one last step of pouring / plastic work of the shots.
+#: Allowed ratio of plastic work in the last step of pouring to plastic work of the shots.
 STEP = 1e-4
-#: Settings that the closed form needs for a plate.
+#: Settings of a plate for which the closed form of the impact is valid.
 PLATE = {"shot_layers": 1, "gravitational_acceleration": 0, "bed_layers": 0, "filling": 0}
 
 
 @attrs.frozen(kw_only=True)
 class BedImpact(GranularDeck):
-    """Shots hit a plate once each, or a stream of them hits a bed of grains."""
+    """Shots on a target: each shot hits a plate once, or a stream of shots hits a bed of grains."""
 
     briefs: ClassVar = {
         "plate": Brief(
@@ -41,7 +41,7 @@ class BedImpact(GranularDeck):
             {"target": "bed", "side": 4, "shot_layers": 1, "bed_layers": 5, "duration": 0.02}
             | {"rows": 40},
             start={"filling": 0.002, "duration": 0.002},
-            # The bed amplifies round-off.
+            # The bed amplifies round-off, so continued runs agree only to this tolerance.
             restart=1e-6,
         ),
     }
@@ -78,7 +78,10 @@ class BedImpact(GranularDeck):
                 raise ValueError(f"{name} is {value:g}; it must be {needed} for target plate")
         for name, choice in self.model_options.items():
             if name not in self.grains.options and choice != "off":
-                raise ValueError(f"options: {name} {choice} changes the restitution or is unknown")
+                raise ValueError(
+                    f"options: {name} {choice} changes the restitution or is "
+                    "unknown. Remove it for target plate"
+                )
 
     def shots(self, grains: pd.DataFrame) -> pd.DataFrame:
         """Return the measured speeds of each shot, and its predicted rebound on a plate [m/s].
@@ -95,7 +98,7 @@ class BedImpact(GranularDeck):
 
     def analyse(self, series: pd.DataFrame) -> Analysis:
         """Analyse the impact part of the run; arguments as for `BulkDeck.analyse`."""
-        table = since_first(series)  # when the shots start
+        table = since_first(series)  # time and energies since the start of the shots
         grains = read_grains_dump(self.output / "grains.dump")
         shot = self.shots(grains)
         sum_over_grains, total = grains["plastic_work"].sum(), table["plastic"].iloc[-1]
@@ -106,7 +109,8 @@ class BedImpact(GranularDeck):
                 "difference between the plastic work of the grains and of the energy balance",
                 abs(sum_over_grains - total) / max(total, 1e-300),
                 STEP,
-                "the same work, summed by grain and in total, except for one step of pouring",
+                "both sum the same work; they may differ by the plastic work of one step of "
+                "pouring",
             ),
         ]
         if self.target == "plate":

@@ -10,7 +10,7 @@ from matplotlib.figure import Figure
 
 from plastigran.plot.style import COLOURS, styled, subplots
 
-#: Number of shots drawn as points; all lie on one curve.
+#: Number of shots drawn as points; more would overlap, because all lie on one curve.
 SHOWN = 30
 
 
@@ -34,7 +34,7 @@ def plate_figure(shot: pd.DataFrame) -> Figure:
         right.plot(impact, share, color="0.5", lw=1.3, label="impact")
         right.plot(predicted, share, color=COLOURS[0], lw=1.3, label="$v\\,e(v)$")
         right.plot(rebound[shown], share[shown], "o", label="rebound", **points)
-        right.set(xlabel="speed (m/s)", ylabel="fraction of slower shots")
+        right.set(xlabel="speed (m/s)", ylabel="fraction of shots with a lower speed")
         right.legend(loc="upper left")
     return figure
 

@@ -45,7 +45,7 @@ def measure_shots(
         One row per shot: `impact_speed` and `rebound_speed` [m/s], 0 for a shot that is not above
         the surface; `plastic_work` since the start [J].
     """
-    surface = shot["z_before"].min() - radius  # height of the center of a touching shot
+    surface = shot["z_before"].min() - radius  # height of the center of a shot in contact
     fall = 2 * gravitational_acceleration * (shot["z_before"] - surface)
     rise = 2 * gravitational_acceleration * (shot["z"] - surface)
     speed = np.sqrt(shot["vz"] ** 2 + rise.clip(lower=0))
@@ -61,7 +61,7 @@ def measure_shots(
 
 
 def plastic_work_by_depth(grains: pd.DataFrame, surface: float, diameter: float) -> pd.DataFrame:
-    """Return the plastic work since the impact in layers one diameter thick, by present depth.
+    """Return the plastic work since the impact in layers one diameter thick, by current depth.
 
     Args:
         grains: Rows of `read_grains_dump`, of bed and shots.

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The chute: steady flow, power balance and Bagnold's profile."""
+"""Deck chute: steady flow, power balance and Bagnold's velocity profile."""
 
 from __future__ import annotations
 
@@ -19,21 +19,21 @@ from plastigran.declared import number, whole
 from plastigran.engine.dumps import read_dump
 from plastigran.physics.bagnold import Profile, fit_profile
 
-#: Relative error of the work of the weight, for rows as close as FINE_ROWS.
+#: Allowed relative error of the work of gravity, for rows with the spacing FINE_ROWS.
 WEIGHT = 2e-3
-#: Fraction of the weight's power that the flow may store, mainly as kinetic energy.
+#: Allowed fraction of the power of gravity that the flow stores, mainly as kinetic energy.
 STEADY = 0.05
-#: Root mean square deviation from Bagnold's profile / speed at the surface.
+#: Allowed rms deviation from Bagnold's profile, divided by the speed at the surface.
 PROFILE = 0.05
 
-#: A short run of few grains.
+#: Settings of a short run with few grains.
 BRIEF = {"length": 4, "width": 3, "depth": 6, "start_speed": 0.9, "angle": 26}
 BRIEF |= {"duration": 0.06, "settling": 0, "rows": 12, "checkpoints": 4}
 
 
 @attrs.frozen(kw_only=True)
 class Chute(FlowDeck):
-    """Grains flow down a rough chute, periodic along and across the flow."""
+    """Flow of grains down a rough chute, periodic along and across the flow."""
 
     briefs: ClassVar = {"": Brief(BRIEF, start={"duration": 0.012})}
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Die compaction: pressure-density loop, work of the punch, Heckel's line."""
+"""Deck compaction: pressure-density loop in a die, work of the punch, Heckel's line."""
 
 from __future__ import annotations
 
@@ -16,24 +16,24 @@ from plastigran.declared import number, require, whole
 from plastigran.physics.heckel import TOUCH, Loop, measure_loop, punch_work
 from plastigran.plot.style import title
 
-#: Error of the punch's work summed over a hundred rows; trapezoids of half the width have a quarter
-#: of it.
+#: Allowed relative error of the work of the punch, integrated over 100 rows. The error is
+#: proportional to the square of the row spacing.
 HUNDRED_ROWS = 2e-3
-#: Largest kinetic / elastic energy of a quasi-static stroke.
+#: Largest ratio of kinetic to elastic energy of a quasi-static stroke.
 SLOW = 0.02
-#: Fraction of the peak pressure above which the bed counts as loaded.
+#: Pressure / peak pressure above which the bed counts as loaded.
 LOADED = 0.2
 
-#: A short run of few grains.
+#: Settings of a short run with few grains.
 BRIEF = {"layers": 5, "die_radius": 0.005, "duration": 0.15, "filling": 0.1, "rows": 100}
 BRIEF |= {"checkpoints": 10, "relative_density": 0.7, "release": 0.25}
 
 
 @attrs.frozen(kw_only=True)
 class Compaction(GranularDeck):
-    """A punch compresses grains in a die and releases them."""
+    """Compression of grains in a die by a punch, and release."""
 
-    # The bed amplifies round-off a thousandfold.
+    # The bed amplifies round-off a thousandfold, so continued runs agree only to this tolerance.
     briefs: ClassVar = {
         "": Brief(
             BRIEF,
@@ -44,7 +44,7 @@ class Compaction(GranularDeck):
 
     die_radius: float = number("radius of the die and the punch", "m", 0)
     layers: int = whole("layers of poured grains, on a cubic lattice", 3)
-    # Spheres on the lattice have 0.5236; flattened grains fill the die.
+    # Range: 0.5236 for spheres on a cubic lattice, 1 for a die filled by flattened grains.
     relative_density: float = number(
         "relative density below the punch at its lowest point", "-", 0.5236, 1
     )
@@ -104,12 +104,12 @@ def energy_checks(table: pd.DataFrame, loop: Loop) -> list[Check]:
             "work of the punch compared with force times travel, relative",
             difference,
             HUNDRED_ROWS * max(1, 100 / len(table)) ** 2,
-            f"trapezoids between {len(table)} rows",
+            f"error of trapezoidal integration with {len(table)} rows",
         ),
         Check(
-            "kinetic over elastic energy under load",
+            "kinetic / elastic energy under load",
             (loaded["kinetic"] / loaded["elastic"]).max(),
             SLOW,
-            "slow enough to be quasi-static",
+            "limit for a quasi-static stroke",
         ),
     ]

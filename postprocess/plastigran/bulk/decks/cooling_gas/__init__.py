@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The freely cooling gas, compared with mean-field theory for the law's restitution."""
+"""Deck cooling_gas: freely cooling gas, compared with mean-field theory for the law."""
 
 from __future__ import annotations
 
@@ -19,20 +19,20 @@ from plastigran.physics import central
 from plastigran.physics.kinetic_theory import FREEZING, Gas, cool, law_restitution
 from plastigran.plot.style import title
 
-#: Error of mean-field theory: up to 7 % was measured (docs/decks/cooling_gas.md).
+#: Allowed error of mean-field theory; up to 7 % was measured (docs/decks/cooling_gas.md).
 MEAN_FIELD = 0.08
-#: Number of standard deviations allowed.
+#: Allowed statistical deviation, in standard deviations.
 DEVIATIONS = 4
 #: Model options that do not change the restitution, in addition to those of the law.
 HARMLESS = ("tangential_damping", "energy_ledger", "overlap_limit")
 
-#: A short run of few grains.
+#: Settings of a short run with few grains.
 BRIEF = {"side": 6, "duration": 40, "rows": 40, "checkpoints": 4}
 
 
 @attrs.frozen(kw_only=True)
 class CoolingGas(BulkDeck):
-    """Smooth spheres in a periodic box, which cool by their impacts."""
+    """Gas of smooth spheres in a periodic box, which cools by inelastic impacts."""
 
     briefs: ClassVar = {
         "": Brief(
@@ -46,7 +46,7 @@ class CoolingGas(BulkDeck):
     volume_fraction: float = number("volume fraction of the grains", "-", 0, FREEZING)
     temperature: float = number("initial variance of the velocity in each direction", "m^2/s^2", 0)
     mixing: float = number("elastic impacts per grain before the measurement", "-", 0)
-    # A continued run may end later and have other log steps.
+    # The settings marked as continuable let a continued run end later, with other log steps.
     duration: float = continuable(
         number("duration in mean times between first impacts of a grain", "-", 0)
     )
@@ -58,8 +58,8 @@ class CoolingGas(BulkDeck):
             if name not in self.grains.options and name not in HARMLESS and choice != "off":
                 names = sorted({*(o["name"] for o in laws.LAWS[self.law].options()), *HARMLESS})
                 raise ValueError(
-                    f"options: {name} {choice} changes the restitution or is unknown; {self.law} "
-                    f"takes {', '.join(names)}"
+                    f"options: {name} {choice} changes the restitution or is unknown. "
+                    f"Allowed with {self.law}: {', '.join(names)}"
                 )
         BulkDeck.check(self)
 
@@ -75,7 +75,7 @@ class CoolingGas(BulkDeck):
         return None if speed is None else speed**2
 
     def gas(self) -> Gas:
-        """Gas with the law's restitution, for all speeds that matter."""
+        """Gas with the restitution of the law, tabulated for all relevant speeds."""
         grains, thermal = self.grains, self.temperature**0.5
         speeds = (1e-4 * thermal, 20 * thermal)
         restitution = law_restitution(grains.contact_law(), grains.radius, grains.mass, speeds)
@@ -83,7 +83,7 @@ class CoolingGas(BulkDeck):
 
     def analyse(self, series: pd.DataFrame) -> Analysis:
         """Compare the temperature with mean-field theory; arguments as for `BulkDeck.analyse`."""
-        # N grains without mean velocity have 3(N - 1) free velocities.
+        # N grains with zero mean velocity have 3(N - 1) independent velocity components.
         scale = 2 / (3 * (self.count - 1) * self.grains.mass)
         series = series.assign(temperature=scale * series["kinetic_energy"])
         gas = self.gas()
@@ -107,7 +107,7 @@ class CoolingGas(BulkDeck):
                 "temperature gained / initial temperature",
                 gained / self.temperature,
                 stored,
-                "energy is only exchanged with impacts in progress",
+                "kinetic energy can increase only by the elastic energy of impacts in progress",
             ),
             Check(
                 "relative difference of temperature from mean-field theory / tolerance",
@@ -126,9 +126,9 @@ class CoolingGas(BulkDeck):
         """Return a bound on the fraction of kinetic energy stored in impacts at the start [-].
 
         Of N grains, N s/2 pairs touch, where s is the collision rate times the elastic duration of
-        the mean impact. Each pair has taken m g^2/4 of 3/2 N m T, exponentially distributed about
-        m T, and stores about half of it. The mean is s/6, with a standard deviation of
-        s^(1/2)/(3 N^(1/2)).
+        the mean impact. The energy m g^2/4 of an impact is exponentially distributed with mean m T,
+        and about half of it is stored at a given time. The total kinetic energy is 3/2 N m T. The
+        mean is s/6, with a standard deviation of s^(1/2)/(3 N^(1/2)).
         """
         grains = self.grains
         modulus, speed = grains.pair.youngs_modulus_eff, (pi * self.temperature) ** 0.5

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The rotating drum: angle of repose, and work of the wall compared with the weight's torque."""
+"""Deck drum: angle of repose in a rotating drum, and work of the wall."""
 
 from __future__ import annotations
 
@@ -23,26 +23,27 @@ from plastigran.plot.spectra import spectra_figure
 
 #: Angle at which a sphere without friction leaves the hollow between three others [degrees].
 HOLLOW = degrees(atan(8**-0.5))
-#: Relative difference between work of the wall and lever arm, for rows as close as FINE_ROWS:
-#: friction acts on a grain half an overlap beyond the surface of the wall.
+#: Allowed relative difference between the work of the wall and the work from the torque of gravity,
+#: for rows with the spacing FINE_ROWS. The difference exists because friction acts on a grain half
+#: an overlap beyond the wall surface.
 LEVER_ARM = 2e-3
-#: Fraction of the work that the swinging bed may store, mainly as potential energy.
+#: Allowed fraction of the work that the oscillating bed stores, mainly as potential energy.
 STEADY = 0.05
 
-#: A short run of few grains.
+#: Settings of a short run with few grains.
 BRIEF = {"drum_radius": 0.05, "length": 0.03, "froude": 0.05, "duration": 0.05, "settling": 0}
 BRIEF |= {"rows": 12, "checkpoints": 4}
 
 
 @attrs.frozen(kw_only=True)
 class Drum(FlowDeck):
-    """A drum about half full of grains rotates about its axis."""
+    """Rotating drum, about half full of grains."""
 
     briefs: ClassVar = {"": Brief(BRIEF, start={"duration": 0.01})}
 
     drum_radius: float = number("radius of the shell", "m", 0)
     length: float = number("length along the axis", "m", 0)
-    # From 1, the weight does not bring the grains back from the top.
+    # At 1 and above, grains stick to the shell, because gravity is below the centrifugal force.
     froude: float = number("Froude number omega^2 R/g", "-", 0, 1)
     bed_height: float = number("height of the lattice above the axis", "drum radii", -0.8, 0.8)
     duration: float = number("duration of the run", "revolutions", 0)
@@ -54,7 +55,7 @@ class Drum(FlowDeck):
     def check(self) -> None:
         largest = (1 + self.size_spread) * self.radius
         require(self, "drum_radius", lower=4 * largest)
-        # The shell is as long as its radius.
+        # The mesh of the shell is as long as its radius.
         require(self, "length", lower=4 * largest, upper=self.drum_radius)
         if self.law == "hertz" and self.spectra == "on":
             raise ValueError("spectra is on, but LIGGGHTS' own hertz has none. Set spectra=off")
@@ -109,7 +110,7 @@ class Drum(FlowDeck):
         )
 
     def angle_checks(self, steady: pd.DataFrame) -> list[Check]:
-        """Check that the mean angle is between zero and what friction can hold.
+        """Check that the mean angle is above zero and below the largest angle that friction allows.
 
         Args:
             steady: Column angle [degrees], after settling.
@@ -120,7 +121,7 @@ class Drum(FlowDeck):
                 "inclination of the bed against the rotation",
                 -angle,
                 0,
-                "the wall drags the bed along",
+                "the wall drags the bed, so the angle must be positive",
             ),
             Check(
                 "angle of repose",
@@ -133,8 +134,8 @@ class Drum(FlowDeck):
     def power_checks(self, series: pd.DataFrame, steady: pd.DataFrame) -> list[Check]:
         """Check the work of the wall against the torque of the weight and against dissipation.
 
-        With rolling friction, the check of the lever arm is left out: LIGGGHTS computes rolling
-        friction as if the wall did not rotate, a couple on the grains without work of the wall.
+        With rolling friction, the check against the torque is omitted: LIGGGHTS computes rolling
+            friction as if the wall did not rotate, a torque on the grains without work of the wall.
 
         Args:
             series: Columns time [s], wallwork, wallwork_predicted [J].

@@ -54,7 +54,7 @@ def _draw_bed(axes, grains, drum_radius, angle) -> None:
     axes.plot(half_chord * np.cos(lean), half_chord * np.sin(lean), "--", color="0.2", lw=1)
     limits = -1.05 * drum_radius, 1.05 * drum_radius
     axes.set(xlim=limits, ylim=limits)
-    scale = axes.inset_axes((0.3, 0.82, 0.4, 0.03))  # the drum is empty there
+    scale = axes.inset_axes((0.3, 0.82, 0.4, 0.03))  # a position in the empty part of the drum
     axes.figure.colorbar(discs, cax=scale, label="speed (m/s)", orientation="horizontal")
 
 
@@ -73,6 +73,7 @@ def _draw_powers(axes, series) -> None:
     axes.plot(turns[::every], lever[::every], "o", label="lever arm of the weight", **points)
     axes.plot(turns, total, color=COLOURS[1], lw=1, label="dissipated in the bed")
     axes.plot(turns, plastic, color=COLOURS[1], lw=1, ls=":", label="by yielding")
-    top = 2.2 * wall.max() or None  # without energy balance the work of the wall is unknown
+    # None (automatic limit) if the work of the wall is unknown, without energy balance.
+    top = 2.2 * wall.max() or None
     axes.set(ylim=(0, top), ylabel="power (mW)", xlabel="revolutions")
     axes.legend(loc="upper right", ncols=2, fontsize="small")

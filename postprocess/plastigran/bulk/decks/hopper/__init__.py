@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The hopper: energy balance, number of grains, and discharge rate by Beverloo's law."""
+"""Deck hopper: energy balance, number of grains, and discharge rate (Beverloo's law)."""
 
 from __future__ import annotations
 
@@ -16,35 +16,35 @@ from plastigran.declared import number, whole
 from plastigran.engine.process import inputs_folder
 from plastigran.physics.beverloo import BLOCKS, STEADY_SHARE, Discharge, measure_discharge
 
-#: Standard deviations by which the rates of two halves may differ.
+#: Allowed difference between the rates of two halves, in standard deviations.
 DEVIATIONS = 4
-#: Further relative change of the rate as the level sinks: 2080 grains lose 4.5 % on average
-#: (docs/decks/hopper.md).
+#: Allowed additional relative change of the rate as the filling level falls: with 2080 grains, 4.5
+#: % was measured on average (docs/decks/hopper.md).
 LEVEL = 0.05
-#: Note on a run without steady discharge.
+#: Remark for a run without steady discharge.
 UNMEASURED = (
     f"the discharge rate was not measured. The run ended before {STEADY_SHARE:.0%} of the "
     f"grains were out, has less than {2 * BLOCKS} rows until then, or its bed is too shallow. "
     "Raise duration, rows or layers"
 )
-#: Layers of the lattice that fit into the barrel.
+#: Largest number of lattice layers that fit into the hopper.
 LAYERS = 20
 
 
 def orifices() -> list[str]:
-    """Return the orifices that have a mesh, in grain diameters."""
+    """Return the orifice diameters for which a mesh exists, in grain diameters."""
     names = (file.stem for file in (inputs_folder() / "meshes").glob("hopper_*.stl"))
     return sorted((name.removeprefix("hopper_") for name in names), key=float)
 
 
-#: A short run of few grains.
+#: Settings of a short run with few grains.
 BRIEF = {"orifice": 8, "layers": 2, "timestep": 2e-5, "duration": 0.5, "rows": 24}
 BRIEF |= {"filling": 0.12, "checkpoints": 6}
 
 
 @attrs.frozen(kw_only=True)
 class Hopper(GranularDeck):
-    """Grains fill a hopper of triangles and flow out of its orifice."""
+    """Filling of a hopper (a triangle mesh) with grains, and discharge through its orifice."""
 
     briefs: ClassVar = {
         "": Brief(BRIEF, start={"filling": 0.01, "duration": 0.01, "rows": 4, "checkpoints": 1})
@@ -80,7 +80,8 @@ class Hopper(GranularDeck):
 
     def analyse(self, series: pd.DataFrame) -> Analysis:
         """Analyse the discharge; arguments as for `BulkDeck.analyse`."""
-        series = series.assign(time=series["time"] - series["time"].iloc[0])  # the orifice opens
+        # Time since the orifice opened.
+        series = series.assign(time=series["time"] - series["time"].iloc[0])
         discharge = self.discharge(series)
         missing = series["held"] + series["counted"] - self.derived("grains")
         checks = [
@@ -88,7 +89,7 @@ class Hopper(GranularDeck):
                 "grains neither in the hopper nor counted out",
                 missing.abs().max(),
                 0,
-                "the mesh keeps grains that do not pass the orifice",
+                "grains can leave the mesh only through the orifice",
             ),
             *self.ledger_checks(series),
             *(discharge_checks(discharge) if discharge else []),

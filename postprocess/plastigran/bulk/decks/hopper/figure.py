@@ -30,12 +30,16 @@ def discharge_figure(series: pd.DataFrame, discharge: Discharge | None, mass: fl
             low, high = (begin + edge * (time - time[0]) for edge in discharge.band)
             law = begin + discharge.predicted * (time - time[0])
             axes.plot(time, law, "--", color="0.4", label="Beverloo's law")
-            band = {"color": "0.85", "lw": 0, "label": "the same, with the scatter of C and k"}
+            band = {
+                "color": "0.85",
+                "lw": 0,
+                "label": "Beverloo's law within the scatter of C and k",
+            }
             axes.fill_between(time, low, high, **band)
             rate = f"{discharge.rate:.3g} ± {discharge.rate_error:.1g} kg/s"
             headline = f"{rate}, {discharge.rate / discharge.predicted:.2f} of Beverloo's"
         else:
-            headline = "no steady part: the rate was not measured"
+            headline = "rate not measured: no steady discharge"
         axes.set_title(headline, fontsize=10)
         axes.legend(loc="upper left")
     return figure
