@@ -32,7 +32,7 @@ from plastigran.usable_laws import laws_for
 
 @dataclass(frozen=True)
 class Run:
-    """One deck with settings that differ from its own."""
+    """A deck with settings that override its defaults."""
 
     deck: str
     ranks: int = 1
@@ -67,7 +67,7 @@ def runs(tree: Path) -> list[Run]:
 
 
 def material_with(law: str, deck: Path) -> dict[str, str]:
-    """Return the setting of a material with the constants of the law; empty for the deck's own."""
+    """Return the setting `material` with the constants of the law; {} keeps that of the deck."""
     default = index_variables(deck)["material"]
     for name in (default, *materials.names()):
         if not materials.read_material(name).missing(law):
@@ -120,7 +120,7 @@ def built(state: str) -> Path:
         check=False,
     ).stdout.strip()
     if not commit:
-        sys.exit(f"{state} is neither a built tree nor a commit")
+        sys.exit(f"{state} is neither a built tree nor a commit. Give one of them")
     tree = PROJECT / "build" / "compare" / commit[:12]
     if not tree.exists():
         subprocess.run(

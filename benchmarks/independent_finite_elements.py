@@ -32,8 +32,8 @@ from plastigran.fem.settings import Settings
 from plastigran.fem.sphere.press import press
 from plastigran.fem.theory.hertz import HertzSphere
 
-RADIUS = 0.1  # m
-STEP = 1e-6  # step of the differences of the tangent
+RADIUS = 0.1  # radius of the sphere [m]
+STEP = 1e-6  # relative step of the finite differences for the tangent
 PENALTY = 10.0  # force of a node / (depth * E* * circumference of the contact)
 ALUMINIUM = ElasticPlastic(
     youngs_modulus=70e9, poissons_ratio=0.3, hardening=LinearHardening(100e6)

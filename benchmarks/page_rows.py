@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Rows of measured values, and the table of a page that shows them."""
+"""Write rows of measured values into a table of a page."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from pathlib import Path
 
 @dataclass(frozen=True)
 class Row:
-    """Row of a table.
+    """Row of a table of measured values.
 
     Attributes:
         description: Measured quantity.

@@ -101,7 +101,7 @@ def main() -> None:
     names = known_laws()
     parser.add_argument("--law", nargs="+", choices=names, default=names, help="default: all")
     options = parser.parse_args()
-    engine_path()  # fails with a remedy if LIGGGHTS is missing
+    engine_path()  # raises EngineError if LIGGGHTS is missing
     if not shutil.which("valgrind"):
         raise EngineError("valgrind is missing; install Debian's package valgrind")
     tables = []

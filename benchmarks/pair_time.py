@@ -45,7 +45,7 @@ WORK = PROJECT / "build" / "bench"
 RESULTS = PROJECT / "results" / "bench" / "pair_time.csv"
 
 REFERENCE, CONTROL = "hertz", "hertz again"
-WITH_LEDGER = ", ledger"  # after the name of a law
+WITH_LEDGER = ", ledger"  # suffix of the name of a law with energy balance
 YIELD_STRENGTH = {"plastic": 3.0e8, "elastic": 1.0e13}  # Pa
 PHASES = ("compression", "release")
 
@@ -98,7 +98,7 @@ def known_laws() -> list[str]:
 
 
 def make_bed(grains: int) -> Path:
-    """The bed of spheres."""
+    """Return the data file of the bed of spheres; make it if it is missing or old."""
     return BEDS["sphere"].make(grains)
 
 
@@ -252,8 +252,11 @@ def main() -> None:
         parser.error(f"--grains is {options.grains}; it must be at least 1000")
     flat = [law for law in options.law if laws.LAWS[law].shape == "cylinder"]
     if options.copies > 1 and flat:
-        parser.error(f"--copies is {options.copies}; name laws for spheres, and not {flat[0]}")
-    engine_path()  # fails with a remedy if LIGGGHTS is missing
+        parser.error(
+            f"--copies is {options.copies}, which is possible only for laws for spheres, "
+            f"not for {flat[0]}"
+        )
+    engine_path()  # raises EngineError if LIGGGHTS is missing
 
     tables = []
     for shape, bed in BEDS.items():

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Compare the cost of the laws with that of LAMMPS' and LIGGGHTS' own laws on one bed.
+"""Compare the cost of the laws with the cost of laws of LAMMPS and LIGGGHTS on one bed.
 
     ./run bench peers
     ./run bench peers --part restitution     # their accuracy: peers_restitution.py
@@ -194,7 +194,7 @@ def main() -> None:
     )
     options = parser.parse_args()
     options.law = [REFERENCE, *(law for law in options.law if law != REFERENCE)]
-    engine_path()  # fails with a remedy if LIGGGHTS is missing
+    engine_path()  # raises EngineError if LIGGGHTS is missing
     if options.part != "restitution":
         compare_costs(options)
     if options.part != "cost":

@@ -27,7 +27,7 @@ from plastigran.validation.spheres.metals import METALS
 DECKS = Path(__file__).resolve().parent / "peers"
 FIGURE = PROJECT / "docs" / "figures" / "peers.svg"
 METAL = METALS["s0.0012-nu0.3-perfect"]
-SPEED_RATIOS = np.geomspace(1.2, 500, 24)  # v/v_Y
+SPEED_RATIOS = np.geomspace(1.2, 500, 24)  # impact speeds / yield speed
 #: Time steps of the shortest impact, if it were elastic.
 IMPACT_STEPS = 4000
 #: v/v_Y to which hooke/hysteresis is fitted, and its largest unloading / loading stiffness.
@@ -87,7 +87,8 @@ class Spheres:
         overlap = speed * (mass / stiffness) ** 0.5
         reference = finite_elements()
         restitution = np.interp(AGREES, reference["speed_ratio"], reference["restitution"])
-        limit = overlap * (STIFFEST - 1) / (1 / restitution**2 - 1)  # where STIFFEST is reached
+        # Overlap at which the stiffness ratio STIFFEST is reached.
+        limit = overlap * (STIFFEST - 1) / (1 / restitution**2 - 1)
         depth = limit * (STIFFEST - 1) / STIFFEST / (2 * radius)
         values = {
             "characteristicVelocity scalar": speed,

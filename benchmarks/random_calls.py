@@ -24,7 +24,8 @@ from tqdm import tqdm
 from plastigran import laws
 from plastigran.usable_laws import laws_for
 
-CONTACTS, STEPS = 200, 100  # for one random pair of bodies
+# Number of contacts, and of steps of each, for one random pair of bodies.
+CONTACTS, STEPS = 200, 100
 #: Round-off of differences of energies, relative to the energies of a contact.
 ROUND_OFF = 1e-11
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Rounds of runs, and the start of a benchmark."""
+"""Order of the runs of a benchmark in rounds, and entry point of benchmarks."""
 
 from __future__ import annotations
 

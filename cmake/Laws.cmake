@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 
-# The class a law's header holds: vu_quoc_zhang.h holds VuQuocZhang.
+# Sets `result` to the class that the header of a law contains: VuQuocZhang for vu_quoc_zhang.h.
 function(law_class law result)
   string(REPLACE "_" ";" words ${law})
   set(class "")
@@ -13,7 +13,7 @@ function(law_class law result)
   set(${result} ${class} PARENT_SCOPE)
 endfunction()
 
-# The names of all laws, those of their headers.
+# Sets `result` to the names of all laws, which are the names of their headers.
 function(find_laws result)
   set(laws_dir ${PROJECT_SOURCE_DIR}/contact_models/plastigran/laws)
   file(GLOB headers CONFIGURE_DEPENDS RELATIVE ${laws_dir} ${laws_dir}/*.h)
@@ -21,8 +21,8 @@ function(find_laws result)
   set(${result} ${headers} PARENT_SCOPE)
 endfunction()
 
-# Writes all_laws.h into the present binary folder: it includes every law and has their classes,
-# separated by commas, as ALL_LAWS.
+# Writes all_laws.h to the current binary folder. The file includes the header of every law and
+# defines ALL_LAWS, the comma-separated list of their classes.
 function(write_all_laws)
   set(includes "")
   set(classes "")

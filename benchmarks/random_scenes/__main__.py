@@ -81,7 +81,8 @@ def judge(seed: int, folder: Path) -> Verdict:
 def compare(scene: Scene, folder: Path, logs: list[Path]) -> tuple[int, int, float, float, float]:
     """Return contacts, frames and largest differences of force, elastic energy, plastic work."""
     ledger = [read_thermo(log) for log in logs]
-    lines = pd.concat(ledger, ignore_index=True)[ledger[0].columns].dropna()  # without `run 0`
+    # Drop rows without energies, which `run 0` leaves.
+    lines = pd.concat(ledger, ignore_index=True)[ledger[0].columns].dropna()
     lines = lines.set_axis(["run", "step", "kinetic", "elastic", "plastic", "drift"], axis=1)
     replay, last = Replay(scene), None
     scale, worst, energy, frames = 0.0, 0.0, 0.0, 0
@@ -125,7 +126,7 @@ def match(
             matched[k] = names[row.argmin()]
     new = np.flatnonzero(matched == 0)
     assert len(new) == ("create" in event.action), f"{len(new)} new particles at {event.action}"
-    matched[new] = 1 + names.max(initial=0) + step  # a name that no particle had
+    matched[new] = 1 + names.max(initial=0) + step  # new names, which no earlier particle had
     lost = np.setdiff1d(names, matched)
     assert "delete" in event.action or not len(lost), (
         f"{len(lost)} particles lost at {event.action}"
@@ -157,7 +158,8 @@ def main() -> None:
     parser.add_argument("--keep", type=Path, help="folder for the runs of scenes that differ")
     parser.add_argument("--output", type=Path, default=RESULTS, help="table (default: %(default)s)")
     options = parser.parse_args()
-    os.environ.setdefault("OMPI_MCA_mpi_yield_when_idle", "1")  # other scenes need the cores
+    # Idle ranks yield, because other scenes need the cores.
+    os.environ.setdefault("OMPI_MCA_mpi_yield_when_idle", "1")
     seeds = range(options.seed, options.seed + options.scenes)
     options.output.parent.mkdir(parents=True, exist_ok=True)
     with (

@@ -106,7 +106,7 @@ def _again(scene: Scene, event: Event) -> Iterator[str]:
 
 
 def _properties(scene: Scene) -> Iterator[str]:
-    # LIGGGHTS requires that something has type 1, whatever is deleted.
+    # LIGGGHTS requires an object of type 1, even if all particles of type 1 are deleted.
     yield (
         "fix first all particletemplate/sphere 15485863 atom_type 1 density constant 1000 "
         "radius constant 0.05"

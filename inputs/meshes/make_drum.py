@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Write drum.stl beside this file: the shell of a drum about the y axis.
+"""Write drum.stl next to this file: the shell of a drum about the y axis.
 
 Radius and length are 1, and the center is the origin. Decks scale it.
 """
@@ -12,14 +12,15 @@ from pathlib import Path
 import numpy as np
 from stl import write
 
-#: Few, for the sake of energy: LIGGGHTS hands a grain from a facet to the next where its centre
-#: crosses the normal of their edge. The next one's force begins there, with a jump when the overlap
-#: is beyond (1 - cos(2 pi / FACETS)) of the grain's radius. The shell is round to 1 % of its own.
+#: Number of facets, small to conserve energy. LIGGGHTS transfers a grain from a facet to the next
+#: when its center crosses the normal of their edge. There, the force jumps if the overlap exceeds
+#: (1 - cos(2 pi / FACETS)) of the grain radius. The shell deviates from a circle by 1 % of its
+#: radius.
 FACETS = 24
 
 
 def shell(facets: int) -> np.ndarray:
-    """Triangles of a prism inscribed in the cylinder.
+    """Return the triangles of a prism inscribed in the cylinder.
 
     Args:
         facets: Sides of the prism, two triangles each.

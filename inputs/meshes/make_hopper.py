@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Makes the hoppers of inputs/bulk/hopper/shape.in, `hopper_N.stl` beside this file.
+"""Make the hopper meshes `hopper_N.stl` with the shape in inputs/bulk/hopper/shape.in.
 
-    python inputs/meshes/make_hopper.py            # those committed
-    python inputs/meshes/make_hopper.py 5.5 6.5    # others
+    python inputs/meshes/make_hopper.py            # the meshes of the repository
+    python inputs/meshes/make_hopper.py 5.5 6.5    # other orifices
 
-A barrel on a cone that ends in a round orifice at z = 0, along z, open at both ends. Lengths in
-diameters of a grain: the deck scales them.
+A barrel on a cone that ends in a round orifice at z = 0, along z, open at both ends. Lengths are in
+grain diameters; the deck scales them.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ from pathlib import Path
 import numpy as np
 from stl import write
 
-#: Diameters of the orifice, in N of `hopper_N.stl`.
+#: Orifice diameters N of the meshes `hopper_N.stl`, in grain diameters.
 ORIFICES = (5, 6, 7, 8)
 
 _DECK = Path(__file__).parents[1] / "bulk" / "hopper" / "shape.in"
@@ -28,10 +28,11 @@ SEGMENTS = 36
 
 
 def rings(orifice: float) -> np.ndarray:
-    """Diameter and height of the circles the surface is spanned between: shape (n, 2).
+    """Return diameter and height of the circles between which the surface is spanned (n, 2).
 
-    The engine takes neighbouring triangles for one smooth surface below an angle that must be less
-    than any corner's, so none may be slender: rings of the cone grow with its radius.
+    LIGGGHTS joins neighboring triangles to one smooth surface below an angle that must be smaller
+    than all corner angles. Slender triangles are therefore avoided: the ring height grows with the
+    radius of the cone.
     """
     top = (BARREL - orifice) / 2 * np.tan(SLOPE)
     cone = np.geomspace(orifice, BARREL, 1 + int(np.ceil(np.log(BARREL / orifice) / np.log(1.6))))
@@ -41,7 +42,7 @@ def rings(orifice: float) -> np.ndarray:
 
 
 def triangles(orifice: float) -> np.ndarray:
-    """The surface: shape (n, 3 corners, 3). Its polygons have the areas of their circles."""
+    """Return the triangles of the surface (n, 3 corners, 3); areas are those of circles."""
     angle = 2 * np.pi / SEGMENTS * np.arange(SEGMENTS + 1)
     radius = np.sqrt(2 * np.pi / SEGMENTS / np.sin(2 * np.pi / SEGMENTS)) / 2
     circle = radius * np.column_stack([np.cos(angle), np.sin(angle)])
@@ -55,14 +56,14 @@ def triangles(orifice: float) -> np.ndarray:
 
 
 def check(orifice: str) -> float:
-    """An orifice a hopper can have. Raises SystemExit for another."""
+    """Return a valid orifice diameter as a number; raise SystemExit for an invalid one."""
     widest = BARREL / 2.5
     try:
         size = float(orifice)
     except ValueError:
         size = np.nan
     if not 1.4 < size <= widest:
-        raise SystemExit(f"orifice {orifice}: it must be a number above 1.4, at most {widest:g}")
+        raise SystemExit(f"orifice is {orifice}; it must be a number above 1.4, at most {widest:g}")
     return size
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Writes punch.stl: one triangle at z = 0 around the circle of radius 1, a punch once scaled."""
+"""Write punch.stl: a triangle at z = 0 around the unit circle, which decks scale to a punch."""
 
 from pathlib import Path
 
@@ -8,7 +8,7 @@ from stl import write
 
 
 def triangle() -> np.ndarray:
-    """Corners of an equilateral triangle whose sides touch the unit circle, (3, 3)."""
+    """Return the corners (3, 3) of an equilateral triangle whose sides touch the unit circle."""
     angles = np.radians([90, 210, 330])
     return np.column_stack([2 * np.cos(angles), 2 * np.sin(angles), np.zeros(3)])
 

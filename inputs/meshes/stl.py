@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Triangles as ASCII STL, for the scripts beside this file that make the meshes."""
+"""Write triangles as ASCII STL, for the scripts in this folder that make meshes."""
 
 from __future__ import annotations
 
@@ -9,10 +9,10 @@ import numpy as np
 
 
 def write(path: Path, triangles: np.ndarray, digits: int = 9) -> None:
-    """Write a solid of the file's name.
+    """Write triangles as a solid with the name of the file.
 
     Args:
-        path: The file.
+        path: File to write.
         triangles: Corners, shape (n, 3, 3); seen against the normal they turn counterclockwise.
         digits: Decimal places of the corners.
     """
@@ -26,4 +26,5 @@ def write(path: Path, triangles: np.ndarray, digits: int = 9) -> None:
 
 
 def _numbers(vector: np.ndarray, digits: int = 9) -> str:
-    return " ".join(f"{value:.7g}" for value in np.round(vector, digits) + 0.0)  # + 0: no -0
+    # + 0.0 turns -0 into 0.
+    return " ".join(f"{value:.7g}" for value in np.round(vector, digits) + 0.0)
