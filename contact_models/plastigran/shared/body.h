@@ -47,15 +47,16 @@ constexpr std::array<BodyConstant, 7> body_constants{{
      "Young's modulus"},
     {"poissons_ratio", "ν", "-", &Body::poissons_ratio, -1, 0.5, true, required, "Poisson's ratio"},
     {"yield_strength", "σ_Y", "Pa", &Body::yield_strength, 0, unlimited, true, unlimited,
-     "uniaxial yield strength; 1e30: no yield"},
+     "uniaxial yield strength; 1e30 for a body that does not yield"},
     {"yield_pressure_factor", "p_y/σ_Y", "-", &Body::yield_pressure_factor, 0.5, 10, false, 0,
-     "contact yield pressure divided by yield strength; 0: Hertz-von Mises value"},
+     "contact pressure at first yield, divided by yield strength; 0: value for Hertz contact and "
+     "von Mises yield"},
     {"tangent_modulus", "E_t", "Pa", &Body::tangent_modulus, 0, unlimited, false, 0,
      "slope of the stress-strain curve beyond yield, below Young's modulus; 0: perfectly plastic"},
     {"rate_coefficient", "C", "-", &Body::rate_coefficient, 0, 1, false, 0,
      "relative increase of yield strength per e-fold increase of strain rate"},
     {"reference_rate", "ε̇₀", "1/s", &Body::reference_rate, 0, unlimited, true, 1,
-     "strain rate to which the yield strength refers"},
+     "strain rate at which the body has the given yield strength"},
 }};
 
 }  // namespace plastigran
