@@ -238,7 +238,7 @@ def test_misspelt_law_is_refused(plain, tmp_path):
         plan_bulk(plain, {}, tmp_path / "run")
     write_plain(plain, ("model thornton", "model  thornton2"))
     with pytest.warns(
-        UserWarning, match="model .thornton2.. Possible misspelling of thornton.*Ignore this warning"
+        UserWarning, match="model .thornton2.. Possible misspelling of thornton.*Ignore this"
     ):
         plan_bulk(plain, {}, tmp_path / "run")
     for model in ("hertz/stiffness", "thornton_ning", "${own}"):
