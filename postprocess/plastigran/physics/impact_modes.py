@@ -28,7 +28,7 @@ def impact_modes(
     Returns:
         Rows and columns of `sphere_modes`.
     """
-    found, overtones = [], 1
+    by_degree, overtones = [], 1
     for degree in count():
         while True:
             modes = sphere_modes(
@@ -38,14 +38,14 @@ def impact_modes(
             if modes["frequency"].max() > highest:
                 break
             overtones += 1
-        found.append(modes[modes["frequency"] <= highest])
+        by_degree.append(modes[modes["frequency"] <= highest])
         # The next degree has at most this many modes below `highest`.
-        overtones = len(found[-1]) + 1
+        overtones = len(by_degree[-1]) + 1
         # Stop at a degree without modes: from degree 2, the lowest frequency increases with the
         # degree.
-        if degree >= 2 and found[-1].empty:
+        if degree >= 2 and by_degree[-1].empty:
             break
-    return pd.concat(found).sort_values("frequency", ignore_index=True)
+    return pd.concat(by_degree).sort_values("frequency", ignore_index=True)
 
 
 def nearest_modes(frequencies: ArrayLike, modes: pd.DataFrame) -> pd.DataFrame:
@@ -59,8 +59,8 @@ def nearest_modes(frequencies: ArrayLike, modes: pd.DataFrame) -> pd.DataFrame:
         One row per frequency: the columns of `modes`, `found` (the frequency [Hz]) and `difference`
         (relative difference from the mode [-]).
     """
-    found = np.asarray(frequencies, dtype=float)
+    measured = np.asarray(frequencies, dtype=float)
     exact = modes["frequency"].to_numpy()
-    nearest = np.argmin(np.abs(exact[:, None] - found), axis=0)
+    nearest = np.argmin(np.abs(exact[:, None] - measured), axis=0)
     table = modes.iloc[nearest].reset_index(drop=True)
-    return table.assign(found=found, difference=found / exact[nearest] - 1)
+    return table.assign(found=measured, difference=measured / exact[nearest] - 1)

@@ -72,15 +72,15 @@ def sphere_modes(
         if degree < 0:
             raise ValueError(f"degree is {degree}; it must be 0 or more")
         if degree == 0:
-            found = {"radial": radial_roots(poissons_ratio, overtones) / ratio}
+            roots_by_kind = {"radial": radial_roots(poissons_ratio, overtones) / ratio}
         else:
-            found = {
+            roots_by_kind = {
                 "spheroidal": spheroidal_roots(degree, poissons_ratio, overtones),
                 "toroidal": toroidal_roots(degree, overtones),
             }
         rows += [
             (kind, degree, overtone, ka, ka * ratio)
-            for kind, roots in found.items()
+            for kind, roots in roots_by_kind.items()
             for overtone, ka in enumerate(roots)
         ]
     table = pd.DataFrame(rows, columns=["kind", "degree", "overtone", "ka", "ha"])

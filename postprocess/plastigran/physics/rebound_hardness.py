@@ -58,8 +58,8 @@ class ReboundTester:
         Raises:
             ValueError: A constant is missing or out of range.
         """
-        found = laws.LAWS[law](self.pair(sample), **dented_flat(law), **constants)
-        return found.central_impact(self.ball_radius, self.mass, self._speed_of_contact())
+        instance = laws.LAWS[law](self.pair(sample), **dented_flat(law), **constants)
+        return instance.central_impact(self.ball_radius, self.mass, self._speed_of_contact())
 
     def reading(self, law: str, sample: laws.Body, **constants: float | str) -> float:
         """Return the rebound hardness HL of a sample [-].
