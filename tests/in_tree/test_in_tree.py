@@ -14,7 +14,7 @@ from plastigran.engine.log import read_thermo
 from plastigran.engine.process import command, inputs_folder
 from plastigran.experiments.collide import IMPACTS
 from plastigran.experiments.collision import measure
-from plastigran.materials import has_constants
+from plastigran.materials import has_constants, has_surface_energy
 
 TESTS = Path(__file__).parents[1]
 PROJECT = TESTS.parent
@@ -65,6 +65,8 @@ def run_both(in_tree, deck: Path, variables: dict[str, object], folder: Path) ->
 )
 def test_restitution_is_that_of_the_plugin(in_tree, law, deck, tmp_path):
     variables = {"law": law, "dissipative_constant": 3e-5}
+    if has_surface_energy(law):
+        variables["surface_energy"] = 10.0
     folders = run_both(in_tree, inputs_folder() / "collision" / deck, variables, tmp_path)
     ours, plugin = (
         measure(folder / "trajectory.dump").coefficient_of_restitution for folder in folders
