@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "lammps/contact_line.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
+
+namespace plastigran {
+
+namespace {
+
+// The first word of what LAMMPS reads.
+bool begins_models(const std::string& word) {
+  static const std::vector<std::string> first{
+      "damping",       "tangential",          "rolling", "twisting", "heat",   "cutoff",   "region",
+      "limit_damping", "synchronized_verlet", "xplane",  "yplane",   "zplane", "zcylinder"};
+  return std::find(first.begin(), first.end(), word) != first.end();
+}
+
+const BodyConstant* body_constant(const std::string& name) {
+  for (const BodyConstant& constant : body_constants)
+    if (name == constant.name) return &constant;
+  return nullptr;
+}
+
+// A file of materials has lines `variable NAME index VALUE`.
+Complaint read_material(const std::string& name, Body& body) {
+  std::ifstream file(name);
+  const char* const folder = std::getenv("PLASTIGRAN_MATERIALS");
+  if (!file && folder) file.open(std::string(folder) + '/' + name + ".in");
+  if (!file)
+    return Complaint("body: there is no file " + name +
+                     "; give the path of a file with lines `variable NAME index VALUE`");
+  std::string line;
+  while (std::getline(file, line)) {
+    std::istringstream words(line.substr(0, line.find('#')));
+    std::string command, constant, style, value;
+    if (!(words >> command >> constant >> style >> value) || command != "variable") continue;
+    if (const BodyConstant* const entry = body_constant(constant))
+      if (!to_number(value, body.*entry->value)) return not_a_number(constant, value);
+  }
+  return {};
+}
+
+}  // namespace
+
+Body rigid_body() {
+  Body body;
+  body.youngs_modulus = 1e30;
+  body.poissons_ratio = 0.3;
+  return body;
+}
+
+bool to_number(const std::string& word, double& number) {
+  char* end = nullptr;
+  number = std::strtod(word.c_str(), &end);
+  return end != word.c_str() && *end == 0;
+}
+
+Complaint not_a_number(const std::string& name, const std::string& word) {
+  return Complaint('{' + name + "} is `" + word + "`; it must be a number");
+}
+
+std::string body_words() {
+  std::string names;
+  for (const BodyConstant& constant : body_constants)
+    if (constant.value != &Body::youngs_modulus && constant.value != &Body::poissons_ratio)
+      names += (names.empty() ? "" : " ") + std::string(constant.name);
+  return names;
+}
+
+Complaint ContactLine::read(const std::vector<std::string>& line) {
+  *this = ContactLine();
+  words = line;
+  std::size_t at = 0;
+  const auto next = [&] { return at < line.size() ? line[at++] : std::string(); };
+  law = next();
+  const std::string first = next();
+  if (first == "rigid") {
+    body = rigid_body();
+  } else if (first == "mixed") {
+    mixed = true;
+  } else if (first == "body") {
+    const Complaint complaint = read_material(next(), body);
+    if (!complaint.empty()) return complaint;
+  } else {
+    const std::string second = next();
+    if (!to_number(first, body.youngs_modulus) || !to_number(second, body.poissons_ratio))
+      return Complaint("after the law comes `" + first + ' ' + second +
+                       "`; it must be Young's modulus [Pa] and Poisson's ratio, `body FILE`, "
+                       "`rigid`, or `mixed`");
+  }
+  while (at < line.size() && !begins_models(line[at])) {
+    const std::string name = next();
+    if (at >= line.size()) return Complaint("the value of {" + name + "} is missing");
+    const std::string value = next();
+    if (name == "viscous") {
+      double restitution;
+      if (!to_number(value, restitution) || !(restitution >= 0))
+        return Complaint("{viscous} is " + value + "; it must be a number, 0 or more");
+      viscous = value;
+    } else if (const BodyConstant* const constant = body_constant(name)) {
+      if (!to_number(value, body.*constant->value)) return not_a_number(name, value);
+    } else {
+      law_words[name] = value;
+    }
+  }
+  models.assign(line.begin() + static_cast<std::ptrdiff_t>(at), line.end());
+  return {};
+}
+
+std::vector<std::string> ContactLine::placeholder(double shear_modulus_eff) const {
+  char modulus[32];
+  std::snprintf(modulus, sizeof modulus, "%.17g", 8 * shear_modulus_eff);
+  // For these models the coefficient is a restitution, and 1 is no damping; for the others 0 is.
+  const auto damping = std::find(models.begin(), models.end(), "damping");
+  const bool by_restitution = damping != models.end() && damping + 1 != models.end() &&
+                              (damping[1] == "tsuji" || damping[1] == "coeff_restitution");
+  const std::string none = by_restitution ? "1" : "0";
+  std::vector<std::string> all{"hertz/material", modulus, viscous.empty() ? none : viscous, "0"};
+  all.insert(all.end(), models.begin(), models.end());
+  return all;
+}
+
+}  // namespace plastigran

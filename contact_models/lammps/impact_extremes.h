@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+//
+// The particles of all ranks by atom type, for the forecast of impacts.
+#pragma once
+
+#include <vector>
+
+#include "lammps.h"
+#include "plastigran/pairs/impact_forecast.h"
+
+namespace plastigran {
+
+std::vector<TypeExtremes> type_extremes(LAMMPS_NS::LAMMPS* lammps);  // by type - 1
+
+std::vector<int> all_types(int count);
+
+}  // namespace plastigran

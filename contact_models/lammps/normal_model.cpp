@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "lammps/normal_model.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "atom.h"
+
+namespace plastigran {
+
+using LAMMPS_NS::Granular_NS::GranSubModNormal;
+using LAMMPS_NS::Granular_NS::GranularModel;
+
+NormalModel::NormalModel(GranularModel* model, LAMMPS_NS::LAMMPS* lammps, Laws laws,
+                         ContactTally& tally)
+    : GranSubModNormal(model, lammps), laws_(std::move(laws)), tally_(tally) {
+  const RuntimeLaw& one = *laws_.front();
+  const GranSubModNormal& placeholder = *model->normal_model;
+  name = "hertz/material";
+  num_coeffs = 3;
+  allocate_coeffs();
+  std::copy_n(placeholder.coeffs, num_coeffs, coeffs);
+  Emod = coeffs[0];
+  damp = coeffs[1];
+  poiss = coeffs[2];
+  material_properties = 1;
+  contact_radius_flag = 1;
+  cohesive_flag = one.attracts;
+  beyond_contact = one.stretches;
+  state_at_ = one.stretches ? 1 : 0;
+  work_at_ = state_at_ + one.state_size;
+  factor_at_ = work_at_ + 1;
+  size_history = static_cast<int>(factor_at_ + (one.has_strength ? 1 : 0));
+  history_index = placeholder.history_index;
+  nondefault_history_transfer = 1;
+  transfer_history_factor = new double[size_history];
+  std::fill_n(transfer_history_factor, size_history, 1.0);
+}
+
+NormalModel::~NormalModel() {
+  delete[] transfer_history_factor;
+  transfer_history_factor = nullptr;
+}
+
+void NormalModel::replace(GranularModel* model, LAMMPS_NS::LAMMPS* lammps, Laws laws,
+                          ContactTally& tally) {
+  auto* const normal = new NormalModel(model, lammps, std::move(laws), tally);
+  delete model->sub_models[LAMMPS_NS::Granular_NS::NORMAL];
+  model->normal_model = normal;
+  model->sub_models[LAMMPS_NS::Granular_NS::NORMAL] = normal;
+  delete[] model->transfer_history_factor;  // init() allocates the factors again
+  model->transfer_history_factor = nullptr;
+  model->init();
+}
+
+const RuntimeLaw& NormalModel::law() const {
+  if (laws_.size() == 1) return *laws_.front();
+  const auto particle = (gm->vi - atom->v[0]) / 3;
+  return *laws_[static_cast<std::size_t>(atom->type[particle]) - 1];
+}
+
+// Twice the pull-off distance, so that the law sees the break and counts its energy.
+bool NormalModel::touch() {
+  double reach = gm->radsum;
+  if (gm->touch && beyond_contact) reach += 2 * law().pull_off_distance(gm->Reff);
+  return gm->rsq < reach * reach;
+}
+
+double NormalModel::pulloff_distance(double radius, double other_radius) {
+  const double radius_eff =
+      other_radius > 0 ? radius * other_radius / (radius + other_radius) : radius;
+  double distance = 0;
+  for (const auto& law : laws_)
+    distance = std::max(distance, 2 * law->pull_off_distance(radius_eff));
+  return distance;
+}
+
+double NormalModel::calculate_contact_radius() {
+  const RuntimeLaw& contact_law = law();
+  double* const values = gm->history + history_index;
+  RuntimeLaw::State before{};
+  std::copy_n(values + state_at_, contact_law.state_size, before.begin());
+  RuntimeLaw::State now = before;
+  double factor = 1;
+  if (contact_law.bodies.rate_coefficient > 0) {
+    factor = values[factor_at_];
+    if (factor == 0) factor = contact_law.rate_factor(gm->Reff, -gm->vnnr);
+  }
+  const Response response = contact_law.respond(gm->Reff, gm->delta, -gm->vnnr, factor, now);
+  double plastic_work = 0, adhesion_loss = 0;
+  if (gm->history_update) {
+    plastic_work = response.plastic_work - values[work_at_];
+    if (contact_law.stretches) adhesion_loss = contact_law.lost_at_ends(gm->Reff, before, now);
+    values[work_at_] = response.plastic_work;
+    std::copy_n(now.begin(), contact_law.state_size, values + state_at_);
+    if (contact_law.has_strength) values[factor_at_] = factor;
+    // A contact that breaks loses its history, also if LAMMPS still lists it.
+    if (contact_law.stretches && !contact_law.in_contact(now))
+      std::fill(values + state_at_, values + size_history, 0.0);
+  }
+  tally_.add(*gm, response, contact_law.range * gm->Reff, plastic_work, adhesion_loss);
+  force_ = response.force;
+  pull_off_force_ = contact_law.attracts && response.contact_radius > 0
+                        ? contact_law.pull_off_force(gm->Reff, gm->delta, now)
+                        : 0;
+  return response.contact_radius;
+}
+
+// The pull-off force raises the limit of friction: |T| <= mu (F + F_c) (Derjaguin 1934).
+void NormalModel::set_fncrit() { Fncrit = std::abs(gm->Fntot + pull_off_force_); }
+
+}  // namespace plastigran

@@ -1,0 +1,265 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "lammps/pair_style.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "atom.h"
+#include "comm.h"
+#include "error.h"
+#include "force.h"
+#include "lammps.h"
+#include "lammps/impact_extremes.h"
+#include "lammps/normal_model.h"
+#include "modify.h"
+#include "update.h"
+#include "utils.h"
+
+namespace plastigran {
+
+using LAMMPS_NS::PairGranular;
+using LAMMPS_NS::Granular_NS::GranularModel;
+
+namespace {
+
+constexpr const char* ids = "plastigran_id";  // value per particle: its ID in the last run
+
+std::vector<char*> pointers(std::vector<std::string>& words) {
+  std::vector<char*> all;
+  for (std::string& word : words) all.push_back(word.data());
+  return all;
+}
+
+}  // namespace
+
+PairStyle::PairStyle(LAMMPS_NS::LAMMPS* lammps) : PairGranular(lammps) {
+  comm_reverse = 2;
+  cutoff_global = -1;  // LAMMPS leaves it unset, also after read_restart
+}
+
+PairStyle* PairStyle::of(LAMMPS_NS::LAMMPS* lammps) {
+  return dynamic_cast<PairStyle*>(lammps->force->pair_match("granular/plastigran", 1));
+}
+
+ContactLine PairStyle::read(const std::vector<std::string>& words, const std::string& command) {
+  ContactLine line;
+  const Complaint complaint = line.read(words);
+  if (!complaint.empty()) error->all(FLERR, "{}: {}", command, complaint.text());
+  return line;
+}
+
+std::shared_ptr<const RuntimeLaw> PairStyle::law(const ContactLine& line, const Body& one,
+                                                 const Body& other, const std::string& command) {
+  std::string names;
+  for (const NamedLaw* const named : named_laws()) {
+    names += std::string(" ") + named->name;
+    if (line.law != named->name) continue;
+    Complaint complaint;
+    auto made = named->make(line, one, other, complaint);
+    if (!made) error->all(FLERR, "{}: {}: {}", command, line.law, complaint.text());
+    return made;
+  }
+  error->all(FLERR, "{}: there is no law `{}`; choose one of{}", command, line.law, names);
+}
+
+const PairStyle::Model& PairStyle::model_of(int type, int other_type) {
+  return models_.at(models_list[types_indices[type][other_type]]);
+}
+
+const ContactLine& PairStyle::line_of(int type) {
+  if (!allocated || !setflag[type][type])
+    error->all(FLERR,
+               "granular/plastigran: atom type {} has no body; give `pair_coeff {} {}` first", type,
+               type, type);
+  return model_of(type, type).line;
+}
+
+void PairStyle::coeff(int count, char** words) {
+  if (count < 4)
+    error->all(FLERR,
+               "pair_coeff: give atom types, law and body, such as `pair_coeff 1 1 thornton "
+               "7e10 0.3 yield_strength 3e8 tangential mindlin NULL 1.0 0.5`");
+  const ContactLine line = read({words + 2, words + count}, "pair_coeff");
+  if (!line.mixed) return add_model(words[0], words[1], line, line.body, line.body);
+  const std::string types[2] = {words[0], words[1]};
+  for (const std::string& type : types)
+    if (!LAMMPS_NS::utils::is_integer(type))
+      error->all(FLERR, "pair_coeff: `mixed` needs two single atom types, not {}", type);
+  add_model(types[0], types[1], line, line_of(std::stoi(types[0])).body,
+            line_of(std::stoi(types[1])).body);
+}
+
+// LAMMPS makes a model for the types and appends it to its list.
+void PairStyle::add_model(const std::string& types, const std::string& other_types,
+                          const ContactLine& line, const Body& one, const Body& other) {
+  const auto made = law(line, one, other, "pair_coeff");
+  std::vector<std::string> words = line.placeholder(made->bodies.shear_modulus_eff);
+  words.insert(words.begin(), {types, other_types});
+  auto all = pointers(words);
+  PairGranular::coeff(static_cast<int>(all.size()), all.data());
+  set_model(models_list[nmodels - 1], line, one, other);
+}
+
+void PairStyle::set_model(GranularModel* model, const ContactLine& line, const Body& one,
+                          const Body& other) {
+  const auto made = law(line, one, other, "pair_coeff");
+  NormalModel::replace(model, lmp, {made}, *this);
+  models_[model] = {line, made};
+}
+
+// LAMMPS mixes only its own models. Its `mindlin NULL` also mixes two types of equal modulus to
+// another stiffness than that of one type.
+void PairStyle::mix(int type, int other_type) {
+  const ContactLine one = line_of(type), other = line_of(other_type);
+  if (one.law != other.law || one.law_words != other.law_words || one.models != other.models ||
+      one.viscous != other.viscous)
+    error->all(
+        FLERR,
+        "granular/plastigran: atom types {} and {} have different laws, constants or models; "
+        "give `pair_coeff {} {} LAW mixed ...`",
+        type, other_type, type, other_type);
+  add_model(std::to_string(type), std::to_string(other_type), one, one.body, other.body);
+  mixed_.push_back({type, other_type});
+}
+
+void PairStyle::init_style() {
+  if (force->nktv2p != 1 || force->mvv2e != 1)
+    error->all(FLERR,
+               "granular/plastigran needs units in which force is mass times acceleration; "
+               "use `units si`, `cgs`, `micro`, `nano` or `lj`");
+  for (int i = 1; i <= atom->ntypes; ++i)
+    for (int j = i + 1; j <= atom->ntypes; ++j)
+      if (!setflag[i][j] && setflag[i][i] && setflag[j][j]) mix(i, j);
+  PairGranular::init_style();
+  if (!modify->get_fix_by_id(ids))
+    modify->add_fix(std::string(ids) + " all property/atom d_" + ids);
+  warned_range_ = warned_step_ = false;
+  furthest = 1;
+}
+
+// The histories of contacts have the IDs of their particles.
+void PairStyle::check_particle_ids() {
+  int is_double, columns, renumbered = 0;
+  double* const last = atom->dvector[atom->find_custom(ids, is_double, columns)];
+  for (int i = 0; i < atom->nlocal; ++i) {
+    const auto id = static_cast<double>(atom->tag[i]);
+    if (last[i] != 0 && last[i] != id) renumbered = 1;
+    last[i] = id;
+  }
+  MPI_Allreduce(MPI_IN_PLACE, &renumbered, 1, MPI_INT, MPI_MAX, world);
+  if (renumbered)
+    error->all(FLERR,
+               "granular/plastigran: atom IDs have changed since the last run, so contacts "
+               "would lose their history; use `delete_atoms ... compress no`, and no "
+               "`reset_atoms id`");
+}
+
+void PairStyle::setup() {
+  check_particle_ids();
+  recommend_time_step();
+}
+
+void PairStyle::recommend_time_step() {
+  const ImpactForecast forecast(type_extremes(lmp), all_types(atom->ntypes), false, {});
+  double step = 0, speed = 0;
+  for (const Meeting& meeting : forecast.meetings()) {
+    if (!(meeting.speed > 0)) continue;
+    const double its_step =
+        model_of(meeting.type, meeting.partner_type)
+            .law->recommended_timestep(meeting.radius_eff, meeting.mass_eff, meeting.speed);
+    if (step == 0 || its_step < step) step = its_step, speed = meeting.speed;
+  }
+  if (step > 0 && update->dt > step && !warned_step_) {
+    warned_step_ = true;
+    if (comm->me == 0)
+      error->warning(FLERR,
+                     "granular/plastigran: the time step is {:.3g} s; at most {:.3g} s is "
+                     "recommended for impacts at {:.3g} m/s",
+                     update->dt, step, speed);
+  }
+}
+
+void PairStyle::compute(int eflag, int vflag) {
+  begin(lmp, true);
+  PairGranular::compute(eflag, vflag);
+  end();
+  if (counts_particles() && force->newton_pair) comm->reverse_comm(this);
+  if (furthest > 1 && !warned_range_) {
+    warned_range_ = true;
+    error->warning(FLERR,
+                   "granular/plastigran: a contact is {:.3g} times as deep as the largest "
+                   "overlap for which its law is valid",
+                   furthest);
+  }
+}
+
+// The values of a model lie where those of the largest models lie. LAMMPS' own function assumes the
+// sizes of the model itself.
+void PairStyle::transfer_history(double* source, double* target, int type, int other_type) {
+  const GranularModel* const model = models_list[types_indices[type][other_type]];
+  for (const auto* const part : model->sub_models)
+    for (int k = 0; k < part->size_history; ++k) {
+      const double factor =
+          part->nondefault_history_transfer ? part->transfer_history_factor[k] : -1;
+      target[part->history_index + k] = factor * source[part->history_index + k];
+    }
+}
+
+int PairStyle::pack_reverse_comm(int count, int first, double* buffer) {
+  int size = 0;
+  for (int i = first; i < first + count; ++i)
+    for (int k = 0; k < 2; ++k) buffer[size++] = dissipated(k) ? dissipated(k)[i] : 0;
+  return size;
+}
+
+void PairStyle::unpack_reverse_comm(int count, int* particles, double* buffer) {
+  for (int i = 0; i < count; ++i)
+    for (int k = 0; k < 2; ++k, ++buffer)
+      if (dissipated(k)) dissipated(k)[particles[i]] += *buffer;
+}
+
+// LAMMPS calls this on rank 0 only. The lines of the laws follow what LAMMPS writes. Mixed types
+// are mixed again after a restart.
+void PairStyle::write_restart(FILE* file) {
+  for (const auto& [i, j] : mixed_) setflag[i][j] = 0;
+  PairGranular::write_restart(file);
+  for (const auto& [i, j] : mixed_) setflag[i][j] = 1;
+  std::fwrite(&cutoff_global, sizeof cutoff_global, 1, file);
+  for (int k = 0; k < nmodels; ++k) {
+    std::string text;
+    for (const std::string& word : models_.at(models_list[k]).line.words) text += word + ' ';
+    const int size = static_cast<int>(text.size());
+    std::fwrite(&size, sizeof size, 1, file);
+    std::fwrite(text.data(), 1, text.size(), file);
+  }
+}
+
+void PairStyle::read_restart(FILE* file) {
+  PairGranular::read_restart(file);
+  const auto read_bytes = [&](void* bytes, int size) {
+    if (comm->me == 0)
+      LAMMPS_NS::utils::sfread(FLERR, bytes, 1, static_cast<std::size_t>(size), file, nullptr,
+                               error);
+    MPI_Bcast(bytes, size, MPI_BYTE, 0, world);
+  };
+  read_bytes(&cutoff_global, sizeof cutoff_global);
+  std::vector<std::pair<GranularModel*, ContactLine>> mixed;
+  for (int k = 0; k < nmodels; ++k) {
+    int size = 0;
+    read_bytes(&size, sizeof size);
+    std::string text(static_cast<std::size_t>(size), ' ');
+    read_bytes(text.data(), size);
+    const ContactLine line = read(LAMMPS_NS::utils::split_words(text), "read_restart");
+    if (line.mixed)
+      mixed.push_back({models_list[k], line});
+    else
+      set_model(models_list[k], line, line.body, line.body);
+  }
+  for (const auto& [model, line] : mixed)
+    for (int i = 1; i <= atom->ntypes; ++i)
+      for (int j = i + 1; j <= atom->ntypes; ++j)
+        if (setflag[i][j] && models_list[types_indices[i][j]] == model)
+          set_model(model, line, line_of(i).body, line_of(j).body);
+}
+
+}  // namespace plastigran

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+//
+// `pair_style granular/plastigran`: LAMMPS' pair style granular with the laws for the normal force.
+//
+//   pair_coeff 1 1 universal 7e10 0.3 yield_strength 3e8 tangential mindlin_rescale NULL 1.0 0.5
+//
+// Two types that no line names together get the law between their two bodies.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "lammps/contact_line.h"
+#include "lammps/contact_tally.h"
+#include "lammps/granular_interface.h"
+#include "lammps/runtime_law.h"
+
+namespace plastigran {
+
+class PairStyle : public LAMMPS_NS::PairGranular, public ContactTally {
+ public:
+  explicit PairStyle(LAMMPS_NS::LAMMPS* lammps);
+
+  // The pair style of a simulation; null if there is none.
+  static PairStyle* of(LAMMPS_NS::LAMMPS* lammps);
+
+  // The line of an atom type with itself; stops the run if there is none.
+  const ContactLine& line_of(int type);
+
+  // Reads the words of a line; stops the run if something is wrong with them.
+  ContactLine read(const std::vector<std::string>& words, const std::string& command);
+  // The law of a line between two bodies; stops the run if a constant is wrong.
+  std::shared_ptr<const RuntimeLaw> law(const ContactLine& line, const Body& one, const Body& other,
+                                        const std::string& command);
+
+  void coeff(int count, char** words) override;
+  void init_style() override;
+  void setup() override;
+  void compute(int eflag, int vflag) override;
+  void transfer_history(double* source, double* target, int type, int other_type) override;
+  int pack_reverse_comm(int count, int first, double* buffer) override;
+  void unpack_reverse_comm(int count, int* particles, double* buffer) override;
+  void write_restart(FILE* file) override;
+  void read_restart(FILE* file) override;
+
+ private:
+  struct Model {
+    ContactLine line;
+    std::shared_ptr<const RuntimeLaw> law;
+  };
+
+  void add_model(const std::string& types, const std::string& other_types, const ContactLine& line,
+                 const Body& one, const Body& other);
+  void set_model(LAMMPS_NS::Granular_NS::GranularModel* model, const ContactLine& line,
+                 const Body& one, const Body& other);
+  const Model& model_of(int type, int other_type);
+  void mix(int type, int other_type);
+  void check_particle_ids();
+  void recommend_time_step();
+
+  std::map<LAMMPS_NS::Granular_NS::GranularModel*, Model> models_;
+  std::vector<std::pair<int, int>> mixed_;  // types that no line names together
+  bool warned_range_ = false, warned_step_ = false;
+};
+
+}  // namespace plastigran

@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+//
+// A law between two materials, chosen by name while the program runs, and its values in the contact
+// history.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "lammps/contact_line.h"
+#include "plastigran/impact/central_impact.h"
+#include "plastigran/impact/validate.h"
+#include "plastigran/pairs/type_pair.h"
+#include "plastigran/pairs/type_pairs.h"
+#include "plastigran/shared/adhesion.h"
+#include "plastigran/shared/contact.h"
+#include "plastigran/shared/rate_factor.h"
+
+namespace plastigran {
+
+class RuntimeLaw {
+ public:
+  static constexpr std::size_t capacity = 8;  // most values of a state
+  typedef std::array<double, capacity> State;
+
+  virtual ~RuntimeLaw() = default;
+  virtual Response respond(double radius_eff, double overlap, double overlap_rate, double factor,
+                           State& state) const = 0;
+  virtual double pull_off_force(double radius_eff, double overlap, const State& state) const = 0;
+  virtual double pull_off_distance(double radius_eff) const = 0;
+  // Energy lost where the contact formed or broke in a step from `before` to `now` [J].
+  virtual double lost_at_ends(double radius_eff, const State& before, const State& now) const = 0;
+  virtual bool in_contact(const State& state) const = 0;  // for laws that stretch
+  virtual double recommended_timestep(double radius_eff, double mass_eff, double speed) const = 0;
+  // The constants of the pair, and those of the law with its options.
+  virtual std::string description() const = 0;
+
+  double rate_factor(double radius_eff, double closing_speed) const {
+    return plastigran::rate_factor(bodies, radius_eff, closing_speed);
+  }
+
+  std::size_t state_size = 0;  // values of a state
+  bool attracts = false;       // the force may be negative
+  bool stretches = false;      // contacts outlast the overlap
+  bool has_strength = true;    // the law yields, so a rate factor may change its strength
+  double range = 0;            // largest overlap/R* for which the law is valid
+  MaterialPair bodies;
+};
+
+template <class Law>
+class RuntimeLawOf : public RuntimeLaw {
+  typedef typename Law::State LawState;
+  static constexpr std::size_t bytes = Law::state_names.size() * sizeof(double);
+  static_assert(Law::state_names.size() <= capacity);
+
+ public:
+  RuntimeLawOf(const MaterialPair& pair, const typename Law::Parameters& constants)
+      : pair_(pair, constants) {
+    state_size = Law::state_names.size();
+    attracts = adhesive<Law>;
+    stretches = can_stretch<Law>;
+    has_strength = yields<Law>;
+    range = pair_.range;
+    bodies = pair;
+  }
+
+  Response respond(double radius_eff, double overlap, double overlap_rate, double factor,
+                   State& state) const override {
+    LawState own = read(state);
+    const Response response =
+        factor == 1 ? plastigran::respond(pair_.law, radius_eff, overlap, own, overlap_rate)
+                    : pair_.at_factor(factor, [&](const auto& law, double) {
+                        return plastigran::respond(law, radius_eff, overlap, own, overlap_rate);
+                      });
+    std::memcpy(state.data(), static_cast<const void*>(&own), bytes);
+    return response;
+  }
+  double pull_off_force(double radius_eff, double overlap, const State& state) const override {
+    return plastigran::pull_off_force(pair_.law, radius_eff, overlap, read(state));
+  }
+  double pull_off_distance(double radius_eff) const override {
+    return plastigran::pull_off_distance(pair_.law, radius_eff);
+  }
+  double lost_at_ends(double radius_eff, const State& before, const State& now) const override {
+    return plastigran::lost_at_ends(pair_.law, radius_eff, read(before), read(now));
+  }
+  bool in_contact(const State& state) const override {
+    if constexpr (can_stretch<Law>)
+      return read(state).in_contact != 0;
+    else
+      return true;
+  }
+  double recommended_timestep(double radius_eff, double mass_eff, double speed) const override {
+    return pair_.at_factor(rate_factor(radius_eff, speed), [&](const auto& law, double) {
+      return plastigran::recommended_timestep(law, radius_eff, mass_eff, speed);
+    });
+  }
+  std::string description() const override {
+    std::ostringstream text;
+    text << "effective modulus " << bodies.youngs_modulus_eff << " Pa";
+    if (yields<Law>)
+      text << ", yield strength " << bodies.yield_strength << " Pa, yield pressure "
+           << bodies.yield_pressure << " Pa";
+    for (const auto& parameter : parameters_of<Law>)
+      text << ", " << parameter.name << ' ' << pair_.constants.*parameter.value;
+    return text.str() + options_text<Law>(pair_.constants, ", ");
+  }
+
+ private:
+  static LawState read(const State& state) {
+    LawState own;
+    std::memcpy(static_cast<void*>(&own), state.data(), bytes);
+    return own;
+  }
+
+  TypePair<Law> pair_;
+};
+
+// A law that decks can name. `make` returns null and sets the complaint if a word or value of the
+// line is wrong.
+struct NamedLaw {
+  const char* name;
+  std::shared_ptr<const RuntimeLaw> (*make)(const ContactLine& line, const Body& one,
+                                            const Body& other, Complaint& complaint);
+};
+
+const std::vector<const NamedLaw*>& named_laws();
+
+// Sets the constants and options of a law that the line gives.
+template <class Law>
+Complaint read_constants(const ContactLine& line, typename Law::Parameters& constants) {
+  std::string names;
+  std::size_t used = 0;
+  for (const auto& parameter : parameters_of<Law>) {
+    names += std::string(" ") + parameter.name;
+    const auto word = line.law_words.find(parameter.name);
+    if (word == line.law_words.end()) continue;
+    ++used;
+    if (!to_number(word->second, constants.*parameter.value))
+      return not_a_number(word->first, word->second);
+  }
+  for (const auto& option : options_of<Law>) {
+    names += std::string(" ") + option.name;
+    const auto word = line.law_words.find(option.name);
+    if (word == line.law_words.end()) continue;
+    ++used;
+    std::string choices;
+    int choice = -1;
+    for (std::size_t k = 0; k < option.choices.size() && option.choices[k]; ++k) {
+      choices += (k ? " or " : "") + std::string(option.choices[k]);
+      if (word->second == option.choices[k]) choice = static_cast<int>(k);
+    }
+    if (choice < 0)
+      return Complaint('{' + word->first + "} is " + word->second + "; it must be " + choices);
+    constants.*option.value = choice;
+  }
+  if (used == line.law_words.size()) return {};
+  for (const auto& [name, value] : line.law_words)
+    if ((names + ' ').find(' ' + name + ' ') == std::string::npos)
+      return Complaint("there is no constant or option `" + name + "`; the law has" +
+                       (names.empty() ? " none" : names) + ", and a body has " + body_words());
+  return {};
+}
+
+template <class Law>
+std::shared_ptr<const RuntimeLaw> make_law(const ContactLine& line, const Body& one,
+                                           const Body& other, Complaint& complaint) {
+  typename Law::Parameters constants;
+  complaint = is_cylinder<Law> ? Complaint("the law is for cylinders, and LAMMPS has spheres")
+                               : read_constants<Law>(line, constants);
+  for (const Body* const body : {&one, &other})
+    if (complaint.empty()) complaint = validate(*body);
+  const MaterialPair bodies = combine(one, other);
+  if (complaint.empty()) complaint = validate<Law>(bodies, constants);
+  if (!complaint.empty()) return nullptr;
+  return std::make_shared<RuntimeLawOf<Law>>(bodies, constants);
+}
+
+}  // namespace plastigran

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "lammps/wall_style.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace plastigran {
+
+WallLine::WallLine(LAMMPS_NS::LAMMPS* lammps, int count, char** words)
+    : lammps_(lammps), command_("fix " + std::string(count > 2 ? words[2] : "")) {
+  LAMMPS_NS::Error* const error = lammps->error;
+  if (count < 7 || std::strcmp(words[3], "granular") != 0)
+    error->all(FLERR, "{}: after the style comes `granular LAW E nu ...`", command_);
+  PairStyle* const pair = PairStyle::of(lammps);
+  if (!pair)
+    error->all(FLERR,
+               "{}: the bodies of the particles are missing; give `pair_style "
+               "granular/plastigran` and its pair_coeff lines first",
+               command_);
+  line_ = pair->read({words + 4, words + count}, command_);
+  if (line_.mixed)
+    error->all(FLERR, "{}: a wall has one body; give `E nu`, `body FILE` or `rigid`", command_);
+  const NormalModel::Laws all = laws();
+  const double shear_modulus = all.front()->bodies.shear_modulus_eff;
+  const auto tangential = std::find(line_.models.begin(), line_.models.end(), "tangential");
+  const bool derived = line_.models.end() - tangential > 2 && tangential[2] == "NULL";
+  for (const auto& law : all)
+    if (derived && std::abs(law->bodies.shear_modulus_eff - shear_modulus) > 1e-9 * shear_modulus)
+      error->all(FLERR,
+                 "{}: the atom types have different shear moduli, so `NULL` does not give the "
+                 "tangential stiffness; give a number",
+                 command_);
+  words_.assign(words, words + 4);
+  const auto placeholder = line_.placeholder(shear_modulus);
+  words_.insert(words_.end(), placeholder.begin(), placeholder.end());
+  for (std::string& word : words_) pointers_.push_back(word.data());
+}
+
+NormalModel::Laws WallLine::laws() const {
+  PairStyle* const pair = PairStyle::of(lammps_);
+  NormalModel::Laws all;
+  for (int type = 1; type <= lammps_->atom->ntypes; ++type)
+    all.push_back(pair->law(line_, pair->line_of(type).body, line_.body, command_));
+  return all;
+}
+
+}  // namespace plastigran

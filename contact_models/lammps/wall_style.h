@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+//
+// `fix wall/gran/plastigran` and `fix wall/gran/region/plastigran`: LAMMPS' granular walls with the
+// laws for the normal force. The line gives the law and the body of the wall. The bodies of the
+// particles are those of the pair style:
+//
+//   fix floor all wall/gran/plastigran granular universal 2.1e11 0.3 yield_strength 1e9 &
+//     tangential mindlin_rescale NULL 1.0 0.5 zplane 0 NULL
+#pragma once
+
+#include <cstring>
+#include <string>
+#include <vector>
+
+#include "atom.h"
+#include "error.h"
+#include "lammps.h"
+#include "lammps/granular_interface.h"
+#include "lammps/normal_model.h"
+#include "lammps/pair_style.h"
+#include "memory.h"
+
+namespace plastigran {
+
+// The line of a wall with the words that LAMMPS reads instead of the law. It is made first, because
+// the constructor of the wall reads the words.
+class WallLine {
+ public:
+  WallLine(LAMMPS_NS::LAMMPS* lammps, int count, char** words);
+
+  int count() { return static_cast<int>(pointers_.size()); }
+  char** words() { return pointers_.data(); }
+
+  // The laws between the wall and the bodies of all atom types.
+  NormalModel::Laws laws() const;
+
+ private:
+  LAMMPS_NS::LAMMPS* lammps_;
+  std::string command_;
+  ContactLine line_;
+  std::vector<std::string> words_;
+  std::vector<char*> pointers_;
+};
+
+template <class LammpsWall>
+class WallStyle : private WallLine, public LammpsWall, public ContactTally {
+ public:
+  WallStyle(LAMMPS_NS::LAMMPS* lammps, int count, char** words)
+      : WallLine(lammps, count, words), LammpsWall(lammps, WallLine::count(), WallLine::words()) {
+    NormalModel::replace(this->model, lammps, laws(), *this);
+    this->size_history = this->model->size_history;
+    this->use_history = this->restart_peratom = 1;
+    this->memory->destroy(this->history_one);  // which has the size of LAMMPS' own model
+    this->grow_arrays(this->atom->nmax);
+    for (int i = 0; i < this->atom->nlocal; ++i) this->set_arrays(i);
+  }
+
+  void init() override {
+    NormalModel::replace(this->model, this->lmp, laws(), *this);
+    LammpsWall::init();
+    warned_range_ = false;
+    furthest = 1;
+  }
+
+  void post_force(int vflag) override {
+    begin(this->lmp, false);
+    LammpsWall::post_force(vflag);
+    end();
+    if (furthest > 1 && !warned_range_) {
+      warned_range_ = true;
+      this->error->warning(FLERR,
+                           "{}: a contact is {:.3g} times as deep as the largest overlap for "
+                           "which its law is valid",
+                           this->style, furthest);
+    }
+  }
+
+ private:
+  bool warned_range_ = false;
+};
+
+}  // namespace plastigran
