@@ -69,7 +69,7 @@ def test_vibrating_sphere_names_its_modes(capsys):
     numbers = json.loads(printed.out)
     modes = numbers["modes"]
     assert (modes["kind"][0], modes["degree"][0]) == ("spheroidal", 2)
-    assert modes["found"] == pytest.approx(modes["frequency"], rel=2e-3)
+    assert modes["measured"] == pytest.approx(modes["frequency"], rel=2e-3)
     # Wider than a third of the radius, it lasts two periods only: vibration is left.
     assert 0.98 < numbers["coefficient_of_restitution"] < 0.995
 

@@ -9,11 +9,11 @@ namespace plastigran {
 
 namespace {
 
-std::string sentence(MeshCheck::Kind kind, const MeshCheck::Place& place) {
+std::string sentence(MeshCheck::Problem problem, const MeshCheck::Place& place) {
   std::ostringstream text;
   text << "fix wall/gran: particle " << place.particle << " at (" << place.x[0] << ' ' << place.x[1]
        << ' ' << place.x[2] << ')';
-  if (kind == MeshCheck::seam)
+  if (problem == MeshCheck::seam)
     text << " touches mesh triangles " << place.triangles[0] << " and " << place.triangles[1]
          << ", which share no edge or node. Their contact directions differ by " << place.angle
          << " degrees, less than feature_angle. The contact is counted twice, with separate "
@@ -34,14 +34,14 @@ void MeshCheck::post_run() {
 }
 
 // Warns of the unsupported contact on the lowest rank that has one. Collective.
-void MeshCheck::report(Kind kind) {
-  int rank = found(kind) ? comm->me : comm->nprocs, first;
+void MeshCheck::report(Problem problem) {
+  int rank = seen(problem) ? comm->me : comm->nprocs, first;
   MPI_Allreduce(&rank, &first, 1, MPI_INT, MPI_MIN, world);
-  if (reported_[kind] || first == comm->nprocs) return;
-  reported_[kind] = true;
-  Place place = found_[kind].value_or(Place());
+  if (reported_[problem] || first == comm->nprocs) return;
+  reported_[problem] = true;
+  Place place = seen_[problem].value_or(Place());
   MPI_Bcast(&place, sizeof place, MPI_BYTE, first, world);
-  if (comm->me == 0) warn(lmp, sentence(kind, place));
+  if (comm->me == 0) warn(lmp, sentence(problem, place));
 }
 
 }  // namespace plastigran

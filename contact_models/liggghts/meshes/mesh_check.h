@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// Warns once of each kind of contact with a mesh that the class MeshContacts does not support:
+// Warns once of each of two problems of a particle at a mesh, which the class MeshContacts cannot
+// solve:
 //
-//   seam   a particle has two contacts where the mesh is smooth, but the triangles share no edge or
-//          node, because of a gap or a node on an edge
-//   ring   one smooth surface touches a particle on opposite sides, as a cone or a narrow pipe
-//   does;
+//   seam   a particle has two contacts where the mesh is smooth, because the triangles share no
+//          edge or node: there is a gap, or a node lies on an edge
+//   ring   a smooth surface such as a cone or a narrow pipe touches a particle on opposite sides;
 //          its one contact cannot hold the particle
 #pragma once
 
@@ -17,7 +17,7 @@ namespace plastigran {
 
 class MeshCheck : public PluginFix {
  public:
-  enum Kind { seam, ring };
+  enum Problem { seam, ring };
 
   // A particle that touches two triangles of a mesh. Ranks send it as bytes.
   struct Place {
@@ -30,16 +30,16 @@ class MeshCheck : public PluginFix {
   static const char* id() { return "plastigran_meshes"; }
   static const char* style() { return "plastigran/meshes"; }
 
-  bool found(Kind kind) const { return found_[kind].has_value(); }
-  void note(Kind kind, const Place& place) { found_[kind] = place; }
+  bool seen(Problem problem) const { return seen_[problem].has_value(); }
+  void note(Problem problem, const Place& place) { seen_[problem] = place; }
 
   int setmask() override { return 0; }
   void post_run() override;
 
  private:
-  void report(Kind kind);
+  void report(Problem problem);
 
-  std::optional<Place> found_[2];  // first unsupported contact of each kind on this rank
+  std::optional<Place> seen_[2];  // first contact with each problem on this rank
   bool reported_[2] = {false, false};
 };
 

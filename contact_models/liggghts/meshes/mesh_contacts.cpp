@@ -92,8 +92,8 @@ std::pair<int, int> MeshContacts::overlaps_of(int particle) {
     add_nearer_triangles(particle, first);
     choose_carriers(particle, first);
     find_histories(particle, first);
-    if (!check_->found(MeshCheck::seam)) look_for_seam(particle, first);
-    if (!check_->found(MeshCheck::ring)) look_for_ring(particle, first);
+    if (!check_->seen(MeshCheck::seam)) look_for_seam(particle, first);
+    if (!check_->seen(MeshCheck::ring)) look_for_ring(particle, first);
     spans_[particle] = {first, static_cast<int>(overlaps_.size())};
   }
   return spans_[particle];

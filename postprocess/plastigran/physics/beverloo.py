@@ -193,11 +193,11 @@ def fit_constants(discharges: list[Discharge]) -> Constants:
     if len(set(orifices)) < 3 or len(diameters) != 1:
         raise ValueError("C and k need three or more orifices, with grains of one size")
     diameter = diameters.pop()
-    found, covariance = curve_fit(
+    fitted, covariance = curve_fit(
         lambda width, coefficient, annulus: coefficient**0.4 * (width - annulus * diameter),
         np.array(orifices),
         np.array([discharge.reduced for discharge in discharges]),
         p0=(discharges[0].coefficient, discharges[0].empty_annulus),
     )
     errors = np.sqrt(np.diag(covariance))
-    return Constants(float(found[0]), float(errors[0]), float(found[1]), float(errors[1]))
+    return Constants(float(fitted[0]), float(errors[0]), float(fitted[1]), float(errors[1]))

@@ -56,11 +56,11 @@ def nearest_modes(frequencies: ArrayLike, modes: pd.DataFrame) -> pd.DataFrame:
         modes: Modes of `impact_modes` or `sphere_modes`.
 
     Returns:
-        One row per frequency: the columns of `modes`, `found` (the frequency [Hz]) and `difference`
-        (relative difference from the mode [-]).
+        One row per frequency: the columns of `modes`, `measured` (the frequency [Hz]) and
+        `difference` (relative difference from the mode [-]).
     """
     measured = np.asarray(frequencies, dtype=float)
     exact = modes["frequency"].to_numpy()
     nearest = np.argmin(np.abs(exact[:, None] - measured), axis=0)
     table = modes.iloc[nearest].reset_index(drop=True)
-    return table.assign(found=measured, difference=measured / exact[nearest] - 1)
+    return table.assign(measured=measured, difference=measured / exact[nearest] - 1)

@@ -65,7 +65,7 @@ UNITS = {
 }
 
 #: Units of table columns.
-COLUMNS = {"frequency": "Hz", "found": "Hz", "energy": "J"}
+COLUMNS = {"frequency": "Hz", "measured": "Hz", "energy": "J"}
 
 
 def add_arguments(command: argparse.ArgumentParser) -> None:

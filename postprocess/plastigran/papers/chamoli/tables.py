@@ -147,7 +147,7 @@ def modes(computed: Computed) -> pd.DataFrame:
     """
     fastest = computed.vibrations[HARD, 5.0]
     table = nearest_modes(fastest.modes["frequency"], computed.modes)
-    table = table.rename(columns={"found": "mesh"})
+    table = table.rename(columns={"measured": "mesh"})
     measured = np.concatenate([fastest.peaks(signal)["frequency"] for signal in SIGNALS])
     difference = np.abs(measured[:, None] / table["frequency"].to_numpy() - 1)
     nearest = measured[np.argmin(difference, axis=0)]
