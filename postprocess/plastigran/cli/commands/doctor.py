@@ -18,6 +18,7 @@ from time import monotonic
 import attrs
 
 from plastigran.cli.arguments import add_json, print_json
+from plastigran.engine.lammps import lammps_path, plugin_path, run_lammps
 from plastigran.engine.log import LOG
 from plastigran.engine.process import EngineError, engine_path, inputs_folder
 from plastigran.experiments.central import CentralImpact
@@ -95,12 +96,37 @@ def examine() -> Iterator[Finding]:
         except Lacking as error:
             yield Finding(name, "lacks", *error.args)
             break
+    yield lammps()
     for name, command in OPTIONAL.items():
         try:
             yield Finding(name, "ok", version(name))
         except PackageNotFoundError:
             remedy = f"needed by plastigran {command}. Run `pip install {name}`"
             yield Finding(name, "without", "is not installed", remedy)
+
+
+def lammps() -> Finding:
+    """Check LAMMPS, which is optional, by a collision of two spheres with the plugin."""
+    try:
+        lammps_path()
+        plugin_path()
+    except EngineError as error:
+        remedy = "needed by plastigran lammps. Run `./run setup`"
+        return Finding("LAMMPS", "without", str(error).partition(". ")[0], remedy)
+    case = CentralImpact("thornton", 0.1, "steel", 5e-3, "two_spheres")
+    expected = case.predict().coefficient_of_restitution
+    settings = {"law": case.law, "radius": case.radius, "speed": case.speed, "step": case.timestep}
+    try:
+        with TemporaryDirectory() as folder:
+            log = run_lammps(inputs_folder() / "lammps" / "two_spheres.in", settings, Path(folder))
+    except EngineError as error:
+        return Finding("LAMMPS", "lacks", str(error), "build the plugin again with ./run setup")
+    restitution = float(re.findall(r"^restitution ([\d.]+)", log, re.MULTILINE)[-1])
+    text = f"restitution {restitution:.5f}, by theory {expected:.5f}"
+    if abs(restitution / expected - 1) > TOLERANCE:
+        return Finding("LAMMPS", "lacks", text, "build the plugin again with ./run setup")
+    release = re.findall(r"^LAMMPS \((.*?)(?: - .*)?\)", log)[0]
+    return Finding("LAMMPS", "ok", f"{release}: {text}")
 
 
 def libraries() -> Finding:
