@@ -95,8 +95,9 @@ double NormalModel::calculate_contact_radius() {
     values[work_at_] = response.plastic_work;
     std::copy_n(now.begin(), contact_law.state_size, values + state_at_);
     if (contact_law.has_strength) values[factor_at_] = factor;
-    // A contact that breaks loses its history, also if LAMMPS still lists it.
-    if (contact_law.stretches && !contact_law.in_contact(now))
+    // A contact that breaks loses its history where the bodies do not overlap, also if LAMMPS still
+    // lists it. Flattened bodies can part at a positive overlap and touch again.
+    if (contact_law.stretches && !contact_law.in_contact(now) && gm->delta <= 0)
       std::fill(values + state_at_, values + size_history, 0.0);
   }
   tally_.add(*gm, response, contact_law.range * gm->Reff, plastic_work, adhesion_loss);
