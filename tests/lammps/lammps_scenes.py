@@ -110,8 +110,8 @@ def rebounds(
     Returns:
         For `pair`, `plane` and `region`, the (N,) final states of the spheres at positive x.
     """
-    spheres, apart = [], 4 * RADIUS
-    for row, kind in enumerate(("plane", "region", "pair")):
+    spheres, apart, geometries = [], 4 * RADIUS, ("plane", "region", "pair")
+    for row in range(3):
         for k, speed in enumerate(speeds):
             place = (RADIUS + gap, apart * k, apart * row)
             spheres.append(sphere(*place, -speed, sideways * speed))
@@ -138,5 +138,5 @@ def rebounds(
     )
     end = read_dump(folder / "end.dump").sort_values("id")
     parts = np.split(end[["vx", "vy", "omegaz"]].to_numpy(), 4)
-    names = ("plane", "region", "pair")
-    return {n: pd.DataFrame(p, columns=["vx", "vy", "spin"]) for n, p in zip(names, parts)}
+    tables = [pd.DataFrame(part, columns=["vx", "vy", "spin"]) for part in parts[:3]]
+    return dict(zip(geometries, tables, strict=True))
