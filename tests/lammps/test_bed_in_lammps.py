@@ -1,0 +1,71 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""A bed of grains of two materials in LAMMPS: ranks, order of the grains, restart and energy."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pandas as pd
+import pytest
+from lammps_scenes import thermo
+from numpy.testing import assert_allclose
+
+from plastigran.engine.lammps import run_lammps
+
+BED = Path(__file__).parent / "bed.in"
+#: Kinetic energy, plastic work and number of contacts.
+COMPARED = ["KinEng", "c_energy[3]", "c_energy[5]"]
+
+
+def bed(folder: Path, ranks: int = 1, **variables: object) -> pd.DataFrame:
+    return thermo(run_lammps(BED, variables, folder, ranks))
+
+
+@pytest.fixture(scope="module")
+def reference(tmp_path_factory) -> tuple[pd.Series, Path]:
+    """The last output of the bed on one rank, and the folder with its restart files."""
+    folder = tmp_path_factory.mktemp("bed")
+    last = bed(folder).iloc[-1]
+    assert last["c_energy[5]"] > 300  # contacts, of which most are beyond yield
+    assert last["c_energy[3]"] > 0.2 * last["KinEng"]
+    return last, folder
+
+
+@pytest.mark.parametrize(
+    ("ranks", "variables"),
+    [
+        (2, {}),
+        (1, {"newton": "off"}),
+        (2, {"newton": "off"}),
+        (1, {"sort": 20}),
+        (2, {"balance": "yes"}),
+    ],
+)
+def test_ranks_and_order_of_grains_do_not_matter(ranks, variables, reference, tmp_path):
+    """To 1e-8 after 1000 steps: collisions amplify round-off, which is 1e-11 by then."""
+    last, _ = reference
+    assert_allclose(bed(tmp_path, ranks, **variables).iloc[-1][COMPARED], last[COMPARED], rtol=1e-8)
+
+
+@pytest.mark.parametrize("ranks", [1, 2])
+def test_a_restart_continues_the_contacts(ranks, reference):
+    """From step 900, at which 251 contacts exist; the file alone gives laws and histories."""
+    last, folder = reference
+    continued = bed(folder, ranks, **{"from": 900})
+    assert_allclose(continued.iloc[-1][COMPARED], last[COMPARED], rtol=1e-8)
+
+
+@pytest.mark.parametrize(("ranks", "newton"), [(1, "on"), (2, "off")])
+def test_energy_is_conserved(ranks, newton, tmp_path):
+    """Kinetic, potential, elastic energy and plastic work, without friction and damping.
+
+    1e-3 of the initial kinetic energy: the target of the energy balance in LIGGGHTS.
+    """
+    variables = {
+        "models": "tangential linear_nohistory 0 0",
+        "floor": "tangential linear_nohistory 0 0",
+        "newton": newton,
+    }
+    table = bed(tmp_path, ranks, **variables)
+    total = table[["KinEng", "c_potential", "c_energy[1]", "c_energy[3]"]].sum(axis=1)
+    assert_allclose(total, total[0], rtol=0, atol=1e-3 * table["KinEng"][0])
