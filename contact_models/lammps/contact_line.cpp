@@ -44,6 +44,13 @@ Complaint read_material(const std::string& name, Body& body) {
   return {};
 }
 
+// Whether the coefficient of the damping model is a restitution.
+bool is_restitution(const std::vector<std::string>& models) {
+  const auto damping = std::find(models.begin(), models.end(), "damping");
+  return damping != models.end() && damping + 1 != models.end() &&
+         (damping[1] == "tsuji" || damping[1] == "coeff_restitution");
+}
+
 }  // namespace
 
 Body rigid_body() {
@@ -108,17 +115,17 @@ Complaint ContactLine::read(const std::vector<std::string>& line) {
     }
   }
   models.assign(line.begin() + static_cast<std::ptrdiff_t>(at), line.end());
+  double restitution = 0;
+  if (is_restitution(models) && to_number(viscous, restitution) && restitution > 1)
+    return Complaint("{viscous} is " + viscous +
+                     "; for this damping model it is a restitution, 0 to 1");
   return {};
 }
 
 std::vector<std::string> ContactLine::placeholder(double shear_modulus_eff) const {
   char modulus[32];
   std::snprintf(modulus, sizeof modulus, "%.17g", 8 * shear_modulus_eff);
-  // For these models the coefficient is a restitution, and 1 is no damping; for the others 0 is.
-  const auto damping = std::find(models.begin(), models.end(), "damping");
-  const bool by_restitution = damping != models.end() && damping + 1 != models.end() &&
-                              (damping[1] == "tsuji" || damping[1] == "coeff_restitution");
-  const std::string none = by_restitution ? "1" : "0";
+  const std::string none = is_restitution(models) ? "1" : "0";  // no damping
   std::vector<std::string> all{"hertz/material", modulus, viscous.empty() ? none : viscous, "0"};
   all.insert(all.end(), models.begin(), models.end());
   return all;

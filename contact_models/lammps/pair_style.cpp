@@ -127,6 +127,10 @@ void PairStyle::init_style() {
     error->all(FLERR,
                "granular/plastigran needs units in which force is mass times acceleration; "
                "use `units si`, `cgs`, `micro`, `nano` or `lj`");
+  if (update->whichflag == 2)
+    error->all(FLERR,
+               "granular/plastigran: `minimize` would change the contact history in every trial "
+               "step; use `run`");
   for (int i = 1; i <= atom->ntypes; ++i)
     for (int j = i + 1; j <= atom->ntypes; ++j)
       if (!setflag[i][j] && setflag[i][i] && setflag[j][j]) mix(i, j);

@@ -1,0 +1,161 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Energy, adhesion, mixed atom types and deleted grains in LAMMPS."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import attrs
+import pandas as pd
+import pytest
+from lammps_scenes import (
+    FRICTION,
+    MATERIAL,
+    RADIUS,
+    body,
+    box,
+    constants,
+    numbered,
+    run,
+    sphere,
+    thermo,
+    words,
+)
+from numpy.testing import assert_allclose
+
+import plastigran as pg
+from plastigran.engine.process import EngineError
+from plastigran.materials import read_material
+
+ENERGY = [f"c_energy[{k}]" for k in range(1, 5)]
+
+
+def pair_of_spheres(
+    folder: Path, lines: str, speed: float, step: float, steps: int, ranks: int = 1, first: str = ""
+) -> pd.DataFrame:
+    """Collide two spheres, of types 1 and 2, head-on; return 100 outputs.
+
+    Args:
+        folder: Folder of the run.
+        lines: Lines `pair_coeff`.
+        speed: Speed of each sphere [m/s].
+        step, steps: Time step [s] and number of time steps.
+        ranks: Number of MPI ranks; the spheres are on different ranks.
+        first: First line of the script.
+    """
+    spheres = [sphere(RADIUS + 1e-9, 0, 0, -speed), sphere(-RADIUS - 1e-9, 0, 0, speed)]
+    log = run(
+        folder,
+        f"""{first}
+        processors * 1 1
+        {box(8 * RADIUS, types=2)}{numbered(spheres)}
+        set atom 2 type 2
+        pair_style granular/plastigran
+        {lines}
+        fix motion all nve/sphere
+        compute energy all plastigran/energy
+        variable overlap equal {2 * RADIUS:.17g}-x[1]+x[2]
+        variable out equal vx[1]
+        timestep {step:.17g}
+        thermo {steps // 100}
+        thermo_style custom step ke c_energy[*] v_overlap v_out
+        thermo_modify norm no format float %.15g
+        run {steps // 100 * 100}
+        """,
+        ranks,
+    )
+    return thermo(log)
+
+
+def check_balance(table: pd.DataFrame) -> None:
+    """Check kinetic, elastic and surface energy, plastic work and loss by adhesion.
+
+    1e-4 of the kinetic energy: a jump of the force of some percent within a step.
+    """
+    total = table[["KinEng", *ENERGY]].sum(axis=1)
+    assert_allclose(total, total[0], rtol=1e-4)
+    assert table["c_energy[3]"].iloc[-1] > 0.3 * total[0]  # plastic work
+    assert (table["c_energy[5]"].iloc[10], table["c_energy[5]"].iloc[-1]) == (1, 0)  # contacts
+
+
+@pytest.mark.parametrize("law", ["thornton", "kogut_etsion", "universal", "thornton_ning_1998"])
+def test_energy_is_conserved_in_a_collision(law, tmp_path):
+    line = f"pair_coeff * * {law} {body()} {words(constants(law))} {FRICTION}"
+    check_balance(pair_of_spheres(tmp_path, line, 0.05, 2e-8, 20000))
+
+
+@pytest.mark.parametrize("newton", ["on", "off"])
+def test_energy_is_conserved_in_a_collision_between_ranks(newton, tmp_path):
+    line = f"pair_coeff * * universal {body()} {FRICTION}"
+    check_balance(pair_of_spheres(tmp_path, line, 0.05, 2e-7, 1000, 2, f"newton {newton}"))
+
+
+def test_a_contact_with_adhesion_stretches_until_it_breaks(tmp_path):
+    contact = pg.Contact(
+        "jkr", MATERIAL, MATERIAL, radius=RADIUS, radius_other=RADIUS, surface_energy=10
+    )
+    line = f"pair_coeff * * jkr {body()} surface_energy 10 {FRICTION}"
+    table = pair_of_spheres(tmp_path, line, 0.01, 1e-8, 20000)
+    stretched = table[(table["c_energy[5]"] == 1) & (table["v_overlap"] < 0)]
+    reach = contact.law.pull_off_distance(contact.radius_eff)
+    assert -reach < stretched["v_overlap"].min() < -0.5 * reach
+    assert (stretched["c_energy[2]"] < 0).all()  # surface energy
+    lost = 1 - contact.restitution(0.02) ** 2
+    # 1e-3: the energy of the steps in which the contact forms and breaks.
+    assert_allclose(table["c_energy[4]"].iloc[-1] / table["KinEng"][0], lost, rtol=1e-3)
+
+
+def test_types_of_one_material_behave_as_one_type(tmp_path):
+    """Also their tangential force: LAMMPS mixes `NULL` to another stiffness."""
+    line = f"thornton {body()} {FRICTION}"
+    tables = [
+        pair_of_spheres(tmp_path / str(k), lines, 0.05, 1e-7, 2000)
+        for k, lines in enumerate(
+            [f"pair_coeff * * {line}", f"pair_coeff 1 1 {line}\npair_coeff 2 2 {line}"]
+        )
+    ]
+    assert_allclose(tables[1], tables[0], rtol=1e-12)
+
+
+def test_types_of_two_materials_get_the_law_between_both(tmp_path):
+    """1e-6: the error of the time integration at a fifth of the recommended step."""
+    other = attrs.evolve(read_material("steel"), density=MATERIAL.density)
+    bodies = {1: body(), 2: body(other)}
+    own = [f"pair_coeff {k} {k} thornton {words} {FRICTION}\n" for k, words in bodies.items()]
+    between = f"pair_coeff 1 2 thornton mixed {FRICTION}"
+    contact = pg.Contact("thornton", MATERIAL, other, radius=RADIUS, radius_other=RADIUS)
+    for k, lines in enumerate((own, own[::-1], [*own, between])):
+        table = pair_of_spheres(tmp_path / str(k), "".join(lines), 0.05, 2e-8, 5000)
+        assert_allclose(table["v_out"].iloc[-1] / 0.05, contact.restitution(0.1), atol=1e-6)
+
+
+def chain(delete: str, folder: Path) -> pd.DataFrame:
+    """Compress a chain of three spheres and release it in part; delete another sphere between."""
+    places = 8, 0, 1.9, 3.79
+    spheres = numbered([sphere(RADIUS * place, 0, 0, 0) for place in places])
+    log = run(
+        folder,
+        f"""{box(10 * RADIUS)}{spheres}
+        pair_style granular/plastigran
+        pair_coeff * * thornton 5e7 0.25 yield_strength 5e5 {FRICTION}
+        compute energy all plastigran/energy
+        thermo_style custom step c_energy[*]
+        thermo_modify norm no format float %.15g
+        timestep 1e-7
+        fix motion all nve/noforce
+        run 1
+        displace_atoms all ramp x 0 {0.01 * RADIUS} x 0 {4 * RADIUS} units box
+        group first id 1
+        {delete}
+        run 1
+        """,
+    )
+    return thermo(log)
+
+
+def test_a_deleted_sphere_leaves_the_contacts_of_others(tmp_path):
+    expected = chain("", tmp_path / "none")
+    assert expected["c_energy[1]"].iloc[-1] < 0.95 * expected["c_energy[1]"][0]  # it unloads
+    assert_allclose(chain("delete_atoms group first compress no", tmp_path / "no"), expected)
+    with pytest.raises(EngineError, match="atom IDs have changed since the last run"):
+        chain("delete_atoms group first", tmp_path / "yes")

@@ -1,0 +1,83 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""The plugin refuses wrong lines in LAMMPS, and warns, before the run starts."""
+
+from __future__ import annotations
+
+import pytest
+from lammps_scenes import FRICTION, box, numbered, run, sphere
+
+from plastigran.engine.process import EngineError
+
+BODY = "7e10 0.3 yield_strength 3e8"
+PAIR = "pair_style granular/plastigran\n"
+GOOD = f"{PAIR}pair_coeff * * thornton {BODY} {FRICTION}\n"
+TWO = f"{PAIR}pair_coeff 1 1 thornton {BODY} {FRICTION}\npair_coeff 2 2 "
+WALL = "fix floor all wall/gran/plastigran granular "
+
+
+def line(words: str) -> str:
+    return f"{PAIR}pair_coeff * * {words} {FRICTION}"
+
+
+def script(lines: str) -> str:
+    spheres = numbered([sphere(0.0051, 0, 0, -0.1), sphere(-0.0051, 0, 0, 0.1)])
+    motion = "fix motion all nve/sphere\ntimestep 1e-7\n"
+    return f"{box(0.05, types=2)}{spheres}{motion}{lines}\nrun 0\n"
+
+
+@pytest.mark.parametrize(
+    ("lines", "message"),
+    [
+        (line(f"thorton {BODY}"), "there is no law `thorton`; choose one of"),
+        (line("thornton 7e10 soft"), "after the law comes `7e10 soft`; it must be Young's modulus"),
+        (line("thornton body unobtainium"), "body: there is no file unobtainium; give the path"),
+        (line("thornton 7e10 0.7 yield_strength 3e8"), "poissons_ratio is 0.7"),
+        (line("thornton 7e10 0.3"), "thornton: yield_strength"),
+        (line("thornton 7e10 0.3 yield_strength high"), "yield_strength is `high`; it must be a"),
+        (line(f"thornton {BODY} hardness 3"), "there is no constant or option `hardness`; the law"),
+        (line(f"thornton {BODY} viscous -1"), "viscous is -1; it must be a number, 0 or more"),
+        (
+            line(f"thornton {BODY} viscous 2") + " damping tsuji",
+            "viscous is 2; for this damping model it is a restitution, 0 to 1",
+        ),
+        (f"{PAIR}pair_coeff * * thornton {BODY} cutoff", "Illegal pair_coeff"),
+        (f"{PAIR}pair_coeff * * thornton {BODY} hardness", "the value of hardness is missing"),
+        (f"{PAIR}pair_coeff * *", "pair_coeff: give atom types, law and body"),
+        (line(f"jkr {BODY}"), "jkr: surface_energy"),
+        (line(f"universal {BODY} yielding cube"), "yielding is cube; it must be"),
+        (line(f"lim_stronge {BODY}"), "the law is for cylinders, and LAMMPS has spheres"),
+        (line("thornton mixed"), "`mixed` needs two single atom types, not *"),
+        (f"{PAIR}pair_coeff 1 2 thornton mixed {FRICTION}", "has no body; give `pair_coeff"),
+        (f"{TWO}universal {BODY} {FRICTION}", "types 1 and 2 have different laws, constants or"),
+        (f"{TWO}thornton {BODY} tangential mindlin NULL 1.0 0.5", "types 1 and 2 have different"),
+        (f"{GOOD}{WALL}hertz", "fix wall/gran/plastigran: after the style comes `granular LAW"),
+        (f"{WALL}hertz rigid {FRICTION} xplane 0 NULL", "the bodies of the particles are missing"),
+        (f"{GOOD}{WALL}hertz mixed {FRICTION} xplane 0 NULL", "a wall has one body; give"),
+        (
+            f"{TWO}thornton 9e10 0.3 yield_strength 3e8 {FRICTION}\n"
+            f"{WALL}thornton rigid {FRICTION} xplane 0 NULL",
+            "the atom types have different shear moduli, so `NULL` does not give the tangential",
+        ),
+        ("compute energy all plastigran/energy", "needs `pair_style granular/plastigran`"),
+        (f"{GOOD}minimize 0 0 1 1", "`minimize` would change the contact history"),
+    ],
+)
+def test_a_wrong_line_is_refused(lines, message, tmp_path):
+    with pytest.raises(EngineError) as error:
+        run(tmp_path, script(lines))
+    assert message in str(error.value)
+
+
+def test_units_with_conversion_factors_are_refused(tmp_path):
+    with pytest.raises(EngineError, match="needs units in which force is mass times acceleration"):
+        run(tmp_path, script(GOOD).replace("units si", "units metal"))
+
+
+def test_warnings(tmp_path):
+    """A long time step, and an overlap outside of the range of vu_quoc_zhang."""
+    log = run(
+        tmp_path,
+        script(line("vu_quoc_zhang 7e10 0.3 yield_strength 1e8") + "\ntimestep 1e-5\nrun 115"),
+    )
+    assert "the time step is 1e-05 s; at most" in log
+    assert "times as deep as the largest overlap for which its law is valid" in log
