@@ -95,6 +95,7 @@ def rebounds(
     steps: int,
     gap: float = 1e-9,
     sideways: float = 0,
+    density: float = MATERIAL.density,
 ) -> dict[str, pd.DataFrame]:
     """Collide spheres head-on in pairs, with a plane and with a region.
 
@@ -106,6 +107,7 @@ def rebounds(
         step, steps: Time step [s] and number of time steps.
         gap: Distance that each sphere flies first [m].
         sideways: Tangential velocity of each sphere, divided by its speed.
+        density: Density of the spheres [kg/m^3].
 
     Returns:
         For `pair`, `plane` and `region`, the (N,) final states of the spheres at positive x.
@@ -123,6 +125,7 @@ def rebounds(
         box(half=apart * (count + 3))
         + numbered(spheres)
         + f"""
+        set group all density {density}
         pair_style granular/plastigran
         pair_coeff * * {line} {FRICTION}
         group planes id 1:{count}

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
+import attrs
 import numpy as np
 import pandas as pd
 import pytest
@@ -15,6 +16,7 @@ import plastigran as pg
 from plastigran import laws
 from plastigran.engine.dumps import read_dump
 from plastigran.engine.process import inputs_folder, run_deck
+from plastigran.materials import read_material
 
 SPHERE_LAWS = [name for name, law in laws.LAWS.items() if law.shape == "sphere"]
 SPEEDS = np.array([0.02, 0.04])  # of each sphere [m/s]: 12 and 24 yield speeds
@@ -69,6 +71,19 @@ def test_liggghts_gives_the_same_restitution(law, tmp_path):
         run_deck(inputs_folder() / "collision" / f"{deck}.in", case, tmp_path / deck)
         last = read_dump(tmp_path / deck / "trajectory.dump").query("id == 1").iloc[-1]
         assert_allclose(ends[geometry]["vx"][0], last["vx"], rtol=1e-9)
+
+
+def test_the_rate_factor_raises_the_yield_strength(tmp_path):
+    """1e-7 is the error of the time integration at this step."""
+    steel = read_material("steel_1006")
+    contact = pg.Contact("thornton", steel, pg.RIGID, radius=RADIUS)
+    expected = contact.restitution(SPEEDS)
+    slow = pg.Contact("thornton", attrs.evolve(steel, rate_coefficient=0), pg.RIGID, radius=RADIUS)
+    assert (expected > slow.restitution(SPEEDS) + 0.01).all()
+    lines = ("thornton body steel_1006", "thornton rigid")
+    ends = rebounds(tmp_path, *lines, SPEEDS, 5e-9, 60_000, density=steel.density)
+    for geometry in ("plane", "region"):
+        assert_allclose(ends[geometry]["vx"] / SPEEDS, expected, rtol=0, atol=1e-7)
 
 
 def test_oblique_collisions_with_walls_and_between_spheres_agree(tmp_path):

@@ -1,0 +1,36 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""The decks of docs/lammps_defects.md show the defects that the page states."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+import pytest
+from lammps_scenes import run
+
+from plastigran.engine.process import PROJECT
+
+PAGE = (PROJECT / "docs" / "lammps_defects.md").read_text()
+WRITE_RESTART, MIXED_TYPES, READ_RESTART = re.findall(r"```\n(.*?)```", PAGE, re.DOTALL)
+
+
+def result(folder: Path, script: str, **variables: object) -> float:
+    return float(re.findall(r"^result (\S+)", run(folder, script, **variables), re.MULTILINE)[-1])
+
+
+def test_write_restart_changes_the_run_that_follows(tmp_path):
+    energies = [result(tmp_path, WRITE_RESTART, writes=writes) for writes in ("no", "yes")]
+    for energy in energies:
+        assert f"{energy:.3e}".replace("e-0", "e-") in PAGE
+    assert energies[0] != energies[1]
+
+
+def test_mixed_types_have_another_tangential_stiffness(tmp_path):
+    """2e-3: the force slows the spheres during the step."""
+    forces = [result(tmp_path, MIXED_TYPES, other=other) for other in (1, 2)]
+    assert forces[1] / forces[0] == pytest.approx(1 / (2 * (1 - 0.3**2)), rel=2e-3)
+
+
+def test_read_restart_loses_the_cutoff(tmp_path):
+    assert "Communication cutoff is 0.0" in run(tmp_path, READ_RESTART)
