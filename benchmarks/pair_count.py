@@ -27,11 +27,11 @@ from pair_time import (
     bed_variables,
     known_laws,
     run_bed,
+    shape_of,
 )
 from rounds import start
 from tqdm import tqdm
 
-from plastigran import laws
 from plastigran.engine.contacts import read_contacts
 from plastigran.engine.process import PROJECT, EngineError, command, engine_path, environment
 
@@ -106,7 +106,7 @@ def main() -> None:
         raise EngineError("valgrind is missing; install Debian's package valgrind")
     tables = []
     for shape in BEDS:
-        named = [law for law in options.law if laws.LAWS[law].shape == shape]
+        named = [law for law in options.law if shape_of(law) == shape]
         if named:
             tables.append(count(named, shape))
     table = pd.concat(tables, ignore_index=True)

@@ -46,6 +46,7 @@ RESULTS = PROJECT / "results" / "bench" / "pair_time.csv"
 
 REFERENCE, CONTROL = "hertz", "hertz again"
 WITH_LEDGER = ", ledger"  # suffix of the name of a law with energy balance
+WITH_ADHESION = " adhesion jkr"  # suffix of the name of a law with adhesion
 YIELD_STRENGTH = {"plastic": 3.0e8, "elastic": 1.0e13}  # Pa
 PHASES = ("compression", "release")
 
@@ -92,9 +93,15 @@ BEDS = {
 
 
 def known_laws() -> list[str]:
-    """Return the names of the laws in LIGGGHTS."""
+    """Return the names of the laws in LIGGGHTS, and of those with adhesion."""
     lines = (PROJECT / "contact_models/liggghts/plugin/laws.txt").read_text().splitlines()
-    return sorted(line.split()[0] for line in lines if not line.startswith("#"))
+    names = {line.split()[0] for line in lines if not line.startswith("#")}
+    return sorted(names | {name + WITH_ADHESION for name in laws.ADHESIVE_LAWS})
+
+
+def shape_of(contender: str) -> str:
+    """Return the shape of the bodies of a law."""
+    return laws.LAWS[contender.removesuffix(WITH_ADHESION)].shape
 
 
 def make_bed(grains: int) -> Path:
@@ -107,9 +114,12 @@ def bed_variables(
 ) -> dict[str, object]:
     """Return the variables of pair_time.in for a law, or for a law with energy balance."""
     law = REFERENCE if contender == CONTROL else contender.removesuffix(WITH_LEDGER)
+    options = "energy_ledger on" if contender.endswith(WITH_LEDGER) else ""
+    if law.endswith(WITH_ADHESION):
+        options += WITH_ADHESION
     return {
-        "law": law,
-        "options": "energy_ledger on" if contender.endswith(WITH_LEDGER) else "",
+        "law": law.removesuffix(WITH_ADHESION),
+        "options": options,
         "yield_strength": YIELD_STRENGTH[state],
         "steps": steps,
         "bed": bed,
@@ -250,7 +260,7 @@ def main() -> None:
     options = parser.parse_args()
     if options.grains < 1000:
         parser.error(f"--grains is {options.grains}; it must be at least 1000")
-    flat = [law for law in options.law if laws.LAWS[law].shape == "cylinder"]
+    flat = [law for law in options.law if shape_of(law) == "cylinder"]
     if options.copies > 1 and flat:
         parser.error(
             f"--copies is {options.copies}, which is possible only for laws for spheres, "
@@ -260,7 +270,7 @@ def main() -> None:
 
     tables = []
     for shape, bed in BEDS.items():
-        named = [law for law in options.law if laws.LAWS[law].shape == shape]
+        named = [law for law in options.law if shape_of(law) == shape]
         if not named:
             continue
         made = bed.make(options.grains)

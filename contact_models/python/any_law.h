@@ -27,6 +27,7 @@ class AnyLaw {
  public:
   virtual ~AnyLaw() = default;
   virtual const char* name() const = 0;
+  virtual const char* const* state_names() const = 0;
   virtual Response respond(double radius_eff, double overlap, double* state,
                            double overlap_rate) const = 0;
   virtual ImpactOutcome central_impact(double radius_eff, double mass_eff, double speed) const = 0;
@@ -37,6 +38,11 @@ class AnyLaw {
   virtual double recommended_timestep(double radius_eff, double mass_eff, double speed,
                                       const ImpactOutcome& impact) const = 0;
 };
+
+// Returns whether a history belongs to a law. A law with and without adhesion has one name.
+inline bool is_state_of(const AnyState& state, const AnyLaw& law) {
+  return state.law == law.name() && state.names == law.state_names();
+}
 
 // Histories of an array of contacts: the caller's State objects, or zeros for first loading.
 class States {

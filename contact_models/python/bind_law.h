@@ -13,6 +13,7 @@
 #include "any_law.h"
 #include "law_constants.h"
 #include "plastigran/shared/rate_factor.h"
+#include "plastigran/tables/adhesive.h"
 #include "values.h"
 
 namespace plastigran {
@@ -34,6 +35,7 @@ class LawOf : public AnyLaw {
   const typename Law::Parameters constants;
 
   const char* name() const override { return Law::name; }
+  const char* const* state_names() const override { return Law::state_names.data(); }
   Response respond(double radius_eff, double overlap, double* values,
                    double overlap_rate) const override {
     constexpr std::size_t bytes = Law::state_names.size() * sizeof(double);
@@ -174,6 +176,15 @@ Raises:
   for (const char* name : Law::state_names) names.append(name);
   law.attr("state_names") = nb::tuple(names);
   bind_extras<Law>(law);
+}
+
+// Binds a law with adhesion, if the law can have it, and adds the class to `all`.
+template <class Law>
+void bind_adhesive_law(nb::module_& module, nb::dict& all, const char* class_name) {
+  if constexpr (takes_adhesion<Law>) {
+    bind_law<Adhesive<Law>>(module, class_name);
+    all[Law::name] = module.attr(class_name);
+  }
 }
 
 }  // namespace plastigran

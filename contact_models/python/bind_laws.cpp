@@ -22,14 +22,14 @@ States::States(const AnyLaw& law, const nb::object& given, std::vector<std::size
     return;
   }
   AnyState* one;
-  if (count == 1 && nb::try_cast(given, one) && one->law == law.name()) {
+  if (count == 1 && nb::try_cast(given, one) && is_state_of(*one, law)) {
     given_.push_back(one);
     return;
   }
   const nb::module_ numpy = nb::module_::import_("numpy");
   const nb::object states = numpy.attr("asarray")(given, "dtype"_a = "object");
   for (nb::handle state : states.attr("flat")) {
-    if (!nb::isinstance<AnyState>(state) || nb::cast<AnyState&>(state).law != law.name())
+    if (!nb::isinstance<AnyState>(state) || !is_state_of(nb::cast<AnyState&>(state), law))
       throw nb::type_error((std::string("state is ") + nb::cast<std::string>(nb::repr(state)) +
                             "; it must be a " + law.name() + " State, or an array of them")
                                .c_str());

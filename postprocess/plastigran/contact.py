@@ -44,8 +44,9 @@ class Contact:
         friction: Coefficient of friction [-].
         tangential: Name of the tangential law, for `oblique_impact`.
         rings: Number of rings of `partial_slip`, at most 8.
-        constants: Constants and options of the law. Those that the material of a defines, or of b
-            if a is rigid, can be omitted.
+        constants: Constants and options of the law. Constants that the material of a defines, or
+            of b if a is rigid, can be omitted. With `surface_energy`, a law that is elastic first
+            has the adhesion of JKR, as with `adhesion jkr` in a deck.
 
     Attributes:
         law: Law between the bodies, an instance of a class of `plastigran.laws.LAWS`.
@@ -72,7 +73,7 @@ class Contact:
         rings: int = 4,
         **constants: float | str,
     ) -> None:
-        law_type = law_class(law)
+        law_type = law_class(law, adhesive="surface_energy" in constants)
         if tangential not in laws.TANGENTIAL_LAWS:
             known = ", ".join(laws.TANGENTIAL_LAWS)
             raise ValueError(f"tangential is {tangential!r}; it must be one of: {known}")

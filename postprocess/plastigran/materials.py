@@ -130,7 +130,7 @@ class Material:
                 f"{needs} material {self.name} does not define. Add it to the material, or use "
                 "another law"
             )
-        return laws.LAWS[name](pair, **constants)
+        return law_class(name, adhesive="surface_energy" in others)(pair, **constants)
 
     def body(self) -> laws.Body:
         """Return the constants for the laws."""
@@ -151,15 +151,19 @@ def _check_name(name: object) -> None:
         )
 
 
-def law_class(name: str) -> type:
+def law_class(name: str, adhesive: bool = False) -> type:
     """Return the class of a law.
+
+    Args:
+        name: Name of the law.
+        adhesive: Return the law with adhesion, if it can have adhesion.
 
     Raises:
         ValueError: The law does not exist; the message lists the available laws.
     """
     if not isinstance(name, str) or name not in laws.LAWS:
         raise ValueError(f"no law {name!r}. Available laws: {', '.join(sorted(laws.LAWS))}")
-    return laws.LAWS[name]
+    return (laws.ADHESIVE_LAWS if adhesive else laws.LAWS).get(name, laws.LAWS[name])
 
 
 def has_constants(law: str) -> bool:

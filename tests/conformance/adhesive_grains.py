@@ -30,12 +30,16 @@ CONSTANTS = {
         "plasticity_depth": 0.02,
     },
     "edinburgh_2014": {"stiffness_ratio": 5, "adhesion_ratio": 0.1},
+    "thornton adhesion jkr": {"surface_energy": 0.1},
+    "universal adhesion jkr": {"surface_energy": 0.1},
+    "kogut_etsion adhesion jkr": {"surface_energy": 0.05},
 }
 SIDE = 1.16e-4  # of the mesh in the plane of the wall [m]; LIGGGHTS refuses meshes below 1e-4
 CORNERS = SIDE / 2 * np.array([[0, -1, -1], [0, 1, -1], [0, 1, 1], [0, -1, 1]])
 PLATE = CORNERS[[[0, 1, 2], [0, 2, 3]]]  # two triangles that meet along y = z
 BOX = "region box block -6e-5 6e-5 -6e-5 6e-5 -6e-5 6e-5 units box\ncreate_box 2 box\n"
-STRETCHED = ("jkr", "thornton_ning_1998")  # laws whose contacts last beyond zero overlap
+# Some laws whose contacts last beyond zero overlap.
+STRETCHED = ("jkr", "thornton_ning_1998", "universal adhesion jkr")
 
 
 def property_lines(constants: dict[str, float]) -> str:
@@ -69,7 +73,7 @@ def run(law: str, folder: Path, bodies: list[str], commands: str, ranks: int = 1
     """Run adhesion.in.
 
     Args:
-        law: The law of pairs and wall.
+        law: The law of pairs and wall, and its option of adhesion.
         folder: For the files of the deck and its output.
         bodies: Lines of the spheres, with `@` for the atom ID.
         commands: Lines that run the simulation.
@@ -81,6 +85,8 @@ def run(law: str, folder: Path, bodies: list[str], commands: str, ranks: int = 1
     text = "".join(body.replace("@", str(k)) for k, body in enumerate(bodies, 1))
     constants = variables.pop("values", CONSTANTS.get(law, {}))
     restart = variables.pop("restart", None)
+    law, _, option = law.partition(" ")
+    variables["options"] = f"{option} {variables.pop('options', '')}"
     mesh, surface = variables.pop("mesh", None), variables.pop("motion", "") + "\n"
     if mesh is not None:
         stl.write(folder / "plate.stl", mesh, digits=12)
@@ -103,7 +109,8 @@ def table(folder: Path) -> pd.DataFrame:
 
 
 def law_of(name: str, pair: laws.MaterialPair = WALL) -> laws.Law:
-    return laws.LAWS[name](pair, **CONSTANTS[name])
+    law, _, option = name.partition(" ")
+    return (laws.ADHESIVE_LAWS if option else laws.LAWS)[law](pair, **CONSTANTS[name])
 
 
 TERMS = ["kinetic", "gravity", "elastic", "plastic", "friction", "viscous", "wallwork"]

@@ -188,7 +188,7 @@ def test_the_energy_balance_closes_at_a_wall(law, mesh, tmp_path):
     )
     energy = terms["kinetic"].iloc[0]
     assert terms["drift"].abs().max() < 2e-3 * energy
-    lasts = law in STRETCHED
+    lasts = law in STRETCHED or law.endswith("adhesion jkr")
     assert (terms["adhesion"].iloc[-1] > 1e-3 * energy) == lasts
     assert (terms["surface"].min() < -1e-3 * energy) == lasts
     assert (terms["plastic"].iloc[-1] > 0.05 * energy) == (law != "jkr")
@@ -200,7 +200,7 @@ def test_the_energy_balance_closes_at_a_wall(law, mesh, tmp_path):
 def test_the_energy_balance_closes_for_pairs(law, damping, ranks, tmp_path):
     """Oblique impacts of grains, with friction; the pairs lie on the border of two ranks.
 
-    2e-3 as for walls. The same on two ranks, to the order of sums.
+    2e-3 as for walls. The friction work is small, but larger than the balance error.
     """
     bodies = []
     for k, speed in enumerate((0.5, 2.0)):
@@ -226,7 +226,7 @@ def test_the_energy_balance_closes_for_pairs(law, damping, ranks, tmp_path):
     energy = terms["kinetic"].iloc[0]
     assert terms["drift"].abs().max() < 2e-3 * energy
     assert terms["surface"].min() < -1e-3 * energy
-    assert terms["friction"].iloc[-1] > 1e-3 * energy
+    assert terms["friction"].iloc[-1] > 2 * terms["drift"].abs().max()
     assert (terms["viscous"].iloc[-1] > 1e-3 * energy) == bool(damping)
 
 
@@ -271,6 +271,18 @@ BAD = {
         {"models": "rolling_friction epsd", "tangential": "history"},
     ),
     "contact of the smallest particles": ("jkr", {"values": {"surface_energy": 900}}),
+    "model universal adhesion jkr: surfaceEnergy is missing": (
+        "universal adhesion jkr",
+        {"values": {}},
+    ),
+    "model jkr: adhesion jkr is not supported, because the law has its own adhesion": (
+        "jkr adhesion jkr",
+        {"values": {"surface_energy": 0.1}},
+    ),
+    "model mdr: adhesion jkr is not supported, because the law does not begin": (
+        "mdr adhesion jkr",
+        {"values": {"surface_energy": 0.1}},
+    ),
 }
 
 

@@ -5,6 +5,7 @@
 #include "device_stubs.h"
 // The stubs come before the laws.
 #include "all_laws.h"
+#include "plastigran/tables/adhesive.h"
 
 namespace plastigran {
 
@@ -22,6 +23,8 @@ template <class... Laws>
 void every_law() {
   (static_cast<void>(&force_loop<Laws>), ...);
 }
-void instances() { every_law<ALL_LAWS>(); }
+void instances() {
+  every_law<ALL_LAWS, Adhesive<Thornton>, Adhesive<Universal>, Adhesive<KogutEtsion>>();
+}
 
 }  // namespace plastigran

@@ -11,6 +11,7 @@
 
 #include "all_laws.h"
 #include "plastigran/impact/central_impact.h"
+#include "plastigran/tables/adhesive.h"
 
 using namespace plastigran;
 
@@ -21,8 +22,28 @@ constexpr double radius = 2.5e-6;  // [m]
 const MaterialPair powder = combine({1.2e9, 0.3, 2.2e7, 1.6}, {1.8e11, 0.3, 1e30});
 
 template <class Law>
+constexpr bool is_wrapped = false;
+template <class Law>
+constexpr bool is_wrapped<Adhesive<Law>> = true;
+
+template <class Law>
+constexpr bool jumps = false;
+template <class Law>
+constexpr bool jumps<Adhesive<Law>> = has_breaks<Law>;
+
+#define WRAPPED                                                                         \
+  Adhesive<VuQuocZhang>, Adhesive<Thornton>, Adhesive<Stronge>, Adhesive<JacksonGreen>, \
+      Adhesive<Ghaednia>, Adhesive<Ghaednia2019>, Adhesive<KogutEtsion>,                \
+      Adhesive<KogutKomvopoulos>, Adhesive<YeKomvopoulos>, Adhesive<Brake2012>,         \
+      Adhesive<Brake2015>, Adhesive<Universal>
+
+template <class Law>
 std::vector<typename Law::Parameters> cases() {
-  if constexpr (std::is_same_v<Law, Jkr>)
+  if constexpr (is_wrapped<Law>) {
+    typename Law::Parameters none, little, much;
+    none.surface_energy = 0, little.surface_energy = 0.004, much.surface_energy = 0.1;
+    return {none, little, much};
+  } else if constexpr (std::is_same_v<Law, Jkr>)
     return {{0}, {0.02}, {2}};
   else if constexpr (std::is_same_v<Law, ThorntonNing1998>)
     return {{0}, {0.002}, {0.02}, {0.2}, {2}};
@@ -35,7 +56,7 @@ std::vector<typename Law::Parameters> cases() {
 
 // A step is random in length and direction; a tenth of the paths separate the bodies.
 TEST_CASE_TEMPLATE("plastic work never falls on a million random steps", Law, Jkr, ThorntonNing1998,
-                   Luding2008, Edinburgh2014) {
+                   Luding2008, Edinburgh2014, WRAPPED) {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> unit(0, 1);
   for (const auto& constants : cases<Law>()) {
@@ -64,7 +85,7 @@ TEST_CASE_TEMPLATE("plastic work never falls on a million random steps", Law, Jk
 
 // What a contact holds when it forms was released; what it holds when it breaks is lost.
 TEST_CASE_TEMPLATE("a contact that forms or breaks loses energy", Law, Jkr, ThorntonNing1998,
-                   Luding2008, Edinburgh2014) {
+                   Luding2008, Edinburgh2014, WRAPPED) {
   for (const auto& constants : cases<Law>()) {
     const Law law(powder, constants);
     CHECK(contact_energy(first_touch(law, radius)) <= 0);
@@ -80,9 +101,9 @@ TEST_CASE_TEMPLATE("a contact that forms or breaks loses energy", Law, Jkr, Thor
 
 // While the bodies are in contact, the work of the force is the growth of the energies. 1e-5: the
 // trapezoidal rule on 4000 steps, whose error is largest near pull-off, where the slope is
-// infinite.
+// infinite. 3e-3 where the force of first loading jumps: the rule misses half a step of the jump.
 TEST_CASE_TEMPLATE("energies grow by the work of the force", Law, Jkr, ThorntonNing1998, Luding2008,
-                   Edinburgh2014) {
+                   Edinburgh2014, WRAPPED) {
   std::mt19937 random(9);
   std::uniform_real_distribution<double> unit(0, 1);
   for (const auto& constants : cases<Law>()) {
@@ -106,7 +127,7 @@ TEST_CASE_TEMPLATE("energies grow by the work of the force", Law, Jkr, ThorntonN
         last = response;
         overlap = next;
       }
-      REQUIRE(std::abs(growth - work) <= 1e-5 * largest);
+      REQUIRE(std::abs(growth - work) <= (jumps<Law> ? 3e-3 : 1e-5) * largest);
     }
   }
 }
@@ -132,5 +153,50 @@ TEST_CASE("without adhesion Thornton & Ning's law is Thornton's, without yield i
     const double stretched = overlap - 0.9 * jkr.pull_off_distance(radius);
     REQUIRE(no_yield.respond(radius, stretched, second).force ==
             jkr.respond(radius, stretched, fourth).force);
+  }
+}
+
+// Without adhesion the law is as before: to the error of its table, 3e-14 of each quantity, and the
+// rounding of its unloading.
+TEST_CASE_TEMPLATE("a law with a surface energy of zero is the law", Law, VuQuocZhang, Thornton,
+                   Stronge, JacksonGreen, Ghaednia, Ghaednia2019, KogutEtsion, KogutKomvopoulos,
+                   YeKomvopoulos, Brake2012, Brake2015, Universal) {
+  typename Adhesive<Law>::Parameters none;
+  none.surface_energy = 0;
+  const Adhesive<Law> law(powder, none);
+  const Law plain(powder, {});
+  typename Adhesive<Law>::State state;
+  typename Law::State plain_state, virgin;
+  const Response largest = plain.respond(radius, 0.05 * radius, virgin);
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> unit(0, 1);
+  for (int step = 0; step < 20000; ++step) {
+    const double overlap = std::pow(10, -5 * unit(random)) * 0.05 * radius;
+    const Response one = law.respond(radius, overlap, state),
+                   other = plain.respond(radius, overlap, plain_state);
+    REQUIRE(std::abs(one.force - other.force) <= 1e-11 * largest.force);
+    REQUIRE(std::abs(one.contact_radius - other.contact_radius) <= 1e-7 * largest.contact_radius);
+    REQUIRE(std::abs(one.elastic_energy - other.elastic_energy) <= 1e-11 * largest.elastic_energy);
+    REQUIRE(std::abs(one.plastic_work - other.plastic_work) <= 1e-11 * largest.plastic_work);
+  }
+}
+
+TEST_CASE_TEMPLATE("without yield a law with adhesion is JKR", Law, WRAPPED) {
+  const MaterialPair strong = combine({1.2e9, 0.3, 1e20, 1.6}, {1.8e11, 0.3, 1e30});
+  typename Law::Parameters constants;
+  constants.surface_energy = 0.2;
+  const Law law(strong, constants);
+  const Jkr jkr(strong, {0.2});
+  typename Law::State state;
+  Jkr::State jkr_state;
+  std::mt19937 random(8);
+  std::uniform_real_distribution<double> unit(0, 1);
+  for (int step = 0; step < 20000; ++step) {
+    const double overlap = std::pow(10, -5 * unit(random)) * 0.05 * radius -
+                           1.1 * unit(random) * jkr.pull_off_distance(radius);
+    const Response one = law.respond(radius, overlap, state),
+                   other = jkr.respond(radius, overlap, jkr_state);
+    REQUIRE(one.force == other.force);
+    REQUIRE(contact_energy(one) == contact_energy(other));
   }
 }

@@ -43,8 +43,8 @@ class AccountedContact : private ContactSetup, public LIGGGHTS::ContactModels::C
         Base(engine, static_cast<ContactSetup*>(this), is_wall, hash),
         engine_(engine),
         owner_(owner),
-        spring_offset_(has_model("tangential", "history") ? offset_of("shearx") : -1),
-        in_contact_offset_(offset_of("in_contact")) {
+        spring_offset_(has_model("tangential", "history") ? offset_of("shearx") : -1) {
+    if (when_constructed) when_constructed();
     if constexpr (std::is_same_v<Owner, LAMMPS_NS::PairGran>) pair_ = owner;
   }
 
@@ -76,6 +76,7 @@ class AccountedContact : private ContactSetup, public LIGGGHTS::ContactModels::C
 
   void connectToProperties(PropertyRegistry& registry) {
     if (!line_read_) restore_line();
+    in_contact_offset_ = offset_of("in_contact");
     ledger_ = find_fix<EnergyLedger>(engine_);
     const char* const complaint =
         EnergyLedger::complaint(ledger_, requests_ledger_, this->is_wall());
@@ -219,8 +220,8 @@ class AccountedContact : private ContactSetup, public LIGGGHTS::ContactModels::C
   const LAMMPS_NS::PairGran* pair_ = nullptr;  // pair style; null for a wall
   EnergyLedger* ledger_ = nullptr;
   std::vector<ContactObserver*> observers_;
-  int spring_offset_;      // offset of the tangential spring in the history, -1 if there is none
-  int in_contact_offset_;  // offset of `in_contact`; -1: contacts end with the overlap
+  int spring_offset_;  // offset of the tangential spring in the history, -1 if there is none
+  int in_contact_offset_ = -1;  // offset of `in_contact`; -1: contacts end with the overlap
   bool requests_ledger_ = false;
   bool line_read_ = false;
 };

@@ -7,6 +7,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <string>
 
@@ -37,6 +38,8 @@ class ContactSetup : public LIGGGHTS::IContactHistorySetup {
 
   // Returns LIGGGHTS' hash of the combination of models.
   int64_t hash() const { return hash_; }
+  bool has_adhesion() const { return hash_ & with_adhesion; }
+  void add_adhesion() { hash_ |= with_adhesion; }
   int model(std::size_t place) const { return model_of(hash_, place); }
   bool has_model(const std::string& keyword, const std::string& name) const {
     return plastigran::has_model(hash_, keyword, name);
@@ -47,6 +50,9 @@ class ContactSetup : public LIGGGHTS::IContactHistorySetup {
     const auto entry = offsets_.find(name);
     return entry == offsets_.end() ? -1 : entry->second;
   }
+
+  // Function that a model may set. It is called when all models are constructed.
+  std::function<void()> when_constructed;
 
   // Load on particle i in the current call, if its energies are counted; otherwise null.
   AccountedLoad* counted_load = nullptr;

@@ -110,7 +110,8 @@ class ElastoplasticNormalModel : public NormalModelSetup<Law> {
     // LIGGGHTS limits friction to mu kn deltan, so kn is a secant stiffness. With adhesion, the
     // limit is mu times `limiting`: the normal force plus the pull-off force.
     const double limiting =
-        response.force + plastigran::pull_off_force(pair.law, radius_eff, contact.deltan, state);
+        response.force +
+        plastigran::pull_off_force(pair.law, radius_eff, contact.deltan, state, response);
     if constexpr (plastigran::adhesive<Law>)
       contact.kn = contact.deltan != 0 && carries ? limiting / contact.deltan : 0;
     else

@@ -33,6 +33,9 @@ class NormalModelSettings {
     settings.registerOnOff("computeDissipatedEnergy", host_dissipated_energy_, false);
   }
 
+  // Sets the text of settings that another model has read.
+  void set_text(const std::string& text) { text_ = text; }
+
   // Stores the text of the settings. Returns an error message; empty if all settings are valid.
   std::string read() {
     text_ = settings_text(*being_read_);

@@ -70,6 +70,12 @@ class NormalModelSetup : public NormalModelBase {
     if (!complaint.empty()) fail(complaint);
   }
 
+  // Reads the text of the line, which another model has.
+  void read(const std::string& text) {
+    plastigran::restore_settings(lmp, *this, text, [this] { postSettings(nullptr, nullptr); });
+    settings_.set_text(text);
+  }
+
   // LIGGGHTS calls this before every run. Collective.
   void connectToProperties(PropertyRegistry& registry) override {
     refuse_unsuitable();
@@ -104,7 +110,9 @@ class NormalModelSetup : public NormalModelBase {
   typedef plastigran::DeckProperties DeckProperties;
   typedef plastigran::HistoryKeeper HistoryKeeper;
 
-  static std::string caller() { return std::string("model ") + Law::name; }
+  static std::string caller() {
+    return std::string("model ") + Law::name + plastigran::line_option<Law>;
+  }
   void fail(const std::string& reason) { plastigran::stop(lmp, caller() + ": " + reason); }
 
   // Stops if the law does not support the particles, the dimension or the other models.

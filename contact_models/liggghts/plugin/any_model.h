@@ -8,7 +8,9 @@
 #include <memory>
 
 #include "liggghts/ledger/cohesive_energy.h"
+#include "liggghts/fixes/engine_access.h"
 #include "liggghts/model/contact_setup.h"
+#include "liggghts/model/line_settings.h"
 #include "liggghts/plugin/engine_styles.h"
 
 namespace plastigran {
@@ -17,6 +19,11 @@ namespace plastigran {
 template <class Base>
 std::shared_ptr<Base> make_model(LAMMPS_NS::LAMMPS* engine, ContactSetup& setup,
                                  LIGGGHTS::ContactModels::ContactModelBase* contact_model);
+
+// Makes the law that the setup names with the option `adhesion jkr`.
+std::shared_ptr<LIGGGHTS::ContactModels::NormalModelBase> make_adhesive_model(
+    LAMMPS_NS::LAMMPS* engine, ContactSetup& setup,
+    LIGGGHTS::ContactModels::ContactModelBase* contact_model, const std::string& settings);
 
 template <class Base>
 class AnyModel : public Base {
@@ -65,7 +72,8 @@ template <>
 class NormalModel<ANY> : public plastigran::AnyModel<NormalModelBase> {
  public:
   NormalModel(LAMMPS* engine, IContactHistorySetup* setup, ContactModelBase* contact_model)
-      : AnyModel(engine, setup, contact_model) {
+      : AnyModel(engine, setup, contact_model), engine_(engine), contact_model_(contact_model) {
+    if (setup_.has_adhesion()) setup_.when_constructed = [this] { add_adhesion(""); };
     // LIGGGHTS' tangential and rolling models `luding` read the adhesion of its normal model
     // `luding` from the history. The laws have no such value; a history value that stays zero
     // replaces it.
@@ -75,11 +83,39 @@ class NormalModel<ANY> : public plastigran::AnyModel<NormalModelBase> {
       contact_model->add_history_offset(name, no_adhesion);
   }
 
+  void registerSettings(Settings& settings) override {
+    model_->registerSettings(settings);
+    static const char* const words[] = {"off", "jkr"};
+    adhesion_ = setup_.has_adhesion();
+    plastigran::add_choice(settings, "adhesion", words, 2, adhesion_);
+    being_read_ = &settings;
+  }
+  void postSettings(IContactHistorySetup* setup, ContactModelBase* contact_model) override {
+    if (adhesion_ && !setup_.has_adhesion())
+      add_adhesion(plastigran::settings_text(*being_read_));
+    else
+      model_->postSettings(setup, contact_model);
+  }
+
   double stressStrainExponent() override { return model_->stressStrainExponent(); }
   void surfacesIntersect(SurfacesIntersectData& contact, ForceData& on_i,
                          ForceData& on_j) override {
     model_->surfacesIntersect(contact, on_i, on_j);
   }
+
+ private:
+  // Replaces the law by the law with adhesion. The history values of both stay in the contact
+  // history, so that a deck and a restart file make the same history.
+  void add_adhesion(const std::string& settings) {
+    setup_.add_adhesion();
+    model_.reset();
+    model_ = plastigran::make_adhesive_model(engine_, setup_, contact_model_, settings);
+  }
+
+  LAMMPS* engine_;
+  ContactModelBase* contact_model_;
+  Settings* being_read_ = nullptr;
+  int adhesion_ = 0;
 };
 
 template <>

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <memory>
+#include <string>
 
 #include "liggghts/model/contact_setup.h"
 #include "liggghts/plugin/engine_styles.h"
@@ -18,6 +19,10 @@ struct RegisteredLaw {
   const char* name;  // name in decks
   int id;            // ID in LIGGGHTS' hash of a combination
   Model (*make)(LAMMPS_NS::LAMMPS*, ContactSetup&, LIGGGHTS::ContactModels::ContactModelBase*);
+  // The law with the option `adhesion jkr`, from the settings of its line. Stops for a law that
+  // cannot have it.
+  Model (*make_adhesive)(LAMMPS_NS::LAMMPS*, ContactSetup&,
+                         LIGGGHTS::ContactModels::ContactModelBase*, const std::string& settings);
 };
 
 // IDs of the other models of a contact (ANY: any model of the kind), and factory functions of the

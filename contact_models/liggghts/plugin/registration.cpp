@@ -105,11 +105,14 @@ void add(const RegisteredLaw& law, const RegisteredCombination& models) {
   const int64_t hash = Utils::generate_gran_hashcode(law.id, models.tangential, models.cohesion,
                                                      models.rolling, models.surface);
   const RegisteredCombination* const combination = find(models);
-  PairStyles::Factory::instance().addStyle(
-      "gran", hash,
-      combination ? combination->pair : refuse<PairStyles::IGranularPairStyle, PairGran>);
-  Walls::Factory::instance().addStyle(
-      "gran", hash, combination ? combination->wall : refuse<Walls::IGranularWall, FixWallGran>);
+  for (const int64_t variant : {hash, hash | with_adhesion}) {
+    PairStyles::Factory::instance().addStyle(
+        "gran", variant,
+        combination ? combination->pair : refuse<PairStyles::IGranularPairStyle, PairGran>);
+    Walls::Factory::instance().addStyle(
+        "gran", variant,
+        combination ? combination->wall : refuse<Walls::IGranularWall, FixWallGran>);
+  }
 }
 
 void add_all(const RegisteredLaw& law) {
@@ -136,6 +139,12 @@ RegisteredLaw::Model make_model(LAMMPS_NS::LAMMPS* engine, ContactSetup& setup,
   add_style<DissipationHeat>(engine->modify);
   add_style<CollisionSpectra>(engine->modify);
   return law_of(setup.hash()).make(engine, setup, contact_model);
+}
+
+RegisteredLaw::Model make_adhesive_model(LAMMPS_NS::LAMMPS* engine, ContactSetup& setup,
+                                         ContactModelBase* contact_model,
+                                         const std::string& settings) {
+  return law_of(setup.hash()).make_adhesive(engine, setup, contact_model, settings);
 }
 
 }  // namespace plastigran

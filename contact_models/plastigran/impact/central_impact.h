@@ -28,6 +28,15 @@ constexpr bool has_breaks = false;
 template <class Law>
 constexpr bool has_breaks<Law, std::void_t<decltype(&Law::overlap_breaks)>> = true;
 
+// Returns these overlaps, divided by R*. They depend on R* if the law has adhesion.
+template <class Law>
+auto overlap_breaks(const Law& law, [[maybe_unused]] double radius_eff) {
+  if constexpr (std::is_invocable_v<decltype(&Law::overlap_breaks), const Law&>)
+    return law.overlap_breaks();
+  else
+    return law.overlap_breaks(radius_eff);
+}
+
 // Computes the central impact of a rate-dependent law by integrating m* d^2 overlap/dt^2 = -F from
 // first touch until the force vanishes. With root = sqrt(overlap) and the time tau, dt = root dtau,
 // the equations are smooth even if the force begins as sqrt(overlap):
@@ -202,7 +211,7 @@ double jump_error([[maybe_unused]] const Law& law, [[maybe_unused]] double radiu
                   double mass_eff, double speed) {
   double power = 0;  // sum of force jump times speed [W]
   if constexpr (has_breaks<Law>)
-    for (const double depth : law.overlap_breaks()) {
+    for (const double depth : overlap_breaks(law, radius_eff)) {
       typename Law::State before, after;
       const Response below = law.respond(radius_eff, depth * radius_eff * (1 - 1e-9), before);
       const Response above = law.respond(radius_eff, depth * radius_eff * (1 + 1e-9), after);

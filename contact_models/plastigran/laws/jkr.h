@@ -51,8 +51,9 @@ class Jkr {
   PLASTIGRAN_DEVICE double pull_off_force(double radius_eff, double, const State&) const {
     return contact_.pull_off_force(radius_eff);
   }
-  const JkrContact& contact() const { return contact_; }
-  double unloading_radius(double radius_eff, const State&) const { return radius_eff; }
+  double energy_at_end(double radius_eff, const State&, bool forms) const {
+    return contact_.energy_at_end(radius_eff, forms);
+  }
 
   PLASTIGRAN_DEVICE Response respond(double radius_eff, double overlap, State& state) const {
     if (state.in_contact == 0 && !(overlap > 0)) return {};

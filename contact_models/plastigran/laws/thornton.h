@@ -24,6 +24,7 @@
 #include "plastigran/shared/contact.h"
 #include "plastigran/shared/hertz_contact.h"
 #include "plastigran/shared/largest_overlap.h"
+#include "plastigran/tables/unloading.h"
 
 namespace plastigran {
 
@@ -58,6 +59,14 @@ class Thornton : public NoConstants, public LargestOverlap {
     }
     response.plastic_work = plastic_work(radius_eff, state.overlap_max);
     return response;
+  }
+
+  // For tables/adhesive.h, in yield units.
+  typedef PowerOfOverlap<Thornton> Rebound;
+  double elastic_range() const { return yield_overlap_ratio_; }
+  PLASTIGRAN_DEVICE static Peak after_loading(double x) {
+    const double force = 1.5 * x - 0.5, root = std::sqrt(x);
+    return {force, root, root / force, Rebound::usual_shape, 0};
   }
 
  private:

@@ -59,7 +59,9 @@ class ThorntonNing1998 {
   PLASTIGRAN_DEVICE double pull_off_force(double radius_eff, double, const State& state) const {
     return contact_.pull_off_force(unloading_radius(radius_eff, state));
   }
-  const JkrContact& contact() const { return contact_; }
+  double energy_at_end(double radius_eff, const State& before, bool forms) const {
+    return contact_.energy_at_end(unloading_radius(radius_eff, before), forms);
+  }
   PLASTIGRAN_DEVICE double unloading_radius(double radius_eff, const State& state) const {  // R_p*
     if (state.contact_radius_max == 0) return radius_eff;
     return flatten(radius_eff, yield_of(radius_eff, pressure_), std::sqrt(state.contact_radius_max))
@@ -106,17 +108,9 @@ class ThorntonNing1998 {
 
   // The root of 2 s^3/R* - pi p_y/E* s - c.
   PLASTIGRAN_DEVICE Yield yield_of(double radius_eff, double pressure) const {
-    const double third = pressure * radius_eff / (6 * contact_.modulus());
     const double half = 0.25 * contact_.pull() * radius_eff;
-    const double under_root = half * half - third * third * third;
-    double root;
-    if (under_root < 0) {
-      const double size = std::sqrt(third);
-      root = 2 * size * std::cos(std::acos(half / (third * size)) / 3);
-    } else {
-      const double part = std::cbrt(half + std::sqrt(under_root));
-      root = part + third / part;
-    }
+    const double area = pressure * radius_eff / (2 * contact_.modulus()), scale = std::sqrt(area);
+    double root = scale * root_at_yield(2 * half / (scale * area));
     if (!guarded_ || root * root * root >= 5 * half) return {root, pressure};
     root = std::cbrt(5 * half);
     return {root, contact_.modulus() * 1.5 * contact_.pull() / root};

@@ -142,7 +142,7 @@ class LawAtFactor {
   // Returns the distinct breaks of all tables, as overlap/R*.
   std::vector<double> overlap_breaks() const {
     std::vector<double> all;
-    if constexpr (has_breaks<Law>)
+    if constexpr (has_breaks<Law> && !responds_stronger<Law>)
       for (const Part& part : parts_)
         for (const double at : part.law->overlap_breaks())
           all.push_back(at * part.factor * part.factor);

@@ -10,8 +10,8 @@
 //   surface energy = -1/2 E* c^2 s^4
 //
 // The contact breaks under displacement control at s_0 = (c R*/4)^(1/3), where overlap is least,
-// -3/4 c s_0. In u = s/s_0 and x = overlap/(3/4 c s_0), u^4 - 4 u = 3 x. Ferrari's solution of that
-// equation has the resolvent z^3 + 12 x z = 16.
+// -3/4 c s_0. In u = s/s_0 and x = overlap/(3/4 c s_0), u^4 - 4 u = 3 x. The resolvent of Ferrari's
+// solution is z^3 + 12 x z = 16.
 #pragma once
 
 #include <cmath>
@@ -34,6 +34,45 @@ double pull_off_distance([[maybe_unused]] const Law& law, [[maybe_unused]] doubl
     return law.pull_off_distance(radius_eff);
   else
     return 0;
+}
+
+// The largest root of w^4 - b w = x, with b >= 0, by Ferrari's solution; (b/4)^(1/3), where x is
+// least, if there is none.
+[[gnu::noinline, gnu::const]] PLASTIGRAN_DEVICE inline double near_pull_off(double x, double b) {
+  const double least = std::cbrt(0.25 * b), square = least * least;
+  const double depth = x / (3 * square * square);
+  if (!(depth > -1)) return least;
+  const double cube = 1 + std::sqrt(1 + depth * depth * depth), part = std::cbrt(cube);
+  const double z = 4 / (part * part + depth + depth * depth / (part * part)), half = std::sqrt(z);
+  const double rest = 8 / half - z;
+  return 0.5 * least * (half + std::sqrt(rest > 0 ? rest : 0));
+}
+
+// The same root. For weak adhesion Newton's method is faster: with w = x^(1/4) u and
+// e = b/x^(3/4), u^4 - e u = 1 and u = 1 + e/4 - e^2/32 + 7/2048 e^4 - ...
+PLASTIGRAN_DEVICE inline double adhesive_root(double x, double b) {
+  const double scale = std::sqrt(std::sqrt(x > 0 ? x : 0)), cube_of_scale = scale * scale * scale;
+  if (!(b <= cube_of_scale)) return near_pull_off(x, b);
+  if (b == 0) return scale;
+  const double e = b / cube_of_scale;
+  double u = 1 + e * (0.25 - 0.03125 * e);
+  for (int k = e < 0.05 ? 1 : 3; k > 0; --k) {  // the error is squared each time
+    const double cube = u * u * u;
+    u -= (u * (cube - e) - 1) / (4 * cube - e);
+  }
+  return scale * u;
+}
+
+// The root q >= 1 of q^3 - q = b, with b >= 0: the root of the contact radius at yield over that
+// without adhesion, where b = c R*/(2 a^(3/2)) with the a without adhesion.
+PLASTIGRAN_DEVICE inline double root_at_yield(double b) {
+  if (b < 1) {  // from above: the function is convex
+    double q = 1 + 0.5 * b;
+    for (int k = 0; k < 5; ++k) q = (2 * q * q * q + b) / (3 * q * q - 1);
+    return q;
+  }
+  const double part = std::cbrt(0.5 * b + std::sqrt(0.25 * b * b - 1.0 / 27));
+  return part + 1 / (3 * part);
 }
 
 class JkrContact {
@@ -60,13 +99,13 @@ class JkrContact {
 
   // Returns s at an overlap; below the least overlap, s at pull-off.
   PLASTIGRAN_DEVICE double root(double radius_eff, double overlap) const {
-    if (pull_ == 0) return overlap > 0 ? std::sqrt(std::sqrt(radius_eff * overlap)) : 0;
-    const double least = root_at_pull_off(radius_eff), x = overlap / (0.75 * pull_ * least);
-    if (!(x > -1)) return least;
-    const double cube = 1 + std::sqrt(1 + x * x * x), part = std::cbrt(cube);
-    const double z = 4 / (part * part + x + x * x / (part * part)), half = std::sqrt(z);
-    const double rest = 8 / half - z;
-    return 0.5 * least * (half + std::sqrt(rest > 0 ? rest : 0));
+    return adhesive_root(overlap * radius_eff, pull_ * radius_eff);
+  }
+
+  // Elastic and surface energy of a contact that has just formed, or is about to break [J].
+  double energy_at_end(double radius_eff, bool forms) const {
+    const Response end = at(radius_eff, root(radius_eff, forms ? 0 : pull_off_overlap(radius_eff)));
+    return end.elastic_energy + end.surface_energy;
   }
 
   PLASTIGRAN_DEVICE Response at(double radius_eff, double s) const {
@@ -78,6 +117,7 @@ class JkrContact {
         modulus_ * (square * (8.0 / 15.0 * hertz * hertz - 4.0 / 3.0 * pull_ * s * hertz) +
                     pull_ * pull_ * fourth);
     response.surface_energy = -0.5 * modulus_ * pull_ * pull_ * fourth;
+    response.pull_off_force = pull_off_force(radius_eff);
     return response;
   }
 
@@ -103,6 +143,17 @@ PLASTIGRAN_DEVICE double pull_off_force([[maybe_unused]] const Law& law,
     return 0;
 }
 
+// Returns the pull-off force of a response that the law has already computed [N].
+template <class Law>
+PLASTIGRAN_DEVICE double pull_off_force(const Law& law, double radius_eff, double overlap,
+                                        const typename Law::State& state,
+                                        const Response& response) {
+  if constexpr (can_stretch<Law>)
+    return response.pull_off_force;
+  else
+    return pull_off_force(law, radius_eff, overlap, state);
+}
+
 // Returns the energy dissipated if a contact forms or breaks in the step from `before` to `now`
 // [J].
 template <class Law>
@@ -111,12 +162,8 @@ double lost_at_ends([[maybe_unused]] const Law& law, [[maybe_unused]] double rad
                     [[maybe_unused]] const typename Law::State& now) {
   if constexpr (can_stretch<Law>) {
     if (before.in_contact == now.in_contact) return 0;
-    const JkrContact contact = law.contact();
-    const double radius = law.unloading_radius(radius_eff, before);
     const bool forms = now.in_contact != 0;
-    const double overlap = forms ? 0 : contact.pull_off_overlap(radius);
-    const Response end = contact.at(radius, contact.root(radius, overlap));
-    const double energy = end.elastic_energy + end.surface_energy;
+    const double energy = law.energy_at_end(radius_eff, before, forms);
     return forms ? -energy : energy;
   } else {
     return 0;

@@ -36,7 +36,7 @@
 //   elastic_first = false   the contact is plastic from first touch; otherwise elastic to yield
 //   adhesive = true         the force may be attractive; the law has pull_off_force()
 //   pull_off_distance(radius_eff)          largest separation of bodies in contact; the state then
-//                has the member in_contact (adhesion.h)
+//                has the member in_contact, and the law energy_at_end() (adhesion.h)
 //   plastic_work_in(state)  plastic work, for a law whose state contains it
 //
 // SI units throughout.
@@ -82,6 +82,7 @@ struct Response {
   double plastic_work = 0;    // energy dissipated by plastic deformation [J]
   double viscous_force = 0;   // part of `force` due to the rate, negative while parting [N]
   double surface_energy = 0;  // surface energy relative to separated bodies, never positive [J]
+  double pull_off_force = 0;  // largest attraction during unloading, if contacts can stretch [N]
 };
 
 PLASTIGRAN_DEVICE inline double contact_energy(const Response& response) {
@@ -158,6 +159,12 @@ template <class Law, class = void>
 constexpr bool adhesive = false;
 template <class Law>
 constexpr bool adhesive<Law, std::void_t<decltype(Law::adhesive)>> = Law::adhesive;
+
+// The option of a line in a deck that makes this law of another, with a space before it.
+template <class Law, class = void>
+constexpr const char* line_option = "";
+template <class Law>
+constexpr const char* line_option<Law, std::void_t<decltype(Law::line_option)>> = Law::line_option;
 
 template <class Law, class = void>
 constexpr bool hardens = false;

@@ -37,6 +37,9 @@ namespace plastigran {
 template <class Curve, class Unloading>
 class CurveTable : public Curve, public LargestOverlap {
  public:
+  typedef Unloading Rebound;
+  static constexpr bool has_guard = false;
+
   CurveTable(const MaterialPair& pair, const typename Curve::Parameters& constants,
              bool guarded = false)
       : Curve(pair, constants),
@@ -76,6 +79,22 @@ class CurveTable : public Curve, public LargestOverlap {
     const Peak reached = peak(radius_eff, overlap_y, state.overlap_max);
     const double y = 1 - (state.overlap_max - overlap) * reached.inverse_recovery;
     return unloading_.at(reached, y);
+  }
+
+  // For adhesive.h: the overlap at which the formula of the elastic contact ends, over R*, and the
+  // contact after loading to x > 1 times this overlap.
+  double elastic_range() const { return Curve::breaks[0] * overlap_ratio_; }
+  PLASTIGRAN_DEVICE Peak after_loading(double x) const {
+    const double unit = Curve::breaks[0], root = std::sqrt(unit);
+    const Values at = compute(x * unit);
+    double shape = Unloading::usual_shape;
+    if constexpr (Unloading::has_shape) shape = at[SHAPE];
+    return {at[FORCE] / (unit * root), at[RADIUS] / root, at[INVERSE_RECOVERY] * unit, shape, 0};
+  }
+  auto kinks() const {
+    auto at = Curve::breaks;
+    for (double& x : at) x /= Curve::breaks[0];
+    return at;
   }
 
  private:
@@ -167,6 +186,8 @@ class CurveTable : public Curve, public LargestOverlap {
 template <class Curve, class Unloading>
 class GuardedTable : public CurveTable<Curve, Unloading> {
  public:
+  static constexpr bool has_guard = true;
+
   struct Parameters : Curve::Parameters {
     int energy_guard = 1;
   };

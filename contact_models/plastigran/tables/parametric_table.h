@@ -20,8 +20,22 @@
 #include "plastigran/shared/device.h"
 #include "plastigran/shared/numerics.h"
 #include "plastigran/tables/tabulated.h"
+#include "plastigran/tables/unloading.h"
 
 namespace plastigran {
+
+// Unloading as adhesive.h needs it: Hertz's, but the plastic part of the contact radius stays. The
+// shape is the elastic part of the largest contact radius.
+struct PlasticRadiusStays : PowerOfOverlap<void> {
+  static constexpr bool has_shape = true;
+
+  PLASTIGRAN_DEVICE static double largest_slope(double) { return usual_shape; }
+  PLASTIGRAN_DEVICE ShapeOfUnloading shape_at(double w, double elastic_part) const {
+    ShapeOfUnloading at = PowerOfOverlap<void>::shape_at(w, usual_shape);
+    at.contact_radius = 1 - elastic_part * (1 - at.contact_radius);
+    return at;
+  }
+};
 
 template <class Curve>
 class ParametricTable : public Curve {
@@ -105,6 +119,14 @@ class ParametricTable : public Curve {
       if (std::abs(step) <= 1e-8 * s) break;  // quadratic: the next step is round-off
     }
     return s;
+  }
+
+  // For adhesive.h, in yield units.
+  typedef PlasticRadiusStays Rebound;
+  double elastic_range() const { return Curve::yield_radius_ratio * Curve::yield_radius_ratio; }
+  PLASTIGRAN_DEVICE Peak after_loading(double x) const {
+    const Point at = point(root_.covers(x) ? root_(x)[0] : elastic_radius(x, 1));
+    return {at.s * at.s * at.s, at.radius, at.curvature / (at.s * at.s), at.s / at.radius, 0};
   }
 
  private:

@@ -34,6 +34,17 @@ struct Peak {
   double plastic_work;
 };
 
+// Shape of the unloading curve at y = w^4, from which adhesive.h computes adhesion: force, slope
+// and contact radius relative to those at the largest overlap, and elastic energy relative to
+// F_max (overlap_max - overlap_res).
+struct ShapeOfUnloading {
+  double force, slope, contact_radius, energy;
+};
+// Square root of the slope, and its derivative with respect to w.
+struct RootOfSlope {
+  double value, derivative;
+};
+
 // Base of the shapes: Hertz contact below yield.
 struct HertzBelowYield {
   PLASTIGRAN_DEVICE static Response elastic(double modulus, double radius_eff, double,
@@ -64,6 +75,7 @@ template <class Curve>
 class PowerOfOverlap : public HertzBelowYield {
  public:
   static constexpr bool has_shape = has_exponent<Curve>;
+  static constexpr bool is_hertzian = !has_shape;
   static constexpr double usual_shape = 1.5;
 
   template <class Table>
@@ -90,6 +102,18 @@ class PowerOfOverlap : public HertzBelowYield {
   }
   PLASTIGRAN_DEVICE Response at_largest(const Peak& peak) const { return at(peak, 1); }
 
+  // Slope at the largest overlap, over F_max/(overlap_max - overlap_res).
+  PLASTIGRAN_DEVICE static double largest_slope(double exponent) { return exponent; }
+  PLASTIGRAN_DEVICE ShapeOfUnloading shape_at(double w, double exponent) const {
+    const double root = w * w, y = root * root;
+    const double force = power_.share(y, root, exponent);
+    return {force, y > 0 ? force / y : 0, root, force * y / (exponent + 1)};
+  }
+  PLASTIGRAN_DEVICE RootOfSlope root_of_slope(double w, double exponent) const {
+    const double value = std::sqrt(shape_at(w, exponent).slope);
+    return {value, 2 * (exponent - 1) * value / w};
+  }
+
  private:
   std::conditional_t<has_shape, AnyExponent, ThreeHalves> power_;
 };
@@ -97,6 +121,7 @@ class PowerOfOverlap : public HertzBelowYield {
 class SteepeningUnloading : public HertzBelowYield {
  public:
   static constexpr bool has_shape = true;
+  static constexpr bool is_hertzian = false;
   static constexpr double usual_shape = 1;
 
   SteepeningUnloading()
@@ -119,6 +144,21 @@ class SteepeningUnloading : public HertzBelowYield {
     return scaled(peak, root, y * root * steeper, root * wider);
   }
   PLASTIGRAN_DEVICE Response at_largest(const Peak& peak) const { return scaled(peak, 1, 1, 1); }
+
+  PLASTIGRAN_DEVICE static double largest_slope(double steepness) { return 1 + 0.5 / steepness; }
+  PLASTIGRAN_DEVICE ShapeOfUnloading shape_at(double w, double steepness) const {
+    const double root = w * w, square = root * root, g = steepness - 1;
+    const double steeper = steepness / (1 + g * root);
+    const double slope = root * steeper * steeper * ((3 + 2 * g * root) / (3 + 2 * g));
+    return {square * root * steeper, slope, slope,
+            steepness * square * square * root * work(g * root)};
+  }
+  PLASTIGRAN_DEVICE static RootOfSlope root_of_slope(double w, double steepness) {
+    const double g = steepness - 1, gz = g * w * w;
+    const double steeper = steepness / (1 + gz);
+    const double value = w * steeper * std::sqrt((3 + 2 * gz) / (3 + 2 * g));
+    return {value, value * (1 / w + 2 * w * g * (1 / (3 + 2 * gz) - 1 / (1 + gz)))};
+  }
 
  private:
   // Returns the response at y = root^2 with the given fractions of the largest force and contact

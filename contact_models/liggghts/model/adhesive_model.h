@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+//
+// The normal model of a law with the option `adhesion jkr` (plastigran/tables/adhesive.h).
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "liggghts/fixes/messages.h"
+#include "liggghts/model/elastoplastic_normal_model.h"
+#include "plastigran/pairs/type_pairs.h"
+#include "plastigran/tables/adhesive.h"
+
+namespace plastigran {
+
+// Returns the reason why a law cannot have the option.
+template <class Law>
+std::string refusal_of_adhesion() {
+  if (adhesive<Law>) return "the law has its own adhesion";
+  if (is_cylinder<Law>) return "the law is for cylinders, and adhesion is for spheres";
+  if (rate_dependent<Law>) return "the force of the law depends on the rate";
+  if (!elastic_first<Law>) return "the law is plastic from first touch";
+  return "the law does not begin with Hertz' contact";
+}
+
+// `settings` is the text of settings_text() for the line; empty for a model of a restart file.
+template <class Law>
+std::shared_ptr<LIGGGHTS::ContactModels::NormalModelBase> make_adhesive_model(
+    LAMMPS_NS::LAMMPS* engine, ContactSetup& setup,
+    LIGGGHTS::ContactModels::ContactModelBase* contact_model, const std::string& settings) {
+  if constexpr (takes_adhesion<Law>) {
+    using Model = LIGGGHTS::ContactModels::ElastoplasticNormalModel<Adhesive<Law>>;
+    const auto model = std::make_shared<Model>(engine, setup, contact_model);
+    if (!settings.empty()) model->read(settings);
+    return model;
+  } else {
+    stop(engine,
+         std::string("model ") + Law::name + ": adhesion jkr is not supported, because " +
+             refusal_of_adhesion<Law>() +
+             ". Remove the option, or use a law for spheres that begins with Hertz' contact");
+  }
+}
+
+}  // namespace plastigran
