@@ -31,7 +31,9 @@ NormalModel::NormalModel(GranularModel* model, LAMMPS_NS::LAMMPS* lammps, Laws l
   state_at_ = one.stretches ? 1 : 0;
   work_at_ = state_at_ + one.state_size;
   factor_at_ = work_at_ + 1;
-  size_history = static_cast<int>(factor_at_ + (one.has_strength ? 1 : 0));
+  has_rate_ =
+      std::any_of(laws_.begin(), laws_.end(), [](const auto& law) { return law->has_rate(); });
+  size_history = static_cast<int>(factor_at_ + (has_rate_ ? 1 : 0));
   history_index = placeholder.history_index;
   nondefault_history_transfer = 1;
   transfer_history_factor = new double[size_history];
@@ -79,32 +81,36 @@ double NormalModel::pulloff_distance(double radius, double other_radius) {
 double NormalModel::calculate_contact_radius() {
   const RuntimeLaw& contact_law = law();
   double* const values = gm->history + history_index;
-  RuntimeLaw::State before{};
-  std::copy_n(values + state_at_, contact_law.state_size, before.begin());
-  RuntimeLaw::State now = before;
+  double* state = values + state_at_;
+  double before[RuntimeLaw::capacity], copy[RuntimeLaw::capacity];
+  if (contact_law.stretches) std::copy_n(state, contact_law.state_size, before);
+  if (!gm->history_update) {
+    std::copy_n(state, contact_law.state_size, copy);
+    state = copy;
+  }
   double factor = 1;
-  if (contact_law.bodies.rate_coefficient > 0) {
+  if (contact_law.has_rate()) {
     factor = values[factor_at_];
     if (factor == 0) factor = contact_law.rate_factor(gm->Reff, -gm->vnnr);
   }
-  const Response response = contact_law.respond(gm->Reff, gm->delta, -gm->vnnr, factor, now);
+  const Response response = contact_law.respond(gm->Reff, gm->delta, -gm->vnnr, factor, state);
   double plastic_work = 0, adhesion_loss = 0;
   if (gm->history_update) {
     plastic_work = response.plastic_work - values[work_at_];
-    if (contact_law.stretches) adhesion_loss = contact_law.lost_at_ends(gm->Reff, before, now);
+    if (contact_law.stretches) adhesion_loss = contact_law.lost_at_ends(gm->Reff, before, state);
     values[work_at_] = response.plastic_work;
-    std::copy_n(now.begin(), contact_law.state_size, values + state_at_);
-    if (contact_law.has_strength) values[factor_at_] = factor;
-    // A contact that breaks loses its history where the bodies do not overlap, also if LAMMPS still
-    // lists it. Flattened bodies can part at a positive overlap and touch again.
-    if (contact_law.stretches && !contact_law.in_contact(now) && gm->delta <= 0)
-      std::fill(values + state_at_, values + size_history, 0.0);
+    if (has_rate_) values[factor_at_] = factor;
   }
   tally_.add(*gm, response, contact_law.range * gm->Reff, plastic_work, adhesion_loss);
   force_ = response.force;
   pull_off_force_ = contact_law.attracts && response.contact_radius > 0
-                        ? contact_law.pull_off_force(gm->Reff, gm->delta, now)
+                        ? contact_law.pull_off_force(gm->Reff, gm->delta, state)
                         : 0;
+  // A contact that breaks loses its history where the bodies do not overlap, also if LAMMPS still
+  // lists it. Flattened bodies can part at a positive overlap and touch again.
+  if (gm->history_update && contact_law.stretches && gm->delta <= 0 &&
+      !contact_law.in_contact(state))
+    std::fill(state, values + size_history, 0.0);
   return response.contact_radius;
 }
 

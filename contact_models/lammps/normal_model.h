@@ -6,8 +6,9 @@
 // models use them.
 //
 // Contact history: a flag that LAMMPS sets for contacts that outlast the overlap, the state of the
-// law, the plastic work, and the rate factor. LAMMPS changes the sign of history values if it
-// stores a pair from the side of the other particle, unless their transfer factor is 1.
+// law, the plastic work, and, for bodies with a rate coefficient, the rate factor. LAMMPS changes
+// the sign of history values if it stores a pair from the side of the other particle, unless their
+// transfer factor is 1.
 #pragma once
 
 #include <memory>
@@ -46,6 +47,7 @@ class NormalModel : public LAMMPS_NS::Granular_NS::GranSubModNormal {
   Laws laws_;
   ContactTally& tally_;
   std::size_t state_at_, work_at_, factor_at_;  // in the values of this model
+  bool has_rate_;
   double force_ = 0, pull_off_force_ = 0;
 };
 

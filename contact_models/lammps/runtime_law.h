@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// A law between two materials, chosen by name while the program runs, and its values in the contact
-// history.
+// A law between two materials, chosen by name while the program runs. A state is the address of its
+// values in the contact history.
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <cstring>
 #include <memory>
 #include <string>
@@ -25,20 +24,21 @@ namespace plastigran {
 class RuntimeLaw {
  public:
   static constexpr std::size_t capacity = 8;  // most values of a state
-  typedef std::array<double, capacity> State;
 
   virtual ~RuntimeLaw() = default;
   virtual Response respond(double radius_eff, double overlap, double overlap_rate, double factor,
-                           State& state) const = 0;
-  virtual double pull_off_force(double radius_eff, double overlap, const State& state) const = 0;
+                           double* state) const = 0;
+  virtual double pull_off_force(double radius_eff, double overlap, const double* state) const = 0;
   virtual double pull_off_distance(double radius_eff) const = 0;
   // Energy lost where the contact formed or broke in a step from `before` to `now` [J].
-  virtual double lost_at_ends(double radius_eff, const State& before, const State& now) const = 0;
-  virtual bool in_contact(const State& state) const = 0;  // for laws that stretch
+  virtual double lost_at_ends(double radius_eff, const double* before, const double* now) const = 0;
+  virtual bool in_contact(const double* state) const = 0;  // for laws that stretch
   virtual double recommended_timestep(double radius_eff, double mass_eff, double speed) const = 0;
   // The constants of the pair, and those of the law with its options.
   virtual std::string description() const = 0;
 
+  // Whether a rate factor changes the strength.
+  bool has_rate() const { return bodies.rate_coefficient > 0; }
   double rate_factor(double radius_eff, double closing_speed) const {
     return plastigran::rate_factor(bodies, radius_eff, closing_speed);
   }
@@ -46,7 +46,6 @@ class RuntimeLaw {
   std::size_t state_size = 0;  // values of a state
   bool attracts = false;       // the force may be negative
   bool stretches = false;      // contacts outlast the overlap
-  bool has_strength = true;    // the law yields, so a rate factor may change its strength
   double range = 0;            // largest overlap/R* for which the law is valid
   MaterialPair bodies;
 };
@@ -63,32 +62,32 @@ class RuntimeLawOf : public RuntimeLaw {
     state_size = Law::state_names.size();
     attracts = adhesive<Law>;
     stretches = can_stretch<Law>;
-    has_strength = yields<Law>;
     range = pair_.range;
     bodies = pair;
+    if (!yields<Law>) bodies.rate_coefficient = 0;
   }
 
   Response respond(double radius_eff, double overlap, double overlap_rate, double factor,
-                   State& state) const override {
+                   double* state) const override {
     LawState own = read(state);
     const Response response =
         factor == 1 ? plastigran::respond(pair_.law, radius_eff, overlap, own, overlap_rate)
                     : pair_.at_factor(factor, [&](const auto& law, double) {
                         return plastigran::respond(law, radius_eff, overlap, own, overlap_rate);
                       });
-    std::memcpy(state.data(), static_cast<const void*>(&own), bytes);
+    std::memcpy(state, static_cast<const void*>(&own), bytes);
     return response;
   }
-  double pull_off_force(double radius_eff, double overlap, const State& state) const override {
+  double pull_off_force(double radius_eff, double overlap, const double* state) const override {
     return plastigran::pull_off_force(pair_.law, radius_eff, overlap, read(state));
   }
   double pull_off_distance(double radius_eff) const override {
     return plastigran::pull_off_distance(pair_.law, radius_eff);
   }
-  double lost_at_ends(double radius_eff, const State& before, const State& now) const override {
+  double lost_at_ends(double radius_eff, const double* before, const double* now) const override {
     return plastigran::lost_at_ends(pair_.law, radius_eff, read(before), read(now));
   }
-  bool in_contact(const State& state) const override {
+  bool in_contact(const double* state) const override {
     if constexpr (can_stretch<Law>)
       return read(state).in_contact != 0;
     else
@@ -111,9 +110,9 @@ class RuntimeLawOf : public RuntimeLaw {
   }
 
  private:
-  static LawState read(const State& state) {
+  static LawState read(const double* state) {
     LawState own;
-    std::memcpy(static_cast<void*>(&own), state.data(), bytes);
+    std::memcpy(static_cast<void*>(&own), state, bytes);
     return own;
   }
 
