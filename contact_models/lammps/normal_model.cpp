@@ -104,7 +104,7 @@ double NormalModel::calculate_contact_radius() {
   tally_.add(*gm, response, contact_law.range * gm->Reff, plastic_work, adhesion_loss);
   force_ = response.force;
   pull_off_force_ = contact_law.attracts && response.contact_radius > 0
-                        ? contact_law.pull_off_force(gm->Reff, gm->delta, state)
+                        ? contact_law.pull_off_force(gm->Reff, gm->delta, state, response)
                         : 0;
   // A contact that breaks loses its history where the bodies do not overlap, also if LAMMPS still
   // lists it. Flattened bodies can part at a positive overlap and touch again.

@@ -18,6 +18,7 @@
 #include "plastigran/shared/adhesion.h"
 #include "plastigran/shared/contact.h"
 #include "plastigran/shared/rate_factor.h"
+#include "plastigran/tables/adhesive.h"
 
 namespace plastigran {
 
@@ -28,7 +29,8 @@ class RuntimeLaw {
   virtual ~RuntimeLaw() = default;
   virtual Response respond(double radius_eff, double overlap, double overlap_rate, double factor,
                            double* state) const = 0;
-  virtual double pull_off_force(double radius_eff, double overlap, const double* state) const = 0;
+  virtual double pull_off_force(double radius_eff, double overlap, const double* state,
+                                const Response& response) const = 0;
   virtual double pull_off_distance(double radius_eff) const = 0;
   // Energy lost where the contact formed or broke in a step from `before` to `now` [J].
   virtual double lost_at_ends(double radius_eff, const double* before, const double* now) const = 0;
@@ -78,8 +80,9 @@ class RuntimeLawOf : public RuntimeLaw {
     std::memcpy(state, static_cast<const void*>(&own), bytes);
     return response;
   }
-  double pull_off_force(double radius_eff, double overlap, const double* state) const override {
-    return plastigran::pull_off_force(pair_.law, radius_eff, overlap, read(state));
+  double pull_off_force(double radius_eff, double overlap, const double* state,
+                        const Response& response) const override {
+    return plastigran::pull_off_force(pair_.law, radius_eff, overlap, read(state), response);
   }
   double pull_off_distance(double radius_eff) const override {
     return plastigran::pull_off_distance(pair_.law, radius_eff);
@@ -129,11 +132,11 @@ struct NamedLaw {
 
 const std::vector<const NamedLaw*>& named_laws();
 
-// Sets the constants and options of a law that the line gives.
+// Sets the constants and options of a law that the line gives. `adhesion` selects the law itself.
 template <class Law>
 Complaint read_constants(const ContactLine& line, typename Law::Parameters& constants) {
-  std::string names;
-  std::size_t used = 0;
+  std::string names = " adhesion";
+  std::size_t used = line.law_words.count("adhesion");
   for (const auto& parameter : parameters_of<Law>) {
     names += std::string(" ") + parameter.name;
     const auto word = line.law_words.find(parameter.name);
@@ -160,14 +163,14 @@ Complaint read_constants(const ContactLine& line, typename Law::Parameters& cons
   if (used == line.law_words.size()) return {};
   for (const auto& [name, value] : line.law_words)
     if ((names + ' ').find(' ' + name + ' ') == std::string::npos)
-      return Complaint("there is no constant or option `" + name + "`; the law has" +
-                       (names.empty() ? " none" : names) + ", and a body has " + body_words());
+      return Complaint("there is no constant or option `" + name + "`; the law has" + names +
+                       ", and a body has " + body_words());
   return {};
 }
 
 template <class Law>
-std::shared_ptr<const RuntimeLaw> make_law(const ContactLine& line, const Body& one,
-                                           const Body& other, Complaint& complaint) {
+std::shared_ptr<const RuntimeLaw> make_runtime_law(const ContactLine& line, const Body& one,
+                                                   const Body& other, Complaint& complaint) {
   typename Law::Parameters constants;
   complaint = is_cylinder<Law> ? Complaint("the law is for cylinders, and LAMMPS has spheres")
                                : read_constants<Law>(line, constants);
@@ -177,6 +180,25 @@ std::shared_ptr<const RuntimeLaw> make_law(const ContactLine& line, const Body& 
   if (complaint.empty()) complaint = validate<Law>(bodies, constants);
   if (!complaint.empty()) return nullptr;
   return std::make_shared<RuntimeLawOf<Law>>(bodies, constants);
+}
+
+template <class Law>
+std::shared_ptr<const RuntimeLaw> make_law(const ContactLine& line, const Body& one,
+                                           const Body& other, Complaint& complaint) {
+  const auto adhesion = line.law_words.find("adhesion");
+  if (adhesion == line.law_words.end() || adhesion->second == "off")
+    return make_runtime_law<Law>(line, one, other, complaint);
+  if (adhesion->second != "jkr") {
+    complaint = Complaint("{adhesion} is " + adhesion->second + "; it must be off or jkr");
+    return nullptr;
+  }
+  if constexpr (takes_adhesion<Law>) {
+    return make_runtime_law<Adhesive<Law>>(line, one, other, complaint);
+  } else {
+    complaint = Complaint(std::string("adhesion jkr is not supported, because ") +
+                          refusal_of_adhesion<Law>());
+    return nullptr;
+  }
 }
 
 }  // namespace plastigran

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import numpy as np
 import pandas as pd
-from contact_constants import required
+from contact_constants import VALUES, required
 
 from plastigran.engine.dumps import read_dump
 from plastigran.engine.lammps import run_lammps
@@ -21,7 +21,9 @@ ALSO = {"walton_braun": {"unloading_stiffness": 4e6}}
 
 
 def constants(law: str) -> dict[str, float]:
-    """Return the constants of a law that a material does not have."""
+    """Return the constants of a law, as `thornton` or `thornton adhesion jkr`, beside the body's."""
+    if law.endswith("adhesion jkr"):
+        return {"surface_energy": VALUES["surface_energy"]}
     return required(law) | ALSO.get(law, {})
 
 

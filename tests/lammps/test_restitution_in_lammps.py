@@ -19,17 +19,18 @@ from plastigran.engine.process import inputs_folder, run_deck
 from plastigran.materials import read_material
 
 SPHERE_LAWS = [name for name, law in laws.LAWS.items() if law.shape == "sphere"]
+WITH_ADHESION = ["thornton adhesion jkr", "universal adhesion jkr"]
 SPEEDS = np.array([0.02, 0.04])  # of each sphere [m/s]: 12 and 24 yield speeds
 GAP = 1e-9  # path of each sphere before contact [m]
 #: Laws whose contact forms and breaks with a jump of the force.
-JUMP_AT_ENDS = ("jkr", "thornton_ning_1998")
+JUMP_AT_ENDS = ("jkr", "thornton_ning_1998", *WITH_ADHESION)
 #: Recommended time step divided by the time step. The time integration of LAMMPS is of first order
 #: for forces that depend on the velocity, and where the force jumps.
-FINENESS = {"viscoelastic_hertz": 2000, "jkr": 600, "thornton_ning_1998": 600}
+FINENESS = {"viscoelastic_hertz": 2000, **dict.fromkeys(JUMP_AT_ENDS, 600)}
 
 
 def wall_contact(law: str) -> pg.Contact:
-    return pg.Contact(law, MATERIAL, pg.RIGID, radius=RADIUS, **constants(law))
+    return pg.Contact(law.split()[0], MATERIAL, pg.RIGID, radius=RADIUS, **constants(law))
 
 
 def collide(law: str, step: float, folder: Path, **options: float) -> dict[str, pd.DataFrame]:
@@ -38,15 +39,18 @@ def collide(law: str, step: float, folder: Path, **options: float) -> dict[str, 
     outcome = contact.impact(SPEEDS)
     path = outcome.overlap_max + contact.law.pull_off_distance(RADIUS)
     duration = (4 * path / SPEEDS / outcome.coefficient_of_restitution).max()
-    values = words(constants(law))
-    lines = (f"{law} {body()} {values}", f"{law} rigid {values}")
+    name, *option = law.split()
+    values = " ".join([words(constants(law)), *option])
+    lines = (f"{name} {body()} {values}", f"{name} rigid {values}")
     return rebounds(folder, *lines, SPEEDS, step, int(duration / step), gap=GAP, **options)
 
 
-@pytest.mark.parametrize("law", SPHERE_LAWS)
+@pytest.mark.parametrize("law", SPHERE_LAWS + WITH_ADHESION)
 def test_restitution_follows_the_law(law, declared_jumps, tmp_path):
     wall = wall_contact(law)
-    pair = pg.Contact(law, MATERIAL, MATERIAL, radius=RADIUS, radius_other=RADIUS, **constants(law))
+    pair = pg.Contact(
+        law.split()[0], MATERIAL, MATERIAL, radius=RADIUS, radius_other=RADIUS, **constants(law)
+    )
     expected = {"pair": pair.restitution(2 * SPEEDS), "plane": wall.restitution(SPEEDS)}
     expected["region"] = expected["plane"]
     ends = collide(law, wall.timestep(SPEEDS).min() / FINENESS.get(law, 200), tmp_path)

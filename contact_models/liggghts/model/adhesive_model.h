@@ -13,16 +13,6 @@
 
 namespace plastigran {
 
-// Returns the reason why a law cannot have the option.
-template <class Law>
-std::string refusal_of_adhesion() {
-  if (adhesive<Law>) return "the law has its own adhesion";
-  if (is_cylinder<Law>) return "the law is for cylinders, and adhesion is for spheres";
-  if (rate_dependent<Law>) return "the force of the law depends on the rate";
-  if (!elastic_first<Law>) return "the law is plastic from first touch";
-  return "the law does not begin with Hertz' contact";
-}
-
 // `settings` is the text of settings_text() for the line; empty for a model of a restart file.
 template <class Law>
 std::shared_ptr<LIGGGHTS::ContactModels::NormalModelBase> make_adhesive_model(

@@ -28,6 +28,16 @@ namespace plastigran {
 template <class Law>
 constexpr bool is_cylinder = std::string_view(shape<Law>) == std::string_view("cylinder");
 
+// Returns the reason why a law cannot have the option `adhesion jkr` (tables/adhesive.h).
+template <class Law>
+const char* refusal_of_adhesion() {
+  if (adhesive<Law>) return "the law has its own adhesion";
+  if (is_cylinder<Law>) return "the law is for cylinders, and adhesion is for spheres";
+  if (rate_dependent<Law>) return "the force of the law depends on the rate";
+  if (!elastic_first<Law>) return "the law is plastic from first touch";
+  return "the law does not begin with Hertz' contact";
+}
+
 // Returns the options of a law with their choices, each preceded by `separator`.
 template <class Law>
 std::string options_text(const typename Law::Parameters& choices, const char* separator) {
