@@ -21,7 +21,7 @@ ALSO = {"walton_braun": {"unloading_stiffness": 4e6}}
 
 
 def constants(law: str) -> dict[str, float]:
-    """Return the constants of a law, as `thornton` or `thornton adhesion jkr`, beside the body's."""
+    """Return constants that the body lacks; the law is as `thornton` or `thornton adhesion jkr`."""
     if law.endswith("adhesion jkr"):
         return {"surface_energy": VALUES["surface_energy"]}
     return required(law) | ALSO.get(law, {})
