@@ -200,3 +200,25 @@ TEST_CASE_TEMPLATE("without yield a law with adhesion is JKR", Law, WRAPPED) {
     REQUIRE(contact_energy(one) == contact_energy(other));
   }
 }
+
+// Just below the sticking energy the bodies stick, and just above they rebound. 1e-6: relative
+// distance from the energy, far above round-off.
+TEST_CASE_TEMPLATE("the sticking energy separates sticking from rebound", Law, Jkr, Edinburgh2014) {
+  typename Law::Parameters constants;
+  if constexpr (std::is_same_v<Law, Jkr>) {
+    constants.surface_energy = 0.02;
+  } else {
+    constants.stiffness_ratio = 5;
+    constants.constant_force = -1e-7;
+  }
+  const Law law(powder, constants);
+  const double energy = sticking_energy(law, radius), mass = 1e-13;
+  REQUIRE(energy > 0);
+  const auto restitution = [&](double part) {
+    const double speed = std::sqrt(2 * part * energy / mass);
+    return central_impact(law, radius, mass, speed).coefficient_of_restitution;
+  };
+  CHECK(restitution(1 - 1e-6) == 0);
+  CHECK(restitution(1 + 1e-6) > 0);
+  CHECK(recommended_timestep(law, radius, mass, 1e-6) > 0);
+}

@@ -106,6 +106,7 @@ class ContactChecks : protected LAMMPS_NS::Pointers {
     State state;
     const Response loading = law.respond(radius_eff, contact.deltan, state);
     const double energy = contact_energy(loading) - contact_energy(first_touch(law, radius_eff));
+    if (!(energy > 0)) return;  // adhesion loads the contact to this overlap without an impact
     const double speed = std::sqrt(2 * energy / contact.meff);
     const double* const x = atom->x[contact.i];
     time_step_check_->add(

@@ -202,6 +202,24 @@ ImpactOutcome central_impact(const Law& law, double radius_eff, double mass_eff,
   return impact;
 }
 
+// Returns the smallest kinetic energy of an impact after which the bodies separate [J].
+template <class Law>
+double sticking_energy(const Law& law, double radius_eff) {
+  const double at_touch = contact_energy(first_touch(law, radius_eff));
+  const auto at_end = [&](double overlap_max) {
+    return contact_energy(end_of_contact(law, radius_eff, overlap_max)) - at_touch;
+  };
+  if constexpr (elastic_first<Law>)
+    return std::max(0.0, at_end(std::numeric_limits<double>::min()));
+  const auto loaded = [&](double overlap) {
+    typename Law::State state;
+    return contact_energy(law.respond(radius_eff, overlap, state)) - at_touch;
+  };
+  double low = 0, high = radius_eff;
+  halve(low, high, [&](double overlap) { return loaded(overlap) > at_end(overlap); });
+  return std::max(0.0, loaded(high));
+}
+
 // Returns the relative error of restitution per second of time step [1/s] due to jumps of the
 // force: jumps in first loading, and with adhesion the jumps where a contact forms and breaks. In
 // the step that passes a jump, the integrator uses the force before the jump for up to half a step
@@ -224,9 +242,8 @@ double jump_error([[maybe_unused]] const Law& law, [[maybe_unused]] double radiu
     // If the bodies stick, there is no restitution to resolve: use the lowest speed at which they
     // rebound.
     const Response touch = first_touch(law, radius_eff);
-    const Response end = end_of_contact(law, radius_eff, std::numeric_limits<double>::min());
-    const double held = contact_energy(end) - contact_energy(touch);
-    speed = std::max(speed, std::sqrt(2 * held / mass_eff));
+    if (touch.force != 0)
+      speed = std::max(speed, std::sqrt(2 * sticking_energy(law, radius_eff) / mass_eff));
     power += 2 * std::abs(touch.force) * speed;  // 2: the contact forms and breaks
   }
   return 0.5 * power / (mass_eff * speed * speed);

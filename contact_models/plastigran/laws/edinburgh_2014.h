@@ -56,6 +56,8 @@ class Edinburgh2014 : public AdhesiveLimit<Edinburgh2014> {
         residual_(std::pow(1 - 1 / ratio_, 1 / exponent_)),
         begin_(std::pow((ratio_ - 1) / (ratio_ + adhesion_), 1 / exponent_)) {}
 
+  double overlap_range() const { return 1; }
+
   PLASTIGRAN_DEVICE double pull_off_force(double radius_eff, double overlap, const State&) const {
     return overlap > 0 ? scale(radius_eff) * adhesion_ * power(overlap) - constant_ : 0;
   }

@@ -48,6 +48,8 @@ class WaltonBraun : public LargestOverlap {
         unloading_(std::max(constants.unloading_stiffness, constants.loading_stiffness)),
         slope_(constants.unloading_stiffness_slope) {}
 
+  double overlap_range() const { return 1; }
+
   // Returns k_1 and the usual tangential stiffness 2/7 k_1 [N/m].
   PLASTIGRAN_DEVICE Stiffness elastic_stiffness(double) const {
     return {loading_, 2.0 / 7.0 * loading_};
