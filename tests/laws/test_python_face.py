@@ -249,10 +249,15 @@ def assert_documented(node: ast.FunctionDef, function: object) -> None:
             assert given.arg in ("self", "pair") or f"{given.arg}:" in said, (node.name, given.arg)
 
 
-@pytest.mark.parametrize("name", [name for name, law in laws.LAWS.items() if law.shape == "sphere"])
+@pytest.mark.parametrize(
+    "name", [n for n, law in laws.LAWS.items() if law.shape == "sphere" and law.elastic_first]
+)
 def test_ranges_hold_for_a_soft_body_that_does_not_yield_first(name):
-    """Steel against rubber: the rubber takes the overlap, and no law is good for one as deep as its
-    radius."""
+    """Steel against rubber: most of the overlap is in the rubber.
+
+    Overlaps of the order of its radius must be outside the range. Laws with fitted stiffnesses are
+    not tested.
+    """
     steel = laws.Body(2.1e11, 0.3, 3e8)
     rubber = laws.Body(1e7, 0.49, 1e30)
     law = laws.LAWS[name](laws.combine(steel, rubber), **contact_constants.required(name))
