@@ -27,7 +27,8 @@ from plastigran.cli.arguments import (
 )
 from plastigran.declared import Declaration, declarations
 from plastigran.engine.folder_lock import lock_folder
-from plastigran.engine.process import EngineError, engine_path
+from plastigran.engine.process import EngineError
+from plastigran.engine.versions import versions
 from plastigran.experiments.base import Experiment
 from plastigran.experiments.fields import Flag
 from plastigran.experiments.runs import Runs, case_folders, claim
@@ -141,20 +142,20 @@ def run(experiment: type[Experiment], arguments: argparse.Namespace) -> None:
         with claim(folder, arguments.force):
             show_study(runs, folder, arguments.json)
     else:
-        _need_engine(experiment)
+        _need_engine(experiment, settings.get("host", experiment.host))
         with lock_folder(folder):  # the lock must cover the figures, too
             runs = experiment.study(folder, arguments.jobs, force=arguments.force, **settings)
             show_study(runs, folder, arguments.json)
 
 
-def _need_engine(experiment: type[Experiment]) -> None:
-    """Check that LIGGGHTS can run.
+def _need_engine(experiment: type[Experiment], host: str) -> None:
+    """Check that the host can run.
 
     Raises:
-        EngineError: LIGGGHTS cannot run; the message names an alternative if there is one.
+        EngineError: The host cannot run; the message names an alternative if there is one.
     """
     try:
-        engine_path()
+        versions(host)
     except EngineError as error:
         hint = ". Use --theory to compute without LIGGGHTS" if experiment.has_theory else ""
         raise EngineError(f"{error}{hint}") from None

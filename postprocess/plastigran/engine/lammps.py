@@ -8,11 +8,14 @@ import subprocess
 import sys
 from collections.abc import Mapping, Sequence
 from pathlib import Path
+from shlex import join
 
 from plastigran.engine.process import PROJECT, EngineError, own_inputs
 
 PLUGIN = "plastigranplugin.so"
 LOG = "log.lammps"
+#: Environment variables of the plugin.
+ADDITIONS = ("LAMMPS_PLUGIN_PATH", "PLASTIGRAN_MATERIALS")
 
 
 def lammps_path() -> Path:
@@ -50,11 +53,8 @@ def plugin_path() -> Path:
 
 def lammps_environment() -> dict[str, str]:
     """Return the environment in which LAMMPS finds the plugin and the files of materials."""
-    additions = {
-        "LAMMPS_PLUGIN_PATH": str(plugin_path().parent),
-        "PLASTIGRAN_MATERIALS": str(own_inputs() / "materials"),
-    }
-    return {"OMP_NUM_THREADS": "1"} | os.environ | additions
+    values = str(plugin_path().parent), str(own_inputs() / "materials")
+    return {"OMP_NUM_THREADS": "1"} | os.environ | dict(zip(ADDITIONS, values, strict=True))
 
 
 def lammps_command(words: Sequence[str], ranks: int = 1) -> list[str]:
@@ -62,6 +62,24 @@ def lammps_command(words: Sequence[str], ranks: int = 1) -> list[str]:
     program = lammps_path()
     launcher = [str(program.parent / "mpiexec"), "-n", str(ranks)] if ranks > 1 else []
     return [*launcher, str(program), *words]
+
+
+def deck_words(deck: Path, variables: Mapping[str, object]) -> list[str]:
+    """Return the words for an input script and its variables; variables with None are left out."""
+    words = ["-in", str(deck.resolve()), "-log", LOG]
+    for name, value in variables.items():
+        if value is not None:
+            words += ["-var", name, str(value)]
+    return words
+
+
+def typed_lammps_command(deck: Path, variables: Mapping[str, object], folder: Path) -> str:
+    """Return shell commands equivalent to `run_lammps` on one rank; create nothing."""
+    settings = {name: lammps_environment()[name] for name in ADDITIONS}
+    steps = [["mkdir", "-p", str(folder)], ["cd", str(folder)]]
+    line = [f"{name}={value}" for name, value in settings.items()]
+    line += lammps_command(deck_words(deck, variables))
+    return f"{' && '.join(map(join, steps))}\n{join(['env', *line])}"
 
 
 def run_lammps(
@@ -83,9 +101,7 @@ def run_lammps(
         EngineError: LAMMPS is missing, took too long, or ended with an error, which is quoted.
     """
     folder.mkdir(parents=True, exist_ok=True)
-    words = ["-in", str(deck.resolve()), "-log", LOG, "-screen", "none"]
-    for name, value in variables.items():
-        words += ["-var", name, str(value)]
+    words = [*deck_words(deck, variables), "-screen", "none"]
     line = ["setpriv", "--pdeathsig", "KILL", *lammps_command(words, ranks)]
     try:
         done = subprocess.run(

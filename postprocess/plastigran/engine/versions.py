@@ -5,19 +5,30 @@ from __future__ import annotations
 
 import hashlib
 from importlib.metadata import version
+from pathlib import Path
 
+from plastigran.engine.lammps import lammps_path, plugin_path
 from plastigran.engine.process import engine_path
 
+#: Names of the hosts, in the order of the documentation.
+HOSTS = ("liggghts", "lammps")
 
-def versions() -> dict[str, str]:
-    """Return the version of this package, and file and SHA-256 of the plugin.
+
+def versions(host: str = "liggghts") -> dict[str, str]:
+    """Return the version of this package, the host, and file and SHA-256 of the plugin.
 
     Raises:
-        EngineError: LIGGGHTS is missing.
+        EngineError: The host is missing.
     """
-    plugin = engine_path().parent / "libplastigran.so"
-    if not plugin.exists():
-        identity = f"none beside {engine_path()}"
+    if host == "lammps":
+        program, plugin = lammps_path(), plugin_path()
     else:
-        identity = f"{plugin.name} sha256 {hashlib.sha256(plugin.read_bytes()).hexdigest()}"
-    return {"plastigran": version("plastigran"), "plugin": identity}
+        program = engine_path()
+        plugin = program.parent / "libplastigran.so"
+    return {"plastigran": version("plastigran"), "host": host, "plugin": _identity(program, plugin)}
+
+
+def _identity(program: Path, plugin: Path) -> str:
+    if not plugin.exists():
+        return f"none beside {program}"
+    return f"{plugin.name} sha256 {hashlib.sha256(plugin.read_bytes()).hexdigest()}"

@@ -24,6 +24,7 @@ class Case:
 
     Attributes:
         command: Name of the command of the experiment.
+        host: Program that runs the deck, one of `plastigran.engine.versions.HOSTS`.
         deck: Path of the input script, relative to the folder of input scripts.
         shape: Shape of the bodies, "sphere" or "cylinder".
         quantities: Attributes of the outcome that become table columns.
@@ -31,6 +32,7 @@ class Case:
     """
 
     command: ClassVar[str] = ""
+    host: ClassVar[str] = "liggghts"
     deck: ClassVar[str]
     shape: ClassVar[str] = "sphere"
     quantities: ClassVar[tuple[str, ...]] = ()

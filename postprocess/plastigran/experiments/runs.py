@@ -145,7 +145,8 @@ def sweep(
     if jobs is not None and not (isinstance(jobs, int) and jobs >= 1):
         raise ValueError(f"jobs is {jobs!r}; it must be 1 or more")
     materials_of(cases)
-    made_with = versions()  # raises EngineError if LIGGGHTS is missing, before anything is removed
+    # Raises EngineError if the host is missing, before anything is removed.
+    made_with = versions(cases[0].host)
     with claim(folder, force):
         write_study(folder, cases, settings, made_with)
         outcomes, table = _run(cases, folder, jobs, progress)

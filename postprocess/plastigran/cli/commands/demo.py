@@ -9,6 +9,8 @@ from pathlib import Path
 from plastigran.cli.arguments import add_jobs
 from plastigran.cli.commands.bulk import report
 from plastigran.cli.experiments import show_study
+from plastigran.engine.process import EngineError
+from plastigran.engine.versions import versions
 from plastigran.experiments.central import GEOMETRIES, PAPER_SPEEDS, CentralImpact
 from plastigran.experiments.runs import sweep
 from plastigran.materials import read_material
@@ -53,6 +55,7 @@ def run(arguments: argparse.Namespace) -> None:
     table = sweep(impacts, folder / "geometries", jobs, progress=False, force=True).table
     pivot = table.pivot(index="law", columns="geometry", values="coefficient_of_restitution")
     print(pivot.rename_axis(index=None, columns=None).to_string(float_format="{:.6f}".format))
+    collide_in_lammps(folder / "lammps")
     print("\nA freely cooling gas of 512 grains, on two ranks:")
     gas = folder / "cooling_gas"
     report(run_bulk("cooling_gas", {"side": "8", "frames": "16"}, gas, ranks=2, force=True))
@@ -72,3 +75,15 @@ def run(arguments: argparse.Namespace) -> None:
     page = write_report([folder], folder / "report.html", "The demo")
     print(f"\nAll results on one page, to open in a browser:\n  {page}")
     print("\nFigures:\n" + "\n".join(f"  {figure}" for figure in figures))
+
+
+def collide_in_lammps(folder: Path) -> None:
+    """Run an impact of a pair in LAMMPS, which is optional, and print its restitution."""
+    try:
+        versions("lammps")
+    except EngineError as error:
+        print(f"\nThe demo continues without LAMMPS: {error}")
+        return
+    pair = CentralImpact("universal", 0.1, "aluminium_zv02", 0.1, "two_spheres", host="lammps")
+    restitution = pair.run(folder).coefficient_of_restitution
+    print(f"\nThe pair with universal in LAMMPS: {restitution:.6f}")

@@ -13,8 +13,11 @@ import numpy as np
 import pandas as pd
 
 from plastigran import laws
-from plastigran.declared import radius_field, speed_field, word
+from plastigran.declared import Declaration, radius_field, speed_field, word
+from plastigran.engine.lammps import run_lammps, typed_lammps_command
+from plastigran.engine.versions import HOSTS
 from plastigran.experiments.base import Experiment, combinations
+from plastigran.experiments.central import in_lammps
 from plastigran.experiments.central.arrangement import run_label
 from plastigran.experiments.central.remarks import remarks
 from plastigran.experiments.collision import CollisionOutcome, measure
@@ -72,9 +75,19 @@ class CentralImpact(Experiment):
     surface_energy: float | None = surface_energy_field(
         "work of adhesion of the two bodies, for laws with adhesion; default: that of the material"
     )
+    host: str = attrs.field(
+        default="liggghts",
+        kw_only=True,
+        validator=attrs.validators.in_(HOSTS),
+        metadata={
+            "declaration": Declaration(
+                "program that runs the impact", choices=HOSTS, value_type=str
+            )
+        },
+    )
 
     command = "impact"
-    help = "run impacts with LIGGGHTS, with table and figures"
+    help = "run impacts with LIGGGHTS or LAMMPS, with table and figures"
     example = (
         "plastigran impact --law universal thornton --material steel --radius 0.005\n"
         "plastigran impact --law all --theory\n"
@@ -95,6 +108,7 @@ class CentralImpact(Experiment):
         "wall": Flag(),
         "options": Flag(many=False),
         "surface_energy": Flag(),
+        "host": Flag("liggghts", many=False),
     }
     quantities = (
         "coefficient_of_restitution",
@@ -111,6 +125,11 @@ class CentralImpact(Experiment):
             raise ValueError(
                 f"law {self.law} needs surface_energy, which material {self.material.name} does "
                 "not define. Give surface_energy, add it to the material, or use another law"
+            )
+        if self.host == "lammps" and self.geometry not in in_lammps.GEOMETRIES:
+            raise ValueError(
+                f"geometry is {self.geometry}; in LAMMPS, it must be one of: "
+                f"{', '.join(in_lammps.GEOMETRIES)}"
             )
         if self.wall is not None and self.bodies == 2:
             raise ValueError(f"wall is {self.wall.name}, but {self.geometry} has no wall")
@@ -217,7 +236,24 @@ class CentralImpact(Experiment):
     def variables(self) -> dict[str, object]:
         variables = super().variables()
         del variables["geometry"]  # not a variable of the deck: it selects the deck
+        del variables["host"]
+        if self.surface_energy is None:
+            variables["surface_energy"] = self.material.surface_energy
         return variables
+
+    def command_line(self, folder: Path) -> str:
+        if self.host == "lammps":
+            return typed_lammps_command(in_lammps.deck(), in_lammps.variables(self), folder)
+        return super().command_line(folder)
+
+    def run(
+        self, folder: str | Path, timestep: float | None = None, ranks: int = 1, **variables: object
+    ) -> CollisionOutcome:
+        if self.host != "lammps":
+            return super().run(folder, timestep, ranks, **variables)
+        settings = in_lammps.variables(self, timestep) | variables
+        run_lammps(in_lammps.deck(), settings, Path(folder), ranks)
+        return self.measure(Path(folder))
 
     def predict(self) -> CollisionOutcome:
         """Return the outcome by the law alone, without LIGGGHTS."""
