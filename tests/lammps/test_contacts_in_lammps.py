@@ -3,9 +3,11 @@
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 
 import attrs
+import numpy as np
 import pandas as pd
 import pytest
 from lammps_scenes import (
@@ -159,3 +161,71 @@ def test_a_deleted_sphere_leaves_the_contacts_of_others(tmp_path):
     assert_allclose(chain("delete_atoms group first compress no", tmp_path / "no"), expected)
     with pytest.raises(EngineError, match="atom IDs have changed since the last run"):
         chain("delete_atoms group first", tmp_path / "yes")
+
+
+def test_a_rigid_body_rebounds_by_the_law(tmp_path):
+    """A clump of two spheres in a row, hit by a third one; 1e-6: the error of the time step."""
+    places = 0, 1.5, -2.0001
+    spheres = numbered([sphere(RADIUS * place, 0, 0, 0) for place in places])
+    log = run(
+        tmp_path,
+        f"""{box(8 * RADIUS)}{spheres}
+        pair_style granular/plastigran
+        pair_coeff * * universal {body()} {FRICTION}
+        group clump id 1 2
+        group third id 3
+        neigh_modify exclude group clump clump
+        velocity third set 0.1 0 0
+        fix clump clump rigid single
+        fix motion third nve/sphere
+        timestep 1e-8
+        run 20000
+        variable rebound equal vx[1]-vx[3]
+        print "rebound ${{rebound}}"
+        """,
+    )
+    mass = 4 / 3 * np.pi * RADIUS**3 * MATERIAL.density
+    spheres = {"radius": RADIUS, "radius_other": RADIUS, "mass_eff": 2 / 3 * mass}
+    expected = pg.Contact("universal", MATERIAL, MATERIAL, **spheres).restitution(0.1)
+    rebound = float(re.findall(r"^rebound (\S+)", log, re.MULTILINE)[-1])
+    assert_allclose(rebound / 0.1, expected, atol=1e-6)
+
+
+def test_grains_can_be_poured(tmp_path):
+    """Ranks give the same result before collisions amplify round-off."""
+    tables = [
+        thermo(
+            run(
+                tmp_path / str(ranks),
+                f"""
+                units si
+                atom_style sphere
+                boundary p p f
+                comm_modify vel yes
+                processors * 1 1
+                region box block 0 0.02 0 0.02 0 0.06
+                create_box 1 box
+                neighbor 0.0002 bin
+                pair_style granular/plastigran
+                pair_coeff * * universal 5e7 0.25 yield_strength 5e5 {FRICTION}
+                fix floor all wall/gran/plastigran granular universal rigid {FRICTION} zplane 0 NULL
+                region top block 0 0.02 0 0.02 0.03 0.055
+                fix motion all nve/sphere
+                fix pour all pour 400 1 4767 region top diam one 0.002 vol 0.3 200 dens 2500 2500 &
+                    vel 0 0 0 0 -2
+                fix gravity all gravity 9.81 vector 0 0 -1
+                compute energy all plastigran/energy
+                timestep 5e-6
+                thermo 1000
+                thermo_style custom step atoms c_energy[*]
+                thermo_modify norm no format float %.15g
+                run 4000
+                """,
+                ranks,
+            )
+        )
+        for ranks in (1, 2)
+    ]
+    compared = ["Atoms", "c_energy[3]", "c_energy[5]"]
+    assert_allclose(tables[1][compared], tables[0][compared], rtol=1e-8)
+    assert tables[0]["c_energy[3]"].iloc[-1] > 0  # plastic work
