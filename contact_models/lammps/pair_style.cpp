@@ -127,6 +127,10 @@ void PairStyle::init_style() {
     error->all(FLERR,
                "granular/plastigran needs units in which force is mass times acceleration; "
                "use `units si`, `cgs`, `micro`, `nano` or `lj`");
+  if (force->pair_match("^gran", 0, 1) != force->pair_match("^gran", 0, 2))
+    error->all(FLERR,
+               "granular/plastigran: `pair_style hybrid` has a second granular style, and LAMMPS "
+               "stores the contact histories of one; use one granular style for all atom types");
   if (update->whichflag == 2)
     error->all(FLERR,
                "granular/plastigran: `minimize` would change the contact history in every trial "

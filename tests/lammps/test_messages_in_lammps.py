@@ -61,6 +61,12 @@ def script(lines: str) -> str:
             f"{WALL}thornton rigid {FRICTION} xplane 0 NULL",
             "the atom types have different shear moduli, so `NULL` does not give the tangential",
         ),
+        (
+            "pair_style hybrid/overlay granular granular/plastigran\n"
+            f"pair_coeff * * granular hertz/material 7e10 0.5 0.3 {FRICTION}\n"
+            f"pair_coeff * * granular/plastigran thornton {BODY} {FRICTION}",
+            "`pair_style hybrid` has a second granular style",
+        ),
         ("compute energy all plastigran/energy", "needs `pair_style granular/plastigran`"),
         (f"{GOOD}minimize 0 0 1 1", "`minimize` would change the contact history"),
     ],
