@@ -47,6 +47,7 @@ RESULTS = PROJECT / "results" / "bench" / "pair_time.csv"
 REFERENCE, CONTROL = "hertz", "hertz again"
 WITH_LEDGER = ", ledger"  # suffix of the name of a law with energy balance
 WITH_ADHESION = " adhesion jkr"  # suffix of the name of a law with adhesion
+SURFACE_ENERGY = 0.1  # J/m2, of laws with adhesion
 YIELD_STRENGTH = {"plastic": 3.0e8, "elastic": 1.0e13}  # Pa
 PHASES = ("compression", "release")
 
@@ -115,11 +116,13 @@ def bed_variables(
     """Return the variables of pair_time.in for a law, or for a law with energy balance."""
     law = REFERENCE if contender == CONTROL else contender.removesuffix(WITH_LEDGER)
     options = "energy_ledger on" if contender.endswith(WITH_LEDGER) else ""
+    adhesive = law.endswith(WITH_ADHESION) or (law in laws.LAWS and laws.LAWS[law].adhesive)
     if law.endswith(WITH_ADHESION):
         options += WITH_ADHESION
     return {
         "law": law.removesuffix(WITH_ADHESION),
         "options": options,
+        "surface_energy": SURFACE_ENERGY if adhesive else 0,
         "yield_strength": YIELD_STRENGTH[state],
         "steps": steps,
         "bed": bed,

@@ -19,6 +19,7 @@ from functools import partial
 from pathlib import Path
 
 import numpy as np
+from adhesion_figure import adhesion_figure
 from bulk_figures import BULK
 from law_figures import draw_law
 from overview_figure import overview_figure
@@ -84,6 +85,11 @@ def draw_overview(folder: Path) -> None:
     save(overview_figure(), folder / "overview", (".png",))
 
 
+def draw_adhesion(folder: Path) -> None:
+    """Draw the laws with adhesion: some seconds."""
+    save(adhesion_figure(), folder / "adhesion", (".png",))
+
+
 def run_command(words: list[str], pages: str, folder: Path) -> None:
     """Run a report of `plastigran` that writes its pages and their pictures.
 
@@ -105,6 +111,7 @@ def parts() -> dict[str, Callable[[Path], None]]:
         {name: partial(draw_law, name) for name in sorted(laws.LAWS)}
         | {
             "overview": draw_overview,
+            "adhesion": draw_adhesion,
             "calibration": draw_calibration,
             "universal_fit": draw_fit,
         }

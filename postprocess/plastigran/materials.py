@@ -172,8 +172,13 @@ def has_constants(law: str) -> bool:
 
 
 def has_surface_energy(law: str) -> bool:
-    """Return whether a law computes adhesion from a surface energy."""
+    """Return whether a law needs a surface energy."""
     return "surface_energy" in _needed(law)
+
+
+def can_adhere(law: str) -> bool:
+    """Return whether a law has adhesion, or takes the option `adhesion jkr`."""
+    return has_surface_energy(law) or law in laws.ADHESIVE_LAWS
 
 
 def _needed(law: str) -> list[str]:

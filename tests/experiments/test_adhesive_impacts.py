@@ -20,7 +20,7 @@ variable yield_strength index 22e6
 RADIUS, GAMMA = 2.5e-6, 0.2
 #: Of the sphere on a rigid wall.
 STICKING = jkr_sticking_speed(GAMMA, RADIUS, 1.2e9 / 0.91, 4 / 3 * np.pi * RADIUS**3 * 1350)
-LAWS = ["--law", "jkr", "thornton_ning_1998", "--surface-energy", str(GAMMA)]
+LAWS = ["--law", "jkr", "thornton_ning_1998", "universal", "--surface-energy", str(GAMMA)]
 
 
 @pytest.fixture
@@ -35,7 +35,7 @@ def test_impacts_stick_and_rebound(call, capsys):
     speeds = [0.7 * STICKING, 1.3 * STICKING, 4 * STICKING]
     assert main([*call, *LAWS, "--speed", *map(str, speeds), "--json"]) == 0
     rows = json.loads(capsys.readouterr().out)["table"]
-    assert len(rows) == 6
+    assert len(rows) == 9
     for row in rows:
         measured, predicted = (
             row[f"coefficient_of_restitution{suffix}"] for suffix in ("", "_predicted")
@@ -59,11 +59,11 @@ def test_the_remark_has_the_sticking_speed_of_each_sphere(call, capsys):
 
 
 def test_surface_energy_of_the_material(call, tmp_path, capsys):
-    """The option replaces the value of the material; laws without adhesion ignore both."""
+    """The option replaces the value of the material; `mdr` ignores both."""
     (tmp_path / "powder.in").write_text(POWDER + "variable surface_energy index 0.1\n")
     found = []
     for option in ([], ["--surface-energy", "0.1", "0.2"]):
-        line = [*call, "--law", "jkr", "thornton", *option, "--speed", "1", "--theory", "--json"]
+        line = [*call, "--law", "jkr", "mdr", *option, "--speed", "1", "--theory", "--json"]
         assert main([*line, "--force"]) == 0
         found += json.loads(capsys.readouterr().out)["table"]
     assert [row["surface_energy"] for row in found] == [0.1, None, 0.1, 0.2, None]
@@ -75,7 +75,7 @@ def test_surface_energy_of_the_material(call, tmp_path, capsys):
     ("given", "message"),
     [
         (["--law", "jkr"], "law jkr needs surface_energy, which material powder does not define"),
-        (["--law", "thornton", "--surface-energy", "1"], "thornton has no surface energy. Use one"),
+        (["--law", "mdr", "--surface-energy", "1"], "mdr has no surface energy. Use one"),
         (["--law", "walton_braun"], "needs loading_stiffness, which materials cannot define"),
     ],
 )

@@ -55,7 +55,7 @@ def test_every_figure_of_the_docs_has_a_part():
     drawn |= {f"{name}.png" for name in make_figures.BULK} - {"bed_impact.png"}
     drawn |= {"bed_impact_bed.png", "bed_impact_plate.png"}
     drawn |= {"calibrate_drops.png", "calibrate_finite_elements.png"}
-    drawn |= {"overview.png", "universal_fit.svg", "universal_errors.svg"}
+    drawn |= {"overview.png", "adhesion.png", "universal_fit.svg", "universal_errors.svg"}
     figures = PROJECT / "docs" / "figures"
     there = {path.name for path in figures.iterdir() if path.is_file()} - {
         "report.png",
@@ -82,7 +82,7 @@ def test_each_part_starts(tmp_path, monkeypatch):
         return start
 
     monkeypatch.setattr("law_figures.save", begin("law"))
-    for name in ("calibrate", "overview_figure", "plastigran"):
+    for name in ("adhesion_figure", "calibrate", "overview_figure", "plastigran"):
         monkeypatch.setattr(make_figures, name, begin(name))
     monkeypatch.setattr(bulk_figures, "run_bulk", begin("bulk"))
     monkeypatch.setattr("flow_function.run_bulk", begin("bulk"))

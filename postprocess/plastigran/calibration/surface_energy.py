@@ -23,7 +23,7 @@ from plastigran.materials import (
     RIGID,
     SURFACE_ENERGY,
     Material,
-    has_surface_energy,
+    can_adhere,
     law_class,
     read_material,
 )
@@ -77,6 +77,7 @@ class CalibratedAdhesion:
     def deck_lines(self) -> list[str]:
         """Return the lines of a deck in which atom type 1 is the material of body a."""
         law = self.contact.law
+        option = " adhesion jkr" if law.name in laws.ADHESIVE_LAWS else ""
         names = ["youngs_modulus", "poissons_ratio", *(["yield_strength"] if law.yields else [])]
         lines = [
             f"fix {name} all property/global {property_name(name)} peratomtype "
@@ -90,7 +91,7 @@ class CalibratedAdhesion:
             "# Friction is not calibrated: set the coefficient of your pair of materials.",
             "fix coefficient_friction all property/global "
             "coefficientFriction peratomtypepair 1 0.3",
-            f"pair_style gran model {law.name} tangential history",
+            f"pair_style gran model {law.name} tangential history{option}",
         ]
 
     @property
@@ -143,8 +144,8 @@ def calibrate_adhesion(
             out of range or needs a surface energy out of range. The message names it.
     """
     law_class(law)
-    if not has_surface_energy(law):
-        names = sorted(filter(has_surface_energy, laws.LAWS))
+    if not can_adhere(law):
+        names = sorted(filter(can_adhere, laws.LAWS))
         raise ValueError(f"law {law} has no surface energy. Use one of {', '.join(names)}")
     if (pull_off_force is None) == (sticking_speed is None):
         raise ValueError("exactly one of pull_off_force and sticking_speed is needed")

@@ -7,6 +7,7 @@ from math import pi
 
 import numpy as np
 from numpy.typing import ArrayLike
+from scipy.optimize import minimize_scalar
 
 from plastigran import laws
 
@@ -66,7 +67,7 @@ def jkr_surface_energy(
 
 
 def sticking_speed(
-    law: laws.Law, radius_eff: float, mass_eff: float, slowest: float = 1e-6, fastest: float = 1e3
+    law: laws.Law, radius_eff: float, mass_eff: float, slowest: float = 1e-6, fastest: float = 1e2
 ) -> float:
     """Return the largest speed at which two bodies stick [m/s]; 0 if none between the bounds.
 
@@ -91,3 +92,32 @@ def sticking_speed(
         middle = (slowest * fastest) ** 0.5
         slowest, fastest = (middle, fastest) if sticks(middle) else (slowest, middle)
     return slowest
+
+
+def plastic_pull_off_force(
+    surface_energy: float, youngs_modulus_eff: float, pressure: float, contact_radius: float
+) -> float:
+    """Return the pull-off force of a fully plastic contact that unloads elastically [N].
+
+    At the largest load, the pressure p is the same over the whole contact of radius a_0. At a
+    smaller radius a, the force is
+
+        F = 2 p a_0^2 (asin x - x (1 - x^2)^(1/2)) - (8 pi E* Gamma a^3)^(1/2),   x = a/a_0
+
+    and the pull-off force is the largest attraction. The first term follows from a superposition of
+    flat punches. The construction is that of Mesarovic & Johnson 2000 (J. Mech. Phys. Solids
+    48:2009), for adhesion by the JKR theory.
+
+    Args:
+        surface_energy: Work of adhesion Gamma [J/m2].
+        youngs_modulus_eff: E* [Pa].
+        pressure: Mean pressure p at the largest load, without adhesion [Pa].
+        contact_radius: Contact radius a_0 at the largest load [m].
+    """
+
+    def force(x: float) -> float:
+        punch = 2 * pressure * contact_radius**2 * (np.arcsin(x) - x * np.sqrt(1 - x * x))
+        cube = (x * contact_radius) ** 3
+        return float(punch - np.sqrt(8 * pi * youngs_modulus_eff * surface_energy * cube))
+
+    return -minimize_scalar(force, bounds=(0, 1), method="bounded", options={"xatol": 1e-10}).fun

@@ -26,8 +26,8 @@ from plastigran.materials import (
     RIGID,
     RIGID_WALL,
     Material,
+    can_adhere,
     check_material_file,
-    has_surface_energy,
     law_class,
     material_lines,
     read_material,
@@ -233,7 +233,7 @@ def _adhesion(arguments: argparse.Namespace) -> CalibratedAdhesion:
     law = arguments.law or ADHESIVE_LAW
     if arguments.radius is None:
         raise ValueError("--pull-off and --sticking-speed need --radius, the sphere's radius in m")
-    if law_class(law).yields and has_surface_energy(law) and arguments.yield_strength is None:
+    if law_class(law).yields and can_adhere(law) and arguments.yield_strength is None:
         raise ValueError(f"law {law} yields, so it needs --yield, the yield strength in Pa")
     material = Material(
         arguments.output.stem if arguments.output else "grain",

@@ -39,6 +39,7 @@ from plastigran.materials import (
     RIGID_WALL,
     USUAL,
     Material,
+    can_adhere,
     has_surface_energy,
     material_field,
     surface_energy_field,
@@ -73,7 +74,8 @@ class CentralImpact(Experiment):
     wall: Material | None = material_field("material of the plane, or rigid", None, "_other")
     options: str | None = options_field()
     surface_energy: float | None = surface_energy_field(
-        "work of adhesion of the two bodies, for laws with adhesion; default: that of the material"
+        "work of adhesion of the two bodies; laws that begin with Hertz' contact then have the "
+        "option 'adhesion jkr'. Default, for laws that need it: that of the material"
     )
     host: str = attrs.field(
         default="liggghts",
@@ -203,13 +205,13 @@ class CentralImpact(Experiment):
 
     @property
     def work_of_adhesion(self) -> float | None:
-        """Work of adhesion of the two bodies [J/m^2]; NaN for a law without surface energy.
+        """Work of adhesion of the two bodies [J/m^2]; NaN without adhesion.
 
-        None if neither the case nor the material gives it.
+        None if the law needs a value that neither the case nor the material gives.
         """
-        if not has_surface_energy(self.law):
-            return nan
-        return self.material.surface_energy if self.surface_energy is None else self.surface_energy
+        if self.surface_energy is not None:
+            return self.surface_energy
+        return self.material.surface_energy if has_surface_energy(self.law) else nan
 
     @property
     def deck(self) -> str:
@@ -239,6 +241,8 @@ class CentralImpact(Experiment):
         del variables["host"]
         if self.surface_energy is None:
             variables["surface_energy"] = self.material.surface_energy
+        if self.surface_energy is not None and self.law in laws.ADHESIVE_LAWS:
+            variables["options"] = f"{self.options or ''} adhesion jkr".strip()
         return variables
 
     def command_line(self, folder: Path) -> str:
@@ -314,17 +318,17 @@ class CentralImpact(Experiment):
         values = {name: several(value) for name, value in values.items()}
         names, texts = values.get("law", ()), filter(None, values.get("options", ()))
         given = [value for value in values.get("surface_energy", ()) if value is not None]
-        if given and not any(map(has_surface_energy, names)):
+        if given and not any(map(can_adhere, names)):
             raise ValueError(
                 f"surface_energy is {given[0]}, but {', '.join(names)} has no surface energy. "
-                f"Use one of {', '.join(filter(has_surface_energy, laws.LAWS))}"
+                f"Use one of {', '.join(filter(can_adhere, laws.LAWS))}"
             )
         having = {options: having_options(names, options) for options in texts}
         cases = combinations(values)
         for case in cases:
             if case["law"] not in having.get(case.get("options"), names):
                 case["options"] = None
-            if not has_surface_energy(case["law"]):
+            if not can_adhere(case["law"]):
                 case["surface_energy"] = None
         return list(dict.fromkeys(cls(**case) for case in cases))
 

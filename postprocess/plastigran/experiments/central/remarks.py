@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from math import isfinite
 from typing import TYPE_CHECKING
 
 import attrs
@@ -12,7 +13,6 @@ from plastigran import laws
 from plastigran.declared import SPEED
 from plastigran.experiments.central.arrangement import on_wall
 from plastigran.experiments.runs import Runs
-from plastigran.materials import has_surface_energy
 from plastigran.physics.adhesion import sticking_speed
 from plastigran.plot.style import title
 
@@ -26,8 +26,7 @@ VISIBLE = 5e-5
 def remarks(runs: Runs) -> list[str]:
     """Return sentences on the bodies, missing yield, adhesion, other bodies, and the time step."""
     sentences = [_arrangement(runs.cases)]
-    adhesive = runs.table["law"].map(has_surface_energy)
-    if not adhesive.any() and (runs.table["speed_ratio"] < 1).all():
+    if runs.table["surface_energy"].isna().all() and (runs.table["speed_ratio"] < 1).all():
         sentences.append(
             "every impact is slower than its yield speed (v/v_Y < 1), so nothing yields and "
             "the coefficient of restitution is 1"
@@ -53,7 +52,7 @@ def _arrangement(impacts: Iterable[CentralImpact]) -> str:
 
 def sticking(impacts: Iterable[CentralImpact]) -> list[str]:
     """Return a sentence on the sticking speed for each law and set of bodies that stick."""
-    stuck = [impact for impact in impacts if has_surface_energy(impact.law)]
+    stuck = [impact for impact in impacts if isfinite(impact.work_of_adhesion)]
     stuck = [impact for impact in stuck if impact.predict().coefficient_of_restitution == 0]
     bodies = {attrs.evolve(impact, speed=SPEED.lower): impact for impact in stuck}.values()
     sentences = []
