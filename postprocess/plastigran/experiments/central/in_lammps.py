@@ -6,8 +6,8 @@ from __future__ import annotations
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from plastigran import laws
 from plastigran.engine.process import inputs_folder
+from plastigran.materials import law_class
 
 if TYPE_CHECKING:
     from plastigran.experiments.central import CentralImpact
@@ -29,12 +29,13 @@ def variables(case: CentralImpact, timestep: float | None = None) -> dict[str, o
         timestep: Time step [s]; by default the recommended one.
     """
     given = case.variables()
-    names = [parameter["name"] for parameter in laws.LAWS[case.law].parameters()]
+    law = law_class(case.law, adhesive=case.surface_energy is not None)
+    names = [parameter["name"] for parameter in law.parameters()]
     words = [f"{name} {given[name]}" for name in names if given.get(name) is not None]
     return given | {
         "geometry": case.geometry,
         "timestep": case.timestep if timestep is None else timestep,
-        "constants": " ".join([*words, case.options or ""]) or None,
+        "constants": " ".join([*words, given.get("options") or ""]) or None,
         "options": None,
         "inputs": inputs_folder(),
     }
