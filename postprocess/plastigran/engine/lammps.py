@@ -53,8 +53,8 @@ def plugin_path() -> Path:
 
 def lammps_environment() -> dict[str, str]:
     """Return the environment in which LAMMPS finds the plugin and the files of materials."""
-    values = str(plugin_path().parent), str(own_inputs() / "materials")
-    return {"OMP_NUM_THREADS": "1"} | os.environ | dict(zip(ADDITIONS, values, strict=True))
+    defaults = {"OMP_NUM_THREADS": "1", "PLASTIGRAN_MATERIALS": str(own_inputs() / "materials")}
+    return defaults | os.environ | {"LAMMPS_PLUGIN_PATH": str(plugin_path().parent)}
 
 
 def lammps_command(words: Sequence[str], ranks: int = 1) -> list[str]:
