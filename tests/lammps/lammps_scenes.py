@@ -98,6 +98,7 @@ def rebounds(
     gap: float = 1e-9,
     sideways: float = 0,
     density: float = MATERIAL.density,
+    friction: str = FRICTION,
 ) -> dict[str, pd.DataFrame]:
     """Collide spheres head-on in pairs, with a plane and with a region.
 
@@ -110,6 +111,7 @@ def rebounds(
         gap: Distance that each sphere flies first [m].
         sideways: Tangential velocity of each sphere, divided by its speed.
         density: Density of the spheres [kg/m^3].
+        friction: Words of LAMMPS' tangential model.
 
     Returns:
         For `pair`, `plane` and `region`, the (N,) final states of the spheres at positive x.
@@ -129,12 +131,12 @@ def rebounds(
         + f"""
         set group all density {density}
         pair_style granular/plastigran
-        pair_coeff * * {line} {FRICTION}
+        pair_coeff * * {line} {friction}
         group planes id 1:{count}
         group regions id {count + 1}:{2 * count}
         region wall plane 0 0 0 1 0 0
-        fix plane planes wall/gran/plastigran granular {wall} {FRICTION} xplane 0 NULL
-        fix region regions wall/gran/region/plastigran granular {wall} {FRICTION} region wall
+        fix plane planes wall/gran/plastigran granular {wall} {friction} xplane 0 NULL
+        fix region regions wall/gran/region/plastigran granular {wall} {friction} region wall
         fix motion all nve/sphere
         timestep {step:.17g}
         run {steps}
