@@ -24,6 +24,11 @@ void* make(void* lammps, int count, char** words) {
   return static_cast<Base*>(new Style(static_cast<LAMMPS*>(lammps), count, words));
 }
 
+#ifndef PLASTIGRAN_LAMMPS_TAG
+#define PLASTIGRAN_LAMMPS_TAG "any update"  // the sources define the binary interface
+#endif
+constexpr const char* tag = PLASTIGRAN_LAMMPS_TAG;
+
 // Whether this is the release whose binary interface the plugin was compiled for.
 bool fits(const LAMMPS& lammps) {
   if (std::strcmp(lammps.version, PLASTIGRAN_LAMMPS_VERSION) != 0) return false;
@@ -31,7 +36,7 @@ bool fits(const LAMMPS& lammps) {
   return true;
 #else
   const std::string description = LAMMPS::git_descriptor();
-  return description == "(unknown)" || description == PLASTIGRAN_LAMMPS_TAG;
+  return description == "(unknown)" || description == tag;
 #endif
 }
 
@@ -46,9 +51,10 @@ extern "C" __attribute__((visibility("default"))) void lammpsplugin_init(void* h
   auto* const lammps = static_cast<LAMMPS*>(host);
   if (!fits(*lammps)) {
     lammps->error->warning(FLERR,
-                           "plastigranplugin.so was built for LAMMPS {}, and this is LAMMPS "
-                           "{}; its styles are not available. Build the plugin again",
-                           PLASTIGRAN_LAMMPS_VERSION, lammps->version);
+                           "plastigranplugin.so was built for LAMMPS {} ({}), and this is LAMMPS "
+                           "{} ({}); its styles are not available. Build the plugin again",
+                           PLASTIGRAN_LAMMPS_VERSION, tag, lammps->version,
+                           LAMMPS::git_descriptor());
     return;
   }
   lammpsplugin_t plugin{};
