@@ -25,6 +25,7 @@ STARTERS = {
     "run",
     "run_bulk",
     "run_deck",
+    "run_lammps",
     "study",
     "sweep",
     "trajectory",
