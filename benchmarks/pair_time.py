@@ -48,6 +48,7 @@ REFERENCE, CONTROL = "hertz", "hertz again"
 WITH_LEDGER = ", ledger"  # suffix of the name of a law with energy balance
 WITH_ADHESION = " adhesion jkr"  # suffix of the name of a law with adhesion
 SURFACE_ENERGY = 0.1  # J/m2, of laws with adhesion
+FITTED = ("walton_braun", "luding_2008", "edinburgh_2014")  # laws with fitted stiffnesses
 YIELD_STRENGTH = {"plastic": 3.0e8, "elastic": 1.0e13}  # Pa
 PHASES = ("compression", "release")
 
@@ -119,6 +120,7 @@ def bed_variables(
     adhesive = law.endswith(WITH_ADHESION) or (law in laws.LAWS and laws.LAWS[law].adhesive)
     if law.endswith(WITH_ADHESION):
         options += WITH_ADHESION
+    fitted = {"properties": HERE / "fitted_stiffnesses.in"} if law in FITTED else {}
     return {
         "law": law.removesuffix(WITH_ADHESION),
         "options": options,
@@ -127,6 +129,7 @@ def bed_variables(
         "steps": steps,
         "bed": bed,
         **BEDS[shape].variables,
+        **fitted,
     }
 
 

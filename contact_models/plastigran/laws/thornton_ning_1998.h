@@ -79,7 +79,7 @@ class ThorntonNing1998 {
     if (reached > 0) flattened = flatten(radius_eff, yield, reached);
     const double beyond_touch = overlap - flattened.overlap;
     if (state.in_contact == 0 && !(beyond_touch > 0)) return apart(radius_eff, yield, reached);
-    if (!(beyond_touch >= contact_.pull_off_overlap(flattened.radius))) {
+    if (!(beyond_touch > 0) && !(beyond_touch >= contact_.pull_off_overlap(flattened.radius))) {
       state.in_contact = 0;
       return apart(radius_eff, yield, reached);
     }

@@ -66,9 +66,9 @@ PLASTIGRAN_DEVICE inline double adhesive_root(double x, double b) {
 // The root q >= 1 of q^3 - q = b, with b >= 0: the root of the contact radius at yield over that
 // without adhesion, where b = c R*/(2 a^(3/2)) with the a without adhesion.
 PLASTIGRAN_DEVICE inline double root_at_yield(double b) {
-  if (b < 1) {  // from above: the function is convex
-    double q = 1 + 0.5 * b;
-    for (int k = 0; k < 5; ++k) q = (2 * q * q * q + b) / (3 * q * q - 1);
+  if (b < 1) {  // Newton's method from the start of the series in b
+    double q = 1 + b * (0.5 - 0.375 * b);
+    for (int k = b < 0.05 ? 2 : 6; k > 0; --k) q = (2 * q * q * q + b) / (3 * q * q - 1);
     return q;
   }
   const double part = std::cbrt(0.5 * b + std::sqrt(0.25 * b * b - 1.0 / 27));
