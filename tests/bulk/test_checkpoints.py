@@ -71,13 +71,13 @@ def test_incomplete_checkpoint_is_not_the_newest(short_gas, ranks, tmp_path):
 
 
 def test_missing_checkpoint_is_an_error(tmp_path):
-    """The log does not reach the first file; the second one is incomplete or damaged."""
+    """The log does not reach the first file; the second one is cut short."""
     (tmp_path / "checkpoint.100.restart").write_bytes(b"half")
     with pytest.raises(EngineError, match="no complete checkpoint"):
         newest_checkpoint(tmp_path)
     (tmp_path / "checkpoint.0.restart").write_bytes(b"half")
     with (
-        pytest.warns(UserWarning, match="cut short"),
+        pytest.warns(UserWarning, match="incomplete or damaged"),
         pytest.raises(EngineError, match="no complete checkpoint"),
     ):
         newest_checkpoint(tmp_path)

@@ -306,7 +306,7 @@ def test_truncated_last_line_is_left_out_and_named(copied_sweep, end):
     file.write_text("".join(lines[:4]) + lines[4][:length])
     made = section(copied_sweep)
     assert made.verdict == "3 of 9 impacts"
-    assert made.missing[0] == "The last line of impacts.csv is incomplete or damaged and left out."
+    assert made.missing[0] == "The last line of impacts.csv is cut short and left out."
 
 
 @pytest.mark.parametrize(
@@ -457,7 +457,7 @@ def test_damaged_picture_is_left_out_and_named(tmp_path, suffix, fraction):
     truncate(broken, fraction)
     made = section(tmp_path)
     assert [picture.name for picture in made.pictures] == ["whole"]
-    assert made.missing == [f"Figure broken is left out, because {broken} is incomplete or damaged or damaged."]
+    assert made.missing == [f"Figure broken is left out, because {broken} is cut short or damaged."]
     assert write_report([tmp_path], tmp_path / "report.html").exists()
 
 

@@ -85,7 +85,7 @@ def test_file_that_is_truncated_anywhere_is_damaged(run, name):
     lines = [place + 1 for place, letter in enumerate(text[: needed - 1]) if letter == "\n"]
     for place in (0, *(place for place in lines if place < needed), len(text) - 5):
         file.write_text(text[:place])
-        with pytest.raises(DamagedFrame, match=rf"{name}_100\.vtk is incomplete or damaged or damaged"):
+        with pytest.raises(DamagedFrame, match=rf"{name}_100\.vtk is cut short or damaged"):
             read_vtk(file)
     file.write_text(text)
     assert read_vtk(file).n_points
@@ -100,9 +100,9 @@ def test_damaged_frame_is_left_out_and_named(run, name, fraction, tmp_path, capf
     assert main(["snapshot", str(run), "--colour", "speed", "--movie", str(movie)]) == 0
     assert len(iio.imread(movie, plugin="pillow")) == 2
     errors = capfd.readouterr().err
-    assert f"{name}_50.vtk is incomplete or damaged or damaged; the frame of step 50" in errors
+    assert f"{name}_50.vtk is cut short or damaged; the frame of step 50" in errors
     assert "ERROR" not in errors
-    with pytest.warns(UserWarning, match=f"{name}_50.vtk is incomplete or damaged or damaged"):
+    with pytest.warns(UserWarning, match=f"{name}_50.vtk is cut short or damaged"):
         write_vtk(read_run(run, "thornton"), tmp_path / "vtk")
     for written in NAMES:
         listed = pyvista.get_reader(tmp_path / "vtk" / f"{written}.pvd").time_values
@@ -114,7 +114,7 @@ def test_picture_of_a_damaged_frame_is_refused(run, fraction, capfd):
     truncate(run / "frames" / "grains_50.vtk", fraction)
     assert main(["snapshot", str(run), "--step", "50"]) == 1
     (line,) = capfd.readouterr().err.splitlines()
-    assert line.endswith("grains_50.vtk is incomplete or damaged or damaged")
+    assert line.endswith("grains_50.vtk is cut short or damaged")
     draw(find_frames(run)[-1], run / "other.png", size=(200, 150))
     assert (run / "other.png").exists()
 
@@ -123,7 +123,7 @@ def test_run_without_complete_frames_is_refused(run, tmp_path):
     for step in (0, 50, 100):
         truncate(run / "frames" / f"grains_{step}.vtk", 0)
     with (
-        pytest.warns(UserWarning, match="is incomplete or damaged or damaged"),
+        pytest.warns(UserWarning, match="is cut short or damaged"),
         pytest.raises(SnapshotError, match="no frame is complete"),
     ):
         save_grain_movie(find_frames(run), tmp_path / "x.gif", progress=False)

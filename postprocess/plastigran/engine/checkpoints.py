@@ -63,7 +63,9 @@ def newest_checkpoint(folder: str | Path) -> Path:
         if step_of(checkpoint) > progress.step:
             beyond = beyond or (checkpoint if complete else None)
         elif not complete:
-            warnings.warn(f"{checkpoint} is incomplete or damaged. Using an earlier one", stacklevel=2)
+            warnings.warn(
+                f"{checkpoint} is incomplete or damaged. Using an earlier one", stacklevel=2
+            )
         elif differs(checkpoint):
             warnings.warn(f"{_damage(checkpoint)}. Using an earlier one", stacklevel=2)
         else:
