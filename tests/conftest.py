@@ -156,8 +156,8 @@ def paper_mass(aluminium) -> float:
 
 @pytest.fixture(scope="session")
 def declared_jumps() -> dict[str, list[tuple[float, float]]]:
-    """Jumps of the virgin force that each law's source has, in overlaps at yield of the paper's
-    aluminium, and as a share of the force."""
+    """Jumps of the force in the source of each law: overlap / yield overlap of the paper's aluminum,
+    and relative change of the force."""
     return {law: impacts.jumps(law) for law in ELASTIC_FIRST}
 
 

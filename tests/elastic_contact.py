@@ -8,7 +8,7 @@ from scipy.special import hyp2f1
 
 from plastigran import laws
 
-#: Laws whose bodies, unyielding, are not those of the engine's own hertz.
+#: Laws whose bodies, unyielding, are not those of LIGGGHTS' own hertz.
 NOT_HERTZIAN = ("mdr",)
 
 

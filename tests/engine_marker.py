@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Which tests start the engine, found in what they, their fixtures and their helpers call.
+"""Which tests start LIGGGHTS, found in what they, their fixtures and their helpers call.
 
 `pytest -m "not engine"` runs the others. It does so without an engine, so that one which is missed
 here fails there.
@@ -34,7 +34,7 @@ TESTS = Path(__file__).parent
 
 
 def mark(items: list[pytest.Item]) -> None:
-    """Give every test that starts the engine the marker `engine`."""
+    """Give every test that starts LIGGGHTS the marker `engine`."""
     for item in items:
         if isinstance(item, pytest.Function) and any(map(_starts, _functions(item))):
             item.add_marker("engine")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""What the tests of the laws' paths share: the bodies, and where a law's force jumps."""
+"""Fixtures for the tests of loading paths: material pairs, and the jumps of a law's force."""
 
 from __future__ import annotations
 
@@ -19,12 +19,19 @@ def pair(request) -> laws.MaterialPair:
 
 @pytest.fixture(scope="session")
 def virgin_jumps(law_between):
-    """Finds where a law's virgin force jumps, `virgin_jumps(name, pair)`: of each jump the overlaps
-    [m] right before and behind it, 1e-12 of them apart, and the change as a share of the force.
+    """Return a function that finds the jumps of a law's force during first loading.
+
+    `virgin_jumps(name, pair)` returns, for each jump, the overlaps [m] just before and behind it
+    and the relative change of the force. The two overlaps differ by 1e-12 of their value. The
+    search covers eight decades of overlap in steps of 5e-5. In such a step, a smooth force changes
+    by at most 1e-4; the force of a cylinder changes by at most 3e-4, because its slope grows
+    fivefold at yield. The search uses these small steps only where a step of 5e-4 changes the force
+    unlike its neighbors. A jump changes the force by 2e-4 or more, and the slope of a smooth force
+    changes by 1e-5 from step to step.
 
     Seen over eight decades in steps of 5e-5: a smooth force moves by twice that or less; a
     cylinder's, whose slope jumps up by 5 at yield for this thickness, by six times. Such steps are
-    taken only where a step of 5e-4 does not move the force as its neighbours do: a jump to be found
+    taken only where a step of 5e-4 does not move the force as its neighbors do: a jump to be found
     moves it by 2e-4 or more, and a smooth force changes its slope by 1e-5 from step to step.
     """
 
@@ -47,7 +54,7 @@ def virgin_jumps(law_between):
         overlap = np.geomspace(1e-3, 1e5, 40_001) * overlap_y
         change = steps(overlap)
         uneven = np.abs(np.diff(change)) > largest / 4
-        suspect = np.abs(change) > 20 * largest  # a jump beside another like it is even
+        suspect = np.abs(change) > 20 * largest  # two equal jumps in neighboring steps
         suspect[1:] |= uneven
         suspect[:-1] |= uneven
         found = []

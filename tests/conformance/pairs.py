@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The bodies that every law is followed between; overlap and force at yield of each."""
+"""Material pairs for the tests of loading paths, and their overlap and force at yield."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from plastigran import laws
 from plastigran.physics import central
 
 RADIUS = 0.01
-LENGTH = 0.1  # of cylinders, and their bodies' thickness; the default of law_between
+LENGTH = 0.1  # length of cylinders and thickness of bodies [m]; default of law_between
 PAIRS = {
     "aluminium on rigid": laws.combine(
         laws.Body(7e10, 0.3, 1e8, 1.61), laws.Body(1e30, 0.3, 1e30, 1.61)
@@ -19,7 +19,7 @@ PAIRS = {
 
 
 def scales(law_name: str, pair: laws.MaterialPair) -> tuple[float, float]:
-    """Overlap and force at the yield of an elastic contact, of spheres or of cylinders."""
+    """Return overlap and force at first yield of spheres or cylinders."""
     if laws.LAWS[law_name].shape == "cylinder":
         force, overlap, _ = central.line_yield(pair, RADIUS, LENGTH, LENGTH)
         return overlap, force

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The bodies of the conformance decks: spheres, or for a cylinder law discs in two dimensions."""
+"""Bodies of the conformance decks: spheres, or discs in two dimensions for laws of cylinders."""
 
 from __future__ import annotations
 
@@ -17,29 +17,31 @@ from plastigran.experiments.central import CentralImpact
 from plastigran.experiments.cylinder import CylinderImpact
 from plastigran.materials import RIGID, Material, read_material
 
-GEOMETRIES = ("pair", "plane", "mesh")  # that decks take
+GEOMETRIES = ("pair", "plane", "mesh")  # of the decks
 DECKS = Path(__file__).parent / "decks"
-LENGTH = 1.0  # of cylinders, and their bodies' thickness: the decks' defaults [m]
+LENGTH = 1.0  # length of cylinders and thickness of bodies, as in the decks [m]
 
 
 class Spheres:
-    """Spheres of the paper's aluminium, for one law; radius 0.1 m where a method takes none.
+    """Spheres of the aluminum of Zhang & Vu-Quoc for one law, by default of radius 0.1 m.
 
     Attributes:
-        hertzian: Whether bodies that do not yield are those of the engine's own hertz.
+        hertzian: Whether bodies that do not yield follow LIGGGHTS' own hertz.
     """
 
     hertzian = True
     material: Material = read_material("aluminium_zv02")
-    inertia: float = 0.4  # over mass times radius squared
-    drift: float = 40.0  # that takes a head-on collision at 0.1 m/s across a border [m/s]
+    inertia: float = 0.4  # moment of inertia / (mass radius^2)
+    drift: float = 40.0  # speed that carries a collision across a border of ranks [m/s]
 
     def __init__(self, law_name: str, dissipative_constant: float) -> None:
         self.law_name = law_name
         self.material = evolve(self.material, dissipative_constant=dissipative_constant)
 
     def run(self, deck: str, folder: Path, ranks: int = 1, **variables) -> str:
-        """Run a conformance deck with these bodies and the law, unless another is given."""
+        """Run a conformance deck with these bodies, and with the law unless `variables` names
+        another.
+        """
         path = DECKS / f"{deck}.in"
         variables = {"law": self.law_name, **self.variables(), **variables}
         if "variable decks" in path.read_text():
@@ -53,7 +55,7 @@ class Spheres:
         return self.material.law(self.law_name, pair)
 
     def wall(self) -> laws.MaterialPair:
-        """A body on a rigid wall."""
+        """Return the material pair of a body and a rigid wall."""
         return laws.combine(self.material.body(), RIGID)
 
     def mass(self, radius: float = 0.1, density: float | None = None) -> float:
@@ -70,7 +72,7 @@ class Spheres:
 
 
 class MappedSpheres(Spheres):
-    """Spheres whose elastic contact is an elliptical indenter."""
+    """Spheres whose elastic contact is that of an elliptical indenter, as in `mdr`."""
 
     hertzian = False
 
@@ -81,7 +83,7 @@ class MappedSpheres(Spheres):
 
 
 class Cylinders(Spheres):
-    """Discs 1 m long, of an aluminium soft enough to yield at the spheres' speeds."""
+    """Discs of 1 m length, of an aluminum that yields at the speeds of the spheres."""
 
     hertzian = False
     material: Material = evolve(read_material("aluminium_zv02"), yield_strength=3e7)
@@ -99,7 +101,9 @@ class Cylinders(Spheres):
         self, pair: laws.MaterialPair, radius_eff: float, overlap: np.ndarray
     ) -> np.ndarray:
         """Of the line contact, its Lambert W from scipy."""
-        z = overlap * radius_eff * np.exp(0.3 / 0.7)  # nu/(1-nu); 1 m long and thick
+        z = (
+            overlap * radius_eff * np.exp(0.3 / 0.7)
+        )  # 0.3/0.7 = nu/(1-nu); length and thickness are 1 m
         return np.pi * pair.youngs_modulus_eff * overlap / -lambertw(-z, -1).real
 
     def mass(self, radius: float = 0.1, density: float | None = None) -> float:

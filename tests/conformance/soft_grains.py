@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Decks of a few soft grains of some 10 mm, run as text."""
+"""Decks of a few soft grains of about 10 mm, as text."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ SETTINGS = """
 variable inputs index inputs
 variable output index .
 """
-#: The box of the fresh grains, in which ranks may share along x.
+#: Box of new grains; two ranks divide it along x.
 BOX = """
 processors      {grid} 1
 units           si
@@ -35,7 +35,7 @@ fix strength all property/global yieldStrength peratomtype {strength} {strength}
 fix bounce   all property/global coefficientRestitution peratomtypepair 2 1 1 1 1
 fix friction all property/global coefficientFriction peratomtypepair 2 0.3 0.4 0.4 0.5
 """
-#: What rolling friction and cohesion of the engine read.
+#: Properties of LIGGGHTS' rolling friction and cohesion models.
 COMPANIONS = """
 fix rolling  all property/global coefficientRollingFriction peratomtypepair 2 0.1 0.2 0.2 0.1
 fix cohesion all property/global cohesionEnergyDensity peratomtypepair 2 2e4 4e4 4e4 2e4
@@ -46,7 +46,7 @@ fix wetting  all property/global contactAngle peratomtype 30 40
 fix nearest  all property/global minSeparationDistanceRatio scalar 0.01
 fix farthest all property/global maxSeparationDistanceRatio scalar 1.1
 """
-#: An impact takes some 300 of these steps.
+#: An impact lasts about 300 of these steps.
 MOTION = """
 fix gravity all gravity 9.81 vector 0 0 -1
 timestep        1e-5
@@ -54,17 +54,19 @@ thermo          20
 dump grains all custom 20 grains.dump id x y z vx vy vz omegax omegay omegaz fx fy fz {more}
 dump_modify grains sort id format "%d{formats}"
 """
-#: Pa; the laws agree with the engine's hertz without yield.
+#: Yield strengths [Pa]. Without yield, the laws agree with LIGGGHTS' hertz.
 STRENGTH, NO_YIELD = "1e5", "1e30"
 
 
 def motion(more: str = "") -> str:
-    """Gravity, the time step and what is written: per grain, and `more` values of it."""
+    """Return the lines for gravity, time step and dump; `more` names further columns of the
+    dump.
+    """
     return MOTION.format(more=more, formats=" %.17g" * (12 + len(more.split())))
 
 
 def execute(text: str, folder: Path, ranks: int = 1) -> pd.DataFrame:
-    """Run a deck: what its grains did, by step and id."""
+    """Run a deck; return the motion of its grains by step and atom ID."""
     folder.mkdir(exist_ok=True)
     (folder / "deck.in").write_text(SETTINGS + text)
     run_deck(folder / "deck.in", {}, folder, ranks=ranks)
@@ -73,12 +75,12 @@ def execute(text: str, folder: Path, ranks: int = 1) -> pd.DataFrame:
 
 
 def fresh(text: str, folder: Path, ranks: int = 1) -> pd.DataFrame:
-    """The same for commands in the fresh box."""
+    """Run commands in the box `BOX`; return as `execute`."""
     return execute(BOX.format(grid="2 1" if ranks == 2 else "1 1") + text, folder, ranks)
 
 
 def assert_alike(one: pd.DataFrame, other: pd.DataFrame, rel: float) -> None:
-    """Each column within a share of its largest magnitude."""
+    """Check that each column differs by at most `rel` times its largest magnitude."""
     assert (one.index == other.index).all()
     assert one.notna().all(axis=None) and other.notna().all(axis=None)
     scale = one.abs().max()

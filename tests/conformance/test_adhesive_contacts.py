@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Laws that attract, or are plastic from first touch, in LIGGGHTS: pairs and walls."""
+"""Adhesive laws and laws that are plastic from first touch, in LIGGGHTS: pairs and walls."""
 
 from __future__ import annotations
 
@@ -41,7 +41,10 @@ def ten_impacts(law: str) -> tuple[list[str], float]:
 
 @pytest.mark.parametrize("law", CONSTANTS)
 def test_restitution_at_a_wall_is_that_of_the_law(law, tmp_path):
-    """At 10 speeds across sticking, for jkr the closed form. 1e-3 at half the recommended step."""
+    """Ten speeds below and above the sticking speed; for `jkr` also the closed form.
+
+    1e-3: error of the time integration at half the recommended time step.
+    """
     bodies, timestep = ten_impacts(law)
     steps = int(5e-7 / timestep)  # the slowest rebound then is 1 % of the radius away
     run(law, tmp_path, bodies, f"run {steps}", timestep=timestep, every=steps)
@@ -59,7 +62,9 @@ def test_restitution_at_a_wall_is_that_of_the_law(law, tmp_path):
 
 
 def touch_and_pull(law: str, folder: Path, bodies: list[str], **variables) -> pd.DataFrame:
-    """Press the first body against its partner to 0.004 R* in 40 steps, and pull it away in 160."""
+    """Press the first body against its partner to 0.004 R* in 40 steps; pull it away in 160
+    steps.
+    """
     commands = variables.pop(
         "moves",
         "unfix motion\n"
@@ -73,8 +78,8 @@ def touch_and_pull(law: str, folder: Path, bodies: list[str], **variables) -> pd
 
 @pytest.mark.parametrize("law", CONSTANTS)
 def test_pair_and_plane_follow_the_law(law, tmp_path):
-    """A grain is pressed and pulled off at a plane and at a mesh, where two triangles meet, and two
-    grains of twice the radius likewise.
+    """A grain is pressed against a plane, or against the common edge of two triangles, and
+    pulled off. Two grains of twice the radius follow the same path.
 
     The force is that of the law at each step, to 1e-9 of the largest: positions are rounded to
     1e-16 of 1e-5 m, which is 1e-13 of the overlap. The neighbor skin is just above the pull-off
@@ -120,7 +125,9 @@ def test_pair_and_plane_follow_the_law(law, tmp_path):
 def test_a_stretched_contact_outlives_restarts_ranks_and_rebuilds(
     law, geometry, ranks, grid, tmp_path
 ):
-    """Pressed, pulled, then held: through a restart file, after `pre no`, and on several ranks.
+    """A contact is pressed, pulled and held.
+
+    A restart file, `pre no` and other numbers of ranks leave its force unchanged.
 
     The neighbor lists are rebuilt and the atoms sorted in every run, which would forget a contact
     that LIGGGHTS does not see.
@@ -179,8 +186,11 @@ def test_a_stretched_contact_outlives_restarts_ranks_and_rebuilds(
     ("law", "mesh"), [(law, None) for law in CONSTANTS] + [(law, PLATE) for law in STRETCHED]
 )
 def test_the_energy_balance_closes_at_a_wall(law, mesh, tmp_path):
-    """Ten impacts across sticking. 2e-3 of the energy: forces jump where contacts form and break,
-    which costs the integrator an error of first order in the step."""
+    """Ten impacts below and above the sticking speed.
+
+    2e-3 of the energy: the force jumps where contacts form and break, so the integration error is
+    of first order in the time step.
+    """
     bodies, timestep = ten_impacts(law)
     steps = int(60e-9 / timestep)
     terms = energy_terms(
@@ -231,7 +241,7 @@ def test_the_energy_balance_closes_for_pairs(law, damping, ranks, tmp_path):
 
 
 def test_friction_is_limited_by_force_and_pull_off_force(tmp_path):
-    """A grain without load slides at mu F_c: |T| <= mu (F + F_c)."""
+    """A grain without normal load slides at mu F_c, because |T| <= mu (F + F_c)."""
     law = law_of("jkr")
     commands = "unfix motion\ngroup mover id 1\nfix slide mover move linear 0 1 0\nrun 2000"
     step = 1e-12

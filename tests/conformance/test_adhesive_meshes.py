@@ -26,7 +26,7 @@ DEPTH = 0.002 * RADIUS
 
 
 def held_gap(law: str) -> float:
-    """Return 0.7 of the gap at which a contact breaks that was pressed to `DEPTH` [m]."""
+    """Return 0.7 times the gap at which a contact breaks that was pressed to `DEPTH` [m]."""
     model = law_of(law)
     path = np.linspace(DEPTH, -model.pull_off_distance(RADIUS), 10001)
     contact_radius = model.follow(RADIUS, path, model.State())["contact_radius"]
@@ -109,7 +109,9 @@ def test_a_stretched_contact_moves_over_a_fold(law, angle, tmp_path):
 
 @pytest.mark.parametrize("law", STRETCHED)
 def test_a_stretched_contact_moves_over_a_corner(law, tmp_path):
-    """From a face over the corner of three faces, to the middle between them."""
+    """The grain moves from one face over the common corner of three faces to their middle
+    direction.
+    """
     travel = 0.4 * RADIUS
     moves = leg((0, travel, travel)) + turned((0, 1, -1), 54)
     constant_force(law, tmp_path, block(), (-travel, -travel), moves)
@@ -131,7 +133,7 @@ AT_THE_SIDE = {
 
 @pytest.mark.parametrize("geometry", GEOMETRIES)
 def test_a_stretched_contact_outlives_other_grains(geometry, tmp_path):
-    """Deleting and creating other grains changes the atom IDs between runs."""
+    """Other grains are deleted and created between runs, which changes the atom IDs."""
     bodies, variables = GEOMETRIES[geometry]
     others = [sphere(-2e-5, (k - 1.5) * 3 * RADIUS, 0) for k in range(4)]
     commands = (
@@ -150,7 +152,9 @@ def test_a_stretched_contact_outlives_other_grains(geometry, tmp_path):
 
 @pytest.mark.parametrize("geometry", GEOMETRIES)
 def test_a_stretched_grain_can_be_deleted(geometry, tmp_path):
-    """A new grain in its place starts without history: it overlaps nothing and has no force."""
+    """A new grain at the same place starts without history: it overlaps nothing and has no
+    force.
+    """
     bodies, variables = GEOMETRIES[geometry]
     spot = np.array([-RADIUS if geometry != "pair" else -3e-6 - 2 * RADIUS, 0, 0])
     spot[0] -= held_gap(LAW) / 2
@@ -171,7 +175,10 @@ def test_a_stretched_grain_can_be_deleted(geometry, tmp_path):
 @pytest.mark.parametrize("ranks", [1, 2])
 @pytest.mark.parametrize("geometry", AT_THE_SIDE)
 def test_a_stretched_contact_crosses_a_periodic_side(geometry, ranks, tmp_path):
-    """Across the side, with a restart file written before. The force stays to round-off."""
+    """A restart file is written before the grain crosses the side.
+
+    The force is the same to round-off.
+    """
     bodies, variables = AT_THE_SIDE[geometry]
     axis = "x" if geometry == "pair" else "y"
     variables = {
@@ -211,7 +218,8 @@ def strips(count: int) -> np.ndarray:
 @pytest.mark.parametrize("law", STRETCHED)
 @pytest.mark.parametrize("ranks", [1, 2])
 def test_a_grain_that_sticks_to_triangles_moves_as_on_a_plane(law, ranks, tmp_path):
-    """An oblique impact below the sticking speed, with friction, over edges and a rank border.
+    """An oblique impact below the sticking speed, with friction, across edges and a border of
+    ranks.
 
     1e-9 of the largest value, for sums in another order.
     """
@@ -232,7 +240,9 @@ def test_a_grain_that_sticks_to_triangles_moves_as_on_a_plane(law, ranks, tmp_pa
 
 @pytest.mark.parametrize("law", STRETCHED)
 def test_a_plate_pulls_on_a_grain(law, tmp_path):
-    """The plate moves away from a held grain, and the force follows the law until it is zero."""
+    """The plate moves away from a fixed grain; the force follows the law until the contact
+    breaks.
+    """
     commands = (
         "group mover id 1\nunfix motion\n"
         + leg((DEPTH, 0, 0), 40)
@@ -250,7 +260,7 @@ def test_a_plate_pulls_on_a_grain(law, tmp_path):
 
 
 def test_a_moving_plate_takes_light_grains_along(tmp_path):
-    """The plate starts at the speed at which a grain of density 1350 kg/m^3 just comes off.
+    """The plate starts at the speed at which a grain of 1350 kg/m^3 just separates from it.
 
     In the frame of the plate, grains of 0.8 and 1.25 times this density have too little and too
     much energy to break the contact. 1e-3 of the speed, 2e-3 of the energy: the force jumps where
@@ -283,7 +293,8 @@ def test_a_moving_plate_takes_light_grains_along(tmp_path):
 
 
 def test_a_box_of_triangles_is_a_box_of_planes(tmp_path):
-    """Grains hit the faces, edges and corners of a box from inside, below and above sticking.
+    """Grains hit faces, edges and corners of a box from inside, below and above the sticking
+    speed.
 
     On two ranks, the triangles give the forces of six primitive planes. 1e-6 of the largest value:
     sums in another order differ by round-off, which grows at each impact.

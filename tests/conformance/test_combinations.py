@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The engine's other models beside a law: cohesion, rolling and tangential friction, surfaces."""
+"""Laws together with LIGGGHTS' models for cohesion, rolling and tangential friction, and
+surfaces.
+"""
 
 from __future__ import annotations
 
@@ -85,7 +87,7 @@ include ${inputs}/energy_ledger.in
 
 @frozen
 class Contact:
-    """What stands beside the normal model in a contact.
+    """Models and options beside the normal model.
 
     Attributes:
         models: Words after it.
@@ -133,7 +135,7 @@ def deck(
     ledger: bool = False,
     **changes: str,
 ) -> str:
-    """All but the grains and the runs."""
+    """Return a deck without its grains and runs."""
     if ledger:
         contact = evolve(contact, options=f"{contact.options} energy_ledger on")
     models, options, more = contact.models, contact.options, contact.more
@@ -148,15 +150,15 @@ def deck(
 
 
 def start(commands: str, folder: Path, ranks: int = 1, after: str = f"run {STEPS}") -> pd.DataFrame:
-    """Run the grains under these commands: their motion, by step and id."""
+    """Run the grains with these commands; return their motion by step and atom ID."""
     return fresh(GRAINS + commands + after, folder, ranks)
 
 
 @every_contact
 def test_an_unyielding_law_is_the_engines_hertz(contact, tmp_path):
-    """The same companions beside the engine's own normal model give the same motion.
+    """Without yield, a law and LIGGGHTS' hertz give the same motion with the same other models.
 
-    1e-9: the laws agree to rounding, 1e-16 of a position and 1e-13 of an overlap, which a few
+    1e-9: the laws agree to round-off, 1e-16 of a position and 1e-13 of an overlap, which a few
     impacts multiply.
     """
     ours = start(deck(contact, strength=NO_YIELD), tmp_path / "ours")
@@ -168,15 +170,20 @@ def test_an_unyielding_law_is_the_engines_hertz(contact, tmp_path):
 
 @every_contact
 def test_two_ranks_are_one(contact, tmp_path):
-    """With a law that yields, the contact of grains 1 and 2 on the border. 1e-9 as above."""
+    """The law yields, and the contact of grains 1 and 2 lies on the border.
+
+    1e-9: round-off grows during impacts.
+    """
     one, two = (start(deck(contact), tmp_path / str(ranks), ranks) for ranks in (1, 2))
     assert_alike(one, two, 1e-9)
 
 
 @every_contact
 def test_a_restart_goes_on(contact, tmp_path):
-    """From the file, whose settings come with it, as without a pause: to every digit but those of
-    forces at the pause, which a run begins anew."""
+    """A run that continues from a restart file, with the settings of the file, equals a run
+    without a pause. The results are bitwise identical, except for the forces at the pause,
+    which a run computes again.
+    """
     pause = f"run {STEPS // 2}\nwrite_restart middle.restart\nrun {STEPS // 2}"
     whole = start(deck(contact), tmp_path / "whole", after=pause)
     head = """
@@ -201,8 +208,10 @@ communicate     single vel yes
     [("washino", 1), ("multicontact, sjkr2 and epsd3", 1), ("epsd", 2), ("sjkr and epsd", 2)],
 )
 def test_contacts_remember_when_grains_come(name, ranks, tmp_path):
-    """A grain far away that is made between two runs changes nothing: to every digit. (On two ranks
-    the engine's own hertz loses liquid then, and crashes with multicontact.)"""
+    """A distant grain that is created between two runs changes nothing, bit for bit.
+
+    On two ranks, LIGGGHTS' hertz itself loses liquid, and it crashes with multicontact.
+    """
     half = f"run {STEPS // 2}\n"
     come = "create_atoms 1 single 0.07 0.03 0.07\nset atom 7 diameter 0.01 density 2500\n"
     tables = [
@@ -216,8 +225,10 @@ def test_contacts_remember_when_grains_come(name, ranks, tmp_path):
 
 @pytest.mark.parametrize("name", ["sjkr", "sjkr2", "sjkr alone", "sjkr and epsd"])
 def test_the_ledger_closes(name, tmp_path):
-    """What cohesion gives on approach it takes back: a part of the elastic energy, below zero where
-    it is all there is. 3e-4 of the kinetic energy: the time step's error."""
+    """The work of cohesion during approach counts as negative elastic energy.
+
+    3e-4 of the kinetic energy: error of the time integration.
+    """
     start(deck(CONTACTS[name], ledger=True), tmp_path)
     table = read_thermo(tmp_path / "log.liggghts")
     assert table["drift"].abs().max() < 3e-4 * table["kinetic"].max()
@@ -233,7 +244,9 @@ def test_the_ledger_closes(name, tmp_path):
     ],
 )
 def test_what_is_not_counted_is_refused(name, said, tmp_path):
-    """By the ledger and by the fixes that are told of contacts."""
+    """The energy balance and the fixes that count contacts refuse models whose work they do not
+    count.
+    """
     with pytest.raises(EngineError, match=f"energy_ledger on: {said}"):
         start(deck(CONTACTS[name], ledger=True), tmp_path / "ledger")
     counting = "fix counting all collision_spectra 10 file spectra.csv\n"
@@ -249,7 +262,8 @@ def test_what_is_not_counted_is_refused(name, said, tmp_path):
     ],
 )
 def test_ludings_friction_is_that_of_no_adhesion(luding, same, tmp_path):
-    """With ratios of one and without adhesion it is the engine's other model, to every digit.
+    """With ratios of one and without adhesion, Luding's friction equals LIGGGHTS' other model,
+    bit for bit.
 
     1e-12: stiffness is multiplied by one in another order.
     """

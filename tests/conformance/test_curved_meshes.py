@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A sphere has one contact with a smooth surface of triangles, which remembers across their edges.
+"""A sphere has one contact with a smooth surface of triangles, whose history moves across
+edges.
 
 Corners in a mesh file have seven digits: some 1e-8 m here, 1e-4 of an overlap.
 """
@@ -30,22 +31,22 @@ ROLLING = {"z": 1e-9 - 0.2, "vx": 5, "youngs_modulus": 7e9, "yield_strength": 2e
 
 @frozen
 class Outcome:
-    """The ledger by output line, and the sphere by frame."""
+    """Energy terms by line of the log, and motion of the sphere by frame."""
 
     ledger: pd.DataFrame
     sphere: pd.DataFrame
 
     def drift(self) -> float:
-        """Over the largest kinetic energy."""
+        """Return the balance error divided by the largest kinetic energy."""
         return self.ledger["drift"].abs().max() / self.ledger["kinetic"].max()
 
     def forces(self) -> np.ndarray:
-        """On the sphere, by frame [N]."""
+        """Return the forces on the sphere by frame [N]."""
         return self.sphere[["fx", "fy", "fz"]].to_numpy()
 
 
 def mesh(folder: Path, triangles: np.ndarray, options: str = "") -> str:
-    """Lines of a wall of triangles."""
+    """Return the lines of a deck for a wall of triangles."""
     stl.write(folder / "surface.stl", triangles)
     return (
         f"fix surface all mesh/surface file {folder}/surface.stl type 2\n"
@@ -58,7 +59,7 @@ def let_go(steps: int) -> str:
 
 
 def moved(velocity: tuple[float, float, float], steps: int = 100) -> str:
-    """Lines that move the sphere, whatever pushes it."""
+    """Return the lines that move the sphere on a given path."""
     return (
         f"fix motion all move linear {'{:.17g} {:.17g} {:.17g}'.format(*velocity)} units box\n"
         + (f"run {steps}\nunfix motion\n")
@@ -66,7 +67,7 @@ def moved(velocity: tuple[float, float, float], steps: int = 100) -> str:
 
 
 def run(folder: Path, wall: str, motion: str, ranks: int = 1, **variables) -> Outcome:
-    """Run curved.in with these lines for the wall and for the sphere's motion."""
+    """Run curved.in with these lines for the wall and for the motion of the sphere."""
     (folder / "wall.in").write_text(wall + "\n")
     (folder / "motion.in").write_text(motion + "\n")
     files = {name: folder / f"{name}.in" for name in ("wall", "motion")}
@@ -88,7 +89,7 @@ def in_a_pipe(folder: Path, facets: int, options: str = "", **variables) -> Outc
 
 @pytest.mark.parametrize("tangential", ["off", "history"])
 def test_a_fine_pipe_is_a_cylinder(tangential, tmp_path):
-    """Facets of half a degree: the sphere has up to five under it at once.
+    """Each facet covers half a degree, so the sphere overlaps up to five facets at once.
 
     1e-3 of the energy at the start: the pipe's corners stand 1e-5 of its radius, a thousandth of
     the overlap's square root, outside the cylinder. Drift: a facet's force turns between two steps.
@@ -106,8 +107,10 @@ def test_a_fine_pipe_is_a_cylinder(tangential, tmp_path):
 
 @pytest.mark.parametrize("facets", [36, 90, 180, 360])
 def test_no_energy_is_made_in_a_pipe(facets, tmp_path):
-    """What is left comes of the step, in which a force keeps its direction: a quarter of the step
-    leaves half at most. The engine's own contacts make energy at any step, in narrow facets.
+    """The balance error comes from the time step, during which a force keeps its direction.
+
+    A quarter of the time step leaves at most half of the error. With narrow facets, the contacts of
+    LIGGGHTS itself create energy at any time step.
     """
     coarse = in_a_pipe(tmp_path / "coarse", facets, tangential="off")
     fine = in_a_pipe(tmp_path / "fine", facets, tangential="off", steps=20000, timestep=2.5e-6)
@@ -123,7 +126,7 @@ PRESSED, HELD = 2e-4, 1.9e-4  # overlaps [m]
 
 
 def pressed_and_held() -> list[str]:
-    """Pressed down from first touch until it has yielded, and let go a little."""
+    """Return the lines that press the sphere until it has yielded, and release it a little."""
     return [
         moved((0, 0, -PRESSED / (100 * TIMESTEP))),
         moved((0, 0, (PRESSED - HELD) / (100 * TIMESTEP))),
@@ -131,7 +134,8 @@ def pressed_and_held() -> list[str]:
 
 
 def over_a_fold(angle: float) -> tuple[float, str]:
-    """A dented sphere goes over a folded plate at one overlap with the nearer side.
+    """Return lines that move a yielded sphere over a folded plate at constant overlap with the
+    nearer side.
 
     Returns:
         Where it starts along x [m], and the lines of its motion: 100 steps each of pressing,
@@ -150,7 +154,7 @@ def over_a_fold(angle: float) -> tuple[float, str]:
 
 
 def folded(folder: Path, angle: float, options: str = "", **variables) -> np.ndarray:
-    """Forces by step of the sphere that goes over a fold [N]."""
+    """Return the forces on the sphere that moves over a fold, by step [N]."""
     x, motion = over_a_fold(angle)
     wall = mesh(folder, surfaces.folded_plate(angle, 0.3, pieces=3), options)
     place = {"x": x, "z": RADIUS, "every": 1}
@@ -159,9 +163,10 @@ def folded(folder: Path, angle: float, options: str = "", **variables) -> np.nda
 
 @pytest.mark.parametrize("angle", [0.2, 10, 25, -0.2, -10, -60, -120])
 def test_a_dent_is_remembered_over_a_fold(angle, tmp_path):
-    """Toward the sphere up to the feature angle of 30 degrees, away from it at any angle.
+    """The history survives folds towards the sphere up to the feature angle of 30 degrees, and
+    all folds away from it.
 
-    The engine's own contacts make it 3.3 times the force on the fold and 2.3 times behind it, and
+    LIGGGHTS' own contacts make it 3.3 times the force on the fold and 2.3 times behind it, and
     nothing over an edge that bends away by 0.2 degrees.
     """
     size = np.linalg.norm(folded(tmp_path, angle), axis=1)
@@ -170,8 +175,8 @@ def test_a_dent_is_remembered_over_a_fold(angle, tmp_path):
 
 
 def test_a_spring_turns_with_the_surface(tmp_path):
-    """A spring that never slips is stretched along the fold and across it, and behind the fold by
-    as much again across. 2e-3: the overlap's rounding is that much of the stiffness.
+    """A tangential spring that does not slip is stretched along and across the fold, and turns
+    with the surface. 2e-3: round-off of the overlap relative to the overlap.
     """
     angle, x = 20, over_a_fold(20)[0]
     turn, pace = np.radians(angle), 0.02 / (100 * TIMESTEP)
@@ -189,7 +194,7 @@ def test_a_spring_turns_with_the_surface(tmp_path):
 
 
 def pressed_on(folder: Path, triangles: np.ndarray, place: tuple, options: str = "") -> np.ndarray:
-    """The force on a sphere that is moved to a place from a millimetre above, once there [N]."""
+    """Return the force on a sphere that moves to a place from one millimeter above it [N]."""
     motion = moved((0, 0, -1e-3 / (100 * TIMESTEP)))
     x, y, z = place
     start = {"x": x, "y": y, "z": z + 1e-3, "every": 100, "tangential": "off"}
@@ -198,8 +203,10 @@ def pressed_on(folder: Path, triangles: np.ndarray, place: tuple, options: str =
 
 
 def test_true_edges_keep_their_contacts(tmp_path):
-    """In a corner one with each side; in a groove one with each side, or a single one with the
-    nearer where the feature angle is above the fold's. Over an edge that bends away, one.
+    """In a corner, the sphere has one contact per side.
+
+    In a groove, it has two contacts, or one if the feature angle exceeds the angle of the fold. At
+    an edge that bends away, it has one contact.
     """
     depth = RADIUS - 1e-4
     plate = surfaces.folded_plate(0, 0.3)
@@ -224,8 +231,8 @@ def test_true_edges_keep_their_contacts(tmp_path):
 @pytest.mark.parametrize("angle", [35, 40, 50])
 @pytest.mark.parametrize("overlap", [0.01, 0.03, 0.08])
 def test_a_groove_of_small_triangles_keeps_both_contacts(angle, overlap, tmp_path):
-    """Deep between two sides some triangles of both, with a node in common, are touched at corners
-    that lie in nearly one direction.
+    """Deep in the groove, the sphere touches triangles of both sides at a common node, in
+    nearly the same direction.
     """
     depth, turn = RADIUS * (1 - overlap), np.radians(angle)
     near = (0.05 * RADIUS, 0.15 * RADIUS, 0.3 * RADIUS)
@@ -237,8 +244,8 @@ def test_a_groove_of_small_triangles_keeps_both_contacts(angle, overlap, tmp_pat
 
 
 def test_two_triangles_with_one_between_out_of_reach_are_one_surface(tmp_path):
-    """On a shallow fold, near the node where the triangles that share its edge are narrow: the
-    sphere's two feet are on triangles that share the node alone.
+    """On a shallow fold, the two touched triangles share only a node, and the narrow triangle
+    between them is not overlapped.
     """
     depth = RADIUS - 1e-4
     alone = pressed_on(tmp_path / "plate", surfaces.folded_plate(0, 0.3), (-0.05, 0.03, depth))
@@ -249,7 +256,7 @@ def test_two_triangles_with_one_between_out_of_reach_are_one_surface(tmp_path):
 
 
 def test_the_engines_list_of_contacts_has_the_one_force(tmp_path):
-    """`compute wall/gran/local` has a row for each triangle under the sphere, one with a force."""
+    """`compute wall/gran/local` has one row per overlapped triangle; one row has a force."""
     groove, depth = surfaces.folded_plate(60, 0.3), RADIUS - 1e-4
     lines = (
         "compute contacts all wall/gran/local id force\n"
@@ -272,7 +279,9 @@ def test_the_engines_list_of_contacts_has_the_one_force(tmp_path):
 
 
 def test_triangles_that_share_neither_edge_nor_node_are_named(tmp_path):
-    """Strips of the plate's left half end at sides of its right half's: the sphere meets both."""
+    """Strips of the left half end on edges of the right half, and the sphere touches both
+    halves.
+    """
     whole, halved, thirds = (surfaces.folded_plate(0, 0.3, pieces) for pieces in (1, 2, 3))
     sides = [np.mean(plate[:, :, 0], axis=1) for plate in (halved, thirds)]
     split = np.concatenate([halved[sides[0] < 0], thirds[sides[1] > 0]])
@@ -291,8 +300,10 @@ RESTING |= {"youngs_modulus": 1e7, "yield_strength": 1e5, "coefficient_of_fricti
 
 
 def test_a_ball_that_leans_on_all_sides_is_named(tmp_path):
-    """In a cone one contact does not hold it; with one for each facet, as the warning says, it
-    comes to rest, and nothing is said. 1e-3 of the energy that came in.
+    """In a cone, one contact cannot hold the sphere, and the run warns.
+
+    With a contact per facet, as the warning recommends, the sphere comes to rest without a warning.
+    1e-3 of the initial energy.
     """
     wall, moving = mesh(tmp_path, surfaces.cone(36, 0.02, 0.3)), {}
     said = "of one smooth surface, in directions"
@@ -321,8 +332,9 @@ def in_a_bowl(folder: Path, motion: str, ranks: int = 1, **variables) -> Outcome
 
 @pytest.mark.parametrize(("ranks", "grid", "rolling"), [(2, "2 1 1", "off"), (4, "2 2 1", "epsd2")])
 def test_a_bowl_is_the_same_on_all_ranks_and_after_a_restart(ranks, grid, rolling, tmp_path):
-    """Borders between ranks run through the bottom of the bowl, where the sphere yields and rolls;
-    the restart file is of a moment in contact. 1e-9: sums of forces in another order.
+    """The sphere yields and rolls where borders between ranks meet.
+
+    The restart file is written during contact. 1e-9: forces are summed in another order.
     """
     motion = let_go(300) + f"\nwrite_restart {tmp_path}/middle.restart\nrun 500"
     alone = in_a_bowl(tmp_path / "alone", motion, rolling=rolling)
@@ -340,7 +352,10 @@ def test_a_bowl_is_the_same_on_all_ranks_and_after_a_restart(ranks, grid, rollin
 
 
 def test_over_a_round_edge_no_energy_is_made(tmp_path):
-    """A sphere rolls off a table and down its side; a quarter of the step leaves a quarter."""
+    """A sphere rolls off a table and down its side.
+
+    A quarter of the time step leaves at most a quarter of the balance error.
+    """
     edge = surfaces.folded_plate(-90, 0.3)
     start = {"x": -0.05, "z": RADIUS, "vx": 0.5, "g": 9.81, "youngs_modulus": 7e8}
     drifts = []

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Below yield, and of bodies that do not yield, every law is its elastic contact."""
+"""Below yield, and for bodies that do not yield, every law equals its elastic contact."""
 
 from __future__ import annotations
 
@@ -13,8 +13,10 @@ from plastigran import laws
 
 
 def elastic(law_name: str, pair: laws.MaterialPair, overlap: np.ndarray) -> dict[str, np.ndarray]:
-    """The elastic contact's answer: Hertz's spheres, those of `mdr`, or a line contact by scipy's
-    Lambert W."""
+    """Return the elastic contact:
+
+    Hertz for spheres, the mapped sphere for `mdr`, Lambert's W for a line contact.
+    """
     if law_name in NOT_HERTZIAN:
         return mapped_sphere(pair, RADIUS, overlap)
     if laws.LAWS[law_name].shape == "sphere":
@@ -44,7 +46,7 @@ def test_elastic_impact_returns_everything(law_name, law_between, pair):
 
 
 def test_unyielding_bodies_are_elastic(law_name, law_between):
-    """Yield strength to infinity: the elastic contact, for hard impacts too, to rounding.
+    """With a very high yield strength, hard impacts are elastic to round-off.
 
     4e-14 of cylinders: their elastic line contact is a table, and tables are fitted to 3e-14.
     """

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""What else decks ask of the engine works with a law as with its own normal model: meshes that
-move, carry, press and wear, insertion, heat, bodies of many spheres."""
+"""Features of LIGGGHTS work with a law as with LIGGGHTS' own normal model: moving and wearing
+meshes, insertion, heat, and bodies of several spheres.
+"""
 
 from __future__ import annotations
 
@@ -14,14 +15,14 @@ from soft_grains import NO_YIELD, PROPERTIES, STRENGTH, assert_alike, fresh, mot
 from plastigran.engine.log import read_thermo
 
 FLOOR = "fix floor all wall/gran model {law} tangential history primitive type 2 zplane 0.0"
-#: Two grains that hit the floor or what lies on it, and each other; one spins.
+#: Two grains that hit the floor or a plate on it, and each other; one grain spins.
 TWO = """
 create_atoms    1 single 0.0 0.0 0.0102
 create_atoms    1 single 0.0215 0.001 0.0112
 set group all diameter 0.02 density 2500 vz -0.2
 set atom 2 vx -0.3 omegay 20.0
 """
-#: A level plate of triangles on the floor, by a style of mesh.
+#: A horizontal plate of triangles on the floor, for a given mesh style.
 PLATE = (
     "fix plate all {} file ${{inputs}}/meshes/plate.stl type 2 scale 0.01 rotate axis 0 1 0 "
     "angle -90 {}\n"
@@ -46,7 +47,7 @@ fix sizes all particledistribution/discrete 15485867 1 stone 1.0
 
 @frozen
 class Feature:
-    """What a deck asks for beside pairs that meet.
+    """A feature of LIGGGHTS that a deck uses.
 
     Attributes:
         grains: Commands that make grains, if any.
@@ -55,7 +56,7 @@ class Feature:
         more: Values of each grain to compare beside its motion.
         thermo: Values of the log to compare.
         steps: Of the run.
-        differs: Whether the engine's own models differ on two ranks: each draws its own grains, or
+        differs: Whether LIGGGHTS' own models differ on two ranks: each draws its own grains, or
             knows the other's radii of some steps ago.
     """
 
@@ -177,7 +178,7 @@ every_feature = pytest.mark.parametrize("feature", FEATURES.values(), ids=FEATUR
 def follow(
     feature: Feature, folder: Path, law: str = "thornton", ranks: int = 1, **values: str
 ) -> tuple[pd.DataFrame, pd.DataFrame]:
-    """What the grains did, by step and id, and the log of the last run."""
+    """Return the motion of the grains by step and atom ID, and the log of the last run."""
     strength = values.get("strength", STRENGTH)
     text = (
         feature.grains
@@ -196,8 +197,10 @@ def follow(
 
 
 def assert_hertzian(feature: Feature, folder: Path, ranks: int = 1) -> None:
-    """A law without yield does as the engine's own hertz: grains and what the log says agree to
-    1e-9, as rounding grows."""
+    """Check that a law without yield agrees with LIGGGHTS' hertz in motion and log.
+
+    1e-9: round-off grows during impacts.
+    """
     ours, log = follow(feature, folder / "ours", ranks=ranks, strength=NO_YIELD)
     stock, their_log = follow(feature, folder / "stock", "hertz", ranks)
     assert_alike(ours, stock, 1e-9)
@@ -213,7 +216,11 @@ def test_it_is_that_of_the_engines_hertz(feature, tmp_path):
 
 @every_feature
 def test_two_ranks_are_one_where_grains_yield(feature, tmp_path):
-    """The same grains to 1e-9; where the engine's own differ as many, and without yield its own."""
+    """Two ranks agree with one to 1e-9.
+
+    Where LIGGGHTS' own model differs between ranks, the law without yield must differ in the same
+    way.
+    """
     one, two = (follow(feature, tmp_path / str(ranks), ranks=ranks)[0] for ranks in (1, 2))
     plain = follow(feature, tmp_path / "plain", strength=NO_YIELD)[0]
     assert len(plain) == len(one) == len(two)

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""What forces every law's model must have in the engine: of unequal bodies, walls, bodies that do
-not yield, friction and rolling."""
+"""Forces that the model of every law must compute in LIGGGHTS: unequal bodies, walls, bodies
+that do not yield, friction and rolling friction.
+"""
 
 from __future__ import annotations
 
@@ -23,7 +24,10 @@ SMALL = 3e-6
 
 
 def test_unequal_bodies_in_either_order(engine_law, tmp_path):
-    """Unequal radii and materials, i and j swapped: the same to rounding, and the softer yields."""
+    """Unequal radii and materials.
+
+    Exchanged atoms i and j give the same forces to round-off, and the softer body yields.
+    """
     bodies = scene(engine_law, dissipative_constant=SMALL)
     loops, runs = [], []
     for swap in (0, 1):
@@ -32,7 +36,7 @@ def test_unequal_bodies_in_either_order(engine_law, tmp_path):
         loops.append(force_overlap_loop(table))
         runs.append(measure(table))
     assert len(loops[0]) == len(loops[1])
-    # Mirrored sums round differently, 1e-16 of a position, 1e-12 of the overlap.
+    # Mirrored sums have another round-off: 1e-16 of a position, which is 1e-12 of the overlap.
     scale = loops[0]["force"].max()
     assert loops[1]["force"].to_numpy() == pytest.approx(
         loops[0]["force"].to_numpy(), abs=1e-8 * scale
@@ -52,13 +56,13 @@ def test_unequal_bodies_in_either_order(engine_law, tmp_path):
             expected.coefficient_of_restitution, rel=1e-3
         )
         # Where the force of a rate-dependent law vanishes depends on the speed there, too, which
-        # the engine knows of half a step ago.
+        # LIGGGHTS knows of half a step ago.
         tolerance = 2e-2 if law.rate_dependent else 2e-3
         assert found.overlap_res == pytest.approx(expected.overlap_res, rel=tolerance)
 
 
 def test_wall_is_a_huge_sphere(engine_law, tmp_path):
-    """A sphere on one 3000 times larger of the same material as on a wall of that material.
+    """A sphere on another sphere 3000 times as large behaves as on a wall of the same material.
 
     R* and m* differ by 3e-4, restitution by less; 1e-3 adds the time step's share.
     """
@@ -75,7 +79,7 @@ def test_wall_is_a_huge_sphere(engine_law, tmp_path):
 
 @pytest.fixture(scope="session")
 def unyielding(tmp_path_factory):
-    """Trajectory of an oblique impact of bodies without yield and viscosity."""
+    """Return the trajectory of an oblique impact of bodies without yield and viscosity."""
 
     @cache
     def collide(law: str, geometry: str):
@@ -88,8 +92,8 @@ def unyielding(tmp_path_factory):
 
 
 def test_unyielding_model_is_elastic(engine_law, unyielding):
-    """No yield and no viscosity: every step of an oblique impact of spheres as undamped stock
-    hertz; of bodies with another elastic contact its force.
+    """Spheres without yield and viscosity follow undamped stock hertz in every step of an
+    oblique impact. Bodies with another elastic contact have its force.
 
     1e-10 after 200 steps: the two write 4/3 E* sqrt(R* d) d in different orders.
     """
@@ -107,7 +111,7 @@ def test_unyielding_model_is_elastic(engine_law, unyielding):
 
 
 def has_the_elastic_force(law: str, table: pd.DataFrame, geometry: str) -> None:
-    """The law's elastic force at every overlap.
+    """Return whether the law has the elastic force at every overlap.
 
     1e-11: the overlap is a difference of positions some 1000 times larger.
     """
@@ -129,9 +133,10 @@ def has_the_elastic_force(law: str, table: pd.DataFrame, geometry: str) -> None:
 
 @pytest.mark.parametrize("tangential", ["no_history", "history"])
 def test_sliding_friction(engine_law, tangential, tmp_path):
-    """A sphere that hits the plane obliquely and slides through leaves with mu times the normal
-    impulse less tangential momentum: d(vy) = -mu (1 + e) v. 2e-3: the first instants, before the
-    tangential force reaches mu F."""
+    """A sphere that slides throughout an oblique impact loses tangential momentum: mu times the
+    normal impulse, d(vy) = -mu (1 + e) v. 2e-3: in the first instants, the tangential force has
+    not reached mu F.
+    """
     table = slide(engine_law, tangential, "off", tmp_path)
     normal = table["vx"].iloc[-1] - table["vx"].iloc[0]
     along = table["vy"].iloc[-1] - table["vy"].iloc[0]
@@ -139,8 +144,9 @@ def test_sliding_friction(engine_law, tangential, tmp_path):
 
 
 def test_tangential_stiffness_is_the_laws(engine_law, tmp_path):
-    """The tangential spring takes 8 G* a with the law's own contact radius, beyond yield too; of a
-    cylinder pi E* L/(2 ln(2 D/a) + 1/(1 - nu)).
+    """The tangential stiffness is 8 G* a with the contact radius a of the law, also beyond yield.
+
+    For a cylinder it is pi E* L/(2 ln(2 D/a) + 1/(1 - nu)).
 
     A slow creep along the plane (10 um/s) never slides: the spring force is k_t times the path so
     far. 1e-3: the path begins within a step of the touch.
@@ -159,7 +165,9 @@ def test_tangential_stiffness_is_the_laws(engine_law, tmp_path):
 
 @pytest.mark.parametrize("damping", ["off", "on"])
 def test_friction_without_history_is_critically_damped(engine_law, damping, tmp_path):
-    """Creep far below sliding draws 2 sqrt(k_t m*) times its speed, with or without the dashpot."""
+    """A slow tangential motion gives the force 2 sqrt(k_t m*) times its speed, with and without
+    dashpot.
+    """
     bodies = scene(engine_law)
     bodies.run("creep", tmp_path, tangential="no_history", damping=damping)
     table = read_dump(tmp_path / "trajectory.dump")
@@ -174,7 +182,7 @@ def test_friction_without_history_is_critically_damped(engine_law, damping, tmp_
 
 @pytest.mark.parametrize("rolling", ["cdt", "epsd2"])
 def test_rolling_friction_takes_the_models_force(engine_law, rolling, tmp_path):
-    """The rolling torque of cdt is mu_r F R* against the spin; epsd2's is bounded by it."""
+    """The rolling torque of cdt is mu_r F R* against the spin, and limits the torque of epsd2."""
     table = slide(engine_law, "history", rolling, tmp_path, spin=-50.0)
     plain = slide(engine_law, "history", "off", tmp_path / "plain", spin=-50.0)
     inertia = scene(engine_law).inertia * table["mass"] * table["radius"] ** 2
@@ -190,7 +198,9 @@ def slide(law: str, tangential: str, rolling: str, folder: Path, spin: float = 0
 
 
 def test_timestep_warning(engine_law, tmp_path):
-    """Too long a step draws a warning with the recommended one; the recommended step none."""
+    """A step that is too long gives a warning with the recommended step; the recommended step
+    gives none.
+    """
     model = scene(engine_law).impact(0.1)
     recommended, deck = model.timestep, f"collision/{model.geometry}.in"
     log = run_deck(deck, model.variables() | {"timestep": 3 * recommended}, tmp_path / "long")

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""What a contact of every law keeps in the engine: through sorts, restarts and borders of ranks,
-and not beyond its end."""
+"""A contact of every law keeps its history through sorts, restarts and borders of ranks, and
+loses it when it ends.
+"""
 
 from __future__ import annotations
 
@@ -22,7 +23,7 @@ LARGE = 1e-4  # dissipative constant [s], for less restitution than the paper's 
 
 
 def turned_pair_forces(law: str, folder: Path) -> np.ndarray:
-    """Force on atom 1 along the line of centres while the pair turns rigidly."""
+    """Return the force on atom 1 along the line of centers while the pair turns rigidly."""
     bodies = scene(law) if law in laws.LAWS else scene("hertz")
     bodies.run("rotating_pair", folder, law=law)
     table = read_dump(folder / "trajectory.dump")
@@ -35,7 +36,8 @@ def turned_pair_forces(law: str, folder: Path) -> np.ndarray:
 
 
 def test_pair_flip(engine_law, tmp_path):
-    """A held, unloading contact turned half around keeps its force through sorts and rebuilds.
+    """A contact during unloading that turns by half a revolution keeps its force through sorts
+    and rebuilds of the neighbor lists.
 
     1e-7: the overlap is a difference of positions 2000 times larger than itself, and the unloading
     curve is steep.
@@ -46,7 +48,9 @@ def test_pair_flip(engine_law, tmp_path):
 
 
 def test_pair_flip_catches_a_law_that_flips(tmp_path):
-    """The engine's thornton_ning marks scalars as vectors: the test above must see that."""
+    """LIGGGHTS' thornton_ning treats scalars of the history as vectors, so the test above must
+    fail for it.
+    """
     force = turned_pair_forces("thornton_ning", tmp_path)
     assert np.abs(force / force[0] - 1).max() > 0.1
 
@@ -62,7 +66,8 @@ def test_second_touch_is_a_virgin_contact(engine_law, geometry, rebuild, tmp_pat
     bodies = scene(engine_law, dissipative_constant=LARGE)
     body = bodies.material.body()
     law = bodies.law(laws.combine(body, body if geometry == "pair" else RIGID))
-    # A held sphere is half of an equal pair: R/2, and as heavy as the falling one alone.
+    # A sphere that is kept in place is one of two equal spheres: R* = R/2, and m* is the mass of
+    # the other sphere.
     radius_eff = 0.05 if geometry == "pair" else 0.1
     mass = bodies.mass()
 
@@ -90,7 +95,9 @@ def test_second_touch_is_a_virgin_contact(engine_law, geometry, rebuild, tmp_pat
 
 @pytest.fixture(scope="session")
 def course(tmp_path_factory):
-    """When a law's impact at 0.1 m/s turns and ends: measured once a law."""
+    """Return a function for the times of largest overlap and of the end of an impact at 0.1
+    m/s; it measures each law once.
+    """
 
     @cache
     def collide(law: str):
@@ -105,7 +112,8 @@ RESTARTS += [("pair", "unloading", 2), ("plane", "loading", 2), ("mesh", "unload
 
 @pytest.mark.parametrize(("geometry", "moment", "ranks"), RESTARTS)
 def test_restart_in_mid_contact(engine_law, geometry, moment, ranks, course, tmp_path):
-    """The second half from the file is the second half of the whole run, to every digit written.
+    """A run that continues from a file equals the second half of the whole run in every printed
+    digit.
 
     A run begins with the forces at the speeds of that moment, the one before ended with those at
     the speeds of half a step earlier: where they matter, the first frame shows other forces.
@@ -135,7 +143,8 @@ def test_restart_in_mid_contact(engine_law, geometry, moment, ranks, course, tmp
 
 
 def test_ranks_share_and_hand_over_a_contact(engine_law, course, tmp_path):
-    """1, 2 and 4 ranks, the contact on one border and crossing another: the same collision.
+    """On 1, 2 and 4 ranks, a contact lies on one border and crosses another: the collision is
+    the same.
 
     1e-9: positions enter sums in another order on the other side of a border.
     """

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""What contacts remember outlives what decks do between two runs; restarts keep its meaning."""
+"""Contact history survives what decks do between two runs, and restart files keep it."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from plastigran import laws
 from plastigran.engine.dumps import read_dump
 from plastigran.engine.process import EngineStopped
 
-# The frames of between_runs.in: one of each step, and of a step that a run begins with, if new.
+# The frames of between_runs.in: one per step, and one at the start of a run.
 STAGES = (
     "held",
     "held",
@@ -36,14 +36,17 @@ STAGES = (
 
 
 def held_forces(folder: Path) -> np.ndarray:
-    """Forces (frame, body, axis) [N] on the sphere at the wall and the pair, from left to right."""
+    """Return the forces (frame, body, axis) [N] on the sphere at the wall and on the pair, from
+    left to right.
+    """
     table = read_dump(folder / "trajectory.dump")
     bodies = [frame.sort_values("x")[["fx", "fy", "fz"]] for _, frame in table.groupby("step")]
     return np.array([frame.to_numpy() for frame in bodies])
 
 
 def assert_held(forces: np.ndarray, stages: tuple[str, ...]) -> None:
-    """The same forces at all stages, with a spring's share that contacts must remember.
+    """Check that forces are the same at all stages, and that the tangential spring contributes
+    to them.
 
     1e-9: where all are moved by 70 mm the overlap, 1e-4 of that, is rounded anew.
     """
@@ -77,7 +80,7 @@ def test_memory_outlives_what_decks_do_between_runs(engine_law, tmp_path):
     ],
 )
 def test_memory_outlives_them_on_all_ranks(grid, variables, tmp_path):
-    """The pair's contact lies on the border between ranks, at x = 0 and y = 0, and is moved."""
+    """The contact of the pair lies on the border between ranks, at x = 0 and y = 0, and moves."""
     ranks = int(np.prod([int(number) for number in grid.split()]))
     between_runs("thornton", tmp_path, ranks, grid=grid, **variables)
 
@@ -85,7 +88,7 @@ def test_memory_outlives_them_on_all_ranks(grid, variables, tmp_path):
 def run_with(
     commands: str, law: str, folder: Path, deck: str = "held_commands", **variables
 ) -> str:
-    """Run a deck that includes these commands of another."""
+    """Run a deck that includes these commands."""
     folder.mkdir(exist_ok=True)
     (folder / "commands.in").write_text(commands.replace("; ", "\n") + "\n")
     return scene(law).run(deck, folder, commands=folder / "commands.in", **variables)
@@ -107,7 +110,8 @@ OTHER_LINES = {
 
 @pytest.mark.parametrize("owner", OTHER_LINES)
 def test_contacts_of_another_line_begin_anew(owner, tmp_path):
-    """Another option or law: the log says so, and the contacts of that line alone are virgin.
+    """With another option or law, the log reports it, and only the contacts of that line start
+    without history.
 
     0.3: at this overlap the law let go by a tenth has lost at least that of its force.
     """
@@ -125,7 +129,9 @@ def test_contacts_of_another_line_begin_anew(owner, tmp_path):
 
 
 def test_a_wall_elsewhere_is_another(tmp_path):
-    """A plane given again under its name, a micrometre off: its contact is virgin, and told of."""
+    """A plane that is given again with the same ID, one micrometer away: its contact starts
+    without history, and the log reports it.
+    """
     line = "unfix wall; fix wall all wall/gran model stronge tangential history primitive type 2 "
     log = run_with(line + "xplane -0.450001", "stronge", tmp_path)
     assert "because the wall moved: `model stronge tangential history" in log
@@ -135,7 +141,7 @@ def test_a_wall_elsewhere_is_another(tmp_path):
 
 
 def test_memory_that_ends_with_a_line_is_told_of(tmp_path):
-    """The next line's models remember nothing, and the engine has thrown the memory away."""
+    """The models of the next line have no history, and LIGGGHTS has deleted the earlier one."""
     log = run_with(
         "pair_style gran model hertz tangential off; pair_coeff * *", "stronge", tmp_path
     )
@@ -153,8 +159,8 @@ SETTINGS = "unloading original_radius viscous_damping on tangential_damping off 
 
 
 def test_restart_has_the_settings_of_the_line(tmp_path):
-    """Read without a pair_style line, the file goes on with the options and settings of the one it
-    was written with, to every digit.
+    """Without a pair_style line, a run from a restart file has the options and settings of the
+    file, and is bitwise identical.
     """
     case, before = {"after": 160, "coefficient_of_restitution": 0.7}, 40
     bodies = scene("stronge")
@@ -164,7 +170,7 @@ def test_restart_has_the_settings_of_the_line(tmp_path):
     log = bodies.run("restart_read", tmp_path / "rest", restart=restart, **case)
     assert "unloading original_radius" in log
     tables = {name: read_dump(tmp_path / name / "trajectory.dump") for name in ("whole", "rest")}
-    # The dashpot: a run begins with the velocities of that moment.
+    # The dashpot force at the start of a run uses the velocities of that time.
     whole, rest = (
         table[table["step"] > before].drop_duplicates(["step", "id"]) for table in tables.values()
     )
@@ -195,7 +201,7 @@ def test_restart_with_another_law_is_refused(owner, commands, variables, tmp_pat
 @pytest.mark.parametrize("ranks", [1, 2])
 @pytest.mark.parametrize("geometry", GEOMETRIES)
 def test_a_restart_with_other_constants_is_told_of(geometry, ranks, tmp_path):
-    """The dents were made with those of the file."""
+    """The residual indentations were made with the constants of the file."""
     case = {"geometry": geometry, "after": 1}
     bodies = scene("stronge")
     bodies.run("restart_write", tmp_path, before=40, **case)
@@ -222,12 +228,14 @@ def test_other_constants_between_runs_are_told_of(tmp_path):
 
 
 STRENGTH = "fix yield_strength all property/global yieldStrength peratomtype {} 1e30"
-#: Sets the contacts up without a run.
+#: Command that sets up the contacts without a run.
 SET_UP = "delete_atoms overlap 1e-6 all all"
 
 
 def test_constants_are_compared_from_run_to_run(tmp_path):
-    """What they were in between, where commands have set the contacts up, does not count."""
+    """Constants that held only between the runs, when commands set up the contacts, do not
+    matter.
+    """
     again = [STRENGTH.format(strength) for strength in ("5e8", "1e8", "7e8")]
     there = f"unfix yield_strength; {again[0]}; {SET_UP}; unfix yield_strength; "
     assert "other constants" not in run_with(there + again[1], "stronge", tmp_path / "back")
@@ -248,7 +256,7 @@ def test_a_default_that_is_said_is_the_same_constant(tmp_path):
 
 @pytest.mark.parametrize("fix", ["range", "step", "motion", "history"])
 def test_own_fixes_may_be_removed(fix, tmp_path):
-    """The next run is set up anew, `pre no` or not: its forces are the same."""
+    """The next run is set up again, with `pre no` too, and has the same forces."""
     log = run_with(f"unfix plastigran_{fix}; run 2 pre no", "thornton", tmp_path)
     assert_held(held_forces(tmp_path), ("held",) * 5)
     assert log.count("Setting up run") == 5
@@ -290,7 +298,7 @@ def test_a_ledger_ends_with_its_fixes_and_lines(tmp_path):
 
 
 def test_a_laws_options_are_in_restart_files(engine_law, tmp_path):
-    """What is compared and restored has every option of the law by name."""
+    """Restart files contain every option of the law with its name."""
     run_with(f"write_restart {tmp_path}/held.restart", engine_law, tmp_path)
     held = (tmp_path / "held.restart").read_bytes()
     assert b"overlap_limit" in held

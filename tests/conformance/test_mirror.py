@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Mirror symmetry: two equal spheres that meet are one of them on a rigid plane.
+"""Mirror symmetry: two equal spheres that collide behave like one sphere on a rigid plane.
 
 The plane of symmetry between them stays plane, without friction: to each sphere it is the rigid
 plane. More generally two spheres are the one sphere on a rigid plane, of the yielding body's
@@ -25,9 +25,9 @@ BODIES = {
     "metallic_glass": laws.Body(8.9e10, 0.37, 1.9e9),
     "polymer": laws.Body(3e9, 0.45, 6e7),
 }
-#: Over the speed at first yield.
+#: Impact speeds divided by the yield speed.
 SPEEDS = np.geomspace(1, 1000, 13)
-#: The largest overlap is found by halving until neighbouring numbers; the rest is rounding.
+#: Bisection finds the largest overlap to the last bit; the tolerance is for round-off.
 SAME = 1e-9
 
 
@@ -37,13 +37,15 @@ def body(request) -> laws.Body:
 
 
 def options(law_name: str) -> list[dict[str, str]]:
-    """The law as it is and each of its other choices, but the reading that is not symmetric."""
+    """Return the default options of a law and each other choice, without the interpretation
+    that is not symmetric.
+    """
     rows = [row for row in laws.LAWS[law_name].options() if row["name"] != "reading"]
     return [{}, *({row["name"]: word} for row in rows for word in row["choices"])]
 
 
 def test_two_equal_spheres_are_one_on_a_rigid_plane(sphere_law, body, law_between):
-    """Restitution and force; of the overlaps each sphere has half."""
+    """Restitution and force are equal; each sphere has half of the overlap."""
     two, one = laws.combine(body, body), laws.combine(body, RIGID)
     speeds = SPEEDS * yield_speed(one, RADIUS, MASS)
     for given in options(sphere_law):
@@ -59,15 +61,17 @@ def test_two_equal_spheres_are_one_on_a_rigid_plane(sphere_law, body, law_betwee
             assert getattr(found, name) == pytest.approx(
                 factor * getattr(expected, name), rel=SAME
             ), (given, name)
-        # A residual overlap is a difference: to that share of the largest.
+        # A residual overlap is a difference, so the tolerance is relative to the largest overlap.
         off = np.abs(found.overlap_res - 2 * expected.overlap_res)
         assert (off <= SAME * found.overlap_max).all(), given
 
 
 @pytest.mark.parametrize("stiffness", [0.2, 1.0, 5.0])
 def test_two_spheres_are_the_fitted_sphere(sphere_law, body, stiffness, law_between):
-    """The other body is elastic, softer or stiffer: force, contact radius and energy on a path of
-    loading, unloading and reloading."""
+    """The other body is elastic, softer or stiffer.
+
+    Force, contact radius and energy agree on a path of loading, unloading and reloading.
+    """
     other = laws.Body(stiffness * body.youngs_modulus, 0.3)
     two, one = laws.combine(body, other), laws.combine(body, RIGID)
     ratio = one.youngs_modulus_eff / two.youngs_modulus_eff
@@ -91,7 +95,7 @@ def test_two_spheres_are_the_fitted_sphere(sphere_law, body, stiffness, law_betw
 
 
 def test_the_fits_to_one_sphere_differ_in_the_other_reading():
-    """A law with the option is not symmetric with the effective constants of the pair."""
+    """With the option that uses the effective constants of the pair, a law is not symmetric."""
     steel, found = BODIES["hardening_steel"], {}
     for name, law in laws.LAWS.items():
         if "reading" not in {row["name"] for row in law.options()}:
@@ -110,8 +114,10 @@ def test_the_fits_to_one_sphere_differ_in_the_other_reading():
 
 @pytest.mark.parametrize("name", ["ghaednia_2019", "jackson_green", "ye_komvopoulos"])
 def test_the_range_of_a_fit_mirrors(name):
-    """Of two equal spheres each has half of the overlap, and R* is half: four times the ratio. A
-    much softer elastic body may be dented by a tenth of R*, as in any law."""
+    """Each of two equal spheres has half of the overlap, and R* is half as large, so the ratio
+    is four times as large. A much softer elastic body may be indented by a tenth of R*, as in
+    any law.
+    """
     steel, soft = BODIES["hardening_steel"], laws.Body(2.1e7, 0.3)
     plane, pair, dented = (
         laws.LAWS[name](laws.combine(steel, other)).overlap_range for other in (RIGID, steel, soft)
@@ -122,8 +128,10 @@ def test_the_range_of_a_fit_mirrors(name):
 
 @pytest.mark.parametrize("speed", [0.02, 0.3])
 def test_the_engine_mirrors(sphere_law, speed, tmp_path):
-    """The same step on both sides: the integrator makes the same error of both, and what is left is
-    rounding of positions, 1e-16 of the radius against overlaps of 1e-4 of it."""
+    """Both sides have the same time steps and therefore the same integration error.
+
+    The difference is round-off: 1e-16 of the radius, for overlaps of 1e-4 of the radius.
+    """
     impacts = {
         geometry: CentralImpact(
             sphere_law, speed, scene(sphere_law).material, 0.1, geometry=geometry

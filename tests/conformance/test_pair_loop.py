@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The plugin's loop over contacts does as the engine's, which runs in each step in which a deck
-asks for stresses: in every digit, for all models beside a law."""
+"""The plugin's loop over contacts and LIGGGHTS' own loop give bitwise identical results for all
+models beside a law. LIGGGHTS' loop runs in each step in which a deck computes stresses.
+"""
 
 from __future__ import annotations
 
@@ -12,7 +13,7 @@ from soft_grains import COMPANIONS, PROPERTIES, STRENGTH, fresh, motion
 
 from plastigran.engine.log import read_thermo
 
-#: Grains of two sizes rain on grains that no force moves, and among each other; one of them stops.
+#: Grains of two sizes fall on fixed grains and hit each other; one grain stops.
 GRAINS = """
 group stones type 2
 group moving type 1
@@ -36,7 +37,7 @@ RATES = """
 fix rate     all property/global rateCoefficient peratomtype 0.05 0.05
 fix test     all property/global referenceRate peratomtype 1 1
 """
-#: What Luding's models ask for.
+#: Properties of Luding's models.
 LUDING = """
 fix dynamic all property/global FluidViscosity peratomtypepair 2 1 1 1 1
 fix creep   all property/global FrictionViscosity peratomtypepair 2 1 1 1 1
@@ -44,7 +45,7 @@ fix sliding all property/global coeffFrictionStiffness peratomtypepair 2 1 1 1 1
 fix viscous all property/global coefficientRollingViscousDamping peratomtypepair 2 0.1 0.1 0.1 0.1
 fix stiff   all property/global coeffRollingStiffness peratomtypepair 2 0.2 0.2 0.2 0.2
 """
-#: Models, and options at the end of the line.
+#: Models, and the options at the end of the line.
 COMBINATIONS = (
     ("tangential history", ""),
     ("tangential history rolling_friction epsd2", ""),
@@ -62,7 +63,7 @@ ENTRIES = "".join(f"variable e{k} equal f_energy_ledger[{k}]\n" for k in range(1
 def follow(
     models: str, options: str, folder: Path, seen: str, ranks: int, more: str = "", every: int = 1
 ) -> tuple[pd.DataFrame, pd.DataFrame]:
-    """What the grains did, and the log, with what the deck asks for."""
+    """Return the motion of the grains and the log, for a deck that computes these quantities."""
     line = f"model universal {models}"
     text = (
         GRAINS
@@ -111,7 +112,7 @@ def test_all_digits_where_rates_matter(tmp_path):
     ],
 )
 def test_asking_for_energies_moves_nothing(models, tmp_path):
-    """Luding's models write their memory whenever they are asked."""
+    """Luding's models change their history in each computation."""
     line = models, "energy_ledger on"
     often, _ = follow(*line, tmp_path / "often", "v_e3", 1, LUDING)
     seldom, _ = follow(*line, tmp_path / "seldom", "v_e3", 1, LUDING, every=3000)

@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""What every law must obey on any loading path; laws are found, not listed.
+"""Properties that every law must have on any loading path.
+
+The tests find the laws by their files.
 
 A law that depends on the rate of overlap is followed at rate zero, where it must be a total law as
 all others; what the rate adds is the matter of its own tests in tests/verification.
@@ -19,9 +21,9 @@ from hypothesis import strategies as st
 from pairs import PAIRS, RADIUS, scales
 from scipy.integrate import simpson
 
-REACH = 500  # overlaps at yield: some 100 forces at yield and more
+REACH = 500  # in overlaps at yield: the force reaches 100 yield forces and more
 
-# Turning points of the overlap over its value at yield, from hardly touching to far beyond.
+# Turning points, in overlaps at yield, from light touch to far beyond yield.
 turning_points = st.lists(
     st.one_of(st.floats(0, 2), st.floats(0, REACH), st.floats(-1, 0)), min_size=1, max_size=8
 )
@@ -29,12 +31,14 @@ turning_points = st.lists(
 
 @cache
 def on_pairs(law_name: str, law_between) -> list[tuple]:
-    """The law between each pair of bodies, with overlap and force at yield."""
+    """Return the law for each pair of bodies, with overlap and force at yield."""
     return [(law_between(law_name, pair), *scales(law_name, pair)) for pair in PAIRS.values()]
 
 
 def path(turns: list[float], points: int = 60) -> np.ndarray:
-    """A path through turning points, finely enough for its work to be integrated."""
+    """Return a path through turning points, with steps that are small enough to integrate the
+    work.
+    """
     legs = [np.linspace(a, b, points) for a, b in zip([0.0, *turns], turns, strict=False)]
     return np.concatenate(legs)
 
@@ -57,7 +61,7 @@ def test_plastic_work_never_decreases(law_name, law_between, turns):
     for law, overlap_y, force_y in on_pairs(law_name, law_between):
         answer = law.follow(RADIUS, path(turns) * overlap_y)
         work = answer["plastic_work"]
-        # Rounding of the virgin work, of which plastic work is a difference.
+        # Round-off of the work of first loading; plastic work is the difference of two such values.
         virgin = (work + answer["elastic_energy"]).max()
         rounding = 1e-13 * max(virgin, force_y * overlap_y)
         assert (np.diff(work) >= -rounding).all()
@@ -66,10 +70,11 @@ def test_plastic_work_never_decreases(law_name, law_between, turns):
 
 @given(turns=turning_points)
 def test_energies_account_for_the_work_done(law_name, law_between, virgin_jumps, turns):
-    """Work put in = stored + plastic, at every turning point, so no path returns more than it took.
+    """At every turning point, the work done equals stored energy plus plastic work, so no path
+    returns more energy than it took.
 
     The work is the integral of the law's own force, by Simpson's rule on 300 intervals a leg, which
-    ends where the virgin force jumps and where reloading meets the virgin force again; other kinks
+    ends where the force jumps and where reloading reaches the loading curve again; other kinks
     of the force inside a leg limit it to 1e-4 of the largest energy met.
     """
     for pair_name, pair in PAIRS.items():
@@ -94,8 +99,10 @@ def test_energies_account_for_the_work_done(law_name, law_between, virgin_jumps,
 
 @given(turns=turning_points, repeats=st.integers(1, 4))
 def test_answer_does_not_depend_on_how_often_it_is_asked(law_name, law_between, turns, repeats):
-    """A total law: neither repeated calls nor stops on the way change it. 1e-11 of the peak force
-    is rounding through the unloading curve's 3/2 power."""
+    """Repeated calls and intermediate points do not change the response.
+
+    1e-11 of the largest force: round-off of the power 3/2 of the unloading curve.
+    """
     for law, overlap_y, _ in on_pairs(law_name, law_between):
         fine, often, coarse = law.State(), law.State(), law.State()
         forces, again = [], []

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A yield strength that grows with the rate of impact, in the engine: each contact has the one of
-its first touch and keeps it.
+"""A yield strength that grows with the strain rate, in LIGGGHTS: each contact keeps the
+strength of its first touch.
 
 `thornton` stands for all laws that are the same at another radius, `universal` for those that are
 interpolated between tables.
@@ -33,8 +33,10 @@ ALUMINIUM = evolve(SPHERES.material, **RATE)
 @pytest.mark.parametrize("speed", [0.1, 1.0])
 @pytest.mark.parametrize("geometry", IMPACTS["sphere"].geometries)
 def test_impact_is_the_laws_at_its_rate(geometry, speed, law, tolerance, tmp_path):
-    """To the integrator's 1e-5 at a twentieth of the recommended step, of each geometry, and to the
-    1e-3 of docs/rate_factor.md where the plugin interpolates and Python builds the table."""
+    """The integration error is 1e-5 at a twentieth of the recommended step.
+
+    Where the plugin interpolates in tables, the tolerance is the 1e-3 of docs/rate_factor.md.
+    """
     case = CentralImpact(law, speed, ALUMINIUM, 0.1, geometry=geometry)
     plain = evolve(case, material=SPHERES.material).predict()
     found, expected = case.run(tmp_path, timestep=case.timestep / 20), case.predict()
@@ -44,7 +46,7 @@ def test_impact_is_the_laws_at_its_rate(geometry, speed, law, tolerance, tmp_pat
 
 
 def test_two_equal_spheres_are_one_on_a_rigid_plane(tmp_path):
-    """To the integrator's error, here 1e-6: both runs have the same steps."""
+    """1e-6: both runs have the same time steps, so their integration errors are nearly equal."""
     plane, pair = (
         CentralImpact(LAW, 0.3, ALUMINIUM, 0.1, geometry=geometry)
         for geometry in ("sphere_wall", "two_spheres")
@@ -60,8 +62,10 @@ def test_two_equal_spheres_are_one_on_a_rigid_plane(tmp_path):
 @pytest.mark.parametrize("rebuild", ["no", "yes"])
 @pytest.mark.parametrize("geometry", ["pair", "plane", "mesh"])
 def test_second_touch_has_its_own_rate(geometry, rebuild, tmp_path):
-    """The rate of the first touch would have the second return 0.04 more; 0.02: gravity of 10/s
-    times the speed, over a millisecond of contact."""
+    """With the rate of the first touch, the second restitution would be 0.04 higher.
+
+    0.02: gravity changes the speed during the contact of one millisecond.
+    """
     steep = {"rate_coefficient": 1.0, "reference_rate": 1.0}
     SPHERES.run("bounce", tmp_path, geometry=geometry, rebuild=rebuild, speed=1.0, **steep)
     body = evolve(SPHERES.material, **steep).body()
@@ -83,8 +87,10 @@ def test_second_touch_has_its_own_rate(geometry, rebuild, tmp_path):
 @pytest.mark.parametrize("ranks", [1, 2])
 @pytest.mark.parametrize("geometry", ["pair", "plane", "mesh"])
 def test_restart_keeps_the_rate(geometry, ranks, tmp_path):
-    """Pressed further from a restart file in mid contact, with properties that come after it: the
-    whole run to every digit. At that moment the bodies close in half as fast."""
+    """A run from a restart file, written during contact, loads the contact further and is
+    bitwise identical to the whole run. At that time the bodies approach at half of their
+    initial speed.
+    """
     case = {"geometry": geometry, "ranks": ranks, **RATE}
     SPHERES.run("restart_write", tmp_path / "whole", before=40, **case)
     restart = (tmp_path / "whole" / "middle.restart").resolve()
@@ -98,7 +104,10 @@ def test_restart_keeps_the_rate(geometry, ranks, tmp_path):
 
 
 def test_ranks_hand_the_rate_over(tmp_path):
-    """A contact on one border that crosses another; 1e-9: positions enter sums in another order."""
+    """The contact lies on one border and crosses another.
+
+    1e-9: positions are summed in another order.
+    """
     found = {}
     for ranks, grid in ((1, "1 1"), (2, "2 1"), (2, "1 2"), (4, "2 2")):
         folder = tmp_path / grid.replace(" ", "x")
@@ -114,7 +123,10 @@ def test_ranks_hand_the_rate_over(tmp_path):
 
 
 def test_pair_flip_keeps_the_rate(tmp_path):
-    """A held contact turned half around, through sorts and rebuilds; 1e-7 as without the rate."""
+    """A contact that turns by half a revolution, through sorts and rebuilds.
+
+    1e-7, as without rate factor.
+    """
     forces = {}
     for name, rate in {"at rest": {}, "moving": RATE}.items():
         SPHERES.run("rotating_pair", tmp_path / name, **rate)
@@ -126,8 +138,9 @@ def test_pair_flip_keeps_the_rate(tmp_path):
 
 
 def test_history_is_as_long_as_before_when_off(tmp_path):
-    """A restart file holds one number more for the contact, seen from both its particles. (Its line
-    of text with the constants is longer, too.)"""
+    """With rate factor, a restart file stores one more number for the contact, once per
+    particle, and a longer text of constants.
+    """
     sizes = []
     for name, rate in {"off": {}, "on": RATE}.items():
         SPHERES.run("restart_write", tmp_path / name, **rate)

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The virgin force has no jump but those a law declares, and unloading joins it; every option keeps
-the energy."""
+"""During first loading, the force jumps only where a law declares it, unloading starts at the
+loading curve, and every option conserves energy.
+"""
 
 from __future__ import annotations
 
@@ -13,7 +14,9 @@ from plastigran.physics import central
 
 
 def test_force_is_continuous_along_the_virgin_curve(law_name, virgin_jumps, declared_jumps):
-    """No jump over eight decades, apart from those a law declares, at their place and size."""
+    """Over eight decades of overlap, the force jumps only at the declared overlaps and by the
+    declared amounts.
+    """
     overlap_y, _ = scales(law_name, PAIRS["aluminium on rigid"])
     found = virgin_jumps(law_name, "aluminium on rigid")
     declared = declared_jumps[law_name]
@@ -22,7 +25,7 @@ def test_force_is_continuous_along_the_virgin_curve(law_name, virgin_jumps, decl
     for (place, _, size), (declared_place, declared_size) in zip(found, seen, strict=True):
         assert place / overlap_y == pytest.approx(declared_place, rel=2e-3)
         assert size == pytest.approx(declared_size, abs=2e-4)
-    # Another pair's jumps lie elsewhere, and may lie beyond the reach; there are no more of them.
+    # Another pair has its jumps at other overlaps, perhaps beyond the search, but not more of them.
     assert len(virgin_jumps(law_name, "polymer on steel")) <= len(declared)
 
 
@@ -38,7 +41,9 @@ def test_force_is_continuous_where_unloading_begins_and_ends(law_name, law_betwe
     force = law.follow(RADIUS, way_back, state)["force"]
     end = int((force == 0).argmax())
     assert end > 0 and (force[end:] == 0).all()
-    way_back = np.linspace(way_back[0], way_back[end], 20_001)  # finer where there is a force
+    way_back = np.linspace(
+        way_back[0], way_back[end], 20_001
+    )  # smaller steps where the force is not zero
     force = law.follow(RADIUS, way_back, state)["force"]
     assert np.abs(np.diff(force)).max() < 1e-3 * peak
 
@@ -61,7 +66,7 @@ def test_energies_go_on_where_tables_end(law_name, law_between, pair):
 
 
 def test_energy_guard_is_what_keeps_restitution_below_one():
-    """Without it Stronge's law, as published, returns up to 6 % more speed than it took."""
+    """Without the energy guard, Stronge's law as published returns up to 6 % more speed."""
     pair = PAIRS["aluminium on rigid"]
     speed = 1.5 * central.yield_speed(pair, RADIUS, 1e-3)
     kept = laws.Stronge(pair).central_impact(RADIUS, 1e-3, speed)
@@ -71,7 +76,7 @@ def test_energy_guard_is_what_keeps_restitution_below_one():
 
 
 def test_every_choice_of_every_option_keeps_the_energy(law_name, law_between):
-    """Plastic work grows along the virgin curve whatever reading is chosen."""
+    """Plastic work grows during first loading for every choice."""
     pair = PAIRS["aluminium on rigid"]
     overlap_y, force_y = scales(law_name, pair)
     law_class = laws.LAWS[law_name]

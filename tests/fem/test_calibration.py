@@ -30,7 +30,7 @@ def law_pressing(widening: float, curvature: float) -> Pressing:
 
 def test_constants_of_a_loading_by_the_law_are_found():
     found = calibrate(law_pressing(2.33e-7, 2.69e-4))
-    # Straight lines through points that lie on them: rounding.
+    # Straight lines through points that lie on them: round-off.
     assert found.contact_radius_per_force == pytest.approx(2.33e-7, rel=1e-9)
     assert found.curvature_per_force == pytest.approx(2.69e-4, rel=1e-9)
     assert found.contact_radius_error < 1e-9

@@ -57,14 +57,14 @@ def test_strain_is_half_the_logarithm_of_the_squared_stretch(gradients):
         deformation = np.array([[1 + rr, ry], [yr, 1 + yy]])
         expected = logm(deformation.T @ deformation) / 2
         tensor = [[found[0], found[3] / 2], [found[3] / 2, found[1]]]
-        assert_allclose(tensor, expected, atol=1e-13)  # rounding of scipy's logarithm
+        assert_allclose(tensor, expected, atol=1e-13)  # round-off of scipy's logarithm
         assert found[2] == pytest.approx(np.log1p(tt), abs=1e-15)
 
 
 def test_stress_does_the_work_of_the_logarithmic_strain(gradients):
     stress = np.random.default_rng(4).normal(size=(len(gradients), 4))
     work = np.einsum("ni,nij->nj", stress, differences(FINITE.strain, gradients))
-    # Central differences: rounding of 1e-16/STEP and STEP^2 of curvature.
+    # Central differences: round-off of 1e-16/STEP and STEP^2 of curvature.
     assert_allclose(FINITE.conjugate(gradients, stress), work, atol=1e-8)
 
 

@@ -58,7 +58,7 @@ def test_tangent_is_the_derivative_of_the_stress(hardening, rate, strains):
             material.respond(strains + sign * change, virgin, 1e-4).stress for sign in (1, -1)
         )
         slope = ((above - below) / (2 * step))[answer.flowing]
-        # Central differences: step^2 of curvature and rounding of 1e-16 * stress / step. A point
+        # Central differences: step^2 of curvature and round-off of 1e-16 * stress / step. A point
         # may pass a corner of the table within the step, so a few are let be.
         error = (
             np.abs(slope - answer.tangent[:, :, component]).max(axis=1) / material.youngs_modulus

@@ -57,7 +57,7 @@ def test_elements_are_fine_where_the_contact_is():
     mesh = SphereMesh(radius=RADIUS, core=CORE, reach=REACH, divisions=4).build()
     ends = np.sort(mesh.p[0][mesh.facets[:, mesh.boundaries["circle"]]], axis=0)
     size = (ends[1] - ends[0])[(ends[1] < REACH) & (ends[0] > CORE)]
-    assert np.all(size < 0.08 * REACH)  # a third of pi/16 of the radius there, and its rounding
+    assert np.all(size < 0.08 * REACH)  # a third of pi/16 of the radius there, and its round-off
 
 
 def test_mass_is_that_of_the_sphere(body, mesh):
@@ -106,5 +106,5 @@ def test_stiffness_is_the_one_scikit_fem_assembles(mesh, body):
     solution = system.factor([body.elastic_stiffness]).solve(load)
     answered = form.assemble(basis) @ solution
     free = system.free
-    # Rounding times the condition of elements from 1e-5 m to 1e-2 m.
+    # Round-off times the condition of elements from 1e-5 m to 1e-2 m.
     assert_allclose(answered[free], load[free], atol=1e-6)

@@ -48,7 +48,7 @@ def energy(history):
 
 
 def test_energy_is_conserved(vibration):
-    # By construction; 1e-8 is what rounding leaves of thousands of steps.
+    # By construction; 1e-8 is what round-off leaves of thousands of steps.
     total = energy(vibration.history)
     assert total == pytest.approx(total[0], rel=1e-8)
 
@@ -58,7 +58,7 @@ def test_impulse_of_the_force_turns_the_momentum(vibration):
     mass = 2 * history["kinetic_energy"].iloc[0] / SPEED**2
     impulse = history["force"].sum() * vibration.timestep
     change = (history["velocity"].iloc[-1] + SPEED) * mass
-    assert impulse == pytest.approx(change, rel=1e-8)  # by construction, but for rounding
+    assert impulse == pytest.approx(change, rel=1e-8)  # by construction, but for round-off
 
 
 def test_plane_pushes_only_and_gives_its_energy_back(vibration):

@@ -60,4 +60,6 @@ def test_the_law_of_the_page_on_adding_one_compiles_and_is_thorntons(force):
     page = (PROJECT / "docs" / "add_a_law.md").read_text()
     header = re.search(r"```cpp\n(.*?)```", page, re.DOTALL)[1]
     found = force("constant_pressure", "ConstantPressure", header)
-    assert found == pytest.approx(expected("thornton"), rel=1e-12)  # the same law, another rounding
+    assert found == pytest.approx(
+        expected("thornton"), rel=1e-12
+    )  # the same law, another round-off

@@ -32,7 +32,7 @@ def test_frames_are_packed_to_16_bits(hopper):
     first, count = frames[0], len(frames[0].radii)
     low = np.concatenate([np.r_[f.positions, f.walls.reshape(-1, 3)] for f in frames]).min(axis=0)
     places = numbers[: 3 * count].reshape(-1, 3) * head["size"] + low
-    half = 0.51 / 65535  # rounding
+    half = 0.51 / 65535  # round-off
     np.testing.assert_allclose(places, first.positions, atol=half * head["size"])
     radii = numbers[3 * count : 4 * count] * head["radius"]
     np.testing.assert_allclose(radii, first.radii, atol=half * head["radius"])

@@ -146,7 +146,7 @@ def test_size(tmp_path, monkeypatch, capsys):
     assert "thornton, ledger 1" in said and "allreduce: 1 per step" in said
     script.many(SimpleNamespace(steps=5), count=4)
     apart = re.findall(r"at most (\S+) apart", capsys.readouterr().out)
-    assert len(apart) == 3 and max(map(float, apart)) < 1e-9  # rounding grows for ten steps
+    assert len(apart) == 3 and max(map(float, apart)) < 1e-9  # round-off grows for ten steps
 
 
 def test_the_model_of_clusters():
@@ -241,7 +241,7 @@ def test_the_metal_of_the_independent_finite_elements():
     stress, _ = metal.stress([deformation, np.zeros((9, 1, 50))])
     expected = finite.conjugate(gradients, response.stress)[:, :3]
     found = stress[[0, 1, 2], [0, 1, 2], 0].T
-    assert_allclose(found, expected, atol=1e-9 * material.youngs_modulus)  # rounding
+    assert_allclose(found, expected, atol=1e-9 * material.youngs_modulus)  # round-off
 
 
 @pytest.mark.engine

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Which of the benchmark impacts of Chung & Ooi (2011) the tests take, and their steps."""
+"""Impacts of the benchmarks of Chung & Ooi (2011) that the tests use, and their steps."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from plastigran.experiments.chung_ooi import BenchmarkImpact
 
 
 def sweeps(number: int) -> list[list[BenchmarkImpact]]:
-    """The impacts of a benchmark, one list a sweep."""
+    """Return the impacts of a benchmark, one list per sweep."""
     found: dict[tuple, list[BenchmarkImpact]] = {}
     for case in BenchmarkImpact.cases():
         if case.benchmark == number:
@@ -19,12 +19,12 @@ def sweeps(number: int) -> list[list[BenchmarkImpact]]:
 
 
 def middles(number: int) -> list[BenchmarkImpact]:
-    """One impact of each sweep of a benchmark: the middle of it, where springs stick and slide."""
+    """Return the middle impact of each sweep, in which springs stick and slide."""
     return [sweep[len(sweep) // 2] for sweep in sweeps(number)]
 
 
 def few(number: int) -> list[BenchmarkImpact]:
-    """The second, middle and last impact of each sweep of a benchmark, as far as there are."""
+    """Return the second, middle and last impact of each sweep."""
     return [
         sweep[k]
         for sweep in sweeps(number)
@@ -33,6 +33,6 @@ def few(number: int) -> list[BenchmarkImpact]:
 
 
 def steps(case: BenchmarkImpact, folder) -> pd.DataFrame:
-    """Every step of an impact in the engine."""
+    """Return every step of an impact in LIGGGHTS."""
     case.run(folder)
     return read_dump(folder / "trajectory.dump")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Laws that attract, or are plastic from first touch, against equations written here once more."""
+"""Adhesive laws and laws that are plastic from first touch, compared with independent equations."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ def jkr_force(contact_radius: float, gamma: float, radius: float = RADIUS) -> fl
 
 
 def touching(law: laws.Law) -> laws.ContactState:
-    """A history of a contact that has just formed."""
+    """Return the history of a contact that has just formed."""
     state = law.State()
     law.respond(RADIUS, 1e-300, state)
     return state
@@ -81,7 +81,7 @@ def test_jkr_restitution_is_the_closed_form():
 
 
 class ThorntonNing:
-    """Loading integrated from the paper's dF/d overlap, unloading by JKR with the radius R_p*."""
+    """The law by integration of the paper's dF/d overlap; unloading by JKR with the radius R_p*."""
 
     def __init__(self, gamma: float) -> None:
         self.gamma, self.pressure = gamma, PAIR.yield_pressure
@@ -106,13 +106,13 @@ class ThorntonNing:
         return (rise - 2 * MODULUS * self.yield_radius * pull_off) / (3 * equivalent - pull_off)
 
     def force(self, overlap: float) -> float:
-        """Force of first loading beyond yield."""
+        """Return the force of first loading beyond yield."""
         begin = jkr_overlap(self.yield_radius, self.gamma)
         grown = quad(self.slope, begin, overlap, epsabs=0, epsrel=1e-11)[0]
         return jkr_force(self.yield_radius, self.gamma) + grown
 
     def unloading(self, overlap_max: float) -> tuple[float, float]:
-        """R_p* and the overlap at which the flattened surfaces touch."""
+        """Return R_p* and the overlap at which the flattened surfaces touch."""
         a = self.contact_radius(overlap_max)
         equivalent = 4 * MODULUS * a**3 / (3 * RADIUS)
         pull_off = 1.5 * pi * self.gamma * RADIUS
@@ -139,7 +139,7 @@ def test_thornton_ning_is_the_papers(gamma):
 
 
 def restitution(law: laws.Law, speed: float) -> float:
-    """Restitution by the equation of motion; 0 if the bodies stick."""
+    """Return the restitution by the equation of motion; 0 if the bodies stick."""
     state = law.State()
     scale = RADIUS * (MASS * speed**2 / (MODULUS * RADIUS**3)) ** 0.4
 
@@ -179,7 +179,10 @@ LAWS = {
 
 @pytest.mark.parametrize("name", LAWS)
 def test_restitution_follows_from_the_motion(name):
-    """At 20 speeds across sticking. 2e-5: the motion passes the kinks of the force in its steps."""
+    """Twenty speeds below and above the sticking speed.
+
+    2e-5: steps of the integration cross the kinks of the force.
+    """
     law = LAWS[name]
     speeds = np.geomspace(0.2, 8, 20)
     expected = [restitution(law, speed) for speed in speeds]

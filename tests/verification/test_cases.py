@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The impacts of every reference in the engine, through every geometry that is for the law."""
+"""Impacts of every reference in LIGGGHTS, in each geometry that the law supports."""
 
 from __future__ import annotations
 
@@ -30,7 +30,9 @@ RUNS = [
 
 
 def impact(law: str, index: int, **geometry: str) -> CentralImpact:
-    """The impact of a row; columns beside material, radius and speed are a cylinder's."""
+    """Return the impact of a row; columns other than material, radius and speed belong to
+    cylinders.
+    """
     kind = IMPACTS[laws.LAWS[law].shape]
     return kind(law=law, **impacts.rows(law)[index], **geometry)
 
@@ -45,9 +47,10 @@ def test_every_law_has_cases(law_name):
 
 @pytest.mark.parametrize(("case", "geometry"), RUNS)
 def test_engine_at_the_recommended_step(case, geometry, tmp_path):
-    """What the recommended step promises: restitution to 1e-3, the rest to 2e-3.
+    """The recommended step has an error of 1e-3 in restitution, and of 2e-3 in the other
+    quantities.
 
-    Where the force depends on the rate, which the engine knows of half a step ago, force and
+    Where the force depends on the rate, which LIGGGHTS knows of half a step ago, force and
     overlap follow to first order: 5e-3, and the overlap at which the force vanishes to 2 % of the
     largest.
 
@@ -72,9 +75,11 @@ def test_engine_at_the_recommended_step(case, geometry, tmp_path):
 
 @pytest.mark.parametrize("case", CASES)
 def test_engine_at_a_twentieth_of_it(case, declared_jumps, tmp_path):
-    """Second order: a 20 times smaller step leaves 1e-5. A step across a jump of the force is off
-    by the jump, first order: 1e-4 where the source has one. First order is all a law gets whose
-    force depends on the rate: a twentieth of the bounds above."""
+    """The integration is of second order: a step 20 times shorter leaves 1e-5.
+
+    In the step that crosses a jump of the force, the error is of first order: 1e-4 if the source
+    has a jump. Rate-dependent laws are of first order: a twentieth of the tolerances above.
+    """
     law, index = CASES[case]
     model = impact(law, index)
     found = model.run(tmp_path, timestep=model.timestep / 20)

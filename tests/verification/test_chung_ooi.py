@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The benchmark impacts of Chung & Ooi (2011) in the engine against theory."""
+"""The benchmark impacts of Chung & Ooi (2011) in LIGGGHTS, compared with theory."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ LAW = "vu_quoc_zhang"
 
 @pytest.fixture(scope="session")
 def tables(tmp_path_factory):
-    """Results of a few impacts of a benchmark, by its number: run once."""
+    """Results of a few impacts of each benchmark, by its number."""
 
     @cache
     def run(number: int):
@@ -32,7 +32,9 @@ def tables(tmp_path_factory):
 
 
 def test_all_eight_are_there():
-    """One deck a benchmark, every deck swept, and all of them with the same dashpot."""
+    """There is one deck per benchmark, each deck has sweeps, and all decks have the same
+    dashpot.
+    """
     decks = {path.stem: index_variables(path) for path in folder().glob("*.in")}
     assert sorted(int(name[0]) for name in decks) == list(range(1, 9))
     assert {case.deck_name for case in BenchmarkImpact.cases()} == set(decks)
@@ -43,8 +45,11 @@ def test_all_eight_are_there():
 
 @pytest.mark.parametrize("number", [1, 2])
 def test_elastic_normal_impact_is_hertzian(tables, number):
-    """Peak force, overlap and duration of 1000 steps: 2e-6, of second order in the step; the peak
-    force is a step's, so up to (pi/2000)^2/2 = 1e-6 below the curve's. Energy is kept to 1e-7."""
+    """Largest force, overlap and duration with 1000 steps:
+
+    2e-6, of second order in the step. The force is sampled per step, so its maximum is up to
+    (pi/2000)^2/2 = 1e-6 too low. Energy is conserved to 1e-7.
+    """
     table = tables(number)
     for name in ("force_max", "overlap_max", "contact_time"):
         assert table[name].to_numpy() == pytest.approx(table[f"{name}_predicted"], rel=2e-6), name
@@ -52,8 +57,11 @@ def test_elastic_normal_impact_is_hertzian(tables, number):
 
 
 def test_restitution_of_the_dashpot(tables):
-    """The closed form of a dashpot that never pulls. 5e-4: the dashpot's force begins with the
-    fourth root of the overlap, which 1000 steps see with this error."""
+    """Closed form of a dashpot that never pulls.
+
+    5e-4: the dashpot force begins as the fourth root of the overlap, which 1000 steps resolve with
+    this error.
+    """
     table = tables(3)
     assert table["coefficient_of_restitution"].to_numpy() == pytest.approx(
         table["coefficient_of_restitution_predicted"], rel=5e-4
@@ -61,7 +69,10 @@ def test_restitution_of_the_dashpot(tables):
 
 
 def test_a_dashpot_that_pulls_gives_what_is_asked(tmp_path):
-    """The engine's hertz, left to pull until the overlap is gone: e itself. 5e-4: as above."""
+    """LIGGGHTS' hertz, whose dashpot may pull until the overlap ends, has the restitution e.
+
+    5e-4: as above.
+    """
     for asked in (0.4, 0.8):
         run_deck(
             "collision/chung_ooi/3_restitution.in",
@@ -73,7 +84,7 @@ def test_a_dashpot_that_pulls_gives_what_is_asked(tmp_path):
 
 
 def test_benchmarks_with_restitution_one_half_have_it():
-    """The decks ask the dashpot for what makes the outcome 0.5, and 0.98 in benchmark 4."""
+    """The decks set the dashpot so that the restitution is 0.5, and 0.98 in benchmark 4."""
     for case in BenchmarkImpact.cases():
         if case.benchmark in (4, 6, 7, 8):
             expected = 0.98 if case.benchmark == 4 else 0.5
@@ -82,7 +93,7 @@ def test_benchmarks_with_restitution_one_half_have_it():
 
 @pytest.mark.parametrize("number", [4, 5, 6, 8])
 def test_oblique_impact_is_spring_and_slider(tables, number):
-    """Speed of the surfaces after the impact, over what sliding throughout changes it by.
+    """Speed of the surfaces after the impact, divided by its change during full sliding.
 
     1e-3 for 1000 steps: where within a step the spring begins to slide is of first order.
     """
@@ -95,7 +106,7 @@ def test_oblique_impact_is_spring_and_slider(tables, number):
 
 @pytest.mark.parametrize(("number", "tolerance"), [(4, 2e-3), (5, 1e-2), (6, 2e-2), (8, 2e-2)])
 def test_sliding_is_rigid_body_theory(tables, number, tolerance):
-    """Of the speed along the surface, the spin and the surface speed, what friction changes.
+    """Changes by friction of tangential speed, spin and surface speed.
 
     The tolerances are what a finite contact differs by: its arm is R - overlap/2, and while a
     dashpot starts the force at once, the spring must be stretched first.
@@ -107,7 +118,7 @@ def test_sliding_is_rigid_body_theory(tables, number, tolerance):
 
 
 def test_equal_spheres_spinning_against_each_other_do_not_notice(tables):
-    """Their surfaces move alike: spins and lines stay, to rounding."""
+    """Their surfaces move alike, so spins and paths do not change, to round-off."""
     table = tables(7)
     assert table["spin_after"].to_numpy() == pytest.approx(table["value"], rel=1e-14)
     assert table["spin_after_other"].to_numpy() == pytest.approx(table["value"], rel=1e-14)
@@ -115,8 +126,10 @@ def test_equal_spheres_spinning_against_each_other_do_not_notice(tables):
 
 
 def test_unequal_spheres_keep_momentum(tmp_path):
-    """Momentum along y, and angular momentum about z, of the pair: rounding, over what friction
-    moves. The arms of the friction add up to the distance of the centres, so both are kept."""
+    """Momentum along y and angular momentum about z of the pair are conserved: the lever arms
+    of friction add up to the distance of the centers. The tolerance is round-off relative to
+    the change by friction.
+    """
     case = evolve(few(8)[0], value=5.0)
     trajectory = steps(case, tmp_path)
     step = trajectory["step"]
@@ -136,7 +149,7 @@ def test_unequal_spheres_keep_momentum(tmp_path):
 
 
 def test_decks_start_as_theory_takes_them(tmp_path):
-    """The motion in the first frame is the case's, and so are radius and mass."""
+    """Motion in the first frame, radius and mass are those of the case."""
     for number in range(1, 9):
         case = few(number)[0]
         trajectory = steps(case, tmp_path / case.deck_name)

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The benchmark impacts of Chung & Ooi (2011): our models with unyielding bodies are the engine's
-own hertz."""
+"""In the benchmark impacts of Chung & Ooi (2011), laws with bodies that do not yield equal
+LIGGGHTS' own hertz.
+"""
 
 from __future__ import annotations
 
@@ -18,15 +19,17 @@ from plastigran.experiments.chung_ooi.comparison import motion
 from plastigran.usable_laws import laws_for
 
 LAW = "vu_quoc_zhang"
-#: Laws that yield, and are the engine's hertz for bodies that do not.
+#: Laws that yield, and are LIGGGHTS' hertz for bodies that do not.
 HERTZIAN = [
     name for name in laws_for("sphere") if laws.LAWS[name].yields and name not in NOT_HERTZIAN
 ]
 
 
 def assert_same_steps(case: BenchmarkImpact, law: str, place, steps_per_contact: int = 250) -> None:
-    """Every step of every column as the engine's hertz: 1e-13 of the column's largest value, for
-    rounding in another order (1e-15 was found)."""
+    """Check that every step of every column equals that of LIGGGHTS' hertz.
+
+    1e-13 of the largest value of the column: round-off in another order.
+    """
     ours, stock = (
         steps(evolve(case, law=name, steps_per_contact=steps_per_contact), place / name)
         for name in (law, "hertz")
@@ -48,14 +51,17 @@ def test_unyielding_model_is_the_engines_hertz(number, tmp_path):
 @pytest.mark.parametrize("law", HERTZIAN)
 @pytest.mark.parametrize("number", [4, 8])
 def test_every_unyielding_law_is_the_engines_hertz(law, number, tmp_path):
-    """On a plane and between spheres, where the tangential spring sticks and slides in turn."""
+    """On a plane and between spheres; the tangential spring sticks and slides in turn."""
     knob = 15.0 if number == 4 else 2.0
     assert_same_steps(evolve(few(number)[0], value=knob), law, tmp_path)
 
 
 def test_tangential_dashpot_is_the_engines(tmp_path):
-    """Left on, as by default: as in the engine's hertz, which does not hold it to mu F, so that a
-    sliding sphere loses over a tenth more than mu times the normal impulse."""
+    """With the tangential dashpot on, as by default.
+
+    LIGGGHTS does not limit it to mu F, so a sliding sphere loses over a tenth more than mu times
+    the normal impulse.
+    """
     case = evolve(few(6)[0], value=5.0)
     found = {}
     for law, options in ((LAW, "viscous_damping on"), ("hertz", "limitForce on")):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Order of the engine's time integration through our contacts, and agreement of the geometries."""
+"""Order of LIGGGHTS' time integration with the laws, and agreement of the geometries."""
 
 from __future__ import annotations
 
@@ -14,12 +14,13 @@ from plastigran.physics import central
 
 
 def test_order_in_the_timestep(engine_law, aluminium, declared_jumps, tmp_path):
-    """Errors of restitution, root mean square over where in a step the contact begins.
+    """Root mean square of the errors of restitution, over the phase of the step in which the
+    contact begins.
 
     One run's error changes sign with that phase, so single runs show no clean order. The slope over
     a 16-fold step is 2 within 0.25: six phases leave some scatter. A law whose force jumps is
     integrated across the jump to first order only, so there it is at least 1; a force that depends
-    on the rate, which the engine knows of half a step ago, is integrated to first order.
+    on the rate, which LIGGGHTS knows of half a step ago, is integrated to first order.
     """
     # Well beyond yield: elastic impacts are integrated better than to second order.
     if laws.LAWS[engine_law].shape == "sphere":
@@ -50,7 +51,9 @@ def test_order_in_the_timestep(engine_law, aluminium, declared_jumps, tmp_path):
 @pytest.mark.parametrize("law", ["hertz"])
 @pytest.mark.parametrize("speed", [0.001, 0.1])
 def test_hertz_duration(law, speed, aluminium, tmp_path):
-    """2.868 (m*^2/(R* E*^2 v))^(1/5) to 1e-3, as a pair and on a wall: the convention check."""
+    """2.868 (m*^2/(R* E*^2 v))^(1/5) to 1e-3, for a pair and a wall; this checks the convention
+    for R* and m*.
+    """
     for geometry in GEOMETRIES:
         model = CentralImpact(law, speed, aluminium, 0.1, geometry)
         found = model.run(tmp_path / geometry, model.timestep / 4)
@@ -61,9 +64,10 @@ def test_hertz_duration(law, speed, aluminium, tmp_path):
 
 
 def test_geometries_agree(sphere_law, aluminium, tmp_path):
-    """Primitive wall and mesh wall run the same numbers; 1e-9 is rounding, grown by the
-    cancellation in two positions' difference. So does a pair of equal spheres, with half of R*, m*
-    and E* and twice the overlap, unless the law depends on sigma_Y/E* beside the yield point.
+    """Plane and mesh wall give the same numbers.
+
+    1e-9: round-off that grows where two positions are subtracted. A pair of equal spheres has half
+    of R*, m* and E* and twice the overlap, and agrees too, unless the law depends on sigma_Y/E*.
     """
     models = {
         geometry: CentralImpact(sphere_law, 0.1, aluminium, 0.1, geometry)

@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The cylinder laws against closed forms and the source's figures; a cylinder in the engine."""
+"""The laws for cylinders compared with closed forms and the figures of their source; cylinders
+in LIGGGHTS.
+"""
 
 from __future__ import annotations
 
@@ -30,7 +32,7 @@ def glass(law: str, speed: float = 1.0, radius: float = 1e-5, ratio: float = 10)
 @pytest.mark.parametrize("row", PUBLISHED, ids=lambda row: f"{row.radius}-{row.speed}")
 @pytest.mark.parametrize("name", CYLINDER_LAWS)
 def test_published_laws(name, row):
-    """Without the guard, to the digits given: 1e-5."""
+    """Without energy guard, to the digits of the source: 1e-5."""
     impact = glass(name, row.speed, row.radius * 1e-6, row.length_ratio)
     law = impact.contact_law(energy_guard="off")
     found = law.central_impact(impact.radius_eff, impact.mass_eff, row.speed)
@@ -74,7 +76,7 @@ def test_yield(name):
 @pytest.mark.parametrize("name", CYLINDER_LAWS)
 @pytest.mark.parametrize("top", [0.5, 3, 60])  # times the overlap at yield: every regime
 def test_energies_are_the_forces_work(name, top):
-    """Virgin work by quadrature of the force: 1e-9."""
+    """The work of first loading by quadrature of the force: 1e-9."""
     impact = glass(name)
     law, radius, width = impact.contact_law(energy_guard="off"), impact.radius_eff, 1e-4
     _, overlap_y, _ = central.line_yield(impact.pair, radius, width, width)
@@ -102,7 +104,10 @@ def test_energies_are_the_forces_work(name, top):
 
 @pytest.mark.parametrize("name", CYLINDER_LAWS)
 def test_guard_only_shortens_the_rebound(name):
-    """Just above yield it holds restitution at 1; where the published law loses, it is that law."""
+    """Just above yield, the energy guard keeps restitution at 1.
+
+    Where the published law dissipates, the guard changes nothing.
+    """
     slow, fast = glass(name, 0.6), glass(name, 1.0)
     assert slow.predict().coefficient_of_restitution == pytest.approx(1, abs=1e-12)
     published = slow.contact_law(energy_guard="off").central_impact(1e-5, 1.59e-6, 0.6)
@@ -113,7 +118,10 @@ def test_guard_only_shortens_the_rebound(name):
 
 @pytest.mark.parametrize("name", CYLINDER_LAWS)
 def test_contact_time_is_that_of_the_motion(name):
-    """The quadrature against the equation of motion, DOP853: 1e-5, its share of a kink at yield."""
+    """Quadrature compared with the equation of motion by DOP853.
+
+    1e-5: effect of the kink at yield.
+    """
     impact = glass(name, 1.0)
     law = impact.contact_law()
     loading, total = contact_time(law, 1e-5, 1.59e-6, 1.0)
@@ -163,7 +171,9 @@ def test_study(tmp_path):
 
 
 def test_study_with_the_engine(tmp_path):
-    """The tables are written; the engine is within the 1e-3 of its recommended step."""
+    """The tables are written, and LIGGGHTS agrees within 1e-3, the error of its recommended
+    step.
+    """
     runs = CylinderImpact.study(tmp_path, points=3, progress=False)
     runs.write(tmp_path)
     summary = runs.tables["comparison"]

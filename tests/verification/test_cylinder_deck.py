@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Cylinders in the engine: the deck's lengths, what it refuses, damping, impacts of any size."""
+"""Cylinders in LIGGGHTS: lengths in the deck, refusals, damping, and impacts of any size."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ CYLINDER_LAWS = laws_for("cylinder")
 
 
 def deck(**changes: str) -> str:
-    """cylinder_wall.in with its properties written in, then changed."""
+    """Return cylinder_wall.in with its properties as text, after changes."""
     text = (inputs_folder() / "collision" / "cylinder_wall.in").read_text()
     for old, new in changes.values():
         assert old in text
@@ -31,7 +31,7 @@ def run(text: str, folder, **variables):
 
 
 def lengths(cylinder_length: str, body_thickness: str) -> tuple[str, str]:
-    """A change that gives both types' lengths anew."""
+    """Return a change that replaces the lengths of both types."""
     given = f"""
 unfix cylinder_length
 unfix body_thickness
@@ -42,7 +42,9 @@ pair_style"""
 
 
 def test_either_body_may_bring_either_length(tmp_path):
-    """A rigid cylinder on a body is a cylinder that yields on a rigid wall, and larger counts."""
+    """A rigid cylinder on a yielding body equals a yielding cylinder on a rigid wall, and the
+    larger length counts.
+    """
     found = []
     for case, given in enumerate(
         [("1e-4 0", "1e-4 0"), ("1e-4 0", "0 1e-4"), ("1e-4 1e-5", "2e-5 1e-4")]
@@ -81,7 +83,10 @@ def test_a_deck_in_three_dimensions_is_refused(name, tmp_path):
 
 @pytest.mark.parametrize(("radius", "speed"), [(1e-6, 0.1), (1e-5, 1e-3), (5e-4, 1), (5e-2, 0.01)])
 def test_the_deck_runs_until_the_cylinder_has_left(radius, speed, tmp_path):
-    """Cylinders of any size, slow and fast; restitution to 1e-3, as the time step promises."""
+    """Cylinders of any size, slow and fast.
+
+    Restitution to 1e-3, the error of the recommended step.
+    """
     case = CylinderImpact("lim_stronge", speed, "glass_kp10", radius, body_thickness=10 * radius)
     expected = case.predict().coefficient_of_restitution
     assert case.run(tmp_path).coefficient_of_restitution == pytest.approx(expected, abs=1.1e-3)
@@ -116,7 +121,7 @@ def test_viscous_damping(name, tmp_path):
 
 
 def test_bodies_that_come_later_are_refused_at_their_touch(tmp_path):
-    """A cylinder that turns into what the wall is, after the check before the run."""
+    """A cylinder gets the type of the wall after the check before the run."""
     later = """
 timestep ${timestep}
 fix i all nve/sphere

@@ -30,7 +30,8 @@ COUNT = 8
 
 
 def rayleigh_ritz(kind: str, degree: int, poissons_ratio: float, count: int) -> np.ndarray:
-    """The first k a by another road: least energy over polynomials in r, no Bessel functions.
+    """Return the first k a in another way: least energy over polynomials in r, without Bessel
+    functions.
 
     Displacement (U Y, V r grad Y) or, toroidal, W. By the minimum principle the n-th value found is
     never below the n-th mode, so one that is missed would show as a shift of all above it.
@@ -75,7 +76,10 @@ def rayleigh_ritz(kind: str, degree: int, poissons_ratio: float, count: int) -> 
 @pytest.mark.parametrize("degree", [1, 2, 3, 7, 20])
 @pytest.mark.parametrize("poissons_ratio", RATIOS)
 def test_spheroidal_modes_are_those_of_least_energy(degree, poissons_ratio):
-    """All there, in order: 1e-5 is where the polynomials stand for the highest of these modes."""
+    """All modes are found in order.
+
+    1e-5: error of the polynomials for the highest of these modes.
+    """
     found = spheroidal_roots(degree, poissons_ratio, COUNT)
     expected = rayleigh_ritz("spheroidal", degree, poissons_ratio, COUNT)
     assert found == pytest.approx(expected, rel=1e-5)
@@ -97,8 +101,9 @@ def test_radial_modes_are_those_of_least_energy(poissons_ratio):
 
 @pytest.mark.parametrize("degree", [1, 2, 5])
 def test_every_root_is_one_and_none_is_missed(degree):
-    """The characteristic changes sign at each root, and nowhere else on a grid 10 times finer than
-    the one the roots were found on."""
+    """The characteristic function changes sign at each root, and nowhere else on a grid ten
+    times finer than that of the search.
+    """
     for roots, function in (
         (spheroidal_roots(degree, 0.25, COUNT), lambda x: spheroidal(degree, 0.25, x)),
         (toroidal_roots(degree, COUNT), lambda x: toroidal(degree, x)),
@@ -128,7 +133,7 @@ def test_lambs_and_loves_tables(found, printed):
 
 
 def test_toroidal_degree_one_is_the_textbook_equation():
-    """tan x = 3x/(3 - x^2): a shell turning against the core."""
+    """tan x = 3x/(3 - x^2): the shell turns against the core."""
     for x in toroidal_roots(1, 5):
         assert np.tan(x) == pytest.approx(3 * x / (3 - x**2), rel=1e-10)
 
@@ -164,7 +169,8 @@ def test_impossible_spheres_are_refused(changes, said):
 
 @pytest.mark.parametrize("geometry", GEOMETRIES)
 def test_hertzian_collision_of_the_ice_sphere(geometry, tmp_path):
-    """Duration, largest force and overlap in the engine's own hertz against the closed forms.
+    """Duration, largest force and largest overlap with LIGGGHTS' hertz, compared with the
+    closed forms.
 
     1e-4 at a tenth of the recommended step, which errs by less than 1e-3, at second order; the
     force is read at the steps only.

@@ -26,7 +26,7 @@ def virgin(law: laws.Law, overlaps: np.ndarray, name: str) -> np.ndarray:
 
 
 def overlaps() -> np.ndarray:
-    """From 3 yield overlaps to 0.2 radii: a/R passes 0.41 on the way.
+    """Return overlaps from 3 yield overlaps to 0.2 radii; a/R = 0.41 lies between.
 
     Below, the jump of Jackson and Green's force at 1.9 takes it above Hertz's.
     """
@@ -37,7 +37,7 @@ def overlaps() -> np.ndarray:
 
 @pytest.mark.parametrize("other", [RIGID, STEEL, laws.Body(5e10, 0.4)])
 def test_without_hardening_it_is_jackson_and_green(other):
-    """To rounding, also between two bodies."""
+    """Equal to round-off, also between two bodies."""
     law, twin = (kind(bodies(0, other)) for kind in (laws.Ghaednia2019, laws.JacksonGreen))
     for name in ("force", "contact_radius"):
         assert virgin(law, overlaps(), name) == pytest.approx(
@@ -46,8 +46,11 @@ def test_without_hardening_it_is_jackson_and_green(other):
 
 
 def test_hardening_brings_it_to_hertz():
-    """Force rises and contact radius falls with the tangent modulus, within Hertz's: the force by
-    the source's 1 - exp(-3.3 E_t/E), but for the hardness, which follows the contact radius."""
+    """Force rises and contact radius falls with the tangent modulus, and Hertz is the limit.
+
+    Up to the change of hardness with the contact radius, the force rises as 1 - exp(-3.3 E_t/E), as
+    in the source.
+    """
     hertz = laws.Hertz(bodies(0))
     for name, rising in (("force", True), ("contact_radius", False)):
         found = [virgin(laws.Ghaednia2019(bodies(s)), overlaps(), name) for s in SHARES]

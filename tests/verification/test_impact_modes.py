@@ -12,7 +12,7 @@ ICE = (9.3e9, 0.25, 900.0, 0.01)
 
 
 def test_all_modes_but_the_toroidal_ones_are_there():
-    """Against a table of more degrees and overtones than lie below the frequency."""
+    """Compared with a table of more degrees and overtones than lie below the frequency."""
     table = sphere_modes(*ICE, degrees=range(8), overtones=4)
     table = table[(table["kind"] != "toroidal") & (table["frequency"] <= 255e3)]
     found = impact_modes(*ICE, highest=255e3)

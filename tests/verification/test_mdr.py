@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Zunker & Kamrin's law against LAMMPS' own `normal mdr`, and what its forms promise."""
+"""Zunker & Kamrin's law compared with LAMMPS' own `normal mdr`, and its energies."""
 
 from __future__ import annotations
 
@@ -22,8 +22,11 @@ PRESSES = [
 
 @pytest.mark.parametrize("table", PRESSES)
 def test_force_is_lammps(table):
-    """Pressed, partly let go, pressed further and let go: 1e-6 of the force and, at the end of a
-    rebound, where it goes to zero from a difference of overlaps, 1e-8 of the largest."""
+    """Loading, partial unloading, further loading and unloading.
+
+    1e-6 of the force; near the end of unloading 1e-8 of the largest force, because the force is a
+    difference of overlaps.
+    """
     row = table.iloc[0]
     body = laws.Body(row["youngs_modulus"], row["poissons_ratio"], row["yield_strength"])
     two = row["geometry"] == "two_spheres"
@@ -36,8 +39,9 @@ def test_force_is_lammps(table):
 
 
 def test_energy_guard_acts_just_beyond_yield(paper_pair):
-    """As published the work lost falls by up to 6 % between 1 and 1.14 overlaps at yield, where the
-    guard keeps it; beyond they are the same."""
+    """Between 1 and 1.14 yield overlaps, the dissipated work of the published law falls by up
+    to 6 %, and the guard keeps it constant. Beyond, both are equal.
+    """
     guarded, published = (laws.Mdr(paper_pair, energy_guard=word) for word in ("on", "off"))
     overlap = np.linspace(0.95, 1.5, 1101) * 7.0925e-6
     kept = guarded.follow(0.1, overlap)["plastic_work"]

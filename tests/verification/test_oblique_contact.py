@@ -36,7 +36,7 @@ def contact(law: str = "hertz", body: laws.Body = ELASTIC, **settings: object) -
     ],
 )
 def test_tangential_restitution(settings, expected, error):
-    """Errors of few rings were measured before; 2e-4 is twice the rounding of the table."""
+    """Errors of few rings were measured before; 2e-4 is twice the round-off of the table."""
     outcome = contact(**settings).oblique_impact(3.9, ANGLES)
     assert outcome.tangential_restitution == pytest.approx(np.array(expected), abs=error)
 

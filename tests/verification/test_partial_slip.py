@@ -19,8 +19,11 @@ FRICTION = 0.3
 
 @pytest.fixture
 def glass_sphere():
-    """Of 2.5 mm on a rigid plane, at 3.9 m/s and an angle from the normal, `glass_sphere(angle)`;
-    along the normal nothing is lost."""
+    """Return a function:
+
+    `glass_sphere(angle)` is the impact of a sphere of 2.5 mm on a rigid plane at 3.9 m/s and an
+    angle from the normal. The normal restitution is 1.
+    """
 
     def make(angle: float) -> ObliqueImpact:
         return ObliqueImpact(
@@ -36,7 +39,9 @@ def glass_sphere():
 
 
 def sheared(shifts: np.ndarray) -> np.ndarray:
-    """Tangential force over that of sliding of a contact of overlap 1 after each of some shifts."""
+    """Return tangential force / sliding force of a contact with an overlap of 1, after each of
+    several displacements.
+    """
     rings = Rings(FRICTION, compliance=1.1)
     rings.move(1.0, 0.0)
     forces = []
@@ -50,7 +55,7 @@ def test_a_contact_sheared_under_a_constant_force_is_cattaneos():
     """T = mu F (1 - (1 - s/s_max)^(3/2)), s_max = mu E*/(4 G*) overlap: Cattaneo 1938."""
     share = np.linspace(0.02, 0.98, 25)
     moved = np.diff(share, prepend=0) * FRICTION * 1.1
-    # Rings hold this contact exactly: rounding only.
+    # Rings hold this contact exactly: round-off only.
     assert sheared(moved) == pytest.approx(1 - (1 - share) ** 1.5, rel=1e-12)
 
 
@@ -59,7 +64,7 @@ def test_beyond_its_reach_it_slides_at_the_limit_of_friction():
 
 
 def test_sheared_back_it_follows_mindlin_and_deresiewicz():
-    """Unloading is the virgin curve at twice the scale, T* - 2 mu F (1 - (1 - ds/(2 s_max))^1.5):
+    """Unloading is the loading curve at twice the scale, T* - 2 mu F (1 - (1 - ds/(2 s_max))^1.5):
     Mindlin & Deresiewicz 1953, J. Appl. Mech. 20:327."""
     reach = FRICTION * 1.1
     back = np.linspace(0.05, 1.0, 12)
@@ -70,7 +75,7 @@ def test_sheared_back_it_follows_mindlin_and_deresiewicz():
 
 
 def test_steeply_along_the_surface_it_slides_throughout(glass_sphere):
-    """It leaves as rigid bodies do; the steps miss 1e-4 of the normal impulse."""
+    """The sphere leaves as a rigid body that slides; the steps miss 1e-4 of the normal impulse."""
     impact = glass_sphere(60)
     after, rigid = partial_slip(impact), impact.rigid_sliding()
     gained = impact.before.along - rigid.along

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A yield strength that grows with the rate of the impact, without the engine."""
+"""A yield strength that grows with the strain rate of the impact, without LIGGGHTS."""
 
 from __future__ import annotations
 
@@ -55,7 +55,7 @@ def test_impact_is_that_of_the_strength_at_its_rate(name, speed, law_between):
 
 
 def test_thornton_has_a_closed_form():
-    """v_y grows as the strength to 5/2."""
+    """The yield speed is proportional to the strength to the power 5/2."""
     for speed in (0.02, 0.2, 2.0):
         factor = laws.rate_factor(PAIR, RADIUS, speed)
         scale = central.yield_speed(PAIR, RADIUS, MASS) * factor**2.5
@@ -65,7 +65,7 @@ def test_thornton_has_a_closed_form():
 
 
 def test_given_hardness_grows_too():
-    """A constant in Pa is a pressure of plastic flow."""
+    """A constant in Pa is a pressure of plastic flow, so the rate factor multiplies it."""
     factor = laws.rate_factor(PAIR, RADIUS, 0.2)
     found = laws.Brake2015(PAIR, indentation_pressure=3e8).central_impact(RADIUS, MASS, 0.2)
     hard = laws.Brake2015(stronger(factor), indentation_pressure=factor * 3e8)
@@ -75,7 +75,9 @@ def test_given_hardness_grows_too():
 
 @pytest.mark.parametrize("name", SPHERES)
 def test_two_equal_spheres_are_one_on_a_rigid_plane(name, law_between):
-    """At +-v and at v: the same rate, the same factor, the same impact, to rounding."""
+    """Two spheres at speeds of +-v and one sphere at v have the same rate, factor and impact,
+    to round-off.
+    """
     two = laws.combine(BODY, BODY)
     for speed in (0.02, 0.2, 20.0):
         assert laws.rate_factor(two, RADIUS / 2, 2 * speed) == laws.rate_factor(PAIR, RADIUS, speed)
@@ -100,7 +102,9 @@ def test_restitution_rises_with_the_coefficient(name, law_between):
 
 
 def test_a_law_is_at_rest_unless_told_the_impact():
-    """What it answers along a path is that of its strength; `at_impact` gives the law of one."""
+    """Along a path, a law uses its strength at rest; `at_impact` returns the law during an
+    impact.
+    """
     law, plain = laws.Thornton(PAIR), laws.Thornton(stronger(1))
     overlap = np.linspace(0, 1e-4, 20)
     assert (law.follow(RADIUS, overlap)["force"] == plain.follow(RADIUS, overlap)["force"]).all()

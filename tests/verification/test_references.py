@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Every law against its reference, numpy's own account of the source's equations."""
+"""Every law compared with its reference, an independent implementation of the source's
+equations in numpy.
+"""
 
 from __future__ import annotations
 
@@ -15,11 +17,12 @@ from plastigran import laws
 from plastigran.materials import RIGID, read_material
 
 RADIUS, LENGTH = 0.1, 1.0  # of sphere or cylinder, and of the cylinder; m
-#: Largest overlaps, over that at which the law's elastic formula ends.
+#: Largest overlaps, divided by the overlap at which the elastic formula ends.
 PEAKS = (0.5, 0.9, 1.001, 1.05, 1.5, 3, 6.03, 20, 60, 139.3, 1500)
-#: The two ways of a reference agree to 1e-9; vu_quoc_zhang's default constants keep six digits.
+#: Energies and motion of a reference agree to 1e-9; the default constants of vu_quoc_zhang have six
+#: digits.
 TOLERANCE = dict.fromkeys(impacts.LAWS, 1e-9) | {"vu_quoc_zhang": 3e-6}
-#: Laws whose contact radius other tests hold: of Hertz, of Vu-Quoc & Zhang, of cylinders.
+#: Laws whose contact radius other tests check.
 RADIUS_ELSEWHERE = {"hertz", "viscoelastic_hertz", "vu_quoc_zhang", "katta_polycarpou"}
 RADIUS_ELSEWHERE |= {"lim_stronge"}
 
@@ -30,7 +33,7 @@ def test_impacts(case):
     law, index = CASES[case]
     expected, found = impacts.outcome(law, index), impact(law, index).predict()
     for quantity in OUTCOMES:
-        # A residual overlap is a difference: to the tolerance's share of the largest overlap.
+        # A residual overlap is a difference, so its tolerance is relative to the largest overlap.
         margin = expected.overlap_max if quantity == "overlap_res" else 0
         assert getattr(found, quantity) == pytest.approx(
             getattr(expected, quantity), rel=TOLERANCE[law], abs=TOLERANCE[law] * margin
@@ -38,7 +41,9 @@ def test_impacts(case):
 
 
 def options(name: str) -> list[str]:
-    """What a law is told: nothing, each other reading of its source, and no energy guard."""
+    """Return the options of a law: none, each other interpretation of its source, and no energy
+    guard.
+    """
     kind = impacts.reference(name)
     return ["", *kind.readings, *(["energy_guard off"] if kind.energy_guard else [])]
 
@@ -51,7 +56,7 @@ def options(name: str) -> list[str]:
     ]
 )
 def twins(request, law_between):
-    """A law's name, the law and its reference, of a body on a rigid plane.
+    """Return a law's name, the law and its reference for a body on a rigid plane.
 
     A reading of R* and E* shows between two such bodies, of which E* is half.
     """
@@ -74,7 +79,7 @@ def twins(request, law_between):
 
 
 def test_every_option_is_held(law_name):
-    """Each choice of a law is its default or one that a reference takes."""
+    """Each choice of a law is its default or one that a reference has."""
     given = [option.split() for option in options(law_name) if option]
     for option in laws.LAWS[law_name].options():
         taken = {choice for name, choice in given if name == option["name"]}
@@ -89,7 +94,7 @@ def peaks(reference) -> np.ndarray:
 
 
 def test_force_on_a_path(twins):
-    """Pressed further and further, let go to nothing in between."""
+    """Loading to increasing overlaps, with full unloading between."""
     name, law, reference = twins
     share = np.concatenate([np.linspace(0, 1, 7), np.linspace(0.97, 0, 12)])
     path = np.concatenate([peak * share for peak in peaks(reference)])
@@ -102,8 +107,10 @@ def test_force_on_a_path(twins):
 
 
 def test_contact_radius(twins):
-    """On the virgin curve, and where 0.6 of the rebound is left: 1e-6, for the reference's slopes
-    are differences."""
+    """During first loading, and where 0.6 of the unloading curve remains.
+
+    1e-6: the slopes of the reference are finite differences.
+    """
     name, law, reference = twins
     if type(reference).contact_radius is Contact.contact_radius:
         assert name in RADIUS_ELSEWHERE
@@ -121,7 +128,9 @@ def test_contact_radius(twins):
 
 
 def test_energies(twins):
-    """What is lost and what is stored at the largest overlap: the force's work by quadrature."""
+    """Dissipated and stored energy at the largest overlap, compared with the work of the force
+    by quadrature.
+    """
     name, law, reference = twins
     for peak in peaks(reference):
         found = law.respond(RADIUS, peak, law.State())

@@ -14,7 +14,7 @@ from plastigran.physics.oblique import Motion, ObliqueImpact
 
 
 def test_spring_and_slider_without_friction_or_slip():
-    """No friction leaves the tangential motion alone; rolling surfaces stay as they are."""
+    """Without friction, the tangential motion does not change; rolling surfaces do not slip."""
     pair = laws.combine(laws.Body(7e10, 0.3, 1e30, 1.61), RIGID)
     before = Motion(normal=1.0, along=0.3, spin=5.0)
     smooth = ObliqueImpact(pair, 0.01, 1.0, 0.0, 0.7, before)
@@ -25,7 +25,8 @@ def test_spring_and_slider_without_friction_or_slip():
 
 @pytest.mark.parametrize(("poissons_ratio", "gained"), [(0.1, 0.030), (0.23, 0.004), (0.3, -0.030)])
 def test_sticking_spring_gains_or_loses_energy(poissons_ratio, gained):
-    """A spring that hardly slides: energy along the surface gained by the impact, over what it had.
+    """A spring that hardly slides: tangential energy gained in the impact, divided by the
+    initial tangential energy.
 
     The force is k_t(a) times the path, not the sum of its increments: its work depends on when the
     path was made, for the stiffness grows as the contact does and shrinks with it. Whether the

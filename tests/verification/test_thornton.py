@@ -11,7 +11,7 @@ from plastigran.physics import central
 
 
 def test_restitution_closed_form(paper_pair, paper_mass):
-    """Equal at every speed: 1e-9, the closed form's own rounding near yield."""
+    """At every speed. 1e-9: round-off of the closed form near yield."""
     law = laws.Thornton(paper_pair)
     scale = central.yield_speed(paper_pair, 0.1, paper_mass)
     for ratio in [0.5, 0.99, 1.001, *np.geomspace(1.01, 1e4, 40)]:
@@ -28,7 +28,7 @@ def test_yield_speed_constant(paper_pair, paper_mass):
 
 
 def test_slope_is_continuous_at_yield(paper_pair):
-    """dF/d(overlap) = pi p_y R* on both sides; 1e-5 for a difference over 1e-6 of the overlap."""
+    """dF/d(overlap) = pi p_y R* on both sides. 1e-5: difference over 1e-6 of the overlap."""
     law = laws.Thornton(paper_pair)
     overlap_y = 0.1 * laws.yield_radius_ratio(paper_pair) ** 2
 
@@ -43,7 +43,7 @@ def test_slope_is_continuous_at_yield(paper_pair):
 
 
 def test_contact_radius(paper_pair):
-    """a^2 = R* overlap on the virgin curve; the area at the maximum shrinks linearly to nothing."""
+    """a^2 = R* overlap during first loading; during unloading, the area falls linearly to zero."""
     law, state = laws.Thornton(paper_pair), laws.Thornton.State()
     overlap = 30 * 0.1 * laws.yield_radius_ratio(paper_pair) ** 2
     peak = law.respond(0.1, overlap, state)

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The recommended time step keeps restitution to 1e-3, and to 1.2e-3 where the force has kinks,
-whenever within a step a contact begins."""
+"""At the recommended time step, the error of restitution is at most 1e-3, and 1.2e-3 if the
+force has kinks, for any phase of the step in which a contact begins.
+"""
 
 from __future__ import annotations
 
@@ -28,7 +29,7 @@ STATED = {
     "mdr": 1.1e-3,
 }
 RADIUS, MASS = 0.01, 4 / 3 * pi * 0.01**3 * 2500
-#: K_c P_Y of Vu-Quoc & Zhang, as their law has it.
+#: K_c P_Y of the law of Vu-Quoc & Zhang.
 GROWTH = 0.00980426
 LAWS = [
     name
@@ -38,7 +39,7 @@ LAWS = [
 
 
 def impacts(name: str, count: int, seed: int) -> Iterator[tuple]:
-    """Laws between random materials, and speeds that load them up to the end of their range."""
+    """Return laws between random materials, and speeds up to the end of their range."""
     random = np.random.default_rng(seed)
     for _ in range(count):
         modulus = 10 ** random.uniform(7, 11.5)
@@ -55,7 +56,9 @@ def impacts(name: str, count: int, seed: int) -> Iterator[tuple]:
 
 
 def restitution(law, speed: float, step: float, phase: float) -> float:
-    """Velocity Verlet; the contact begins `phase` of a step before the first point in it."""
+    """Return the restitution by velocity Verlet; the contact begins `phase` of a step before
+    its first point.
+    """
     state, overlap, rate = law.State(), phase * speed * step, speed
     force = law.respond(RADIUS, overlap, state).force
     while True:
@@ -69,7 +72,7 @@ def restitution(law, speed: float, step: float, phase: float) -> float:
 
 @pytest.mark.parametrize("name", LAWS)
 def test_restitution_at_the_recommended_step(name):
-    """Also where the force jumps within the impact: a jump shortens the step."""
+    """Also where the force jumps during the impact; a jump shortens the step."""
     worst = 0.0
     for law, speed in impacts(name, 40, seed=3):
         exact = law.central_impact(RADIUS, MASS, speed).coefficient_of_restitution
@@ -99,7 +102,7 @@ def test_step_where_the_rebound_is_short(strength, speed):
 
 @pytest.mark.parametrize("name", LAWS)
 def test_step_is_positive(name):
-    """Also for metals far softer and impacts far harder than the law is good for."""
+    """Also for metals and impacts far beyond the range of the law."""
     for strength in np.geomspace(1e-7, 0.1, 25):
         body = laws.Body(youngs_modulus=7e10, poissons_ratio=0.3, yield_strength=7e10 * strength)
         law = laws.LAWS[name](laws.combine(body, RIGID))

@@ -22,7 +22,9 @@ PAIR = laws.combine(laws.Body(9.3e9, 0.25), RIGID)
 
 
 def constant(number: float, speed: float = SPEED) -> float:
-    """The dissipative constant [s] that gives the sphere of this file a v* at a speed."""
+    """Return the dissipative constant [s] for which an impact of this file's sphere at `speed`
+    has the dimensionless speed v*.
+    """
     return (
         number / central.viscoelastic_number(1.0, RADIUS, MASS, PAIR.youngs_modulus_eff, speed)
     ) ** 2
@@ -38,7 +40,7 @@ def restitution(number: float) -> float:
 
 @pytest.mark.parametrize("number", [0.05, 0.3, 0.6, 1.0, 2.0, 4.0])
 def test_impact_is_the_equation_of_motion(number):
-    """Two integrators, two sets of variables: 1e-9."""
+    """Two integrators with different variables: 1e-9."""
     rate = motion(number**2).y[1]
     assert restitution(number) == pytest.approx(-rate[-1], rel=1e-9)
 
@@ -54,7 +56,7 @@ def test_impact_is_the_equation_of_motion(number):
     ],
 )
 def test_pade_form_is_as_good_as_it_is(number, off, digit):
-    """The Padé form lies above the equation of motion by what docs/laws state."""
+    """The Padé form exceeds the equation of motion by the amount that docs/laws states."""
     found = float(central.viscoelastic_restitution(number)) / restitution(number) - 1
     assert found == pytest.approx(off, abs=digit)
 
@@ -84,7 +86,7 @@ def test_restitution_falls_with_speed_and_grows_with_radius():
 
 
 def test_only_the_number_matters():
-    """Spheres of other size, speed, stiffness, mass at one v*: one restitution."""
+    """Spheres of different size, speed, stiffness and mass with one v* have one restitution."""
     steel = laws.combine(laws.Body(2.1e11, 0.3), laws.Body(7e10, 0.33))
     scale = float(central.viscoelastic_number(1.0, 0.2, 3.0, steel.youngs_modulus_eff, 5.0))
     other = laws.ViscoelasticHertz(steel, dissipative_constant=(0.7 / scale) ** 2)
@@ -105,14 +107,15 @@ def test_spheres_part_before_they_stop_overlapping_and_never_pull():
 
 
 def test_energy_ledger_closes():
-    """Work done on the contact = stored + lost, at every moment; what is lost only grows. 1e-6:
-    Simpson's rule over the moments."""
+    """At every time, the work on the contact equals stored plus dissipated energy, and the
+    dissipated energy grows. 1e-6: Simpson's rule.
+    """
     number, contact = 0.6, law(0.6)
     overlap_unit = (MASS * SPEED**2 / (4 / 3 * PAIR.youngs_modulus_eff * sqrt(RADIUS))) ** 0.4
     root = motion(number**2).y[0]
     fine = np.linspace(0, 1, 4001)
     index = np.linspace(0, 1, len(root))
-    # Any path will do, so a smooth one near the motion: the ledger is the law's, not the impact's.
+    # The energies of the law are tested on any smooth path, here one near the motion.
     fit_root = np.polynomial.Polynomial.fit(index, root, 8)
     overlap = fit_root(fine) ** 2 * overlap_unit
     rate = 2 * fit_root(fine) * fit_root.deriv()(fine) * overlap_unit
@@ -174,7 +177,7 @@ def test_laws_that_yield_need_a_strength_and_the_others_do_not():
 @pytest.mark.parametrize("geometry", GEOMETRIES)
 @pytest.mark.parametrize("number", [0.1, 0.3, 0.6])
 def test_engine_gives_the_pade_form(number, geometry, tmp_path):
-    """At the recommended step, to its 1e-3 and what the Padé form itself is off by."""
+    """At the recommended step. Tolerance: 1e-3 of the step, plus the error of the Padé form."""
     ice = evolve(read_material("ice"), dissipative_constant=constant(number))
     found = CentralImpact("viscoelastic_hertz", SPEED, ice, RADIUS, geometry).run(tmp_path)
     expected = float(central.viscoelastic_restitution(number))

@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Vu-Quoc-Zhang against the paper's own equations with dimensions, references/vu_quoc_zhang.py."""
+"""Vu-Quoc & Zhang's law compared with the paper's dimensional equations,
+references/vu_quoc_zhang.py.
+"""
 
 from __future__ import annotations
 
@@ -23,7 +25,7 @@ def law(paper_pair):
 
 
 def test_yield_force_is_the_papers(law):
-    """36.45 N in the paper; 36.4471 N from its formula."""
+    """The paper prints 36.45 N; its formula gives 36.4471 N."""
     assert law.yield_force(RADIUS) == pytest.approx(36.4471, rel=2e-6)
 
 
@@ -40,8 +42,11 @@ def test_default_constants_are_the_papers():
 @settings(max_examples=max(100, settings.default.max_examples))
 @given(turns=st.lists(st.floats(0, 1), min_size=1, max_size=6))
 def test_follows_the_paper_on_any_path(turns):
-    """Loading, unloading, reloading up to 300 P_Y; 3e-6 is what the header's constants keep, of the
-    largest force, since near the residual overlap the force is a difference raised to 3/2."""
+    """Loading, unloading and reloading up to 300 P_Y.
+
+    3e-6 of the largest force: the header's constants have six digits, and near the residual overlap
+    the force is a difference to the power 3/2.
+    """
     pair = laws.combine(laws.Body(7e10, 0.3, 1e8, 1.61), laws.Body(1e30, 0.3, 1e30, 1.61))
     reach = PAPER.overlap_under(300 * P_Y)
     path = np.concatenate([np.linspace(0, turn, 5) * reach for turn in turns])
@@ -60,7 +65,7 @@ def test_force_driven_form_inverts_the_law(law):
         overlap = law.overlap(RADIUS, p, laws.VuQuocZhang.State())
         assert overlap == pytest.approx(PAPER.overlap_under(p), rel=1e-6)
         back = law.respond(RADIUS, overlap, laws.VuQuocZhang.State()).force
-        assert back == pytest.approx(p, rel=1e-12)  # rounding
+        assert back == pytest.approx(p, rel=1e-12)  # round-off
 
 
 def test_force_driven_form_unloads_alike(law):
@@ -73,7 +78,7 @@ def test_force_driven_form_unloads_alike(law):
 
 
 def test_restitution_is_the_papers(law, paper_mass):
-    """0.4773 at 0.20 m/s: to 1e-3, that simulation's time-step error."""
+    """0.4773 at 0.20 m/s. 1e-3: time-step error of the simulation in the paper."""
     found = law.central_impact(RADIUS, paper_mass, 0.2).coefficient_of_restitution
     assert found == pytest.approx(0.4773, rel=1e-3)
 
@@ -83,7 +88,7 @@ def test_restitution_is_the_papers(law, paper_mass):
     [(0.1, 7e10, 2699, 1e8), (1e-3, 7e10, 2699, 1e8), (1e-3, 2.1e11, 7850, 3e8)],
 )
 def test_size_and_material_drop_out(radius, youngs_modulus, density, yield_strength):
-    """Restitution depends on speed over yield speed alone (at one Poisson's ratio)."""
+    """Restitution depends only on speed / yield speed, for one Poisson's ratio."""
     from plastigran.physics import central
 
     body = laws.Body(youngs_modulus, 0.3, yield_strength)

@@ -32,7 +32,7 @@ class Reference(CentralImpact):
         overlap_p = radius * (1.5 * pi * hardness / material.modulus) ** 2
 
         def shares(overlap):
-            """Meyer's index n, and s."""
+            """Return Meyer's index n and the ratio s."""
             index = 2.4 if self.reading == "meyer_index 2.4" else 2
             return index, (overlap - overlap_y) / (overlap_p - overlap_y)
 

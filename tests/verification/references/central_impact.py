@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A central impact found two ways from a law's equations: from energies and from the motion."""
+"""Central impact by the equations of a law, computed in two ways: from energies and from the
+motion.
+"""
 
 from __future__ import annotations
 
@@ -16,7 +18,9 @@ from scipy.optimize import brentq
 
 @dataclass(frozen=True)
 class Outcome:
-    """What comes of an impact, as a case file's columns: -, N, m, m, s."""
+    """Outcome of an impact: restitution [-], force [N], overlaps [m], time [s], as in the
+    tables of cases.
+    """
 
     coefficient_of_restitution: float
     force_max: float
@@ -25,14 +29,14 @@ class Outcome:
     contact_time: float
 
     def agrees_with(self, other: Outcome) -> bool:
-        """Every number to 1e-9 of itself, the residual overlap to 1e-9 of the largest."""
+        """Compare all numbers to 1e-9; the residual overlap to 1e-9 of the largest overlap."""
         scale = astuple(replace(self, overlap_res=self.overlap_max))
         off = np.abs(np.subtract(astuple(self), astuple(other)))
         return bool((off <= 1e-9 * np.array(scale)).all())
 
 
 class CentralImpact(Contact):
-    """The central impact of a sphere on a rigid plane; each reference is a subclass.
+    """Central impact of a sphere on a rigid plane; each reference is a subclass.
 
     Attributes:
         cases: Impacts to compare, a table of CSV.
@@ -57,14 +61,16 @@ aluminium_zv02,0.1,0.20
 
     @cached_property
     def overlap_max(self) -> float:
-        """Largest overlap [m]: the virgin work is the kinetic energy."""
+        """Return the largest overlap [m], where the work of first loading equals the kinetic
+        energy.
+        """
         energy, reach = 0.5 * self.mass * self.speed**2, 1e-9 * self.radius
         while self.virgin_work(reach) < energy:
             reach *= 2
         return brentq(lambda x: self.virgin_work(x) - energy, 0, reach, xtol=1e-30, rtol=1e-15)
 
     def by_energies(self) -> Outcome:
-        """Work and time by quadrature."""
+        """Compute work and time by quadrature."""
         top, energy = self.overlap_max, 0.5 * self.mass * self.speed**2
         force_max, (recovery, shape) = self.virgin_force(top), self.rebound(top)
         returned = force_max * recovery * work(shape, 0, 1)
@@ -76,13 +82,15 @@ aluminium_zv02,0.1,0.20
             else:
                 time += self.duration(force, begin, top)
                 break
-        # The way back, with the share that is left in place of the overlap.
+        # Unloading, in terms of the remaining fraction of the recovery.
         time += recovery * self.duration(lambda left: force_max * recovery * shape(left), 0, 1)
         return Outcome(sqrt(returned / energy), force_max, top, top - recovery, time)
 
     def duration(self, force: Callable, begin: float, end: float, kinetic: float = 0) -> float:
-        """Time [s] between two overlaps [m], given the kinetic energy [J] at the second; taken over
-        the root of what is left of the way, in which a turning point is no singularity."""
+        """Return the time [s] between two overlaps [m], given the kinetic energy [J] at the
+        second one. The integral over the root of the remaining distance has no singularity at a
+        turning point.
+        """
 
         def pace(root: float) -> float:
             energy = kinetic + work(force, end - root**2, end)
@@ -91,8 +99,10 @@ aluminium_zv02,0.1,0.20
         return quad(pace, 0, sqrt(end - begin), epsabs=0, epsrel=1e-11, limit=200)[0]
 
     def by_motion(self) -> Outcome:
-        """The equation of motion by DOP853, in units of the speed and of the largest overlap; each
-        formula of the force is followed to its end, so that no step crosses a jump."""
+        """Integrate the equation of motion by DOP853 in dimensionless variables.
+
+        The integration stops where one formula of the force ends, so no step crosses a jump.
+        """
         unit = self.overlap_max
         scale = unit / (self.mass * self.speed**2)
         state, loading = np.array([0.0, 1.0]), 0.0
@@ -113,8 +123,10 @@ aluminium_zv02,0.1,0.20
 
 
 def motion(begin, force: Callable, *ends: float) -> tuple[float, np.ndarray]:
-    """Time taken, and overlap and rate at its end, of a unit mass that is pushed back by a force.
-    Ends where the overlap reaches the first end or, if there is one, the rate the second."""
+    """Return duration, and overlap and rate at the end, of the motion of a unit mass against a
+    force. The motion ends where the overlap reaches the first limit or the rate reaches the
+    second.
+    """
     events = [lambda _, y, i=i, end=end: y[i] - end for i, end in enumerate(ends)]
     for event in events:
         event.terminal = True

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A contact law as its source prints it, with dimensions; nothing here uses the compiled laws."""
+"""A contact law as its source prints it, with dimensions. Nothing here uses the compiled laws."""
 
 from __future__ import annotations
 
@@ -15,8 +15,9 @@ from scipy.optimize import minimize_scalar
 
 @dataclass(frozen=True)
 class Material:
-    """A body that meets a rigid plane: elastic constants [Pa, -], density [kg/m^3], uniaxial yield
-    strength [Pa], contact yield pressure over it, own constants of a law, tangent modulus [SI]."""
+    """A body on a rigid plane: elastic constants [Pa, -], density [kg/m^3], uniaxial yield
+    strength [Pa], yield pressure / yield strength, constants of a law, tangent modulus [Pa].
+    """
 
     youngs_modulus: float
     poissons_ratio: float
@@ -28,12 +29,12 @@ class Material:
 
     @cached_property
     def modulus(self) -> float:
-        """E* [Pa] against a rigid plane."""
+        """Return E* on a rigid plane [Pa]."""
         return self.youngs_modulus / (1 - self.poissons_ratio**2)
 
     @cached_property
     def yield_pressure(self) -> float:
-        """Contact yield pressure p_y [Pa]."""
+        """Return the yield pressure p_y [Pa]."""
         return self.yield_pressure_factor * self.yield_strength
 
 
@@ -50,15 +51,15 @@ MATERIALS = {
 
 
 def work(force: Callable[[float], float], begin: float, end: float) -> float:
-    """Integral of a smooth force, to rounding."""
+    """Return the integral of a smooth force to round-off."""
     return quad(force, begin, end, epsabs=0, epsrel=1e-12, limit=200)[0]
 
 
 class Contact:
-    """A sphere, or what a subclass makes of it, on a rigid plane.
+    """Contact of a sphere, or of the body of a subclass, with a rigid plane.
 
     Attributes:
-        pieces: Where each formula of the virgin force ends [m] and the formula, ascending. The
+        pieces: Ends [m] of the formulas of first loading, and the formulas, ascending. The
             first is elastic; the last ends at infinity. A subclass sets them.
         energy_guard: Whether the rebound is shortened where the work lost would fall as the contact
             is pressed further.
@@ -75,15 +76,18 @@ class Contact:
         self.material, self.radius = material, radius
 
     def hertz(self, overlap: float) -> float:
-        """4/3 E* sqrt(R*) d^1.5 [N]."""
+        """Return 4/3 E* sqrt(R*) d^1.5 [N]."""
         return 4 / 3 * self.material.modulus * sqrt(self.radius) * overlap**1.5
 
     def overlap_at(self, pressure: float) -> float:
-        """Overlap [m] at which Hertz's largest pressure is a given one [Pa]: R* (pi p/2E*)^2."""
+        """Return the overlap [m] at which Hertz' largest pressure has a value [Pa]:
+
+        R* (pi p/2E*)^2.
+        """
         return self.radius * (pi * pressure / (2 * self.material.modulus)) ** 2
 
     def published_rebound(self, overlap_max: float) -> tuple[float, Callable]:
-        """The source's rebound from a largest overlap [m] beyond yield.
+        """Return the source's unloading curve from a largest overlap [m] beyond yield.
 
         Returns:
             The overlap recovered, down to the residual one [m], and the force over the largest, as
@@ -92,12 +96,14 @@ class Contact:
         raise NotImplementedError
 
     def contact_radius(self, overlap: float) -> float:
-        """Contact radius [m] on the virgin curve beyond yield."""
+        """Return the contact radius [m] during first loading beyond yield."""
         raise NotImplementedError
 
     def released_radius(self, left: float, shape: Callable) -> float:
-        """Contact radius over the largest where a share of the way of `shape`, the rebound's, is
-        left: as Hertz's it is the slope of the force. To 1e-8, by differences."""
+        """Return contact radius / largest contact radius at a remaining fraction of the
+        unloading curve `shape`. As for Hertz, it is proportional to the slope of the force.
+        Differences give it to 1e-8.
+        """
         step = 1e-4
 
         def slope(share: float) -> float:
@@ -110,7 +116,9 @@ class Contact:
 
     @cached_property
     def works(self) -> list[tuple[float, float]]:
-        """Overlap [m] at which each formula begins and the virgin work [J] up to there."""
+        """Return the overlap [m] at which each formula begins, and the work of first loading up
+        to there [J].
+        """
         found = [(0.0, 0.0)]
         for end, force in self.pieces[:-1]:
             begin, before = found[-1]
@@ -126,7 +134,9 @@ class Contact:
         return before + work(force, begin, overlap)
 
     def rebound(self, overlap_max: float) -> tuple[float, Callable]:
-        """The rebound from any largest overlap [m], with the energy guard; as published_rebound."""
+        """Return the unloading curve from any largest overlap [m], with the energy guard; as
+        `published_rebound`.
+        """
         end, elastic = self.pieces[0]
         force_max = self.virgin_force(overlap_max)
         if overlap_max <= end:
@@ -143,7 +153,9 @@ class Contact:
         return self.virgin_work(overlap_max) - returned
 
     def largest_loss(self, reach: float) -> float:
-        """Largest work lost [J] in loading up to an overlap: a scan, made exact at its maximum."""
+        """Return the largest dissipated work [J] during loading to an overlap: a scan that is
+        refined at its maximum.
+        """
         breaks = [end * side for end, _ in self.pieces for side in (1, 1 + 1e-12)]
         scan = {*np.geomspace(breaks[1], reach, 40)[:-1], *breaks, reach}
         scan = sorted(x for x in scan if breaks[0] < x <= reach)
@@ -160,7 +172,7 @@ class Contact:
         return max(0.0, *loss)
 
     def follow(self, overlaps) -> np.ndarray:
-        """Force [N] along a path of overlaps [m], from a virgin contact on."""
+        """Return the force [N] along a path of overlaps [m] from first touch."""
         forces, overlap_max, rebound = [], 0.0, None
         for overlap in overlaps:
             if overlap >= overlap_max:

@@ -45,7 +45,7 @@ steel_s355,0.01,2.0
         return np.sqrt(left)  # of both readings, as in kogut_etsion
 
     def hardness_ratio(self, x):
-        """4 H/(C Y)."""
+        """Return 4 H/(C Y)."""
         ratio = self.contact_radius(x * self.overlap_c) / self.radius
         return 4 * (2.84 - 0.92 * (1 - np.cos(np.pi * ratio))) / self.yield_factor
 

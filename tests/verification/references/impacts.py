@@ -13,7 +13,7 @@ from pathlib import Path
 from references.central_impact import CentralImpact, Outcome
 from references.contact import MATERIALS
 
-#: Laws that have a reference: every module here but this one and what they share.
+#: Laws with a reference: every module of this folder except this one and shared ones.
 LAWS = sorted(
     {path.stem for path in Path(__file__).parent.glob("*.py")}
     - {"central_impact", "contact", "impacts"}
@@ -25,7 +25,8 @@ def reference(law: str) -> type[CentralImpact]:
 
 
 def jumps(law: str) -> list[tuple[float, float]]:
-    """Return where one formula of the virgin force ends and the next begins with another force.
+    """Return the overlaps at which one formula of first loading ends and the next begins with
+    another force.
 
     Each jump has its overlap divided by that at yield, and its share of the force, for the first
     impact of the law.
@@ -53,7 +54,7 @@ def _impact(law: str, row: dict[str, str | float]) -> CentralImpact:
 
 @cache
 def outcome(law: str, index: int) -> Outcome:
-    """Return the outcome of an impact, which energies and motion give alike.
+    """Return the outcome of an impact; energies and motion give the same.
 
     Raises:
         ValueError: The two ways do not agree to 1e-9, or the elastic range leaves no rebound to

@@ -37,7 +37,7 @@ class Reference(CentralImpact):
         return np.sqrt(self.radius * overlap * (overlap / (1.9 * self.overlap_c)) ** growth)
 
     def hardness_ratio(self, x):
-        """4 H/(C Y)."""
+        """Return 4 H/(C Y)."""
         ratio = self.contact_radius(x * self.overlap_c) / self.radius
         if self.reading == "hardness exponential":
             hardness = 2.84 * (1 - np.exp(-0.82 * ratio**-0.7))

@@ -27,7 +27,7 @@ class Reference(CentralImpact):
         self.ratio = ratio = material.modulus / material.yield_strength
 
         def area(overlap):
-            """pi r'^2 over the denominator, Ye & Komvopoulos's area."""
+            """Return pi r'^2 over the denominator: the contact area of Ye & Komvopoulos."""
             truncated = overlap * (2 * radius - overlap)
             slope = overlap / np.sqrt(truncated)
             share = np.maximum(0.71, 2.192 - np.log(ratio**0.394 * slope**0.419))

@@ -59,11 +59,13 @@ glass_kp10,5.0e-06,5,1.59e-6,100,1e-4
         self.pieces = [(self.overlap_y, elastic), (end, cavity), (inf, full)]
 
     def half_width(self, overlap):
-        """Beyond yield [m]."""
+        """Return the half-width beyond yield [m]."""
         return np.sqrt(self.radius_y**2 + 2 * self.radius * (overlap - self.overlap_y))
 
     def crater(self, overlap_max):
-        """Half-width [m], q [m] and curvature 1/R_b [1/m] at the largest overlap."""
+        """Return half-width [m], q [m] and curvature 1/R_b [1/m] of the crater at the largest
+        overlap.
+        """
         half_width = self.half_width(overlap_max)
         q = self.virgin_force(overlap_max) / self.line_stiffness
         return half_width, q, 1 / self.radius - 4 * q / half_width**2

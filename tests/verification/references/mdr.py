@@ -47,7 +47,7 @@ aluminium_zv02,0.1,0.20
         self.pieces = [(self.yield_overlap, self.elastic), (inf, self.beyond)]
 
     def pressure(self, overlap):
-        """Average pressure p where the contact yields [Pa]."""
+        """Return the mean pressure p at which the contact yields [Pa]."""
         return self.material.yield_strength * (1.75 * np.exp(-4.4 * overlap / self.radius) + 1)
 
     def mapped(self, overlap, height, width):
@@ -61,12 +61,12 @@ aluminium_zv02,0.1,0.20
         return self.mapped(overlap, 4 * self.radius, 2 * self.radius)
 
     def contact_radius(self, overlap):
-        """The largest one, a [m], where the contact has reached an overlap beyond yield."""
+        """Return the largest contact radius a [m], at an overlap beyond yield."""
         intercept = self.yield_overlap**2 - self.yield_overlap * self.radius
         return np.sqrt(2 * overlap * self.radius - overlap**2 + intercept)
 
     def height(self, overlap):
-        """A [m]."""
+        """Return A [m]."""
         return 4 * self.pressure(overlap) * self.contact_radius(overlap) / self.material.modulus
 
     def beyond(self, overlap):

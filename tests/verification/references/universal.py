@@ -42,7 +42,7 @@ class Reference(CentralImpact):
         return t * (6.791 + w * (t - 1)) / (6.791 + t - 1) - 1
 
     def wide(self, depth):
-        """Z."""
+        """Return Z."""
         flat = self.reading == "yielding flat"
         a = 0 * depth if flat else sqrt(self.overlap_y / self.radius) * depth
         return a**2 / (1 + a)

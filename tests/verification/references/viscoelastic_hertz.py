@@ -23,7 +23,9 @@ TIGHT = {"method": "DOP853", "dense_output": True, "rtol": 1e-12, "atol": 1e-15}
 
 
 def motion(b: float):
-    """Solution for sqrt(d), d' and time over s, dt = sqrt(d) ds, in which no root is left."""
+    """Return the solution for sqrt(d), d' and time as functions of s, with dt = sqrt(d) ds,
+    which has no square root.
+    """
 
     def slope(_, y):
         root, rate, _ = y
@@ -39,7 +41,7 @@ def motion(b: float):
 
 
 def closing(b: float):
-    """Solution for d' and time over sqrt(1/r) from the touch to d' = d."""
+    """Return the solution for d' and time as functions of sqrt(1/r), from first touch to d' = d."""
 
     def slope(z, y):
         rate, _ = y
@@ -51,7 +53,9 @@ def closing(b: float):
 
 
 def opening(b: float, begin):
-    """Solution for d and time over r from d' = d to -1/b, where the force vanishes."""
+    """Return the solution for d and time as functions of r, from d' = d to -1/b, where the
+    force vanishes.
+    """
 
     def slope(ratio, y):
         pace = -1 / (sqrt(y[0]) * (1 + b * ratio) + ratio**2)
@@ -61,7 +65,7 @@ def opening(b: float, begin):
 
 
 def largest(function, begin: float, end: float) -> float:
-    """Largest value between two places: the best of a scan, made exact."""
+    """Return the largest value between two points: the best of a scan, refined."""
     scan = np.linspace(begin, end, 201)
     top = int(np.argmax([function(x) for x in scan]))
     bounds = sorted((scan[max(top - 1, 0)], scan[min(top + 1, 200)]))
