@@ -156,7 +156,7 @@ def paper_mass(aluminium) -> float:
 
 @pytest.fixture(scope="session")
 def declared_jumps() -> dict[str, list[tuple[float, float]]]:
-    """Jumps of the force in the source of each law: overlap / yield overlap of the paper's aluminum,
+    """Jumps of the force in the source of each law: overlap / yield overlap of the paper's metal,
     and relative change of the force."""
     return {law: impacts.jumps(law) for law in ELASTIC_FIRST}
 
