@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Test bulk runs: kills, restarts, ranks, energy balance, and size.
+"""Test bulk runs: killed runs, restarts, numbers of ranks, energy balance, and large systems.
 
     ./run reliability                    # all parts; about half an hour on two cores
     ./run reliability kills restarts     # these parts

@@ -63,7 +63,7 @@ def cost(options: argparse.Namespace) -> None:
 
 
 def print_cost(table: pd.DataFrame) -> None:
-    """Print medians of the rounds, and of ratios to the reference of the same round."""
+    """Print medians over all rounds: times, and ratios to the reference of the same round."""
     table["microseconds"] = 1e6 * table["processor"] / table["steps"] / table["grains"]
     memory = ["first", "later", "peak"]
     wide = table.set_index(["round", "law"])[["processor", *memory]].unstack("law")

@@ -177,7 +177,7 @@ def test_material_file_reads_back(tmp_path):
         ({"hardness": 200, "strain": "finite"}, "strain is 'finite', .* Give force_ratio"),
         ({"hardness": 200, "radius": "x"}, "radius is 'x', but it applies only to finite elements"),
         ({"hardness": 200, "force_ratio": "x"}, "force_ratio is 'x'"),
-        ({"hardness": 200, "speeds": []}, "speeds is empty; it must be the smallest and the large"),
+        ({"hardness": 200, "speeds": []}, "speeds is empty; give the slowest and the"),
         ({"drops": 5}, "drops is 5; it must be a DropTest or the file of one"),
     ],
 )

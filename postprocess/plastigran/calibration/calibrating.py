@@ -249,7 +249,7 @@ def _expected_error(
     if speeds is not None:
         intended = np.ravel(speeds).tolist()
         if not intended:
-            raise ValueError("speeds is empty; it must be the smallest and the largest [m/s]")
+            raise ValueError("speeds is empty; give the slowest and the fastest impact speed [m/s]")
         intended = [read_number("speeds", speed, BOUNDS["speeds"]) for speed in intended]
         ratio = min(intended) / contact.yield_speed, max(intended) / contact.yield_speed
     elif result.contact is not None:

@@ -201,7 +201,7 @@ def _end_of_power(overlap, force) -> tuple[float, Callable]:
         def bend(n: float) -> float:
             return np.subtract(*slopes(n))
 
-        # Start below 1, because a straight line is possible.
+        # The search for the exponent starts below 1, the exponent of a straight line.
         if bend(0.9) * bend(3.0) < 0:
             n = brentq(bend, 0.9, 3.0, xtol=1e-9)
     residual = overlap[-1] - force[-1] ** (1 / n) / slopes(n)[-1]

@@ -70,7 +70,7 @@ class Rings:
         return held
 
     def _slip(self, wanted: float) -> None:
-        """Give rings the full share from the edge inward, until they stretch by `wanted`."""
+        """Let rings slip, from the edge inward, until the tangential displacement is `wanted`."""
         full = self.friction if wanted > 0 else -self.friction
         front = self.overlap
         while self.rings and wanted * full > 0:

@@ -7,7 +7,7 @@ import argparse
 
 from plastigran.cli.reports import add_evidence_arguments, run_evidence
 
-HELP = "compute the error of every law from finite elements, papers and experiments, without fits"
+HELP = "compare every law with finite elements, papers and experiments, without fits"
 EXAMPLE = "plastigran validate --coarse"
 
 
