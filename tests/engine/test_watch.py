@@ -162,7 +162,8 @@ def test_contact_shows_that_the_step_is_too_long(ranks, tmp_path):
     assert "impacts at the current speeds" not in text
     reports = re.findall(
         r"too long for the contact of particle 1 with a wall at \(0 0 0.002\d+\)\. Its overlap is "
-        r"that of an impact at (\S+)\. The time step is (\S+) times the recommended .* Use `timestep (\S+)`",
+        r"that of an impact at (\S+)\. The time step is (\S+) times the recommended .* Use "
+        r"`timestep (\S+)`",
         text,
     )
     assert len(reports) == 1
