@@ -18,10 +18,11 @@ def pair(request) -> laws.MaterialPair:
 
 
 @pytest.fixture(scope="session")
-def virgin_jumps(law_between):
+def jumps_of_first_loading(law_between):
     """Return a function that finds the jumps of a law's force during first loading.
 
-    `virgin_jumps(name, pair)` returns, for each jump, the overlaps [m] just before and behind it
+    `jumps_of_first_loading(name, pair)` returns, for each jump, the overlaps [m] just before and
+    behind it
     and the relative change of the force. The two overlaps differ by 1e-12 of their value. The
     search covers eight decades of overlap in steps of 5e-5. In such a step, a smooth force changes
     by at most 1e-4; the force of a cylinder changes by at most 3e-4, because its slope grows

@@ -57,7 +57,7 @@ def test_pair_flip_catches_a_law_that_flips(tmp_path):
 
 @pytest.mark.parametrize("rebuild", ["no", "yes"])
 @pytest.mark.parametrize("geometry", GEOMETRIES)
-def test_second_touch_is_a_virgin_contact(engine_law, geometry, rebuild, tmp_path):
+def test_second_touch_is_a_new_contact(engine_law, geometry, rebuild, tmp_path):
     """Both impacts of a bouncing sphere have the restitution of their own speed.
 
     A contact that remembered the first would return the second, slower one elastically (1 instead

@@ -62,14 +62,14 @@ def test_plastic_work_never_decreases(law_name, law_between, turns):
         answer = law.follow(RADIUS, path(turns) * overlap_y)
         work = answer["plastic_work"]
         # Round-off of the work of first loading; plastic work is the difference of two such values.
-        virgin = (work + answer["elastic_energy"]).max()
-        rounding = 1e-13 * max(virgin, force_y * overlap_y)
+        fresh = (work + answer["elastic_energy"]).max()
+        rounding = 1e-13 * max(fresh, force_y * overlap_y)
         assert (np.diff(work) >= -rounding).all()
         assert work.min() >= -rounding
 
 
 @given(turns=turning_points)
-def test_energies_account_for_the_work_done(law_name, law_between, virgin_jumps, turns):
+def test_energies_account_for_the_work_done(law_name, law_between, jumps_of_first_loading, turns):
     """At every turning point, the work done equals stored energy plus plastic work, so no path
     returns more energy than it took.
 
@@ -84,7 +84,10 @@ def test_energies_account_for_the_work_done(law_name, law_between, virgin_jumps,
         done = largest = 0.0
         at = peak = 0.0
         for turn in np.array(turns) * overlap_y:
-            edges = [peak, *(x for jump in virgin_jumps(law_name, pair_name) for x in jump[:2])]
+            edges = [
+                peak,
+                *(x for jump in jumps_of_first_loading(law_name, pair_name) for x in jump[:2]),
+            ]
             ends = np.sort([at, *(x for x in edges if min(at, turn) < x < max(at, turn)), turn])
             ends = ends if turn > at else ends[::-1]
             for leg in np.linspace(ends[:-1], ends[1:], 601).T:
@@ -126,7 +129,7 @@ def test_answer_does_not_depend_on_how_often_it_is_asked(law_name, law_between, 
 
 
 @given(top=st.floats(1e-3, REACH), low=st.floats(0, 1))
-def test_reloading_retraces_unloading_then_the_virgin_curve(law_name, law_between, top, low):
+def test_reloading_retraces_unloading_then_the_loading_curve(law_name, law_between, top, low):
     for law, overlap_y, _ in on_pairs(law_name, law_between):
         state = law.State()
         peak = law.respond(RADIUS, top * overlap_y, state).force
@@ -135,8 +138,8 @@ def test_reloading_retraces_unloading_then_the_virgin_curve(law_name, law_betwee
         reloading = law.follow(RADIUS, down[::-1].copy(), state)["force"][::-1]
         assert reloading == pytest.approx(unloading, rel=1e-12, abs=1e-12 * peak)
         beyond = np.linspace(1.01, 2, 10) * top * overlap_y
-        virgin = law.follow(RADIUS, beyond, law.State())["force"]
-        assert law.follow(RADIUS, beyond, state)["force"] == pytest.approx(virgin, rel=1e-11)
+        fresh = law.follow(RADIUS, beyond, law.State())["force"]
+        assert law.follow(RADIUS, beyond, state)["force"] == pytest.approx(fresh, rel=1e-11)
 
 
 @given(speed_ratio=st.floats(1e-3, 300))

@@ -69,10 +69,10 @@ def test_stress_does_the_work_of_the_logarithmic_strain(gradients):
 
 
 def test_tangent_is_the_derivative_of_the_stress(gradients):
-    virgin = State.virgin(len(gradients))
+    fresh = State.undeformed(len(gradients))
 
     def answer(at):
-        return METAL.respond(FINITE.strain(at), virgin)
+        return METAL.respond(FINITE.strain(at), fresh)
 
     response = answer(gradients)
     assert 100 < response.flowing.size < len(gradients)
@@ -101,8 +101,8 @@ def test_rotation_turns_the_stress_with_the_body(gradients):
 
     one = np.array([1.0, 1.0, 0.0, 0.0, 0.0])
     turned = turn(gradients + one) - one
-    virgin = State.virgin(len(gradients))
-    stress, after = (METAL.respond(FINITE.strain(at), virgin).stress for at in (gradients, turned))
+    fresh = State.undeformed(len(gradients))
+    stress, after = (METAL.respond(FINITE.strain(at), fresh).stress for at in (gradients, turned))
     scale = METAL.youngs_modulus
     assert_allclose(after, stress, atol=1e-12 * scale)
     piola = FINITE.conjugate(gradients, stress)
@@ -111,7 +111,7 @@ def test_rotation_turns_the_stress_with_the_body(gradients):
 
 def test_plastic_flow_keeps_the_volume(gradients):
     """The volume changes by pressure alone: ln J = tr T / 3K, however much has flown."""
-    response = METAL.respond(FINITE.strain(gradients), State.virgin(len(gradients)))
+    response = METAL.respond(FINITE.strain(gradients), State.undeformed(len(gradients)))
     rr, yy, tt, ry, yr = gradients.T
     volume = ((1 + rr) * (1 + yy) - ry * yr) * (1 + tt)
     assert response.state.accumulated.max() > 0.1

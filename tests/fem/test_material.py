@@ -32,7 +32,7 @@ def strains():
 
 @pytest.mark.parametrize("hardening", HARDENINGS)
 def test_stress_returns_to_the_flow_stress(hardening, strains):
-    answer = metal(hardening).respond(strains, State.virgin(len(strains)))
+    answer = metal(hardening).respond(strains, State.undeformed(len(strains)))
     flow, _ = hardening.flow_stress(answer.state.accumulated)
     assert answer.flowing.size > 100
     assert_allclose(mises_stress(answer.stress)[answer.flowing], flow[answer.flowing], ROUNDING)
@@ -40,7 +40,7 @@ def test_stress_returns_to_the_flow_stress(hardening, strains):
 
 @pytest.mark.parametrize("hardening", HARDENINGS)
 def test_plastic_flow_keeps_the_volume(hardening, strains):
-    answer = metal(hardening).respond(strains, State.virgin(len(strains)))
+    answer = metal(hardening).respond(strains, State.undeformed(len(strains)))
     volumetric = answer.state.plastic_strain[:, :3].sum(axis=1)
     assert_allclose(volumetric, 0, atol=1e-15)
 
@@ -48,14 +48,14 @@ def test_plastic_flow_keeps_the_volume(hardening, strains):
 @pytest.mark.parametrize("rate", [None, RateFactor(0.02, 1.0)])
 @pytest.mark.parametrize("hardening", HARDENINGS)
 def test_tangent_is_the_derivative_of_the_stress(hardening, rate, strains):
-    material, virgin = metal(hardening, rate), State.virgin(len(strains))
-    answer = material.respond(strains, virgin, 1e-4)
+    material, loading = metal(hardening, rate), State.undeformed(len(strains))
+    answer = material.respond(strains, loading, 1e-4)
     step = 1e-8
     for component in range(4):
         change = np.zeros(4)
         change[component] = step
         above, below = (
-            material.respond(strains + sign * change, virgin, 1e-4).stress for sign in (1, -1)
+            material.respond(strains + sign * change, loading, 1e-4).stress for sign in (1, -1)
         )
         slope = ((above - below) / (2 * step))[answer.flowing]
         # Central differences: step^2 of curvature and round-off of 1e-16 * stress / step. A point
@@ -68,23 +68,23 @@ def test_tangent_is_the_derivative_of_the_stress(hardening, rate, strains):
 
 def test_tabulated_hardening_of_a_straight_line_is_linear_hardening(strains):
     table = TabulatedHardening((0, 1.0), (YIELD, YIELD + MODULUS))
-    virgin = State.virgin(len(strains))
-    line = metal(LinearHardening(YIELD, MODULUS)).respond(strains, virgin)
-    assert_allclose(metal(table).respond(strains, virgin).stress, line.stress, ROUNDING, atol=1)
+    loading = State.undeformed(len(strains))
+    line = metal(LinearHardening(YIELD, MODULUS)).respond(strains, loading)
+    assert_allclose(metal(table).respond(strains, loading).stress, line.stress, ROUNDING, atol=1)
 
 
 def test_rate_raises_the_flow_stress_by_johnson_and_cook():
     shear = np.array([[0, 0, 0, 0.02]])
     duration, coefficient = 1e-5, 0.015
     material = metal(LinearHardening(YIELD), RateFactor(coefficient, 1.0))
-    answer = material.respond(shear, State.virgin(1), duration)
+    answer = material.respond(shear, State.undeformed(1), duration)
     rate = answer.state.accumulated / duration
     expected = YIELD * (1 + coefficient * np.log(rate))
     assert_allclose(mises_stress(answer.stress), expected, ROUNDING)
 
 
 def test_plastic_work_is_flow_stress_times_strain(strains):
-    answer = metal(LinearHardening(YIELD)).respond(strains, State.virgin(len(strains)))
+    answer = metal(LinearHardening(YIELD)).respond(strains, State.undeformed(len(strains)))
     assert_allclose(answer.state.work, YIELD * answer.state.accumulated, ROUNDING)
 
 

@@ -83,7 +83,7 @@ def test_pressing_again_retraces_the_unloading(plastic_pressing):
     assert_allclose(retraced[upper], down["approach"][upper], rtol=0.02)
 
 
-def test_pressing_again_rejoins_the_virgin_loading(plastic_pressing):
+def test_pressing_again_rejoins_the_loading_curve(plastic_pressing):
     at_once = press(METAL, RADIUS, [1500.0], COARSE).unloadings.iloc[0]
     again = plastic_pressing.unloadings.iloc[-1]
     for name in ("approach", "residual_approach", "coefficient_of_restitution"):

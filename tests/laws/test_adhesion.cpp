@@ -140,8 +140,8 @@ TEST_CASE("without adhesion Thornton & Ning's law is Thornton's, without yield i
   ThorntonNing1998::State first, second;
   Thornton::State third;
   Jkr::State fourth;
-  Thornton::State virgin;
-  const double force_max = thornton.respond(radius, 0.05 * radius, virgin).force;
+  Thornton::State fresh;
+  const double force_max = thornton.respond(radius, 0.05 * radius, fresh).force;
   std::mt19937 random(8);
   std::uniform_real_distribution<double> unit(0, 1);
   for (int step = 0; step < 20000; ++step) {
@@ -166,8 +166,8 @@ TEST_CASE_TEMPLATE("a law with a surface energy of zero is the law", Law, VuQuoc
   const Adhesive<Law> law(powder, none);
   const Law plain(powder, {});
   typename Adhesive<Law>::State state;
-  typename Law::State plain_state, virgin;
-  const Response largest = plain.respond(radius, 0.05 * radius, virgin);
+  typename Law::State plain_state, fresh;
+  const Response largest = plain.respond(radius, 0.05 * radius, fresh);
   std::mt19937 random(3);
   std::uniform_real_distribution<double> unit(0, 1);
   for (int step = 0; step < 20000; ++step) {

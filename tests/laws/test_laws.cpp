@@ -59,7 +59,7 @@ TEST_CASE_TEMPLATE("a law's state can be stored as plain doubles", Law, ALL_LAWS
     CHECK(sizeof(typename Law::State) == Law::state_names.size() * sizeof(double));
 }
 
-TEST_CASE_TEMPLATE("a virgin contact's state is zeros", Law, ALL_LAWS) {
+TEST_CASE_TEMPLATE("the state of a new contact is zero", Law, ALL_LAWS) {
   // The engine hands out zeroed history and zeroes it when a contact ends.
   if constexpr (Law::state_names.size() > 0) {
     const typename Law::State state;

@@ -78,7 +78,7 @@ def test_paths_of_any_shape_are_followed_as_each_alone(law):
         for name in RESPONSE:
             assert np.array_equal(found[name][i, j], alone[name]), name
         assert states[i, j] == state
-    again = law.follow(radius, paths, overlap_rate=rates)  # virgin contacts by themselves
+    again = law.follow(radius, paths, overlap_rate=rates)  # new contacts by default
     assert all(np.array_equal(found[name], again[name]) for name in RESPONSE)
 
 

@@ -233,7 +233,7 @@ def test_the_metal_of_the_independent_finite_elements():
     stretches = np.random.default_rng(7).normal(scale=0.05, size=(50, 3))
     gradients = np.hstack([stretches, np.zeros((50, 2))])
     finite = FiniteStrain()
-    response = material.respond(finite.strain(gradients), State.virgin(50))
+    response = material.respond(finite.strain(gradients), State.undeformed(50))
     assert response.flowing.size > 20
     deformation = np.zeros((3, 3, 1, 50))
     deformation[[0, 1, 2], [0, 1, 2], 0] = 1 + stretches.T

@@ -21,7 +21,7 @@ def bodies(share: float, other: laws.Body = RIGID) -> laws.MaterialPair:
     return laws.combine(laws.Body(2.1e11, 0.3, 3.55e8, tangent_modulus=modulus), other)
 
 
-def virgin(law: laws.Law, overlaps: np.ndarray, name: str) -> np.ndarray:
+def loading(law: laws.Law, overlaps: np.ndarray, name: str) -> np.ndarray:
     return law.follow(RADIUS, overlaps)[name]
 
 
@@ -40,8 +40,8 @@ def test_without_hardening_it_is_jackson_and_green(other):
     """Equal to round-off, also between two bodies."""
     law, twin = (kind(bodies(0, other)) for kind in (laws.Ghaednia2019, laws.JacksonGreen))
     for name in ("force", "contact_radius"):
-        assert virgin(law, overlaps(), name) == pytest.approx(
-            virgin(twin, overlaps(), name), rel=1e-13
+        assert loading(law, overlaps(), name) == pytest.approx(
+            loading(twin, overlaps(), name), rel=1e-13
         )
 
 
@@ -53,13 +53,13 @@ def test_hardening_brings_it_to_hertz():
     """
     hertz = laws.Hertz(bodies(0))
     for name, rising in (("force", True), ("contact_radius", False)):
-        found = [virgin(laws.Ghaednia2019(bodies(s)), overlaps(), name) for s in SHARES]
-        found.append(virgin(hertz, overlaps(), name))
+        found = [loading(laws.Ghaednia2019(bodies(s)), overlaps(), name) for s in SHARES]
+        found.append(loading(hertz, overlaps(), name))
         steps = np.diff(found, axis=0)
         assert ((steps > 0) == rising).all(), name
     small = overlaps()[:10]  # where hardening changes the hardness by less than 1e-3
-    soft, hard = (virgin(laws.Ghaednia2019(bodies(s)), small, "force") for s in (0, 0.05))
-    share = (hard - soft) / (virgin(hertz, small, "force") - soft)
+    soft, hard = (loading(laws.Ghaednia2019(bodies(s)), small, "force") for s in (0, 0.05))
+    share = (hard - soft) / (loading(hertz, small, "force") - soft)
     assert share == pytest.approx(1 - exp(-3.3 * 0.05), rel=1e-3)
 
 

@@ -135,8 +135,8 @@ def test_energies(twins):
     for peak in peaks(reference):
         found = law.respond(RADIUS, peak, law.State())
         recovery, shape = reference.rebound(peak)
-        stored = reference.virgin_force(peak) * recovery * work(shape, 0, 1)
-        put_in = reference.virgin_work(peak)
+        stored = reference.loading_force(peak) * recovery * work(shape, 0, 1)
+        put_in = reference.loading_work(peak)
         within = TOLERANCE[name] * put_in
         assert found.elastic_energy == pytest.approx(stored, rel=0, abs=within)
         assert found.plastic_work == pytest.approx(put_in - stored, rel=0, abs=within)

@@ -51,8 +51,8 @@ def impacts(name: str, count: int, seed: int) -> Iterator[tuple]:
         rigid = laws.Body(youngs_modulus=1e30, poissons_ratio=0.3, yield_strength=1e30)
         law = laws.LAWS[name](laws.combine(body, rigid if random.random() < 0.5 else body))
         depth = min(10 ** random.uniform(-5.5, -1), law.overlap_range)
-        virgin = law.respond(RADIUS, depth * RADIUS, law.State())
-        yield law, sqrt(2 * (virgin.elastic_energy + virgin.plastic_work) / MASS)
+        loading = law.respond(RADIUS, depth * RADIUS, law.State())
+        yield law, sqrt(2 * (loading.elastic_energy + loading.plastic_work) / MASS)
 
 
 def restitution(law, speed: float, step: float, phase: float) -> float:

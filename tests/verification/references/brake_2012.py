@@ -47,5 +47,5 @@ class Reference(CentralImpact):
 
     def published_rebound(self, overlap_max):
         stiffness = 4 * self.material.modulus * self.contact_radius(overlap_max)
-        recovery = 3 * self.virgin_force(overlap_max) / stiffness
+        recovery = 3 * self.loading_force(overlap_max) / stiffness
         return min(recovery, overlap_max), lambda y: y**1.5

@@ -51,5 +51,5 @@ class Reference(CentralImpact):
         return np.sqrt(self.radius * overlap * (2 - 1 / np.cosh((index - 1) * s)))
 
     def published_rebound(self, overlap_max):
-        share = self.virgin_force(overlap_max) / self.hertz(overlap_max)
+        share = self.loading_force(overlap_max) / self.hertz(overlap_max)
         return overlap_max * min(1, share), lambda y: y**1.5

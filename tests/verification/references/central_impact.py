@@ -65,19 +65,19 @@ aluminium_zv02,0.1,0.20
         energy.
         """
         energy, reach = 0.5 * self.mass * self.speed**2, 1e-9 * self.radius
-        while self.virgin_work(reach) < energy:
+        while self.loading_work(reach) < energy:
             reach *= 2
-        return brentq(lambda x: self.virgin_work(x) - energy, 0, reach, xtol=1e-30, rtol=1e-15)
+        return brentq(lambda x: self.loading_work(x) - energy, 0, reach, xtol=1e-30, rtol=1e-15)
 
     def by_energies(self) -> Outcome:
         """Compute work and time by quadrature."""
         top, energy = self.overlap_max, 0.5 * self.mass * self.speed**2
-        force_max, (recovery, shape) = self.virgin_force(top), self.rebound(top)
+        force_max, (recovery, shape) = self.loading_force(top), self.rebound(top)
         returned = force_max * recovery * work(shape, 0, 1)
         time, begin = 0.0, 0.0
         for end, force in self.pieces:
             if end < top:
-                time += self.duration(force, begin, end, energy - self.virgin_work(end))
+                time += self.duration(force, begin, end, energy - self.loading_work(end))
                 begin = end
             else:
                 time += self.duration(force, begin, top)
@@ -112,7 +112,7 @@ aluminium_zv02,0.1,0.20
                 spent, state = closing
                 loading += spent
         top = unit * state[0]
-        force_max, (recovery, shape) = self.virgin_force(top), self.rebound(top)
+        force_max, (recovery, shape) = self.loading_force(top), self.rebound(top)
 
         def released(x: float) -> float:
             return scale * force_max * shape(max(0.0, 1 - (top - unit * x) / recovery))

@@ -111,7 +111,7 @@ class Contact:
 
         return slope(left) / slope(1.0)
 
-    def virgin_force(self, overlap: float) -> float:
+    def loading_force(self, overlap: float) -> float:
         return next(float(force(overlap)) for end, force in self.pieces if overlap <= end)
 
     @cached_property
@@ -125,7 +125,7 @@ class Contact:
             found.append((end, before + work(force, begin, end)))
         return found
 
-    def virgin_work(self, overlap: float) -> float:
+    def loading_work(self, overlap: float) -> float:
         (begin, before), force = next(
             (start, force)
             for start, (end, force) in zip(self.works, self.pieces, strict=True)
@@ -138,19 +138,19 @@ class Contact:
         `published_rebound`.
         """
         end, elastic = self.pieces[0]
-        force_max = self.virgin_force(overlap_max)
+        force_max = self.loading_force(overlap_max)
         if overlap_max <= end:
             return overlap_max, lambda left: elastic(left * overlap_max) / force_max
         recovery, shape = self.published_rebound(overlap_max)
         if self.energy_guard:
-            returned = self.virgin_work(overlap_max) - self.largest_loss(overlap_max)
+            returned = self.loading_work(overlap_max) - self.largest_loss(overlap_max)
             recovery = min(recovery, returned / force_max / work(shape, 0, 1))
         return recovery, shape
 
     def published_loss(self, overlap_max: float) -> float:
         recovery, shape = self.published_rebound(overlap_max)
-        returned = self.virgin_force(overlap_max) * recovery * work(shape, 0, 1)
-        return self.virgin_work(overlap_max) - returned
+        returned = self.loading_force(overlap_max) * recovery * work(shape, 0, 1)
+        return self.loading_work(overlap_max) - returned
 
     def largest_loss(self, reach: float) -> float:
         """Return the largest dissipated work [J] during loading to an overlap: a scan that is
@@ -178,9 +178,9 @@ class Contact:
             if overlap >= overlap_max:
                 overlap_max, rebound = overlap, None
             if overlap == overlap_max or overlap_max <= self.pieces[0][0]:
-                forces.append(self.virgin_force(overlap))
+                forces.append(self.loading_force(overlap))
                 continue
             recovery, shape = rebound = rebound or self.rebound(overlap_max)
             left = max(0.0, 1 - (overlap_max - overlap) / recovery)
-            forces.append(self.virgin_force(overlap_max) * float(shape(left)))
+            forces.append(self.loading_force(overlap_max) * float(shape(left)))
         return np.array(forces)

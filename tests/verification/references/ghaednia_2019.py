@@ -59,7 +59,7 @@ steel_s355,0.01,2.0
             x = overlap_max / self.overlap_c
             residual = overlap_max * (1 - x**-0.28) * (1 - x**-0.69)
             return overlap_max - residual, lambda y: y ** (1.5 * x**-0.0331)
-        force = self.virgin_force(overlap_max)
+        force = self.loading_force(overlap_max)
         residual = max(0.0, overlap_max * (1 - force / self.hertz(overlap_max)))
         # 4/3 E* sqrt(R_u) (d - d_r)^1.5 with R_u = (3 F_m/4E*)^2/(d_m - d_r)^3.
         stiffness = self.hertz(1.0) / np.sqrt(self.radius)

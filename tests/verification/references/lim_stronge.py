@@ -67,7 +67,7 @@ glass_kp10,5.0e-06,5,1.59e-6,100,1e-4
         overlap.
         """
         half_width = self.half_width(overlap_max)
-        q = self.virgin_force(overlap_max) / self.line_stiffness
+        q = self.loading_force(overlap_max) / self.line_stiffness
         return half_width, q, 1 / self.radius - 4 * q / half_width**2
 
     def published_rebound(self, overlap_max):

@@ -42,7 +42,7 @@ class Reference(CentralImpact):
 
     def published_rebound(self, overlap_max):
         q_max = 2 * overlap_max / self.overlap_y - 1
-        load = 0.75 * self.virgin_force(overlap_max) / self.material.modulus
+        load = 0.75 * self.loading_force(overlap_max) / self.material.modulus
         recovery = {
             "": self.overlap_y * sqrt(q_max),
             "unloading area": load / (self.radius_y * sqrt(q_max)),

@@ -36,5 +36,8 @@ aluminium_zv02,0.1,0.20
         return sqrt(self.radius * overlap)
 
     def published_rebound(self, overlap_max):
-        force_max, contact_radius = self.virgin_force(overlap_max), self.contact_radius(overlap_max)
+        force_max, contact_radius = (
+            self.loading_force(overlap_max),
+            self.contact_radius(overlap_max),
+        )
         return 3 * force_max / (4 * self.material.modulus * contact_radius), lambda y: y**1.5

@@ -43,7 +43,7 @@ class State:
     work: np.ndarray
 
     @classmethod
-    def virgin(cls, points: int) -> State:
+    def undeformed(cls, points: int) -> State:
         """Return the state of material points that have not yielded."""
         return cls(np.zeros((points, 4)), np.zeros(points), np.zeros(points))
 

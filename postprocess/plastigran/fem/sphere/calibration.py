@@ -14,7 +14,7 @@ from __future__ import annotations
 import attrs
 import numpy as np
 
-from plastigran.fem.sphere.results import ROUNDING, Pressing, virgin_loading
+from plastigran.fem.sphere.results import ROUNDING, Pressing, first_loading_of
 from plastigran.fem.theory.hertz import HertzSphere
 
 LEAST_RATIO = 3.0  # smallest force / yield force of a fit
@@ -63,7 +63,7 @@ def calibrate(pressing: Pressing) -> Calibration:
         )
     sphere = HertzSphere(pressing.material, pressing.radius)
     yield_force = sphere.yield_force
-    loading = virgin_loading(pressing.history)
+    loading = first_loading_of(pressing.history)
     force = loading["force"].to_numpy()
     check_range(sphere, force[-1])
     beyond = force > yield_force

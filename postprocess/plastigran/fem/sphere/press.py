@@ -17,7 +17,7 @@ from plastigran.fem.limits import check_forces, contact_reach
 from plastigran.fem.material.elastic_plastic import ElasticPlastic
 from plastigran.fem.settings import Settings
 from plastigran.fem.sphere.assembly import pressed
-from plastigran.fem.sphere.results import Pressing, virgin_loading
+from plastigran.fem.sphere.results import Pressing, first_loading_of
 from plastigran.fem.stepping.increment import Equations, Equilibrium, NoConvergence
 from plastigran.fem.stepping.snapshot import energies, snapshot
 from plastigran.fem.theory.hertz import HertzSphere
@@ -142,14 +142,14 @@ def loading_ladders(
     least = min(FIRST_FORCE * yield_force, forces[0] / 100)
     elastic = _geometric(least, yield_force, ELASTIC_GROWTH)
     growth = settings.growth if sphere.yield_force < forces[-1] else ELASTIC_GROWTH
-    virgin = np.concatenate([elastic, _geometric(yield_force, forces[-1], growth)[1:]])
-    virgin = np.unique(np.concatenate([virgin, forces]))
+    loading = np.concatenate([elastic, _geometric(yield_force, forces[-1], growth)[1:]])
+    loading = np.unique(np.concatenate([loading, forces]))
     # Force is proportional to the cube of the contact radius: cubes give equal steps in radius.
     down = np.maximum(np.linspace(1, 0, settings.unloading_steps + 1)[1:] ** 3, LEAST_FORCE)
     ladders, reached = [], 0.0
     for force in forces:
         reloading = reached * np.append(down[-2::-1], 1.0) if reached else []
-        first_loading = virgin[(virgin > reached) & (virgin <= force)]
+        first_loading = loading[(loading > reached) & (loading <= force)]
         ladders += [np.concatenate([reloading, first_loading]), force * down]
         reached = force
     return ladders
@@ -169,7 +169,7 @@ def unloading(history: pd.DataFrame, branch: int) -> dict[str, float]:
     force, approach = (history[name].to_numpy() for name in ("force", "approach"))
     branches = history["branch"].to_numpy()
     top = np.flatnonzero(branches < branch)[-1]
-    up = virgin_loading(history.iloc[: top + 1])[["force", "approach"]].to_numpy().T
+    up = first_loading_of(history.iloc[: top + 1])[["force", "approach"]].to_numpy().T
     down = np.append(top, np.flatnonzero(branches == branch))
     work_loading = 0.4 * up[0, 0] * up[1, 0] + _work(*up)
     # The last increment has almost no force: treat the rest of the recovery as a Hertz contact.

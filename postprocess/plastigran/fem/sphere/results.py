@@ -46,7 +46,7 @@ class Pressing:
         }
 
 
-def virgin_loading(history: pd.DataFrame) -> pd.DataFrame:
+def first_loading_of(history: pd.DataFrame) -> pd.DataFrame:
     """Return the rows of first loading: the force is not below any earlier force, to round-off."""
     loading = history[history["branch"] % 2 == 0]
     reached = loading["force"].cummax().shift(fill_value=0)

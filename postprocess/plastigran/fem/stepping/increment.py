@@ -90,7 +90,7 @@ class Equations:
         """Return the equilibrium of the undeformed body that just touches."""
         body = self.body
         displacement = np.zeros(body.size)
-        response = self._respond(displacement, State.virgin(body.points))
+        response = self._respond(displacement, State.undeformed(body.points))
         return Equilibrium(displacement, 0.0, response, self._touch(displacement, None))
 
     def press(

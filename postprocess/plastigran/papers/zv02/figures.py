@@ -9,7 +9,7 @@ from matplotlib.figure import Figure
 
 from plastigran import laws
 from plastigran.experiments.central.curves import finite_elements
-from plastigran.fem.sphere.results import virgin_loading
+from plastigran.fem.sphere.results import first_loading_of
 from plastigran.papers.zv02.computations import (
     LAWS,
     MASS,
@@ -112,7 +112,7 @@ def loops_figure(computed: Computed) -> Figure:
 @styled()
 def contact_radius_figure(computed: Computed) -> Figure:
     """Draw contact radius over force during loading: finite elements, laws and Hertz."""
-    loading = virgin_loading(computed.pressing.history)
+    loading = first_loading_of(computed.pressing.history)
     force = loading["force"].to_numpy()
     overlap = np.linspace(0, 1.6 * loading["approach"].max(), 4000)
     figure, axes = subplots(figsize=(6.4, 4.2))

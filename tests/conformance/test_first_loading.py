@@ -13,12 +13,12 @@ from plastigran import laws
 from plastigran.physics import central
 
 
-def test_force_is_continuous_along_the_virgin_curve(law_name, virgin_jumps, declared_jumps):
+def test_force_is_continuous_during_first_loading(law_name, jumps_of_first_loading, declared_jumps):
     """Over eight decades of overlap, the force jumps only at the declared overlaps and by the
     declared amounts.
     """
     overlap_y, _ = scales(law_name, PAIRS["aluminium on rigid"])
-    found = virgin_jumps(law_name, "aluminium on rigid")
+    found = jumps_of_first_loading(law_name, "aluminium on rigid")
     declared = declared_jumps[law_name]
     seen = [jump for jump in declared if abs(jump[1]) > 2e-4]
     assert len(found) == len(seen), found
@@ -26,7 +26,7 @@ def test_force_is_continuous_along_the_virgin_curve(law_name, virgin_jumps, decl
         assert place / overlap_y == pytest.approx(declared_place, rel=2e-3)
         assert size == pytest.approx(declared_size, abs=2e-4)
     # Another pair has its jumps at other overlaps, perhaps beyond the search, but not more of them.
-    assert len(virgin_jumps(law_name, "polymer on steel")) <= len(declared)
+    assert len(jumps_of_first_loading(law_name, "polymer on steel")) <= len(declared)
 
 
 @pytest.mark.parametrize("top", [1e-3, 0.9, 1.1, 10, 300])
