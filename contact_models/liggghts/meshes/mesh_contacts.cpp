@@ -145,8 +145,8 @@ void MeshContacts::join_surfaces(int particle, int first) {
 }
 
 // An adhesive contact at negative overlap moves along its surface to the nearest triangle. Adds
-// neighboring triangles of the surface that are nearer than a known one, if the particle overlaps no
-// triangle of the surface.
+// neighboring triangles of the surface that are nearer than a known one, if the particle overlaps
+// no triangle of the surface.
 void MeshContacts::add_nearer_triangles(int particle, int first) {
   if (in_contact_ < 0) return;
   const double tolerance = same_depth * engine_->atom->radius[particle];

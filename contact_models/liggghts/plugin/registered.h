@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// The laws that the plugin registers, and the combinations of LIGGGHTS' tangential, cohesion, rolling
-// and surface models. CMake generates one source file for each law and each combination, from
-// law.cpp.in and combination.cpp.in.
+// The laws that the plugin registers, and the combinations of LIGGGHTS' tangential, cohesion,
+// rolling and surface models. CMake generates one source file for each law and each combination,
+// from law.cpp.in and combination.cpp.in.
 #pragma once
 
 #include <memory>
