@@ -161,6 +161,7 @@ def test_a_stretched_contact_outlives_restarts_ranks_and_rebuilds(
         ranks,
         timestep=step,
         grid=grid,
+        tangential="history",
         **surface,
     )
     held = table(tmp_path / "whole").query("id == 1").sort_values("step")
@@ -175,6 +176,7 @@ def test_a_stretched_contact_outlives_restarts_ranks_and_rebuilds(
         ranks,
         timestep=step,
         grid=grid,
+        tangential="history",
         **surface,
         restart=tmp_path.resolve() / "middle.restart",
     )

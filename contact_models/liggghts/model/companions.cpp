@@ -42,6 +42,7 @@ const std::array<CompanionKind, 4>& companion_kinds() {
 bool has_model(std::int64_t hash, const std::string& keyword, const std::string& name) {
   if (keyword == "normal")
     return LIGGGHTS::ContactModels::Factory::instance().getNormalModelId(name) == model_of(hash, 0);
+  if (keyword == "adhesion") return name == "jkr" && (hash & with_adhesion);
   const auto& kinds = companion_kinds();
   for (std::size_t k = 0; k < kinds.size(); ++k)
     for (const Companion& companion : kinds[k].models)

@@ -32,7 +32,8 @@ inline int model_of(std::int64_t hash, std::size_t place) { return hash >> 6 * p
 // Restart files contain the hash, from which LIGGGHTS creates the same contact history again.
 constexpr std::int64_t with_adhesion = std::int64_t{1} << 30;
 
-// Returns whether the hash contains the model `name` after `keyword`: "normal", "tangential", ...
+// Returns whether the hash contains the model `name` after `keyword`: "normal", "tangential", ...,
+// or the option "adhesion" "jkr".
 bool has_model(std::int64_t hash, const std::string& keyword, const std::string& name);
 
 }  // namespace plastigran

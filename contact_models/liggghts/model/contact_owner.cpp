@@ -30,8 +30,9 @@ bool ContactOwner::has_model(const std::string& keyword, const std::string& name
 }
 
 std::string ContactOwner::law() const {
-#define LAW(name) \
-  if (has_model("normal", #name)) return #name;
+#define LAW(name)                 \
+  if (has_model("normal", #name)) \
+    return has_model("adhesion", "jkr") ? #name " adhesion jkr" : #name;
 #define COMBINATION(number)
 #include "registered.inc"
 #undef LAW

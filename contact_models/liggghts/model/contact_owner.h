@@ -32,7 +32,8 @@ class ContactOwner {
 
   bool has_model(const std::string& keyword, const std::string& name) const;
 
-  // Returns the name of the law in the line; empty for a normal model of LIGGGHTS.
+  // Returns the law in the line, with the option `adhesion jkr` if the line has it; empty for a
+  // normal model of LIGGGHTS.
   std::string law() const;
 
   // Returns the other contact models in the line (" KIND NAME ..."), without those that are off.
