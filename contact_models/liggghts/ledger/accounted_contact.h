@@ -185,7 +185,8 @@ class AccountedContact : private ContactSetup, public LIGGGHTS::ContactModels::C
   }
 
   void add_stored(const Contact& contact, const AccountedLoad& on_i) {
-    ledger_->add_stored(contact, on_i.elastic_energy, on_i.surface_energy, spring_energy(contact));
+    ledger_->add_stored(contact, on_i.elastic_energy, on_i.surface_energy,
+                        on_i.tangential_energy + spring_energy(contact));
   }
 
   // Computes the contact data that LIGGGHTS' loop over pairs computes only for overlapping pairs.

@@ -2,6 +2,7 @@
 #include "liggghts/model/companions.h"
 
 #include "contact_models.h"
+#include "liggghts/tangential/tangential_model.h"
 
 namespace plastigran {
 
@@ -14,6 +15,8 @@ const std::array<CompanionKind, 4>& companion_kinds() {
 #define TANGENTIAL_MODEL(identifier, name, id) {#name, id},
 #include "style_tangential_model.h"
 #undef TANGENTIAL_MODEL
+           {Incremental::name, TangentialHistory<Incremental>::id},
+           {PartialSlip<4>::name, TangentialHistory<PartialSlip<4>>::id},
        }},
       {"cohesion",
        {

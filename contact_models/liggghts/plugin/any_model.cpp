@@ -2,6 +2,7 @@
 //
 // Instantiates LIGGGHTS' tangential, cohesion and rolling models, so that each is compiled once.
 #include "liggghts/plugin/any_model.h"
+#include "liggghts/tangential/tangential_model.h"
 
 namespace plastigran {
 
@@ -18,6 +19,10 @@ template <>
 std::shared_ptr<TangentialModelBase> make_model(LAMMPS_NS::LAMMPS* engine, ContactSetup& setup,
                                                 ContactModelBase* contact_model) {
 #include "style_tangential_model.h"
+  if (setup.model(1) == TangentialHistory<Incremental>::id)
+    return std::make_shared<TangentialLawModel<Incremental>>(engine, setup, contact_model);
+  if (setup.model(1) == TangentialHistory<PartialSlip<4>>::id)
+    return std::make_shared<TangentialLawModel<PartialSlip<4>>>(engine, setup, contact_model);
   return std::make_shared<TangentialModel<TANGENTIAL_OFF>>(engine, &setup, contact_model);
 }
 

@@ -15,6 +15,7 @@
 #include "liggghts/plugin/foreign_histories.h"
 #include "liggghts/plugin/registered.h"
 #include "liggghts/spectra/collision_spectra.h"
+#include "liggghts/tangential/tangential_model.h"
 
 namespace plastigran {
 
@@ -126,6 +127,9 @@ void add_all(const RegisteredLaw& law) {
 }
 
 const bool registered = [] {
+  ContactModels::Factory& factory = ContactModels::Factory::instance();
+  factory.addTangentialModel(Incremental::name, TangentialHistory<Incremental>::id);
+  factory.addTangentialModel(PartialSlip<4>::name, TangentialHistory<PartialSlip<4>>::id);
   for (const RegisteredLaw* law : laws) add_all(*law);
   return true;
 }();
