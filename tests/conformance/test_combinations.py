@@ -123,7 +123,16 @@ LUDING = {
     "tangential": Contact("tangential tan_luding"),
     "rolling": Contact("tangential history rolling_friction luding"),
 }
-every_contact = pytest.mark.parametrize("contact", CONTACTS.values(), ids=CONTACTS)
+#: Tangential models of this project.
+SLIPPING = {
+    "partial_slip": Contact("tangential partial_slip"),
+    "partial_slip and epsd2": Contact("tangential partial_slip rolling_friction epsd2"),
+    "partial_slip and dashpot": Contact("tangential partial_slip", options="viscous_damping on"),
+    "incremental": Contact("tangential incremental"),
+}
+ALL = CONTACTS | SLIPPING
+host_contact = pytest.mark.parametrize("contact", CONTACTS.values(), ids=CONTACTS)
+every_contact = pytest.mark.parametrize("contact", ALL.values(), ids=ALL)
 STEPS = 800
 
 
@@ -154,7 +163,7 @@ def start(commands: str, folder: Path, ranks: int = 1, after: str = f"run {STEPS
     return fresh(GRAINS + commands + after, folder, ranks)
 
 
-@every_contact
+@host_contact
 def test_an_unyielding_law_is_the_engines_hertz(contact, tmp_path):
     """Without yield, a law and LIGGGHTS' hertz give the same motion with the same other models.
 
@@ -205,7 +214,14 @@ communicate     single vel yes
 
 @pytest.mark.parametrize(
     ("name", "ranks"),
-    [("washino", 1), ("multicontact, sjkr2 and epsd3", 1), ("epsd", 2), ("sjkr and epsd", 2)],
+    [
+        ("washino", 1),
+        ("multicontact, sjkr2 and epsd3", 1),
+        ("epsd", 2),
+        ("sjkr and epsd", 2),
+        ("partial_slip", 2),
+        ("incremental", 2),
+    ],
 )
 def test_contacts_remember_when_grains_come(name, ranks, tmp_path):
     """A distant grain that is created between two runs changes nothing, bit for bit.
@@ -215,7 +231,7 @@ def test_contacts_remember_when_grains_come(name, ranks, tmp_path):
     half = f"run {STEPS // 2}\n"
     come = "create_atoms 1 single 0.07 0.03 0.07\nset atom 7 diameter 0.01 density 2500\n"
     tables = [
-        start(deck(CONTACTS[name]), tmp_path / str(k), ranks, half + between + half)
+        start(deck(ALL[name]), tmp_path / str(k), ranks, half + between + half)
         for k, between in enumerate(("", come))
     ]
     alone, joined = (table[table.index.get_level_values("id") <= 6] for table in tables)
@@ -223,13 +239,13 @@ def test_contacts_remember_when_grains_come(name, ranks, tmp_path):
     assert (alone == joined).all(axis=None)
 
 
-@pytest.mark.parametrize("name", ["sjkr", "sjkr2", "sjkr alone", "sjkr and epsd"])
+@pytest.mark.parametrize("name", ["sjkr", "sjkr2", "sjkr alone", "sjkr and epsd", *SLIPPING])
 def test_the_ledger_closes(name, tmp_path):
     """The work of cohesion during approach counts as negative elastic energy.
 
     3e-4 of the kinetic energy: error of the time integration.
     """
-    start(deck(CONTACTS[name], ledger=True), tmp_path)
+    start(deck(ALL[name], ledger=True), tmp_path)
     table = read_thermo(tmp_path / "log.liggghts")
     assert table["drift"].abs().max() < 3e-4 * table["kinetic"].max()
     assert table["plastic"].iloc[-1] > 0.01 * table["kinetic"].max()
