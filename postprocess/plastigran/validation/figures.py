@@ -137,8 +137,9 @@ def oblique_figure(computed: pd.DataFrame) -> Figure:
         ):
             values = [oblique.quantity(name, impact, theory(impact)) for impact in impacts]
             axes.plot(FINE_ANGLES, values, line, color=colour, label=method)
-        squares = {"color": COLOURS[2], "mfc": "none", "label": oblique.ENGINE}
-        axes.plot(part["incident_angle"], part[oblique.ENGINE], "s", **squares)
+        for method, marker, colour in zip(oblique.IN_LIGGGHTS, "s^D", COLOURS[2:], strict=False):
+            open_marker = {"color": colour, "mfc": "none", "label": method}
+            axes.plot(part["incident_angle"], part[method], marker, **open_marker)
         axes.plot(part["incident_angle"], part["value"], "ko", ms=4, label="measured")
         axes.set(xlabel="incident angle (°)", ylabel=label)
     panels[0].legend(fontsize=8)

@@ -17,7 +17,7 @@ import numpy as np
 import pandas as pd
 
 from plastigran import laws
-from plastigran.experiments.chung_ooi import BenchmarkImpact
+from plastigran.experiments.chung_ooi import TANGENTIAL_MODELS, BenchmarkImpact
 from plastigran.experiments.runs import sweep
 from plastigran.physics.oblique import Motion, ObliqueImpact
 from plastigran.physics.partial_slip import partial_slip
@@ -30,7 +30,9 @@ QUANTITIES = {
     "rebound_angle": ("rebound angle (°)", 1.0),
 }
 #: Methods of computation.
-PARTIAL_SLIP, SPRING, ENGINE = "partial slip", "spring and slider", "LIGGGHTS"
+PARTIAL_SLIP, SPRING = "partial slip", "spring and slider"
+#: Methods of computation in LIGGGHTS, and their tangential models.
+IN_LIGGGHTS = {f"LIGGGHTS, {model}": model for model in TANGENTIAL_MODELS}
 THEORIES: dict[str, Callable[[ObliqueImpact], Motion]] = {
     PARTIAL_SLIP: partial_slip,
     SPRING: ObliqueImpact.spring_slider,
@@ -80,17 +82,18 @@ def computed(engine: Iterable[float] | None = None) -> pd.DataFrame:
     """
     table = measured()
     angles = table["incident_angle"] if engine is None else list(engine)
-    with TemporaryDirectory() as folder:
-        runs = sweep([case(angle) for angle in angles], folder, progress=False)
-    in_engine = {run.value: outcome.after for run, outcome in runs.outcomes.items()}
     rows = list(zip(table["incident_angle"], table["quantity"], strict=True))
     for method, theory in THEORIES.items():
         values = [quantity(name, impact(a), theory(impact(a))) for a, name in rows]
         table = table.assign(**{method: values})
-    values = [
-        quantity(name, impact(a), in_engine[a]) if a in in_engine else np.nan for a, name in rows
-    ]
-    return table.assign(**{ENGINE: values})
+    for method, tangential in IN_LIGGGHTS.items():
+        cases = [attrs.evolve(case(angle), tangential=tangential) for angle in angles]
+        with TemporaryDirectory() as folder:
+            runs = sweep(cases, folder, progress=False)
+        after = {run.value: outcome.after for run, outcome in runs.outcomes.items()}
+        values = [quantity(name, impact(a), after[a]) if a in after else np.nan for a, name in rows]
+        table = table.assign(**{method: values})
+    return table
 
 
 def comparison(table: pd.DataFrame, name: str) -> pd.DataFrame:
@@ -103,7 +106,7 @@ def comparison(table: pd.DataFrame, name: str) -> pd.DataFrame:
         name: Name of the quantity.
     """
     part = table[table["quantity"] == name].reset_index(drop=True)
-    columns = part[["incident_angle", "value", PARTIAL_SLIP, SPRING, ENGINE]].rename(
+    columns = part[["incident_angle", "value", PARTIAL_SLIP, SPRING, *IN_LIGGGHTS]].rename(
         columns={"incident_angle": "incident angle (°)", "value": "measured"}
     )
     columns["measured − partial slip"] = (part["value"] - part[PARTIAL_SLIP]).round(4)
@@ -137,7 +140,7 @@ def summary(table: pd.DataFrame) -> pd.DataFrame:
     rows = []
     for name, (description, bound) in QUANTITIES.items():
         part = table[table["quantity"] == name]
-        for method in (PARTIAL_SLIP, SPRING, ENGINE):
+        for method in (PARTIAL_SLIP, SPRING, *IN_LIGGGHTS):
             error = (part[method] - part["value"]).abs().dropna()
             rows.append(
                 {

@@ -17,7 +17,7 @@ import attrs
 import pandas as pd
 
 from plastigran import laws
-from plastigran.declared import Declaration, number, whole
+from plastigran.declared import Declaration, number, whole, word
 from plastigran.engine.deck import index_variables
 from plastigran.engine.dumps import read_dump
 from plastigran.engine.process import inputs_folder
@@ -52,6 +52,8 @@ TITLES = {
 
 DEFAULT_LAW, DEFAULT_STEPS = "vu_quoc_zhang", 1000
 
+#: LIGGGHTS' model, and the tangential laws.
+TANGENTIAL_MODELS = ("history", *laws.TANGENTIAL_LAWS)
 #: Options of LIGGGHTS' own hertz for the benchmarks: normal damping only, and no attractive force.
 HERTZ_OPTIONS = "limitForce on tangential_damping off"
 
@@ -78,6 +80,7 @@ class BenchmarkImpact(Experiment):
             default is the value of the deck.
         law: Name of the law; `hertz` is LIGGGHTS' own.
         steps_per_contact: Time steps in an undamped contact.
+        tangential: Name of the tangential model.
     """
 
     deck_name: str
@@ -89,6 +92,7 @@ class BenchmarkImpact(Experiment):
     )
     law: str = law_field(DEFAULT_LAW)
     steps_per_contact: int = whole("time steps in an undamped contact", 1, default=DEFAULT_STEPS)
+    tangential: str = word("tangential model", TANGENTIAL_MODELS, default="history")
 
     command = "chung-ooi"
     help = "run the eight benchmark impacts of Chung & Ooi (2011) and compare them with theory"
@@ -100,6 +104,7 @@ class BenchmarkImpact(Experiment):
         ),
         "law": Flag(DEFAULT_LAW, many=False),
         "steps_per_contact": Flag(DEFAULT_STEPS, "steps", many=False),
+        "tangential": Flag("history", many=False),
     }
 
     @property
@@ -119,6 +124,7 @@ class BenchmarkImpact(Experiment):
             self.knob: self.value,
             "law": self.law,
             "steps_per_contact": self.steps_per_contact,
+            "tangential": self.tangential,
         }
         if self.law == "hertz":
             changed["options"] = HERTZ_OPTIONS
