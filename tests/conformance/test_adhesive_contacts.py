@@ -208,8 +208,9 @@ def test_the_energy_balance_closes_at_a_wall(law, mesh, tmp_path):
 
 @pytest.mark.parametrize("ranks", [1, 2])
 @pytest.mark.parametrize("damping", ["", "viscous_damping on"])
+@pytest.mark.parametrize("tangential", ["history", "partial_slip", "incremental"])
 @pytest.mark.parametrize("law", STRETCHED)
-def test_the_energy_balance_closes_for_pairs(law, damping, ranks, tmp_path):
+def test_the_energy_balance_closes_for_pairs(law, tangential, damping, ranks, tmp_path):
     """Oblique impacts of grains, with friction; the pairs lie on the border of two ranks.
 
     2e-3 as for walls. The friction work is small, but larger than the balance error.
@@ -231,7 +232,7 @@ def test_the_energy_balance_closes_for_pairs(law, damping, ranks, tmp_path):
         ranks=ranks,
         grid="1 2 1" if ranks == 2 else "1 1 1",
         timestep=timestep,
-        tangential="history",
+        tangential=tangential,
         values={**CONSTANTS[law]},
         options=f"{damping} energy_ledger on",
     )

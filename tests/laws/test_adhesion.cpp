@@ -54,6 +54,15 @@ std::vector<typename Law::Parameters> cases() {
 }
 }  // namespace
 
+// Random overlaps [m] over five decades, up to 0.05 R*.
+struct RandomOverlaps {
+  std::mt19937 random;
+  std::uniform_real_distribution<double> unit{0, 1};
+
+  explicit RandomOverlaps(int seed) : random(seed) {}
+  double operator()() { return std::pow(10, -5 * unit(random)) * 0.05 * radius; }
+};
+
 // A step is random in length and direction; a tenth of the paths separate the bodies.
 TEST_CASE_TEMPLATE("plastic work never falls on a million random steps", Law, Jkr, ThorntonNing1998,
                    Luding2008, Edinburgh2014, WRAPPED) {
@@ -142,10 +151,9 @@ TEST_CASE("without adhesion Thornton & Ning's law is Thornton's, without yield i
   Jkr::State fourth;
   Thornton::State fresh;
   const double force_max = thornton.respond(radius, 0.05 * radius, fresh).force;
-  std::mt19937 random(8);
-  std::uniform_real_distribution<double> unit(0, 1);
+  RandomOverlaps random(8);
   for (int step = 0; step < 20000; ++step) {
-    const double overlap = std::pow(10, -5 * unit(random)) * 0.05 * radius;
+    const double overlap = random();
     const Response one = no_adhesion.respond(radius, overlap, first),
                    other = thornton.respond(radius, overlap, third);
     REQUIRE(std::abs(one.force - other.force) <= 1e-14 * force_max);
@@ -156,8 +164,8 @@ TEST_CASE("without adhesion Thornton & Ning's law is Thornton's, without yield i
   }
 }
 
-// Without adhesion the law is as before: to the error of its table, 3e-14 of each quantity, and the
-// rounding of its unloading.
+// Without adhesion, the law is unchanged: to the error of its table, 3e-14 of each quantity, and
+// the round-off of its unloading.
 TEST_CASE_TEMPLATE("a law with a surface energy of zero is the law", Law, VuQuocZhang, Thornton,
                    Stronge, JacksonGreen, Ghaednia, Ghaednia2019, KogutEtsion, KogutKomvopoulos,
                    YeKomvopoulos, Brake2012, Brake2015, Universal) {
@@ -168,10 +176,9 @@ TEST_CASE_TEMPLATE("a law with a surface energy of zero is the law", Law, VuQuoc
   typename Adhesive<Law>::State state;
   typename Law::State plain_state, fresh;
   const Response largest = plain.respond(radius, 0.05 * radius, fresh);
-  std::mt19937 random(3);
-  std::uniform_real_distribution<double> unit(0, 1);
+  RandomOverlaps random(3);
   for (int step = 0; step < 20000; ++step) {
-    const double overlap = std::pow(10, -5 * unit(random)) * 0.05 * radius;
+    const double overlap = random();
     const Response one = law.respond(radius, overlap, state),
                    other = plain.respond(radius, overlap, plain_state);
     REQUIRE(std::abs(one.force - other.force) <= 1e-11 * largest.force);
@@ -189,11 +196,10 @@ TEST_CASE_TEMPLATE("without yield a law with adhesion is JKR", Law, WRAPPED) {
   const Jkr jkr(strong, {0.2});
   typename Law::State state;
   Jkr::State jkr_state;
-  std::mt19937 random(8);
-  std::uniform_real_distribution<double> unit(0, 1);
+  RandomOverlaps random(8);
   for (int step = 0; step < 20000; ++step) {
-    const double overlap = std::pow(10, -5 * unit(random)) * 0.05 * radius -
-                           1.1 * unit(random) * jkr.pull_off_distance(radius);
+    const double overlap =
+        random() - 1.1 * random.unit(random.random) * jkr.pull_off_distance(radius);
     const Response one = law.respond(radius, overlap, state),
                    other = jkr.respond(radius, overlap, jkr_state);
     REQUIRE(one.force == other.force);

@@ -299,9 +299,9 @@ void EnergyLedger::restart(char* data) {
   double mark;
   std::memcpy(&mark, data, sizeof mark);
   if (std::isnan(mark))
-    std::memcpy(&sums, data + sizeof mark, sizeof sums);
+    std::memcpy(static_cast<void*>(&sums), data + sizeof mark, sizeof sums);
   else
-    std::memcpy(&sums, data, offsetof(Sums, adhesion_loss));
+    std::memcpy(static_cast<void*>(&sums), data, offsetof(Sums, adhesion_loss));
   started_ = true;
   if (comm->me == 0) sums_ = sums;  // rank 0 takes the sums of all ranks
   sums_.initial_total = sums.initial_total;

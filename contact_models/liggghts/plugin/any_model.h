@@ -7,8 +7,8 @@
 
 #include <memory>
 
-#include "liggghts/ledger/cohesive_energy.h"
 #include "liggghts/fixes/engine_access.h"
+#include "liggghts/ledger/cohesive_energy.h"
 #include "liggghts/model/contact_setup.h"
 #include "liggghts/model/line_settings.h"
 #include "liggghts/plugin/engine_styles.h"

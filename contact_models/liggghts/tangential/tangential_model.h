@@ -3,8 +3,8 @@
 // Tangential contact model of LIGGGHTS for any tangential law (plastigran/friction/). Stores the
 // state of the law in the contact history.
 //
-// Range: spheres and flat walls. The dashpot of the normal model acts beside the law, and both
-// together are at most mu times the normal force without its dashpot.
+// The tangential dashpot acts beside the law. Both together are at most mu times the limiting force
+// of the normal model: the normal force without its dashpot, plus the pull-off force.
 #pragma once
 
 #include <algorithm>
@@ -22,37 +22,40 @@
 
 namespace plastigran {
 
-// Names of the values in the state of a law. A value of a vector changes its sign when LIGGGHTS
-// stores a pair from the side of the other particle; LIGGGHTS' flag is then "1".
-inline void add_tangential_history(LIGGGHTS::IContactHistorySetup& setup, const std::string& name,
-                                   bool is_vector) {
-  if (!is_vector) {
-    setup.add_history_value(name, "0");
-    return;
-  }
-  for (const char* const axis : {"x", "y", "z"}) setup.add_history_value(name + axis, "1");
+// Add a number or a vector of the state to the contact history, and return its offset. LIGGGHTS
+// changes the sign of a value with the flag "1" when it stores a pair from the side of the other
+// particle.
+inline int add_number(LIGGGHTS::IContactHistorySetup& setup, const std::string& name) {
+  return setup.add_history_value(name, "0");
+}
+inline int add_vector(LIGGGHTS::IContactHistorySetup& setup, const std::string& name) {
+  const int offset = setup.add_history_value(name + 'x', "1");
+  setup.add_history_value(name + 'y', "1");
+  setup.add_history_value(name + 'z', "1");
+  return offset;
 }
 
+// ID of a law in LIGGGHTS' hash of a combination, and the values of its state after the normal.
 template <class Law>
 struct TangentialHistory;
 
 template <>
 struct TangentialHistory<Incremental> {
-  static constexpr int id = 40;  // in LIGGGHTS' hash of a combination
+  static constexpr int id = 40, values = 4;
   static void add(LIGGGHTS::IContactHistorySetup& setup) {
-    add_tangential_history(setup, "stick_stiffness", false);
-    add_tangential_history(setup, "stick_force", true);
+    add_number(setup, "stick_stiffness");
+    add_vector(setup, "stick_force");
   }
 };
 
 template <>
 struct TangentialHistory<PartialSlip<4>> {
-  static constexpr int id = 41;
+  static constexpr int id = 41, values = 17;
   static void add(LIGGGHTS::IContactHistorySetup& setup) {
-    add_tangential_history(setup, "ring_compliance", false);
+    add_number(setup, "ring_compliance");
     for (const char* const ring : {"1", "2", "3", "4"}) {
-      add_tangential_history(setup, std::string("ring_edge") + ring, false);
-      add_tangential_history(setup, std::string("ring_share") + ring, true);
+      add_number(setup, std::string("ring_edge") + ring);
+      add_vector(setup, std::string("ring_share") + ring);
     }
   }
 };
@@ -63,14 +66,14 @@ class TangentialLawModel : public LIGGGHTS::ContactModels::TangentialModelBase {
   typedef LIGGGHTS::ContactModels::SurfacesCloseData CloseContact;
   typedef LIGGGHTS::ContactModels::ForceData Load;
   typedef typename Law::State State;
+  static_assert(sizeof(State) == (3 + TangentialHistory<Law>::values) * sizeof(double),
+                "the contact history must have one value per number of the state");
 
  public:
   TangentialLawModel(LAMMPS_NS::LAMMPS* engine, ContactSetup& setup,
                      LIGGGHTS::ContactModels::ContactModelBase* contact_model)
       : TangentialModelBase(engine, &setup, contact_model), setup_(setup) {
-    history_offset_ = setup.add_history_value("stick_normalx", "1");
-    setup.add_history_value("stick_normaly", "1");
-    setup.add_history_value("stick_normalz", "1");
+    history_offset_ = add_vector(setup, "stick_normal");
     TangentialHistory<Law>::add(setup);
   }
 

@@ -19,13 +19,7 @@
 // stores k, which depends on R* only.
 //
 // In yield units of the stronger law, x = overlap_1/overlap_y, D = B d with d = x^(1/4), and
-// B = c R*/a_y^(3/2) = 2 (1 - 1/k). The work of first loading and the energy at the largest overlap
-// are polynomials in B, whose coefficients are tables of x. Plastic work is their difference.
-//
-// Plastic work would fall with x for a large B, as in Thornton & Ning's law. The constructor finds
-// the largest B up to 0.8 for which plastic work grows, and a contact has at least the k of this B.
-// A law whose own energy guard keeps the plastic work constant has no such B. There the slope of
-// unloading rises by the factor 1 + B eta(x).
+// B = c R*/a_y^(3/2) = 2 (1 - 1/k). adhesive_work.h computes the work of first loading.
 #pragma once
 
 #include <algorithm>
@@ -39,6 +33,7 @@
 #include "plastigran/shared/contact.h"
 #include "plastigran/shared/device.h"
 #include "plastigran/shared/numerics.h"
+#include "plastigran/tables/adhesive_work.h"
 #include "plastigran/tables/tabulated.h"
 #include "plastigran/tables/unloading.h"
 
@@ -49,11 +44,6 @@ template <class Law, class = void>
 constexpr bool takes_adhesion = false;
 template <class Law>
 constexpr bool takes_adhesion<Law, std::void_t<decltype(&Law::Rebound::shape_at)>> = true;
-
-template <class Law, class = void>
-constexpr bool energy_guarded = false;
-template <class Law>
-constexpr bool energy_guarded<Law, std::void_t<decltype(Law::has_guard)>> = Law::has_guard;
 
 template <class Law>
 class Adhesive {
@@ -101,12 +91,10 @@ class Adhesive {
       : law_(pair, constants),
         contact_(pair.youngs_modulus_eff, constants.surface_energy),
         elastic_range_(law_.elastic_range()),
-        onset_(0.5 * contact_.pull() / std::pow(elastic_range_, 0.75)) {
-    tabulate_works();
-    guard();
-    loaded_ = Tabulated<quantities>(
-        1, [this](double x) { return loaded(x); }, kinks());
-  }
+        onset_(0.5 * contact_.pull() / std::pow(elastic_range_, 0.75)),
+        work_(law_),
+        loaded_(
+            1, [this](double x) { return loaded(x); }, kinks_of(law_)) {}
 
   double overlap_range() const { return plastigran::overlap_range(law_); }
   double pull_off_distance(double radius_eff) const {
@@ -117,7 +105,7 @@ class Adhesive {
     std::vector<double> all;
     const double k = strength_factor(1, radius_eff);
     if constexpr (energy_guarded<Law>)
-      for (const double x : kinks()) {
+      for (const double x : kinks_of(law_)) {
         const double without = x * k * k * elastic_range_;
         const double overlap =
             without - contact_.pull() / std::sqrt(radius_eff) * std::sqrt(std::sqrt(without));
@@ -125,9 +113,6 @@ class Adhesive {
       }
     return all;
   }
-  // Largest B that a contact has.
-  double largest_number() const { return largest_number_; }
-
   PLASTIGRAN_DEVICE double pull_off_force(double radius_eff, double, const State& state) const {
     if (state.overlap_max == 0) return contact_.pull_off_force(radius_eff);
     return pull_off_force(peak_of(radius_eff, state));
@@ -193,21 +178,10 @@ class Adhesive {
     double contact_radius, inverse_recovery, shape;
   };
 
-  // The values of a law after loading to x, in yield units, without the factor 1 + B eta.
-  struct Loaded {
-    double force, slope, contact_radius, recovery, shape, energy;
-  };
-  PLASTIGRAN_DEVICE Loaded after_loading(double x) const {
-    const auto at = law_.after_loading(x);
-    const double recovery = 1 / at.inverse_recovery;
-    return {at.force,          Rebound::largest_slope(at.shape) * at.force / recovery,
-            at.contact_radius, recovery,
-            at.shape,          at.force * recovery * rebound_.shape_at(1, at.shape).energy};
-  }
   PLASTIGRAN_DEVICE Values loaded(double x) const {
-    const Loaded at = after_loading(x);
+    const AfterLoading at = work_.after_loading(law_, x);
     Values values{at.force, at.slope, 1 / at.recovery, at.contact_radius};
-    if constexpr (may_stiffen) values[stiffening] = eta(x, at);
+    if constexpr (may_stiffen) values[stiffening] = work_.eta(x, at);
     if constexpr (Rebound::has_shape) values[shape] = at.shape;
     return values;
   }
@@ -215,19 +189,13 @@ class Adhesive {
     return loaded(x);
   }
 
-  auto kinks() const {
-    if constexpr (energy_guarded<Law>)
-      return law_.kinks();
-    else
-      return std::array<double, 1>{1};
-  }
-
   // k, by which a_y is larger than without adhesion, but at least that of the largest B.
   [[gnu::noinline, gnu::cold]] PLASTIGRAN_DEVICE double strength_factor(double factor,
                                                                         double radius_eff) const {
     const double b = onset_ / std::sqrt(radius_eff * factor * factor * factor);
     const double q = root_at_yield(b);
-    return factor * std::max(q * q, std::cbrt(4 * b * b / (largest_number_ * largest_number_)));
+    const double least = 2 * b / work_.largest_number();
+    return factor * std::max(q * q, std::cbrt(least * least));
   }
 
   PLASTIGRAN_DEVICE double overlap_y(double radius_eff, const State& state) const {
@@ -267,7 +235,7 @@ class Adhesive {
   PLASTIGRAN_DEVICE double pull_off_force(const Peak& peak) const {
     const double b = peak.pull * peak.inverse_recovery;
     if constexpr (Rebound::is_hertzian) return 0.375 * peak.slope * peak.pull * b;
-    const ShapeOfUnloading at = rebound_.shape_at(std::cbrt(0.75 * b), peak.shape);
+    const ShapeOfUnloading at = work_.rebound().shape_at(std::cbrt(0.75 * b), peak.shape);
     return peak.slope * peak.pull * at.slope * std::sqrt(at.slope) - peak.force * at.force;
   }
 
@@ -290,7 +258,7 @@ class Adhesive {
   PLASTIGRAN_DEVICE double refined_root(double shape_at_x, double b, double beyond,
                                         double w) const {
     for (int k = 0; k < 100; ++k) {
-      const RootOfSlope at = rebound_.root_of_slope(w, shape_at_x);
+      const RootOfSlope at = work_.rebound().root_of_slope(w, shape_at_x);
       const double cube = w * w * w, rise = 4 * cube - b * at.derivative;
       if (!(rise > 0)) return 0;
       const double step = (cube * w - b * at.value - beyond) / rise;
@@ -302,7 +270,7 @@ class Adhesive {
   }
 
   PLASTIGRAN_DEVICE Response unloading(const Peak& peak, double w) const {
-    const ShapeOfUnloading at = rebound_.shape_at(w, peak.shape);
+    const ShapeOfUnloading at = work_.rebound().shape_at(w, peak.shape);
     const double slope = peak.slope * at.slope, pull = peak.pull * std::sqrt(at.slope);
     const double force = peak.force * at.force, pulling = slope * pull;
     Response response;
@@ -320,154 +288,18 @@ class Adhesive {
                                        const State& state) const {
     const double unit = overlap_y(radius_eff, state);
     const Response largest = unloading(peak, 1);
-    response.plastic_work =
-        4.0 / 3.0 * contact_.modulus() * std::sqrt(unit * radius_eff) * unit * unit *
-            work_of_loading(state.overlap_max / unit, number(radius_eff, state)) -
-        largest.elastic_energy - largest.surface_energy;
+    response.plastic_work = 4.0 / 3.0 * contact_.modulus() * std::sqrt(unit * radius_eff) * unit *
+                                unit *
+                                work_(law_, state.overlap_max / unit, number(radius_eff, state)) -
+                            largest.elastic_energy - largest.surface_energy;
     return response;
   }
 
-  // Over F_y overlap_y, at the number B.
-  PLASTIGRAN_DEVICE double work_of_loading(double x, double B) const {
-    if (!(x >= 1 && x < works_end_)) return summed_work(x, B);
-    const auto at = [&](std::size_t k) { return works_[k](x)[0]; };
-    return at(0) - B * (at(1) - B * (at(2) + (may_stiffen ? B * at(3) : 0)));
-  }
-  // The same beyond the end of the tables.
-  [[gnu::noinline, gnu::cold, gnu::pure]] PLASTIGRAN_DEVICE double summed_work(double x,
-                                                                               double B) const {
-    const Works at = summed_works(x);
-    return at[0] - B * (at[1] - B * (at[2] + B * at[3]));
-  }
-  double plastic_work(double x, double B) const {
-    const Loaded at = after_loading(x);
-    const double d = std::sqrt(std::sqrt(x)), stiffer = 1 + B * eta(x, at);
-    return work_of_loading(x, B) - at.energy / stiffer +
-           B * d * (at.force - 0.25 * B * d * at.slope * stiffer);
-  }
-
-  // Coefficients of B in the work of first loading to x: 1, -B, B^2, B^3.
-  typedef std::array<double, 4> Works;
-  PLASTIGRAN_DEVICE Works power_of_loading(double x) const {
-    const Loaded at = after_loading(x);
-    const double d = std::sqrt(std::sqrt(x)), slope_of_d = 0.25 * d / x,
-                 more = eta(x, at) * at.slope;
-    return {at.force, at.slope * d + at.force * slope_of_d, d * (at.slope * slope_of_d - more),
-            more * d * slope_of_d};
-  }
-  void tabulate_works() {
-    constexpr std::array<double, 4> at_yield{0.4, 1, 0.375, 0};  // JKR
-    for (std::size_t k = 0; k < works_.size(); ++k)
-      works_[k] = Tabulated<1>(
-                      1, [&](double x) { return std::array{power_of_loading(x)[k]}; }, kinks())
-                      .integral(at_yield[k]);
-    works_end_ = works_[0].end();
-    for (const auto& table : works_) works_end_ = std::min(works_end_, table.end());
-  }
-  // Beyond the end of the tables.
-  PLASTIGRAN_DEVICE Works summed_works(double x) const {
-    Works sum;
-    for (std::size_t k = 0; k < sum.size(); ++k) {
-      double left = std::min(x, works_[k].end());
-      sum[k] = works_[k](left * (1 - 1e-15))[0];
-      for (double right; left < x; left = right) {
-        right = std::min(2 * left, x);
-        sum[k] += gauss_legendre([&](double at) { return power_of_loading(at)[k]; }, left, right);
-      }
-    }
-    return sum;
-  }
-
-  // A law with an energy guard: stretches of x on which plastic work would fall with B. There the
-  // contact loses the share B `lost` of the work of loading, which makes eta U_1 this work.
-  struct Stretch {
-    double begin = 0, end = 0;
-  };
-  static constexpr double guarded_number = 0.4;
-  PLASTIGRAN_DEVICE double eta(double x, const Loaded& at) const {
-    if constexpr (!energy_guarded<Law>) return 0;
-    double work = 0;
-    for (const Stretch& stretch : stretches_)
-      if (x > stretch.begin && stretch.end > 0)
-        work += loading_(std::min(x, stretch.end))[0] - loading_(stretch.begin)[0];
-    return lost_ * work / at.energy;
-  }
-  // Points at which plastic work is compared: close to both sides of each kink.
-  std::vector<double> points() const {
-    std::vector<double> all;
-    const auto edges = kinks();
-    for (double x = 1 + 1e-9; x < 1e3;) {
-      all.push_back(x);
-      double last = 1, next = 1e3;
-      for (const double edge : edges) {
-        if (edge <= x) last = std::max(last, edge);
-        if (edge > x) next = std::min(next, edge);
-      }
-      const double below = next * (1 - 1e-9);
-      const double further = x + std::min(0.003 * x, std::max(0.25 * (x - last), 1e-9 * x));
-      x = x >= below ? next * (1 + 1e-9) : std::min(further, below);
-    }
-    return all;
-  }
-  bool falls(double from, double to, double B) const {
-    return plastic_work(to, B) < plastic_work(from, B) - 1e-13 * work_of_loading(to, 0);
-  }
-  // The stretches, longer by 2 % on each side.
-  void find_stretches() {
-    const std::vector<double> all = points();
-    std::size_t count = 0;
-    for (std::size_t k = 1; k < all.size(); ++k) {
-      if (!falls(all[k - 1], all[k], largest_number_) &&
-          !falls(all[k - 1], all[k], 0.1 * largest_number_))
-        continue;
-      const double begin = std::max(1.0, all[k - 1] / 1.02);
-      const bool is_new = count == 0 || begin > 1.2 * stretches_[count - 1].end;
-      if (is_new && count < stretches_.size()) stretches_[count++].begin = begin;
-      stretches_[count - 1].end = 1.02 * all[k];
-    }
-  }
-  // Finds the largest number, and for laws with an energy guard the least loss for which it is 0.4.
-  void guard() {
-    const auto lower_to = [this](double least) {
-      for (largest_number_ = 0.8; largest_number_ > least; largest_number_ *= 0.95)
-        if (loses_energy(largest_number_)) return true;
-      return false;
-    };
-    if (!energy_guarded<Law> || lower_to(guarded_number)) {
-      lower_to(0.01);
-      return;
-    }
-    largest_number_ = guarded_number;
-    loading_ = works_[0];
-    find_stretches();
-    for (lost_ = 0.02; lost_ < 1; lost_ *= 1.5) {
-      tabulate_works();
-      if (loses_energy(largest_number_)) return;
-    }
-    lost_ = 0;
-    tabulate_works();
-    lower_to(0.01);
-  }
-  // Whether plastic work grows for all numbers up to B.
-  bool loses_energy(double B) const {
-    const std::vector<double> all = points();
-    for (const double part : {0.1, 0.4, 0.7, 1.0})
-      for (std::size_t k = 1; k < all.size(); ++k)
-        if (falls(all[k - 1], all[k], part * B)) return false;
-    return true;
-  }
-
   Law law_;
-  Rebound rebound_;
   JkrContact contact_;
-  double elastic_range_;       // overlap_y/R*
-  double onset_;               // b R*^(1/2) [m^(1/2)]
-  double largest_number_ = 0;  // largest B
-  std::array<Stretch, 4> stretches_{};
-  double lost_ = 0;
-  Tabulated<1, 9> loading_;  // work of loading without adhesion
-  std::array<Tabulated<1, 9>, 4> works_;
-  double works_end_ = 0;
+  double elastic_range_;  // overlap_y/R*
+  double onset_;          // b R*^(1/2) [m^(1/2)]
+  WorkOfLoading<Law> work_;
   Tabulated<quantities> loaded_;
 };
 

@@ -29,7 +29,7 @@ QUANTITIES = {
     "spin": ("spin (rad/s)", 10.0),
     "rebound_angle": ("rebound angle (°)", 1.0),
 }
-#: Methods of computation.
+#: Theories.
 PARTIAL_SLIP, SPRING = "partial slip", "spring and slider"
 #: Methods of computation in LIGGGHTS, and their tangential models.
 IN_LIGGGHTS = {f"LIGGGHTS, {model}": model for model in TANGENTIAL_MODELS}

@@ -202,7 +202,7 @@ class BenchmarkImpact(Experiment):
         return BenchmarkOutcome(motion(trajectory, -1), measure(trajectory))
 
     def facts(self) -> dict[str, object]:
-        names = ("benchmark", "law", "material", "modulus_ratio", "knob", "value")
+        names = ("benchmark", "law", "tangential", "material", "modulus_ratio", "knob", "value")
         return {name: getattr(self, name) for name in names}
 
     def notes(self, measured: BenchmarkOutcome, predicted: BenchmarkOutcome) -> dict[str, object]:

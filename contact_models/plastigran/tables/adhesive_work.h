@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+//
+// Work of first loading of a law with adhesion (adhesive.h), in yield units: x =
+// overlap_1/overlap_y, and the number B is the strength of adhesion.
+//
+// The work of first loading and the energy at the largest overlap are polynomials in B, whose
+// coefficients are tables of x. Plastic work is their difference.
+//
+// Plastic work would fall with x for a large B, as in Thornton & Ning's law. The constructor finds
+// the largest B up to 0.8 for which plastic work grows, and a contact has at least the strength
+// factor k of this B. A law whose own energy guard keeps the plastic work constant has no such B.
+// There the slope of unloading rises by the factor 1 + B eta(x).
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <type_traits>
+#include <vector>
+
+#include "plastigran/shared/device.h"
+#include "plastigran/shared/numerics.h"
+#include "plastigran/tables/tabulated.h"
+
+namespace plastigran {
+
+template <class Law, class = void>
+constexpr bool energy_guarded = false;
+template <class Law>
+constexpr bool energy_guarded<Law, std::void_t<decltype(Law::has_guard)>> = Law::has_guard;
+
+// Returns the x at which the curves of a law have kinks or jumps.
+template <class Law>
+auto kinks_of([[maybe_unused]] const Law& law) {
+  if constexpr (energy_guarded<Law>)
+    return law.kinks();
+  else
+    return std::array<double, 1>{1};
+}
+
+// Values of a law after first loading to x, without the factor 1 + B eta.
+struct AfterLoading {
+  double force, slope, contact_radius, recovery, shape, energy;
+};
+
+// The functions take the law of the constructor as argument, so that the object can be copied.
+template <class Law>
+class WorkOfLoading {
+ public:
+  typedef typename Law::Rebound Rebound;
+
+  explicit WorkOfLoading(const Law& law) {
+    tabulate(law);
+    guard(law);
+  }
+
+  // Returns the unloading of the law.
+  PLASTIGRAN_DEVICE const Rebound& rebound() const { return rebound_; }
+
+  // Returns the largest B that a contact has.
+  PLASTIGRAN_DEVICE double largest_number() const { return largest_number_; }
+
+  PLASTIGRAN_DEVICE AfterLoading after_loading(const Law& law, double x) const {
+    const auto at = law.after_loading(x);
+    const double recovery = 1 / at.inverse_recovery;
+    return {at.force,          Rebound::largest_slope(at.shape) * at.force / recovery,
+            at.contact_radius, recovery,
+            at.shape,          at.force * recovery * rebound_.shape_at(1, at.shape).energy};
+  }
+
+  // Returns the work of first loading to x, divided by F_y overlap_y.
+  PLASTIGRAN_DEVICE double operator()(const Law& law, double x, double B) const {
+    if (!(x >= 1 && x < end_)) return summed(law, x, B);
+    const auto at = [&](std::size_t k) { return works_[k](x)[0]; };
+    return at(0) - B * (at(1) - B * (at(2) + (energy_guarded<Law> ? B * at(3) : 0)));
+  }
+
+  // Returns eta at x, 0 for a law without energy guard.
+  PLASTIGRAN_DEVICE double eta(double x, const AfterLoading& at) const {
+    if constexpr (!energy_guarded<Law>) return 0;
+    double work = 0;
+    for (const Interval& interval : intervals_)
+      if (x > interval.begin && interval.end > 0)
+        work += loading_(std::min(x, interval.end))[0] - loading_(interval.begin)[0];
+    return lost_ * work / at.energy;
+  }
+
+ private:
+  typedef std::array<double, 4> Works;  // coefficients of 1, -B, B^2 and B^3 in the work
+
+  // Returns the derivatives of the coefficients by x.
+  PLASTIGRAN_DEVICE Works powers(const Law& law, double x) const {
+    const AfterLoading at = after_loading(law, x);
+    const double d = std::sqrt(std::sqrt(x)), slope_of_d = 0.25 * d / x,
+                 more = eta(x, at) * at.slope;
+    return {at.force, at.slope * d + at.force * slope_of_d, d * (at.slope * slope_of_d - more),
+            more * d * slope_of_d};
+  }
+  void tabulate(const Law& law) {
+    constexpr Works at_yield{0.4, 1, 0.375, 0};  // JKR
+    for (std::size_t k = 0; k < works_.size(); ++k)
+      works_[k] = Tabulated<1>(
+                      1, [&](double x) { return std::array{powers(law, x)[k]}; }, kinks_of(law))
+                      .integral(at_yield[k]);
+    end_ = works_[0].end();
+    for (const auto& table : works_) end_ = std::min(end_, table.end());
+  }
+  // Returns the work beyond the end of the tables, by quadrature.
+  [[gnu::noinline, gnu::cold, gnu::pure]] PLASTIGRAN_DEVICE double summed(const Law& law, double x,
+                                                                          double B) const {
+    Works sum;
+    for (std::size_t k = 0; k < sum.size(); ++k) {
+      double left = std::min(x, works_[k].end());
+      sum[k] = works_[k](left * (1 - 1e-15))[0];
+      for (double right; left < x; left = right) {
+        right = std::min(2 * left, x);
+        sum[k] += gauss_legendre([&](double at) { return powers(law, at)[k]; }, left, right);
+      }
+    }
+    return sum[0] - B * (sum[1] - B * (sum[2] + B * sum[3]));
+  }
+
+  double plastic_work(const Law& law, double x, double B) const {
+    const AfterLoading at = after_loading(law, x);
+    const double d = std::sqrt(std::sqrt(x)), stiffer = 1 + B * eta(x, at);
+    return (*this)(law, x, B) - at.energy / stiffer +
+           B * d * (at.force - 0.25 * B * d * at.slope * stiffer);
+  }
+  bool falls(const Law& law, double from, double to, double B) const {
+    return plastic_work(law, to, B) < plastic_work(law, from, B) - 1e-13 * (*this)(law, to, 0);
+  }
+  // Returns whether plastic work grows with x for all numbers up to B.
+  bool grows(const Law& law, double B) const {
+    const std::vector<double> all = points(law);
+    for (const double part : {0.1, 0.4, 0.7, 1.0})
+      for (std::size_t k = 1; k < all.size(); ++k)
+        if (falls(law, all[k - 1], all[k], part * B)) return false;
+    return true;
+  }
+  // Returns the x at which plastic work is compared: close to both sides of each kink.
+  static std::vector<double> points(const Law& law) {
+    std::vector<double> all;
+    const auto kinks = kinks_of(law);
+    for (double x = 1 + 1e-9; x < 1e3;) {
+      all.push_back(x);
+      double last = 1, next = 1e3;
+      for (const double kink : kinks) {
+        if (kink <= x) last = std::max(last, kink);
+        if (kink > x) next = std::min(next, kink);
+      }
+      const double below = next * (1 - 1e-9);
+      const double further = x + std::min(0.003 * x, std::max(0.25 * (x - last), 1e-9 * x));
+      x = x >= below ? next * (1 + 1e-9) : std::min(further, below);
+    }
+    return all;
+  }
+
+  // Finds the largest number, and for laws with an energy guard the least loss for which it is 0.4.
+  void guard(const Law& law) {
+    const auto lower_to = [&](double least) {
+      for (largest_number_ = 0.8; largest_number_ > least; largest_number_ *= 0.95)
+        if (grows(law, largest_number_)) return true;
+      return false;
+    };
+    constexpr double guarded_number = 0.4;
+    if (!energy_guarded<Law> || lower_to(guarded_number)) {
+      lower_to(0.01);
+      return;
+    }
+    largest_number_ = guarded_number;
+    loading_ = works_[0];
+    find_intervals(law);
+    for (lost_ = 0.02; lost_ < 1; lost_ *= 1.5) {
+      tabulate(law);
+      if (grows(law, largest_number_)) return;
+    }
+    lost_ = 0;
+    tabulate(law);
+    lower_to(0.01);
+  }
+  // Finds the intervals of x on which plastic work falls, and extends them by 2 % on each side.
+  void find_intervals(const Law& law) {
+    const std::vector<double> all = points(law);
+    std::size_t count = 0;
+    for (std::size_t k = 1; k < all.size(); ++k) {
+      if (!falls(law, all[k - 1], all[k], largest_number_) &&
+          !falls(law, all[k - 1], all[k], 0.1 * largest_number_))
+        continue;
+      const double begin = std::max(1.0, all[k - 1] / 1.02);
+      const bool is_new = count == 0 || begin > 1.2 * intervals_[count - 1].end;
+      if (is_new && count < intervals_.size()) intervals_[count++].begin = begin;
+      intervals_[count - 1].end = 1.02 * all[k];
+    }
+  }
+
+  // On these intervals of x the contact loses `lost` times B of the work of loading. eta times the
+  // elastic energy is this loss.
+  struct Interval {
+    double begin = 0, end = 0;
+  };
+  Rebound rebound_;
+  double largest_number_ = 0;
+  std::array<Interval, 4> intervals_{};
+  double lost_ = 0;
+  Tabulated<1, 9> loading_;               // work of loading without adhesion
+  std::array<Tabulated<1, 9>, 4> works_;  // coefficients of the work
+  double end_ = 0;                        // end of the tables
+};
+
+}  // namespace plastigran
