@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from math import cos, pi, radians, sin
+from math import cos, pi, radians, sin, sqrt
 from pathlib import Path
 
 import pandas as pd
@@ -48,6 +48,12 @@ fix motion all nve/sphere
 {report}
 run {steps}
 """
+#: Velocities [m/s] of 300 steps each: press, slide and slip, turn, lift, and slide back.
+PATH = [(0, 0, -1), (0.3, 0, 0), (0.05, 0.2, -0.2), (-0.1, 0, 0.5), (-0.4, -0.1, 0.05)]
+SEGMENT = """unfix motion
+fix motion all move linear {} {} {}
+run 300
+"""
 LINES = """pair_style gran model {normal} tangential {law}
 pair_coeff * *
 fix wall all wall/gran model {normal} tangential {law} primitive type 2 zplane 0.0"""
@@ -55,9 +61,13 @@ REPORT = """timestep 2e-8
 compute moving all ke
 compute turning all erotate/sphere
 variable along equal vx[1]
-thermo_style custom step v_along c_moving c_turning
+variable height equal z[1]
+variable force_x equal fx[1]
+variable force_y equal fy[1]
+thermo_style custom step v_along c_moving c_turning v_height v_force_x v_force_y
 thermo_modify lost error format float %.15g
 thermo 1000"""
+RADIUS = 0.0025
 MASS = 2650 * pi / 6 * 0.005**3
 
 
@@ -95,3 +105,41 @@ def test_plastic_impacts_gain_no_energy(normal, law, tmp_path):
         after = impact(tmp_path, law, angle, normal, 1e8)
         most = MASS / 2 * sin(radians(angle)) ** 2 + steep.moving * cos(radians(angle)) ** 2
         assert after.moving + after.turning < most + 1e-3 * steep.moving
+
+
+@pytest.mark.parametrize("law", LAWS)
+def test_force_is_that_of_the_law(law, tmp_path):
+    """An elastic sphere moves on a given path. Along it the contact sticks, slips and unloads.
+
+    1e-9 of the largest friction force: round-off of positions over the overlap, in 1500 steps. The
+    tolerance was set before the first run.
+    """
+    lines = LINES.format(law=law, normal="thornton")
+    report = REPORT.replace("thermo 1000", "thermo 1").replace("%.15g", "%.17g")
+    text = DECK.format(lines=lines, report=report, steps=0, strength=1e15, along=0.0, into=0.0)
+    text += "".join(SEGMENT.format(*velocity) for velocity in PATH)
+    (tmp_path / "path.in").write_text(text)
+    run_deck(tmp_path / "path.in", {}, tmp_path)
+    steps = read_thermo(tmp_path / "log.liggghts").drop_duplicates("step").set_index("step")
+
+    flexibility = 1 / 70e9 + 1 / 70e15
+    youngs_eff = 1 / ((1 - 0.3**2) * flexibility)
+    shear_eff = 1 / (2 * (2 - 0.3) * (1 + 0.3) * flexibility)
+    tangential = laws.TANGENTIAL_LAWS[law](0.1)
+    state = tangential.State()
+    largest, errors = 0.0, []
+    for step in range(1, 300 * len(PATH) + 1):
+        x, y, _ = PATH[(step - 1) // 300]
+        overlap = RADIUS - steps.height[step]
+        if overlap <= 0:
+            continue
+        contact_radius = sqrt(RADIUS * overlap)
+        normal_force = 4 / 3 * youngs_eff * contact_radius * overlap
+        expected = tangential.respond(
+            normal_force, 8 * shear_eff * contact_radius, 2e-8 * x, 2e-8 * y, state=state
+        )
+        largest = max(largest, 0.1 * normal_force)
+        errors.append(abs(steps.force_x[step] + expected.force_x))
+        errors.append(abs(steps.force_y[step] + expected.force_y))
+    assert len(errors) > 2000
+    assert max(errors) < 1e-9 * largest
