@@ -201,18 +201,33 @@ TEST_CASE_TEMPLATE("friction never creates energy, and Coulomb's limit holds", N
   check(PartialSlip<8>(friction, 4), 1e-6);
 }
 
-TEST_CASE("few rings have the friction of many") {
-  // The sum over paths of different amplitudes, relative to 300 rings.
-  const auto sum = [](const auto& law) {
-    double work = 0;
-    for (unsigned seed = 0; seed < 10; ++seed)
-      for (const double amplitude : {0.3, 1.0})
-        work += follow_random_path<Hertz>(law, seed, amplitude, 3000).work;
-    return work;
+TEST_CASE_TEMPLATE("few rings have the friction of many", Normal, Hertz, Thornton) {
+  // Sums over paths of different amplitudes. test_laws -s prints the table of docs/friction.md.
+  struct Sum {
+    double work = 0, least_work = 0;
   };
-  const double exact = sum(PartialSlip<300>(friction, 300));
-  for (const auto& [rings, tolerance] : {std::pair{2, 0.2}, {3, 0.1}, {4, 0.06}, {8, 0.02}})
-    CHECK(sum(PartialSlip<8>(friction, rings)) == doctest::Approx(exact).epsilon(tolerance));
+  const auto sum = [](const auto& law) {
+    Sum all;
+    for (unsigned seed = 0; seed < 10; ++seed)
+      for (const double amplitude : {0.3, 1.0}) {
+        const PathResult path = follow_random_path<Normal>(law, seed, amplitude, 20000);
+        all.work += path.work;
+        all.least_work = std::min(all.least_work, path.least_work / path.largest_energy);
+      }
+    return all;
+  };
+  const double exact = sum(PartialSlip<300>(friction, 300)).work;
+  for (const auto& [rings, tolerance] : {std::pair{2, 0.2}, {3, 0.1}, {4, 0.06}, {8, 0.02}}) {
+    const Sum few = sum(PartialSlip<8>(friction, rings));
+    const double ratio = few.work / exact;
+    CAPTURE(rings);
+    CAPTURE(few.least_work);
+    CHECK(ratio == doctest::Approx(1).epsilon(tolerance));
+  }
+  // Set after the first run, which gave 1.20 and 1.15.
+  const Sum incremental = sum(Incremental(friction));
+  CAPTURE(incremental.least_work);
+  CHECK(incremental.work / exact == doctest::Approx(1).epsilon(0.3));
 }
 
 TEST_CASE_TEMPLATE("a pair that tumbles at constant overlap keeps its force", Law, Incremental,
