@@ -14,7 +14,7 @@ from types import CodeType, FunctionType
 
 import pytest
 
-#: Names of functions and methods that start it, of the package and of `subprocess`.
+#: Functions and methods of the package and of `subprocess` that start LIGGGHTS.
 STARTERS = {
     "Popen",
     "bulk",

@@ -222,7 +222,8 @@ def test_stub_has_the_types_and_docstrings_of_the_module():
         if isinstance(node, ast.ClassDef):
             its_class = getattr(laws, name)
             members = declared(node.body)
-            # What laws have in common is declared of Law, and given by each of them.
+            # The stub declares the members that all laws share in Law. In the module, each law has
+            # these members.
             common = (
                 set(members) - public(vars(its_class)) if name in ("Law", "ContactState") else set()
             )

@@ -73,7 +73,7 @@ def test_ranks_count_what_happens(ranks, grid, tmp_path):
 
 @pytest.mark.parametrize("ranks", [1, 2])
 def test_renumbered_grains_keep_their_impacts(ranks, tmp_path):
-    """Grains are deleted and the others renumbered, during impacts."""
+    """During impacts, the run deletes grains and renumbers the others."""
     count("gas", tmp_path, ranks, between="removal", every=300)
     found = compare(tmp_path, 300)
     assert ((found["begin"] <= 600) & (found["end"] > 600)).sum() > 5

@@ -15,9 +15,10 @@ CASES = {
     for law in impacts.LAWS
     for index, row in enumerate(impacts.rows(law))
 }
-# The end of a rebound is found from the force's power law over the last frames. A cylinder's, with
-# its logarithm, has none, the ellipse of mdr only at the very end. Over the largest overlap, at the
-# recommended step and a twentieth of it.
+# Accepted errors of the residual overlap over the largest overlap, at the recommended step and at a
+# twentieth of it. The residual overlap is extrapolated from the last frames, with a force that is a
+# power of the remaining overlap. The force of a cylinder is no power, and that of mdr only at the
+# very end.
 END_OF_REBOUND = {"sphere": (1e-5, 0), "cylinder": (2e-3, 1e-4), "mdr": (2e-3, 0)}
 OUTCOMES = ("coefficient_of_restitution", "force_max", "overlap_max", "overlap_res")
 

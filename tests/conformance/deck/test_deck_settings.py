@@ -82,7 +82,7 @@ def test_missing_setting_is_refused(case):
 
 
 def test_frames_may_change_in_a_continued_run(case):
-    """Settings of grains or time step may not, in any deck."""
+    """A continued run may not change the settings of the grains or the time step."""
     allowed = case.deck_type.continuable_settings()
     shared = {field.name for field in attrs.fields(BulkDeck)}
     assert "frames" in allowed and allowed & shared <= {

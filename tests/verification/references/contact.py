@@ -90,8 +90,8 @@ class Contact:
         """Return the source's unloading curve from a largest overlap [m] beyond yield.
 
         Returns:
-            The overlap recovered, down to the residual one [m], and the force over the largest, as
-            a function of the share of that way that is left.
+            The recovered overlap [m], and a function for the force over the largest force. Its
+            argument is the remaining part of the recovered overlap, from 1 to 0.
         """
         raise NotImplementedError
 
@@ -134,8 +134,9 @@ class Contact:
         return before + work(force, begin, overlap)
 
     def rebound(self, overlap_max: float) -> tuple[float, Callable]:
-        """Return the unloading curve from any largest overlap [m], with the energy guard; as
-        `published_rebound`.
+        """Return the recovered overlap [m] and the shape of the unloading curve.
+
+        Unlike `published_rebound`, this includes elastic contacts and the energy guard.
         """
         end, elastic = self.pieces[0]
         force_max = self.loading_force(overlap_max)
