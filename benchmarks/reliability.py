@@ -93,8 +93,8 @@ def restarts(folder: Path, count: int) -> Iterator[Row]:
             done += 1
             bar.update()
     yield Row(
-        f"collisions that are not bitwise identical to the whole run after a restart at a random "
-        f"step of the contact, of {count} with random laws and geometries",
+        f"{count} collisions with random laws and geometries, restarted at a random step of the "
+        "contact: number that is not bitwise identical to the collision without restart",
         different,
         0,
     )
@@ -137,7 +137,8 @@ def ledger(folder: Path, _: int) -> Iterator[Row]:
         grains, steps = int(series["atoms"].max()), int(series["step"].iloc[-1])
         share = np.ptp(series["plastic"]) / energy_input(series)
         yield Row(
-            f"seconds for `{deck}`: {grains} grains, {steps} steps, {share:.0%} plastic work",
+            f"wall time of `{deck}` (s): {grains} grains, {steps} steps; "
+            f"plastic work is {share:.0%} of the energy input",
             round(seconds),
         )
         error = LEDGER_CHECKS[0]
@@ -164,7 +165,7 @@ def size(folder: Path, _: int) -> Iterator[Row]:
     seconds, grains = float(loop[0]), int(loop[1])
     written = max(file.stat().st_size for file in folder.glob(PATTERN))
     yield Row(
-        f"seconds for `cooling_gas`: {grains} grains, 20 000 steps on two ranks", round(seconds)
+        f"wall time of `cooling_gas` (s): {grains} grains, 20 000 steps, two ranks", round(seconds)
     )
     yield Row("grains · steps per second", grains * 20000 / seconds)
     yield Row("memory of both ranks, GiB", 2 * peak / 2**30, 24)

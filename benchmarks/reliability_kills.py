@@ -56,14 +56,16 @@ def kills(folder: Path, count: int) -> Iterator[Row]:
         yield Row(f"{words}: runs lost, of {len(ends) + lost} killed {killed} times", lost, 0)
         interval = checkpoint_interval(whole)
         yield Row(
-            f"{words}: most steps lost to a kill, and steps between checkpoints",
+            f"{words}: most steps lost to a kill; the limit is the number of steps between "
+            "checkpoints",
             max(losses),
             interval,
         )
         if ranks == 1:
             other = len(ends) - sum(ends)
             yield Row(
-                f"{words}: runs with an end that is not bitwise identical to the run without kills",
+                f"{words}: runs whose end is not bitwise identical to the end of the run without "
+                "kills",
                 other,
                 0,
             )
